@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+# Finds each library, or says which Debian package holds it.
+
+function(bankshot_need package version debian)
+  find_package(${package} ${version} QUIET ${ARGN})
+  if(NOT ${package}_FOUND)
+    message(FATAL_ERROR "bankshot needs ${package} >= ${version}: apt-get install ${debian}")
+  endif()
+  foreach(variable IN ITEMS FOUND VERSION INCLUDE_DIRS)
+    set(${package}_${variable} "${${package}_${variable}}" PARENT_SCOPE)
+  endforeach()
+endfunction()
+
+bankshot_need(nlohmann_json 3.10 nlohmann-json3-dev GLOBAL)
+bankshot_need(fmt 8 libfmt-dev)
+bankshot_need(CLI11 2.1 libcli11-dev)
+bankshot_need(Eigen3 3.4 libeigen3-dev NO_MODULE)
+bankshot_need(Ceres 2.1 libceres-dev)
+
+# NLopt is packaged twice under one CMake name (C and C++), so ask for the target.
+find_package(NLopt 2.7 QUIET)
+if(NOT TARGET NLopt::nlopt)
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(nlopt QUIET IMPORTED_TARGET nlopt>=2.7)
+  endif()
+  if(NOT TARGET PkgConfig::nlopt)
+    message(FATAL_ERROR "bankshot needs NLopt >= 2.7: apt-get install libnlopt-dev")
+  endif()
+  add_library(NLopt::nlopt ALIAS PkgConfig::nlopt)
+endif()
+
+# Their headers are not ours to warn about, and only tiny_solver.h and jet.h of Ceres are used, so
+# nothing of it is linked.
+add_library(bankshot_optimisers INTERFACE)
+get_target_property(ceres_includes Ceres::ceres INTERFACE_INCLUDE_DIRECTORIES)
+target_include_directories(bankshot_optimisers SYSTEM INTERFACE ${ceres_includes})
+target_link_libraries(bankshot_optimisers INTERFACE Eigen3::Eigen NLopt::nlopt)

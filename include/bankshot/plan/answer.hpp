@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Shots with their proof, or the reason why there is none.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bankshot/plan/shot.hpp"
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot {
+
+enum class Status { solved, no_shot, budget, invalid };
+
+const char* name(Status status);
+
+struct Answer {
+  std::string id{};  ///< JSON text of the puzzle's identifier; empty without
+  Status status = Status::no_shot;
+  std::vector<Shot> shots{};  ///< best first
+  struct Nearest {
+    Shot shot;
+    std::string why;
+  };
+  std::optional<Nearest> nearest{};  ///< the closest miss of a `no_shot`
+  std::vector<std::string> modelled{};
+  long simulations = 0;  ///< search and certification
+  double time_us = 0;    ///< of the search, without margin and success
+  std::string message{};
+  struct Error {
+    std::string path, reason;
+  };
+  std::optional<Error> error{};  ///< of `invalid`
+};
+
+/// The answer to input that could not be read or breaks a rule.
+Answer invalid_answer(std::string id, const InvalidInput& error);
+
+/// One line of JSON. `timing` writes time_us.
+std::string to_json(const Puzzle& puzzle, const Answer& answer, bool timing = true);
+/// The same for an `invalid` answer, which has no puzzle.
+std::string to_json(const Answer& invalid);
+
+/// A short text for a person: where to aim, how hard, what happens.
+std::string to_text(const Puzzle& puzzle, const Answer& answer);
+
+}  // namespace bankshot

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// The door to the planners. Every shot in an answer was replayed in the plain simulator and found
+// to reach its target; a planner can fail to find a shot, never return a wrong one.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "bankshot/plan/answer.hpp"
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot {
+
+struct SolveOptions {
+  std::string planner = "auto";
+  bool all = false;         ///< every distinct shot, not only the best
+  bool robustness = true;   ///< margin and success; without, `robust` ranks by first-order margin
+};
+
+/// Never throws for a puzzle that is merely hard: invalid puzzles and unknown planners throw
+/// InvalidInput, everything else is a status.
+Answer solve(const Puzzle& puzzle, const SolveOptions& options = {});
+
+struct PlannerInfo {
+  std::string_view name, summary;
+};
+std::span<const PlannerInfo> planners();
+
+}  // namespace bankshot

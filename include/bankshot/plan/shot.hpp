@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// What to do: a launch that was replayed in the plain simulator, with its proof and how robust it is.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bankshot/scene/ball.hpp"
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot {
+
+struct Arrival {
+  double time = 0;   ///< s since the launch
+  double speed = 0;  ///< m/s
+  Vec2d at{};        ///< centre of the ball [m]
+};
+
+/// How far each launch number can move down and up, the other held, with the shot still made by
+/// the same cushions; none where nothing breaks it.
+struct Margin {
+  std::array<std::optional<double>, 2> angle;  ///< rad, [<= 0, >= 0]
+  std::array<std::optional<double>, 2> speed;  ///< m/s, [<= 0, >= 0]
+};
+
+struct Shot {
+  Launch launch{};
+  std::vector<int> cushions{};  ///< contacts in order
+  Arrival arrival{};
+  double miss = 0;       ///< m, from the replay
+  double condition = 0;  ///< m of arrival per rad of aim or per unit of relative speed, the larger
+  /// First-order margin in standard deviations of the player: orders shots when success is not
+  /// computed.
+  double first_order = 0;
+  std::optional<Margin> margin{};
+  std::optional<double> success{};  ///< chance that the target is made under the puzzle's noise
+  std::string planner{};
+  long simulations = 0;  ///< spent until this shot was certified
+};
+
+/// The shot as a `simulate` request that ends where the ball reaches its target.
+ShotRequest as_request(const Puzzle& puzzle, const Shot& shot);
+
+}  // namespace bankshot

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Reading puzzles and shots from JSON text, in the format of README. Degrees become radians here.
+// Each function throws InvalidInput with the JSON path, the offending value and the rule; text
+// that is no JSON has the path "" and a reason that begins with "line N".
+#pragma once
+
+#include <string_view>
+
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot {
+
+Puzzle read_puzzle(std::string_view text);
+ShotRequest read_shot(std::string_view text);
+
+/// The JSON text of `id` in a document that may be invalid otherwise; empty when there is none.
+std::string read_id(std::string_view text);
+
+}  // namespace bankshot

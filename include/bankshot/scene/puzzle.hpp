@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+//
+// What is asked. SI units and radians; the JSON form (degrees) is read by scene/json.hpp.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bankshot/scene/ball.hpp"
+#include "bankshot/scene/physics.hpp"
+#include "bankshot/scene/table.hpp"
+
+namespace bankshot {
+
+/// A closed range; `[a, a]` fixes the value.
+struct Range {
+  double low, high;
+  bool fixed() const { return low == high; }
+  bool contains(double v) const { return low <= v && v <= high; }
+};
+
+/// The centre passes through `at`, or rests there when the arrival speed asked is 0.
+struct PointTarget {
+  Vec2d at;
+  double within = 0.01;  ///< m; how far off still counts as made
+};
+
+/// The ball drops into a pocket; no number means any pocket.
+struct PocketTarget {
+  std::optional<int> pocket;
+};
+
+using Target = std::variant<PointTarget, PocketTarget>;
+
+/// Bounces before the target: a count between min and max, or exactly `sequence` (contacts).
+struct CushionRule {
+  int min = 0, max = 3;
+  std::optional<std::vector<int>> sequence;
+
+  static CushionRule exactly(int n) { return {n, n, {}}; }
+  static CushionRule in_order(std::vector<int> contacts) {
+    const int n = static_cast<int>(contacts.size());
+    return {n, n, std::move(contacts)};
+  }
+};
+
+inline constexpr int max_cushions = 20000;
+
+enum class Prefer { robust, soft, quick };
+
+/// Standard deviations of a player: aim [rad] and speed [m/s].
+struct Noise {
+  double angle = radians(0.125);
+  double speed = 0.075;
+};
+
+struct Puzzle {
+  std::string id;  ///< JSON text of the identifier, echoed in the answer; empty without
+  Table table;
+  Physics physics = rolling_physics();
+  Ball ball;
+  Target target;
+  CushionRule cushions;
+  std::optional<Range> arrive;  ///< speed at the target [m/s]; the default depends on the target
+  Range speed{0.1, 10};         ///< launch speed [m/s]
+  std::optional<Range> angle;   ///< rad, from low anticlockwise to high; high may exceed 2π
+  Prefer prefer = Prefer::robust;
+  Noise noise;
+  long budget = 100000;  ///< simulations
+};
+
+/// A `simulate` document: a scene and a launch, and when to stop looking.
+struct ShotRequest {
+  std::string id;
+  Table table;
+  Physics physics = rolling_physics();
+  Ball ball;
+  Launch launch{1, 0};
+  struct Until {
+    std::optional<double> time;    ///< s
+    std::optional<int> cushions;   ///< bounces
+    std::optional<double> length;  ///< m, along the path
+  } until;
+};
+
+/// Speed asked at the target, none where any speed does (`ideal`, or a fixed launch speed).
+std::optional<Range> arrival_range(const Puzzle& puzzle);
+
+/// Input that breaks a rule: `path` is the JSON path of the offender ("/ball/at/0"), empty for the
+/// document itself; `line` is set when the text is no JSON at all.
+class InvalidInput : public std::runtime_error {
+ public:
+  InvalidInput(std::string where, const std::string& reason, int at_line = 0)
+      : std::runtime_error(reason), path(std::move(where)), line(at_line) {}
+  std::string path;
+  int line;
+};
+
+/// Throws InvalidInput when the scene breaks a rule of geometry or range.
+void validate(const Puzzle& puzzle);
+void validate(const ShotRequest& request);
+
+}  // namespace bankshot

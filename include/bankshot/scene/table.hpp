@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// The table: a simple polygon of cushion nose lines, vertices anticlockwise, and its pockets.
+// Lengths in metres. A rectangle is the polygon (0,0) (length,0) (length,width) (0,width) with
+// the cushions bottom, right, top, left.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bankshot/vec.hpp"
+
+namespace bankshot {
+
+/// A ball whose centre comes within `radius` of `at` is pocketed.
+struct Pocket {
+  std::string name;
+  Vec2d at;
+  double radius;
+};
+
+/// Widths of the pocket mouths [m]; a capture radius is half of one.
+struct Mouth {
+  double corner, middle;
+};
+
+inline constexpr Mouth pool_7ft_mouth{0.118, 0.137};
+
+struct Table {
+  std::vector<Vec2d> vertices;
+  std::vector<std::string> cushions;  ///< cushions[i] runs from vertex i to vertex i+1
+  std::vector<Pocket> pockets;
+
+  bool is_rectangle() const;
+  /// Diagonal of the bounding box: the length that tolerances are scaled with.
+  double diagonal() const;
+  Vec2d lowest() const;   ///< lower-left corner of the bounding box
+  Vec2d highest() const;  ///< upper-right corner of the bounding box
+};
+
+/// A table without pockets.
+Table rectangle_table(double length, double width);
+Table polygon_table(std::vector<Vec2d> vertices);
+
+/// bottom-left, bottom-middle, bottom-right, top-left, top-middle, top-right of a rectangle.
+std::vector<Pocket> six_pockets(const Table& rectangle, Mouth mouth);
+
+/// A ready-made table with the ball that is played on it.
+struct TablePreset {
+  std::string_view name;
+  double length, width;        ///< playing area [m]
+  double radius, mass;         ///< ball [m], [kg]
+  std::optional<Mouth> mouth;  ///< no pockets without
+};
+
+/// Sources: WPA equipment specification, WPBSA and UMB rules; `seed` is the seed article's table.
+const std::vector<TablePreset>& table_presets();
+const TablePreset* find_table_preset(std::string_view name);
+Table make_table(const TablePreset& preset);
+
+}  // namespace bankshot

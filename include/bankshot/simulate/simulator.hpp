@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+//
+// The forward simulator of one ball, event by event. `step()` moves the ball to its next event and
+// says what it was; a caller that wants a record keeps one, so not recording costs nothing.
+//
+//   Simulator sim(boundary, motion, cushion, State<double>{at, velocity});
+//   for (Event e = sim.step(); !e.final(); e = sim.step()) { ... sim.state() ... sim.arc() ... }
+//
+// Properties:
+//  1. No allocation. The order of events is decided on values; times carry derivatives when T does.
+//  2. One instant: a pocket captures before a cushion bounces; two cushions both bounce, larger
+//     approach speed first, ties in the order of edges. Same instant means equal computed times.
+//  3. The centre stays inside the boundary to tolerance::touch of the diagonal.
+//  4. A bounce puts the centre exactly on the cushion's line, and the gap to a cushion just left
+//     is exactly 0, so the same bounce is never found twice.
+#pragma once
+
+#include <utility>
+
+#include "bankshot/motion/arc.hpp"
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/simulate/roots.hpp"
+#include "bankshot/tolerances.hpp"
+
+namespace bankshot {
+
+enum class EventKind { cushion, pocket, rest, horizon };
+
+struct Event {
+  EventKind kind = EventKind::horizon;
+  int index = -1;             ///< contact of a cushion event, number of the pocket
+  bool same_instant = false;  ///< the second of two cushions met at once
+  /// True when the ball moves no more: at rest, pocketed, or stopped at the horizon.
+  bool final() const { return kind != EventKind::cushion; }
+};
+
+template <class T, class Motion, class Cushion>
+class Simulator {
+ public:
+  Simulator(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
+            const State<T>& start)
+      : boundary_(&boundary), motion_(motion), cushion_(cushion), state_(start), time_(0) {}
+
+  /// Moves to the next event, or `horizon` seconds on if that comes first.
+  Event step(const T& horizon = T(forever)) {
+    if (pending_ >= 0) {
+      const int second = std::exchange(pending_, -1);
+      if (approach(second) > T(0)) {
+        travelled_ = T(0);
+        arc_ = motion_.arc(state_);
+        bounce(second);
+        return {EventKind::cushion, second, true};
+      }
+    }
+    arc_ = motion_.arc(state_);
+    const Next next = find_next(horizon);
+    travelled_ = next.time;
+    if (!(next.time < T(forever))) return {EventKind::horizon};
+    time_ += next.time;
+    state_ = arc_.state_at(next.time);
+    if (next.event.kind == EventKind::cushion) return cushions(next);
+    if (next.event.kind == EventKind::rest) state_.velocity = {T(0), T(0)};
+    return next.event;
+  }
+
+  const State<T>& state() const { return state_; }  ///< right after the last event
+  const T& time() const { return time_; }           ///< seconds since the launch
+  const Arc<T>& arc() const { return arc_; }        ///< the arc that led to the last event
+  const T& travelled() const { return travelled_; }  ///< seconds spent on that arc
+
+  /// Unit vector away from a contact, into the table, for the ball where it is now.
+  Vec2<T> normal(int contact) const {
+    const auto walls = static_cast<int>(boundary_->walls.size());
+    if (contact < walls) return to<T>(boundary_->walls[static_cast<std::size_t>(contact)].normal);
+    const Vec2<T> out = state_.at - to<T>(tip(contact).centre);
+    return out / norm(out);
+  }
+
+ private:
+  struct Next {
+    T time;
+    Event event;
+    int second = -1;
+  };
+
+  const Circle& tip(int contact) const {
+    for (const Circle& c : boundary_->tips)
+      if (c.contact == contact) return c;
+    return boundary_->tips.front();
+  }
+
+  T approach(int contact) const { return -dot(normal(contact), state_.velocity); }
+  bool left(int contact) const { return contact == on_[0] || contact == on_[1]; }
+
+  Next find_next(const T& horizon) const {
+    Next next{arc_.duration, {Motion::phase_end == PhaseEnd::rest ? EventKind::rest
+                                                                  : EventKind::horizon}};
+    if (horizon < next.time) next = {horizon, {EventKind::horizon}};
+    const auto walls = static_cast<int>(boundary_->walls.size());
+    for (int i = 0; i < walls; ++i) consider(next, i, wall_hit(i, next.time));
+    for (const Circle& c : boundary_->tips)
+      if (!left(c.contact)) consider(next, c.contact, first_entry(arc_, c.centre, c.radius));
+    for (const Circle& c : boundary_->pockets) {
+      const T t = first_entry(arc_, c.centre, c.radius);
+      if (t <= next.time && t < T(forever)) next = {t, {EventKind::pocket, c.contact}};
+    }
+    return next;
+  }
+
+  static void consider(Next& next, int contact, const T& t) {
+    if (t < next.time)
+      next = {t, {EventKind::cushion, contact}};
+    else if (t == next.time && next.event.kind == EventKind::cushion && next.second < 0)
+      next.second = contact;
+  }
+
+  /// When the arc meets wall i, if not after `limit`.
+  T wall_hit(int i, const T& limit) const {
+    using std::abs;
+    const Wall& w = boundary_->walls[static_cast<std::size_t>(i)];
+    T speed = dot(w.normal, arc_.velocity);
+    if (Motion::straight && !(speed < T(0))) return T(forever);
+    T gap = dot(w.normal, arc_.at) - T(w.offset);
+    if (left(i)) {
+      gap = T(0);
+      if (abs(speed) < T(tolerance::along) * norm(arc_.velocity)) return T(forever);
+    } else if (gap < T(0) && gap > T(-tolerance::touch * boundary_->diagonal)) {
+      gap = T(0);
+    }
+    const T t = first_descent(gap, speed, T(dot(w.normal, arc_.acceleration)));
+    if (boundary_->strictly_convex || !(t <= limit)) return t;
+    const T s = dot(w.along, arc_.position(t));
+    const double slack = tolerance::edge_end * boundary_->diagonal;
+    return s >= T(w.begin - slack) && s <= T(w.end + slack) ? t : T(forever);
+  }
+
+  Event cushions(const Next& next) {
+    int first = next.event.index, second = next.second;
+    if (second >= 0 && approach(second) > approach(first)) std::swap(first, second);
+    on_[0] = on_[1] = -1;
+    if (second >= 0) settle(second);
+    bounce(first);
+    pending_ = second;
+    return {EventKind::cushion, first};
+  }
+
+  /// Puts the centre exactly on the contact, and remembers that it is there.
+  void settle(int contact) {
+    if (contact < static_cast<int>(boundary_->walls.size())) {
+      const Wall& w = boundary_->walls[static_cast<std::size_t>(contact)];
+      state_.at -= to<T>(w.normal) * T(dot(w.normal, state_.at) - T(w.offset));
+    }
+    if (contact != on_[0]) on_[1] = std::exchange(on_[0], contact);
+  }
+
+  void bounce(int contact) {
+    settle(contact);
+    cushion_.bounce(state_, normal(contact));
+  }
+
+  const Boundary* boundary_;
+  Motion motion_;
+  Cushion cushion_;
+  State<T> state_;
+  T time_;
+  Arc<T> arc_{};
+  T travelled_{0};
+  int on_[2] = {-1, -1};  ///< contacts the centre is exactly on
+  int pending_ = -1;      ///< the second cushion of a corner, still to bounce
+};
+
+}  // namespace bankshot

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// A shot, simulated and recorded: its events and the arcs between them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bankshot/motion/arc.hpp"
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot {
+
+/// The state right after an event. `index` is the contact or the pocket.
+struct Record {
+  enum class Kind { start, cushion, roll_to_rest, pocket, end };
+  Kind kind;
+  double time;  ///< s
+  State<double> state;
+  int index = -1;
+};
+
+/// The arc between two events.
+struct Leg {
+  double begin;     ///< s since the launch
+  double duration;  ///< s
+  Arc<double> arc;
+};
+
+struct Trajectory {
+  enum class End { rest, until, pocketed, events };
+  std::vector<Record> events;
+  std::vector<Leg> legs;  ///< without those of no duration
+  End end = End::rest;
+  double length = 0;  ///< m, of the path
+  int cushions = 0;
+
+  std::vector<int> sequence() const;  ///< the contacts in order
+};
+
+inline constexpr long max_events = 1000000;
+inline constexpr int ideal_cushions = 100;  ///< where an `ideal` shot without `until` ends
+
+/// Throws InvalidInput.
+Trajectory simulate(const ShotRequest& request);
+
+/// [wx, wy, wz] in rad/s of a ball that rolls naturally with `velocity`; 0 for radius 0.
+struct Spin {
+  double x, y, z;
+};
+Spin natural_roll(const Vec2d& velocity, double radius);
+
+/// ½ m v² + ⅕ m R² ω² [J].
+double energy(const Ball& ball, const Vec2d& velocity);
+
+/// The `simulate --json` document, one line.
+std::string to_json(const ShotRequest& request, const Trajectory& trajectory);
+
+/// t,ball,x,y,vx,vy,wx,wy,wz: `rate` rows a second and one at each event.
+std::string to_csv(const ShotRequest& request, const Trajectory& trajectory, double rate);
+
+}  // namespace bankshot

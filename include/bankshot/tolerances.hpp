@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// Every tolerance of the project, each with its unit, its reason and what follows from it.
+// "of the diagonal" means: times the diagonal of the table's bounding box, in metres.
+#pragma once
+
+namespace bankshot::tolerance {
+
+/// Of the diagonal. An answer's miss: the centre passes this close to what was asked.
+inline constexpr double exact_miss = 1e-9;
+
+/// Times max(1 m/s, speed). An answer's arrival speed may differ this much from the one asked.
+inline constexpr double exact_speed = 1e-9;
+
+/// Of the diagonal. A point pocket (radius 0) captures a path that passes this close to it.
+inline constexpr double point_pocket = 1e-9;
+
+/// Of the diagonal. A centre this far beyond a cushion line still counts as touching it: input
+/// such as `length - R` and each bounce are rounded. Larger would let a ball start outside;
+/// smaller would let one slip behind a cushion at a corner.
+inline constexpr double touch = 1e-12;
+
+/// Of the speed. A ball on a cushion whose approach speed is below this travels along it: it is
+/// the rounding of a velocity that was projected on an inclined cushion. Larger would swallow
+/// real grazing bounces.
+inline constexpr double along = 1e-15;
+
+/// Of the diagonal. A hit this far beyond the end of an edge still belongs to it, so that no path
+/// slips between two edges that meet at a reflex vertex when the ball has radius 0.
+inline constexpr double edge_end = 1e-15;
+
+/// Of the diagonal. A target asked exactly on a cushion line, or a path through a corner, is
+/// approached from the side that keeps the asked bounces by moving the aim this much (and ten
+/// times this) at the target. Well inside `exact_miss`, well above rounding.
+inline constexpr double nudge = 2e-11;
+
+/// Radians. Two shots with the same bounces whose aims differ by less are one shot.
+inline constexpr double same_aim = 1e-9;
+
+/// Of max(1, bound). A speed or aim this far outside its bounds is brought back onto them: the
+/// root of a puzzle whose answer lies exactly on a bound is rounded.
+inline constexpr double bound = 1e-12;
+
+/// Of the margin. Where the bisection for a margin stops.
+inline constexpr double margin = 1e-6;
+
+}  // namespace bankshot::tolerance

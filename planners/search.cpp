@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "planners/search.hpp"
+
+#include <algorithm>
+
+#include "bankshot/tolerances.hpp"
+
+namespace bankshot::planning {
+
+Search::Search(const Puzzle& p, bool find_all)
+    : puzzle(p), boundary(p.table, p.ball.radius), all(find_all), arrival(arrival_range(p)),
+      stop(point() && arrival && arrival->high == 0) {
+  if (const PointTarget* t = point()) {
+    aim_points_ = {t->at};
+    return;
+  }
+  for (const Circle& pocket : boundary.pockets)
+    if (wanted(pocket.contact)) aim_points_.push_back(pocket.centre);
+}
+
+double Search::reach(const Vec2d& aim_point) const {
+  if (const PointTarget* t = point()) return t->within;
+  for (const Circle& pocket : boundary.pockets)
+    if (pocket.centre == aim_point) return pocket.radius;
+  return 0;
+}
+
+double Search::nearest_reach(const Vec2d& arrived) const {
+  const auto nearer = [&](const Vec2d& a, const Vec2d& b) { return norm(a - arrived) < norm(b - arrived); };
+  return reach(*std::min_element(aim_points_.begin(), aim_points_.end(), nearer));
+}
+
+bool Search::touches(int contact) const {
+  const double slack = tolerance::touch * boundary.diagonal;
+  const auto walls = static_cast<int>(boundary.walls.size());
+  if (contact < walls) {
+    const Wall& w = boundary.walls[static_cast<std::size_t>(contact)];
+    const double s = dot(w.along, puzzle.ball.at);
+    return dot(w.normal, puzzle.ball.at) - w.offset <= slack && s >= w.begin - slack && s <= w.end + slack;
+  }
+  for (const Circle& tip : boundary.tips)
+    if (tip.contact == contact) return norm(puzzle.ball.at - tip.centre) - tip.radius <= slack;
+  return false;
+}
+
+bool Search::into_touched_wall(const Vec2d& direction) const {
+  for (std::size_t i = 0; i < boundary.walls.size(); ++i)
+    if (dot(boundary.walls[i].normal, direction) < 0 && touches(static_cast<int>(i))) return true;
+  for (const Circle& tip : boundary.tips)
+    if (dot(puzzle.ball.at - tip.centre, direction) < 0 && touches(tip.contact)) return true;
+  return false;
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// One search: the puzzle, what it has cost, what it has found. The planners propose launches to
+// it; `certify` (verify.hpp) is the only way a launch becomes a shot.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bankshot/plan/answer.hpp"
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot::planning {
+
+/// Why a launch does not do what was asked.
+enum class Foul { none, missed, fell_short, wrong_cushion, extra_cushion, pocketed };
+
+struct NearMiss {
+  Launch launch{};
+  int bounces = 0;
+  double miss = std::numeric_limits<double>::infinity();
+  std::string why;
+};
+
+struct Search {
+  explicit Search(const Puzzle& p, bool find_all);
+
+  const Puzzle& puzzle;
+  Boundary boundary;
+  bool all;
+  std::optional<Range> arrival;  ///< speed asked at the target; none: any
+  bool stop;                     ///< the ball must come to rest at the target
+
+  long simulations = 0;
+  std::vector<Shot> shots;
+  NearMiss near;
+  std::map<std::string, long> reasons;  ///< why candidates failed, with how often
+  std::string note;                     ///< what was skipped or cut, for the message
+  bool complete = false;                ///< every candidate there can be was tried
+  bool proved = false;                  ///< and nothing else can reach any part of the target
+  bool cut = false;                     ///< the budget ended the search
+
+  /// Whether the budget is used up; remembers that it ended the search.
+  bool spent() {
+    cut = cut || simulations >= puzzle.budget;
+    return cut;
+  }
+  bool one_unknown() const { return !arrival; }
+  /// Where shots are aimed: the point, or the pocket's centre.
+  const std::vector<Vec2d>& aim_points() const { return aim_points_; }
+  /// How far from an aim point still counts: `within`, or the pocket's capture radius.
+  double reach(const Vec2d& aim_point) const;
+  /// The reach of the aim point nearest to where a ball arrived.
+  double nearest_reach(const Vec2d& arrived) const;
+  /// How far before its aim point a ball arrives: `reach` of a pocket, 0 of a point.
+  double capture(double reach) const { return point() ? 0 : reach; }
+  const PointTarget* point() const { return std::get_if<PointTarget>(&puzzle.target); }
+  bool wanted(int pocket) const {
+    const auto& p = std::get_if<PocketTarget>(&puzzle.target)->pocket;
+    return !p || *p == pocket;
+  }
+  /// The ball touches this contact at the start.
+  bool touches(int contact) const;
+  /// The launch would drive the ball into a cushion that it touches: a bounce before it moves.
+  bool into_touched_wall(const Vec2d& direction) const;
+
+ private:
+  std::vector<Vec2d> aim_points_;
+};
+
+}  // namespace bankshot::planning

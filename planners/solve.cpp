@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "bankshot/plan/planner.hpp"
+#include "planners/planners.hpp"
+#include "planners/robustness.hpp"
+#include "planners/verify.hpp"
+
+namespace bankshot {
+namespace {
+
+using planning::Search;
+
+struct Method {
+  PlannerInfo info;
+  void (*plan)(Search&);
+};
+
+constexpr std::array methods{
+    Method{{"auto", "image, then sweep where images cannot see, then ceres, then nlopt-direct"}, planning::automatic},
+    Method{{"image", "exact aims by unfolding the table; complete without reflex vertices"}, planning::image},
+    Method{{"sweep", "follows the aim around the circle and bisects; sees reflex vertices"}, planning::sweep},
+    Method{{"ceres", "Levenberg-Marquardt with dual numbers along a locked cushion sequence"}, planning::ceres},
+    Method{{"nlopt-bobyqa", "local search without derivatives from the images (NLopt BOBYQA)"}, planning::nlopt_bobyqa},
+    Method{{"nlopt-direct", "global search over aim and speed (NLopt DIRECT-L)"}, planning::nlopt_direct},
+};
+
+const Method& find_method(const std::string& name) {
+  const auto it = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.info.name == name; });
+  if (it != methods.end()) return *it;
+  std::string known;
+  for (const Method& m : methods) known += fmt::format("{}{}", known.empty() ? "" : ", ", m.info.name);
+  throw InvalidInput("", fmt::format("\"{}\" is no planner; known are {}", name, known));
+}
+
+std::vector<std::string> modelled(const Puzzle& p) {
+  std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling", "mirror"};
+  if (!p.table.pockets.empty()) out.push_back("pockets");
+  return out;
+}
+
+/// Larger is better.
+double merit(const Puzzle& p, const Shot& shot) {
+  switch (p.prefer) {
+    case Prefer::soft: return -shot.launch.speed;
+    case Prefer::quick: return -shot.arrival.time;
+    case Prefer::robust: break;
+  }
+  return shot.success.value_or(shot.first_order);
+}
+
+void rank(const Puzzle& p, std::vector<Shot>& shots) {
+  std::stable_sort(shots.begin(), shots.end(), [&](const Shot& a, const Shot& b) {
+    const double x = merit(p, a), y = merit(p, b);
+    if (x != y) return x > y;
+    if (a.first_order != b.first_order) return a.first_order > b.first_order;
+    return a.launch.angle < b.launch.angle;
+  });
+}
+
+/// The reason that most candidates failed for, and the others.
+std::string failures(const Search& s) {
+  std::vector<std::pair<long, std::string>> by_count;
+  for (const auto& [why, times] : s.reasons) by_count.push_back({times, why});
+  std::sort(by_count.rbegin(), by_count.rend());
+  std::string out;
+  for (std::size_t i = 0; i < by_count.size() && i < 3; ++i)
+    out += fmt::format("{}it {} ({}×)", i ? "; " : "", by_count[i].second, by_count[i].first);
+  if (by_count.size() > 3) out += fmt::format("; and {} other reasons", by_count.size() - 3);
+  return out.empty() ? "no path has the bounces asked" : out;
+}
+
+std::string asked_cushions(const CushionRule& c) {
+  if (c.sequence) return "the cushions asked, in that order";
+  if (c.min == c.max) return fmt::format("exactly {} cushion{}", c.min, c.min == 1 ? "" : "s");
+  return fmt::format("{} to {} cushions", c.min, c.max);
+}
+
+std::string message(const Search& s, const Answer& a, std::size_t found) {
+  std::string text;
+  if (a.status == Status::solved) {
+    text = found == 1 ? "one shot found" : fmt::format("{} distinct shots found", found);
+    if (s.cut) text += "; the budget ended the search, so there may be better ones";
+  } else if (a.status == Status::budget) {
+    text = fmt::format("no shot found within the budget of {} simulations", s.puzzle.budget);
+  } else if (s.proved) {
+    text = fmt::format("proved: every path with {} was tried, and {}", asked_cushions(s.puzzle.cushions), failures(s));
+  } else {
+    text = fmt::format("searched launch speeds {:.4g} to {:.4g} m/s and aims {:.4g}° to {:.4g}° with {}: {}",
+                       s.puzzle.speed.low, s.puzzle.speed.high, s.puzzle.angle ? degrees(s.puzzle.angle->low) : 0.0,
+                       s.puzzle.angle ? degrees(s.puzzle.angle->high) : 360.0, asked_cushions(s.puzzle.cushions), failures(s));
+  }
+  if (!s.note.empty()) text += "; " + s.note;
+  return text;
+}
+
+void add_nearest(Search& s, Answer& a) {
+  if (a.status == Status::solved || !(s.near.launch.speed > 0)) return;
+  Shot shot{.launch = s.near.launch};
+  shot.launch.speed = std::clamp(shot.launch.speed, s.puzzle.speed.low, s.puzzle.speed.high);
+  const auto r = replay(s, shot.launch, planning::Goal::exactly(s, s.near.bounces), &shot.cushions);
+  shot.miss = r.miss;
+  shot.arrival = r.arrival;
+  shot.planner = "none";
+  a.nearest = Answer::Nearest{shot, s.near.why};
+}
+
+/// Shots whose success decides their order: more than this are compared by first-order margin.
+constexpr std::size_t most_compared = 64;
+
+void add_robustness(Search& s, std::vector<Shot>& shots, bool all) {
+  const std::size_t n = std::min(shots.size(), most_compared);
+  const bool by_success = s.puzzle.prefer == Prefer::robust;
+  if (shots.size() > n && by_success)
+    s.note += fmt::format("{}only the {} with the largest first-order margin were compared by success", s.note.empty() ? "" : "; ", n);
+  for (std::size_t i = 0; i < (by_success || all ? n : 1); ++i) find_success(s, shots[i]);
+  if (by_success) {
+    std::vector<Shot> head(std::make_move_iterator(shots.begin()), std::make_move_iterator(shots.begin() + static_cast<long>(n)));
+    rank(s.puzzle, head);
+    std::move(head.begin(), head.end(), shots.begin());
+  }
+  for (std::size_t i = 0; i < (all ? shots.size() : 1); ++i) {
+    if (!shots[i].success) find_success(s, shots[i]);
+    find_margin(s, shots[i]);
+  }
+}
+
+}  // namespace
+
+Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
+  validate(puzzle);
+  const Method& method = find_method(options.planner);
+  const auto begin = std::chrono::steady_clock::now();
+  Search s(puzzle, options.all);
+  if (!s.spent()) method.plan(s);
+  rank(puzzle, s.shots);
+  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+
+  Answer a{.id = puzzle.id};
+  a.simulations = s.simulations;
+  a.time_us = took.count();
+  a.status = !s.shots.empty() ? Status::solved : s.cut ? Status::budget : Status::no_shot;
+  a.modelled = modelled(puzzle);
+  const std::size_t found = s.shots.size();
+  add_nearest(s, a);
+  if (options.robustness && found > 0) add_robustness(s, s.shots, options.all);
+  if (!options.all && found > 1) s.shots.resize(1);
+  a.shots = std::move(s.shots);
+  a.message = message(s, a, found);
+  return a;
+}
+
+std::span<const PlannerInfo> planners() {
+  static const auto infos = [] {
+    std::array<PlannerInfo, methods.size()> out{};
+    std::transform(methods.begin(), methods.end(), out.begin(), [](const Method& m) { return m.info; });
+    return out;
+  }();
+  return infos;
+}
+
+}  // namespace bankshot

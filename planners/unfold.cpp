@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "planners/unfold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/tolerances.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// Sequences the tree may visit: about 300 MB and some seconds. More is said in the answer.
+constexpr long most_visited = 2'000'000;
+/// Images a lattice may list at once.
+constexpr long most_images = 500'000;
+/// Rays that miss a window's end by this share of a radian still pass: rounding of the images.
+constexpr double ray_slack = 1e-10;
+
+double slack(const Vec2d& a, const Vec2d& b) { return ray_slack * norm(a) * norm(b); }
+
+/// `ray` lies in the beam from `a` anticlockwise to `b` (less than half a turn wide).
+bool in_beam(const Vec2d& a, const Vec2d& b, const Vec2d& ray) {
+  return cross(a, ray) >= -slack(a, ray) && cross(ray, b) >= -slack(b, ray) &&
+         dot(a / norm(a) + b / norm(b), ray) > 0;
+}
+
+/// Anticlockwise from `a` to `b`, in (−π, π].
+double angle_between(const Vec2d& a, const Vec2d& b) { return std::atan2(cross(a, b), dot(a, b)); }
+
+double distance_to(const Vec2d& a, const Vec2d& b) {
+  const Vec2d d = b - a;
+  const double length2 = dot(d, d);
+  return norm(a + d * (length2 > 0 ? std::clamp(-dot(a, d) / length2, 0.0, 1.0) : 0.0));
+}
+
+}  // namespace
+
+double Unfolding::Affine::stretch() const {
+  return std::sqrt((xx * xx + xy * xy + yx * yx + yy * yy) / 2);
+}
+
+Unfolding::Unfolding(const Search& s, bool whole_target)
+    : s_(s), whole_target_(whole_target), restitution_(s.puzzle.physics.cushion.restitution) {
+  const CushionRule& rule = s.puzzle.cushions;
+  const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
+  if (rule.sequence)
+    follow_sequence();
+  else if (s.puzzle.table.is_rectangle() && restitution_ == 1 && images <= most_images)
+    lattice();
+  else
+    nodes_.push({});
+}
+
+std::optional<Candidate> Unfolding::next() {
+  while (!nodes_.empty() && (candidates_.empty() || nodes_.top().distance < candidates_.top().distance)) {
+    const Node node = nodes_.top();
+    nodes_.pop();
+    if (++visited_ > most_visited) {
+      whole_ = false;
+      nodes_ = {};
+      break;
+    }
+    visit(node);
+  }
+  if (candidates_.empty()) return {};
+  const Candidate c = candidates_.top();
+  candidates_.pop();
+  return c;
+}
+
+void Unfolding::visit(const Node& node) {
+  const CushionRule& rule = s_.puzzle.cushions;
+  if (node.bounces >= rule.min) propose(node);
+  if (node.bounces == rule.max || restitution_ == 0) return;
+  for (int wall = 0; wall < static_cast<int>(s_.boundary.walls.size()); ++wall)
+    if (auto next = child(node, wall)) nodes_.push(*next);
+}
+
+void Unfolding::propose(const Node& node) {
+  for (const Vec2d& target : s_.aim_points()) propose(node, target, s_.reach(target));
+}
+
+void Unfolding::propose(const Node& node, const Vec2d& target, double reach) {
+  const Vec2d ray = node.image.apply(target) - s_.puzzle.ball.at;
+  const double distance = norm(ray);
+  if (!(distance > 0) || !std::isfinite(distance)) return;
+  if (node.bounces > 0 && !s_.puzzle.cushions.sequence && s_.into_touched_wall(ray)) return;
+  // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
+  const double covers = reach * (restitution_ == 1 ? 1 : 2 * node.image.stretch()) / distance;
+  const double half = covers < 1 ? std::asin(covers) : radians(180);
+  Candidate c{wrap_angle(std::atan2(ray.y, ray.x)), node.bounces, std::max(0.0, distance - s_.capture(reach)), -half, half};
+  const bool centred = !node.closed && (node.open || in_beam(node.from, node.to, ray));
+  if (node.closed) c.low = c.high = 0;
+  if (!node.open && !node.closed && half < radians(90)) {
+    // The centre's ray may leave the beam while part of the target is still inside.
+    c.low = std::max(c.low, angle_between(ray, node.from));
+    c.high = std::min(c.high, angle_between(ray, node.to));
+    if (c.low >= c.high) c.low = c.high = 0;
+  }
+  const bool only_part = whole_target_ && c.low < c.high;
+  if (centred || only_part || s_.puzzle.cushions.sequence) candidates_.push(c);
+}
+
+Unfolding::Affine Unfolding::through(const Affine& image, int wall) const {
+  const Wall& w = s_.boundary.walls[static_cast<std::size_t>(wall)];
+  const double k = 1 + 1 / restitution_;
+  const Vec2d n = w.normal;
+  // image ∘ (x -> x − k (n·x − d) n)
+  const double xx = 1 - k * n.x * n.x, xy = -k * n.x * n.y, yy = 1 - k * n.y * n.y;
+  Affine out{image.xx * xx + image.xy * xy, image.xx * xy + image.xy * yy,
+             image.yx * xx + image.yy * xy, image.yx * xy + image.yy * yy};
+  out.shift = image.apply(n * (k * w.offset));
+  return out;
+}
+
+std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) const {
+  if (wall == node.last) return {};
+  const Wall& w = s_.boundary.walls[static_cast<std::size_t>(wall)];
+  if (dot(w.to - w.from, w.along) < 0) return {};  // no ball fits there
+  if (node.last >= 0) {
+    // Beyond the line of the cushion just left there is no path.
+    const Wall& left = s_.boundary.walls[static_cast<std::size_t>(node.last)];
+    const double behind = tolerance::touch * s_.boundary.diagonal;
+    if (dot(left.normal, w.from) - left.offset < behind && dot(left.normal, w.to) - left.offset < behind)
+      return {};
+  }
+  const Vec2d ball = s_.puzzle.ball.at;
+  Vec2d a = node.image.apply(w.from) - ball, b = node.image.apply(w.to) - ball;
+  if (node.flipped) std::swap(a, b);
+  if (!(cross(a, b) > 0)) return {};  // seen from behind, or edge-on
+  Node next{through(node.image, wall), a, b};
+  next.open = false;
+  if (!node.open) {
+    next.from = in_beam(a, b, node.from) ? node.from : a;
+    next.to = in_beam(a, b, node.to) ? node.to : b;
+    if (!in_beam(node.from, node.to, next.from) || !in_beam(node.from, node.to, next.to)) return {};
+  }
+  next.distance = std::max(node.distance, distance_to(a, b));
+  next.bounces = node.bounces + 1;
+  next.last = wall;
+  next.flipped = !node.flipped;
+  return next;
+}
+
+void Unfolding::follow_sequence() {
+  Node node;
+  for (const int contact : *s_.puzzle.cushions.sequence) {
+    if (contact >= static_cast<int>(s_.boundary.walls.size()) || restitution_ == 0) return;
+    const bool first_is_touched = node.bounces == 0 && s_.touches(contact);
+    std::optional<Node> next;
+    if (!node.closed && !first_is_touched) next = child(node, contact);
+    if (!next) {
+      next = node;
+      next->image = through(node.image, contact);
+      next->flipped = !node.flipped;
+      next->closed = !first_is_touched;
+      next->last = contact;
+      ++next->bounces;
+    }
+    node = *next;
+  }
+  propose(node);
+}
+
+void Unfolding::lattice() {
+  const auto& walls = s_.boundary.walls;
+  const double x0 = walls[3].from.x, y0 = walls[0].from.y;
+  const double width = walls[1].from.x - x0, height = walls[2].from.y - y0;
+  const auto cell = [](int i, double size, double x) { return i % 2 == 0 ? i * size + x : (i + 1) * size - x; };
+  std::vector<Candidate> found;
+  const auto add = [&](int i, int j, const Vec2d& target) {
+    const Vec2d image{x0 + cell(i, width, target.x - x0), y0 + cell(j, height, target.y - y0)};
+    const Vec2d ray = image - s_.puzzle.ball.at;
+    const double distance = norm(ray);
+    const int n = std::abs(i) + std::abs(j);
+    if (!(distance > 0) || (n > 0 && s_.into_touched_wall(ray))) return;
+    const double reach = s_.reach(target), covers = reach / distance;
+    const double half = covers < 1 ? std::asin(covers) : radians(180);
+    found.push_back({wrap_angle(std::atan2(ray.y, ray.x)), n,
+                     std::max(0.0, distance - s_.capture(reach)), -half, half});
+  };
+  const CushionRule& rule = s_.puzzle.cushions;
+  for (const Vec2d& target : s_.aim_points())
+    for (int n = rule.min; n <= rule.max; ++n)
+      for (int i = -n; i <= n; ++i) {
+        const int j = n - std::abs(i);
+        add(i, j, target);
+        if (j != 0) add(i, -j, target);
+      }
+  candidates_ = decltype(candidates_){Farther{}, std::move(found)};
+}
+
+}  // namespace bankshot::planning

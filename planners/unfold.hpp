@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// Unfolding: reflect the table at each cushion instead of the ball, and the path becomes a straight
+// line from the ball to an image of the target.
+//
+// A cushion with restitution e maps velocities linearly, n-part × −e. Its inverse, applied to the
+// plane beyond the cushion's line, is an affine map that fixes the line: x -> x − (1 + 1/e)(n·x − d) n.
+// Composed along a sequence these maps send every leg of a `rolling` or `ideal` path onto one
+// straight line, on any polygon: e = 1 is the mirror, e < 1 the stretched image (on rectangles the
+// closed form that is linear in the tangent of the aim).
+//
+// Method: best-first over cushion sequences, nearest window first; a sequence is kept only while a
+// ray from the ball can pass all its windows (unfolded cushions), so only sequences that can occur
+// are visited. On rectangles with e = 1 the images form a lattice and need no tree.
+// Cost: one cross product or so per window. Guarantee: on a table without reflex vertices no
+// sequence that occurs is skipped; where an edge hides another, candidates may be false (the
+// replay decides). Source: the image method; beam tracing (Heckbert & Hanrahan 1984).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "planners/search.hpp"
+
+namespace bankshot::planning {
+
+/// An aim to try.
+struct Candidate {
+  double angle = 0;      ///< rad
+  int bounces = 0;
+  double distance = 0;   ///< m, from the ball to the image: the path's length where e = 1
+  double low = 0;        ///< rad beside `angle`: the aims at which a ray that passes the cushions
+  double high = 0;       ///< may reach any part of the target; low = high = 0 when none may
+};
+
+class Unfolding {
+ public:
+  /// `whole_target` also proposes images whose centre no ray reaches, but some part might be.
+  Unfolding(const Search& s, bool whole_target);
+
+  /// The next candidate, nearest first; none when all were given.
+  std::optional<Candidate> next();
+
+  /// False when sequences were left unvisited because there were too many.
+  bool whole() const { return whole_; }
+  /// Distances are path lengths: the first shot found is the shortest.
+  bool shortest_first() const { return restitution_ == 1; }
+
+ private:
+  struct Affine {
+    double xx = 1, xy = 0, yx = 0, yy = 1;
+    Vec2d shift{};
+    Vec2d apply(const Vec2d& p) const { return {xx * p.x + xy * p.y + shift.x, yx * p.x + yy * p.y + shift.y}; }
+    /// Frobenius norm over √2: 1 for a reflection, never less than half the largest stretch.
+    double stretch() const;
+  };
+  struct Node {
+    Affine image;
+    Vec2d from{}, to{};  ///< the beam's first and last ray, anticlockwise, unless it is open
+    double distance = 0;
+    int bounces = 0;
+    int last = -1;
+    bool flipped = false;
+    bool open = true;     ///< no cushion bounds the beam yet
+    bool closed = false;  ///< no ray passes all cushions
+  };
+  struct Farther {
+    bool operator()(const Node& a, const Node& b) const { return a.distance > b.distance; }
+    bool operator()(const Candidate& a, const Candidate& b) const { return a.distance > b.distance; }
+  };
+
+  void visit(const Node& node);
+  void propose(const Node& node);
+  void propose(const Node& node, const Vec2d& target, double reach);
+  std::optional<Node> child(const Node& node, int wall) const;
+  void follow_sequence();
+  void lattice();
+  Affine through(const Affine& image, int wall) const;
+
+  const Search& s_;
+  bool whole_target_, whole_ = true;
+  double restitution_;
+  long visited_ = 0;
+  std::priority_queue<Node, std::vector<Node>, Farther> nodes_;
+  std::priority_queue<Candidate, std::vector<Candidate>, Farther> candidates_;
+};
+
+}  // namespace bankshot::planning

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+#include "planners/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/simulate/simulator.hpp"
+#include "bankshot/tolerances.hpp"
+#include "planners/robustness.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// Follows the bounces against a requested sequence; two at one instant match in either order.
+class SequenceCheck {
+ public:
+  explicit SequenceCheck(const std::vector<int>* wanted) : wanted_(wanted) {}
+
+  bool accepts(int k, const Event& e) {
+    if (!wanted_) return true;
+    const auto at = [&](int i) { return (*wanted_)[static_cast<std::size_t>(i)]; };
+    if (swapped_ >= 0) return e.same_instant && std::exchange(swapped_, -1) == e.index;
+    if (at(k) == e.index) return true;
+    if (k + 1 < static_cast<int>(wanted_->size()) && at(k + 1) == e.index) {
+      swapped_ = at(k);
+      return true;
+    }
+    return false;
+  }
+  /// A swap still waits for its second bounce.
+  bool open() const { return swapped_ >= 0; }
+
+ private:
+  const std::vector<int>* wanted_;
+  int swapped_ = -1;
+};
+
+/// A simulation against a goal, leg by leg.
+template <class Motion>
+class Follower {
+ public:
+  Follower(const Search& s, const Motion& motion, const Launch& launch, const Goal& goal,
+           bool tracing)
+      : s_(s), goal_(goal), tracing_(tracing), stop_(s.stop && !tracing), check_(goal.sequence),
+        sim_(s.boundary, motion, s.puzzle.physics.cushion,
+             State<double>{s.puzzle.ball.at, direction(launch.angle) * launch.speed}),
+        speed2_(launch.speed * launch.speed), slowing_(deceleration(s.puzzle.physics)) {}
+
+  Trace run(std::vector<int>* contacts) {
+    for (;;) {
+      const Event e = sim_.step();
+      if (look_along_leg()) return out_;
+      advance(sim_.travelled());
+      switch (e.kind) {
+        case EventKind::cushion:
+          if (k_ == goal_.max) return fail(Foul::extra_cushion, e.index);
+          if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.index);
+          ++k_;
+          if (contacts) contacts->push_back(e.index);
+          break;
+        case EventKind::pocket:
+          return pocketed(e.index);
+        case EventKind::rest:
+          return rest();
+        case EventKind::horizon:
+          return fail(Foul::missed, -1);
+      }
+    }
+  }
+
+ private:
+  bool counts() const { return k_ >= goal_.min && !check_.open(); }
+
+  /// Path length and loss of speed up to `t` seconds into the current arc, and over the bounce.
+  void advance(double t) {
+    if (!tracing_) return;
+    const double before2 = dot(sim_.arc().velocity, sim_.arc().velocity);
+    out_.gain *= before2 / speed2_;
+    out_.loss *= before2 / speed2_;
+    speed2_ = before2;
+    if (t > 0) out_.loss += 2 * slowing_ * norm(sim_.arc().position(t) - sim_.arc().at);
+  }
+
+  /// Closest approach to the target on the arc just travelled; true when a point is made there.
+  bool look_along_leg() {
+    const PointTarget* target = s_.point();
+    if (stop_ || !counts()) return false;
+    if (target) return look_at(target->at) <= target->within && arrive_at_point();
+    if (tracing_)
+      for (const Vec2d& centre : s_.aim_points()) look_at(centre);
+    return false;
+  }
+
+  double look_at(const Vec2d& target) {
+    const double t = closest_time(sim_.arc(), sim_.travelled(), target);
+    const Vec2d at = sim_.arc().position(t);
+    const double miss = norm(at - target);
+    if (miss < out_.replay.miss) {
+      out_.replay.miss = miss;
+      out_.replay.arrival = {sim_.time() - sim_.travelled() + t, norm(sim_.arc().velocity_at(t)), at};
+      closest_ = t;
+    }
+    return miss;
+  }
+
+  bool arrive_at_point() {
+    advance(closest_);
+    out_.replay.made = true;
+    out_.replay.bounces = k_;
+    return true;
+  }
+
+  Trace pocketed(int pocket) {
+    if (s_.point() || !s_.wanted(pocket) || !counts()) return fail(Foul::pocketed, pocket);
+    const State<double>& now = sim_.state();
+    const Vec2d to_centre = s_.boundary.pockets[static_cast<std::size_t>(pocket)].centre - now.at;
+    out_.replay.made = true;
+    out_.replay.bounces = k_;
+    out_.replay.miss = std::abs(cross(now.velocity, to_centre)) / norm(now.velocity);
+    out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
+    return out_;
+  }
+
+  Trace rest() {
+    const PointTarget* target = s_.point();
+    if (!target || !stop_ || !counts()) return fail(Foul::fell_short, -1);
+    out_.replay.miss = norm(sim_.state().at - target->at);
+    out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
+    out_.replay.bounces = k_;
+    out_.replay.made = out_.replay.miss <= target->within;
+    if (!out_.replay.made) out_.replay.foul = Foul::missed;
+    return out_;
+  }
+
+  Trace fail(Foul foul, int index) {
+    // Where the target was passed with the bounces asked, that is the miss; else how near the
+    // ball was when it went wrong.
+    if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
+      for (const Vec2d& p : s_.aim_points())
+        out_.replay.miss = std::min(out_.replay.miss, norm(sim_.state().at - p));
+      out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
+    } else if (foul == Foul::extra_cushion) {
+      foul = Foul::missed;
+    }
+    out_.replay.foul = foul;
+    out_.replay.index = index;
+    out_.replay.bounces = k_;
+    return out_;
+  }
+
+  const Search& s_;
+  const Goal& goal_;
+  bool tracing_;  ///< only the shape matters: pass the target, and keep account of the speed
+  bool stop_;
+  SequenceCheck check_;
+  Simulator<double, Motion, Mirror> sim_;
+  double speed2_;  ///< m²/s², at the start of the current leg, before the bounce that began it
+  double slowing_;  ///< m/s²
+  int k_ = 0;
+  double closest_ = 0;  ///< s into the arc
+  Trace out_;
+};
+
+void remember(Search& s, const Launch& launch, int bounces, double miss, const std::string& why) {
+  ++s.reasons[why];
+  if (miss < s.near.miss) s.near = {launch, bounces, miss, why};
+}
+
+/// Brings a number that rounding carried just outside its bounds back in.
+bool inside(double& v, const Range& r) {
+  const double slack = tolerance::bound * std::max(1.0, std::abs(r.high));
+  if (v < r.low - slack || v > r.high + slack) return false;
+  v = std::clamp(v, r.low, r.high);
+  return true;
+}
+
+bool inside_angle(double& angle, const std::optional<Range>& bounds) {
+  if (!bounds) return true;
+  constexpr double turn = radians(360);
+  for (double a : {angle, angle + turn, angle - turn})
+    if (inside(a, *bounds)) return angle = wrap_angle(a), true;
+  return false;
+}
+
+bool same_shot(const Shot& a, const Launch& b, std::size_t bounces) {
+  const double d = std::abs(wrap_angle(a.launch.angle - b.angle + radians(180)) - radians(180));
+  return a.cushions.size() == bounces && d < tolerance::same_aim &&
+         std::abs(a.launch.speed - b.speed) <= tolerance::exact_speed * std::max(1.0, b.speed);
+}
+
+bool exact(const Search& s, const Replay& r) {
+  if (!r.made || r.miss > tolerance::exact_miss * s.boundary.diagonal) return false;
+  if (!s.arrival || s.stop) return true;
+  const double slack = tolerance::exact_speed * std::max(1.0, s.arrival->high);
+  return r.arrival.speed >= s.arrival->low - slack && r.arrival.speed <= s.arrival->high + slack;
+}
+
+/// Rounding, not geometry, may have decided: the path meets a corner, or ends on a cushion line.
+bool rounding_may_matter(const Replay& r) {
+  return r.foul == Foul::wrong_cushion || r.foul == Foul::extra_cushion ||
+         r.foul == Foul::fell_short || r.foul == Foul::missed;
+}
+
+}  // namespace
+
+Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts) {
+  ++s.simulations;
+  return std::visit(
+      [&](const auto& motion) {
+        return Follower(s, motion, launch, goal, false).run(contacts).replay;
+      },
+      s.puzzle.physics.motion);
+}
+
+Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts) {
+  ++s.simulations;
+  return Follower(s, Ideal{}, {1, angle}, goal, true).run(contacts);
+}
+
+std::optional<double> launch_speed(Search& s, double angle, const Trace& t) {
+  const Range& bounds = s.puzzle.speed;
+  const int n = t.replay.bounces;
+  const auto speed_for = [&](double v) { return std::sqrt((v * v + t.loss) / t.gain); };
+  double low = bounds.low, high = bounds.high;
+  if (is_ideal(s.puzzle.physics)) return bounds.fixed() ? low : std::clamp(1.0, low, high);
+  if (s.arrival) {
+    low = speed_for(s.arrival->low);
+    high = speed_for(s.arrival->high);
+    if (!inside(low, bounds) && low > bounds.high) {
+      remember(s, {bounds.high, angle}, n, t.replay.miss,
+               fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", low, bounds.high));
+      return {};
+    }
+    if (!inside(high, bounds) && high < bounds.low) {
+      remember(s, {bounds.low, angle}, n, t.replay.miss,
+               fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", high, bounds.low));
+      return {};
+    }
+    low = std::max(low, bounds.low);
+    high = std::min(high, bounds.high);
+  }
+  // On a path that does not depend on the speed, more speed only carries the ball on, so it is
+  // the most robust and the quickest.
+  return s.puzzle.prefer == Prefer::soft ? low : high;
+}
+
+bool certify(Search& s, const Launch& proposed, int bounces, std::string_view planner,
+             bool off_centre) {
+  Launch launch{proposed.speed, wrap_angle(radians(degrees(proposed.angle)))};
+  if (!inside_angle(launch.angle, s.puzzle.angle)) {
+    const Range& a = *s.puzzle.angle;
+    remember(s, launch, bounces, std::numeric_limits<double>::max(),
+             fmt::format("needs an aim outside the bounds of {:.4g}° to {:.4g}°", degrees(a.low), degrees(a.high)));
+    return false;
+  }
+  if (!inside(launch.speed, s.puzzle.speed)) return false;
+  std::vector<int> contacts;
+  const Replay r = replay(s, launch, Goal::exactly(s, bounces), &contacts);
+  if (off_centre ? !r.made : !exact(s, r)) {
+    remember(s, launch, bounces, r.miss, explain(s, r));
+    return false;
+  }
+  for (const Shot& known : s.shots)
+    if (same_shot(known, launch, contacts.size())) return true;
+  Shot shot{.launch = launch, .cushions = std::move(contacts), .arrival = r.arrival, .miss = r.miss};
+  shot.planner = planner;
+  shot.simulations = s.simulations;
+  first_order(s, shot);
+  s.shots.push_back(std::move(shot));
+  return true;
+}
+
+bool certify_aim(Search& s, double angle, int bounces, std::string_view planner, bool off_centre) {
+  const Goal goal = Goal::exactly(s, bounces);
+  Replay last;
+  const auto attempt = [&](double a, double shorter) {
+    const Trace t = trace(s, a, goal);
+    last = t.replay;
+    if (!t.replay.made) {
+      remember(s, {s.puzzle.speed.high, a}, bounces, t.replay.miss, explain(s, t.replay));
+      return false;
+    }
+    const auto speed = launch_speed(s, a, t);
+    return speed && certify(s, {*speed * (1 - shorter), a}, bounces, planner, off_centre);
+  };
+  if (attempt(angle, 0)) return true;
+  if (off_centre || !(last.made || rounding_may_matter(last))) return false;
+  // The trace runs at unit speed, so its time bounds the metres that a radian moves the target by.
+  const double path = std::max(last.arrival.time, 1e-3 * s.boundary.diagonal);
+  const double step = tolerance::nudge * s.boundary.diagonal / path;
+  for (const double k : {0.0, 1.0, -1.0, 10.0, -10.0})
+    for (const double shorter : {0.0, step}) {
+      if (s.spent()) return false;
+      const bool tried = k == 0 && shorter == 0;
+      if (!tried && (shorter == 0 || s.stop) && attempt(angle + k * step, shorter)) return true;
+    }
+  return false;
+}
+
+std::string explain(const Search& s, const Replay& r) {
+  switch (r.foul) {
+    case Foul::none:
+    case Foul::missed: return "passes by the target";
+    case Foul::fell_short: return "stops before the target";
+    case Foul::wrong_cushion:
+      return fmt::format("meets cushion {} out of turn", contact_name(s.puzzle.table, r.index));
+    case Foul::extra_cushion:
+      return fmt::format("meets cushion {} before the target", contact_name(s.puzzle.table, r.index));
+    case Foul::pocketed:
+      return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(r.index)].name);
+    default: return "is out of bounds";
+  }
+}
+
+}  // namespace bankshot::planning

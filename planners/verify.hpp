@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// The only door out: a launch becomes a shot by a replay in the plain simulator.
+// Cost: one simulation a replay. Guarantee: what is returned reaches its target after the bounces
+// asked, with the miss and the arrival speed that the replay measured.
+#pragma once
+
+#include <string_view>
+
+#include "planners/search.hpp"
+
+namespace bankshot::planning {
+
+/// Bounces a replay must have at its target.
+struct Goal {
+  int min, max;
+  const std::vector<int>* sequence = nullptr;
+  static Goal of(const Search& s) {
+    const CushionRule& c = s.puzzle.cushions;
+    return {c.min, c.max, c.sequence ? &*c.sequence : nullptr};
+  }
+  static Goal exactly(const Search& s, int bounces) {
+    Goal g = of(s);
+    g.min = g.max = bounces;
+    return g;
+  }
+};
+
+struct Replay {
+  bool made = false;   ///< in the contract's sense: within reach, after the bounces asked
+  double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
+  Arrival arrival;
+  Foul foul = Foul::none;
+  int index = -1;   ///< the contact or pocket of the foul
+  int bounces = 0;  ///< at arrival or at the foul
+};
+
+/// Simulates a launch against the goal; `contacts`, if given, receives the bounces.
+Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts = nullptr);
+
+/// The shape of a path, where it does not depend on the speed (`ideal`, `rolling`): simulated at
+/// unit speed without friction. The speed v at arrival and v0 at launch obey v² = gain·v0² − loss.
+struct Trace {
+  Replay replay;
+  double gain = 1, loss = 0;  ///< –, m²/s²
+};
+Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts = nullptr);
+
+/// The launch speed for this path: fixed, or chosen by `prefer` inside what the puzzle leaves
+/// free. None when a bound forbids it; then `near` and `reasons` say so.
+std::optional<double> launch_speed(Search& s, double angle, const Trace& t);
+
+/// Replays, and keeps the launch as a shot when it is exact (or, `off_centre`, when it is made).
+bool certify(Search& s, const Launch& launch, int bounces, std::string_view planner,
+             bool off_centre = false);
+
+/// Traces an aim, finds its speed and certifies it: the last step of every planner here. Where
+/// rounding decides at a corner or on a cushion line, tries aims `tolerance::nudge` away.
+bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
+                 bool off_centre = false);
+
+/// A sentence for a foul.
+std::string explain(const Search& s, const Replay& r);
+
+}  // namespace bankshot::planning

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// One file per command: each adds itself to the command line and says what to run.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace bankshot::app {
+
+using Run = std::function<int()>;
+
+Run add_solve(CLI::App& app);
+Run add_simulate(CLI::App& app);
+
+}  // namespace bankshot::app

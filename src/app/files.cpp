@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "app/files.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+namespace bankshot::app {
+
+std::string read_file(const std::string& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::ifstream in(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in || in.bad()) throw FileError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  return text;
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text << std::flush;
+  if (!out) throw FileError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+}
+
+void print(const std::string& text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw FileError("standard output: cannot be written");
+}
+
+std::string complaint(const std::string& path, const InvalidInput& error) {
+  const std::string file = path == "-" ? "standard input" : path;
+  if (error.line) return fmt::format("{}:{}: {}", file, error.line, error.what());
+  return fmt::format("{}: {}{}{}", file, error.path, error.path.empty() ? "" : ": ", error.what());
+}
+
+}  // namespace bankshot::app

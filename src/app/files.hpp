@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Files and streams of the program, and how its commands end.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot::app {
+
+/// Exit codes, fixed by the interface.
+enum Exit { done = 0, nothing_solved = 1, bad_input = 2 };
+
+/// A file that cannot be read or written; ends the program with `bad_input`.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The whole file, or standard input for "-".
+std::string read_file(const std::string& path);
+void write_file(const std::string& path, const std::string& text);
+/// To standard output; a failure to write is an error, not silence.
+void print(const std::string& text);
+
+/// "FILE:LINE: reason" or "FILE: /json/path: reason", one line.
+std::string complaint(const std::string& path, const InvalidInput& error);
+
+}  // namespace bankshot::app

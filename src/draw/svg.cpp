@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "bankshot/draw/svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/scene/boundary.hpp"
+
+namespace bankshot {
+namespace {
+
+constexpr double picture = 900;  // px, the longer side of the playing surface
+constexpr double rail = 34;      // px, width of the wooden rail
+constexpr double nose = 10;      // px, width of the rubber
+constexpr const char* path_colours[] = {"#ffffff", "#ffd166", "#8ecae6", "#f4a261", "#cdb4db", "#b7e4c7"};
+
+/// Table metres to picture pixels, y downwards.
+class Canvas {
+ public:
+  explicit Canvas(const Table& t) : table_(t), low_(t.lowest()), size_(t.highest() - low_) {
+    scale_ = picture / std::max(size_.x, size_.y);
+  }
+  double px(double metres) const { return metres * scale_; }
+  Vec2d at(const Vec2d& p) const {
+    return {rail + nose + px(p.x - low_.x), rail + nose + px(size_.y - (p.y - low_.y))};
+  }
+
+  template <class... A>
+  void add(fmt::format_string<A...> f, A&&... args) {
+    body_ += fmt::format(f, std::forward<A>(args)...) + "\n";
+  }
+  void circle(const Vec2d& p, double radius_px, std::string_view style) {
+    const Vec2d c = at(p);
+    add(R"(<circle cx="{:.2f}" cy="{:.2f}" r="{:.2f}" {}/>)", c.x, c.y, radius_px, style);
+  }
+  void polyline(const std::vector<Vec2d>& points, std::string_view tag, std::string_view style) {
+    std::string list;
+    for (const Vec2d& p : points) {
+      const Vec2d c = at(p);
+      list += fmt::format("{}{:.2f},{:.2f}", list.empty() ? "" : " ", c.x, c.y);
+    }
+    add(R"(<{} points="{}" {}/>)", tag, list, style);
+  }
+  std::string document(const std::string& title) const {
+    const double w = px(size_.x) + 2 * (rail + nose), h = px(size_.y) + 2 * (rail + nose);
+    return fmt::format(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" height="{1:.0f}" font-family="sans-serif">)"
+        "\n<title>{2}</title>\n{3}</svg>\n",
+        w, h, title, body_);
+  }
+  const Table& table() const { return table_; }
+
+ private:
+  const Table& table_;
+  Vec2d low_, size_;
+  double scale_;
+  std::string body_;
+};
+
+void draw_diamonds(Canvas& c) {
+  const Table& t = c.table();
+  const Vec2d low = t.lowest(), high = t.highest(), size = high - low;
+  const auto mark = [&](const Vec2d& p, const Vec2d& outward) {
+    const Vec2d at = c.at(p) + outward * (nose + rail / 2);
+    c.add(R"(<path d="M{:.1f} {:.1f}l4 4l-4 4l-4-4z" fill="#f3e9d2"/>)", at.x, at.y - 4);
+  };
+  const auto along = [&](double length, int spaces, auto&& place) {
+    for (int i = 1; i < spaces; ++i) place(length * i / spaces);
+  };
+  const int nx = size.x >= size.y ? 8 : 4, ny = size.x >= size.y ? 4 : 8;
+  along(size.x, nx, [&](double x) { mark({low.x + x, low.y}, {0, 1}); mark({low.x + x, high.y}, {0, -1}); });
+  along(size.y, ny, [&](double y) { mark({low.x, low.y + y}, {-1, 0}); mark({high.x, low.y + y}, {1, 0}); });
+}
+
+void draw_table(Canvas& c) {
+  const Table& t = c.table();
+  if (t.is_rectangle()) {
+    const Vec2d low = c.at({t.lowest().x, t.highest().y}), high = c.at({t.highest().x, t.lowest().y});
+    const auto frame = [&](double grow, double round, std::string_view fill) {
+      c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" rx="{:.0f}" fill="{}"/>)", low.x - grow,
+            low.y - grow, high.x - low.x + 2 * grow, high.y - low.y + 2 * grow, round, fill);
+    };
+    frame(nose + rail, 16, "#5b3a1e");
+    frame(nose, 3, "#14532d");
+    frame(0, 0, "#1f7a4d");
+    draw_diamonds(c);
+  } else {
+    // Joins are drawn with the strokes, so a polygon's rail follows its outline.
+    c.polyline(t.vertices, "polygon", fmt::format(R"(fill="none" stroke="#5b3a1e" stroke-width="{}" stroke-linejoin="round")", 2 * (nose + rail / 2)));
+    c.polyline(t.vertices, "polygon", fmt::format(R"(fill="none" stroke="#14532d" stroke-width="{}" stroke-linejoin="round")", 2 * nose));
+    c.polyline(t.vertices, "polygon", R"(fill="#1f7a4d")");
+  }
+  for (const Pocket& p : t.pockets)
+    c.circle(p.at, std::max(c.px(p.radius), 3.0), R"(fill="#111")");
+}
+
+/// Points along a path: the ends of its arcs, and points between where an arc bends.
+std::vector<Vec2d> outline(const Trajectory& t) {
+  std::vector<Vec2d> points{t.events.front().state.at};
+  for (const Leg& leg : t.legs) {
+    const bool bends = std::abs(cross(leg.arc.velocity, leg.arc.acceleration)) > 1e-12;
+    const int pieces = bends ? 24 : 1;
+    for (int i = 1; i <= pieces; ++i) points.push_back(leg.arc.position(leg.duration * i / pieces));
+  }
+  return points;
+}
+
+double ball_px(const Canvas& c, const Ball& ball) { return std::max(c.px(ball.radius), 4.0); }
+
+void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_view colour, bool best) {
+  const char* join = R"(stroke-linejoin="round" stroke-linecap="round")";
+  c.polyline(outline(t), "polyline",
+             fmt::format(R"(fill="none" stroke="{}" stroke-width="{}" {} stroke-opacity="{}")", colour, best ? 2.5 : 1.5, join, best ? 1.0 : 0.75));
+  if (!best) return;
+  constexpr std::size_t most_ghosts = 60;  // more would hide the path
+  const auto bounces = t.sequence().size();
+  for (const Record& e : t.events)
+    if (e.kind == Record::Kind::cushion && bounces <= most_ghosts)
+      c.circle(e.state.at, ball_px(c, ball), fmt::format(R"(fill="none" stroke="{}" stroke-width="1" stroke-opacity="0.7")", colour));
+}
+
+void draw_ball(Canvas& c, const Vec2d& at, const Ball& ball, std::string_view style) {
+  c.circle(at, ball_px(c, ball), style);
+}
+
+/// The aims of the margin as one shaded region, leg by leg between its two outermost paths.
+void draw_fan(Canvas& c, const Puzzle& p, const Shot& shot) {
+  const auto& m = shot.margin->angle;
+  if (!m[0] || !m[1]) return;
+  constexpr int strips = 8;
+  std::vector<Vec2d> before;
+  for (int i = 0; i <= strips; ++i) {
+    Shot edge = shot;
+    edge.launch.angle = wrap_angle(shot.launch.angle + *m[0] + (*m[1] - *m[0]) * i / strips);
+    const std::vector<Vec2d> path = outline(simulate(as_request(p, edge)));
+    for (std::size_t k = 0; k + 1 < std::min(path.size(), before.size()); ++k)
+      c.polyline({before[k], before[k + 1], path[k + 1], path[k]}, "polygon", R"(fill="#ffd166" fill-opacity="0.35")");
+    before = path;
+  }
+}
+
+void draw_target(Canvas& c, const Puzzle& p) {
+  const char* ring = R"(fill="none" stroke="#ef476f" stroke-width="2.5")";
+  if (const auto* point = std::get_if<PointTarget>(&p.target)) {
+    c.circle(point->at, std::max(c.px(point->within), 7.0), ring);
+    c.circle(point->at, 2.5, R"(fill="#ef476f")");
+    return;
+  }
+  const auto wanted = std::get<PocketTarget>(p.target).pocket;
+  for (std::size_t i = 0; i < p.table.pockets.size(); ++i)
+    if (!wanted || *wanted == static_cast<int>(i))
+      c.circle(p.table.pockets[i].at, std::max(c.px(p.table.pockets[i].radius), 6.0), ring);
+}
+
+}  // namespace
+
+std::string draw(const ShotRequest& request, const Trajectory& trajectory) {
+  Canvas c(request.table);
+  draw_table(c);
+  draw_path(c, trajectory, request.ball, path_colours[0], true);
+  draw_ball(c, request.ball.at, request.ball, R"(fill="#ffffff")");
+  draw_ball(c, trajectory.events.back().state.at, request.ball, R"(fill="#ffffff" fill-opacity="0.6" stroke="#ef476f" stroke-width="2")");
+  return c.document(fmt::format("{:.3f} m/s at {:.2f} degrees", request.launch.speed, degrees(request.launch.angle)));
+}
+
+std::string draw(const Puzzle& puzzle, const Answer& answer) {
+  Canvas c(puzzle.table);
+  draw_table(c);
+  if (!answer.shots.empty() && answer.shots[0].margin) draw_fan(c, puzzle, answer.shots[0]);
+  for (std::size_t i = answer.shots.size(); i-- > 0;) {
+    const Shot& shot = answer.shots[i];
+    draw_path(c, simulate(as_request(puzzle, shot)), puzzle.ball, path_colours[i % std::size(path_colours)], i == 0);
+  }
+  draw_target(c, puzzle);
+  if (!answer.shots.empty())
+    draw_ball(c, answer.shots[0].arrival.at, puzzle.ball, R"(fill="#ffffff" fill-opacity="0.5")");
+  draw_ball(c, puzzle.ball.at, puzzle.ball, R"(fill="#ffffff")");
+  return c.document(fmt::format("{}: {}", name(answer.status), answer.message));
+}
+
+}  // namespace bankshot

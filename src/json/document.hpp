@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// JSON text to a tree that lost nothing: duplicate keys and numbers no double can hold are errors,
+// with the line they are on. Private to the readers.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace bankshot {
+
+using Json = nlohmann::ordered_json;
+
+/// Throws InvalidInput (path "", line set).
+Json parse_document(std::string_view text);
+
+/// The value as JSON text with the shortest decimals that read back to the same doubles.
+std::string write_json(const Json& value);
+
+/// A value for an error message: its JSON text, cut to a readable length.
+std::string quote(const Json& value);
+
+}  // namespace bankshot

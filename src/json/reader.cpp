@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "json/reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace bankshot {
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t above = row[j + 1];
+      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string suggestion(std::string_view wrong, std::span<const std::string_view> words) {
+  constexpr std::size_t longest = 40;  // nobody mistypes a longer word, and the distance is costly
+  if (wrong.size() > longest) return "";
+  const auto best = std::min_element(words.begin(), words.end(), [&](auto a, auto b) {
+    return edit_distance(wrong, a) < edit_distance(wrong, b);
+  });
+  if (best == words.end() || edit_distance(wrong, *best) > 1 + best->size() / 3) return "";
+  return fmt::format("; did you mean \"{}\"?", *best);
+}
+
+void Reader::fail(const std::string& rule) const {
+  throw InvalidInput(path_, quote(*value_) + " " + rule);
+}
+
+double Reader::number() const {
+  if (!value_->is_number()) fail("must be a number");
+  return value_->get<double>();
+}
+
+double Reader::positive() const {
+  const double v = number();
+  if (!(v > 0)) fail("must be greater than 0");
+  return v;
+}
+
+double Reader::at_least(double low) const {
+  const double v = number();
+  if (!(v >= low)) fail(fmt::format("must be at least {}", low));
+  return v;
+}
+
+double Reader::between(double low, double high) const {
+  const double v = number();
+  if (!(v >= low && v <= high)) fail(fmt::format("must be between {} and {}", low, high));
+  return v;
+}
+
+int Reader::integer(int low, int high) const {
+  const double v = number();
+  if (v != std::floor(v)) fail("must be a whole number");
+  if (v < low || v > high) fail(fmt::format("must be between {} and {}", low, high));
+  return static_cast<int>(v);
+}
+
+bool Reader::boolean() const {
+  if (!value_->is_boolean()) fail("must be true or false");
+  return value_->get<bool>();
+}
+
+std::string Reader::text() const {
+  if (!value_->is_string()) fail("must be a string");
+  return value_->get<std::string>();
+}
+
+Vec2d Reader::point() const {
+  if (!is_array() || size() != 2) fail("must be a pair of numbers [x, y]");
+  const auto xy = items();
+  return {xy[0].number(), xy[1].number()};
+}
+
+Range Reader::range() const {
+  if (is_number()) return {number(), number()};
+  if (!is_array() || size() != 2) fail("must be a number or a pair [low, high]");
+  const auto ends = items();
+  const Range r{ends[0].number(), ends[1].number()};
+  if (r.low > r.high) fail("must have its lower end first");
+  return r;
+}
+
+std::size_t Reader::word(std::string_view what, std::span<const std::string_view> words) const {
+  const std::string w = text();
+  const auto it = std::find(words.begin(), words.end(), w);
+  if (it == words.end())
+    fail(fmt::format("is no {}; known are {}{}", what, fmt::join(words, ", "), suggestion(w, words)));
+  return static_cast<std::size_t>(it - words.begin());
+}
+
+std::vector<Reader> Reader::items() const {
+  if (!is_array()) fail("must be a list");
+  std::vector<Reader> out;
+  for (std::size_t i = 0; i < value_->size(); ++i)
+    out.emplace_back((*value_)[i], path_ + "/" + std::to_string(i));
+  return out;
+}
+
+std::optional<Reader> Reader::find(const std::string& key) const {
+  if (!is_object()) fail("must be an object");
+  const auto it = value_->find(key);
+  if (it == value_->end()) return {};
+  return Reader(*it, path_ + "/" + key);
+}
+
+Reader Reader::need(const std::string& key) const {
+  if (auto r = find(key)) return *r;
+  throw InvalidInput(path_ + "/" + key, "this key is required");
+}
+
+void Reader::only(std::initializer_list<std::string_view> known) const {
+  if (!is_object()) fail("must be an object");
+  for (const auto& [key, value] : value_->items())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      throw InvalidInput(path_ + "/" + quote(Json(key)).substr(1, key.size()),
+                         "this key is unknown" + suggestion(key, {known.begin(), known.size()}));
+}
+
+}  // namespace bankshot

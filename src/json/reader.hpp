@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// A JSON value together with its path, so that each complaint names the place, the value and the
+// rule. Private to the readers.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bankshot/scene/puzzle.hpp"
+#include "json/document.hpp"
+
+namespace bankshot {
+
+class Reader {
+ public:
+  explicit Reader(const Json& value, std::string path = "") : value_(&value), path_(std::move(path)) {}
+
+  [[noreturn]] void fail(const std::string& rule) const;
+
+  bool is_object() const { return value_->is_object(); }
+  bool is_array() const { return value_->is_array(); }
+  bool is_string() const { return value_->is_string(); }
+  bool is_number() const { return value_->is_number(); }
+  std::string raw() const { return write_json(*value_); }
+
+  double number() const;
+  double positive() const;
+  double at_least(double low) const;
+  double between(double low, double high) const;
+  int integer(int low, int high) const;
+  bool boolean() const;
+  std::string text() const;
+  Vec2d point() const;
+  Range range() const;  ///< a number or [low, high]
+  /// One of the words; returns its index.
+  std::size_t word(std::string_view what, std::span<const std::string_view> words) const;
+
+  std::vector<Reader> items() const;
+  std::size_t size() const { return value_->size(); }
+
+  /// A member of an object; `find` gives none where it is missing, `need` complains.
+  std::optional<Reader> find(const std::string& key) const;
+  Reader need(const std::string& key) const;
+  /// Complains about any key but these, naming the nearest one.
+  void only(std::initializer_list<std::string_view> known) const;
+
+ private:
+  const Json* value_;
+  std::string path_;
+};
+
+/// The word most like `wrong`, with a "did you mean" around it; empty when nothing is near.
+std::string suggestion(std::string_view wrong, std::span<const std::string_view> words);
+
+}  // namespace bankshot

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "scene/read_table.hpp"
+
+#include <array>
+
+namespace bankshot {
+namespace {
+
+const TablePreset& read_preset(const Reader& r) {
+  std::vector<std::string_view> names;
+  for (const auto& p : table_presets()) names.push_back(p.name);
+  return table_presets()[r.word("table", names)];
+}
+
+void not_supported(const Reader& table, const std::string& key) {
+  if (const auto r = table.find(key)) r->fail("is not supported yet");
+}
+
+Mouth read_mouth(const Reader& table, double radius) {
+  const double scale = radius / Ball{}.radius;
+  Mouth m{pool_7ft_mouth.corner * scale, pool_7ft_mouth.middle * scale};
+  const auto r = table.find("mouth");
+  if (!r) return m;
+  r->only({"corner", "middle"});
+  if (const auto c = r->find("corner")) m.corner = c->positive();
+  if (const auto c = r->find("middle")) m.middle = c->positive();
+  return m;
+}
+
+std::vector<Pocket> read_pockets(const Reader& table, const Table& shape, double radius) {
+  const auto r = table.find("pockets");
+  if (!r) return {};
+  if (r->is_string()) {
+    constexpr std::array<std::string_view, 2> words{"none", "six"};
+    if (r->word("layout of pockets", words) == 0) return {};
+    if (!shape.is_rectangle()) r->fail("needs a rectangle; list the pockets of a polygon");
+    return six_pockets(shape, read_mouth(table, radius));
+  }
+  if (!r->is_array()) r->fail("must be \"none\", \"six\" or a list of pockets");
+  std::vector<Pocket> pockets;
+  for (const Reader& p : r->items()) {
+    p.only({"name", "at", "radius"});
+    pockets.push_back({p.need("name").text(), p.need("at").point(), p.need("radius").at_least(0)});
+  }
+  return pockets;
+}
+
+Table read_polygon(const Reader& table) {
+  std::vector<Vec2d> vertices;
+  for (const Reader& v : table.need("vertices").items()) vertices.push_back(v.point());
+  Table shape = polygon_table(std::move(vertices));
+  if (const auto names = table.find("names")) {
+    if (names->items().size() != shape.vertices.size())
+      names->fail("must name each edge once: " + std::to_string(shape.vertices.size()) + " names");
+    shape.cushions.clear();
+    for (const Reader& n : names->items()) shape.cushions.push_back(n.text());
+  }
+  return shape;
+}
+
+}  // namespace
+
+Ball default_ball(const Reader& table) {
+  Ball ball{};
+  if (!table.is_string()) return ball;
+  const TablePreset& p = read_preset(table);
+  ball.radius = p.radius;
+  ball.mass = p.mass;
+  return ball;
+}
+
+Table read_table(const Reader& table, double radius) {
+  if (table.is_string()) return make_table(read_preset(table));
+  if (!table.is_object()) table.fail("must be the name of a table or an object");
+  not_supported(table, "tilt");
+  if (const auto jaws = table.find("jaws"); jaws && jaws->boolean())
+    jaws->fail("is not supported yet");
+  Table shape;
+  if (table.find("vertices")) {
+    table.only({"vertices", "names", "pockets", "jaws", "tilt"});
+    shape = read_polygon(table);
+  } else {
+    table.only({"length", "width", "pockets", "mouth", "jaws", "tilt", "vertices"});
+    const double length = table.need("length").positive();
+    shape = rectangle_table(length, table.need("width").positive());
+  }
+  if (shape.vertices.size() >= 3) shape.pockets = read_pockets(table, shape, radius);
+  return shape;
+}
+
+}  // namespace bankshot

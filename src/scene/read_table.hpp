@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bankshot/scene/ball.hpp"
+#include "bankshot/scene/table.hpp"
+#include "json/reader.hpp"
+
+namespace bankshot {
+
+/// The ball that a table document implies: the preset's, else the default one.
+Ball default_ball(const Reader& table);
+
+/// `radius` is the struck ball's: mouths of "six" on a custom table scale with it.
+Table read_table(const Reader& table, double radius);
+
+}  // namespace bankshot

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+//
+// The rules a scene must keep, whether it came from a file or from a C++ program.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/scene/puzzle.hpp"
+#include "bankshot/tolerances.hpp"
+
+namespace bankshot {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw InvalidInput(path, reason);
+}
+
+std::string at(std::string_view list, std::size_t i) { return fmt::format("{}/{}", list, i); }
+
+std::string show(const Vec2d& p) { return fmt::format("[{}, {}]", p.x, p.y); }
+
+void need_finite(double v, const std::string& path) {
+  if (!std::isfinite(v)) fail(path, fmt::format("{} must be a finite number", v));
+}
+
+bool segments_meet(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+  const auto side = [](Vec2d p, Vec2d q, Vec2d r) {
+    const double s = cross(q - p, r - p);
+    return (s > 0) - (s < 0);
+  };
+  const auto between = [](Vec2d p, Vec2d q, Vec2d r) {
+    return dot(r - p, r - q) <= 0;
+  };
+  const int abc = side(a, b, c), abd = side(a, b, d), cda = side(c, d, a), cdb = side(c, d, b);
+  if (abc != abd && cda != cdb) return true;
+  return (abc == 0 && between(a, b, c)) || (abd == 0 && between(a, b, d)) ||
+         (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
+}
+
+void check_shape(const Table& t) {
+  const auto& v = t.vertices;
+  const std::size_t n = v.size();
+  if (n < 3) fail("/table/vertices", fmt::format("a polygon needs at least 3 vertices, not {}", n));
+  for (std::size_t i = 0; i < n; ++i) {
+    need_finite(v[i].x, at("/table/vertices", i) + "/0");
+    need_finite(v[i].y, at("/table/vertices", i) + "/1");
+  }
+  if (!(std::isfinite(t.diagonal()) && t.diagonal() > 0))
+    fail("/table", "the table is too small or too large to compute with");
+  double area = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2d a = v[i], b = v[(i + 1) % n], c = v[(i + 2) % n];
+    if (a == b) fail(at("/table/vertices", i), "this edge has length zero: the next vertex is the same");
+    area += cross(a - v[0], b - v[0]);
+    if (cross(b - a, c - b) == 0 && dot(b - a, c - b) < 0)
+      fail(at("/table/vertices", (i + 1) % n), "the outline turns back on itself here");
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j)
+      if (!(i == 0 && j == n - 1) && segments_meet(v[i], v[i + 1], v[j], v[(j + 1) % n]))
+        fail(at("/table/vertices", j), fmt::format("edge {} crosses or touches edge {}", j, i));
+  if (!(area > 0)) fail("/table/vertices", "the vertices must run anticlockwise");
+}
+
+void check_names(const Table& t) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < t.cushions.size(); ++i)
+    if (!seen.insert(t.cushions[i]).second)
+      fail(at("/table/names", i), fmt::format("\"{}\" names two cushions", t.cushions[i]));
+  for (std::size_t i = 0; i < t.vertices.size(); ++i)
+    if (seen.count("v" + std::to_string(i)))
+      fail("/table/names", fmt::format("\"v{0}\" is the name of vertex {0}", i));
+  seen = {"any"};
+  for (std::size_t i = 0; i < t.pockets.size(); ++i)
+    if (!seen.insert(t.pockets[i].name).second)
+      fail(at("/table/pockets", i) + "/name",
+           fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", t.pockets[i].name));
+}
+
+void check_pockets(const Table& t, const Boundary& b) {
+  for (std::size_t i = 0; i < t.pockets.size(); ++i) {
+    const Pocket& p = t.pockets[i];
+    need_finite(p.at.x, at("/table/pockets", i) + "/at/0");
+    need_finite(p.at.y, at("/table/pockets", i) + "/at/1");
+    const double distance = b.distance_to_centres(p.at);
+    const bool point = p.radius == 0 && b.radius == 0;
+    if (point ? distance > tolerance::point_pocket * b.diagonal : distance >= p.radius)
+      fail(at("/table/pockets", i),
+           fmt::format("no ball can fall into pocket \"{}\": a centre comes no nearer than {:.6g} m, "
+                       "and it captures within {:.6g} m",
+                       p.name, distance, p.radius));
+  }
+}
+
+void check_inside(const Boundary& b, const Vec2d& p, const std::string& path, std::string_view what) {
+  need_finite(p.x, path + "/0");
+  need_finite(p.y, path + "/1");
+  const double clearance = b.clearance(p);
+  if (clearance < -tolerance::touch * b.diagonal)
+    fail(path, fmt::format("{}: {} must be inside the table, at least the ball's radius {} m from "
+                           "each cushion; it is {:.6g} m too far out",
+                           show(p), what, b.radius, -clearance));
+}
+
+void check_physics(const Physics& physics) {
+  const double e = physics.cushion.restitution;
+  if (!(e >= 0 && e <= 1)) fail("/physics/restitution", fmt::format("{} must be between 0 and 1", e));
+  const double a = deceleration(physics);
+  if (!(a >= 0 && std::isfinite(a)))
+    fail("/physics", fmt::format("friction · g is {} m/s² and must be finite and at least 0", a));
+}
+
+Boundary check_scene(const Table& table, const Ball& ball, const Physics& physics) {
+  check_shape(table);
+  check_names(table);
+  if (!(ball.radius >= 0 && std::isfinite(ball.radius)))
+    fail("/ball/radius", fmt::format("{} must be at least 0", ball.radius));
+  if (!(ball.mass > 0 && std::isfinite(ball.mass)))
+    fail("/ball/mass", fmt::format("{} must be greater than 0", ball.mass));
+  check_physics(physics);
+  Boundary boundary(table, ball.radius);
+  check_inside(boundary, ball.at, "/ball/at", "the centre of the ball");
+  check_pockets(table, boundary);
+  return boundary;
+}
+
+void check_range(const Range& r, const std::string& path) {
+  if (!(r.low >= 0 && r.low <= r.high && std::isfinite(r.high)))
+    fail(path, fmt::format("[{}, {}] must be finite, at least 0, the lower end first", r.low, r.high));
+}
+
+void check_target(const Puzzle& p, const Boundary& boundary) {
+  if (const auto* point = std::get_if<PointTarget>(&p.target)) {
+    check_inside(boundary, point->at, "/target/point", "the centre of a ball at the target");
+    if (!(point->within > 0)) fail("/target/within", "must be greater than 0");
+  } else if (const auto pocket = std::get<PocketTarget>(p.target).pocket) {
+    if (*pocket < 0 || *pocket >= static_cast<int>(p.table.pockets.size()))
+      fail("/target/pocket", fmt::format("there is no pocket number {}", *pocket));
+  } else if (p.table.pockets.empty()) {
+    fail("/target/pocket", "this table has no pockets");
+  }
+}
+
+void check_cushions(const CushionRule& c, const Boundary& boundary) {
+  if (c.min < 0 || c.max < c.min || c.max > max_cushions)
+    fail("/cushions", fmt::format("{} to {} must be within 0 and {}", c.min, c.max, max_cushions));
+  if (!c.sequence) return;
+  for (std::size_t i = 0; i < c.sequence->size(); ++i)
+    if ((*c.sequence)[i] < 0 || (*c.sequence)[i] >= 2 * static_cast<int>(boundary.walls.size()))
+      fail(at("/cushions", i), fmt::format("there is no cushion number {}", (*c.sequence)[i]));
+}
+
+}  // namespace
+
+void validate(const Puzzle& p) {
+  const Boundary boundary = check_scene(p.table, p.ball, p.physics);
+  check_target(p, boundary);
+  check_cushions(p.cushions, boundary);
+  check_range(p.speed, "/speed");
+  if (!(p.speed.high > 0)) fail("/speed", "0 must be greater than 0");
+  if (p.arrive) {
+    check_range(*p.arrive, "/arrive/speed");
+    if (p.speed.fixed())
+      fail("/arrive", "the launch speed is fixed, so the speed at the target cannot be asked as well");
+  }
+  if (p.angle && !(p.angle->low <= p.angle->high && std::isfinite(p.angle->high)))
+    fail("/angle", "must be a finite range");
+}
+
+void validate(const ShotRequest& s) {
+  check_scene(s.table, s.ball, s.physics);
+  if (!(s.launch.speed >= 0 && std::isfinite(s.launch.speed)))
+    fail("/shot/speed", fmt::format("{} must be at least 0", s.launch.speed));
+  need_finite(s.launch.angle, "/shot/angle");
+}
+
+std::optional<Range> arrival_range(const Puzzle& p) {
+  if (is_ideal(p.physics) || p.speed.fixed()) return {};
+  if (p.arrive) return p.arrive;
+  const double s = std::holds_alternative<PointTarget>(p.target) ? 0 : 0.5;
+  return Range{s, s};
+}
+
+}  // namespace bankshot

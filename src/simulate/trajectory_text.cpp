@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+#include "json/document.hpp"
+
+namespace bankshot {
+namespace {
+
+const char* name(Record::Kind kind) {
+  switch (kind) {
+    case Record::Kind::start: return "start";
+    case Record::Kind::cushion: return "cushion";
+    case Record::Kind::roll_to_rest: return "roll-to-rest";
+    case Record::Kind::pocket: return "pocket";
+    case Record::Kind::end: break;
+  }
+  return "end";
+}
+
+const char* name(Trajectory::End end) {
+  switch (end) {
+    case Trajectory::End::rest: return "rest";
+    case Trajectory::End::until: return "until";
+    case Trajectory::End::pocketed: return "pocketed";
+    case Trajectory::End::events: break;
+  }
+  return "events";
+}
+
+Json event_json(const ShotRequest& r, const Record& e) {
+  const Spin w = natural_roll(e.state.velocity, r.ball.radius);
+  Json j{{"type", name(e.kind)},
+         {"time", e.time},
+         {"ball", "cue"},
+         {"at", {e.state.at.x, e.state.at.y}},
+         {"velocity", {e.state.velocity.x, e.state.velocity.y}},
+         {"spin", {w.x, w.y, w.z}}};
+  const auto i = static_cast<std::size_t>(e.index);
+  if (e.kind == Record::Kind::cushion) j["cushion"] = contact_name(r.table, e.index);
+  if (e.kind == Record::Kind::pocket) j["pocket"] = r.table.pockets[i].name;
+  return j;
+}
+
+}  // namespace
+
+std::string to_json(const ShotRequest& r, const Trajectory& t) {
+  Json j = Json::object();
+  if (!r.id.empty()) j["id"] = Json::parse(r.id);
+  j["events"] = Json::array();
+  for (const Record& e : t.events) j["events"].push_back(event_json(r, e));
+  const Record& last = t.events.back();
+  j["end"] = {{"reason", name(t.end)},
+              {"time", last.time},
+              {"at", {last.state.at.x, last.state.at.y}},
+              {"cushions", t.cushions},
+              {"length", t.length}};
+  j["energy"] = {{"start", energy(r.ball, t.events.front().state.velocity)},
+                 {"end", energy(r.ball, last.state.velocity)}};
+  return write_json(j);
+}
+
+std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
+  std::string out = "t,ball,x,y,vx,vy,wx,wy,wz\n";
+  const auto row = [&](double time, const State<double>& s) {
+    const Spin w = natural_roll(s.velocity, r.ball.radius);
+    out += fmt::format("{},cue,{},{},{},{},{},{},{}\n", time, s.at.x, s.at.y, s.velocity.x,
+                       s.velocity.y, w.x, w.y, w.z);
+  };
+  auto event = t.events.begin();
+  const auto events_until = [&](double time) {
+    for (; event != t.events.end() && event->time <= time; ++event) row(event->time, event->state);
+  };
+  long sample = 1;  // the launch is an event
+  for (const Leg& leg : t.legs) {
+    events_until(leg.begin);
+    const double end = leg.begin + leg.duration;
+    for (double s = static_cast<double>(sample) / rate; s < end; s = static_cast<double>(++sample) / rate)
+      if (s > leg.begin) row(s, leg.arc.state_at(s - leg.begin));
+  }
+  events_until(forever);
+  return out;
+}
+
+}  // namespace bankshot
