@@ -3,13 +3,26 @@
 // Planner `auto`: the cheapest sure step first. Images are exact where paths unfold; a sweep of the
 // aim adds what they cannot see (reflex vertices, dead cushions); Levenberg–Marquardt and then a
 // global search are for what is left, and are not run when the images proved that nothing is.
+#include <algorithm>
+
 #include "planners/planners.hpp"
 
 namespace bankshot::planning {
+namespace {
+
+/// A sequence of straight cushions unfolds to one line, so its image is its only shot.
+bool settled(const Search& s) {
+  const auto& names = s.puzzle.cushions.sequence;
+  const auto walls = static_cast<int>(s.boundary.walls.size());
+  return s.complete || s.cut ||
+         (names && !s.shots.empty() && std::all_of(names->begin(), names->end(), [&](int c) { return c < walls; }));
+}
+
+}  // namespace
 
 void automatic(Search& s) {
   image(s);
-  if (!s.complete && !s.cut) sweep(s);
+  if (!settled(s)) sweep(s);
   if (s.shots.empty() && !s.complete && !s.cut) ceres(s);
   if (s.shots.empty() && !s.complete && !s.cut) nlopt_direct(s);
 }

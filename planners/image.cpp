@@ -8,6 +8,10 @@
 // Source: planning.md's closed form, as affine images (unfold.hpp).
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include "planners/planners.hpp"
 #include "planners/unfold.hpp"
 #include "planners/verify.hpp"
@@ -19,7 +23,9 @@ namespace {
 /// with the length, so later ones are worse unless a bound or a pocket makes the difference.
 constexpr std::size_t enough_to_compare = 32;
 /// Aims tried across the part of a target that a ray may reach.
-constexpr int aims_across = 65;
+constexpr int aims_across = 33;
+/// rad; where the bisection between two aims that fail differently gives up.
+constexpr double narrowest = 1e-10;
 
 bool enough(const Search& s, const Unfolding& images) {
   if (s.all || !images.shortest_first()) return false;
@@ -41,19 +47,67 @@ bool centred(Search& s) {
   return images.whole();
 }
 
-/// The middle of the widest run of aims that are made, for one image of the target.
-void off_centre(Search& s, const Candidate& c) {
-  const Goal goal = Goal::exactly(s, c.bounces);
-  const double step = (c.high - c.low) / aims_across;
-  const auto aim = [&](double i) { return c.angle + c.low + (i + 0.5) * step; };
-  int best_begin = 0, best = 0, begin = 0;
-  for (int i = 0; i < aims_across; ++i) {
-    if (s.spent()) return;
-    if (!trace(s, aim(i), goal).replay.made) begin = i + 1;
-    if (i + 1 - begin > best) best = i + 1 - begin, best_begin = begin;
+/// Finds aims that reach any part of one image of the target. Between two aims that fail for
+/// different reasons may lie a window that is made: bisect there.
+class PartOfTarget {
+ public:
+  PartOfTarget(Search& s, const Candidate& c) : s_(s), c_(c), goal_(Goal::exactly(s, c.bounces)) {}
+
+  /// Certifies the middle of the first window found; what is near the centre comes first.
+  bool find() {
+    std::vector<Tried> row;
+    for (int i = 0; i < aims_across; ++i) row.push_back(attempt(c_.low + (c_.high - c_.low) * (i + 0.5) / aims_across));
+    std::vector<std::size_t> order(row.size() - 1);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::abs(row[a].offset) < std::abs(row[b].offset); });
+    for (const std::size_t i : order) {
+      if (s_.spent()) return false;
+      if (const auto made = between(row[i], row[i + 1])) return certify_window(*made);
+    }
+    return false;
   }
-  if (best > 0) certify_aim(s, aim(best_begin + (best - 1) / 2.0), c.bounces, "image", true);
-}
+
+ private:
+  struct Tried {
+    double offset;  ///< rad beside the candidate's angle
+    Replay replay;
+    bool like(const Tried& o) const {
+      return replay.foul == o.replay.foul && replay.index == o.replay.index && replay.bounces == o.replay.bounces;
+    }
+  };
+
+  Tried attempt(double offset) { return {offset, trace(s_, c_.angle + offset, goal_).replay}; }
+
+  std::optional<double> between(const Tried& a, const Tried& b) {
+    if (a.replay.made) return a.offset;
+    if (b.replay.made) return b.offset;
+    if (a.like(b) || b.offset - a.offset < narrowest || s_.spent()) return {};
+    const Tried middle = attempt(a.offset + (b.offset - a.offset) / 2);
+    if (const auto made = between(a, middle)) return made;
+    return between(middle, b);
+  }
+
+  /// The end of the made window that begins at `made`, towards `limit`.
+  double edge(double made, double limit) {
+    double step = (limit - made) / 64;
+    while (std::abs(made - limit) > narrowest && std::abs(step) > narrowest && !s_.spent()) {
+      const bool fits = std::abs(step) < std::abs(limit - made) && attempt(made + step).replay.made;
+      if (fits) made += step;
+      step *= fits ? 1.5 : 0.5;
+    }
+    return made;
+  }
+
+  bool certify_window(double made) {
+    const double middle = (edge(made, c_.low) + edge(made, c_.high)) / 2;
+    return certify_aim(s_, c_.angle + middle, c_.bounces, "image", true) ||
+           certify_aim(s_, c_.angle + made, c_.bounces, "image", true);
+  }
+
+  Search& s_;
+  const Candidate& c_;
+  Goal goal_;
+};
 
 }  // namespace
 
@@ -68,7 +122,7 @@ void image(Search& s) {
     if (s.spent()) return;
     if (!(c->low < c->high)) continue;
     some_part = true;
-    off_centre(s, *c);
+    PartOfTarget(s, *c).find();
   }
   if (!s.shots.empty()) s.note = "no line reaches the target's centre; this one reaches part of it";
   s.proved = s.complete && (!some_part || (s.boundary.strictly_convex && s.boundary.pockets.empty()));

@@ -6,7 +6,7 @@
 namespace bankshot {
 
 struct Ball {
-  Vec2d at;                  ///< centre [m]
+  Vec2d at{};                ///< centre [m]
   double radius = 0.028575;  ///< m; 0 is a point, in `ideal` and `rolling`
   double mass = 0.170097;    ///< kg
 };

@@ -14,6 +14,10 @@ namespace bankshot {
 Puzzle read_puzzle(std::string_view text);
 ShotRequest read_shot(std::string_view text);
 
+/// The puzzle as one line of JSON that `read_puzzle` reads back to the same numbers (degrees are
+/// rounded to the nearest double). Every choice is written out, also those that are defaults.
+std::string write_puzzle(const Puzzle& puzzle);
+
 /// The JSON text of `id` in a document that may be invalid otherwise; empty when there is none.
 std::string read_id(std::string_view text);
 

@@ -30,7 +30,7 @@ struct PointTarget {
 
 /// The ball drops into a pocket; no number means any pocket.
 struct PocketTarget {
-  std::optional<int> pocket;
+  std::optional<int> pocket{};
 };
 
 using Target = std::variant<PointTarget, PocketTarget>;
@@ -38,7 +38,7 @@ using Target = std::variant<PointTarget, PocketTarget>;
 /// Bounces before the target: a count between min and max, or exactly `sequence` (contacts).
 struct CushionRule {
   int min = 0, max = 3;
-  std::optional<std::vector<int>> sequence;
+  std::optional<std::vector<int>> sequence{};
 
   static CushionRule exactly(int n) { return {n, n, {}}; }
   static CushionRule in_order(std::vector<int> contacts) {
@@ -58,32 +58,32 @@ struct Noise {
 };
 
 struct Puzzle {
-  std::string id;  ///< JSON text of the identifier, echoed in the answer; empty without
-  Table table;
+  std::string id{};  ///< JSON text of the identifier, echoed in the answer; empty without
+  Table table{};
   Physics physics = rolling_physics();
-  Ball ball;
-  Target target;
-  CushionRule cushions;
-  std::optional<Range> arrive;  ///< speed at the target [m/s]; the default depends on the target
+  Ball ball{};
+  Target target{};
+  CushionRule cushions{};
+  std::optional<Range> arrive{};  ///< speed at the target [m/s]; the default depends on the target
   Range speed{0.1, 10};         ///< launch speed [m/s]
-  std::optional<Range> angle;   ///< rad, from low anticlockwise to high; high may exceed 2π
+  std::optional<Range> angle{};   ///< rad, from low anticlockwise to high; high may exceed 2π
   Prefer prefer = Prefer::robust;
-  Noise noise;
+  Noise noise{};
   long budget = 100000;  ///< simulations
 };
 
 /// A `simulate` document: a scene and a launch, and when to stop looking.
 struct ShotRequest {
-  std::string id;
-  Table table;
+  std::string id{};
+  Table table{};
   Physics physics = rolling_physics();
-  Ball ball;
+  Ball ball{};
   Launch launch{1, 0};
   struct Until {
-    std::optional<double> time;    ///< s
-    std::optional<int> cushions;   ///< bounces
-    std::optional<double> length;  ///< m, along the path
-  } until;
+    std::optional<double> time{};    ///< s
+    std::optional<int> cushions{};   ///< bounces
+    std::optional<double> length{};  ///< m, along the path
+  } until{};
 };
 
 /// Speed asked at the target, none where any speed does (`ideal`, or a fixed launch speed).

@@ -29,9 +29,9 @@ struct Mouth {
 inline constexpr Mouth pool_7ft_mouth{0.118, 0.137};
 
 struct Table {
-  std::vector<Vec2d> vertices;
-  std::vector<std::string> cushions;  ///< cushions[i] runs from vertex i to vertex i+1
-  std::vector<Pocket> pockets;
+  std::vector<Vec2d> vertices{};
+  std::vector<std::string> cushions{};  ///< cushions[i] runs from vertex i to vertex i+1
+  std::vector<Pocket> pockets{};
 
   bool is_rectangle() const;
   /// Diagonal of the bounding box: the length that tolerances are scaled with.

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/scene/json.hpp"
+#include "json/document.hpp"
+
+namespace bankshot {
+namespace {
+
+Json pair(double a, double b) { return Json::array({a, b}); }
+Json pair(const Vec2d& p) { return pair(p.x, p.y); }
+Json range(const Range& r) { return r.fixed() ? Json(r.low) : pair(r.low, r.high); }
+
+Json table_json(const Table& t) {
+  Json j = Json::object();
+  if (t.is_rectangle() && t.lowest() == Vec2d{0, 0}) {
+    j["length"] = t.highest().x;
+    j["width"] = t.highest().y;
+  } else {
+    j["vertices"] = Json::array();
+    for (const Vec2d& v : t.vertices) j["vertices"].push_back(pair(v));
+    j["names"] = t.cushions;
+  }
+  j["pockets"] = "none";
+  if (t.pockets.empty()) return j;
+  j["pockets"] = Json::array();
+  for (const Pocket& p : t.pockets)
+    j["pockets"].push_back({{"name", p.name}, {"at", pair(p.at)}, {"radius", p.radius}});
+  return j;
+}
+
+Json physics_json(const Physics& p) {
+  if (is_ideal(p)) return "ideal";
+  const Rolling& r = std::get<Rolling>(p.motion);
+  return {{"model", "rolling"}, {"friction", r.friction}, {"restitution", p.cushion.restitution}, {"g", r.g}};
+}
+
+Json target_json(const Puzzle& p) {
+  if (const auto* point = std::get_if<PointTarget>(&p.target))
+    return {{"point", pair(point->at)}, {"within", point->within}};
+  const auto& pocket = std::get<PocketTarget>(p.target).pocket;
+  return {{"pocket", pocket ? p.table.pockets[static_cast<std::size_t>(*pocket)].name : "any"}};
+}
+
+Json cushions_json(const Puzzle& p) {
+  const CushionRule& c = p.cushions;
+  if (!c.sequence) return c.min == c.max ? Json(c.min) : Json{{"min", c.min}, {"max", c.max}};
+  Json names = Json::array();
+  for (const int contact : *c.sequence) names.push_back(contact_name(p.table, contact));
+  return names;
+}
+
+}  // namespace
+
+std::string write_puzzle(const Puzzle& p) {
+  constexpr const char* preferences[] = {"robust", "soft", "quick"};
+  Json j = Json::object();
+  if (!p.id.empty()) j["id"] = Json::parse(p.id);
+  j["table"] = table_json(p.table);
+  j["physics"] = physics_json(p.physics);
+  j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.radius}, {"mass", p.ball.mass}};
+  j["target"] = target_json(p);
+  j["cushions"] = cushions_json(p);
+  if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};
+  j["speed"] = range(p.speed);
+  if (p.angle) j["angle"] = pair(degrees(p.angle->low), degrees(p.angle->high));
+  j["prefer"] = preferences[static_cast<int>(p.prefer)];
+  j["noise"] = {{"angle", degrees(p.noise.angle)}, {"speed", p.noise.speed}};
+  j["budget"] = {{"simulations", p.budget}};
+  return write_json(j);
+}
+
+}  // namespace bankshot

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "support/random_puzzle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+
+namespace bankshot::test {
+namespace {
+
+constexpr int most_bounces = 5;
+
+/// The aim would drive the ball straight into a cushion it touches: no planner offers that unless
+/// the sequence asks for it.
+bool starts_into_cushion(const Trajectory& t) {
+  return t.events.size() > 1 && t.events[1].kind == Record::Kind::cushion && t.events[1].time < 1e-12;
+}
+
+Table random_table(Random& r, Family family) {
+  if (family == Family::convex) return random_polygon(r, true);
+  if (family == Family::reflex) return random_polygon(r, false);
+  if (family == Family::discrete) return rectangle_table(r.integer(1, 3), r.integer(1, 2));
+  const double length = r.log_uniform(0.5, 6);
+  return rectangle_table(length, length * r.uniform(0.4, 1));
+}
+
+Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) {
+  const Vec2d low = t.lowest(), high = t.highest();
+  for (;;) {
+    Vec2d p{r.uniform(low.x, high.x), r.uniform(low.y, high.y)};
+    if (family == Family::discrete) {
+      // Eighths of the room the centre has, its corners and edges included.
+      const double R = b.radius;
+      p = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8, low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
+    }
+    if (b.clearance(p) >= -1e-13 * b.diagonal) return p;
+  }
+}
+
+Physics random_physics(Random& r, bool ideal, Family family) {
+  if (ideal) return ideal_physics();
+  Physics p{Rolling{.friction = r.log_uniform(0.005, 0.05)}, Mirror{r.uniform(0.5, 1)}};
+  if (family == Family::discrete) p = {Rolling{.friction = 0.01}, Mirror{r.chance(0.5) ? 1.0 : 0.75}};
+  return p;
+}
+
+/// What to ask about a simulated shot; none when it does not lend itself to the kind drawn.
+std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t, bool ideal) {
+  Made m{{.table = shot.table, .physics = shot.physics, .ball = shot.ball}, shot.launch, 0};
+  Puzzle& p = m.puzzle;
+  const Record& last = t.events.back();
+  double arrival = 0;
+  if (t.end == Trajectory::End::pocketed) {
+    p.target = PocketTarget{t.events[t.events.size() - 2].index};
+    m.bounces = t.cushions;
+    arrival = norm(last.state.velocity);
+  } else if (t.end == Trajectory::End::rest && r.chance(0.5)) {
+    p.target = PointTarget{last.state.at};
+    m.bounces = t.cushions;
+  } else {
+    const auto leg = static_cast<std::size_t>(r.integer(0, static_cast<int>(t.legs.size()) - 1));
+    const Leg& l = t.legs[leg];
+    const double time = l.duration * (r.chance(0.2) ? 1.0 : r.uniform(0.05, 1));
+    p.target = PointTarget{l.arc.position(time)};
+    m.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(), [&](const Record& e) {
+      return e.kind == Record::Kind::cushion && e.time <= l.begin;
+    }));
+    arrival = norm(l.arc.velocity_at(time));
+    if (!(arrival > 1e-3)) return {};
+  }
+  if (m.bounces > most_bounces) return {};
+  p.speed = {shot.launch.speed / 2, shot.launch.speed * 2};
+  const bool stops = !ideal && arrival == 0;
+  if (!stops && r.chance(0.5)) p.speed = {shot.launch.speed, shot.launch.speed};
+  else if (!ideal && !stops) p.arrive = Range{arrival, arrival};
+  std::vector<int> contacts = t.sequence();
+  contacts.resize(static_cast<std::size_t>(m.bounces));
+  const bool touching = starts_into_cushion(t);
+  p.cushions = touching || r.chance(0.5) ? CushionRule::in_order(contacts) : CushionRule::exactly(m.bounces);
+  return m;
+}
+
+}  // namespace
+
+std::string name(Family family) {
+  constexpr const char* names[] = {"uniform", "discrete", "convex", "reflex"};
+  return names[static_cast<int>(family)];
+}
+
+double Random::uniform(double low, double high) {
+  return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+}
+
+double Random::log_uniform(double low, double high) {
+  return std::exp(uniform(std::log(low), std::log(high)));
+}
+
+int Random::integer(int low, int high) {
+  return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+}
+
+Table random_polygon(Random& r, bool convex) {
+  const int n = r.integer(3, 8);
+  const double size = r.log_uniform(0.5, 4), stretch = r.uniform(0.5, 1);
+  std::vector<Vec2d> v;
+  for (int i = 0; i < n; ++i) {
+    const double angle = radians(360) * (i + r.uniform(-0.35, 0.35)) / n;
+    const double reach = size * (convex ? 1 : r.uniform(0.35, 1));
+    v.push_back({reach * std::cos(angle), stretch * reach * std::sin(angle)});
+  }
+  return polygon_table(std::move(v));
+}
+
+Made random_puzzle(Random& r, Family family, bool ideal) {
+  for (;;) {
+    ShotRequest shot;
+    shot.table = random_table(r, family);
+    const bool tiny = r.chance(0.2);
+    shot.ball.radius = family == Family::discrete ? (tiny ? 0 : 0.0625) : tiny ? 0 : 0.0285;
+    if (family != Family::convex && family != Family::reflex && r.chance(0.5) && shot.ball.radius > 0)
+      shot.table.pockets = six_pockets(shot.table, {4.4 * shot.ball.radius, 4.8 * shot.ball.radius});
+    const Boundary boundary(shot.table, shot.ball.radius);
+    // Narrow polygons may have no room for the ball.
+    const Vec2d middle = (shot.table.lowest() + shot.table.highest()) / 2.0;
+    if (boundary.clearance(middle) < 0) continue;
+    shot.ball.at = random_place(r, boundary, shot.table, family);
+    shot.physics = random_physics(r, ideal, family);
+    shot.launch = {r.log_uniform(0.2, 10), radians(r.uniform(0, 360))};
+    if (family == Family::discrete) shot.launch = {1.0 * r.integer(1, 4), wrap_angle(radians(15.0 * r.integer(0, 23)))};
+    shot.until.cushions = most_bounces + 1;
+    const Trajectory t = simulate(shot);
+    if (t.legs.empty()) continue;
+    if (auto made = ask(r, shot, t, ideal)) {
+      made->puzzle.noise = {};
+      return *made;
+    }
+  }
+}
+
+}  // namespace bankshot::test

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Puzzles that have a shot, made by simulating one: a random shot with 0 to 5 cushions, and the
+// question asks for where it stops, passes, or drops. Seeded; the same seed gives the same puzzles
+// on every machine.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot::test {
+
+/// uniform: rectangles of many sizes, six pockets or none. discrete: grid positions, angles that are
+/// multiples of 15 degrees, exact corners, starts on a cushion. convex, reflex: random polygons.
+enum class Family { uniform, discrete, convex, reflex };
+inline constexpr Family families[] = {Family::uniform, Family::discrete, Family::convex, Family::reflex};
+std::string name(Family family);
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  double uniform(double low, double high);  ///< own arithmetic: std distributions differ by library
+  double log_uniform(double low, double high);
+  int integer(int low, int high);  ///< both ends included
+  bool chance(double p) { return uniform(0, 1) < p; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A puzzle and the launch it was made from.
+struct Made {
+  Puzzle puzzle;
+  Launch launch;
+  int bounces;
+};
+
+/// `ideal` or `rolling` physics. Always returns: draws until a shot qualifies.
+Made random_puzzle(Random& random, Family family, bool ideal);
+
+/// A simple polygon around the origin; convex, or with some vertices pulled in.
+Table random_polygon(Random& random, bool convex);
+
+}  // namespace bankshot::test

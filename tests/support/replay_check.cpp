@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "support/replay_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/simulate/trajectory.hpp"
+
+namespace bankshot::test {
+namespace {
+
+/// Same cushions, where two met in one instant may have swapped.
+bool same_sequence(const std::vector<int>& asked, const Trajectory& t, std::size_t bounces) {
+  std::vector<const Record*> hits;
+  for (const Record& e : t.events)
+    if (e.kind == Record::Kind::cushion) hits.push_back(&e);
+  if (hits.size() < bounces) return false;
+  for (std::size_t i = 0; i < bounces; ++i) {
+    if (hits[i]->index == asked[i]) continue;
+    const bool swapped = i + 1 < bounces && hits[i]->time == hits[i + 1]->time && hits[i]->index == asked[i + 1] && hits[i + 1]->index == asked[i];
+    if (!swapped) return false;
+    ++i;
+  }
+  return true;
+}
+
+double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bounces, double& speed) {
+  double best = 1e300;
+  std::vector<double> hits;
+  for (const Record& e : t.events)
+    if (e.kind == Record::Kind::cushion) hits.push_back(e.time);
+  for (const Leg& l : t.legs) {
+    const auto before = std::count_if(hits.begin(), hits.end(), [&](double h) { return h <= l.begin; });
+    if (static_cast<std::size_t>(before) != bounces) continue;
+    const Vec2d a = l.arc.at, d = l.arc.position(l.duration) - a;
+    const double s = std::clamp(dot(target - a, d) / dot(d, d), 0.0, 1.0);
+    const double miss = norm(a + d * s - target);
+    if (miss >= best) continue;
+    best = miss;
+    const double v2 = dot(l.arc.velocity, l.arc.velocity), slow = norm(l.arc.acceleration);
+    speed = std::sqrt(std::max(0.0, v2 - 2 * slow * s * norm(d)));
+  }
+  return best;
+}
+
+}  // namespace
+
+Checked check_shot(const Puzzle& p, const Shot& shot) {
+  Checked c;
+  ShotRequest request{{}, p.table, p.physics, p.ball, shot.launch, {}};
+  request.until.cushions = static_cast<int>(shot.cushions.size()) + 1;
+  const Trajectory t = simulate(request);
+  const std::size_t n = shot.cushions.size();
+  const double allowed = std::max(1e-9 * p.table.diagonal(), shot.miss * (1 + 1e-9));
+  double miss = 0, speed = 0;
+  if (const auto* point = std::get_if<PointTarget>(&p.target)) {
+    const auto asked = arrival_range(p);
+    if (asked && asked->high == 0) {
+      if (t.end != Trajectory::End::rest || static_cast<std::size_t>(t.cushions) != n) c.problem = "does not rest after its bounces";
+      miss = norm(t.events.back().state.at - point->at);
+    } else {
+      miss = distance_to_path(t, point->at, n, speed);
+    }
+  } else {
+    const Record& drop = t.events.size() > 1 ? t.events[t.events.size() - 2] : t.events.back();
+    const auto& wanted = std::get<PocketTarget>(p.target).pocket;
+    if (t.end != Trajectory::End::pocketed || (wanted && drop.index != *wanted)) return {"is not pocketed as asked", 0};
+    const Vec2d d = p.table.pockets[static_cast<std::size_t>(drop.index)].at - drop.state.at;
+    speed = norm(drop.state.velocity);
+    miss = std::abs(cross(drop.state.velocity, d)) / speed;
+  }
+  if (miss > allowed) c.problem = fmt::format("misses by {} m", miss);
+  if (!same_sequence(shot.cushions, t, n)) c.problem = "does not meet the cushions it names";
+  if (p.cushions.sequence && !same_sequence(*p.cushions.sequence, t, n)) c.problem = "does not meet the cushions asked";
+  if (shot.launch.speed < p.speed.low || shot.launch.speed > p.speed.high) c.problem = "leaves the speed bounds";
+  const auto asked = arrival_range(p);
+  if (asked && asked->high > 0) {
+    const double off = std::max(asked->low - speed, speed - asked->high);
+    c.speed_error = std::max(0.0, off) / std::max(1.0, asked->high);
+    if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);
+  }
+  return c;
+}
+
+}  // namespace bankshot::test
