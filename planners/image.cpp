@@ -56,7 +56,7 @@ class PartOfTarget {
   /// Certifies the middle of the first window found; what is near the centre comes first.
   bool find() {
     std::vector<Tried> row;
-    for (int i = 0; i < aims_across; ++i) row.push_back(attempt(c_.low + (c_.high - c_.low) * (i + 0.5) / aims_across));
+    for (int i = 0; i < aims_across; ++i) row.push_back(attempt(c_.low + (c_.high - c_.low) * i / (aims_across - 1)));
     std::vector<std::size_t> order(row.size() - 1);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::abs(row[a].offset) < std::abs(row[b].offset); });

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int fan = 2048;
 constexpr double finest = 1e-14;  // rad; neighbours nearer than this differ only by rounding
+constexpr double widest_turn = 0.995;  // cosine between a leg's directions at two neighbours
 
 /// On which side of each aim point each leg passes.
 struct Sample {
@@ -27,7 +28,8 @@ struct Sample {
     double lateral;
     bool ahead;
   };
-  std::vector<Side> sides;  ///< leg by leg, aim point by aim point
+  std::vector<Side> sides{};       ///< leg by leg, aim point by aim point
+  std::vector<Vec2d> directions{};  ///< of the legs
 };
 
 class Sweep {
@@ -47,11 +49,12 @@ class Sweep {
  private:
   Sample sample(double angle) {
     ++s_.simulations;
-    Sample out{angle, {}, {}};
+    Sample out{.angle = angle, .contacts = {}};
     Simulator sim(s_.boundary, Ideal{}, s_.puzzle.physics.cushion,
                   State<double>{s_.puzzle.ball.at, direction(wrap_angle(angle))});
     for (;;) {
       const State<double> leg = sim.state();
+      out.directions.push_back(leg.velocity / norm(leg.velocity));
       for (const Vec2d& target : s_.aim_points()) {
         const Vec2d d = target - leg.at;
         out.sides.push_back({cross(leg.velocity, d), dot(leg.velocity, d) > 0});
@@ -75,11 +78,19 @@ class Sweep {
         if (i < most && a.sides[i].ahead && b.sides[i].ahead && (a.sides[i].lateral > 0) != (b.sides[i].lateral > 0))
           root(a, b, i, static_cast<int>(k));
       }
-    if (a.contacts == b.contacts || b.angle - a.angle < finest) return;
+    if ((a.contacts == b.contacts && !turns_far(a, b)) || b.angle - a.angle < finest) return;
     const Sample middle = sample(a.angle + (b.angle - a.angle) / 2);
     if (!(middle.angle > a.angle && middle.angle < b.angle)) return;
     between(a, middle);
     between(middle, b);
+  }
+
+  /// A reflex vertex turns a leg through a wide angle within a narrow one of the aim: too far to
+  /// see a change of side from its two ends.
+  static bool turns_far(const Sample& a, const Sample& b) {
+    for (std::size_t k = 0; k < std::min(a.directions.size(), b.directions.size()); ++k)
+      if (dot(a.directions[k], b.directions[k]) < widest_turn) return true;
+    return false;
   }
 
   void root(const Sample& a, const Sample& b, std::size_t i, int bounces) {

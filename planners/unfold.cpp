@@ -93,9 +93,12 @@ void Unfolding::propose(const Node& node, const Vec2d& target, double reach) {
   if (node.closed) c.low = c.high = 0;
   if (!node.open && !node.closed && half < radians(90)) {
     // The centre's ray may leave the beam while part of the target is still inside.
-    c.low = std::max(c.low, angle_between(ray, node.from));
-    c.high = std::min(c.high, angle_between(ray, node.to));
-    if (c.low >= c.high) c.low = c.high = 0;
+    const double begin = angle_between(ray, node.from), end = begin + angle_between(node.from, node.to);
+    c.low = c.high = 0;
+    for (const double turn : {0.0, radians(-360)}) {
+      const double low = std::max(-half, begin + turn), high = std::min(half, end + turn);
+      if (low < high) c.low = low, c.high = high;
+    }
   }
   const bool only_part = whole_target_ && c.low < c.high;
   if (centred || only_part || s_.puzzle.cushions.sequence) candidates_.push(c);
@@ -146,14 +149,15 @@ void Unfolding::follow_sequence() {
   Node node;
   for (const int contact : *s_.puzzle.cushions.sequence) {
     if (contact >= static_cast<int>(s_.boundary.walls.size()) || restitution_ == 0) return;
-    const bool first_is_touched = node.bounces == 0 && s_.touches(contact);
+    // Cushions touched at the start bound nothing: the ball bounces off them before it moves.
+    const bool at_start = node.open && !node.closed && s_.touches(contact);
     std::optional<Node> next;
-    if (!node.closed && !first_is_touched) next = child(node, contact);
+    if (!node.closed && !at_start) next = child(node, contact);
     if (!next) {
       next = node;
       next->image = through(node.image, contact);
       next->flipped = !node.flipped;
-      next->closed = !first_is_touched;
+      next->closed = !at_start;
       next->last = contact;
       ++next->bounces;
     }

@@ -26,10 +26,11 @@ std::string place_on(const Table& table, int contact, const Vec2d& at) {
 }
 
 std::string interval(const std::array<std::optional<double>, 2>& m, double unit, std::string_view name) {
+  if (!m[0] && !m[1]) return fmt::format("any {}", name);
   const auto side = [&](const std::optional<double>& v, char sign) {
-    return v ? fmt::format("{}{:.3g}", sign, std::abs(*v) * unit) : fmt::format("{}any", sign);
+    return v ? fmt::format("{}{:.3g}", sign, std::abs(*v) * unit) : sign == '-' ? "any less" : "any more";
   };
-  return fmt::format("{} {} {}", side(m[0], '-'), side(m[1], '+'), name);
+  return fmt::format("{} to {} {}", side(m[0], '-'), side(m[1], '+'), name);
 }
 
 void describe(std::string& out, const Puzzle& p, const Shot& shot) {
@@ -57,7 +58,7 @@ void describe(std::string& out, const Puzzle& p, const Shot& shot) {
   row("arrives", fmt::format("after {:.2f} s at {:.3f} m/s, {:.1e} m off", shot.arrival.time, shot.arrival.speed, shot.miss));
   if (shot.margin) {
     row("margin", interval(shot.margin->angle, degrees(1), "degrees of aim"));
-    row("", interval(shot.margin->speed, 1, "m/s"));
+    row("", interval(shot.margin->speed, 1, "m/s of speed"));
   }
   if (shot.success) row("chance", fmt::format("{:.0f} % for the player given", 100 * *shot.success));
   row("note", fmt::format("0.1 degrees of aim moves the arrival by {:.0f} mm", 1e3 * shot.condition * radians(0.1)));

@@ -42,6 +42,13 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
     const double v2 = dot(l.arc.velocity, l.arc.velocity), slow = norm(l.arc.acceleration);
     speed = std::sqrt(std::max(0.0, v2 - 2 * slow * s * norm(d)));
   }
+  // A leg between two cushions met in one instant has no length, only its end.
+  std::size_t k = 0;
+  for (const Record& e : t.events)
+    if (e.kind == Record::Kind::cushion && ++k == bounces && norm(e.state.at - target) < best) {
+      best = norm(e.state.at - target);
+      speed = norm(e.state.velocity);
+    }
   return best;
 }
 

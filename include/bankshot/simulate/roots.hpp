@@ -26,10 +26,12 @@ T first_descent(const T& gap, const T& speed, const T& acceleration) {
   return T(forever);
 }
 
-/// Time after which a ball on a straight arc has moved by `length` metres.
+/// Time after which a ball on a straight arc has moved by `length` metres. The acceleration is
+/// taken along the velocity: its norm would have no derivative where it is 0.
 template <class T>
 T time_at_length(const Arc<T>& arc, const T& length) {
-  return first_descent(length, T(-norm(arc.velocity)), norm(arc.acceleration));
+  const T speed = norm(arc.velocity);
+  return first_descent(length, T(-speed), T(-dot(arc.velocity, arc.acceleration) / speed));
 }
 
 /// First time at which a *straight* arc (acceleration along the velocity) enters the circle.
