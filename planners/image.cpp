@@ -72,7 +72,7 @@ class PartOfTarget {
     double offset;  ///< rad beside the candidate's angle
     Replay replay;
     bool like(const Tried& o) const {
-      return replay.foul == o.replay.foul && replay.index == o.replay.index && replay.bounces == o.replay.bounces;
+      return replay.failure.foul == o.replay.failure.foul && replay.failure.index == o.replay.failure.index && replay.bounces == o.replay.bounces;
     }
   };
 

@@ -49,7 +49,7 @@ struct Objective {
     const Launch l = launch(x);
     const Replay r = replay(s, l, Goal::of(s));
     double value = std::pow(std::min(r.miss / s.boundary.diagonal, 1.0), 2);
-    if (!r.made && r.foul != Foul::missed) value += wrong_bounces;
+    if (!r.made && r.failure.foul != Foul::missed) value += wrong_bounces;
     if (s.arrival && !s.stop) {
       const double v = r.arrival.speed, asked = std::clamp(v, s.arrival->low, s.arrival->high);
       value += std::pow((v - asked) / std::max(1.0, asked), 2);

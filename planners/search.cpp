@@ -30,6 +30,18 @@ double Search::nearest_reach(const Vec2d& arrived) const {
   return reach(*std::min_element(aim_points_.begin(), aim_points_.end(), nearer));
 }
 
+void Search::remember(const NearMiss& m) {
+  if (m.miss < near.miss) near = m;
+  for (Counted& c : failures) {
+    if (c.failure.foul != m.failure.foul || c.failure.index != m.failure.index) continue;
+    ++c.times;
+    if (m.failure.foul == Foul::too_fast) c.failure.speed = std::min(c.failure.speed, m.failure.speed);
+    if (m.failure.foul == Foul::too_slow) c.failure.speed = std::max(c.failure.speed, m.failure.speed);
+    return;
+  }
+  failures.push_back({m.failure, 1});
+}
+
 bool Search::touches(int contact) const {
   const double slack = tolerance::touch * boundary.diagonal;
   const auto walls = static_cast<int>(boundary.walls.size());

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,13 +16,19 @@
 namespace bankshot::planning {
 
 /// Why a launch does not do what was asked.
-enum class Foul { none, missed, fell_short, wrong_cushion, extra_cushion, pocketed };
+enum class Foul { none, missed, fell_short, wrong_cushion, extra_cushion, pocketed, too_fast, too_slow, outside_aim };
+
+struct Failure {
+  Foul foul = Foul::none;
+  int index = -1;    ///< the contact or pocket that stood in the way
+  double speed = 0;  ///< m/s, what a bound on the speed forbids (too_fast, too_slow)
+};
 
 struct NearMiss {
   Launch launch{};
   int bounces = 0;
   double miss = std::numeric_limits<double>::infinity();
-  std::string why;
+  Failure failure{};
 };
 
 struct Search {
@@ -38,12 +43,18 @@ struct Search {
   long simulations = 0;
   std::vector<Shot> shots;
   NearMiss near;
-  std::map<std::string, long> reasons;  ///< why candidates failed, with how often
+  struct Counted {
+    Failure failure;  ///< of several speeds, the one nearest to the bound
+    long times;
+  };
+  std::vector<Counted> failures;        ///< why candidates failed, with how often
   std::string note;                     ///< what was skipped or cut, for the message
   bool complete = false;                ///< every candidate there can be was tried
   bool proved = false;                  ///< and nothing else can reach any part of the target
   bool cut = false;                     ///< the budget ended the search
 
+  /// Counts a failed candidate, and keeps it if it came nearest.
+  void remember(const NearMiss& miss);
   /// Whether the budget is used up; remembers that it ended the search.
   bool spent() {
     cut = cut || simulations >= puzzle.budget;

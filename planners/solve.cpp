@@ -62,15 +62,15 @@ void rank(const Puzzle& p, std::vector<Shot>& shots) {
   });
 }
 
-/// The reason that most candidates failed for, and the others.
+/// The reasons that candidates failed for, the most frequent first.
 std::string failures(const Search& s) {
-  std::vector<std::pair<long, std::string>> by_count;
-  for (const auto& [why, times] : s.reasons) by_count.push_back({times, why});
-  std::sort(by_count.rbegin(), by_count.rend());
+  constexpr std::size_t most_named = 3;
+  std::vector<Search::Counted> by_count = s.failures;
+  std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.times > b.times; });
   std::string out;
-  for (std::size_t i = 0; i < by_count.size() && i < 3; ++i)
-    out += fmt::format("{}it {} ({}×)", i ? "; " : "", by_count[i].second, by_count[i].first);
-  if (by_count.size() > 3) out += fmt::format("; and {} other reasons", by_count.size() - 3);
+  for (std::size_t i = 0; i < std::min(most_named, by_count.size()); ++i)
+    out += fmt::format("{}it {} ({}×)", i ? "; " : "", explain(s, by_count[i].failure), by_count[i].times);
+  if (by_count.size() > most_named) out += fmt::format("; and {} other reasons", by_count.size() - most_named);
   return out.empty() ? "no path has the bounces asked" : out;
 }
 
@@ -106,7 +106,7 @@ void add_nearest(Search& s, Answer& a) {
   shot.miss = r.miss;
   shot.arrival = r.arrival;
   shot.planner = "none";
-  a.nearest = Answer::Nearest{shot, s.near.why};
+  a.nearest = Answer::Nearest{shot, explain(s, s.near.failure)};
 }
 
 /// Shots whose success decides their order: more than this are compared by first-order margin.

@@ -130,7 +130,7 @@ class Follower {
     out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
     out_.replay.bounces = k_;
     out_.replay.made = out_.replay.miss <= target->within;
-    if (!out_.replay.made) out_.replay.foul = Foul::missed;
+    if (!out_.replay.made) out_.replay.failure = {Foul::missed};
     return out_;
   }
 
@@ -144,8 +144,7 @@ class Follower {
     } else if (foul == Foul::extra_cushion) {
       foul = Foul::missed;
     }
-    out_.replay.foul = foul;
-    out_.replay.index = index;
+    out_.replay.failure = {foul, index};
     out_.replay.bounces = k_;
     return out_;
   }
@@ -162,11 +161,6 @@ class Follower {
   double closest_ = 0;  ///< s into the arc
   Trace out_;
 };
-
-void remember(Search& s, const Launch& launch, int bounces, double miss, const std::string& why) {
-  ++s.reasons[why];
-  if (miss < s.near.miss) s.near = {launch, bounces, miss, why};
-}
 
 /// Brings a number that rounding carried just outside its bounds back in.
 bool inside(double& v, const Range& r) {
@@ -199,8 +193,8 @@ bool exact(const Search& s, const Replay& r) {
 
 /// Rounding, not geometry, may have decided: the path meets a corner, or ends on a cushion line.
 bool rounding_may_matter(const Replay& r) {
-  return r.foul == Foul::wrong_cushion || r.foul == Foul::extra_cushion ||
-         r.foul == Foul::fell_short || r.foul == Foul::missed;
+  const Foul f = r.failure.foul;
+  return f == Foul::wrong_cushion || f == Foul::extra_cushion || f == Foul::fell_short || f == Foul::missed;
 }
 
 }  // namespace
@@ -228,16 +222,12 @@ std::optional<double> launch_speed(Search& s, double angle, const Trace& t) {
   if (s.arrival) {
     low = speed_for(s.arrival->low);
     high = speed_for(s.arrival->high);
-    if (!inside(low, bounds) && low > bounds.high) {
-      remember(s, {bounds.high, angle}, n, t.replay.miss,
-               fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", low, bounds.high));
-      return {};
-    }
-    if (!inside(high, bounds) && high < bounds.low) {
-      remember(s, {bounds.low, angle}, n, t.replay.miss,
-               fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", high, bounds.low));
-      return {};
-    }
+    const auto refuse = [&](Foul foul, double needed, double bound) {
+      s.remember({{bound, angle}, n, t.replay.miss, {foul, -1, needed}});
+      return std::nullopt;
+    };
+    if (!inside(low, bounds) && low > bounds.high) return refuse(Foul::too_fast, low, bounds.high);
+    if (!inside(high, bounds) && high < bounds.low) return refuse(Foul::too_slow, high, bounds.low);
     low = std::max(low, bounds.low);
     high = std::min(high, bounds.high);
   }
@@ -248,18 +238,18 @@ std::optional<double> launch_speed(Search& s, double angle, const Trace& t) {
 
 bool certify(Search& s, const Launch& proposed, int bounces, std::string_view planner,
              bool off_centre) {
+  const CushionRule& rule = s.puzzle.cushions;
+  if (bounces < rule.min || bounces > rule.max) return false;
   Launch launch{proposed.speed, wrap_angle(radians(degrees(proposed.angle)))};
   if (!inside_angle(launch.angle, s.puzzle.angle)) {
-    const Range& a = *s.puzzle.angle;
-    remember(s, launch, bounces, std::numeric_limits<double>::max(),
-             fmt::format("needs an aim outside the bounds of {:.4g}° to {:.4g}°", degrees(a.low), degrees(a.high)));
+    s.remember({launch, bounces, std::numeric_limits<double>::max(), {Foul::outside_aim}});
     return false;
   }
   if (!inside(launch.speed, s.puzzle.speed)) return false;
   std::vector<int> contacts;
   const Replay r = replay(s, launch, Goal::exactly(s, bounces), &contacts);
   if (off_centre ? !r.made : !exact(s, r)) {
-    remember(s, launch, bounces, r.miss, explain(s, r));
+    s.remember({launch, bounces, r.miss, r.failure});
     return false;
   }
   for (const Shot& known : s.shots)
@@ -279,7 +269,7 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
     const Trace t = trace(s, a, goal);
     last = t.replay;
     if (!t.replay.made) {
-      remember(s, {s.puzzle.speed.high, a}, bounces, t.replay.miss, explain(s, t.replay));
+      s.remember({{s.puzzle.speed.high, a}, bounces, t.replay.miss, t.replay.failure});
       return false;
     }
     const auto speed = launch_speed(s, a, t);
@@ -290,6 +280,9 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
   // The trace runs at unit speed, so its time bounds the metres that a radian moves the target by.
   const double path = std::max(last.arrival.time, 1e-3 * s.boundary.diagonal);
   const double step = tolerance::nudge * s.boundary.diagonal / path;
+  // A path through corners was likely asked at a round angle, which the image has to rounding only.
+  const double rounded = radians(std::round(degrees(angle) * 1e9) / 1e9);
+  if (std::abs(rounded - angle) < step && attempt(rounded, 0)) return true;
   for (const double k : {0.0, 1.0, -1.0, 10.0, -10.0})
     for (const double shorter : {0.0, step}) {
       if (s.spent()) return false;
@@ -299,19 +292,23 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
   return false;
 }
 
-std::string explain(const Search& s, const Replay& r) {
-  switch (r.foul) {
+std::string explain(const Search& s, const Failure& f) {
+  const auto cushion = [&] { return contact_name(s.puzzle.table, f.index); };
+  const Range& v = s.puzzle.speed;
+  const Range aim = s.puzzle.angle.value_or(Range{0, 0});
+  switch (f.foul) {
     case Foul::none:
     case Foul::missed: return "passes by the target";
     case Foul::fell_short: return "stops before the target";
-    case Foul::wrong_cushion:
-      return fmt::format("meets cushion {} out of turn", contact_name(s.puzzle.table, r.index));
-    case Foul::extra_cushion:
-      return fmt::format("meets cushion {} before the target", contact_name(s.puzzle.table, r.index));
+    case Foul::wrong_cushion: return fmt::format("meets cushion {} out of turn", cushion());
+    case Foul::extra_cushion: return fmt::format("meets cushion {} before the target", cushion());
     case Foul::pocketed:
-      return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(r.index)].name);
-    default: return "is out of bounds";
+      return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(f.index)].name);
+    case Foul::too_fast: return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
+    case Foul::too_slow: return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
+    case Foul::outside_aim: break;
   }
+  return fmt::format("needs an aim outside the bounds of {:.4g}° to {:.4g}°", degrees(aim.low), degrees(aim.high));
 }
 
 }  // namespace bankshot::planning

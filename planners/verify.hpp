@@ -30,8 +30,7 @@ struct Replay {
   bool made = false;   ///< in the contract's sense: within reach, after the bounces asked
   double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
   Arrival arrival;
-  Foul foul = Foul::none;
-  int index = -1;   ///< the contact or pocket of the foul
+  Failure failure;      ///< when it is not made
   int bounces = 0;  ///< at arrival or at the foul
 };
 
@@ -47,7 +46,7 @@ struct Trace {
 Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts = nullptr);
 
 /// The launch speed for this path: fixed, or chosen by `prefer` inside what the puzzle leaves
-/// free. None when a bound forbids it; then `near` and `reasons` say so.
+/// free. None when a bound forbids it; then the search remembers it.
 std::optional<double> launch_speed(Search& s, double angle, const Trace& t);
 
 /// Replays, and keeps the launch as a shot when it is exact (or, `off_centre`, when it is made).
@@ -59,7 +58,7 @@ bool certify(Search& s, const Launch& launch, int bounces, std::string_view plan
 bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
                  bool off_centre = false);
 
-/// A sentence for a foul.
-std::string explain(const Search& s, const Replay& r);
+/// What went wrong, as the end of a sentence that begins with "it".
+std::string explain(const Search& s, const Failure& failure);
 
 }  // namespace bankshot::planning

@@ -8,15 +8,18 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 
 namespace bankshot::app {
 
 std::string read_file(const std::string& path) {
   if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
   std::ifstream in(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in || in.bad()) throw FileError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  return text;
+  std::ostringstream text;  // unlike an iterator, it turns a failure (a folder) into a flag
+  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+  if (!in.is_open() || in.bad() || text.bad())
+    throw FileError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  return text.str();
 }
 
 void write_file(const std::string& path, const std::string& text) {
@@ -30,10 +33,16 @@ void print(const std::string& text) {
   if (!std::cout) throw FileError("standard output: cannot be written");
 }
 
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return text;
+}
+
 std::string complaint(const std::string& path, const InvalidInput& error) {
   const std::string file = path == "-" ? "standard input" : path;
-  if (error.line) return fmt::format("{}:{}: {}", file, error.line, error.what());
-  return fmt::format("{}: {}{}{}", file, error.path, error.path.empty() ? "" : ": ", error.what());
+  if (error.line) return one_line(fmt::format("{}:{}: {}", file, error.line, error.what()));
+  return one_line(fmt::format("{}: {}{}{}", file, error.path, error.path.empty() ? "" : ": ", error.what()));
 }
 
 }  // namespace bankshot::app

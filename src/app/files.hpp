@@ -25,6 +25,9 @@ void write_file(const std::string& path, const std::string& text);
 /// To standard output; a failure to write is an error, not silence.
 void print(const std::string& text);
 
+/// `text` without line breaks and other control characters.
+std::string one_line(std::string text);
+
 /// "FILE:LINE: reason" or "FILE: /json/path: reason", one line.
 std::string complaint(const std::string& path, const InvalidInput& error);
 

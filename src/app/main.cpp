@@ -2,26 +2,55 @@
 //
 // The program: reads the command line, runs one command, turns every failure into one line on
 // standard error and an exit code.
+#include <algorithm>
 #include <iostream>
 #include <map>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "bankshot/plan/answer.hpp"
+#include "json/reader.hpp"
+
+namespace bankshot::app {
+namespace {
+
+/// One line on standard error, and an `invalid` answer where JSON was asked.
+int refuse(const std::string& reason, bool json) {
+  std::cerr << "bankshot: " << one_line(reason) << '\n';
+  try {
+    if (json) print(to_json(invalid_answer("", InvalidInput("", reason))) + "\n");
+  } catch (const FileError&) {
+    // Standard output is what failed; standard error has said so.
+  }
+  return bad_input;
+}
+
+/// The parser would only say that a command is missing.
+void check_command(const std::string& first, const std::map<std::string, Run>& commands) {
+  if (first.starts_with('-') || commands.contains(first)) return;
+  std::vector<std::string_view> names;
+  for (const auto& [name, run] : commands) names.push_back(name);
+  throw CLI::ParseError(quote(first) + " is no command" + known_words(first, names), bad_input);
+}
+
+}  // namespace
+}  // namespace bankshot::app
 
 int main(int argc, char** argv) {
   using namespace bankshot::app;
+  const bool json = std::any_of(argv, argv + argc, [](std::string_view a) { return a == "--json"; });
   CLI::App app("bankshot: finds the launch speed and angle for a shot in cue sports", "bankshot");
   app.set_version_flag("--version", "bankshot " BANKSHOT_VERSION);
   app.require_subcommand(1);
   const std::map<std::string, Run> commands{{"solve", add_solve(app)}, {"simulate", add_simulate(app)}};
   try {
+    if (argc > 1) check_command(argv[1], commands);
     app.parse(argc, argv);
     return commands.at(app.get_subcommands().front()->get_name())();
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
-    std::cerr << "bankshot: " << e.what() << "; see bankshot --help\n";
+    return refuse(std::string(e.what()) + "; see bankshot --help", json);
   } catch (const std::exception& e) {
-    std::cerr << "bankshot: " << e.what() << '\n';
+    return refuse(e.what(), json);
   }
-  return bad_input;
 }

@@ -41,7 +41,8 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
     out += event_text(r, t.events[i]);
   }
   constexpr const char* ends[] = {"comes to rest", "stopped where asked", "is pocketed", "stopped after a million events"};
-  return out + fmt::format("The ball {} after {} cushions and {:.4f} m.\n", ends[static_cast<int>(t.end)], t.cushions, t.length);
+  return out + fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ends[static_cast<int>(t.end)], t.cushions,
+                           t.cushions == 1 ? "" : "s", t.length);
 }
 
 int run(const Arguments& a) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/commands.hpp"
@@ -8,6 +9,7 @@
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
+#include "json/reader.hpp"
 
 namespace bankshot::app {
 namespace {
@@ -18,6 +20,21 @@ struct Arguments {
   long budget = -1;
   bool json = false, no_timing = false, no_robustness = false;
 };
+
+/// A mistyped planner is a usage error, told before any input is read.
+void check_planner(const std::string& wanted) {
+  std::vector<std::string_view> names;
+  for (const PlannerInfo& p : planners()) names.push_back(p.name);
+  if (std::find(names.begin(), names.end(), wanted) == names.end())
+    throw CLI::ValidationError("--planner", quote(wanted) + " is no planner" + known_words(wanted, names));
+}
+
+/// CLI11's own check prints its bounds with 309 digits.
+std::string whole_number(const std::string& text) {
+  constexpr std::size_t most_digits = 18;  // fits a long
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits && text.size() <= most_digits ? "" : quote(text) + " must be a whole number, at least 0";
+}
 
 int list_planners() {
   for (const PlannerInfo& p : planners()) print(fmt::format("{:<14}{}\n", p.name, p.summary));
@@ -32,6 +49,7 @@ int invalid(const Arguments& a, const std::string& text, const InvalidInput& e) 
 
 int run(Arguments a) {
   if (a.options.planner == "list") return list_planners();
+  check_planner(a.options.planner);
   const std::string text = read_file(a.file);
   try {
     Puzzle puzzle = read_puzzle(text);
@@ -54,7 +72,7 @@ Run add_solve(CLI::App& app) {
   command->add_option("puzzle", a->file, "A puzzle in JSON; - reads standard input")->capture_default_str();
   command->add_option("--planner", a->options.planner, "Which planner; 'list' names them")->capture_default_str();
   command->add_flag("--all", a->options.all, "Every distinct shot, best first");
-  command->add_option("--budget", a->budget, "Simulations to spend at most")->check(CLI::NonNegativeNumber);
+  command->add_option("--budget", a->budget, "Simulations to spend at most")->check(whole_number);
   command->add_option("--svg", a->svg, "Write a picture to this file");
   command->add_flag("--json", a->json, "One line of JSON instead of text");
   command->add_flag("--no-timing", a->no_timing, "Leave out time_us: same input, same bytes");

@@ -63,6 +63,8 @@ void draw_diamonds(Canvas& c) {
   const Table& t = c.table();
   const Vec2d low = t.lowest(), high = t.highest(), size = high - low;
   const auto mark = [&](const Vec2d& p, const Vec2d& outward) {
+    for (const Pocket& pocket : t.pockets)
+      if (norm(pocket.at - p) < 2 * pocket.radius) return;
     const Vec2d at = c.at(p) + outward * (nose + rail / 2);
     c.add(R"(<path d="M{:.1f} {:.1f}l4 4l-4 4l-4-4z" fill="#f3e9d2"/>)", at.x, at.y - 4);
   };
@@ -136,7 +138,7 @@ void draw_fan(Canvas& c, const Puzzle& p, const Shot& shot) {
     edge.launch.angle = wrap_angle(shot.launch.angle + *m[0] + (*m[1] - *m[0]) * i / strips);
     const std::vector<Vec2d> path = outline(simulate(as_request(p, edge)));
     for (std::size_t k = 0; k + 1 < std::min(path.size(), before.size()); ++k)
-      c.polyline({before[k], before[k + 1], path[k + 1], path[k]}, "polygon", R"(fill="#ffd166" fill-opacity="0.35")");
+      c.polyline({before[k], before[k + 1], path[k + 1], path[k]}, "polygon", R"(fill="#ffd166" fill-opacity="0.45")");
     before = path;
   }
 }

@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <utility>
 
 #include "bankshot/scene/puzzle.hpp"
 
@@ -15,10 +16,43 @@ constexpr std::size_t max_depth = 64;  // a puzzle needs 6; deeper text is garba
 constexpr std::size_t max_quote = 60;  // characters of a value worth repeating in an error
 
 std::string clip(std::string s) {
-  if (s.size() > max_quote) s = s.substr(0, max_quote) + "…";
+  if (s.size() > max_quote) {
+    std::size_t cut = max_quote;
+    while (cut > 0 && (static_cast<unsigned char>(s[cut]) & 0xC0) == 0x80) --cut;  // whole UTF-8 characters
+    s = s.substr(0, cut) + "…";
+  }
   for (char& c : s)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
   return s;
+}
+
+/// The word around the last character read, as a user would point at it; empty at the text's end.
+std::string_view word_at(std::string_view text, std::size_t characters_read) {
+  constexpr std::string_view separators = " \t\r\n,:[]{}";
+  if (characters_read == 0 || characters_read > text.size()) return {};
+  const std::size_t last = characters_read - 1;
+  if (separators.find(text[last]) != std::string_view::npos) return text.substr(last, 1);
+  const std::size_t begin = text.find_last_of(separators, last) + 1;  // npos + 1 is 0
+  return text.substr(begin, text.find_first_of(separators, last) - begin);
+}
+
+/// The line on which brackets first nest deeper than allowed.
+int too_deep_line(std::string_view text) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  int line = 1;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') ++line;
+    if (c == '"') in_string = !in_string;
+    if (in_string) {
+      if (c == '\\') ++i;
+      continue;
+    }
+    if ((c == '[' || c == '{') && ++depth > max_depth) break;
+    if (c == ']' || c == '}') --depth;
+  }
+  return line;
 }
 
 /// Builds the tree from nlohmann's events; the library's own builder keeps only the last of two
@@ -42,23 +76,25 @@ class Builder : public nlohmann::json_sax<Json> {
 
   bool key(string_t& k) override {
     if (stack_.back()->contains(k))
-      throw InvalidInput(path() + "/" + k, "this key stands twice in one object");
+      throw InvalidInput(path() + "/" + quote_key(k), "this key stands twice in one object");
     key_ = std::move(k);
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::json::exception& e) override {
-    const auto end = text_.begin() + static_cast<long>(std::min(position, text_.size()));
-    const auto line = 1 + static_cast<int>(std::count(text_.begin(), end, '\n'));
+    const std::size_t before = std::min(position > 0 ? position - 1 : 0, text_.size());
+    const auto line = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + static_cast<long>(before), '\n'));
     if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
       throw InvalidInput("", "the document is empty", line);
-    std::string what = e.what();
     if (e.id == 406) throw InvalidInput("", "the number " + clip(token) + " is too large", line);
-    const auto last = what.find("; last read");
-    const auto colon = what.find(": ", what.find("column"));
-    what = colon == std::string::npos ? what : what.substr(colon + 2, last - colon - 2);
-    throw InvalidInput("", fmt::format("not JSON near '{}': {}", clip(token), clip(what)), line);
+    // "... parse error at line 1, column 5: syntax error while parsing value - WHAT; last read: '...'"
+    std::string what = e.what();
+    what.resize(std::min(what.size(), what.find("; last read")));
+    if (const auto dash = what.find(" - "); dash != std::string::npos) what.erase(0, dash + 3);
+    const std::string_view word = word_at(text_, position);
+    const std::string near = word.empty() ? "" : " at '" + clip(std::string(word)) + "'";
+    throw InvalidInput("", fmt::format("not JSON{}: {}", near, what), line);
   }
 
  private:
@@ -75,9 +111,10 @@ class Builder : public nlohmann::json_sax<Json> {
 
   bool open(Json container) {
     if (stack_.size() >= max_depth)
-      throw InvalidInput("", fmt::format("nested deeper than {} levels", max_depth), 1);
+      throw InvalidInput("", fmt::format("nested deeper than {} levels", max_depth), too_deep_line(text_));
+    const bool in_list = !stack_.empty() && stack_.back()->is_array();
+    keys_.push_back(in_list ? std::to_string(stack_.back()->size()) : quote_key(key_));
     stack_.push_back(place(std::move(container)));
-    keys_.push_back(key_);
     return true;
   }
 
@@ -98,6 +135,45 @@ class Builder : public nlohmann::json_sax<Json> {
   std::vector<Json*> stack_;
   std::vector<std::string> keys_;
   std::string key_;
+};
+
+/// Listens for the top-level "id" only, so that an answer to broken text still says whose it is.
+class IdFinder : public nlohmann::json_sax<Json> {
+ public:
+  std::string take() { return found_ == 1 ? id_ : ""; }
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t v) override { return value(v); }
+  bool number_unsigned(number_unsigned_t v) override { return value(v); }
+  bool number_float(number_float_t v, const string_t&) override { return value(v); }
+  bool string(string_t& v) override { return value(v); }
+  bool binary(binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return ++depth_ > 0; }
+  bool start_array(std::size_t) override { return depth_++ > 0; }  // a list has no id
+  bool end_object() override { return depth_-- > 0; }
+  bool end_array() override { return depth_-- > 0; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;
+  }
+  bool key(string_t& k) override {
+    if (depth_ == 1) at_id_ = k == "id";
+    return true;
+  }
+
+ private:
+  bool value(const Json& v) {
+    if (depth_ == 1 && at_id_) {
+      id_ = write_json(v);
+      ++found_;  // two of them: nobody can tell
+    }
+    return depth_ > 0;
+  }
+
+  std::string id_;
+  int found_ = 0;
+  long depth_ = 0;
+  bool at_id_ = false;
 };
 
 void write(const Json& v, std::string& out) {
@@ -131,6 +207,12 @@ Json parse_document(std::string_view text) {
   return builder.take();
 }
 
+std::string find_id(std::string_view text) {
+  IdFinder finder;
+  Json::sax_parse(text, &finder);
+  return finder.take();
+}
+
 std::string write_json(const Json& value) {
   std::string out;
   write(value, out);
@@ -138,5 +220,10 @@ std::string write_json(const Json& value) {
 }
 
 std::string quote(const Json& value) { return clip(write_json(value)); }
+
+std::string quote_key(const std::string& key) {
+  const std::string text = write_json(Json(key));
+  return clip(text.substr(1, text.size() - 2));
+}
 
 }  // namespace bankshot

@@ -21,4 +21,10 @@ std::string write_json(const Json& value);
 /// A value for an error message: its JSON text, cut to a readable length.
 std::string quote(const Json& value);
 
+/// A key for the path of an error message: without quotes, on one line, cut to a readable length.
+std::string quote_key(const std::string& key);
+
+/// The top-level "id" of text that may be no JSON further on; empty when it cannot be told.
+std::string find_id(std::string_view text);
+
 }  // namespace bankshot

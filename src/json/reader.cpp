@@ -36,6 +36,14 @@ std::string suggestion(std::string_view wrong, std::span<const std::string_view>
   return fmt::format("; did you mean \"{}\"?", *best);
 }
 
+std::string known_words(std::string_view wrong, std::span<const std::string_view> words) {
+  constexpr std::size_t most = 16;  // a polygon may have thousands of cushions
+  const auto shown = words.first(std::min(words.size(), most));
+  std::string more;
+  if (shown.size() < words.size()) more = fmt::format(" and {} more", words.size() - shown.size());
+  return fmt::format("; known are {}{}{}", fmt::join(shown, ", "), more, suggestion(wrong, words));
+}
+
 void Reader::fail(const std::string& rule) const {
   throw InvalidInput(path_, quote(*value_) + " " + rule);
 }
@@ -98,8 +106,7 @@ Range Reader::range() const {
 std::size_t Reader::word(std::string_view what, std::span<const std::string_view> words) const {
   const std::string w = text();
   const auto it = std::find(words.begin(), words.end(), w);
-  if (it == words.end())
-    fail(fmt::format("is no {}; known are {}{}", what, fmt::join(words, ", "), suggestion(w, words)));
+  if (it == words.end()) fail(fmt::format("is no {}{}", what, known_words(w, words)));
   return static_cast<std::size_t>(it - words.begin());
 }
 
@@ -124,11 +131,14 @@ Reader Reader::need(const std::string& key) const {
 }
 
 void Reader::only(std::initializer_list<std::string_view> known) const {
-  if (!is_object()) fail("must be an object");
+  if (!is_object()) fail(fmt::format("must be an object with these keys: {}", fmt::join(known, ", ")));
   for (const auto& [key, value] : value_->items())
-    if (std::find(known.begin(), known.end(), key) == known.end())
-      throw InvalidInput(path_ + "/" + quote(Json(key)).substr(1, key.size()),
-                         "this key is unknown" + suggestion(key, {known.begin(), known.size()}));
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      const std::span<const std::string_view> words{known.begin(), known.size()};
+      const std::string near = suggestion(key, words);
+      throw InvalidInput(path_ + "/" + quote_key(key),
+                         "this key is unknown" + (near.empty() ? known_words(key, words) : near));
+    }
 }
 
 }  // namespace bankshot

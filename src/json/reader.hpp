@@ -57,4 +57,7 @@ class Reader {
 /// The word most like `wrong`, with a "did you mean" around it; empty when nothing is near.
 std::string suggestion(std::string_view wrong, std::span<const std::string_view> words);
 
+/// "; known are ..." with the words that `wrong` is not, and the suggestion.
+std::string known_words(std::string_view wrong, std::span<const std::string_view> words);
+
 }  // namespace bankshot

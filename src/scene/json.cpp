@@ -29,6 +29,7 @@ Physics read_physics(const Reader& scene) {
                        "this key is missing and its default, \"spin\", is not supported yet; "
                        "choose \"rolling\" or \"ideal\"");
   constexpr std::array<std::string_view, 3> presets{"ideal", "rolling", "spin"};
+  if (!r->is_string() && !r->is_object()) r->fail("must be the name of a physics or an object");
   const Reader model = r->is_string() ? *r : r->need("model");
   const std::size_t which = model.word("physics", presets);
   if (which == 2) model.fail("is not supported yet; choose \"rolling\" or \"ideal\"");
@@ -93,12 +94,14 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
 
 Range read_angle(const Reader& r) {
   if (!r.is_array() || r.size() != 2) r.fail("must be a pair of degrees [from, to]");
-  const double from = r.items()[0].between(-360, 360), to = r.items()[1].between(-360, 720);
-  double span = to - from;
-  if (span < 0) span += 360;
-  if (span < 0 || span > 360) r.fail("must span at most 360 degrees");
-  const double low = wrap_angle(radians(from));
-  return {low, low + radians(span)};
+  double from = r.items()[0].between(-360, 360), to = r.items()[1].between(-360, 720);
+  constexpr double turn = 360, rounding = 1e-9;
+  if (to - from > turn + rounding) r.fail("must span at most 360 degrees");
+  const auto rotate = [&](double by) { from += by, to += by; };
+  if (from < 0) rotate(turn);
+  if (from >= turn) rotate(-turn);  // also -1e-20, which is a turn once a turn is added
+  while (to < from) to += turn;
+  return {radians(from), radians(std::min(to, from + turn))};
 }
 
 Noise read_noise(const Reader& r) {
@@ -182,16 +185,6 @@ ShotRequest read_shot(std::string_view text) {
   return s;
 }
 
-std::string read_id(std::string_view text) {
-  try {
-    const Json json = parse_document(text);
-    const auto id = json.is_object() ? json.find("id") : json.end();
-    return json.is_object() && id != json.end() && (id->is_string() || id->is_number())
-               ? write_json(*id)
-               : "";
-  } catch (const InvalidInput&) {
-    return "";
-  }
-}
+std::string read_id(std::string_view text) { return find_id(text); }
 
 }  // namespace bankshot

@@ -28,13 +28,14 @@ Mouth read_mouth(const Reader& table, double radius) {
 }
 
 std::vector<Pocket> read_pockets(const Reader& table, const Table& shape, double radius) {
+  const Mouth mouth = read_mouth(table, radius);  // also checks one that has no pockets to size
   const auto r = table.find("pockets");
   if (!r) return {};
   if (r->is_string()) {
     constexpr std::array<std::string_view, 2> words{"none", "six"};
     if (r->word("layout of pockets", words) == 0) return {};
     if (!shape.is_rectangle()) r->fail("needs a rectangle; list the pockets of a polygon");
-    return six_pockets(shape, read_mouth(table, radius));
+    return six_pockets(shape, mouth);
   }
   if (!r->is_array()) r->fail("must be \"none\", \"six\" or a list of pockets");
   std::vector<Pocket> pockets;
@@ -77,7 +78,7 @@ Table read_table(const Reader& table, double radius) {
     jaws->fail("is not supported yet");
   Table shape;
   if (table.find("vertices")) {
-    table.only({"vertices", "names", "pockets", "jaws", "tilt"});
+    table.only({"vertices", "names", "pockets", "mouth", "jaws", "tilt"});
     shape = read_polygon(table);
   } else {
     table.only({"length", "width", "pockets", "mouth", "jaws", "tilt", "vertices"});

@@ -127,8 +127,9 @@ Boundary check_scene(const Table& table, const Ball& ball, const Physics& physic
 }
 
 void check_range(const Range& r, const std::string& path) {
-  if (!(r.low >= 0 && r.low <= r.high && std::isfinite(r.high)))
-    fail(path, fmt::format("[{}, {}] must be finite, at least 0, the lower end first", r.low, r.high));
+  if (r.low >= 0 && r.low <= r.high && std::isfinite(r.high)) return;
+  if (r.fixed()) fail(path, fmt::format("{} must be finite and at least 0", r.low));
+  fail(path, fmt::format("[{}, {}] must be finite, at least 0, the lower end first", r.low, r.high));
 }
 
 void check_target(const Puzzle& p, const Boundary& boundary) {

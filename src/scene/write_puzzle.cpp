@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+
 #include "bankshot/scene/boundary.hpp"
 #include "bankshot/scene/json.hpp"
 #include "json/document.hpp"
@@ -6,15 +9,32 @@
 namespace bankshot {
 namespace {
 
+/// The degrees that read back to exactly `angle`, if any do: `degrees` alone may be a rounding off,
+/// and a puzzle that is read and written over and over would drift.
+double exact_degrees(double angle) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double nearest = degrees(angle);
+  double below = nearest, above = nearest;
+  for (int i = 0; i < 3; ++i) {
+    if (radians(below) == angle) return below;
+    if (radians(above) == angle) return above;
+    below = std::nextafter(below, -infinity);
+    above = std::nextafter(above, infinity);
+  }
+  return nearest;
+}
+
 Json pair(double a, double b) { return Json::array({a, b}); }
 Json pair(const Vec2d& p) { return pair(p.x, p.y); }
 Json range(const Range& r) { return r.fixed() ? Json(r.low) : pair(r.low, r.high); }
 
 Json table_json(const Table& t) {
   Json j = Json::object();
-  if (t.is_rectangle() && t.lowest() == Vec2d{0, 0}) {
-    j["length"] = t.highest().x;
-    j["width"] = t.highest().y;
+  const Vec2d size = t.highest();
+  const bool plain = t.is_rectangle() && t.lowest() == Vec2d{0, 0};
+  if (plain && t.cushions == rectangle_table(size.x, size.y).cushions) {
+    j["length"] = size.x;
+    j["width"] = size.y;
   } else {
     j["vertices"] = Json::array();
     for (const Vec2d& v : t.vertices) j["vertices"].push_back(pair(v));
@@ -62,9 +82,9 @@ std::string write_puzzle(const Puzzle& p) {
   j["cushions"] = cushions_json(p);
   if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};
   j["speed"] = range(p.speed);
-  if (p.angle) j["angle"] = pair(degrees(p.angle->low), degrees(p.angle->high));
+  if (p.angle) j["angle"] = pair(exact_degrees(p.angle->low), exact_degrees(p.angle->high));
   j["prefer"] = preferences[static_cast<int>(p.prefer)];
-  j["noise"] = {{"angle", degrees(p.noise.angle)}, {"speed", p.noise.speed}};
+  j["noise"] = {{"angle", exact_degrees(p.noise.angle)}, {"speed", p.noise.speed}};
   j["budget"] = {{"simulations", p.budget}};
   return write_json(j);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Solves random puzzles that have a shot and checks every answer with a replay of its own.
-//   stress --count 100000 --seed 1 --physics rolling --family all [--planner auto] [--json FAILURES]
-// Prints a line a family; each failure prints as JSON that `bankshot solve` replays. Exit 1 if any.
+//   stress --count 100000 --seed 1 --physics rolling --family all [--planner auto] [--csv]
+// Prints a line a family (--csv: comma-separated); each failure prints as JSON that `bankshot solve` replays. Exit 1 if any.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -64,10 +64,13 @@ int main(int argc, char** argv) {
   app.add_option("--seed", seed)->capture_default_str();
   app.add_option("--physics", physics)->check(CLI::IsMember({"ideal", "rolling"}))->capture_default_str();
   app.add_option("--family", family)->check(CLI::IsMember({"all", "uniform", "discrete", "convex", "reflex"}))->capture_default_str();
+  bool csv = false;
+  app.add_flag("--csv", csv);
   app.add_option("--planner", options.planner)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
   bool clean = true;
+  if (csv) std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,wrong,worst_miss_of_diagonal,worst_speed_error,simulations_each,us_each\n";
   for (const test::Family f : test::families) {
     if (family != "all" && family != test::name(f)) continue;
     test::Random random(seed);
@@ -75,10 +78,13 @@ int main(int argc, char** argv) {
     const auto begin = std::chrono::steady_clock::now();
     for (long i = 0; i < (family == "all" ? count / 4 : count); ++i) one(random, f, physics == "ideal", options, t);
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-    std::cout << fmt::format("{:8} {:8} seed {}: {} puzzles, {} solved ({} beside the pocket's centre), {} wrong, worst miss {:.2g} of the "
-                             "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each\n",
-                             physics, test::name(f), seed, t.puzzles, t.solved, t.off_centre, t.wrong, t.worst_miss, t.worst_speed,
-                             static_cast<double>(t.simulations) / static_cast<double>(t.puzzles), took.count() / static_cast<double>(t.puzzles));
+    const auto print = [&](auto format) {
+      std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved, t.off_centre, t.wrong, t.worst_miss, t.worst_speed,
+                               static_cast<double>(t.simulations) / static_cast<double>(t.puzzles), took.count() / static_cast<double>(t.puzzles));
+    };
+    print(csv ? "{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f}\n"
+              : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the pocket's centre), {} wrong, worst miss {:.2g} of the "
+                "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each\n");
     clean = clean && t.solved == t.puzzles && t.wrong == 0;
   }
   return clean ? 0 : 1;

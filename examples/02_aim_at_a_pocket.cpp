@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// 02: find the aim and the speed that drop a ball straight into a pocket.
+// One new idea: a Puzzle is asked, an Answer comes back with proof.
+#include <fmt/format.h>
+
+#include "bankshot/plan/planner.hpp"
+
+int main() {
+  using namespace bankshot;
+  const TablePreset& preset = *find_table_preset("pool-9ft");
+  const Puzzle puzzle{.table = make_table(preset),
+                      .physics = rolling_physics(),
+                      .ball = {.at = {1.9, 0.5}, .radius = preset.radius, .mass = preset.mass},
+                      .target = PocketTarget{5},  // top-right
+                      .cushions = CushionRule::exactly(0),
+                      .arrive = Range{1, 1}};
+  const Answer answer = solve(puzzle);
+  const Shot& shot = answer.shots.at(0);
+  fmt::print("{}: aim {:.4f} degrees at {:.4f} m/s\n", name(answer.status), degrees(shot.launch.angle), shot.launch.speed);
+  fmt::print("drops after {:.4f} s at {:.4f} m/s, the line of travel {} the pocket's centre\n", shot.arrival.time,
+             shot.arrival.speed, shot.miss < 1e-9 ? "through" : "beside");
+  fmt::print("made while the aim is off by {:+.3f} to {:+.3f} degrees\n", degrees(*shot.margin->angle[0]),
+             degrees(*shot.margin->angle[1]));
+}

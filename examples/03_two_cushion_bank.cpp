@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// 03: a two-cushion bank, all the ways there are, softest first; every aim that a player could
+// choose between. One new idea: options.
+#include <fmt/format.h>
+
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/boundary.hpp"
+
+int main() {
+  using namespace bankshot;
+  const Puzzle puzzle{.table = make_table(*find_table_preset("carom-10ft")),
+                      .physics = rolling_physics(),
+                      .ball = {.at = {0.6, 0.5}, .radius = 0.03075, .mass = 0.21},
+                      .target = PointTarget{.at = {2.1, 1.0}, .within = 0.03},
+                      .cushions = CushionRule::exactly(2),
+                      .prefer = Prefer::soft};
+  const Answer answer = solve(puzzle, {.all = true});
+  for (const Shot& shot : answer.shots) {
+    fmt::print("{:8.4f} degrees  {:.4f} m/s  chance {:.2f} ", degrees(shot.launch.angle), shot.launch.speed, *shot.success);
+    for (const int cushion : shot.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
+    fmt::print("\n");
+  }
+}

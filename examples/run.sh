@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Installs what is missing, builds, solves the example puzzles, prints the answers and writes the
+# pictures to examples/figures/.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. cmake/packages.sh
+need $toolchain
+build release -DBANKSHOT_TESTS=OFF -DBANKSHOT_BENCH=OFF
+bin=build/release
+for puzzle in examples/puzzles/*.json; do
+  name=$(basename "$puzzle" .json)
+  echo "== $name"
+  "$bin/bankshot" solve "$puzzle" --svg "examples/figures/$name.svg"
+done
+for example in "$bin"/examples/[0-9]*; do
+  [ -x "$example" ] || continue
+  echo "== $(basename "$example")"
+  "$example"
+done
+echo "Pictures: examples/figures/*.svg"

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+//
+// `simulate` as typed in a shell, and what the program says about itself.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/scratch_file.hpp"
+#include "support/catch.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using bankshot::test::run_program;
+using bankshot::test::ScratchFile;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+/// Along a table of 2 × 1 m at 1 m/s: meets the right cushion after 1.5 s.
+const char* const along = R"({"id": 3, "table": {"length": 2, "width": 1}, "physics": "ideal",
+  "ball": {"at": [0.5, 0.1], "radius": 0}, "shot": {"speed": 1, "angle": 0}, "until": {"time": 2}})";
+
+/// Rolls to rest: 0.5 · 1² / (0.01 · 9.81) is longer than the table, so it bounces.
+const char* const rolling = R"({"table": {"length": 2, "width": 1}, "physics": "rolling",
+  "ball": {"at": [0.5, 0.5]}, "shot": {"speed": 1, "angle": 0}})";
+
+}  // namespace
+
+TEST_CASE("simulate lists the events in words") {
+  const auto run = run_program("simulate", along);
+  CHECK(run.exit == 0);
+  CHECK(run.err.empty());
+  CHECK_THAT(run.out, Contains("launch") && Contains("cushion right") && Contains("at (2.0000, 0.1000) m") &&
+                          Contains("after 1 cushion and 2.0000 m."));
+  CHECK_THAT(run_program("simulate", rolling).out, Contains("comes to rest"));
+}
+
+TEST_CASE("simulate --json prints states right after each event") {
+  const auto run = run_program("simulate - --json", along);
+  CHECK(run.exit == 0);
+  CHECK(run.out.find('\n') == run.out.size() - 1);
+  const Json a = Json::parse(run.out);
+  CHECK(a.at("id") == 3);
+  REQUIRE(a.at("events").size() == 3);
+  const Json bounce = a["events"][1];
+  CHECK(a["events"][0].at("type") == "start");
+  CHECK(bounce.at("type") == "cushion");
+  CHECK(bounce.at("cushion") == "right");
+  CHECK(bounce.at("ball") == "cue");
+  CHECK(bounce.at("time") == 1.5);
+  CHECK(bounce.at("at") == Json{2, 0.1});
+  CHECK(bounce.at("velocity") == Json{-1, 0});
+  CHECK(bounce.at("spin").size() == 3);
+  CHECK(a["events"][2].at("type") == "end");
+  CHECK(a.at("end").at("reason") == "until");
+  CHECK(a.at("energy").at("start") == a.at("energy").at("end"));
+  CHECK_THAT(run.out, Contains("\"at\":[0.5,0.1],\"velocity\":[1,0]"));  // shortest decimals
+}
+
+TEST_CASE("a rolling ball loses its energy and rests") {
+  const Json a = Json::parse(run_program("simulate --json", rolling).out);
+  CHECK(a.at("end").at("reason") == "rest");
+  CHECK(a.at("energy").at("start") == Approx(0.5 * 0.170097 * 1.4));  // 7/10 m v²
+  CHECK(a.at("energy").at("end") == 0);
+}
+
+TEST_CASE("an ideal ball without until stops after 100 cushions") {
+  Json shot = Json::parse(along);
+  shot.erase("until");
+  const Json a = Json::parse(run_program("simulate --json", shot.dump()).out);
+  CHECK(a.at("end").at("reason") == "until");
+  CHECK(a.at("end").at("cushions") == 100);
+}
+
+TEST_CASE("option --csv writes a row at every event and every step of the rate") {
+  const ScratchFile csv("shot.csv");
+  CHECK(run_program("simulate --rate 4 --csv \"" + csv.path + "\"", along).exit == 0);
+  std::istringstream in(csv.text());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  REQUIRE(lines.size() >= 4);
+  CHECK(lines[0] == "t,ball,x,y,vx,vy,wx,wy,wz");
+  CHECK(lines[1] == "0,cue,0.5,0.1,1,0,0,0,0");
+  CHECK(lines[2] == "0.25,cue,0.75,0.1,1,0,0,0,0");
+  CHECK(std::count(lines.begin(), lines.end(), "1.5,cue,2,0.1,-1,0,0,0,0") == 1);
+  CHECK(lines.back() == "2,cue,1.5,0.1,-1,0,0,0,0");
+  CHECK(lines.size() == 1 + 9);  // 0, 0.25, ..., 2; the bounce falls on a step
+  for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), ',') == 8);
+}
+
+TEST_CASE("simulate --svg draws the path") {
+  const ScratchFile svg("shot.svg");
+  CHECK(run_program("simulate --svg \"" + svg.path + "\"", rolling).exit == 0);
+  CHECK_THAT(svg.text(), Contains("<svg ") && Catch::EndsWith("</svg>\n"));
+}
+
+TEST_CASE("bad shots are refused like bad puzzles") {
+  const auto [change, path] = GENERATE(table<const char*, const char*>({
+      {R"({"shot": null})", "/shot"},
+      {R"({"shot": {"angle": null}})", "/shot/angle"},
+      {R"({"shot": {"speed": -1}})", "/shot/speed"},
+      {R"({"shot": {"spin": {"top": 1}}})", "/shot/spin"},
+      {R"({"until": {"tmie": 1}})", "/until/tmie"},
+      {R"({"physics": "spin"})", "/physics"},
+  }));
+  Json shot = Json::parse(along);
+  shot.merge_patch(Json::parse(change));
+  const auto run = run_program("simulate --json", shot.dump());
+  CHECK(run.exit == 2);
+  CHECK_THAT(run.err, Contains(path));
+  const Json a = Json::parse(run.out);
+  CHECK(a.at("id") == 3);
+  CHECK(a.at("status") == "invalid");
+  CHECK(a.at("error").at("path") == path);
+}
+
+TEST_CASE("option --version and --help answer on standard output") {
+  const auto version = run_program("--version");
+  CHECK(version.exit == 0);
+  CHECK_THAT(version.out, Catch::Matches("bankshot [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  const auto [arguments, part] = GENERATE(table<const char*, const char*>(
+      {{"--help", "solve"}, {"--help", "simulate"}, {"solve --help", "--planner"}, {"simulate --help", "--rate"}}));
+  const auto help = run_program(arguments);
+  CHECK(help.exit == 0);
+  CHECK(help.err.empty());
+  CHECK_THAT(help.out, Contains(part));
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+//
+// `solve` as typed in a shell: what it prints, which files it writes, exit codes.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/scratch_file.hpp"
+#include "support/catch.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using bankshot::test::run_program;
+using bankshot::test::ScratchFile;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+const char* const bank = R"({"id": "bank", "table": "pool-9ft", "physics": "rolling", "ball": {"at": [0.635, 0.4]},
+  "target": {"pocket": "bottom-middle"}, "cushions": ["top", "right"]})";
+Json solve_json(const std::string& flags, const std::string& puzzle = bank) {
+  return Json::parse(run_program("solve --json " + flags, puzzle).out);
+}
+
+}  // namespace
+
+TEST_CASE("solve prints what a player needs") {
+  const auto run = run_program("solve", bank);
+  CHECK(run.exit == 0);
+  CHECK(run.err.empty());
+  for (const char* part : {"solved: ", "aim", "degrees", "speed", "m/s", "top, right", "first at", "diamond",
+                           "hit", "margin", "0.1 degrees of aim moves the arrival by"})
+    CHECK_THAT(run.out, Contains(part));
+}
+
+TEST_CASE("solve --json prints one line with every field of the format") {
+  const auto run = run_program("solve --json", bank);
+  CHECK(run.exit == 0);
+  CHECK(run.out.find('\n') == run.out.size() - 1);
+  const Json a = Json::parse(run.out);
+  CHECK(a.at("id") == "bank");
+  CHECK(a.at("status") == "solved");
+  CHECK(a.at("nearest").is_null());
+  CHECK(a.at("simulations").is_number_integer());
+  for (const char* key : {"modelled", "time_us", "message"}) CHECK(a.contains(key));
+  REQUIRE(a.at("shots").size() == 1);
+  const Json& s = a["shots"][0];
+  CHECK(s.at("cushions") == Json{"top", "right"});
+  CHECK(s.at("arrival").at("speed") == Approx(0.5));
+  CHECK(s.at("margin").at("angle").size() == 2);
+  CHECK(s.at("margin").at("speed").size() == 2);
+  for (const char* key : {"speed", "angle", "spin", "tip", "miss", "condition", "success", "planner", "simulations"})
+    CHECK(s.contains(key));
+}
+
+TEST_CASE("solve reads standard input with and without a dash, and files") {
+  const ScratchFile file("puzzle.json");
+  std::ofstream(file.path) << bank;
+  const std::string without = run_program("solve --json --no-timing", bank).out;
+  CHECK(run_program("solve - --json --no-timing", bank).out == without);
+  CHECK(run_program("solve --json --no-timing \"" + file.path + "\"").out == without);
+}
+
+TEST_CASE("the id comes back with its type") {
+  const std::string id = GENERATE("\"a \\\"quoted\\\" name\"", "\"\"", "17", "-2.5", "0", "18446744073709551615");
+  const Json puzzle = Json::parse(R"({"id": )" + id + std::string(bank).substr(std::string(R"({"id": "bank")").size()));
+  CHECK_THAT(run_program("solve --json", puzzle.dump()).out, Catch::StartsWith("{\"id\":" + id + ","));
+}
+
+TEST_CASE("an answer without an id has no id") {
+  Json puzzle = Json::parse(bank);
+  puzzle.erase("id");
+  CHECK(!solve_json("", puzzle.dump()).contains("id"));
+}
+
+TEST_CASE("option --no-timing gives the same bytes each time and --no-robustness leaves out margin and success") {
+  const std::string flags = "solve --json --all --no-timing";
+  CHECK(run_program(flags, bank).out == run_program(flags, bank).out);
+  CHECK(!solve_json("--no-timing").contains("time_us"));
+  const Json s = solve_json("--no-robustness").at("shots").at(0);
+  CHECK(!s.contains("margin"));
+  CHECK(!s.contains("success"));
+}
+
+TEST_CASE("option --all prints every distinct shot, the best first") {
+  Json puzzle = Json::parse(bank);
+  puzzle["cushions"] = {{"min", 0}, {"max", 3}};
+  const Json all = solve_json("--all", puzzle.dump()).at("shots"), one = solve_json("", puzzle.dump()).at("shots");
+  REQUIRE(all.size() > 1);
+  REQUIRE(one.size() == 1);
+  CHECK(all[0].at("angle") == one[0].at("angle"));
+  for (std::size_t i = 1; i < all.size(); ++i) CHECK(all[i - 1].at("success") >= all[i].at("success"));
+}
+
+TEST_CASE("no budget and no shot are exit code 1") {
+  const auto none = run_program("solve --json --budget 0", bank);
+  CHECK(none.exit == 1);
+  CHECK(Json::parse(none.out).at("status") == "budget");
+  CHECK_THAT(run_program("solve --budget 0", bank).out, Catch::StartsWith("budget: "));
+
+  Json weak = Json::parse(bank);
+  weak["speed"] = {0.1, 0.2};
+  const auto run = run_program("solve --json", weak.dump());
+  CHECK(run.exit == 1);
+  CHECK(run.err.empty());
+  const Json a = Json::parse(run.out);
+  CHECK(a.at("status") == "no-shot");
+  CHECK(a.at("shots").empty());
+  CHECK_THAT(a.at("message").get<std::string>(), Contains("0.2 m/s"));
+  CHECK(!a.at("nearest").at("why").get<std::string>().empty());
+}
+
+TEST_CASE("numbers print as the shortest decimals that read back") {
+  const Json puzzle = Json::parse(R"({"table": {"length": 2, "width": 1}, "physics": "ideal", "speed": 0.1,
+    "ball": {"at": [0.3, 0.1], "radius": 0}, "target": {"point": [0.3, 0.7]}, "cushions": 0})");
+  CHECK_THAT(run_program("solve --json", puzzle.dump()).out, Contains("\"speed\":0.1,\"angle\":90,"));
+}
+
+TEST_CASE("solve --svg draws the shot") {
+  const ScratchFile svg("solve.svg");
+  const auto run = run_program("solve --svg \"" + svg.path + "\"", bank);
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.out, Catch::StartsWith("solved: "));
+  CHECK_THAT(svg.text(), Contains("<svg ") && Catch::EndsWith("</svg>\n"));
+}
+
+TEST_CASE("solve --planner list names the planners without reading a puzzle") {
+  const auto run = run_program("solve --planner list", "no puzzle");
+  CHECK(run.exit == 0);
+  for (const char* name : {"auto ", "image ", "sweep "}) CHECK_THAT(run.out, Contains(name));
+  CHECK(solve_json("--planner sweep").at("status") == "solved");
+}

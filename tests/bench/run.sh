@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Measures again what README and planners/README.md quote, into tests/bench/results/*.csv.
+#   bash tests/bench/run.sh
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+. cmake/packages.sh
+need $toolchain catch2 libbenchmark-dev
+build release -DBANKSHOT_TESTS=ON -DBANKSHOT_BENCH=ON
+bin=build/release/tests out=tests/bench/results
+for what in simulate solve; do
+  filter=$([ $what = simulate ] && echo '^simulate' || echo '^(rolling|ideal)_')
+  "$bin/bench/bench" --benchmark_filter="$filter" --benchmark_format=csv --benchmark_repetitions=5 \
+    --benchmark_report_aggregates_only=true 2>/dev/null >"$out/$what.csv"
+done
+# Every puzzle has a shot. A failure is printed and counted; it does not stop the measuring.
+header=yes
+measure() {
+  "$bin/stress" --csv "$@" | grep -v -e '^FAILED' -e '^{' | { [ $header = yes ] && cat || tail -n +2; } || true
+  header=no
+}
+{
+  measure --count 100000 --physics ideal
+  measure --count 100000 --physics rolling
+} >"$out/stress.csv"
+header=yes
+for planner in auto image sweep ceres nlopt-bobyqa nlopt-direct; do
+  measure --count 2000 --seed 2 --physics rolling --family uniform --planner $planner
+done >"$out/planners.csv"
+{
+  echo "# $(grep -m1 'model name' /proc/cpuinfo | cut -d: -f2- | xargs), $(nproc) cores, $(c++ --version | head -n1), commit $(git rev-parse --short HEAD)"
+} >"$out/machine.txt"

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+//
+// What an answer says beside the launch: why not, how robust, which of several.
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+#include "support/catch.hpp"
+#include "support/random_puzzle.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+Puzzle plain(Physics physics) {
+  return {.table = rectangle_table(2, 1), .physics = physics, .ball = {.at = {0.4, 0.3}}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1)};
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Whether a stop at the point is made: rests within reach after the same cushions.
+bool made(const Puzzle& p, const Shot& shot, double speed, double angle) {
+  const auto& target = std::get<PointTarget>(p.target);
+  const Trajectory t = simulate(ShotRequest{.table = p.table, .physics = p.physics, .ball = p.ball, .launch = {speed, wrap_angle(angle)}});
+  return t.sequence() == shot.cushions && norm(t.events.back().state.at - target.at) <= target.within;
+}
+
+}  // namespace
+
+TEST_CASE("a no-shot on a convex table without obstacles is proved, and says what failed") {
+  Puzzle p = plain(ideal_physics());
+  p.cushions = CushionRule::in_order({0, 2, 0, 0});
+  const Answer a = solve(p);
+  CHECK(a.status == Status::no_shot);
+  CHECK(says(a.message, "proved"));
+  REQUIRE(a.nearest);
+  CHECK(a.nearest->why != "");
+}
+
+TEST_CASE("a bound that binds is named with the number that would open it") {
+  Puzzle p = plain(rolling_physics());
+  p.speed = {0.01, 0.2};
+  const Answer a = solve(p);
+  CHECK(a.status == Status::no_shot);
+  CHECK(says(a.message, "needs"));
+  CHECK(says(a.message, "0.2 m/s"));
+  REQUIRE(a.nearest);
+  CHECK(a.nearest->shot.miss > 0);
+  p.speed = {0.1, 10};
+  p.angle = Range{0, 0.01};
+  CHECK(says(solve(p).message, "aim"));
+}
+
+TEST_CASE("a pocket in the way is named") {
+  Puzzle p{.table = rectangle_table(2, 1), .physics = ideal_physics(), .ball = {.at = {0.4, 0.5}}, .target = PointTarget{{1.6, 0.5}}, .cushions = CushionRule::exactly(0)};
+  p.table.pockets = {{"hole", {1, 0.5}, 0.1}};
+  const Answer a = solve(p);
+  CHECK(a.status == Status::no_shot);
+  CHECK(says(a.message, "falls into pocket hole"));
+}
+
+TEST_CASE("where no line reaches a pocket's centre the shot is beside it and says so") {
+  Puzzle p{.table = make_table(*find_table_preset("pool-9ft")), .physics = rolling_physics(), .ball = {.at = {0.635, 0.4}}, .target = PocketTarget{5}, .cushions = CushionRule::exactly(0)};
+  const Answer a = solve(p);
+  REQUIRE(a.status == Status::solved);
+  CHECK(a.shots[0].miss > 1e-3);
+  CHECK(says(a.message, "part of it"));
+}
+
+TEST_CASE("a margin is where the shot stops being made") {
+  test::Random random(21);
+  int checked = 0;
+  while (checked < 40) {
+    Puzzle p = test::random_puzzle(random, test::Family::uniform, false).puzzle;
+    const auto range = arrival_range(p);
+    if (!range || range->high > 0 || !p.table.pockets.empty()) continue;
+    ++checked;
+    const Answer a = solve(p);
+    REQUIRE(a.status == Status::solved);
+    const Shot& s = a.shots[0];
+    REQUIRE(s.margin);
+    for (const int side : {0, 1}) {
+      INFO("side " << side << ", puzzle " << checked << " of seed 21");
+      REQUIRE(s.margin->angle[static_cast<std::size_t>(side)]);
+      REQUIRE(s.margin->speed[static_cast<std::size_t>(side)]);
+      const double angle = *s.margin->angle[static_cast<std::size_t>(side)], speed = *s.margin->speed[static_cast<std::size_t>(side)];
+      CHECK(made(p, s, s.launch.speed, s.launch.angle + angle * (1 - 1e-5)));
+      CHECK(!made(p, s, s.launch.speed, s.launch.angle + angle * (1 + 1e-5)));
+      CHECK(made(p, s, s.launch.speed + speed * (1 - 1e-5), s.launch.angle));
+      CHECK(!made(p, s, s.launch.speed + speed * (1 + 1e-5), s.launch.angle));
+    }
+  }
+}
+
+TEST_CASE("the condition is the derivative of the arrival") {
+  test::Random random(22);
+  for (int i = 0; i < 100; ++i) {
+    const Puzzle p = test::random_puzzle(random, test::Family::convex, false).puzzle;
+    const auto range = arrival_range(p);
+    if (!range || range->high > 0) continue;
+    const Answer a = solve(p, {.robustness = false});
+    REQUIRE(a.status == Status::solved);
+    const Shot& s = a.shots[0];
+    const auto rest = [&](double speed, double angle) {
+      return simulate(ShotRequest{.table = p.table, .physics = p.physics, .ball = p.ball, .launch = {speed, wrap_angle(angle)}}).events.back().state.at;
+    };
+    const double h = 1e-7;
+    const double by_aim = norm(rest(s.launch.speed, s.launch.angle + h) - rest(s.launch.speed, s.launch.angle - h)) / (2 * h);
+    const double by_speed = norm(rest(s.launch.speed * (1 + h), s.launch.angle) - rest(s.launch.speed * (1 - h), s.launch.angle)) / (2 * h);
+    CHECK(s.condition == Approx(std::max(by_aim, by_speed)).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("preferences choose: the softest is slowest, the quickest soonest") {
+  Puzzle p = plain(rolling_physics());
+  p.cushions = {.min = 0, .max = 3};
+  p.arrive = Range{0.2, 1.5};
+  const Answer all = solve(p, {.all = true, .robustness = false});
+  p.prefer = Prefer::soft;
+  const Shot soft = solve(p, {.robustness = false}).shots.at(0);
+  p.prefer = Prefer::quick;
+  const Shot quick = solve(p, {.robustness = false}).shots.at(0);
+  for (const Shot& s : all.shots) {
+    CHECK(soft.launch.speed <= s.launch.speed);
+    CHECK(quick.arrival.time <= s.arrival.time);
+  }
+  CHECK(soft.arrival.speed == Approx(0.2));
+  CHECK(quick.arrival.speed == Approx(1.5));
+}
+
+TEST_CASE("an aim into a cushion that the ball touches is offered only when asked for") {
+  Puzzle p{.table = rectangle_table(2, 1), .physics = ideal_physics(), .ball = {.at = {0.4, 0.1}, .radius = 0.1}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1)};
+  for (const Shot& s : solve(p, {.all = true}).shots) CHECK(s.launch.angle < radians(180));
+  p.cushions = CushionRule::in_order({0});
+  const Answer a = solve(p);
+  REQUIRE(a.status == Status::solved);
+  CHECK(a.shots[0].launch.angle > radians(180));
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// What every planner must keep, whatever its method.
+#include "bankshot/plan/planner.hpp"
+#include "support/catch.hpp"
+#include "support/random_puzzle.hpp"
+#include "support/replay_check.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+/// Puzzles that no planner may miss.
+std::vector<Puzzle> easy_set() {
+  const Table plain = rectangle_table(2, 1);
+  const Ball ball{.at = {0.4, 0.3}};
+  std::vector<Puzzle> set;
+  set.push_back({.table = plain, .physics = ideal_physics(), .ball = ball, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1)});
+  set.push_back({.table = plain, .physics = rolling_physics(), .ball = ball, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(0)});
+  set.push_back({.table = plain, .physics = rolling_physics(), .ball = ball, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1), .arrive = Range{0.4, 0.4}});
+  set.push_back({.table = make_table(*find_table_preset("pool-9ft")), .physics = rolling_physics(), .ball = {.at = {1.9, 0.5}}, .target = PocketTarget{5}, .cushions = CushionRule::exactly(0)});
+  return set;
+}
+
+const auto planner_names = [] {
+  std::vector<std::string> names;
+  for (const PlannerInfo& p : planners()) names.emplace_back(p.name);
+  return names;
+}();
+
+}  // namespace
+
+TEST_CASE("every planner solves the easy set and what it returns is true") {
+  const std::string planner = GENERATE(from_range(planner_names));
+  INFO(planner);
+  for (const Puzzle& p : easy_set()) {
+    const Answer a = solve(p, {.planner = planner});
+    INFO(a.message);
+    REQUIRE(a.status == Status::solved);
+    const test::Checked c = test::check_shot(p, a.shots.at(0));
+    CHECK(c.problem == "");
+    CHECK(a.shots[0].miss <= 1e-9 * p.table.diagonal());
+  }
+}
+
+TEST_CASE("the same puzzle gives the same bytes twice") {
+  const std::string planner = GENERATE(from_range(planner_names));
+  for (const Puzzle& p : easy_set()) {
+    const auto once = [&] { return to_json(p, solve(p, {.planner = planner, .all = true}), false); };
+    CHECK(once() == once());
+  }
+}
+
+TEST_CASE("a budget of nothing or almost nothing is kept") {
+  const std::string planner = GENERATE(from_range(planner_names));
+  INFO(planner);
+  for (Puzzle p : easy_set())
+    for (const long budget : {0L, 10L}) {
+      p.budget = budget;
+      p.angle = Range{radians(1), radians(2)};  // where no shot is, so that it has to search
+      const Answer a = solve(p, {.planner = planner});
+      CHECK((a.status == Status::budget || a.status == Status::no_shot));
+      if (budget == 0) CHECK(a.status == Status::budget);
+      CHECK(a.simulations <= budget + 100);  // a refinement that has begun is finished
+    }
+}
+
+TEST_CASE("bounds on speed and aim are kept") {
+  const std::string planner = GENERATE(from_range(planner_names));
+  for (Puzzle p : easy_set()) {
+    const Answer free = solve(p, {.planner = "auto", .all = true});
+    for (const Shot& shot : free.shots) {
+      p.angle = Range{shot.launch.angle - 0.01, shot.launch.angle + 0.01};
+      const Answer a = solve(p, {.planner = planner});
+      if (a.status != Status::solved) continue;
+      CHECK(a.shots[0].launch.angle == Approx(shot.launch.angle).margin(0.0101));
+    }
+    if (is_ideal(p.physics)) continue;
+    p.angle.reset();
+    p.speed = {free.shots[0].launch.speed * 20, free.shots[0].launch.speed * 21};
+    CHECK(solve(p, {.planner = planner, .robustness = false}).status != Status::solved);
+  }
+}
+
+TEST_CASE("infeasible puzzles are never solved") {
+  const std::string planner = GENERATE(from_range(planner_names));
+  INFO(planner);
+  Puzzle same_twice{.table = rectangle_table(2, 1), .physics = ideal_physics(), .ball = {.at = {0.4, 0.3}}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::in_order({0, 0})};
+  CHECK(solve(same_twice, {.planner = planner}).status == Status::no_shot);
+  Puzzle too_slow = easy_set()[1];
+  too_slow.speed = {0.01, 0.02};
+  CHECK(solve(too_slow, {.planner = planner}).status == Status::no_shot);
+}

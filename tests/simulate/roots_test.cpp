@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "bankshot/simulate/roots.hpp"
+
+#include "support/catch.hpp"
+
+using namespace bankshot;
+
+TEST_CASE("the gap falls through zero at the first descent") {
+  CHECK(first_descent(1.0, -2.0, 0.0) == 0.5);
+  CHECK(first_descent(1.0, -1.0, 0.5) == 2.0);        // touches: a double root
+  CHECK(first_descent(1.0, 1.0, -4.0) == 1.0);        // away and back
+  CHECK(first_descent(1.0, 1.0, 1.0) == forever);     // away for good
+  CHECK(first_descent(1.0, -1.0, 1.0) == forever);    // turns before it
+  CHECK(first_descent(-1.0, -1.0, -1.0) == forever);  // already below and falling
+  CHECK(first_descent(-1.0, 3.0, -4.0) == 1.0);       // comes up, then down
+}
+
+TEST_CASE("a gap of zero gives exactly zero, or the second root when leaving") {
+  CHECK(first_descent(0.0, -1.0, 3.0) == 0.0);
+  CHECK(first_descent(0.0, 1.0, -2.0) == 1.0);
+  CHECK(first_descent(0.0, 1.0, 2.0) == forever);
+}
+
+TEST_CASE("a tiny gap keeps its digits") {
+  const double t = first_descent(1e-17, -1.0, -1e-3);
+  CHECK(t == Approx(1e-17).epsilon(1e-14));
+}
+
+TEST_CASE("a circle is entered once, from outside") {
+  const Arc<double> along{{0, 0}, {2, 0}, {0, 0}, forever};
+  CHECK(first_entry(along, {3, 0}, 1) == 1.0);
+  CHECK(first_entry(along, {-3, 0}, 1) == forever);  // behind
+  CHECK(first_entry(along, {3, 1.5}, 1) == forever); // passes by
+  CHECK(first_entry(along, {0.5, 0}, 1) == forever); // starts inside
+  CHECK(first_entry(along, {1, 0}, 1) == 0.0);       // starts on the rim
+}
+
+TEST_CASE("on a slowing arc the circle is entered later, or not at all") {
+  const Arc<double> slowing{{0, 0}, {2, 0}, {-1, 0}, 2};
+  CHECK(first_entry(slowing, {2.5, 0}, 1) == Approx(1.0).epsilon(1e-15));  // 2t - t²/2 = 1.5
+  CHECK(first_entry(slowing, {9, 0}, 1) == forever);
+}
+
+TEST_CASE("the closest approach is clamped to the arc") {
+  const Arc<double> along{{0, 0}, {2, 0}, {0, 0}, forever};
+  CHECK(closest_time(along, 5.0, {3, 4}) == 1.5);
+  CHECK(closest_time(along, 1.0, {3, 4}) == 1.0);
+  CHECK(closest_time(along, 1.0, {-3, 4}) == 0.0);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "support/program.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace bankshot::test {
+namespace {
+
+std::string slurp(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder of our own that goes when we go.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (std::filesystem::temp_directory_path() / "bankshot-test-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a folder for the test");
+    path = name;
+  }
+  ~Scratch() { std::filesystem::remove_all(path); }
+  std::filesystem::path path;
+};
+
+}  // namespace
+
+Run run_program(const std::string& arguments, const std::string& input) {
+  const Scratch scratch;
+  const auto file = [&](const char* name) { return (scratch.path / name).string(); };
+  std::ofstream(file("in"), std::ios::binary) << input;
+  const std::string command = "\"" BANKSHOT_PROGRAM "\" " + arguments + " <\"" + file("in") + "\" >\"" + file("out") + "\" 2>\"" + file("err") + "\"";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(file("out")), slurp(file("err"))};
+}
+
+std::string read_repository_file(const std::string& path) {
+  return slurp(std::filesystem::path(BANKSHOT_REPOSITORY) / path);
+}
+
+}  // namespace bankshot::test

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// Where a centre can be, as the simulator sees it; and directions that a double angle cannot hold.
+#include "bankshot/scene/boundary.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "bankshot/scene/ball.hpp"
+#include "support/catch.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+/// 2 × 2 with the upper right quarter cut away: vertex 3 at (1, 1) is reflex.
+Table l_shape() { return polygon_table({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}); }
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("clearance is the distance to the nearest cushion less the radius") {
+  const Boundary b(rectangle_table(2, 1), 0.1);
+  CHECK(b.clearance({1, 0.5}) == Approx(0.4));
+  CHECK(b.clearance({0.3, 0.5}) == Approx(0.2));
+  CHECK(b.clearance({0.1, 0.5}) == Approx(0).margin(1e-15));
+  CHECK(b.clearance({0.05, 0.5}) == Approx(-0.05));  // inside the table, but in the cushion
+  CHECK(b.clearance({-1, 0.5}) == Approx(-1.1));
+  CHECK(b.clearance({-3, 1 + 4}) == Approx(-5.1));  // beyond a corner
+}
+
+TEST_CASE("clearance near a reflex vertex is measured round it") {
+  const Boundary b(l_shape(), 0.1);
+  CHECK(b.clearance({0.7, 0.6}) == Approx(0.4));  // 3-4-5 triangle to the tip
+  CHECK(b.clearance({1.5, 1.5}) < 0);             // in the part cut away
+  CHECK(b.clearance({0.5, 1.5}) == Approx(0.4));
+}
+
+TEST_CASE("walls are the cushions moved inwards, their ends where the ball touches two") {
+  const Boundary b(rectangle_table(2, 1), 0.1);
+  REQUIRE(b.walls.size() == 4);
+  CHECK(b.walls[0].normal == Vec2d{0, 1});
+  CHECK(b.walls[0].offset == Approx(0.1));
+  CHECK(norm(b.walls[0].from - Vec2d{0.1, 0.1}) < 1e-15);
+  CHECK(norm(b.walls[0].to - Vec2d{1.9, 0.1}) < 1e-15);
+  CHECK(b.walls[1].normal == Vec2d{-1, 0});
+  CHECK(b.diagonal == Approx(std::sqrt(5)));
+}
+
+TEST_CASE("only a ball with a radius meets a tip, and only at reflex vertices") {
+  const Boundary ball(l_shape(), 0.1), point(l_shape(), 0);
+  REQUIRE(ball.tips.size() == 1);
+  CHECK(ball.tips[0].centre == Vec2d{1, 1});
+  CHECK(ball.tips[0].radius == 0.1);
+  CHECK(ball.tips[0].contact == ball.vertex_contact(3));
+  CHECK(contact_name(l_shape(), ball.tips[0].contact) == "v3");
+  CHECK(contact_name(l_shape(), 2) == "c2");
+  CHECK(point.tips.empty());
+  CHECK(Boundary(rectangle_table(2, 1), 0.1).tips.empty());
+}
+
+TEST_CASE("a collinear vertex is no tip, and its table is not strictly convex") {
+  const Boundary b(polygon_table({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}), 0.1);
+  CHECK(b.tips.empty());
+  CHECK(!b.strictly_convex);
+  CHECK(norm(b.walls[0].to - Vec2d{1, 0.1}) < 1e-15);
+  CHECK(norm(b.walls[1].from - Vec2d{1, 0.1}) < 1e-15);
+  CHECK(b.clearance({1, 0.3}) == Approx(0.2));
+}
+
+TEST_CASE("convex polygons are strictly convex and others are not, whatever the radius") {
+  for (const double radius : {0.0, 0.05}) {
+    CHECK(Boundary(rectangle_table(2, 1), radius).strictly_convex);
+    CHECK(Boundary(polygon_table({{0, 0}, {2, 0}, {0.3, 1.5}}), radius).strictly_convex);
+    CHECK(!Boundary(l_shape(), radius).strictly_convex);
+  }
+}
+
+TEST_CASE("the distance to the centres is 0 inside and goes to the nearest place outside") {
+  const Boundary b(rectangle_table(2, 1), 0.1);
+  CHECK(b.distance_to_centres({1, 0.5}) == 0);
+  CHECK(b.distance_to_centres({1, 0}) == Approx(0.1));
+  CHECK(b.distance_to_centres({0, 0}) == Approx(0.1 * std::sqrt(2)));  // why a corner pocket needs its width
+  CHECK(b.distance_to_centres({2.3, 1.2}) == Approx(0.5));
+  const Boundary l(l_shape(), 0.1);
+  CHECK(l.distance_to_centres({1, 1}) == Approx(0.1));  // the centre goes round the tip
+  CHECK(l.distance_to_centres({1.5, 1}) == Approx(0.1));
+}
+
+TEST_CASE("pockets of radius 0 become points of the tolerance") {
+  Table t = rectangle_table(3, 4);
+  t.pockets = {{"a", {0, 0}, 0}, {"b", {3, 4}, 0.25}};
+  const Boundary b(t, 0);
+  REQUIRE(b.pockets.size() == 2);
+  CHECK(b.pockets[0].radius == Approx(5e-9));
+  CHECK(b.pockets[1].radius == 0.25);
+  CHECK(b.pockets[1].contact == 1);
+}
+
+TEST_CASE("directions at multiples of 90 degrees are exact") {
+  CHECK(direction(radians(0)) == Vec2d{1, 0});
+  CHECK(direction(radians(90)) == Vec2d{0, 1});
+  CHECK(direction(radians(180)) == Vec2d{-1, 0});
+  CHECK(direction(radians(270)) == Vec2d{0, -1});
+  CHECK(direction(radians(-90)) == Vec2d{0, -1});
+  CHECK(direction(radians(360)) == Vec2d{1, 0});
+}
+
+TEST_CASE("directions near a multiple of 90 degrees keep what the angle says") {
+  CHECK(direction(1e-300).y == 1e-300);
+  CHECK(direction(radians(180) + 1e-14).y != 0);
+  for (int i = 0; i < 360; ++i) CHECK(norm(direction(radians(i))) == Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE("wrap_angle brings every angle into [0, 2 pi)") {
+  const double turn = radians(360);
+  CHECK(wrap_angle(0) == 0);
+  CHECK(wrap_angle(turn) == 0);
+  CHECK(wrap_angle(-turn) == 0);
+  CHECK(wrap_angle(1) == 1);
+  CHECK(wrap_angle(std::nextafter(turn, 0)) == std::nextafter(turn, 0));
+  CHECK(wrap_angle(-1) == Approx(turn - 1));
+  CHECK(wrap_angle(-1e-300) == 0);  // 2 pi less nothing would be 2 pi
+  for (const double a : {-1e9, -7.0, 6.3, 1e300, std::nextafter(-turn, -infinity)}) {
+    CHECK(wrap_angle(a) >= 0);
+    CHECK(wrap_angle(a) < turn);
+  }
+}

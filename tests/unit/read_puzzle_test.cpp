@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+//
+// From JSON text to a Puzzle and back: every field, the defaults, and the rules behind them.
+#include <nlohmann/json.hpp>
+
+#include "bankshot/scene/json.hpp"
+#include "support/catch.hpp"
+#include "support/random_puzzle.hpp"
+
+using namespace bankshot;
+using Json = nlohmann::json;
+
+namespace {
+
+/// The least a puzzle needs, with changes merged in.
+std::string minimal(const Json& change = Json::object()) {
+  Json p{{"table", "pool-9ft"}, {"physics", "rolling"}, {"ball", {{"at", {0.6, 0.4}}}}, {"target", {{"point", {1, 0.6}}}}};
+  p.merge_patch(change);
+  return p.dump();
+}
+
+const char* const full = R"({"id": "all of it",
+  "table": {"vertices": [[0, 0], [2, 0], [2, 1], [0, 1]], "names": ["s", "e", "n", "w"],
+            "pockets": [{"name": "hole", "at": [2, 1], "radius": 0.06}]},
+  "physics": {"model": "rolling", "friction": 0.02, "restitution": 0.9, "g": 9.8},
+  "ball": {"at": [0.5, 0.25], "radius": 0.03, "mass": 0.2}, "others": [],
+  "target": {"pocket": "hole"}, "cushions": ["s", "e", "v3"], "arrive": {"speed": [0.25, 0.75]},
+  "speed": [0.5, 4], "angle": [10, 80], "prefer": "soft", "aim": "centre",
+  "noise": {"angle": 0.5, "speed": 0.1}, "budget": {"simulations": 1e3}})";
+
+}  // namespace
+
+TEST_CASE("every key of a puzzle arrives in its field") {
+  const Puzzle p = read_puzzle(full);
+  CHECK(p.id == "\"all of it\"");
+  CHECK(p.table.vertices.size() == 4);
+  CHECK(p.table.cushions == std::vector<std::string>{"s", "e", "n", "w"});
+  REQUIRE(p.table.pockets.size() == 1);
+  CHECK(p.table.pockets[0].at == Vec2d{2, 1});
+  CHECK(p.table.pockets[0].radius == 0.06);
+  const auto& motion = std::get<Rolling>(p.physics.motion);
+  CHECK(motion.friction == 0.02);
+  CHECK(motion.g == 9.8);
+  CHECK(p.physics.cushion.restitution == 0.9);
+  CHECK(p.ball.at == Vec2d{0.5, 0.25});
+  CHECK(p.ball.radius == 0.03);
+  CHECK(p.ball.mass == 0.2);
+  CHECK(std::get<PocketTarget>(p.target).pocket == 0);
+  CHECK(p.cushions.sequence == std::vector<int>{0, 1, 4 + 3});
+  CHECK(p.cushions.min == 3);
+  CHECK(p.cushions.max == 3);
+  CHECK(p.arrive->low == 0.25);
+  CHECK(p.arrive->high == 0.75);
+  CHECK(p.speed.low == 0.5);
+  CHECK(p.speed.high == 4);
+  CHECK(p.angle->low == Approx(radians(10)));
+  CHECK(p.angle->high == Approx(radians(80)));
+  CHECK(p.prefer == Prefer::soft);
+  CHECK(p.noise.angle == Approx(radians(0.5)));
+  CHECK(p.noise.speed == 0.1);
+  CHECK(p.budget == 1000);
+}
+
+TEST_CASE("what is left out takes its default") {
+  const Puzzle p = read_puzzle(minimal());
+  CHECK(p.id.empty());
+  CHECK(p.ball.radius == 0.028575);
+  CHECK(p.ball.mass == 0.170097);
+  CHECK(std::get<PointTarget>(p.target).within == 0.01);
+  CHECK(p.cushions.min == 0);
+  CHECK(p.cushions.max == 3);
+  CHECK(!p.cushions.sequence);
+  CHECK(!p.arrive);
+  CHECK(arrival_range(p)->high == 0);  // a point: comes to rest
+  CHECK(p.speed.low == 0.1);
+  CHECK(p.speed.high == 10);
+  CHECK(!p.angle);
+  CHECK(p.prefer == Prefer::robust);
+  CHECK(p.noise.angle == radians(0.125));
+  CHECK(p.noise.speed == 0.075);
+  CHECK(p.budget == 100000);
+  const auto& motion = std::get<Rolling>(p.physics.motion);
+  CHECK(motion.friction == 0.01);
+  CHECK(motion.g == 9.81);
+  CHECK(p.physics.cushion.restitution == 0.85);
+  const Puzzle pocket = read_puzzle(minimal({{"target", {{"point", nullptr}, {"pocket", "any"}}}}));
+  CHECK(!std::get<PocketTarget>(pocket.target).pocket);
+  CHECK(arrival_range(pocket)->low == 0.5);
+}
+
+TEST_CASE("an angle range may wrap through 0 and be written with negative degrees") {
+  const auto [from, to, low, high] = GENERATE(table<double, double, double, double>(
+      {{350, 10, 350, 370}, {-10, 10, 350, 370}, {0, 360, 0, 360}, {90, 90, 90, 90}, {360, 10, 0, 10}, {200, 100, 200, 460},
+       {-360, 0, 0, 360}, {-1e-20, 10, 0, 10}, {-10.1, 349.9, 349.9, 709.9}}));
+  const Puzzle p = read_puzzle(minimal({{"angle", {from, to}}}));
+  CHECK(p.angle->low == Approx(radians(low)).margin(1e-15));
+  CHECK(p.angle->high == Approx(radians(high)));
+}
+
+TEST_CASE("a pair of equal speeds is one speed, which leaves the arrival free") {
+  const Puzzle pair = read_puzzle(minimal({{"speed", {2, 2}}})), one = read_puzzle(minimal({{"speed", 2}}));
+  CHECK(pair.speed.fixed());
+  CHECK(write_puzzle(pair) == write_puzzle(one));
+  CHECK(!arrival_range(pair));
+}
+
+TEST_CASE("a count of cushions is exact and a lower bound alone raises the upper one") {
+  CHECK(read_puzzle(minimal({{"cushions", 20000}})).cushions.min == 20000);
+  CHECK(read_puzzle(minimal({{"cushions", {{"min", 5}}}})).cushions.max == 5);
+  CHECK(read_puzzle(minimal({{"cushions", {{"max", 1}}}})).cushions.min == 0);
+  CHECK(read_puzzle(minimal({{"cushions", Json::array()}})).cushions.max == 0);
+}
+
+TEST_CASE("writing and reading a puzzle gives the same text") {
+  const Json wrap{{"angle", {350.1, 10.3}}, {"noise", {{"angle", 0.1}}}, {"id", 5}, {"cushions", {{"min", 1}}}};
+  for (const std::string& text : {std::string(full), minimal(), minimal(wrap), minimal({{"physics", "ideal"}})}) {
+    const std::string written = write_puzzle(read_puzzle(text));
+    CHECK(write_puzzle(read_puzzle(written)) == written);
+  }
+  test::Random random(7);
+  for (const test::Family family : test::families)
+    for (int i = 0; i < 100; ++i) {
+      const std::string written = write_puzzle(test::random_puzzle(random, family, i % 2 == 0).puzzle);
+      CHECK(write_puzzle(read_puzzle(written)) == written);
+    }
+  for (int i = 0; i < 1000; ++i) {
+    const std::string written = write_puzzle(read_puzzle(minimal(
+        {{"angle", {random.uniform(-360, 360), random.uniform(0, 0.1)}}, {"noise", {{"angle", random.uniform(0, 9)}}}})));
+    CHECK(write_puzzle(read_puzzle(written)) == written);
+  }
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// Tables as a document describes them: presets, pocket layouts and their sizes.
+#include <nlohmann/json.hpp>
+
+#include "bankshot/scene/json.hpp"
+#include "support/catch.hpp"
+
+using namespace bankshot;
+using Json = nlohmann::json;
+
+namespace {
+
+Puzzle with_table(const Json& table, std::optional<double> radius = {}) {
+  Json p{{"table", table}, {"physics", "ideal"}, {"ball", {{"at", {0.5, 0.4}}}}, {"target", {{"point", {0.5, 0.5}}}}};
+  if (radius) p["ball"]["radius"] = *radius;
+  return read_puzzle(p.dump());
+}
+
+}  // namespace
+
+TEST_CASE("presets have the published sizes, balls and mouths") {
+  struct Preset {
+    const char* name;
+    double length, width, radius, mass, corner, middle;
+  };
+  const Preset p = GENERATE(values<Preset>({{"pool-7ft", 1.9812, 0.9906, 0.028575, 0.170097, 0.118, 0.137},
+                                            {"pool-8ft", 2.2352, 1.1176, 0.028575, 0.170097, 0.118, 0.137},
+                                            {"pool-9ft", 2.54, 1.27, 0.028575, 0.170097, 0.116, 0.129},
+                                            {"snooker-12ft", 3.569, 1.778, 0.02625, 0.1406, 0.083, 0.087},
+                                            {"carom-10ft", 2.84, 1.42, 0.03075, 0.21, 0, 0},
+                                            {"seed", 2.5, 1.25, 0.0285, 0.17, 0, 0}}));
+  INFO(p.name);
+  const Puzzle z = with_table(p.name);
+  CHECK(z.table.is_rectangle());
+  CHECK(z.table.lowest() == Vec2d{0, 0});
+  CHECK(z.table.highest() == Vec2d{p.length, p.width});
+  CHECK(z.ball.radius == p.radius);
+  CHECK(z.ball.mass == p.mass);
+  if (p.corner == 0) {
+    CHECK(z.table.pockets.empty());
+    return;
+  }
+  REQUIRE(z.table.pockets.size() == 6);
+  CHECK(z.table.pockets[0].radius == p.corner / 2);
+  CHECK(z.table.pockets[1].radius == p.middle / 2);
+}
+
+TEST_CASE("six pockets stand in the corners and in the middle of the long cushions") {
+  const Table t = with_table({{"length", 2}, {"width", 1}, {"pockets", "six"}}).table;
+  const std::vector<std::pair<std::string, Vec2d>> places{{"bottom-left", {0, 0}}, {"bottom-middle", {1, 0}}, {"bottom-right", {2, 0}},
+                                                          {"top-left", {0, 1}},    {"top-middle", {1, 1}},    {"top-right", {2, 1}}};
+  REQUIRE(t.pockets.size() == places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    CHECK(t.pockets[i].name == places[i].first);
+    CHECK(t.pockets[i].at == places[i].second);
+    CHECK(t.pockets[i].radius == Approx((i % 3 == 1 ? 0.137 : 0.118) / 2));
+  }
+}
+
+TEST_CASE("pockets of a custom table grow with the ball unless the mouth is given") {
+  const Json table{{"length", 2}, {"width", 1}, {"pockets", "six"}};
+  for (const double radius : {0.02, 0.028575, 0.05}) {
+    const Table t = with_table(table, radius).table;
+    CHECK(t.pockets[0].radius == Approx(0.118 / 2 * radius / 0.028575));
+    CHECK(t.pockets[1].radius == Approx(0.137 / 2 * radius / 0.028575));
+  }
+  Json wide = table;
+  wide["mouth"] = {{"corner", 0.2}, {"middle", 0.3}};
+  CHECK(with_table(wide, 0.05).table.pockets[0].radius == 0.1);
+  CHECK(with_table(wide, 0.05).table.pockets[1].radius == 0.15);
+  wide["mouth"] = {{"corner", 0.2}};
+  CHECK(with_table(wide).table.pockets[1].radius == Approx(0.137 / 2));
+}
+
+TEST_CASE("a point ball makes the six pockets points") {
+  const Table t = with_table({{"length", 2}, {"width", 1}, {"pockets", "six"}}, 0).table;
+  for (const Pocket& p : t.pockets) CHECK(p.radius == 0);
+}
+
+TEST_CASE("tables have no pockets unless asked, and no jaws means no jaws") {
+  CHECK(with_table({{"length", 2}, {"width", 1}}).table.pockets.empty());
+  CHECK(with_table({{"length", 2}, {"width", 1}, {"pockets", "none"}, {"jaws", false}}).table.pockets.empty());
+  CHECK(with_table({{"length", 2}, {"width", 1}}).table.cushions == std::vector<std::string>{"bottom", "right", "top", "left"});
+}
+
+TEST_CASE("a polygon names its edges c0, c1, ... unless told otherwise") {
+  const Json vertices{{0, 0}, {2, 0}, {0, 2}};
+  CHECK(with_table({{"vertices", vertices}}).table.cushions == std::vector<std::string>{"c0", "c1", "c2"});
+  CHECK(with_table({{"vertices", vertices}, {"names", {"a", "b", "c"}}}).table.cushions == std::vector<std::string>{"a", "b", "c"});
+}
+
+TEST_CASE("a mouth is checked also where no pockets use it") {
+  const Json bad{{"corner", -1}};
+  CHECK_THROWS_AS(with_table({{"length", 2}, {"width", 1}, {"mouth", bad}}), InvalidInput);
+  CHECK_NOTHROW(with_table({{"length", 2}, {"width", 1}, {"mouth", {{"corner", 0.1}}}}));
+  CHECK_NOTHROW(with_table({{"vertices", {{0, 0}, {2, 0}, {0, 2}}}, {"mouth", {{"corner", 0.1}}}}));
+}
