@@ -43,6 +43,7 @@ bool centred(Search& s) {
       s.note = fmt::format("compared the {} shortest shots", s.shots.size());
     return true;
   }
+  if (images.too_long() > 0) s.remember({{}, 0, std::numeric_limits<double>::infinity(), {Foul::too_long}});
   if (!images.whole()) s.note = "there are too many cushion sequences to try them all";
   return images.whole();
 }
@@ -115,7 +116,7 @@ void image(Search& s) {
   const bool whole = centred(s);
   const bool reflex = !s.boundary.tips.empty(), dead = s.puzzle.physics.cushion.restitution == 0;
   s.complete = whole && !reflex && !dead;
-  if (!s.shots.empty() || s.cut) return;
+  if (!s.shots.empty() || s.cut || !whole) return;
   Unfolding parts(s, true);
   bool some_part = false;
   while (const auto c = parts.next()) {

@@ -16,7 +16,7 @@
 namespace bankshot::planning {
 
 /// Why a launch does not do what was asked.
-enum class Foul { none, missed, fell_short, wrong_cushion, extra_cushion, pocketed, too_fast, too_slow, outside_aim };
+enum class Foul { none, missed, fell_short, wrong_cushion, extra_cushion, pocketed, too_fast, too_slow, too_long, outside_aim };
 
 struct Failure {
   Foul foul = Foul::none;

@@ -70,7 +70,7 @@ std::string failures(const Search& s) {
   std::string out;
   for (std::size_t i = 0; i < std::min(most_named, by_count.size()); ++i)
     out += fmt::format("{}it {} ({}×)", i ? "; " : "", explain(s, by_count[i].failure), by_count[i].times);
-  if (by_count.size() > most_named) out += fmt::format("; and {} other reasons", by_count.size() - most_named);
+  if (by_count.size() > most_named) out += fmt::format("; and {} other reason{}", by_count.size() - most_named, by_count.size() > most_named + 1 ? "s" : "");
   return out.empty() ? "no path has the bounces asked" : out;
 }
 
@@ -90,8 +90,9 @@ std::string message(const Search& s, const Answer& a, std::size_t found) {
   } else if (s.proved) {
     text = fmt::format("proved: every path with {} was tried, and {}", asked_cushions(s.puzzle.cushions), failures(s));
   } else {
-    text = fmt::format("searched launch speeds {:.4g} to {:.4g} m/s and aims {:.4g}° to {:.4g}° with {}: {}",
-                       s.puzzle.speed.low, s.puzzle.speed.high, s.puzzle.angle ? degrees(s.puzzle.angle->low) : 0.0,
+    const Range& v = s.puzzle.speed;
+    text = fmt::format("searched {} and aims {:.4g}° to {:.4g}° with {}: {}",
+                       v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low) : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high), s.puzzle.angle ? degrees(s.puzzle.angle->low) : 0.0,
                        s.puzzle.angle ? degrees(s.puzzle.angle->high) : 360.0, asked_cushions(s.puzzle.cushions), failures(s));
   }
   if (!s.note.empty()) text += "; " + s.note;

@@ -52,6 +52,7 @@ class Sweep {
     Sample out{.angle = angle, .contacts = {}};
     Simulator sim(s_.boundary, Ideal{}, s_.puzzle.physics.cushion,
                   State<double>{s_.puzzle.ball.at, direction(wrap_angle(angle))});
+    SpeedAccount account(deceleration(s_.puzzle.physics));
     for (;;) {
       const State<double> leg = sim.state();
       out.directions.push_back(leg.velocity / norm(leg.velocity));
@@ -61,7 +62,8 @@ class Sweep {
       }
       if (static_cast<int>(out.contacts.size()) == s_.puzzle.cushions.max) return out;
       const Event e = sim.step();
-      if (e.final()) return out;
+      account.add(sim.arc(), sim.travelled());
+      if (e.final() || account.beyond(s_.puzzle.speed.high)) return out;
       out.contacts.push_back(e.index);
     }
   }

@@ -9,8 +9,8 @@
 namespace bankshot::planning {
 namespace {
 
-/// Sequences the tree may visit: about 300 MB and some seconds. More is said in the answer.
-constexpr long most_visited = 2'000'000;
+/// Sequences the tree may visit: about 150 MB and a second. That there are more is said in the answer.
+constexpr long most_visited = 500'000;
 /// Images a lattice may list at once.
 constexpr long most_images = 500'000;
 /// Rays that miss a window's end by this share of a radian still pass: rounding of the images.
@@ -27,6 +27,17 @@ bool in_beam(const Vec2d& a, const Vec2d& b, const Vec2d& ray) {
 /// Anticlockwise from `a` to `b`, in (−π, π].
 double angle_between(const Vec2d& a, const Vec2d& b) { return std::atan2(cross(a, b), dot(a, b)); }
 
+/// The least distance between centres that touch two cushions; 0 for neighbours and for none (-1).
+double walls_apart(const Boundary& b, int i, int j) {
+  if (i < 0 || i == j) return 0;
+  const Wall &p = b.walls[static_cast<std::size_t>(i)], &q = b.walls[static_cast<std::size_t>(j)];
+  const auto apart = [](const Vec2d& at, const Wall& w) {
+    const Vec2d d = w.to - w.from;
+    return norm(at - w.from - d * std::clamp(dot(at - w.from, d) / dot(d, d), 0.0, 1.0));
+  };
+  return std::min({apart(p.from, q), apart(p.to, q), apart(q.from, p), apart(q.to, p)});
+}
+
 double distance_to(const Vec2d& a, const Vec2d& b) {
   const Vec2d d = b - a;
   const double length2 = dot(d, d);
@@ -40,7 +51,8 @@ double Unfolding::Affine::stretch() const {
 }
 
 Unfolding::Unfolding(const Search& s, bool whole_target)
-    : s_(s), whole_target_(whole_target), restitution_(s.puzzle.physics.cushion.restitution) {
+    : s_(s), whole_target_(whole_target), restitution_(s.puzzle.physics.cushion.restitution),
+      longest_(s.puzzle.speed.high * s.puzzle.speed.high / (2 * deceleration(s.puzzle.physics))) {
   const CushionRule& rule = s.puzzle.cushions;
   const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
   if (rule.sequence)
@@ -48,19 +60,19 @@ Unfolding::Unfolding(const Search& s, bool whole_target)
   else if (s.puzzle.table.is_rectangle() && restitution_ == 1 && images <= most_images)
     lattice();
   else
-    nodes_.push({});
+    add({});
 }
 
 std::optional<Candidate> Unfolding::next() {
-  while (!nodes_.empty() && (candidates_.empty() || nodes_.top().distance < candidates_.top().distance)) {
-    const Node node = nodes_.top();
-    nodes_.pop();
+  while (!turns_.empty() && (candidates_.empty() || turns_.top().distance < candidates_.top().distance)) {
+    const std::size_t nearest = turns_.top().node;
+    turns_.pop();
     if (++visited_ > most_visited) {
       whole_ = false;
-      nodes_ = {};
+      turns_ = {};
       break;
     }
-    visit(node);
+    visit(nodes_[nearest]);
   }
   if (candidates_.empty()) return {};
   const Candidate c = candidates_.top();
@@ -68,12 +80,22 @@ std::optional<Candidate> Unfolding::next() {
   return c;
 }
 
-void Unfolding::visit(const Node& node) {
+void Unfolding::add(const Node& node) {
+  nodes_.push_back(node);
+  turns_.push({node.distance, nodes_.size() - 1});
+}
+
+void Unfolding::visit(Node node) {
   const CushionRule& rule = s_.puzzle.cushions;
   if (node.bounces >= rule.min) propose(node);
   if (node.bounces == rule.max || restitution_ == 0) return;
   for (int wall = 0; wall < static_cast<int>(s_.boundary.walls.size()); ++wall)
-    if (auto next = child(node, wall)) nodes_.push(*next);
+    if (auto next = child(node, wall)) {
+      if (next->length <= longest_)
+        add(*next);
+      else
+        ++too_long_;
+    }
 }
 
 void Unfolding::propose(const Node& node) {
@@ -139,6 +161,12 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) cons
     if (!in_beam(node.from, node.to, next.from) || !in_beam(node.from, node.to, next.to)) return {};
   }
   next.distance = std::max(node.distance, distance_to(a, b));
+  // Neighbouring cushions meet in a corner, so look two back as well.
+  next.before = node.last;
+  next.length_before = node.length;
+  next.length = std::max(node.length + walls_apart(s_.boundary, node.last, wall),
+                         node.length_before + walls_apart(s_.boundary, node.before, wall));
+  if (restitution_ == 1) next.length = std::max(next.length, next.distance);
   next.bounces = node.bounces + 1;
   next.last = wall;
   next.flipped = !node.flipped;

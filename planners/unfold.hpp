@@ -45,6 +45,8 @@ class Unfolding {
 
   /// False when sequences were left unvisited because there were too many.
   bool whole() const { return whole_; }
+  /// Sequences left out because no launch within the speed bound rolls so far.
+  long too_long() const { return too_long_; }
   /// Distances are path lengths: the first shot found is the shortest.
   bool shortest_first() const { return restitution_ == 1; }
 
@@ -60,18 +62,27 @@ class Unfolding {
     Affine image;
     Vec2d from{}, to{};  ///< the beam's first and last ray, anticlockwise, unless it is open
     double distance = 0;
+    double length = 0, length_before = 0;  ///< m, of any path to the last cushion (the one before) at least
     int bounces = 0;
-    int last = -1;
+    int last = -1, before = -1;
     bool flipped = false;
     bool open = true;     ///< no cushion bounds the beam yet
     bool closed = false;  ///< no ray passes all cushions
   };
+  /// A node to visit; the node itself stays where it is.
+  struct Turn {
+    double distance;
+    std::size_t node;
+  };
   struct Farther {
-    bool operator()(const Node& a, const Node& b) const { return a.distance > b.distance; }
-    bool operator()(const Candidate& a, const Candidate& b) const { return a.distance > b.distance; }
+    template <class A>
+    bool operator()(const A& a, const A& b) const {
+      return a.distance > b.distance;
+    }
   };
 
-  void visit(const Node& node);
+  void add(const Node& node);
+  void visit(Node node);
   void propose(const Node& node);
   void propose(const Node& node, const Vec2d& target, double reach);
   std::optional<Node> child(const Node& node, int wall) const;
@@ -82,8 +93,10 @@ class Unfolding {
   const Search& s_;
   bool whole_target_, whole_ = true;
   double restitution_;
-  long visited_ = 0;
-  std::priority_queue<Node, std::vector<Node>, Farther> nodes_;
+  double longest_;  ///< m, how far the fastest launch rolls
+  long visited_ = 0, too_long_ = 0;
+  std::vector<Node> nodes_;
+  std::priority_queue<Turn, std::vector<Turn>, Farther> turns_;
   std::priority_queue<Candidate, std::vector<Candidate>, Farther> candidates_;
 };
 

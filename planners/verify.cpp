@@ -46,13 +46,16 @@ class Follower {
       : s_(s), goal_(goal), tracing_(tracing), stop_(s.stop && !tracing), check_(goal.sequence),
         sim_(s.boundary, motion, s.puzzle.physics.cushion,
              State<double>{s.puzzle.ball.at, direction(launch.angle) * launch.speed}),
-        speed2_(launch.speed * launch.speed), slowing_(deceleration(s.puzzle.physics)) {}
+        out_{{}, SpeedAccount(deceleration(s.puzzle.physics))} {}
 
   Trace run(std::vector<int>* contacts) {
     for (;;) {
       const Event e = sim_.step();
       if (look_along_leg()) return out_;
-      advance(sim_.travelled());
+      if (tracing_) {
+        out_.account.add(sim_.arc(), sim_.travelled());
+        if (out_.account.beyond(s_.puzzle.speed.high)) return fail(Foul::too_long, -1);
+      }
       switch (e.kind) {
         case EventKind::cushion:
           if (k_ == goal_.max) return fail(Foul::extra_cushion, e.index);
@@ -72,16 +75,6 @@ class Follower {
 
  private:
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
-
-  /// Path length and loss of speed up to `t` seconds into the current arc, and over the bounce.
-  void advance(double t) {
-    if (!tracing_) return;
-    const double before2 = dot(sim_.arc().velocity, sim_.arc().velocity);
-    out_.gain *= before2 / speed2_;
-    out_.loss *= before2 / speed2_;
-    speed2_ = before2;
-    if (t > 0) out_.loss += 2 * slowing_ * norm(sim_.arc().position(t) - sim_.arc().at);
-  }
 
   /// Closest approach to the target on the arc just travelled; true when a point is made there.
   bool look_along_leg() {
@@ -106,7 +99,7 @@ class Follower {
   }
 
   bool arrive_at_point() {
-    advance(closest_);
+    if (tracing_) out_.account.add(sim_.arc(), closest_);
     out_.replay.made = true;
     out_.replay.bounces = k_;
     return true;
@@ -143,6 +136,7 @@ class Follower {
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
     } else if (foul == Foul::extra_cushion) {
       foul = Foul::missed;
+      index = -1;
     }
     out_.replay.failure = {foul, index};
     out_.replay.bounces = k_;
@@ -155,8 +149,6 @@ class Follower {
   bool stop_;
   SequenceCheck check_;
   Simulator<double, Motion, Mirror> sim_;
-  double speed2_;  ///< m²/s², at the start of the current leg, before the bounce that began it
-  double slowing_;  ///< m/s²
   int k_ = 0;
   double closest_ = 0;  ///< s into the arc
   Trace out_;
@@ -199,6 +191,14 @@ bool rounding_may_matter(const Replay& r) {
 
 }  // namespace
 
+void SpeedAccount::add(const Arc<double>& arc, double t) {
+  const double now2 = dot(arc.velocity, arc.velocity);
+  gain *= now2 / before2_;
+  loss *= now2 / before2_;
+  before2_ = now2;
+  if (t > 0) loss += 2 * deceleration_ * norm(arc.position(t) - arc.at);
+}
+
 Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts) {
   ++s.simulations;
   return std::visit(
@@ -216,7 +216,7 @@ Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contact
 std::optional<double> launch_speed(Search& s, double angle, const Trace& t) {
   const Range& bounds = s.puzzle.speed;
   const int n = t.replay.bounces;
-  const auto speed_for = [&](double v) { return std::sqrt((v * v + t.loss) / t.gain); };
+  const auto speed_for = [&](double v) { return std::sqrt((v * v + t.account.loss) / t.account.gain); };
   double low = bounds.low, high = bounds.high;
   if (is_ideal(s.puzzle.physics)) return bounds.fixed() ? low : std::clamp(1.0, low, high);
   if (s.arrival) {
@@ -306,6 +306,7 @@ std::string explain(const Search& s, const Failure& f) {
       return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(f.index)].name);
     case Foul::too_fast: return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
     case Foul::too_slow: return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
+    case Foul::too_long: return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
     case Foul::outside_aim: break;
   }
   return fmt::format("needs an aim outside the bounds of {:.4g}° to {:.4g}°", degrees(aim.low), degrees(aim.high));

@@ -7,6 +7,7 @@
 
 #include <string_view>
 
+#include "bankshot/motion/arc.hpp"
 #include "planners/search.hpp"
 
 namespace bankshot::planning {
@@ -37,11 +38,25 @@ struct Replay {
 /// Simulates a launch against the goal; `contacts`, if given, receives the bounces.
 Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts = nullptr);
 
-/// The shape of a path, where it does not depend on the speed (`ideal`, `rolling`): simulated at
-/// unit speed without friction. The speed v at arrival and v0 at launch obey v² = gain·v0² − loss.
+/// What a path costs in speed, where its shape does not depend on the speed: after the arcs added so
+/// far, v² = gain·v0² − loss. The arcs are those of a launch at unit speed without friction.
+class SpeedAccount {
+ public:
+  explicit SpeedAccount(double deceleration) : deceleration_(deceleration) {}
+  void add(const Arc<double>& arc, double t);
+  double gain = 1, loss = 0;  ///< –, m²/s²
+  /// No launch at `speed` or slower gets here.
+  bool beyond(double speed) const { return loss > gain * speed * speed; }
+
+ private:
+  double deceleration_;  ///< m/s²
+  double before2_ = 1;   ///< speed² on the arc before
+};
+
+/// The shape of a path, simulated at unit speed without friction (`ideal`, `rolling`).
 struct Trace {
   Replay replay;
-  double gain = 1, loss = 0;  ///< –, m²/s²
+  SpeedAccount account;
 };
 Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts = nullptr);
 

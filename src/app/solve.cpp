@@ -36,6 +36,11 @@ std::string whole_number(const std::string& text) {
   return digits && text.size() <= most_digits ? "" : quote(text) + " must be a whole number, at least 0";
 }
 
+/// "--svg --json" would write a file of that name.
+std::string file_name(const std::string& text) {
+  return text.starts_with("--") ? quote(text) + " is an option, not a file" : "";
+}
+
 int list_planners() {
   for (const PlannerInfo& p : planners()) print(fmt::format("{:<14}{}\n", p.name, p.summary));
   return done;
@@ -73,7 +78,7 @@ Run add_solve(CLI::App& app) {
   command->add_option("--planner", a->options.planner, "Which planner; 'list' names them")->capture_default_str();
   command->add_flag("--all", a->options.all, "Every distinct shot, best first");
   command->add_option("--budget", a->budget, "Simulations to spend at most")->check(whole_number);
-  command->add_option("--svg", a->svg, "Write a picture to this file");
+  command->add_option("--svg", a->svg, "Write a picture to this file")->check(file_name);
   command->add_flag("--json", a->json, "One line of JSON instead of text");
   command->add_flag("--no-timing", a->no_timing, "Leave out time_us: same input, same bytes");
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");

@@ -17,7 +17,7 @@ Json shot_json(const Puzzle& p, const Shot& shot) {
   for (const int c : shot.cushions) names.push_back(contact_name(p.table, c));
   // Without the physics `spin` the ball rolls from the start: natural roll, hit 2/5 R above centre.
   Json j{{"speed", shot.launch.speed},
-         {"angle", degrees(shot.launch.angle)},
+         {"angle", exact_degrees(shot.launch.angle)},
          {"spin", {{"top", 1}, {"side", 0}}},
          {"tip", {{"right", 0}, {"up", 0.4 * p.ball.radius}}},
          {"cushions", std::move(names)},

@@ -18,4 +18,17 @@ double wrap_angle(double angle) {
   return a < turn ? a : 0.0;
 }
 
+double exact_degrees(double angle) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double nearest = degrees(angle);
+  double below = nearest, above = nearest;
+  for (int i = 0; i < 3; ++i) {
+    if (radians(below) == angle) return below;
+    if (radians(above) == angle) return above;
+    below = std::nextafter(below, -infinity);
+    above = std::nextafter(above, infinity);
+  }
+  return nearest;
+}
+
 }  // namespace bankshot

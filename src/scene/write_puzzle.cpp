@@ -9,21 +9,6 @@
 namespace bankshot {
 namespace {
 
-/// The degrees that read back to exactly `angle`, if any do: `degrees` alone may be a rounding off,
-/// and a puzzle that is read and written over and over would drift.
-double exact_degrees(double angle) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double nearest = degrees(angle);
-  double below = nearest, above = nearest;
-  for (int i = 0; i < 3; ++i) {
-    if (radians(below) == angle) return below;
-    if (radians(above) == angle) return above;
-    below = std::nextafter(below, -infinity);
-    above = std::nextafter(above, infinity);
-  }
-  return nearest;
-}
-
 Json pair(double a, double b) { return Json::array({a, b}); }
 Json pair(const Vec2d& p) { return pair(p.x, p.y); }
 Json range(const Range& r) { return r.fixed() ? Json(r.low) : pair(r.low, r.high); }

@@ -20,10 +20,24 @@ namespace {
 using namespace bankshot;
 
 struct Tally {
-  long puzzles = 0, solved = 0, off_centre = 0, wrong = 0, simulations = 0;
+  long puzzles = 0, solved = 0, off_centre = 0, wrong = 0, corners = 0, simulations = 0;
   double worst_miss = 0;  // of the diagonal
   double worst_speed = 0;
 };
+
+/// The shot the puzzle was made from meets other cushions 1e-9 rad beside its aim: it runs through a
+/// corner, and rounding decides which cushion comes first. Such a puzzle may fail; it is counted.
+bool through_corner(const test::Made& made) {
+  const auto sequence = [&](double turned) {
+    ShotRequest r{.table = made.puzzle.table, .physics = made.puzzle.physics, .ball = made.puzzle.ball, .launch = made.launch};
+    r.launch.angle = wrap_angle(r.launch.angle + turned);
+    r.until.cushions = made.bounces + 1;
+    std::vector<int> s = simulate(r).sequence();
+    s.resize(std::min(s.size(), static_cast<std::size_t>(made.bounces)));
+    return s;
+  };
+  return sequence(-1e-9) != sequence(0) || sequence(1e-9) != sequence(0);
+}
 
 void one(test::Random& random, test::Family family, bool ideal, const SolveOptions& options, Tally& t) {
   const test::Made made = test::random_puzzle(random, family, ideal);
@@ -34,7 +48,10 @@ void one(test::Random& random, test::Family family, bool ideal, const SolveOptio
     std::cout << fmt::format("FAILED {}: {} (made from {} m/s at {} degrees, {} bounces)\n{}\n", test::name(family), what,
                              made.launch.speed, degrees(made.launch.angle), made.bounces, write_puzzle(made.puzzle));
   };
-  if (a.status != Status::solved) return report(a.message);
+  if (a.status != Status::solved) {
+    if (through_corner(made)) ++t.corners;
+    return report(a.message);
+  }
   ++t.solved;
   const Shot& shot = a.shots.front();
   const double miss = shot.miss / made.puzzle.table.diagonal();
@@ -70,7 +87,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   bool clean = true;
-  if (csv) std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,wrong,worst_miss_of_diagonal,worst_speed_error,simulations_each,us_each\n";
+  if (csv) std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_diagonal,worst_speed_error,simulations_each,us_each\n";
   for (const test::Family f : test::families) {
     if (family != "all" && family != test::name(f)) continue;
     test::Random random(seed);
@@ -79,13 +96,13 @@ int main(int argc, char** argv) {
     for (long i = 0; i < (family == "all" ? count / 4 : count); ++i) one(random, f, physics == "ideal", options, t);
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
     const auto print = [&](auto format) {
-      std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved, t.off_centre, t.wrong, t.worst_miss, t.worst_speed,
+      std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved, t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
                                static_cast<double>(t.simulations) / static_cast<double>(t.puzzles), took.count() / static_cast<double>(t.puzzles));
     };
-    print(csv ? "{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f}\n"
-              : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the pocket's centre), {} wrong, worst miss {:.2g} of the "
+    print(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f}\n"
+              : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the pocket's centre), {} unsolved through a corner, {} wrong, worst miss {:.2g} of the "
                 "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each\n");
-    clean = clean && t.solved == t.puzzles && t.wrong == 0;
+    clean = clean && t.solved + t.corners == t.puzzles && t.wrong == 0;
   }
   return clean ? 0 : 1;
 }

@@ -24,6 +24,10 @@ Vec2d direction(double angle);
 /// `angle` brought into [0, 2π).
 double wrap_angle(double angle);
 
+/// The degrees that read back to exactly `angle`, if any do: `degrees` alone may be a rounding off,
+/// and an angle that is written and read over and over would drift.
+double exact_degrees(double angle);
+
 constexpr double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
 constexpr double degrees(double radians) { return radians * (180 / 3.14159265358979323846); }
 
