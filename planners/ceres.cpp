@@ -30,36 +30,54 @@ struct Aim {
   std::span<const int> contacts;
   Vec2d target;
   double fixed_speed;
+
+  double capture() const { return s.capture(s.reach(target)); }
+  double asked_speed() const {
+    return s.puzzle.prefer == Prefer::soft ? s.arrival->low : s.arrival->high;
+  }
 };
 
 template <class T>
 State<T> start_of(const Aim& a, const T& angle, const T& speed) {
   using std::cos, std::sin;
-  return {to<T>(a.s.puzzle.ball.at), Vec2<T>{cos(angle), sin(angle)} * speed};
+  return launched(a.s.puzzle.ball.at, a.s.puzzle.ball.radius, Vec2<T>{cos(angle), sin(angle)} * speed, a.s.puzzle.spin);
 }
 
-/// [0]: signed lateral miss over the diagonal. [1]: v² − s² where the ball is abreast of the target
-/// (at capture for a pocket), over max(1, s²); v² is continued below 0 when the ball falls short.
-/// A target to stop at needs no second law: there v = 0 is asked abreast of the point.
-template <class T, class Motion>
-void residuals_of(const Aim& a, const Motion& motion, const State<T>& start, T* r, bool two) {
-  using std::sqrt;
-  const auto path = follow_locked(a.s.boundary, motion, a.s.puzzle.physics.cushion, a.contacts, start);
-  const T speed = norm(path.state.velocity);
-  if (path.end != LockedEnd::complete || !(speed > T(0))) {
+/// Where the locked path from `start` arrives; none when it never gets to its last leg.
+template <class T>
+std::optional<LockedArrival<T>> arrival_of(const Aim& a, const State<T>& start) {
+  return with_physics(a.s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
+    const auto path = follow_locked(a.s.boundary, motion, cushion, a.contacts, start);
+    if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
+    return arrive_locked(motion, path.state, a.target, a.capture(), a.s.stop);
+  });
+}
+
+/// To stop at a point: where the ball rests, over the diagonal. Else [0]: signed lateral miss over
+/// the diagonal, [1]: v² − s² abreast of the target (at capture for a pocket), over max(1, s²); v² is
+/// continued below 0, by what rolling on would have cost, when the ball rests before.
+template <class T>
+void residuals_of(const Aim& a, const State<T>& start, T* r, bool two) {
+  const auto arrival = arrival_of(a, start);
+  const T diagonal(a.s.boundary.diagonal);
+  const Vec2<T> heading = arrival ? arrival->heading : Vec2<T>{};
+  if (!arrival || !(dot(heading, heading) > T(0))) {
     std::fill(r, r + (two ? 2 : 1), T(1e3));  // flat and high: the solver turns back or gives up
     return;
   }
-  const Vec2<T> u = path.state.velocity / speed, d = to<T>(a.target) - path.state.at;
-  const T lateral = cross(u, d);
-  r[0] = lateral / T(a.s.boundary.diagonal);
+  const Vec2<T> off = to<T>(a.target) - arrival->state.at;
+  if (a.s.stop) {
+    r[0] = off.x / diagonal;
+    r[1] = off.y / diagonal;
+    return;
+  }
+  const Vec2<T> u = heading / norm(heading);
+  r[0] = cross(u, off) / diagonal;
   if (!two) return;
-  T ahead = dot(u, d);
-  const double capture = a.s.capture(a.s.reach(a.target));
-  const T half_chord2 = T(capture * capture) - lateral * lateral;
-  if (capture > 0 && half_chord2 > T(0)) ahead -= sqrt(half_chord2);
-  const double asked = std::clamp(a.s.puzzle.prefer == Prefer::soft ? a.s.arrival->low : a.s.arrival->high, 0.0, 1e3);
-  r[1] = (speed * speed - T(2 * motion.deceleration()) * ahead - T(asked * asked)) / T(std::max(1.0, asked * asked));
+  T speed2 = dot(arrival->state.velocity, arrival->state.velocity);
+  if (arrival->at_rest) speed2 = T(-2 * deceleration(a.s.puzzle.physics)) * dot(u, off);
+  const double asked = a.asked_speed();
+  r[1] = (speed2 - T(asked * asked)) / T(std::max(1.0, asked * asked));
 }
 
 template <int Unknowns>
@@ -70,8 +88,7 @@ struct Residual {
     using std::exp;
     const T speed = Unknowns == 2 ? T(exp(x[Unknowns - 1])) : T(aim.fixed_speed);
     const State<T> start = start_of(aim, x[0], speed);
-    std::visit([&](const auto& m) { residuals_of(aim, m, start, r, Unknowns == 2); },
-               aim.s.puzzle.physics.motion);
+    residuals_of(aim, start, r, Unknowns == 2);
     return true;
   }
 };
@@ -98,19 +115,37 @@ std::optional<Launch> minimise(Search& s, const Aim& aim, const Launch& seed) {
   return Launch{speed, wrap_angle(x(0))};
 }
 
-/// A launch speed to begin with where the trace gives none.
-double middle_speed(const Search& s) {
-  const Range& v = s.puzzle.speed;
-  return v.low > 0 ? std::sqrt(v.low * v.high) : v.high / 2;
+/// The launch speed with which the locked path at this aim arrives about as fast as asked: bisection
+/// in ln v, where falling short counts as too slow. None where no speed gets there.
+std::optional<double> speed_at(Search& s, const Aim& aim, double angle) {
+  const Range& bounds = s.puzzle.speed;
+  if (s.one_unknown()) return is_ideal(s.puzzle.physics) ? std::clamp(1.0, bounds.low, bounds.high) : bounds.low;
+  const double asked = aim.asked_speed();
+  const auto enough = [&](double v) {
+    ++s.simulations;
+    const auto arrival = arrival_of(aim, start_of(aim, angle, v));
+    if (!arrival) return false;
+    const Vec2d off = aim.target - arrival->state.at;
+    if (arrival->at_rest) return dot(arrival->heading, off) < 0;
+    return dot(arrival->state.velocity, arrival->state.velocity) >= asked * asked;
+  };
+  double low = std::max(bounds.low, 1e-3 * bounds.high), high = bounds.high;
+  if (!enough(high)) return {};
+  constexpr int halvings = 10;  // to about 1 %: a seed needs no more
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::sqrt(low * high);
+    (enough(middle) ? high : low) = middle;
+  }
+  return high;
 }
 
-void from_seed(Search& s, double angle, int bounces) {
-  std::vector<int> contacts;
-  const Trace t = trace(s, angle, Goal::exactly(s, bounces), &contacts);
-  if (s.puzzle.cushions.sequence) contacts = *s.puzzle.cushions.sequence;
-  if (static_cast<int>(contacts.size()) != bounces) return;
-  const double speed = launch_speed(s, angle, t).value_or(middle_speed(s));
-  if (const auto launch = refine(s, {speed, angle}, contacts)) certify(s, *launch, bounces, "image+ceres");
+/// Refines one image along one sequence.
+bool from_seed(Search& s, double angle, const std::vector<int>& contacts, const Vec2d& target) {
+  const Aim aim{s, contacts, target, 0};
+  const auto speed = speed_at(s, aim, angle);
+  if (!speed) return false;
+  const auto launch = refine(s, {*speed, angle}, contacts);
+  return launch && certify(s, *launch, static_cast<int>(contacts.size()), "image+ceres");
 }
 
 }  // namespace
@@ -128,53 +163,66 @@ std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<in
   return best;
 }
 
-void ceres(Search& s) {
-  const auto enough = [&] { return s.spent() || (!s.all && s.shots.size() >= 32); };
-  Unfolding images(s, false);
-  while (const auto c = images.next()) {
-    if (enough()) return;
-    from_seed(s, c->angle, c->bounces);
+/// Ratios of the normal to the tangential loss to unfold with, as shares of the cushion's own
+/// restitution: spin changes the rebound's angle, and one of these comes near it.
+constexpr double shares[] = {1, 0.8, 1.2, 0.6, 1.5};
+
+void from_images(Search& s) {
+  const bool straight = is_straight(s.puzzle.physics);
+  for (const double share : shares) {
+    Unfolding images(s, !straight, share * restitution(s.puzzle.physics).at_rest, true);
+    while (const auto c = images.next()) {
+      if (s.spent() || (!s.all && s.shots.size() >= 32)) return;
+      from_seed(s, c->angle, images.contacts(*c), c->target);
+    }
+    if (straight || !images.whole()) return;
+    if (s.puzzle.cushions.sequence && !s.shots.empty()) return;
   }
-  if (s.boundary.tips.empty()) return;
+}
+
+void from_fan(Search& s) {
   const CushionRule& rule = s.puzzle.cushions;
   for (int i = 0; i < fan; ++i)
     for (int n = rule.min; n <= rule.max; ++n) {
-      if (enough()) return;
-      from_seed(s, radians(360.0 / fan) * i, n);
+      if (s.spent() || (!s.all && s.shots.size() >= 32)) return;
+      const double angle = radians(360.0 / fan) * i;
+      std::vector<int> contacts;
+      trace(s, angle, Goal::exactly(s, n), &contacts);
+      if (s.puzzle.cushions.sequence) contacts = *s.puzzle.cushions.sequence;
+      if (static_cast<int>(contacts.size()) == n)
+        for (const Vec2d& target : s.aim_points()) from_seed(s, angle, contacts, target);
     }
+}
+
+void ceres(Search& s) {
+  from_images(s);
+  if (!s.boundary.tips.empty()) from_fan(s);
 }
 
 void first_order(const Search& s, Shot& shot) {
   using Jet = ::ceres::Jet<double, 2>;
-  const Aim aim{s, shot.cushions, {}, 0};
-  const Vec2d u = direction(shot.launch.angle);
+  const Aim aim{s, shot.cushions, shot.arrival.at, 0};
+  const Vec2d v = direction(shot.launch.angle) * shot.launch.speed, turned = perpendicular(v);
   // Derivatives with respect to the aim [rad] and to ln speed, at an exact direction.
-  const Vec2d v = u * shot.launch.speed, turned = perpendicular(v);
   Vec2<Jet> velocity{Jet(v.x), Jet(v.y)};
   velocity.x.v = {turned.x, v.x};
   velocity.y.v = {turned.y, v.y};
-  std::visit(
-      [&](const auto& motion) {
-        const auto path = follow_locked(s.boundary, motion, s.puzzle.physics.cushion, aim.contacts,
-                                        State<Jet>{to<Jet>(s.puzzle.ball.at), velocity});
-        Vec2<Jet> end = path.state.at;
-        if (s.stop) {
-          const Arc<Jet> last = motion.arc(path.state);
-          end = last.position(last.duration);
-        } else {
-          // Along the line of travel nothing is missed: only the lateral part counts.
-          const Vec2<Jet> w = path.state.velocity / norm(path.state.velocity);
-          const Vec2d line{-w.y.a, w.x.a};
-          const Jet lateral = cross(w, to<Jet>(shot.arrival.at) - path.state.at);
-          end = {lateral * line.x, lateral * line.y};
-        }
-        const double by_aim = std::hypot(end.x.v(0), end.y.v(0)), by_speed = std::hypot(end.x.v(1), end.y.v(1));
-        shot.condition = std::max(by_aim, by_speed);
-        const Noise& noise = s.puzzle.noise;
-        const double spread = std::hypot(by_aim * noise.angle, by_speed * noise.speed / shot.launch.speed);
-        shot.first_order = s.nearest_reach(shot.arrival.at) / spread;
-      },
-      s.puzzle.physics.motion);
+  const State<Jet> start = launched(s.puzzle.ball.at, s.puzzle.ball.radius, velocity, s.puzzle.spin);
+  const Vec2<Jet> end = with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    const auto path = follow_locked(s.boundary, motion, cushion, aim.contacts, start);
+    const auto arrival = arrive_locked(motion, path.state, aim.target, 0, s.stop);
+    if (s.stop) return arrival.state.at;
+    // Along the line of travel nothing is missed: only the lateral part counts.
+    const Vec2<Jet> u = arrival.heading / norm(arrival.heading);
+    const Vec2d line{-u.y.a, u.x.a};
+    const Jet lateral = cross(u, to<Jet>(aim.target) - arrival.state.at);
+    return Vec2<Jet>{lateral * line.x, lateral * line.y};
+  });
+  const double by_aim = std::hypot(end.x.v(0), end.y.v(0)), by_speed = std::hypot(end.x.v(1), end.y.v(1));
+  shot.condition = std::max(by_aim, by_speed);
+  const Noise& noise = s.puzzle.noise;
+  const double spread = std::hypot(by_aim * noise.angle, by_speed * noise.speed / shot.launch.speed);
+  shot.first_order = s.nearest_reach(shot.arrival.at) / spread;
 }
 
 }  // namespace bankshot::planning

@@ -34,7 +34,7 @@ bool enough(const Search& s, const Unfolding& images) {
 
 /// Every centred candidate; true when all were tried.
 bool centred(Search& s) {
-  Unfolding images(s, false);
+  Unfolding images(s, false, restitution(s.puzzle.physics).at_rest);
   while (const auto c = images.next()) {
     if (s.spent()) return false;
     certify_aim(s, c->angle, c->bounces, "image");
@@ -113,11 +113,12 @@ class PartOfTarget {
 }  // namespace
 
 void image(Search& s) {
+  if (!is_straight(s.puzzle.physics)) return;  // a seed for ceres, no answer
   const bool whole = centred(s);
-  const bool reflex = !s.boundary.tips.empty(), dead = s.puzzle.physics.cushion.restitution == 0;
+  const bool reflex = !s.boundary.tips.empty(), dead = restitution(s.puzzle.physics).at_rest == 0;
   s.complete = whole && !reflex && !dead;
   if (!s.shots.empty() || s.cut || !whole) return;
-  Unfolding parts(s, true);
+  Unfolding parts(s, true, restitution(s.puzzle.physics).at_rest);
   bool some_part = false;
   while (const auto c = parts.next()) {
     if (s.spent()) return;

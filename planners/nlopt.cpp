@@ -97,11 +97,12 @@ double some_speed(const Search& s) {
 
 void nlopt_bobyqa(Search& s) {
   const Range angles = all_angles(s);
-  Unfolding images(s, false);
+  Unfolding images(s, false, restitution(s.puzzle.physics).at_rest);
   while (const auto c = images.next()) {
     if (s.spent() || (!s.all && s.shots.size() >= 32)) return;
-    const Trace t = trace(s, c->angle, Goal::exactly(s, c->bounces));
-    const double speed = launch_speed(s, c->angle, t).value_or(some_speed(s));
+    double speed = some_speed(s);
+    if (is_straight(s.puzzle.physics))
+      speed = launch_speed(s, c->angle, trace(s, c->angle, Goal::exactly(s, c->bounces))).value_or(speed);
     const double angle = c->angle < angles.low ? c->angle + radians(360) : c->angle;
     run(s, bobyqa, angles, {speed, angle});
   }

@@ -38,7 +38,9 @@ const Method& find_method(const std::string& name) {
 }
 
 std::vector<std::string> modelled(const Puzzle& p) {
-  std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling", "mirror"};
+  std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling"};
+  if (!is_straight(p.physics)) out.insert(out.begin(), "sliding");
+  out.push_back(std::holds_alternative<Mirror>(p.physics.cushion) ? "mirror" : "han2005");
   if (!p.table.pockets.empty()) out.push_back("pockets");
   return out;
 }

@@ -50,7 +50,7 @@ class Sweep {
   Sample sample(double angle) {
     ++s_.simulations;
     Sample out{.angle = angle, .contacts = {}};
-    Simulator sim(s_.boundary, Ideal{}, s_.puzzle.physics.cushion,
+    Simulator sim(s_.boundary, Ideal{}, Mirror{restitution(s_.puzzle.physics)},
                   State<double>{s_.puzzle.ball.at, direction(wrap_angle(angle))});
     SpeedAccount account(deceleration(s_.puzzle.physics));
     for (;;) {
@@ -113,6 +113,8 @@ class Sweep {
 
 }  // namespace
 
-void sweep(Search& s) { Sweep(s).run(); }
+void sweep(Search& s) {
+  if (is_straight(s.puzzle.physics)) Sweep(s).run();
+}
 
 }  // namespace bankshot::planning

@@ -50,14 +50,14 @@ double Unfolding::Affine::stretch() const {
   return std::sqrt((xx * xx + xy * xy + yx * yx + yy * yy) / 2);
 }
 
-Unfolding::Unfolding(const Search& s, bool whole_target)
-    : s_(s), whole_target_(whole_target), restitution_(s.puzzle.physics.cushion.restitution),
+Unfolding::Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts)
+    : s_(s), whole_target_(whole_target), restitution_(restitution),
       longest_(s.puzzle.speed.high * s.puzzle.speed.high / (2 * deceleration(s.puzzle.physics))) {
   const CushionRule& rule = s.puzzle.cushions;
   const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
   if (rule.sequence)
     follow_sequence();
-  else if (s.puzzle.table.is_rectangle() && restitution_ == 1 && images <= most_images)
+  else if (s.puzzle.table.is_rectangle() && restitution_ == 1 && !name_contacts && images <= most_images)
     lattice();
   else
     add({});
@@ -82,7 +82,17 @@ std::optional<Candidate> Unfolding::next() {
 
 void Unfolding::add(const Node& node) {
   nodes_.push_back(node);
+  nodes_.back().self = static_cast<int>(nodes_.size()) - 1;
   turns_.push({node.distance, nodes_.size() - 1});
+}
+
+std::vector<int> Unfolding::contacts(const Candidate& c) const {
+  if (s_.puzzle.cushions.sequence) return *s_.puzzle.cushions.sequence;
+  std::vector<int> out;
+  for (int i = c.node; i >= 0 && nodes_[static_cast<std::size_t>(i)].last >= 0; i = nodes_[static_cast<std::size_t>(i)].parent)
+    out.push_back(nodes_[static_cast<std::size_t>(i)].last);
+  std::reverse(out.begin(), out.end());
+  return out;
 }
 
 void Unfolding::visit(Node node) {
@@ -110,7 +120,7 @@ void Unfolding::propose(const Node& node, const Vec2d& target, double reach) {
   // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
   const double covers = reach * (restitution_ == 1 ? 1 : 2 * node.image.stretch()) / distance;
   const double half = covers < 1 ? std::asin(covers) : radians(180);
-  Candidate c{wrap_angle(std::atan2(ray.y, ray.x)), node.bounces, std::max(0.0, distance - s_.capture(reach)), -half, half};
+  Candidate c{wrap_angle(std::atan2(ray.y, ray.x)), node.bounces, std::max(0.0, distance - s_.capture(reach)), -half, half, target, node.self};
   const bool centred = !node.closed && (node.open || in_beam(node.from, node.to, ray));
   if (node.closed) c.low = c.high = 0;
   if (!node.open && !node.closed && half < radians(90)) {
@@ -168,6 +178,7 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) cons
                          node.length_before + walls_apart(s_.boundary, node.before, wall));
   if (restitution_ == 1) next.length = std::max(next.length, next.distance);
   next.bounces = node.bounces + 1;
+  next.parent = node.self;
   next.last = wall;
   next.flipped = !node.flipped;
   return next;
@@ -209,7 +220,7 @@ void Unfolding::lattice() {
     const double reach = s_.reach(target), covers = reach / distance;
     const double half = covers < 1 ? std::asin(covers) : radians(180);
     found.push_back({wrap_angle(std::atan2(ray.y, ray.x)), n,
-                     std::max(0.0, distance - s_.capture(reach)), -half, half});
+                     std::max(0.0, distance - s_.capture(reach)), -half, half, target});
   };
   const CushionRule& rule = s_.puzzle.cushions;
   for (const Vec2d& target : s_.aim_points())

@@ -33,12 +33,19 @@ struct Candidate {
   double distance = 0;   ///< m, from the ball to the image: the path's length where e = 1
   double low = 0;        ///< rad beside `angle`: the aims at which a ray that passes the cushions
   double high = 0;       ///< may reach any part of the target; low = high = 0 when none may
+  Vec2d target{};        ///< the aim point
+  int node = -1;         ///< where its sequence is kept; -1 in a lattice
 };
 
 class Unfolding {
  public:
   /// `whole_target` also proposes images whose centre no ray reaches, but some part might be.
-  Unfolding(const Search& s, bool whole_target);
+  /// `restitution` is what the unfolding stretches with; exact only where it is the cushions'.
+  /// `name_contacts` keeps the sequence of each candidate, which a lattice does not.
+  Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts = false);
+
+  /// The cushions of a candidate, in order; not kept in a lattice.
+  std::vector<int> contacts(const Candidate& c) const;
 
   /// The next candidate, nearest first; none when all were given.
   std::optional<Candidate> next();
@@ -65,6 +72,7 @@ class Unfolding {
     double length = 0, length_before = 0;  ///< m, of any path to the last cushion (the one before) at least
     int bounces = 0;
     int last = -1, before = -1;
+    int self = -1, parent = -1;  ///< places in the list of nodes
     bool flipped = false;
     bool open = true;     ///< no cushion bounds the beam yet
     bool closed = false;  ///< no ray passes all cushions

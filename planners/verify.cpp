@@ -38,20 +38,20 @@ class SequenceCheck {
 };
 
 /// A simulation against a goal, leg by leg.
-template <class Motion>
+template <class Motion, class Cushion>
 class Follower {
  public:
-  Follower(const Search& s, const Motion& motion, const Launch& launch, const Goal& goal,
-           bool tracing)
+  Follower(const Search& s, const Motion& motion, const Cushion& cushion, const Launch& launch,
+           const Goal& goal, bool tracing)
       : s_(s), goal_(goal), tracing_(tracing), stop_(s.stop && !tracing), check_(goal.sequence),
-        sim_(s.boundary, motion, s.puzzle.physics.cushion,
-             State<double>{s.puzzle.ball.at, direction(launch.angle) * launch.speed}),
+        sim_(s.boundary, motion, cushion,
+             launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin)),
         out_{{}, SpeedAccount(deceleration(s.puzzle.physics))} {}
 
   Trace run(std::vector<int>* contacts) {
     for (;;) {
       const Event e = sim_.step();
-      if (look_along_leg()) return out_;
+      if (look_along_arc(e)) return out_;
       if (tracing_) {
         out_.account.add(sim_.arc(), sim_.travelled());
         if (out_.account.beyond(s_.puzzle.speed.high)) return fail(Foul::too_long, -1);
@@ -62,6 +62,8 @@ class Follower {
           if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.index);
           ++k_;
           if (contacts) contacts->push_back(e.index);
+          break;
+        case EventKind::slide_to_roll:
           break;
         case EventKind::pocket:
           return pocketed(e.index);
@@ -77,10 +79,14 @@ class Follower {
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
 
   /// Closest approach to the target on the arc just travelled; true when a point is made there.
-  bool look_along_leg() {
+  bool look_along_arc(const Event& e) {
     const PointTarget* target = s_.point();
     if (stop_ || !counts()) return false;
-    if (target) return look_at(target->at) <= target->within && arrive_at_point();
+    if (target) {
+      const bool near = look_at(target->at) <= target->within;
+      // A ball that still comes nearer when its slide ends is closest on the next arc.
+      return near && (closest_ < sim_.travelled() || e.kind != EventKind::slide_to_roll) && arrive_at_point();
+    }
     if (tracing_)
       for (const Vec2d& centre : s_.aim_points()) look_at(centre);
     return false;
@@ -90,10 +96,10 @@ class Follower {
     const double t = closest_time(sim_.arc(), sim_.travelled(), target);
     const Vec2d at = sim_.arc().position(t);
     const double miss = norm(at - target);
+    closest_ = t;
     if (miss < out_.replay.miss) {
       out_.replay.miss = miss;
       out_.replay.arrival = {sim_.time() - sim_.travelled() + t, norm(sim_.arc().velocity_at(t)), at};
-      closest_ = t;
     }
     return miss;
   }
@@ -148,7 +154,7 @@ class Follower {
   bool tracing_;  ///< only the shape matters: pass the target, and keep account of the speed
   bool stop_;
   SequenceCheck check_;
-  Simulator<double, Motion, Mirror> sim_;
+  Simulator<double, Motion, Cushion> sim_;
   int k_ = 0;
   double closest_ = 0;  ///< s into the arc
   Trace out_;
@@ -201,16 +207,15 @@ void SpeedAccount::add(const Arc<double>& arc, double t) {
 
 Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts) {
   ++s.simulations;
-  return std::visit(
-      [&](const auto& motion) {
-        return Follower(s, motion, launch, goal, false).run(contacts).replay;
-      },
-      s.puzzle.physics.motion);
+  return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    return Follower(s, motion, cushion, launch, goal, false).run(contacts).replay;
+  });
 }
 
 Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts) {
   ++s.simulations;
-  return Follower(s, Ideal{}, {1, angle}, goal, true).run(contacts);
+  const Mirror mirror{restitution(s.puzzle.physics)};
+  return Follower(s, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
 }
 
 std::optional<double> launch_speed(Search& s, double angle, const Trace& t) {

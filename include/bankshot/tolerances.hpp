@@ -25,6 +25,16 @@ inline constexpr double touch = 1e-12;
 /// real grazing bounces.
 inline constexpr double along = 1e-15;
 
+/// Of the speed |v| + R|ω|. A contact point slower than this rolls: natural roll asked as topspin 1
+/// is slip 0 only up to rounding. The slide that is skipped would last as long as light takes for a
+/// millimetre.
+inline constexpr double slip = 1e-13;
+
+/// Of the launch's |v| + R|ω|. A ball that leaves a cushion slower than this, while friction drives
+/// it back, stays on the cushion. Larger would move the path measurably (by (this·v)²/a); smaller
+/// only adds bounces to a series that never ends.
+inline constexpr double resting = 1e-9;
+
 /// Of the diagonal. A hit this far beyond the end of an edge still belongs to it, so that no path
 /// slips between two edges that meet at a reflex vertex when the ball has radius 0.
 inline constexpr double edge_end = 1e-15;

@@ -25,6 +25,13 @@ struct Vec2 {
 
 using Vec2d = Vec2<double>;
 
+/// Components along x, y and z; z is up.
+template <class T>
+struct Vec3 {
+  T x{}, y{}, z{};
+  friend bool operator==(const Vec3&, const Vec3&) = default;
+};
+
 template <class A, class B>
 auto dot(const Vec2<A>& a, const Vec2<B>& b) {
   return a.x * b.x + a.y * b.y;

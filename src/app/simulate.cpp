@@ -25,6 +25,7 @@ std::string event_text(const ShotRequest& r, const Record& e) {
                            : e.kind == Record::Kind::cushion      ? "cushion " + contact_name(r.table, e.index)
                            : e.kind == Record::Kind::pocket       ? "pocket " + r.table.pockets[i].name
                            : e.kind == Record::Kind::roll_to_rest ? "rest"
+                           : e.kind == Record::Kind::slide_to_roll ? "slide to roll"
                                                                   : "end";
   return fmt::format("{:10.4f} s  {:<22} at ({:.4f}, {:.4f}) m, {:.4f} m/s\n", e.time, what, e.state.at.x, e.state.at.y, norm(e.state.velocity));
 }

@@ -16,14 +16,16 @@ Json shot_json(const Puzzle& p, const Shot& shot) {
   Json names = Json::array();
   for (const int c : shot.cushions) names.push_back(contact_name(p.table, c));
   // Without the physics `spin` the ball rolls from the start: natural roll, hit 2/5 R above centre.
+  const LaunchSpin spin = is_straight(p.physics) ? LaunchSpin{.top = 1} : p.spin;
   Json j{{"speed", shot.launch.speed},
          {"angle", exact_degrees(shot.launch.angle)},
-         {"spin", {{"top", 1}, {"side", 0}}},
-         {"tip", {{"right", 0}, {"up", 0.4 * p.ball.radius}}},
+         {"spin", {{"top", spin.top}, {"side", spin.side}}},
+         {"tip", {{"right", 0.4 * p.ball.radius * spin.side}, {"up", 0.4 * p.ball.radius * spin.top}}},
          {"cushions", std::move(names)},
          {"miss", shot.miss},
          {"arrival", {{"time", shot.arrival.time}, {"speed", shot.arrival.speed}, {"at", {shot.arrival.at.x, shot.arrival.at.y}}}},
          {"condition", shot.condition}};
+  if (spin.masse != 0) j["spin"]["masse"] = spin.masse;
   if (shot.margin)
     j["margin"] = {{"angle", bounds(shot.margin->angle, degrees(1))}, {"speed", bounds(shot.margin->speed, 1)}};
   if (shot.success) j["success"] = *shot.success;
@@ -82,7 +84,7 @@ std::string to_json(const Answer& a) {
 }
 
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {
-  ShotRequest r{p.id, p.table, p.physics, p.ball, shot.launch, {}};
+  ShotRequest r{p.id, p.table, p.physics, p.ball, shot.launch, p.spin, {}};
   r.until.time = shot.arrival.time;
   return r;
 }

@@ -33,14 +33,25 @@ std::string interval(const std::array<std::optional<double>, 2>& m, double unit,
   return fmt::format("{} to {} {}", side(m[0], '-'), side(m[1], '+'), name);
 }
 
+/// The cue's tip on the ball: 2/5 R for each unit of spin.
+std::string where_to_hit(const Puzzle& p) {
+  const double up = 400 * p.ball.radius * p.spin.top, right = 400 * p.ball.radius * p.spin.side;
+  if (up == 0 && right == 0) return "in the centre";
+  std::string text;
+  if (up != 0) text = fmt::format("{:.1f} mm {} the centre", std::abs(up), up > 0 ? "above" : "below");
+  if (right != 0) text += fmt::format("{}{:.1f} mm to the {}", text.empty() ? "" : ", ", std::abs(right), right > 0 ? "right" : "left");
+  return text;
+}
+
 void describe(std::string& out, const Puzzle& p, const Shot& shot) {
   const auto row = [&](std::string_view what, const std::string& text) {
     out += fmt::format("  {:<10}{}\n", what, text);
   };
   row("aim", fmt::format("{:.4f} degrees", degrees(shot.launch.angle)));
   row("speed", fmt::format("{:.4f} m/s", shot.launch.speed));
-  if (p.ball.radius > 0)
+  if (is_straight(p.physics) && p.ball.radius > 0)
     row("hit", fmt::format("{:.1f} mm above the centre, so that it rolls from the start", 400 * p.ball.radius));
+  if (!is_straight(p.physics)) row("hit", where_to_hit(p));
   if (shot.cushions.empty()) {
     row("cushions", "none");
   } else {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/scene/json.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,28 +20,95 @@ Ball read_ball(const Reader& scene, Ball ball) {
   ball.at = r.need("at").point();
   if (const auto v = r.find("radius")) ball.radius = v->at_least(0);
   if (const auto v = r.find("mass")) ball.mass = v->positive();
-  if (const auto v = r.find("spin")) v->fail("needs the physics \"spin\", which is not supported yet");
   return ball;
 }
 
-Physics read_physics(const Reader& scene) {
-  const auto r = scene.find("physics");
-  if (!r)
-    throw InvalidInput("/physics",
-                       "this key is missing and its default, \"spin\", is not supported yet; "
-                       "choose \"rolling\" or \"ideal\"");
-  constexpr std::array<std::string_view, 3> presets{"ideal", "rolling", "spin"};
-  if (!r->is_string() && !r->is_object()) r->fail("must be the name of a physics or an object");
-  const Reader model = r->is_string() ? *r : r->need("model");
-  const std::size_t which = model.word("physics", presets);
-  if (which == 2) model.fail("is not supported yet; choose \"rolling\" or \"ideal\"");
-  if (which == 0) {
-    if (!r->is_string()) r->only({"model"});
-    return ideal_physics();
+void no_spin(const Reader& r, const Physics& physics) {
+  if (is_straight(physics)) r.fail("needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
+}
+
+LaunchSpin read_spin(const Reader& r, const Physics& physics) {
+  no_spin(r, physics);
+  r.only({"top", "side", "masse"});
+  LaunchSpin spin;
+  const auto read = [&](const char* key, double& value) {
+    const auto v = r.find(key);
+    if (v && v->is_array()) v->fail("is a range, which is not supported yet");
+    if (v) value = v->number();
+  };
+  read("top", spin.top);
+  read("side", spin.side);
+  read("masse", spin.masse);
+  return spin;
+}
+
+Restitution read_restitution(const Reader& r) {
+  if (!r.is_object()) return r.between(0, 1);
+  r.only({"at_rest", "per_speed"});
+  return {r.need("at_rest").between(0, 1), r.need("per_speed").number()};
+}
+
+double read_rolling_friction(const Reader& r) {
+  if (r.is_object()) r.fail("is speed-dependent, which is not supported yet");
+  return r.at_least(0);
+}
+
+std::variant<Mirror, Han2005> read_cushion(const Reader& r, Han2005 han) {
+  constexpr std::array<std::string_view, 3> models{"han2005", "mathavan2010", "mirror"};
+  r.only({"model", "restitution", "friction", "height"});
+  std::size_t which = 0;
+  if (const auto v = r.find("model")) {
+    which = v->word("cushion model", models);
+    if (which == 1) v->fail("is not supported yet; choose \"han2005\" or \"mirror\"");
   }
-  Rolling rolling;
+  if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
+  if (const auto v = r.find("friction")) han.friction = v->at_least(0);
+  if (const auto v = r.find("height")) han.height = v->number();
+  if (!(han.height > han.radius && han.height < 2 * han.radius)) {
+    const Reader where = r.find("height").value_or(r);
+    where.fail(fmt::format("must lie between the ball's radius {} and its diameter {}", han.radius, 2 * han.radius));
+  }
+  if (which == 2) return Mirror{han.restitution};
+  return han;
+}
+
+Physics read_spin_physics(const Reader* r, const Reader& table, const Ball& ball) {
+  Physics p = spin_physics(ball.radius);
+  SlideRoll& motion = std::get<SlideRoll>(p.motion);
+  Han2005& cushion = std::get<Han2005>(p.cushion);
+  const TablePreset* preset = table.is_string() ? find_table_preset(table.text()) : nullptr;
+  if (preset && preset->nose_height > 0) cushion.height = preset->nose_height;
+  if (!r) return p;
+  r->only({"model", "sliding_friction", "rolling_friction", "spinning_friction", "cushion", "ball_ball", "g"});
+  if (const auto v = r->find("ball_ball")) v->fail("is not supported yet");
+  if (const auto v = r->find("sliding_friction")) motion.sliding_friction = v->at_least(0);
+  if (const auto v = r->find("rolling_friction")) motion.rolling_friction = read_rolling_friction(*v);
+  if (const auto v = r->find("spinning_friction")) motion.spinning_friction = v->at_least(0);
+  if (const auto v = r->find("g")) motion.g = v->positive();
+  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion);
+  return p;
+}
+
+Physics read_physics(const Reader& scene, const Ball& ball) {
+  const auto r = scene.find("physics");
+  const Reader table = scene.need("table");
+  constexpr std::array<std::string_view, 3> presets{"ideal", "rolling", "spin"};
+  if (r && !r->is_string() && !r->is_object()) r->fail("must be the name of a physics or an object");
+  const Reader* overrides = r && r->is_object() ? &*r : nullptr;
+  const Reader model = !r ? scene : r->is_string() ? *r : r->need("model");
+  const std::size_t which = r ? model.word("physics", presets) : 2;
+  if (which == 2) {
+    if (ball.radius == 0)
+      throw InvalidInput("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
+    return read_spin_physics(overrides, table, ball);
+  }
+  if (which == 0) {
+    if (overrides) r->only({"model"});
+    return {Ideal{ball.radius}, Mirror{1.0}};
+  }
+  Rolling rolling{.radius = ball.radius};
   Mirror mirror;
-  if (!r->is_string()) {
+  if (overrides) {
     r->only({"model", "friction", "restitution", "g"});
     if (const auto v = r->find("friction")) rolling.friction = v->at_least(0);
     if (const auto v = r->find("restitution")) mirror.restitution = v->between(0, 1);
@@ -145,7 +214,8 @@ Puzzle read_puzzle(std::string_view text) {
   const Reader table = doc.need("table");
   p.ball = read_ball(doc, default_ball(table));
   p.table = read_table(table, p.ball.radius);
-  p.physics = read_physics(doc);
+  p.physics = read_physics(doc, p.ball);
+  if (const auto v = doc.need("ball").find("spin")) p.spin = read_spin(*v, p.physics);
   if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
   p.target = read_target(doc.need("target"), p.table);
   if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);
@@ -169,11 +239,12 @@ ShotRequest read_shot(std::string_view text) {
   const Reader table = doc.need("table");
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.radius);
-  s.physics = read_physics(doc);
+  s.physics = read_physics(doc, s.ball);
+  if (const auto v = doc.need("ball").find("spin")) s.spin = read_spin(*v, s.physics);
   if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
   const Reader shot = doc.need("shot");
   shot.only({"speed", "angle", "spin"});
-  if (const auto v = shot.find("spin")) v->fail("needs the physics \"spin\", which is not supported yet");
+  if (const auto v = shot.find("spin")) s.spin = read_spin(*v, s.physics);
   s.launch = {shot.need("speed").at_least(0), wrap_angle(radians(shot.need("angle").number()))};
   if (const auto until = doc.find("until")) {
     until->only({"time", "cushions", "length"});

@@ -105,8 +105,15 @@ void check_inside(const Boundary& b, const Vec2d& p, const std::string& path, st
 }
 
 void check_physics(const Physics& physics) {
-  const double e = physics.cushion.restitution;
+  const double e = restitution(physics).at_rest;
   if (!(e >= 0 && e <= 1)) fail("/physics/restitution", fmt::format("{} must be between 0 and 1", e));
+  if (is_straight(physics) && !(std::holds_alternative<Mirror>(physics.cushion) && restitution(physics).constant()))
+    fail("/physics/cushion", "without spin a cushion is a mirror of constant restitution");
+  if (const auto* m = std::get_if<SlideRoll>(&physics.motion)) {
+    if (!(m->radius > 0)) fail("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
+    if (!(m->sliding_friction >= 0 && std::isfinite(m->sliding_friction * m->g)))
+      fail("/physics/sliding_friction", "must be finite and at least 0");
+  }
   const double a = deceleration(physics);
   if (!(a >= 0 && std::isfinite(a)))
     fail("/physics", fmt::format("friction · g is {} m/s² and must be finite and at least 0", a));

@@ -35,8 +35,16 @@ Json table_json(const Table& t) {
 
 Json physics_json(const Physics& p) {
   if (is_ideal(p)) return "ideal";
-  const Rolling& r = std::get<Rolling>(p.motion);
-  return {{"model", "rolling"}, {"friction", r.friction}, {"restitution", p.cushion.restitution}, {"g", r.g}};
+  const Restitution& e = restitution(p);
+  const Json bounce = e.constant() ? Json(e.at_rest) : Json{{"at_rest", e.at_rest}, {"per_speed", e.per_speed}};
+  if (const auto* r = std::get_if<Rolling>(&p.motion))
+    return {{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
+  const SlideRoll& m = std::get<SlideRoll>(p.motion);
+  Json cushion{{"model", "mirror"}, {"restitution", bounce}};
+  if (const auto* h = std::get_if<Han2005>(&p.cushion))
+    cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};
+  return {{"model", "spin"}, {"sliding_friction", m.sliding_friction}, {"rolling_friction", m.rolling_friction},
+          {"spinning_friction", m.spinning_friction}, {"g", m.g}, {"cushion", std::move(cushion)}};
 }
 
 Json target_json(const Puzzle& p) {
@@ -63,6 +71,7 @@ std::string write_puzzle(const Puzzle& p) {
   j["table"] = table_json(p.table);
   j["physics"] = physics_json(p.physics);
   j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.radius}, {"mass", p.ball.mass}};
+  if (!is_straight(p.physics)) j["ball"]["spin"] = {{"top", p.spin.top}, {"side", p.spin.side}, {"masse", p.spin.masse}};
   j["target"] = target_json(p);
   j["cushions"] = cushions_json(p);
   if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};

@@ -9,51 +9,80 @@
 namespace bankshot {
 namespace {
 
+/// Metres that a ball covers in t seconds of an arc: ∫|v + a t| dt, split along and across a.
+double length(const Arc<double>& arc, double t) {
+  if (is_straight(arc)) return norm(arc.position(t) - arc.at);
+  const double a = norm(arc.acceleration);
+  const double across = std::abs(cross(arc.acceleration, arc.velocity)) / a, along = dot(arc.acceleration, arc.velocity) / a;
+  const auto antiderivative = [&](double w) {
+    return w * std::hypot(w, across) + (across > 0 ? across * across * std::asinh(w / across) : 0.0);
+  };
+  return (antiderivative(along + a * t) - antiderivative(along)) / (2 * a);
+}
+
+/// When a ball on this arc has covered `metres`; may lie beyond the arc's end.
+double time_to_length(const Arc<double>& arc, double metres) {
+  if (is_straight(arc)) return time_at_length(arc, metres);
+  double low = 0, high = arc.duration;
+  if (!(length(arc, high) > metres)) return forever;
+  for (double t = low + (high - low) / 2; t > low && t < high; t = low + (high - low) / 2)
+    (length(arc, t) < metres ? low : high) = t;
+  return high;
+}
+
 /// How many seconds the ball may go on before `until` stops it.
 double remaining(const ShotRequest::Until& until, double time, double length,
                  const Arc<double>& next) {
   double t = forever;
   if (until.time) t = std::min(t, std::max(0.0, *until.time - time));
-  if (until.length) t = std::min(t, time_at_length(next, std::max(0.0, *until.length - length)));
+  if (until.length) t = std::min(t, time_to_length(next, std::max(0.0, *until.length - length)));
   return t;
 }
 
 template <class Motion, class Cushion>
 Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cushion) {
   const Boundary boundary(r.table, r.ball.radius);
-  const State<double> start{r.ball.at, direction(r.launch.angle) * r.launch.speed};
+  const State<double> start = start_state(r);
   ShotRequest::Until until = r.until;
-  if (Motion::phase_end == PhaseEnd::none && !until.time && !until.cushions && !until.length)
+  if (std::is_same_v<Motion, Ideal> && !until.time && !until.cushions && !until.length)
     until.cushions = ideal_cushions;
 
   Trajectory out;
-  out.events.push_back({Record::Kind::start, 0, start});
   Simulator sim(boundary, motion, cushion, start);
+  const auto note = [&](Record::Kind kind, int index = -1) {
+    State<double> now = sim.state();
+    now.spin = motion.spin(now);
+    out.events.push_back({kind, sim.time(), now, index});
+  };
   const auto finish = [&](Trajectory::End end) {
     out.end = end;
-    out.events.push_back({Record::Kind::end, sim.time(), sim.state()});
+    note(Record::Kind::end);
     return out;
   };
+  note(Record::Kind::start);
   if (r.launch.speed == 0) return finish(Trajectory::End::rest);
   for (long events = 0; events < max_events; ++events) {
     const double begin = sim.time();
     const Event e = sim.step(remaining(until, begin, out.length, motion.arc(sim.state())));
     if (sim.travelled() > 0) {
-      out.legs.push_back({begin, sim.travelled(), sim.arc()});
-      out.length += norm(sim.arc().position(sim.travelled()) - sim.arc().at);
+      out.legs.push_back({begin, sim.travelled(), sim.arc(), sim.before()});
+      out.length += length(sim.arc(), sim.travelled());
     }
     switch (e.kind) {
       case EventKind::cushion:
-        out.events.push_back({Record::Kind::cushion, sim.time(), sim.state(), e.index});
+        note(Record::Kind::cushion, e.index);
         ++out.cushions;
         if (until.cushions && out.cushions >= *until.cushions)
           return finish(Trajectory::End::until);
         break;
+      case EventKind::slide_to_roll:
+        note(Record::Kind::slide_to_roll);
+        break;
       case EventKind::pocket:
-        out.events.push_back({Record::Kind::pocket, sim.time(), sim.state(), e.index});
+        note(Record::Kind::pocket, e.index);
         return finish(Trajectory::End::pocketed);
       case EventKind::rest:
-        out.events.push_back({Record::Kind::roll_to_rest, sim.time(), sim.state()});
+        note(Record::Kind::roll_to_rest);
         return finish(Trajectory::End::rest);
       case EventKind::horizon:
         return finish(Trajectory::End::until);
@@ -78,14 +107,23 @@ std::vector<int> Trajectory::sequence() const {
   return out;
 }
 
-Spin natural_roll(const Vec2d& velocity, double radius) {
-  if (radius == 0) return {0, 0, 0};
-  return {-velocity.y / radius, velocity.x / radius, 0};
+State<double> start_state(const ShotRequest& r) {
+  return launched(r.ball.at, r.ball.radius, direction(r.launch.angle) * r.launch.speed, r.spin);
 }
 
-double energy(const Ball& ball, const Vec2d& velocity) {
-  const double v2 = dot(velocity, velocity);
-  const Spin w = natural_roll(velocity, ball.radius);
+State<double> state_at(const Physics& physics, const Leg& leg, double t) {
+  return std::visit(
+      [&](const auto& motion) {
+        State<double> s = advance(motion, leg.start, leg.arc, t);
+        s.spin = motion.spin(s);
+        return s;
+      },
+      physics.motion);
+}
+
+double energy(const Ball& ball, const State<double>& state) {
+  const double v2 = dot(state.velocity, state.velocity);
+  const Vec3<double>& w = state.spin;
   return ball.mass * (v2 / 2 + ball.radius * ball.radius * (w.x * w.x + w.y * w.y + w.z * w.z) / 5);
 }
 

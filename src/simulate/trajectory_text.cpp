@@ -14,6 +14,7 @@ const char* name(Record::Kind kind) {
   switch (kind) {
     case Record::Kind::start: return "start";
     case Record::Kind::cushion: return "cushion";
+    case Record::Kind::slide_to_roll: return "slide-to-roll";
     case Record::Kind::roll_to_rest: return "roll-to-rest";
     case Record::Kind::pocket: return "pocket";
     case Record::Kind::end: break;
@@ -32,7 +33,7 @@ const char* name(Trajectory::End end) {
 }
 
 Json event_json(const ShotRequest& r, const Record& e) {
-  const Spin w = natural_roll(e.state.velocity, r.ball.radius);
+  const Vec3<double>& w = e.state.spin;
   Json j{{"type", name(e.kind)},
          {"time", e.time},
          {"ball", "cue"},
@@ -58,15 +59,15 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
               {"at", {last.state.at.x, last.state.at.y}},
               {"cushions", t.cushions},
               {"length", t.length}};
-  j["energy"] = {{"start", energy(r.ball, t.events.front().state.velocity)},
-                 {"end", energy(r.ball, last.state.velocity)}};
+  j["energy"] = {{"start", energy(r.ball, t.events.front().state)},
+                 {"end", energy(r.ball, last.state)}};
   return write_json(j);
 }
 
 std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
   std::string out = "t,ball,x,y,vx,vy,wx,wy,wz\n";
   const auto row = [&](double time, const State<double>& s) {
-    const Spin w = natural_roll(s.velocity, r.ball.radius);
+    const Vec3<double>& w = s.spin;
     out += fmt::format("{},cue,{},{},{},{},{},{},{}\n", time, s.at.x, s.at.y, s.velocity.x,
                        s.velocity.y, w.x, w.y, w.z);
   };
@@ -79,7 +80,7 @@ std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
     events_until(leg.begin);
     const double end = leg.begin + leg.duration;
     for (double s = static_cast<double>(sample) / rate; s < end; s = static_cast<double>(++sample) / rate)
-      if (s > leg.begin) row(s, leg.arc.state_at(s - leg.begin));
+      if (s > leg.begin) row(s, state_at(r.physics, leg, s - leg.begin));
   }
   events_until(forever);
   return out;

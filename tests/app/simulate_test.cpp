@@ -101,7 +101,7 @@ TEST_CASE("bad shots are refused like bad puzzles") {
       {R"({"shot": {"speed": -1}})", "/shot/speed"},
       {R"({"shot": {"spin": {"top": 1}}})", "/shot/spin"},
       {R"({"until": {"tmie": 1}})", "/until/tmie"},
-      {R"({"physics": "spin"})", "/physics"},
+      {R"({"physics": "spin"})", "/ball/radius"},
   }));
   Json shot = Json::parse(along);
   shot.merge_patch(Json::parse(change));

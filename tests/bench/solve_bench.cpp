@@ -20,7 +20,7 @@ std::vector<Puzzle> draw(int bounces, bool ideal, bool sequence) {
   test::Random random(1);
   std::vector<Puzzle> out;
   while (out.size() < puzzles) {
-    Puzzle p = test::random_puzzle(random, test::Family::uniform, ideal).puzzle;
+    Puzzle p = test::random_puzzle(random, test::Family::uniform, ideal ? test::Model::ideal : test::Model::rolling).puzzle;
     if (p.cushions.max != bounces || p.cushions.sequence.has_value() != sequence || !p.table.pockets.empty()) continue;
     out.push_back(std::move(p));
   }

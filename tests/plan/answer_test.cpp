@@ -69,7 +69,7 @@ TEST_CASE("a margin is where the shot stops being made") {
   test::Random random(21);
   int checked = 0;
   while (checked < 40) {
-    Puzzle p = test::random_puzzle(random, test::Family::uniform, false).puzzle;
+    Puzzle p = test::random_puzzle(random, test::Family::uniform, test::Model::rolling).puzzle;
     const auto range = arrival_range(p);
     if (!range || range->high > 0 || !p.table.pockets.empty()) continue;
     ++checked;
@@ -93,7 +93,7 @@ TEST_CASE("a margin is where the shot stops being made") {
 TEST_CASE("the condition is the derivative of the arrival") {
   test::Random random(22);
   for (int i = 0; i < 100; ++i) {
-    const Puzzle p = test::random_puzzle(random, test::Family::convex, false).puzzle;
+    const Puzzle p = test::random_puzzle(random, test::Family::convex, test::Model::rolling).puzzle;
     const auto range = arrival_range(p);
     if (!range || range->high > 0) continue;
     const Answer a = solve(p, {.robustness = false});

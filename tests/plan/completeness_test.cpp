@@ -30,7 +30,7 @@ TEST_CASE("images find every shot that a sweep of the aim finds, and the sweep a
     for (const bool ideal : {true, false}) {
       test::Random random(4);
       for (int i = 0; i < 60; ++i) {
-        Puzzle p = test::random_puzzle(random, family, ideal).puzzle;
+        Puzzle p = test::random_puzzle(random, family, ideal ? test::Model::ideal : test::Model::rolling).puzzle;
         // A target on a cushion is passed at the end of one leg and the start of the next: leave it out.
         if (!std::holds_alternative<PointTarget>(p.target)) continue;
         if (Boundary(p.table, p.ball.radius).clearance(std::get<PointTarget>(p.target).at) < 1e-3) continue;

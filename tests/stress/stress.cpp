@@ -29,7 +29,7 @@ struct Tally {
 /// corner, and rounding decides which cushion comes first. Such a puzzle may fail; it is counted.
 bool through_corner(const test::Made& made) {
   const auto sequence = [&](double turned) {
-    ShotRequest r{.table = made.puzzle.table, .physics = made.puzzle.physics, .ball = made.puzzle.ball, .launch = made.launch};
+    ShotRequest r{.table = made.puzzle.table, .physics = made.puzzle.physics, .ball = made.puzzle.ball, .launch = made.launch, .spin = made.puzzle.spin};
     r.launch.angle = wrap_angle(r.launch.angle + turned);
     r.until.cushions = made.bounces + 1;
     std::vector<int> s = simulate(r).sequence();
@@ -39,8 +39,8 @@ bool through_corner(const test::Made& made) {
   return sequence(-1e-9) != sequence(0) || sequence(1e-9) != sequence(0);
 }
 
-void one(test::Random& random, test::Family family, bool ideal, const SolveOptions& options, Tally& t) {
-  const test::Made made = test::random_puzzle(random, family, ideal);
+void one(test::Random& random, test::Family family, test::Model model, const SolveOptions& options, Tally& t) {
+  const test::Made made = test::random_puzzle(random, family, model);
   const Answer a = solve(made.puzzle, options);
   ++t.puzzles;
   t.simulations += a.simulations;
@@ -79,13 +79,14 @@ int main(int argc, char** argv) {
   SolveOptions options{.robustness = false};
   app.add_option("--count", count)->capture_default_str();
   app.add_option("--seed", seed)->capture_default_str();
-  app.add_option("--physics", physics)->check(CLI::IsMember({"ideal", "rolling"}))->capture_default_str();
+  app.add_option("--physics", physics)->check(CLI::IsMember({"ideal", "rolling", "spin"}))->capture_default_str();
   app.add_option("--family", family)->check(CLI::IsMember({"all", "uniform", "discrete", "convex", "reflex"}))->capture_default_str();
   bool csv = false;
   app.add_flag("--csv", csv);
   app.add_option("--planner", options.planner)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
+  const test::Model model = physics == "ideal" ? test::Model::ideal : physics == "rolling" ? test::Model::rolling : test::Model::spin;
   bool clean = true;
   if (csv) std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_diagonal,worst_speed_error,simulations_each,us_each\n";
   for (const test::Family f : test::families) {
@@ -93,7 +94,7 @@ int main(int argc, char** argv) {
     test::Random random(seed);
     Tally t;
     const auto begin = std::chrono::steady_clock::now();
-    for (long i = 0; i < (family == "all" ? count / 4 : count); ++i) one(random, f, physics == "ideal", options, t);
+    for (long i = 0; i < (family == "all" ? count / 4 : count); ++i) one(random, f, model, options, t);
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
     const auto print = [&](auto format) {
       std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved, t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,

@@ -40,16 +40,17 @@ Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) 
   }
 }
 
-Physics random_physics(Random& r, bool ideal, Family family) {
-  if (ideal) return ideal_physics();
+Physics random_physics(Random& r, Model model, Family family, double radius) {
+  if (model == Model::ideal) return ideal_physics();
+  if (model == Model::spin) return spin_physics(radius);
   Physics p{Rolling{.friction = r.log_uniform(0.005, 0.05)}, Mirror{r.uniform(0.5, 1)}};
   if (family == Family::discrete) p = {Rolling{.friction = 0.01}, Mirror{r.chance(0.5) ? 1.0 : 0.75}};
   return p;
 }
 
 /// What to ask about a simulated shot; none when it does not lend itself to the kind drawn.
-std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t, bool ideal) {
-  Made m{{.table = shot.table, .physics = shot.physics, .ball = shot.ball}, shot.launch, 0};
+std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t, Model model) {
+  Made m{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};
   Puzzle& p = m.puzzle;
   const Record& last = t.events.back();
   double arrival = 0;
@@ -73,7 +74,7 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
   }
   if (m.bounces > most_bounces) return {};
   p.speed = {shot.launch.speed / 2, shot.launch.speed * 2};
-  const bool stops = !ideal && arrival == 0;
+  const bool ideal = model == Model::ideal, stops = !ideal && arrival == 0;
   if (!stops && r.chance(0.5)) p.speed = {shot.launch.speed, shot.launch.speed};
   else if (!ideal && !stops) p.arrive = Range{arrival, arrival};
   std::vector<int> contacts = t.sequence();
@@ -114,11 +115,11 @@ Table random_polygon(Random& r, bool convex) {
   return polygon_table(std::move(v));
 }
 
-Made random_puzzle(Random& r, Family family, bool ideal) {
+Made random_puzzle(Random& r, Family family, Model model) {
   for (;;) {
     ShotRequest shot;
     shot.table = random_table(r, family);
-    const bool tiny = r.chance(0.2);
+    const bool tiny = model != Model::spin && r.chance(0.2);
     shot.ball.radius = family == Family::discrete ? (tiny ? 0 : 0.0625) : tiny ? 0 : 0.0285;
     if (family != Family::convex && family != Family::reflex && r.chance(0.5) && shot.ball.radius > 0)
       shot.table.pockets = six_pockets(shot.table, {4.4 * shot.ball.radius, 4.8 * shot.ball.radius});
@@ -127,13 +128,14 @@ Made random_puzzle(Random& r, Family family, bool ideal) {
     const Vec2d middle = (shot.table.lowest() + shot.table.highest()) / 2.0;
     if (boundary.clearance(middle) < 0) continue;
     shot.ball.at = random_place(r, boundary, shot.table, family);
-    shot.physics = random_physics(r, ideal, family);
+    shot.physics = random_physics(r, model, family, shot.ball.radius);
+    if (model == Model::spin) shot.spin = {r.uniform(-1, 1.2), r.uniform(-1, 1), r.chance(0.2) ? r.uniform(-0.5, 0.5) : 0};
     shot.launch = {r.log_uniform(0.2, 10), radians(r.uniform(0, 360))};
     if (family == Family::discrete) shot.launch = {1.0 * r.integer(1, 4), wrap_angle(radians(15.0 * r.integer(0, 23)))};
     shot.until.cushions = most_bounces + 1;
     const Trajectory t = simulate(shot);
     if (t.legs.empty()) continue;
-    if (auto made = ask(r, shot, t, ideal)) {
+    if (auto made = ask(r, shot, t, model)) {
       made->puzzle.noise = {};
       return *made;
     }

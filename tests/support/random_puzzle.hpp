@@ -17,6 +17,7 @@ namespace bankshot::test {
 /// uniform: rectangles of many sizes, six pockets or none. discrete: grid positions, angles that are
 /// multiples of 15 degrees, exact corners, starts on a cushion. convex, reflex: random polygons.
 enum class Family { uniform, discrete, convex, reflex };
+enum class Model { ideal, rolling, spin };
 inline constexpr Family families[] = {Family::uniform, Family::discrete, Family::convex, Family::reflex};
 std::string name(Family family);
 
@@ -39,8 +40,8 @@ struct Made {
   int bounces;
 };
 
-/// `ideal` or `rolling` physics. Always returns: draws until a shot qualifies.
-Made random_puzzle(Random& random, Family family, bool ideal);
+/// Always returns: draws until a shot qualifies.
+Made random_puzzle(Random& random, Family family, Model model);
 
 /// A simple polygon around the origin; convex, or with some vertices pulled in.
 Table random_polygon(Random& random, bool convex);

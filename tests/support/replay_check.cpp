@@ -34,13 +34,20 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
   for (const Leg& l : t.legs) {
     const auto before = std::count_if(hits.begin(), hits.end(), [&](double h) { return h <= l.begin; });
     if (static_cast<std::size_t>(before) != bounces) continue;
-    const Vec2d a = l.arc.at, d = l.arc.position(l.duration) - a;
-    const double s = std::clamp(dot(target - a, d) / dot(d, d), 0.0, 1.0);
-    const double miss = norm(a + d * s - target);
-    if (miss >= best) continue;
-    best = miss;
-    const double v2 = dot(l.arc.velocity, l.arc.velocity), slow = norm(l.arc.acceleration);
-    speed = std::sqrt(std::max(0.0, v2 - 2 * slow * s * norm(d)));
+    // Ternary search on each of a few pieces: slow, and nothing of the planners' own geometry.
+    const double end = std::min(l.duration, 1e4);
+    constexpr int pieces = 8;
+    for (int i = 0; i < pieces; ++i) {
+      double low = end * i / pieces, high = end * (i + 1) / pieces;
+      const auto off = [&](double time) { return norm(l.arc.position(time) - target); };
+      for (int k = 0; k < 100; ++k) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        (off(a) < off(b) ? high : low) = off(a) < off(b) ? b : a;
+      }
+      if (off(low) >= best) continue;
+      best = off(low);
+      speed = norm(l.arc.velocity_at(low));
+    }
   }
   // A leg between two cushions met in one instant has no length, only its end.
   std::size_t k = 0;
@@ -56,7 +63,7 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
 
 Checked check_shot(const Puzzle& p, const Shot& shot) {
   Checked c;
-  ShotRequest request{{}, p.table, p.physics, p.ball, shot.launch, {}};
+  ShotRequest request{{}, p.table, p.physics, p.ball, shot.launch, p.spin, {}};
   request.until.cushions = static_cast<int>(shot.cushions.size()) + 1;
   const Trajectory t = simulate(request);
   const std::size_t n = shot.cushions.size();

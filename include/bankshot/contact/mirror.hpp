@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
 // The simplest cushion: the normal velocity is reversed and multiplied by the restitution, the
-// tangential velocity is kept. Restitution 1 is the law of mirrors.
+// tangential velocity and the spin are kept. Restitution 1 is the law of mirrors.
 #pragma once
 
+#include "bankshot/contact/restitution.hpp"
 #include "bankshot/motion/arc.hpp"
 
 namespace bankshot {
 
 struct Mirror {
-  double restitution = 0.85;  ///< e in [0, 1]
+  Restitution restitution{};
 
   /// `normal` is a unit vector that points away from the cushion, into the table.
   template <class T, class N>
   void bounce(State<T>& s, const Vec2<N>& normal) const {
     const Vec2<T> n = to<T>(normal);
-    s.velocity -= n * (T(1 + restitution) * dot(n, s.velocity));
+    const T approach = -dot(n, s.velocity);
+    s.velocity += n * ((T(1) + restitution(approach)) * approach);
   }
 };
 

@@ -8,13 +8,21 @@
 namespace bankshot {
 
 struct Ideal {
-  static constexpr PhaseEnd phase_end = PhaseEnd::none;
-  /// The path does not depend on the speed, only how far the ball gets.
+  double radius = 0;  ///< m, only to say what natural roll is
+
   static constexpr bool straight = true;
 
   template <class T>
   Arc<T> arc(const State<T>& s) const {
-    return {s.at, s.velocity, {T(0), T(0)}, T(forever)};
+    return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
+  }
+  template <class T>
+  void turn(State<T>&, const Arc<T>&, const T&) const {}
+  template <class T>
+  void finish(State<T>&, const Arc<T>&) const {}
+  template <class T>
+  Vec3<T> spin(const State<T>& s) const {
+    return natural_roll(s.velocity, radius);
   }
   /// Deceleration along the path [m/s²].
   double deceleration() const { return 0; }

@@ -9,20 +9,35 @@
 
 namespace bankshot {
 
+/// The rolling phase from velocity v with deceleration a [m/s²].
+template <class T>
+Arc<T> rolling_arc(const Vec2<T>& at, const Vec2<T>& velocity, double a) {
+  const T speed = norm(velocity);
+  if (!(speed > T(0))) return {at, velocity, {T(0), T(0)}, T(0), PhaseEnd::rest};
+  if (a == 0) return {at, velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
+  return {at, velocity, velocity * (T(-a) / speed), speed / T(a), PhaseEnd::rest};
+}
+
 struct Rolling {
   double friction = 0.01;  ///< μr, dimensionless, >= 0
   double g = 9.81;         ///< m/s², > 0
+  double radius = 0;       ///< m, only to say what natural roll is
 
-  static constexpr PhaseEnd phase_end = PhaseEnd::rest;
   static constexpr bool straight = true;
 
   template <class T>
   Arc<T> arc(const State<T>& s) const {
-    const T speed = norm(s.velocity);
-    const double a = deceleration();
-    if (!(speed > T(0))) return {s.at, s.velocity, {T(0), T(0)}, T(0)};
-    if (a == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever)};
-    return {s.at, s.velocity, s.velocity * (T(-a) / speed), speed / T(a)};
+    return rolling_arc(s.at, s.velocity, deceleration());
+  }
+  template <class T>
+  void turn(State<T>&, const Arc<T>&, const T&) const {}
+  template <class T>
+  void finish(State<T>& s, const Arc<T>&) const {
+    s.velocity = {T(0), T(0)};
+  }
+  template <class T>
+  Vec3<T> spin(const State<T>& s) const {
+    return natural_roll(s.velocity, radius);
   }
   double deceleration() const { return friction * g; }
 };

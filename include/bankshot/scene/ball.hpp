@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bankshot/vec.hpp"
+#include "bankshot/motion/arc.hpp"
 
 namespace bankshot {
 
@@ -16,6 +16,25 @@ struct Launch {
   double speed;  ///< m/s
   double angle;  ///< rad, anticlockwise from +x, in [0, 2π)
 };
+
+/// Spin at launch in units of natural roll, each ω R / v (dimensionless). Only with physics `spin`.
+struct LaunchSpin {
+  double top = 0;    ///< topspin: 0 slides, 1 rolls, negative draws
+  double side = 0;   ///< vertical, positive anticlockwise seen from above
+  double masse = 0;  ///< about the line of travel, positive curves to the right
+};
+
+/// The state of a ball launched from `at` with `velocity`.
+template <class T>
+State<T> launched(const Vec2d& at, double radius, const Vec2<T>& velocity, const LaunchSpin& spin) {
+  State<T> s{to<T>(at), velocity, {T(0), T(0), T(0)}};
+  if (radius == 0) return s;
+  const Vec2<T> v = velocity / T(radius), rolled = perpendicular(v);
+  s.spin.x = rolled.x * T(spin.top) + v.x * T(spin.masse);
+  s.spin.y = rolled.y * T(spin.top) + v.y * T(spin.masse);
+  if (spin.side != 0) s.spin.z = norm(v) * T(spin.side);
+  return s;
+}
 
 /// Unit vector at `angle`. A component below the rounding of the angle itself is 0, so that 270°
 /// runs exactly along a cushion although no double is 3π/2.

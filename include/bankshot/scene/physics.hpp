@@ -4,35 +4,54 @@
 // with the concrete types, so that the simulator pays for nothing it does not model.
 #pragma once
 
+#include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "bankshot/contact/han2005.hpp"
 #include "bankshot/contact/mirror.hpp"
 #include "bankshot/motion/ideal.hpp"
 #include "bankshot/motion/rolling.hpp"
+#include "bankshot/motion/slide_roll.hpp"
 
 namespace bankshot {
 
 struct Physics {
-  std::variant<Ideal, Rolling> motion = Rolling{};
-  Mirror cushion{};
+  std::variant<Ideal, Rolling, SlideRoll> motion = Rolling{};
+  std::variant<Mirror, Han2005> cushion = Mirror{};
 };
 
 inline Physics ideal_physics() { return {Ideal{}, Mirror{.restitution = 1}}; }
 inline Physics rolling_physics() { return {Rolling{}, Mirror{}}; }
+/// The default: sliding, rolling and spin on cloth, cushions after Han 2005. `radius` in metres.
+Physics spin_physics(double radius = 0.028575);
 
-/// `f(motion, cushion)` with the types the scene holds.
+/// `f(motion, cushion)` with the types the scene holds. Cushions that act on spin exist only where
+/// the motion carries it; elsewhere every cushion is a mirror.
 template <class F>
 decltype(auto) with_physics(const Physics& p, F&& f) {
-  return std::visit([&](const auto& motion) -> decltype(auto) { return f(motion, p.cushion); },
-                    p.motion);
+  return std::visit(
+      [&](const auto& motion) -> decltype(auto) {
+        if constexpr (std::decay_t<decltype(motion)>::straight)
+          return f(motion, std::get<Mirror>(p.cushion));
+        else
+          return std::visit([&](const auto& cushion) -> decltype(auto) { return f(motion, cushion); }, p.cushion);
+      },
+      p.motion);
 }
 
 inline bool is_ideal(const Physics& p) { return std::holds_alternative<Ideal>(p.motion); }
 
-/// Deceleration along the path [m/s²].
+/// The shape of a path does not depend on its speed: aims have a closed form.
+inline bool is_straight(const Physics& p) { return !std::holds_alternative<SlideRoll>(p.motion); }
+
+/// Deceleration of a rolling ball [m/s²].
 inline double deceleration(const Physics& p) {
   return std::visit([](const auto& m) { return m.deceleration(); }, p.motion);
+}
+
+inline const Restitution& restitution(const Physics& p) {
+  return std::visit([](const auto& c) -> const Restitution& { return c.restitution; }, p.cushion);
 }
 
 }  // namespace bankshot

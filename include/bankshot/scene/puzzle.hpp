@@ -62,6 +62,7 @@ struct Puzzle {
   Table table{};
   Physics physics = rolling_physics();
   Ball ball{};
+  LaunchSpin spin{};
   Target target{};
   CushionRule cushions{};
   std::optional<Range> arrive{};  ///< speed at the target [m/s]; the default depends on the target
@@ -79,6 +80,7 @@ struct ShotRequest {
   Physics physics = rolling_physics();
   Ball ball{};
   Launch launch{1, 0};
+  LaunchSpin spin{};
   struct Until {
     std::optional<double> time{};    ///< s
     std::optional<int> cushions{};   ///< bounces

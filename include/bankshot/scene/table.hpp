@@ -53,6 +53,7 @@ struct TablePreset {
   double length, width;        ///< playing area [m]
   double radius, mass;         ///< ball [m], [kg]
   std::optional<Mouth> mouth;  ///< no pockets without
+  double nose_height = 0;      ///< of the cushions over the cloth [m]; 0: 1.28 R
 };
 
 /// Sources: WPA equipment specification, WPBSA and UMB rules; `seed` is the seed article's table.

@@ -26,14 +26,33 @@ struct LockedPath {
   LockedEnd end = LockedEnd::complete;
 };
 
-/// Time to the line of wall w, negative when the centre is already beyond it.
+/// Time to the line of wall w, negative when the centre is already beyond it and moving on.
 template <class T>
 T time_to_line(const Arc<T>& arc, const Wall& w) {
   using std::sqrt;
   const T gap = dot(w.normal, arc.at) - T(w.offset), speed = dot(w.normal, arc.velocity);
+  if (!(speed < T(0))) return first_descent(gap > T(0) ? gap : T(0), speed, T(dot(w.normal, arc.acceleration)));
   const T discriminant = speed * speed - T(2) * dot(w.normal, arc.acceleration) * gap;
   if (discriminant < T(0)) return T(forever);
   return T(2) * gap / (sqrt(discriminant) - speed);
+}
+
+template <class T>
+T time_to_contact(const Boundary& boundary, const Arc<T>& arc, int contact) {
+  const auto i = static_cast<std::size_t>(contact);
+  if (i < boundary.walls.size()) return time_to_line(arc, boundary.walls[i]);
+  for (const Circle& c : boundary.tips)
+    if (c.contact == contact) return first_entry(arc, c.centre, c.radius, arc.duration);
+  return T(forever);
+}
+
+template <class T>
+Vec2<T> normal_at(const Boundary& boundary, int contact, const Vec2<T>& at) {
+  const auto i = static_cast<std::size_t>(contact);
+  if (i < boundary.walls.size()) return to<T>(boundary.walls[i].normal);
+  for (const Circle& c : boundary.tips)
+    if (c.contact == contact) return (at - to<T>(c.centre)) / T(c.radius);
+  return {T(0), T(0)};
 }
 
 template <class T, class Motion, class Cushion>
@@ -41,28 +60,55 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
                             std::span<const int> contacts, const State<T>& start) {
   LockedPath<T> path{start, T(0)};
   for (const int contact : contacts) {
-    const Arc<T> arc = motion.arc(path.state);
-    const auto i = static_cast<std::size_t>(contact);
-    T t(0);
-    Vec2<T> normal;
-    if (i < boundary.walls.size()) {
-      const Wall& w = boundary.walls[i];
-      normal = to<T>(w.normal);
-      if (!(dot(normal, arc.velocity) < T(0))) return path.end = LockedEnd::wrong_way, path;
-      t = time_to_line(arc, w);
-    } else {
-      for (const Circle& c : boundary.tips)
-        if (c.contact == contact) t = first_entry(arc, c.centre, c.radius);
-      if (!(t < T(forever))) return path.end = LockedEnd::wrong_way, path;
+    for (;;) {
+      const Arc<T> arc = motion.arc(path.state);
+      const T t = time_to_contact(boundary, arc, contact);
+      const bool met = t <= arc.duration && t < T(forever);
+      if (!met && arc.end != PhaseEnd::roll) {
+        const bool towards = dot(normal_at(boundary, contact, arc.at), arc.velocity) < T(0);
+        path.end = towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
+        return path;
+      }
+      const T on = met ? t : arc.duration;
+      path.time += on;
+      path.state = advance(motion, path.state, arc, on);
+      if (met) break;
+      motion.finish(path.state, arc);
     }
-    if (!(t <= arc.duration)) return path.end = LockedEnd::fell_short, path;
-    path.time += t;
-    path.state = arc.state_at(t);
-    for (const Circle& c : boundary.tips)
-      if (c.contact == contact) normal = (path.state.at - to<T>(c.centre)) / T(c.radius);
-    cushion.bounce(path.state, normal);
+    cushion.bounce(path.state, normal_at(boundary, contact, path.state.at));
   }
   return path;
+}
+
+/// The last leg of a locked path: the state where the ball is abreast of the target, or enters the
+/// circle of radius `capture` around it, or comes to rest.
+template <class T>
+struct LockedArrival {
+  State<T> state;
+  Vec2<T> heading;      ///< of the last arc, also where the ball rests; not a unit vector
+  bool at_rest = false;
+};
+
+template <class T, class Motion>
+LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d& target, double capture, bool stop) {
+  for (;;) {
+    const Arc<T> arc = motion.arc(state);
+    const T entry = capture > 0 && !stop ? first_entry(arc, target, capture, arc.duration) : T(forever);
+    T t = entry <= arc.duration ? entry : arc.duration;
+    bool arrived = entry <= arc.duration && entry < T(forever);
+    if (!arrived && !stop) {
+      const T nearest = closest_time(arc, arc.duration, target);
+      arrived = nearest < arc.duration;
+      if (arrived) t = nearest;
+    }
+    if (arrived || arc.end != PhaseEnd::roll) {
+      const bool ends = !(t < T(forever));
+      const State<T> end = ends ? state : advance(motion, state, arc, t);
+      return {end, arrived ? end.velocity : arc.velocity, !arrived};
+    }
+    state = advance(motion, state, arc, t);
+    motion.finish(state, arc);
+  }
 }
 
 }  // namespace bankshot

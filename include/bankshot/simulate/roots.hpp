@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "bankshot/motion/arc.hpp"
+#include "bankshot/simulate/polynomial.hpp"
 
 namespace bankshot {
 
@@ -23,10 +24,10 @@ T first_descent(const T& gap, const T& speed, const T& acceleration) {
     return T(2) * gap / (sqrt(discriminant) - speed);
   }
   if (acceleration < T(0) && discriminant > T(0)) return (speed + sqrt(discriminant)) / -acceleration;
-  return T(forever);
+  return gap == T(0) && speed == T(0) && acceleration < T(0) ? T(0) : T(forever);
 }
 
-/// Time after which a ball on a straight arc has moved by `length` metres. The acceleration is
+/// Time after which a ball on a *straight* arc has moved by `length` metres. The acceleration is
 /// taken along the velocity: its norm would have no derivative where it is 0.
 template <class T>
 T time_at_length(const Arc<T>& arc, const T& length) {
@@ -36,7 +37,7 @@ T time_at_length(const Arc<T>& arc, const T& length) {
 
 /// First time at which a *straight* arc (acceleration along the velocity) enters the circle.
 template <class T>
-T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius) {
+T first_entry_straight(const Arc<T>& arc, const Vec2d& centre, double radius) {
   using std::sqrt;
   const Vec2<T> d = to<T>(centre) - arc.at;
   const T closing = dot(d, arc.velocity);
@@ -54,13 +55,52 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius) {
 
 /// When, within `duration`, a *straight* arc is closest to `point`.
 template <class T>
-T closest_time(const Arc<T>& arc, const T& duration, const Vec2d& point) {
+T closest_time_straight(const Arc<T>& arc, const T& duration, const Vec2d& point) {
   const T speed = norm(arc.velocity);
   if (!(speed > T(0))) return T(0);
   const T ahead = dot(arc.velocity, to<T>(point) - arc.at) / speed;
   if (!(ahead > T(0))) return T(0);
   const T t = time_at_length(arc, ahead);
   return t < duration ? t : duration;
+}
+
+/// The arc does not bend: its acceleration is along its velocity, or none.
+template <class T>
+bool is_straight(const Arc<T>& arc) {
+  return arc.end != PhaseEnd::roll;
+}
+
+/// First time within `limit` at which an arc enters the circle. `left`: it starts on the circle,
+/// just left; then the gap there is exactly 0.
+template <class T>
+T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& limit, bool left = false) {
+  if (is_straight(arc)) return left ? T(forever) : first_entry_straight(arc, centre, radius);
+  const Vec2<T> d = arc.at - to<T>(centre), v = arc.velocity, a = arc.acceleration;
+  const T until = limit < arc.duration ? limit : arc.duration;
+  // Nothing further away than the ball can get by then needs a quartic.
+  const T reach = T(radius) + (norm(v) + norm(a) * (until / T(2))) * until;
+  const T distance2 = dot(d, d);
+  if (distance2 > reach * reach) return T(forever);
+  const T gap = left ? T(0) : T(distance2 - T(radius * radius));
+  return first_descent_of(Polynomial<T, 4>{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)}, until);
+}
+
+/// When, within `duration`, an arc is closest to `point`.
+template <class T>
+T closest_time(const Arc<T>& arc, const T& duration, const Vec2d& point) {
+  if (is_straight(arc)) return closest_time_straight(arc, duration, point);
+  const Vec2<T> d = arc.at - to<T>(point), v = arc.velocity, a = arc.acceleration;
+  // Half the derivative of the squared distance.
+  const Polynomial<T, 3> slope{dot(d, v), dot(v, v) + dot(d, a), T(1.5) * dot(v, a), dot(a, a) / T(2)};
+  T best = T(0), least = dot(d, d);
+  const auto consider = [&](const T& t) {
+    const Vec2<T> off = arc.position(t) - to<T>(point);
+    const T square = dot(off, off);
+    if (square < least) least = square, best = t;
+  };
+  consider(duration);
+  for (const T& t : roots_between(slope, T(0), duration)) consider(t);
+  return best;
 }
 
 }  // namespace bankshot

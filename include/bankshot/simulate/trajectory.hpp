@@ -13,7 +13,7 @@ namespace bankshot {
 
 /// The state right after an event. `index` is the contact or the pocket.
 struct Record {
-  enum class Kind { start, cushion, roll_to_rest, pocket, end };
+  enum class Kind { start, cushion, slide_to_roll, roll_to_rest, pocket, end };
   Kind kind;
   double time;  ///< s
   State<double> state;
@@ -25,6 +25,7 @@ struct Leg {
   double begin;     ///< s since the launch
   double duration;  ///< s
   Arc<double> arc;
+  State<double> start;
 };
 
 struct Trajectory {
@@ -44,14 +45,14 @@ inline constexpr int ideal_cushions = 100;  ///< where an `ideal` shot without `
 /// Throws InvalidInput.
 Trajectory simulate(const ShotRequest& request);
 
-/// [wx, wy, wz] in rad/s of a ball that rolls naturally with `velocity`; 0 for radius 0.
-struct Spin {
-  double x, y, z;
-};
-Spin natural_roll(const Vec2d& velocity, double radius);
-
 /// ½ m v² + ⅕ m R² ω² [J].
-double energy(const Ball& ball, const Vec2d& velocity);
+double energy(const Ball& ball, const State<double>& state);
+
+/// The state `t` seconds into a leg.
+State<double> state_at(const Physics& physics, const Leg& leg, double t);
+
+/// The state right after the launch.
+State<double> start_state(const ShotRequest& request);
 
 /// The `simulate --json` document, one line.
 std::string to_json(const ShotRequest& request, const Trajectory& trajectory);

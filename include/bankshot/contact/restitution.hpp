@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace bankshot {
+
+/// e = clamp(at_rest + per_speed · vn, 0, 1), vn the normal approach speed [m/s].
+struct Restitution {
+  double at_rest = 0.85;
+  double per_speed = 0;  ///< s/m
+
+  constexpr Restitution() = default;
+  constexpr Restitution(double constant) : at_rest(constant) {}
+  constexpr Restitution(double rest, double slope) : at_rest(rest), per_speed(slope) {}
+
+  template <class T>
+  T operator()(const T& normal_speed) const {
+    if (per_speed == 0) return T(at_rest);
+    const T e = T(at_rest) + T(per_speed) * normal_speed;
+    if (e < T(0)) return T(0);
+    return e > T(1) ? T(1) : e;
+  }
+  bool constant() const { return per_speed == 0; }
+};
+
+}  // namespace bankshot
