@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "planners/part.hpp"
 #include "planners/planners.hpp"
 #include "planners/unfold.hpp"
 #include "planners/verify.hpp"
@@ -24,8 +24,6 @@ namespace {
 constexpr std::size_t enough_to_compare = 32;
 /// Aims tried across the part of a target that a ray may reach.
 constexpr int aims_across = 33;
-/// rad; where the bisection between two aims that fail differently gives up.
-constexpr double narrowest = 1e-10;
 
 bool enough(const Search& s, const Unfolding& images) {
   if (s.all || !images.shortest_first()) return false;
@@ -40,75 +38,40 @@ bool centred(Search& s) {
     certify_aim(s, c->angle, c->bounces, "image");
     if (!enough(s, images)) continue;
     if (s.puzzle.prefer == Prefer::robust && images.next())
-      s.note = fmt::format("compared the {} shortest shots", s.shots.size());
+      s.add_note(fmt::format("compared the {} shortest shots", s.shots.size()));
     return true;
   }
   if (images.too_long() > 0) s.remember({{}, 0, std::numeric_limits<double>::infinity(), {Foul::too_long}});
-  if (!images.whole()) s.note = "there are too many cushion sequences to try them all";
+  if (!images.whole()) s.add_note("there are too many cushion sequences to try them all");
   return images.whole();
 }
 
-/// Finds aims that reach any part of one image of the target. Between two aims that fail for
-/// different reasons may lie a window that is made: bisect there.
-class PartOfTarget {
- public:
-  PartOfTarget(Search& s, const Candidate& c) : s_(s), c_(c), goal_(Goal::exactly(s, c.bounces)) {}
+/// What of a candidate's window of aims the puzzle's bounds leave: at most two pieces.
+std::vector<Range> allowed(const Search& s, const Candidate& c) {
+  const double low = c.angle + c.low, high = c.angle + c.high;
+  if (!s.puzzle.angle) return {{low, high}};
+  std::vector<Range> pieces;
+  for (const double turn : {-radians(360), 0.0, radians(360)}) {
+    const Range piece{std::max(low + turn, s.puzzle.angle->low), std::min(high + turn, s.puzzle.angle->high)};
+    if (piece.low <= piece.high) pieces.push_back(piece);
+  }
+  return pieces;
+}
 
-  /// Certifies the middle of the first window found; what is near the centre comes first.
-  bool find() {
-    std::vector<Tried> row;
-    for (int i = 0; i < aims_across; ++i) row.push_back(attempt(c_.low + (c_.high - c_.low) * i / (aims_across - 1)));
-    std::vector<std::size_t> order(row.size() - 1);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::abs(row[a].offset) < std::abs(row[b].offset); });
-    for (const std::size_t i : order) {
-      if (s_.spent()) return false;
-      if (const auto made = between(row[i], row[i + 1])) return certify_window(*made);
+/// Off-centre shots; true when a ray may reach some part of the target at all.
+bool beside_centre(Search& s) {
+  Unfolding parts(s, true, restitution(s.puzzle.physics).at_rest);
+  bool some_part = false;
+  while (const auto c = parts.next()) {
+    if (s.spent()) break;
+    if (!(c->low < c->high)) continue;
+    for (const Range& aims : allowed(s, *c)) {
+      some_part = true;
+      reach_part(s, aims, c->angle, aims_across, Goal::exactly(s, c->bounces), "image");
     }
-    return false;
   }
-
- private:
-  struct Tried {
-    double offset;  ///< rad beside the candidate's angle
-    Replay replay;
-    bool like(const Tried& o) const {
-      return replay.failure.foul == o.replay.failure.foul && replay.failure.index == o.replay.failure.index && replay.bounces == o.replay.bounces;
-    }
-  };
-
-  Tried attempt(double offset) { return {offset, trace(s_, c_.angle + offset, goal_).replay}; }
-
-  std::optional<double> between(const Tried& a, const Tried& b) {
-    if (a.replay.made) return a.offset;
-    if (b.replay.made) return b.offset;
-    if (a.like(b) || b.offset - a.offset < narrowest || s_.spent()) return {};
-    const Tried middle = attempt(a.offset + (b.offset - a.offset) / 2);
-    if (const auto made = between(a, middle)) return made;
-    return between(middle, b);
-  }
-
-  /// The end of the made window that begins at `made`, towards `limit`.
-  double edge(double made, double limit) {
-    double step = (limit - made) / 64;
-    while (std::abs(made - limit) > narrowest && std::abs(step) > narrowest && !s_.spent()) {
-      const bool fits = std::abs(step) < std::abs(limit - made) && attempt(made + step).replay.made;
-      if (fits) made += step;
-      step *= fits ? 1.5 : 0.5;
-    }
-    return made;
-  }
-
-  bool certify_window(double made) {
-    const double middle = (edge(made, c_.low) + edge(made, c_.high)) / 2;
-    return certify_aim(s_, c_.angle + middle, c_.bounces, "image", true) ||
-           certify_aim(s_, c_.angle + made, c_.bounces, "image", true);
-  }
-
-  Search& s_;
-  const Candidate& c_;
-  Goal goal_;
-};
+  return some_part;
+}
 
 }  // namespace
 
@@ -118,16 +81,10 @@ void image(Search& s) {
   const bool reflex = !s.boundary.tips.empty(), dead = restitution(s.puzzle.physics).at_rest == 0;
   s.complete = whole && !reflex && !dead;
   if (!s.shots.empty() || s.cut || !whole) return;
-  Unfolding parts(s, true, restitution(s.puzzle.physics).at_rest);
-  bool some_part = false;
-  while (const auto c = parts.next()) {
-    if (s.spent()) return;
-    if (!(c->low < c->high)) continue;
-    some_part = true;
-    PartOfTarget(s, *c).find();
-  }
-  if (!s.shots.empty()) s.note = "no line reaches the target's centre; this one reaches part of it";
-  s.proved = s.complete && (!some_part || (s.boundary.strictly_convex && s.boundary.pockets.empty()));
+  const bool some_part = beside_centre(s);
+  // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
+  const bool unobstructed = s.boundary.strictly_convex && s.boundary.pockets.empty() && is_ideal(s.puzzle.physics);
+  s.proved = s.complete && (!some_part || unobstructed) && !s.frozen();
 }
 
 }  // namespace bankshot::planning

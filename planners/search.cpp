@@ -55,6 +55,13 @@ bool Search::touches(int contact) const {
   return false;
 }
 
+bool Search::frozen() const {
+  const auto contacts = 2 * static_cast<int>(boundary.walls.size());
+  for (int i = 0; i < contacts; ++i)
+    if (touches(i)) return true;
+  return false;
+}
+
 bool Search::into_touched_wall(const Vec2d& direction) const {
   for (std::size_t i = 0; i < boundary.walls.size(); ++i)
     if (dot(boundary.walls[i].normal, direction) < 0 && touches(static_cast<int>(i))) return true;

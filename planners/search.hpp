@@ -49,12 +49,16 @@ struct Search {
   };
   std::vector<Counted> failures;        ///< why candidates failed, with how often
   std::string note;                     ///< what was skipped or cut, for the message
+  void add_note(const std::string& text) { note += (note.empty() ? "" : "; ") + text; }
   bool complete = false;                ///< every candidate there can be was tried
   bool proved = false;                  ///< and nothing else can reach any part of the target
   bool cut = false;                     ///< the budget ended the search
 
   /// Counts a failed candidate, and keeps it if it came nearest.
   void remember(const NearMiss& miss);
+  /// Counts a simulation with so many bounces; long ones count as several.
+  void spend(std::size_t bounces) { simulations += 1 + static_cast<long>(bounces / bounces_a_simulation); }
+  static constexpr std::size_t bounces_a_simulation = 32;
   /// Whether the budget is used up; remembers that it ended the search.
   bool spent() {
     cut = cut || simulations >= puzzle.budget;
@@ -74,8 +78,9 @@ struct Search {
     const auto& p = std::get_if<PocketTarget>(&puzzle.target)->pocket;
     return !p || *p == pocket;
   }
-  /// The ball touches this contact at the start.
+  /// The ball touches this contact at the start; any at all.
   bool touches(int contact) const;
+  bool frozen() const;
   /// The launch would drive the ball into a cushion that it touches: a bounce before it moves.
   bool into_touched_wall(const Vec2d& direction) const;
 

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/tolerances.hpp"
 #include "planners/planners.hpp"
 #include "planners/robustness.hpp"
 #include "planners/verify.hpp"
@@ -64,6 +65,12 @@ void rank(const Puzzle& p, std::vector<Shot>& shots) {
   });
 }
 
+/// Where some line reaches the target's centre, shots beside it are no answer.
+void keep_centred(const Search& s, std::vector<Shot>& shots) {
+  const auto beside = [&](const Shot& shot) { return shot.miss > tolerance::exact_miss * s.boundary.diagonal; };
+  if (!std::all_of(shots.begin(), shots.end(), beside)) std::erase_if(shots, beside);
+}
+
 /// The reasons that candidates failed for, the most frequent first.
 std::string failures(const Search& s) {
   constexpr std::size_t most_named = 3;
@@ -86,17 +93,24 @@ std::string message(const Search& s, const Answer& a, std::size_t found) {
   std::string text;
   if (a.status == Status::solved) {
     text = found == 1 ? "one shot found" : fmt::format("{} distinct shots found", found);
+    if (a.shots.front().miss > tolerance::exact_miss * s.boundary.diagonal) text += "; nothing found reaches the target's centre, this reaches part of it";
     if (s.cut) text += "; the budget ended the search, so there may be better ones";
+    if (s.all && !s.complete && !s.cut) text += "; there may be more: shots in a narrow range of aims can be missed";
   } else if (a.status == Status::budget) {
     text = fmt::format("no shot found within the budget of {} simulations", s.puzzle.budget);
   } else if (s.proved) {
     text = fmt::format("proved: every path with {} was tried, and {}", asked_cushions(s.puzzle.cushions), failures(s));
   } else {
     const Range& v = s.puzzle.speed;
-    text = fmt::format("searched {} and aims {:.4g}° to {:.4g}° with {}: {}",
-                       v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low) : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high), s.puzzle.angle ? degrees(s.puzzle.angle->low) : 0.0,
-                       s.puzzle.angle ? degrees(s.puzzle.angle->high) : 360.0, asked_cushions(s.puzzle.cushions), failures(s));
+    text = fmt::format("searched {} and aims {} with {}: {}",
+                       v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low) : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high),
+                       planning::aims(s), asked_cushions(s.puzzle.cushions), failures(s));
   }
+  if (a.status != Status::solved && !s.puzzle.cushions.sequence && s.puzzle.cushions.max > 0 && s.frozen())
+    text += "; aims straight into a cushion that the ball touches were left out";
+  const PointTarget* point = s.point();
+  if (a.status != Status::solved && point && norm(point->at - s.puzzle.ball.at) <= point->within && s.puzzle.cushions.min == 0)
+    text += "; the ball starts at its target";
   if (!s.note.empty()) text += "; " + s.note;
   return text;
 }
@@ -119,7 +133,7 @@ void add_robustness(Search& s, std::vector<Shot>& shots, bool all) {
   const std::size_t n = std::min(shots.size(), most_compared);
   const bool by_success = s.puzzle.prefer == Prefer::robust;
   if (shots.size() > n && by_success)
-    s.note += fmt::format("{}only the {} with the largest first-order margin were compared by success", s.note.empty() ? "" : "; ", n);
+    s.add_note(fmt::format("only the {} with the largest first-order margin were compared by success", n));
   for (std::size_t i = 0; i < (by_success || all ? n : 1); ++i) find_success(s, shots[i]);
   if (by_success) {
     std::vector<Shot> head(std::make_move_iterator(shots.begin()), std::make_move_iterator(shots.begin() + static_cast<long>(n)));
@@ -140,6 +154,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   Search s(puzzle, options.all);
   if (!s.spent()) method.plan(s);
+  keep_centred(s, s.shots);
   rank(puzzle, s.shots);
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
 

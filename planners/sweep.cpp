@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "bankshot/simulate/simulator.hpp"
+#include "planners/part.hpp"
 #include "planners/planners.hpp"
 #include "planners/verify.hpp"
 
@@ -37,7 +38,7 @@ class Sweep {
   explicit Sweep(Search& s) : s_(s) {}
 
   void run() {
-    const Range around = s_.puzzle.angle.value_or(Range{0, radians(360)});
+    const Range around = aims();
     Sample before = sample(around.low);
     for (int i = 1; i <= fan && !s_.spent(); ++i) {
       Sample after = sample(around.low + (around.high - around.low) * i / fan);
@@ -46,9 +47,16 @@ class Sweep {
     }
   }
 
+  /// Where nothing reaches the target's centre.
+  void beside_centre() {
+    const Range around = aims();
+    reach_part(s_, around, around.low, fan + 1, Goal::of(s_), "sweep");
+  }
+
  private:
+  Range aims() const { return s_.puzzle.angle.value_or(Range{0, radians(360)}); }
+
   Sample sample(double angle) {
-    ++s_.simulations;
     Sample out{.angle = angle, .contacts = {}};
     Simulator sim(s_.boundary, Ideal{}, Mirror{restitution(s_.puzzle.physics)},
                   State<double>{s_.puzzle.ball.at, direction(wrap_angle(angle))});
@@ -60,12 +68,14 @@ class Sweep {
         const Vec2d d = target - leg.at;
         out.sides.push_back({cross(leg.velocity, d), dot(leg.velocity, d) > 0});
       }
-      if (static_cast<int>(out.contacts.size()) == s_.puzzle.cushions.max) return out;
+      if (static_cast<int>(out.contacts.size()) == s_.puzzle.cushions.max) break;
       const Event e = sim.step();
       account.add(sim.arc(), sim.travelled());
-      if (e.final() || account.beyond(s_.puzzle.speed.high)) return out;
+      if (e.final() || account.beyond(s_.puzzle.speed.high)) break;
       out.contacts.push_back(e.index);
     }
+    s_.spend(out.contacts.size());
+    return out;
   }
 
   void between(const Sample& a, const Sample& b) {
@@ -77,7 +87,7 @@ class Sweep {
     for (std::size_t k = static_cast<std::size_t>(s_.puzzle.cushions.min); k <= same; ++k)
       for (std::size_t p = 0; p < points; ++p) {
         const std::size_t i = k * points + p;
-        if (i < most && a.sides[i].ahead && b.sides[i].ahead && (a.sides[i].lateral > 0) != (b.sides[i].lateral > 0))
+        if (i < most && (a.sides[i].ahead || b.sides[i].ahead) && (a.sides[i].lateral > 0) != (b.sides[i].lateral > 0))
           root(a, b, i, static_cast<int>(k));
       }
     if ((a.contacts == b.contacts && !turns_far(a, b)) || b.angle - a.angle < finest) return;
@@ -114,7 +124,10 @@ class Sweep {
 }  // namespace
 
 void sweep(Search& s) {
-  if (is_straight(s.puzzle.physics)) Sweep(s).run();
+  if (!is_straight(s.puzzle.physics)) return;
+  Sweep sweep(s);
+  sweep.run();
+  if (s.shots.empty()) sweep.beside_centre();
 }
 
 }  // namespace bankshot::planning

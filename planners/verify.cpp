@@ -117,7 +117,9 @@ class Follower {
     const Vec2d to_centre = s_.boundary.pockets[static_cast<std::size_t>(pocket)].centre - now.at;
     out_.replay.made = true;
     out_.replay.bounces = k_;
-    out_.replay.miss = std::abs(cross(now.velocity, to_centre)) / norm(now.velocity);
+    // A ball that stops on the circle still has the line of its last arc.
+    const Vec2d heading = norm(now.velocity) > 0 ? now.velocity : sim_.arc().velocity;
+    out_.replay.miss = std::abs(cross(heading, to_centre)) / norm(heading);
     out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
     return out_;
   }
@@ -176,14 +178,17 @@ bool inside_angle(double& angle, const std::optional<Range>& bounds) {
   return false;
 }
 
-bool same_shot(const Shot& a, const Launch& b, std::size_t bounces) {
-  const double d = std::abs(wrap_angle(a.launch.angle - b.angle + radians(180)) - radians(180));
-  return a.cushions.size() == bounces && d < tolerance::same_aim &&
+/// Metres between two arrivals of one launch that are one: a bounce at the target lies between them.
+double same_arrival(const Search& s) { return 10 * tolerance::exact_miss * s.boundary.diagonal; }
+
+bool same_launch(const Shot& a, const Launch& b) {
+  return std::abs(angle_difference(a.launch.angle, b.angle)) < tolerance::same_aim &&
          std::abs(a.launch.speed - b.speed) <= tolerance::exact_speed * std::max(1.0, b.speed);
 }
 
-bool exact(const Search& s, const Replay& r) {
-  if (!r.made || r.miss > tolerance::exact_miss * s.boundary.diagonal) return false;
+bool centred(const Search& s, const Replay& r) { return r.miss <= tolerance::exact_miss * s.boundary.diagonal; }
+
+bool fast_as_asked(const Search& s, const Replay& r) {
   if (!s.arrival || s.stop) return true;
   const double slack = tolerance::exact_speed * std::max(1.0, s.arrival->high);
   return r.arrival.speed >= s.arrival->low - slack && r.arrival.speed <= s.arrival->high + slack;
@@ -206,19 +211,21 @@ void SpeedAccount::add(const Arc<double>& arc, double t) {
 }
 
 Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts) {
-  ++s.simulations;
-  return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+  const Replay r = with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
     return Follower(s, motion, cushion, launch, goal, false).run(contacts).replay;
   });
+  s.spend(static_cast<std::size_t>(r.bounces));
+  return r;
 }
 
 Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts) {
-  ++s.simulations;
   const Mirror mirror{restitution(s.puzzle.physics)};
-  return Follower(s, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
+  const Trace t = Follower(s, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
+  s.spend(static_cast<std::size_t>(t.replay.bounces));
+  return t;
 }
 
-std::optional<double> launch_speed(Search& s, double angle, const Trace& t) {
+std::optional<double> launch_speed(Search& s, double angle, const Trace& t, bool off_centre) {
   const Range& bounds = s.puzzle.speed;
   const int n = t.replay.bounces;
   const auto speed_for = [&](double v) { return std::sqrt((v * v + t.account.loss) / t.account.gain); };
@@ -231,6 +238,8 @@ std::optional<double> launch_speed(Search& s, double angle, const Trace& t) {
       s.remember({{bound, angle}, n, t.replay.miss, {foul, -1, needed}});
       return std::nullopt;
     };
+    // Resting beside the target's centre may still be resting within it.
+    if (off_centre && s.stop) return std::clamp(low, bounds.low, bounds.high);
     if (!inside(low, bounds) && low > bounds.high) return refuse(Foul::too_fast, low, bounds.high);
     if (!inside(high, bounds) && high < bounds.low) return refuse(Foul::too_slow, high, bounds.low);
     low = std::max(low, bounds.low);
@@ -253,12 +262,17 @@ bool certify(Search& s, const Launch& proposed, int bounces, std::string_view pl
   if (!inside(launch.speed, s.puzzle.speed)) return false;
   std::vector<int> contacts;
   const Replay r = replay(s, launch, Goal::exactly(s, bounces), &contacts);
-  if (off_centre ? !r.made : !exact(s, r)) {
+  if (!r.made || !fast_as_asked(s, r) || !(off_centre || centred(s, r))) {
     s.remember({launch, bounces, r.miss, r.failure});
     return false;
   }
-  for (const Shot& known : s.shots)
-    if (same_shot(known, launch, contacts.size())) return true;
+  for (Shot& known : s.shots) {
+    if (!same_launch(known, launch) || std::abs(known.arrival.time - r.arrival.time) * launch.speed > same_arrival(s)) continue;
+    if (known.cushions.size() <= contacts.size()) return true;
+    std::swap(known, s.shots.back());  // the bounce at the target itself is one too many
+    s.shots.pop_back();
+    break;
+  }
   Shot shot{.launch = launch, .cushions = std::move(contacts), .arrival = r.arrival, .miss = r.miss};
   shot.planner = planner;
   shot.simulations = s.simulations;
@@ -277,8 +291,8 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
       s.remember({{s.puzzle.speed.high, a}, bounces, t.replay.miss, t.replay.failure});
       return false;
     }
-    const auto speed = launch_speed(s, a, t);
-    return speed && certify(s, {*speed * (1 - shorter), a}, bounces, planner, off_centre);
+    const auto speed = launch_speed(s, a, t, off_centre);
+    return speed && !s.spent() && certify(s, {*speed * (1 - shorter), a}, bounces, planner, off_centre);
   };
   if (attempt(angle, 0)) return true;
   if (off_centre || !(last.made || rounding_may_matter(last))) return false;
@@ -297,10 +311,15 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
   return false;
 }
 
+std::string aims(const Search& s) {
+  const Range aim = s.puzzle.angle.value_or(Range{0, radians(360)});
+  const double to = degrees(aim.high);
+  return fmt::format("{:.4g}° to {:.4g}°", degrees(aim.low), to > 360 ? to - 360 : to);
+}
+
 std::string explain(const Search& s, const Failure& f) {
   const auto cushion = [&] { return contact_name(s.puzzle.table, f.index); };
   const Range& v = s.puzzle.speed;
-  const Range aim = s.puzzle.angle.value_or(Range{0, 0});
   switch (f.foul) {
     case Foul::none:
     case Foul::missed: return "passes by the target";
@@ -310,11 +329,13 @@ std::string explain(const Search& s, const Failure& f) {
     case Foul::pocketed:
       return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(f.index)].name);
     case Foul::too_fast: return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
-    case Foul::too_slow: return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
+    case Foul::too_slow:
+      if (s.stop && deceleration(s.puzzle.physics) == 0) return "never stops, for the rolling friction is 0";
+      return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
     case Foul::too_long: return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
     case Foul::outside_aim: break;
   }
-  return fmt::format("needs an aim outside the bounds of {:.4g}° to {:.4g}°", degrees(aim.low), degrees(aim.high));
+  return fmt::format("needs an aim outside the bounds of {}", aims(s));
 }
 
 }  // namespace bankshot::planning

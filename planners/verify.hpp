@@ -61,10 +61,12 @@ struct Trace {
 Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts = nullptr);
 
 /// The launch speed for this path: fixed, or chosen by `prefer` inside what the puzzle leaves
-/// free. None when a bound forbids it; then the search remembers it.
-std::optional<double> launch_speed(Search& s, double angle, const Trace& t);
+/// free. None when a bound forbids it; then the search remembers it. `off_centre`: to rest beside the
+/// target's centre the bound itself may do.
+std::optional<double> launch_speed(Search& s, double angle, const Trace& t, bool off_centre = false);
 
-/// Replays, and keeps the launch as a shot when it is exact (or, `off_centre`, when it is made).
+/// Replays, and keeps the launch as a shot when it is exact (or, `off_centre`, when it is made). Of
+/// shots that differ only by bounces at the target itself, the one with fewer is kept.
 bool certify(Search& s, const Launch& launch, int bounces, std::string_view planner,
              bool off_centre = false);
 
@@ -72,6 +74,9 @@ bool certify(Search& s, const Launch& launch, int bounces, std::string_view plan
 /// rounding decides at a corner or on a cushion line, tries aims `tolerance::nudge` away.
 bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
                  bool off_centre = false);
+
+/// The aims that the puzzle allows, in words.
+std::string aims(const Search& s);
 
 /// What went wrong, as the end of a sentence that begins with "it".
 std::string explain(const Search& s, const Failure& failure);

@@ -51,6 +51,11 @@ inline constexpr double same_aim = 1e-9;
 /// root of a puzzle whose answer lies exactly on a bound is rounded.
 inline constexpr double bound = 1e-12;
 
+/// m/s and m/s². Speeds and decelerations beyond these are refused: their squares and products would
+/// leave the range of a double long before a ball could move like that.
+inline constexpr double fastest = 1e6;
+inline constexpr double slowest = 1e-60;
+
 /// Of the margin. Where the bisection for a margin stops.
 inline constexpr double margin = 1e-6;
 

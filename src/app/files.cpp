@@ -25,12 +25,17 @@ std::string read_file(const std::string& path) {
 void write_file(const std::string& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
   out << text << std::flush;
-  if (!out) throw FileError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+  if (!out) throw WriteError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
 }
 
 void print(const std::string& text) {
   std::cout << text << std::flush;
   if (!std::cout) throw FileError("standard output: cannot be written");
+}
+
+std::string file_name(const std::string& text) {
+  if (text == "-") return "\"-\" is standard output, which carries the answer; name a file";
+  return text.starts_with("--") ? "\"" + text + "\" is an option, not a file" : "";
 }
 
 std::string one_line(std::string text) {

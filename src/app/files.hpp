@@ -19,11 +19,21 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The same after the answer was printed: nothing more belongs on standard output.
+class WriteError : public FileError {
+ public:
+  using FileError::FileError;
+};
+
 /// The whole file, or standard input for "-".
 std::string read_file(const std::string& path);
 void write_file(const std::string& path, const std::string& text);
 /// To standard output; a failure to write is an error, not silence.
 void print(const std::string& text);
+
+/// A check of an option's value: why it cannot be a file to write, empty when it can. "--svg --json"
+/// would write a file of that name, and standard output carries the answer.
+std::string file_name(const std::string& text);
 
 /// `text` without line breaks and other control characters.
 std::string one_line(std::string text);

@@ -28,6 +28,9 @@ int refuse(const std::string& reason, bool json) {
 /// The parser would only say that a command is missing.
 void check_command(const std::string& first, const std::map<std::string, Run>& commands) {
   if (first.starts_with('-') || commands.contains(first)) return;
+  constexpr std::string_view to_come[] = {"batch", "verify", "generate", "map", "report", "serve", "fit"};
+  if (std::find(std::begin(to_come), std::end(to_come), first) != std::end(to_come))
+    throw CLI::ParseError("the command " + quote(first) + " is not supported yet", bad_input);
   std::vector<std::string_view> names;
   for (const auto& [name, run] : commands) names.push_back(name);
   throw CLI::ParseError(quote(first) + " is no command" + known_words(first, names), bad_input);
@@ -50,6 +53,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
     return refuse(std::string(e.what()) + "; see bankshot --help", json);
+  } catch (const WriteError& e) {
+    return refuse(e.what(), false);
   } catch (const std::exception& e) {
     return refuse(e.what(), json);
   }

@@ -46,14 +46,22 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
                            t.cushions == 1 ? "" : "s", t.length);
 }
 
+std::string csv_of(const ShotRequest& r, const Trajectory& t, double rate) {
+  constexpr double most_rows = 1e7;  // about a gigabyte
+  const double rows = t.events.back().time * rate;
+  if (rows > most_rows)
+    throw WriteError(fmt::format("--rate {} for {:.6g} s would write {:.2g} rows, and {:.0g} is the most", rate, t.events.back().time, rows, most_rows));
+  return to_csv(r, t, rate);
+}
+
 int run(const Arguments& a) {
   const std::string text = read_file(a.file);
   try {
     const ShotRequest request = read_shot(text);
     const Trajectory t = simulate(request);
-    if (!a.svg.empty()) write_file(a.svg, draw(request, t));
-    if (!a.csv.empty()) write_file(a.csv, to_csv(request, t, a.rate));
     print(a.json ? to_json(request, t) + "\n" : text_of(request, t));
+    if (!a.svg.empty()) write_file(a.svg, draw(request, t));
+    if (!a.csv.empty()) write_file(a.csv, csv_of(request, t, a.rate));
     return done;
   } catch (const InvalidInput& e) {
     std::cerr << complaint(a.file, e) << '\n';
@@ -68,8 +76,8 @@ Run add_simulate(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("simulate", "Simulate one shot and list its events");
   command->add_option("shot", a->file, "A shot in JSON; - reads standard input")->capture_default_str();
-  command->add_option("--svg", a->svg, "Write a picture to this file");
-  command->add_option("--csv", a->csv, "Write t,ball,x,y,vx,vy,wx,wy,wz to this file");
+  command->add_option("--svg", a->svg, "Write a picture to this file")->check(file_name);
+  command->add_option("--csv", a->csv, "Write t,ball,x,y,vx,vy,wx,wy,wz to this file")->check(file_name);
   command->add_option("--rate", a->rate, "Rows per second of the CSV")->capture_default_str()->check(CLI::Range(1e-3, 1e6));
   command->add_flag("--json", a->json, "One line of JSON instead of text");
   return [a] { return run(*a); };

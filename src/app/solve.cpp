@@ -25,6 +25,9 @@ struct Arguments {
 void check_planner(const std::string& wanted) {
   std::vector<std::string_view> names;
   for (const PlannerInfo& p : planners()) names.push_back(p.name);
+  constexpr std::string_view to_come[] = {"nlopt-crs", "nlopt-mlsl", "nlopt-sbplx", "nlopt-slsqp"};
+  if (std::find(std::begin(to_come), std::end(to_come), wanted) != std::end(to_come))
+    throw CLI::ValidationError("--planner", quote(wanted) + " is not supported yet");
   if (std::find(names.begin(), names.end(), wanted) == names.end())
     throw CLI::ValidationError("--planner", quote(wanted) + " is no planner" + known_words(wanted, names));
 }
@@ -34,11 +37,6 @@ std::string whole_number(const std::string& text) {
   constexpr std::size_t most_digits = 18;  // fits a long
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   return digits && text.size() <= most_digits ? "" : quote(text) + " must be a whole number, at least 0";
-}
-
-/// "--svg --json" would write a file of that name.
-std::string file_name(const std::string& text) {
-  return text.starts_with("--") ? quote(text) + " is an option, not a file" : "";
 }
 
 int list_planners() {
@@ -61,8 +59,8 @@ int run(Arguments a) {
     if (a.budget >= 0) puzzle.budget = a.budget;
     a.options.robustness = !a.no_robustness;
     const Answer answer = solve(puzzle, a.options);
-    if (!a.svg.empty()) write_file(a.svg, draw(puzzle, answer));
     print(a.json ? to_json(puzzle, answer, !a.no_timing) + "\n" : to_text(puzzle, answer));
+    if (!a.svg.empty()) write_file(a.svg, draw(puzzle, answer));
     return answer.status == Status::solved ? done : nothing_solved;
   } catch (const InvalidInput& e) {
     return invalid(a, text, e);

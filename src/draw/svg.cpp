@@ -16,6 +16,18 @@ constexpr double rail = 34;      // px, width of the wooden rail
 constexpr double nose = 10;      // px, width of the rubber
 constexpr const char* path_colours[] = {"#ffffff", "#ffd166", "#8ecae6", "#f4a261", "#cdb4db", "#b7e4c7"};
 
+/// Text that may stand between two tags.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') out += "&amp;";
+    else if (c == '<') out += "&lt;";
+    else if (c == '>') out += "&gt;";
+    else out += c;
+  }
+  return out;
+}
+
 /// Table metres to picture pixels, y downwards.
 class Canvas {
  public:
@@ -43,12 +55,19 @@ class Canvas {
     }
     add(R"(<{} points="{}" {}/>)", tag, list, style);
   }
+  /// Whole pockets are seen, also where they reach beyond the rail.
   std::string document(const std::string& title) const {
-    const double w = px(size_.x) + 2 * (rail + nose), h = px(size_.y) + 2 * (rail + nose);
+    Vec2d low{0, 0}, high{px(size_.x) + 2 * (rail + nose), px(size_.y) + 2 * (rail + nose)};
+    for (const Pocket& p : table_.pockets) {
+      const Vec2d c = at(p.at);
+      low = {std::min(low.x, c.x - px(p.radius)), std::min(low.y, c.y - px(p.radius))};
+      high = {std::max(high.x, c.x + px(p.radius)), std::max(high.y, c.y + px(p.radius))};
+    }
+    const Vec2d size = high - low;
     return fmt::format(
-        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" height="{1:.0f}" font-family="sans-serif">)"
-        "\n<title>{2}</title>\n{3}</svg>\n",
-        w, h, title, body_);
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="{:.0f} {:.0f} {:.0f} {:.0f}" width="{:.0f}" height="{:.0f}" font-family="sans-serif">)"
+        "\n<title>{}</title>\n{}</svg>\n",
+        low.x, low.y, size.x, size.y, size.x, size.y, escaped(title), body_);
   }
   const Table& table() const { return table_; }
 
@@ -111,10 +130,11 @@ std::vector<Vec2d> outline(const Trajectory& t) {
 
 double ball_px(const Canvas& c, const Ball& ball) { return std::max(c.px(ball.radius), 4.0); }
 
-void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_view colour, bool best) {
+/// `others`: how many paths more are drawn; many are drawn faintly.
+void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_view colour, bool best, std::size_t others = 0) {
   const char* join = R"(stroke-linejoin="round" stroke-linecap="round")";
   c.polyline(outline(t), "polyline",
-             fmt::format(R"(fill="none" stroke="{}" stroke-width="{}" {} stroke-opacity="{}")", colour, best ? 2.5 : 1.5, join, best ? 1.0 : 0.75));
+             fmt::format(R"(fill="none" stroke="{}" stroke-width="{}" {} stroke-opacity="{}")", colour, best ? 2.5 : 1.5, join, best ? 1.0 : others > 6 ? 0.4 : 0.75));
   if (!best) return;
   constexpr std::size_t most_ghosts = 60;  // more would hide the path
   const auto bounces = t.sequence().size();
@@ -173,7 +193,7 @@ std::string draw(const Puzzle& puzzle, const Answer& answer) {
   if (!answer.shots.empty() && answer.shots[0].margin) draw_fan(c, puzzle, answer.shots[0]);
   for (std::size_t i = answer.shots.size(); i-- > 0;) {
     const Shot& shot = answer.shots[i];
-    draw_path(c, simulate(as_request(puzzle, shot)), puzzle.ball, path_colours[i % std::size(path_colours)], i == 0);
+    draw_path(c, simulate(as_request(puzzle, shot)), puzzle.ball, path_colours[i % std::size(path_colours)], i == 0, answer.shots.size() - 1);
   }
   draw_target(c, puzzle);
   if (!answer.shots.empty())

@@ -194,7 +194,7 @@ void write(const Json& v, std::string& out) {
   else if (v.is_array())
     sequence('[', ']', [&](auto it) { write(*it, out); });
   else if (v.is_number_float())
-    out += std::isfinite(v.get<double>()) ? fmt::format("{}", v.get<double>()) : "null";
+    out += std::isfinite(v.get<double>()) ? fmt::format("{}", v.get<double>() + 0.0) : "null";  // -0 + 0 is 0
   else
     out += v.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

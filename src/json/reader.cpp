@@ -78,6 +78,13 @@ int Reader::integer(int low, int high) const {
   return static_cast<int>(v);
 }
 
+long Reader::count() const {
+  constexpr double most = 0x1p53;  // above, a double no longer holds every whole number
+  const double v = number();
+  if (v != std::floor(v) || v < 0 || v > most) fail("must be a whole number, at least 0");
+  return static_cast<long>(v);
+}
+
 bool Reader::boolean() const {
   if (!value_->is_boolean()) fail("must be true or false");
   return value_->get<bool>();

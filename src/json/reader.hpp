@@ -33,6 +33,7 @@ class Reader {
   double at_least(double low) const;
   double between(double low, double high) const;
   int integer(int low, int high) const;
+  long count() const;  ///< a whole number, at least 0
   bool boolean() const;
   std::string text() const;
   Vec2d point() const;

@@ -23,12 +23,7 @@ Ball read_ball(const Reader& scene, Ball ball) {
   return ball;
 }
 
-void no_spin(const Reader& r, const Physics& physics) {
-  if (is_straight(physics)) r.fail("needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
-}
-
-LaunchSpin read_spin(const Reader& r, const Physics& physics) {
-  no_spin(r, physics);
+LaunchSpin read_spin(const Reader& r) {
   r.only({"top", "side", "masse"});
   LaunchSpin spin;
   const auto read = [&](const char* key, double& value) {
@@ -40,6 +35,16 @@ LaunchSpin read_spin(const Reader& r, const Physics& physics) {
   read("side", spin.side);
   read("masse", spin.masse);
   return spin;
+}
+
+/// `printed`: answers print the natural roll that every shot has without the physics `spin`.
+LaunchSpin read_spin(const Reader& r, const Physics& physics, bool printed) {
+  if (!is_straight(physics)) return read_spin(r);
+  if (printed && r.is_object()) {
+    const LaunchSpin spin = read_spin(r);
+    if (spin.top == 1 && spin.side == 0 && spin.masse == 0) return {};
+  }
+  r.fail("needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
 }
 
 Restitution read_restitution(const Reader& r) {
@@ -163,12 +168,12 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
 
 Range read_angle(const Reader& r) {
   if (!r.is_array() || r.size() != 2) r.fail("must be a pair of degrees [from, to]");
-  double from = r.items()[0].between(-360, 360), to = r.items()[1].between(-360, 720);
+  double from = r.items()[0].between(-720, 720), to = r.items()[1].between(-720, 720);
   constexpr double turn = 360, rounding = 1e-9;
   if (to - from > turn + rounding) r.fail("must span at most 360 degrees");
   const auto rotate = [&](double by) { from += by, to += by; };
-  if (from < 0) rotate(turn);
-  if (from >= turn) rotate(-turn);  // also -1e-20, which is a turn once a turn is added
+  while (from < 0) rotate(turn);
+  while (from >= turn) rotate(-turn);  // also -1e-20, which is a turn once a turn is added
   while (to < from) to += turn;
   return {radians(from), radians(std::min(to, from + turn))};
 }
@@ -198,7 +203,7 @@ void read_choices(const Reader& doc, Puzzle& p) {
   if (const auto v = doc.find("noise")) p.noise = read_noise(*v);
   if (const auto v = doc.find("budget")) {
     v->only({"simulations"});
-    p.budget = v->need("simulations").integer(0, std::numeric_limits<int>::max());
+    p.budget = v->need("simulations").count();
   }
 }
 
@@ -215,7 +220,7 @@ Puzzle read_puzzle(std::string_view text) {
   p.ball = read_ball(doc, default_ball(table));
   p.table = read_table(table, p.ball.radius);
   p.physics = read_physics(doc, p.ball);
-  if (const auto v = doc.need("ball").find("spin")) p.spin = read_spin(*v, p.physics);
+  if (const auto v = doc.need("ball").find("spin")) p.spin = read_spin(*v, p.physics, false);
   if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
   p.target = read_target(doc.need("target"), p.table);
   if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);
@@ -240,11 +245,11 @@ ShotRequest read_shot(std::string_view text) {
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.radius);
   s.physics = read_physics(doc, s.ball);
-  if (const auto v = doc.need("ball").find("spin")) s.spin = read_spin(*v, s.physics);
+  if (const auto v = doc.need("ball").find("spin")) s.spin = read_spin(*v, s.physics, false);
   if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
   const Reader shot = doc.need("shot");
   shot.only({"speed", "angle", "spin"});
-  if (const auto v = shot.find("spin")) s.spin = read_spin(*v, s.physics);
+  if (const auto v = shot.find("spin")) s.spin = read_spin(*v, s.physics, true);
   s.launch = {shot.need("speed").at_least(0), wrap_angle(radians(shot.need("angle").number()))};
   if (const auto until = doc.find("until")) {
     until->only({"time", "cushions", "length"});

@@ -86,6 +86,8 @@ void check_pockets(const Table& t, const Boundary& b) {
     need_finite(p.at.y, at("/table/pockets", i) + "/at/1");
     const double distance = b.distance_to_centres(p.at);
     const bool point = p.radius == 0 && b.radius == 0;
+    if (p.radius == 0 && b.radius > 0)
+      fail(at("/table/pockets", i), fmt::format("pocket \"{}\" has radius 0: only a ball of radius 0 can fall into a point", p.name));
     if (point ? distance > tolerance::point_pocket * b.diagonal : distance >= p.radius)
       fail(at("/table/pockets", i),
            fmt::format("no ball can fall into pocket \"{}\": a centre comes no nearer than {:.6g} m, "
@@ -115,8 +117,8 @@ void check_physics(const Physics& physics) {
       fail("/physics/sliding_friction", "must be finite and at least 0");
   }
   const double a = deceleration(physics);
-  if (!(a >= 0 && std::isfinite(a)))
-    fail("/physics", fmt::format("friction · g is {} m/s² and must be finite and at least 0", a));
+  if (!(a >= 0 && a <= tolerance::fastest))
+    fail("/physics", fmt::format("friction · g is {} m/s² and must be between 0 and {}", a, tolerance::fastest));
 }
 
 Boundary check_scene(const Table& table, const Ball& ball, const Physics& physics) {
@@ -133,10 +135,17 @@ Boundary check_scene(const Table& table, const Ball& ball, const Physics& physic
   return boundary;
 }
 
+void check_speed(double v, const std::string& path) {
+  if (!(v >= 0)) fail(path, fmt::format("{} must be at least 0", v));
+  if (v > tolerance::fastest) fail(path, fmt::format("{} m/s is too fast to compute with; at most {:g}", v, tolerance::fastest));
+  if (v > 0 && v < tolerance::slowest) fail(path, fmt::format("{} m/s is too slow to compute with; at least {:g}, or 0", v, tolerance::slowest));
+}
+
 void check_range(const Range& r, const std::string& path) {
-  if (r.low >= 0 && r.low <= r.high && std::isfinite(r.high)) return;
-  if (r.fixed()) fail(path, fmt::format("{} must be finite and at least 0", r.low));
-  fail(path, fmt::format("[{}, {}] must be finite, at least 0, the lower end first", r.low, r.high));
+  const bool one = r.fixed();
+  check_speed(r.low, one ? path : path + "/0");
+  check_speed(r.high, one ? path : path + "/1");
+  if (!(r.low <= r.high)) fail(path, fmt::format("[{}, {}] must have its lower end first", r.low, r.high));
 }
 
 void check_target(const Puzzle& p, const Boundary& boundary) {
@@ -179,8 +188,7 @@ void validate(const Puzzle& p) {
 
 void validate(const ShotRequest& s) {
   check_scene(s.table, s.ball, s.physics);
-  if (!(s.launch.speed >= 0 && std::isfinite(s.launch.speed)))
-    fail("/shot/speed", fmt::format("{} must be at least 0", s.launch.speed));
+  check_speed(s.launch.speed, "/shot/speed");
   need_finite(s.launch.angle, "/shot/angle");
 }
 

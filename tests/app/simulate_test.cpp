@@ -99,7 +99,10 @@ TEST_CASE("bad shots are refused like bad puzzles") {
       {R"({"shot": null})", "/shot"},
       {R"({"shot": {"angle": null}})", "/shot/angle"},
       {R"({"shot": {"speed": -1}})", "/shot/speed"},
-      {R"({"shot": {"spin": {"top": 1}}})", "/shot/spin"},
+      {R"({"shot": {"spin": {"top": 0.5}}})", "/shot/spin"},
+      {R"({"ball": {"spin": {"top": 1}}})", "/ball/spin"},
+      {R"({"shot": {"speed": 1e200}})", "/shot/speed"},
+      {R"({"shot": {"speed": 1e-200}})", "/shot/speed"},
       {R"({"until": {"tmie": 1}})", "/until/tmie"},
       {R"({"physics": "spin"})", "/ball/radius"},
   }));
@@ -112,6 +115,22 @@ TEST_CASE("bad shots are refused like bad puzzles") {
   CHECK(a.at("id") == 3);
   CHECK(a.at("status") == "invalid");
   CHECK(a.at("error").at("path") == path);
+}
+
+TEST_CASE("the natural roll that answers print can be simulated without the physics spin") {
+  Json shot = Json::parse(along);
+  const std::string plain = run_program("simulate --json", shot.dump()).out;
+  shot["shot"]["spin"] = {{"top", 1}, {"side", 0}};
+  CHECK(run_program("simulate --json", shot.dump()).out == plain);
+}
+
+TEST_CASE("a table of positions that would fill the disk is refused") {
+  const ScratchFile csv("path.csv");
+  Json shot = Json::parse(along);
+  shot["until"] = {{"time", 1e9}};
+  const auto run = run_program("simulate --rate 1e6 --csv \"" + csv.path + "\"", shot.dump());
+  CHECK(run.exit == 2);
+  CHECK_THAT(run.err, Contains("--rate"));
 }
 
 TEST_CASE("option --version and --help answer on standard output") {
