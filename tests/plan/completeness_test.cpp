@@ -54,7 +54,7 @@ TEST_CASE("images find every shot that a sweep of the aim finds, and the sweep a
 TEST_CASE("among reflex vertices a finer sweep finds next to nothing more") {
   std::size_t found = 0, missed = 0;
   test::Random random(9);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 12; ++i) {
     Puzzle p = test::random_puzzle(random, test::Family::reflex, test::Model::ideal).puzzle;
     p.cushions = {.min = 0, .max = 2};
     p.budget = 1000000;
@@ -62,6 +62,7 @@ TEST_CASE("among reflex vertices a finer sweep finds next to nothing more") {
     for (int part = 0; part < 12; ++part) {
       p.angle = Range{radians(30 * part), radians(30 * (part + 1))};
       for (const Shot& shot : solve(p, {.all = true, .robustness = false}).shots) {
+        if (shot.miss > 1e-9 * p.table.diagonal()) continue;  // only these bounds keep it from the centre
         const auto same = [&](const Shot& x) { return x.cushions == shot.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-7; };
         ++found;
         missed += std::none_of(whole.shots.begin(), whole.shots.end(), same);
@@ -70,5 +71,5 @@ TEST_CASE("among reflex vertices a finer sweep finds next to nothing more") {
   }
   INFO(missed << " of " << found << " missed");
   CHECK(found > 30);
-  CHECK(missed * 50 <= found);
+  CHECK(missed * 100 <= found);
 }
