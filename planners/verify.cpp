@@ -301,7 +301,7 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
   const double step = tolerance::nudge * s.boundary.diagonal / path;
   // A path through corners was likely asked at a round angle, which the image has to rounding only.
   const double rounded = radians(std::round(degrees(angle) * 1e9) / 1e9);
-  if (std::abs(rounded - angle) < step && attempt(rounded, 0)) return true;
+  if (std::abs(rounded - angle) < step && !s.spent() && attempt(rounded, 0)) return true;
   for (const double k : {0.0, 1.0, -1.0, 10.0, -10.0})
     for (const double shorter : {0.0, step}) {
       if (s.spent()) return false;

@@ -146,7 +146,7 @@ class IdFinder : public nlohmann::json_sax<Json> {
   bool boolean(bool) override { return true; }
   bool number_integer(number_integer_t v) override { return value(v); }
   bool number_unsigned(number_unsigned_t v) override { return value(v); }
-  bool number_float(number_float_t v, const string_t&) override { return value(v); }
+  bool number_float(number_float_t, const string_t& written) override { return token(written); }
   bool string(string_t& v) override { return value(v); }
   bool binary(binary_t&) override { return false; }
   bool start_object(std::size_t) override { return ++depth_ > 0; }
@@ -162,9 +162,11 @@ class IdFinder : public nlohmann::json_sax<Json> {
   }
 
  private:
-  bool value(const Json& v) {
+  bool value(const Json& v) { return token(write_json(v)); }
+
+  bool token(std::string text) {
     if (depth_ == 1 && at_id_) {
-      id_ = write_json(v);
+      id_ = std::move(text);
       ++found_;  // two of them: nobody can tell
     }
     return depth_ > 0;
@@ -217,6 +219,12 @@ std::string write_json(const Json& value) {
   std::string out;
   write(value, out);
   return out;
+}
+
+std::string write_json(const std::string& id, const Json& object) {
+  const std::string rest = write_json(object);
+  if (id.empty()) return rest;
+  return fmt::format("{{\"id\":{}{}{}", id, object.empty() ? "" : ",", rest.substr(1));
 }
 
 std::string quote(const Json& value) { return clip(write_json(value)); }

@@ -17,6 +17,8 @@ Json parse_document(std::string_view text);
 
 /// The value as JSON text with the shortest decimals that read back to the same doubles.
 std::string write_json(const Json& value);
+/// An object whose first key is "id", with that JSON text as it stands; none when `id` is empty.
+std::string write_json(const std::string& id, const Json& object);
 
 /// A value for an error message: its JSON text, cut to a readable length.
 std::string quote(const Json& value);

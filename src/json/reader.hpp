@@ -26,7 +26,6 @@ class Reader {
   bool is_array() const { return value_->is_array(); }
   bool is_string() const { return value_->is_string(); }
   bool is_number() const { return value_->is_number(); }
-  std::string raw() const { return write_json(*value_); }
 
   double number() const;
   double positive() const;

@@ -36,7 +36,6 @@ Json shot_json(const Puzzle& p, const Shot& shot) {
 
 Json head(const Answer& a) {
   Json j = Json::object();
-  if (!a.id.empty()) j["id"] = Json::parse(a.id);
   j["status"] = name(a.status);
   j["shots"] = Json::array();
   j["nearest"] = nullptr;
@@ -73,14 +72,14 @@ std::string to_json(const Puzzle& puzzle, const Answer& a, bool timing) {
   j["simulations"] = a.simulations;
   if (timing) j["time_us"] = a.time_us;
   j["message"] = a.message;
-  return write_json(j);
+  return write_json(a.id, j);
 }
 
 std::string to_json(const Answer& a) {
   Json j = head(a);
   if (a.error) j["error"] = {{"path", a.error->path}, {"reason", a.error->reason}};
   j["message"] = a.message;
-  return write_json(j);
+  return write_json(a.id, j);
 }
 
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {

@@ -186,9 +186,12 @@ Noise read_noise(const Reader& r) {
   return n;
 }
 
-std::string read_id(const Reader& r) {
-  if (!r.is_string() && !r.is_number()) r.fail("must be a string or a number");
-  return r.raw();
+/// As it is written, so that 1.0 does not come back as 1.
+std::string read_id(const Reader& doc, std::string_view text) {
+  const auto r = doc.find("id");
+  if (!r) return "";
+  if (!r->is_string() && !r->is_number()) r->fail("must be a string or a number");
+  return find_id(text);
 }
 
 void read_choices(const Reader& doc, Puzzle& p) {
@@ -215,7 +218,7 @@ Puzzle read_puzzle(std::string_view text) {
   doc.only({"id", "table", "physics", "ball", "others", "target", "cushions", "arrive", "speed",
             "angle", "prefer", "aim", "noise", "budget"});
   Puzzle p;
-  if (const auto v = doc.find("id")) p.id = read_id(*v);
+  p.id = read_id(doc, text);
   const Reader table = doc.need("table");
   p.ball = read_ball(doc, default_ball(table));
   p.table = read_table(table, p.ball.radius);
@@ -240,7 +243,7 @@ ShotRequest read_shot(std::string_view text) {
   const Reader doc(json);
   doc.only({"id", "table", "physics", "ball", "others", "shot", "until"});
   ShotRequest s;
-  if (const auto v = doc.find("id")) s.id = read_id(*v);
+  s.id = read_id(doc, text);
   const Reader table = doc.need("table");
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.radius);

@@ -67,7 +67,6 @@ Json cushions_json(const Puzzle& p) {
 std::string write_puzzle(const Puzzle& p) {
   constexpr const char* preferences[] = {"robust", "soft", "quick"};
   Json j = Json::object();
-  if (!p.id.empty()) j["id"] = Json::parse(p.id);
   j["table"] = table_json(p.table);
   j["physics"] = physics_json(p.physics);
   j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.radius}, {"mass", p.ball.mass}};
@@ -80,7 +79,7 @@ std::string write_puzzle(const Puzzle& p) {
   j["prefer"] = preferences[static_cast<int>(p.prefer)];
   j["noise"] = {{"angle", exact_degrees(p.noise.angle)}, {"speed", p.noise.speed}};
   j["budget"] = {{"simulations", p.budget}};
-  return write_json(j);
+  return write_json(p.id, j);
 }
 
 }  // namespace bankshot

@@ -50,7 +50,6 @@ Json event_json(const ShotRequest& r, const Record& e) {
 
 std::string to_json(const ShotRequest& r, const Trajectory& t) {
   Json j = Json::object();
-  if (!r.id.empty()) j["id"] = Json::parse(r.id);
   j["events"] = Json::array();
   for (const Record& e : t.events) j["events"].push_back(event_json(r, e));
   const Record& last = t.events.back();
@@ -61,7 +60,7 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
               {"length", t.length}};
   j["energy"] = {{"start", energy(r.ball, t.events.front().state)},
                  {"end", energy(r.ball, last.state)}};
-  return write_json(j);
+  return write_json(r.id, j);
 }
 
 std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
