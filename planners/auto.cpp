@@ -5,6 +5,7 @@
 // global search are for what is left, and are not run when the images proved that nothing is.
 #include <algorithm>
 
+#include "planners/part.hpp"
 #include "planners/planners.hpp"
 
 namespace bankshot::planning {
@@ -18,9 +19,21 @@ bool settled(const Search& s) {
          (names && !s.shots.empty() && std::all_of(names->begin(), names->end(), [&](int c) { return c < walls; }));
 }
 
+/// Images are only seeds, refinement finds the root, and the map what has no seed. Then parts of
+/// targets whose centre something blocks.
+void with_spin(Search& s) {
+  ceres(s);
+  if (s.cut) return;
+  if (s.shots.empty() || s.all) sweep(s);
+  const std::vector<Search::Lead> leads = std::move(s.leads);
+  for (std::size_t i = 0; i < leads.size() && s.shots.empty() && !s.spent(); ++i) reach_part(s, leads[i], "sweep");
+  if (s.shots.empty() && !s.cut) nlopt_direct(s);
+}
+
 }  // namespace
 
 void automatic(Search& s) {
+  if (!is_straight(s.puzzle.physics)) return with_spin(s);
   image(s);
   if (!settled(s)) sweep(s);
   if (s.shots.empty() && !s.complete && !s.cut) ceres(s);

@@ -3,7 +3,7 @@
 // Planners `nlopt-*`: NLopt on the natural objective, the squared miss of the real path plus the
 // squared error of the arrival speed, in (aim, speed) or in the aim alone. One table of methods.
 // Local methods start at the images, global ones search the whole box of bounds. The best point
-// found is moved onto the root along its own cushion sequence (refine, ceres.cpp) and certified.
+// found is moved onto the root along its own cushion sequence (locked.hpp) and certified.
 // Cost: thousands of simulations. Guarantee: none; the objective jumps wherever the sequence does.
 #include <nlopt.h>
 
@@ -11,6 +11,7 @@
 #include <cmath>
 #include <memory>
 
+#include "planners/locked.hpp"
 #include "planners/planners.hpp"
 #include "planners/unfold.hpp"
 #include "planners/verify.hpp"

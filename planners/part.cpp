@@ -5,16 +5,20 @@
 #include <cmath>
 #include <numeric>
 
+#include "planners/locked.hpp"
+
 namespace bankshot::planning {
 namespace {
 
 /// rad; where the bisection between two aims that fail differently gives up.
 constexpr double narrowest = 1e-10;
 
+/// `Follow`: aim -> Replay. `Certify`: (aim, bounces) -> whether it became a shot.
+template <class Follow, class Certify>
 class PartOfTarget {
  public:
-  PartOfTarget(Search& s, const Range& aims, const Goal& goal, std::string_view planner)
-      : s_(s), aims_(aims), goal_(goal), planner_(planner) {}
+  PartOfTarget(Search& s, const Range& aims, Follow follow, Certify certify)
+      : s_(s), aims_(aims), follow_(follow), certify_(certify) {}
 
   bool find(double centre, int samples) {
     std::vector<Tried> row;
@@ -41,7 +45,7 @@ class PartOfTarget {
     }
   };
 
-  Tried attempt(double aim) { return {aim, trace(s_, wrap_angle(aim), goal_).replay}; }
+  Tried attempt(double aim) { return {aim, follow_(aim)}; }
 
   std::optional<Tried> between(const Tried& a, const Tried& b) {
     if (a.replay.made) return a;
@@ -66,20 +70,61 @@ class PartOfTarget {
   bool certify_window(const Tried& made) {
     const int bounces = made.replay.bounces;
     const double middle = (edge(made.aim, aims_.low) + edge(made.aim, aims_.high)) / 2;
-    return certify_aim(s_, wrap_angle(middle), bounces, planner_, true) ||
-           certify_aim(s_, wrap_angle(made.aim), bounces, planner_, true);
+    return certify_(middle, bounces) || certify_(made.aim, bounces);
   }
 
   Search& s_;
   Range aims_;
-  const Goal& goal_;
-  std::string_view planner_;
+  Follow follow_;
+  Certify certify_;
 };
+
+/// rad: how far the aim may turn from a root until the ball passes all of the target, its speed
+/// adapted to arrive as asked.
+double half_window(Search& s, const LockedAim& aim, const Launch& root) {
+  const auto l = linearise(s, aim, root);
+  if (!l) return 0;
+  double lateral = l->by_aim[0];  // of the diagonal, per radian
+  if (!s.one_unknown()) {
+    const double det = l->by_aim[0] * l->by_speed[1] - l->by_aim[1] * l->by_speed[0];
+    lateral = det / (s.stop ? std::hypot(l->by_speed[0], l->by_speed[1]) : l->by_speed[1]);
+  }
+  constexpr double widest = radians(10);
+  const double half = s.reach(aim.target) / (std::abs(lateral) * s.boundary.diagonal);
+  return half < widest ? half : widest;
+}
+
+constexpr int aims_across = 17;
 
 }  // namespace
 
 bool reach_part(Search& s, const Range& aims, double centre, int samples, const Goal& goal, std::string_view planner) {
-  return PartOfTarget(s, aims, goal, planner).find(centre, samples);
+  const auto follow = [&](double aim) { return trace(s, wrap_angle(aim), goal).replay; };
+  const auto certified = [&](double aim, int bounces) { return certify_aim(s, wrap_angle(aim), bounces, planner, true); };
+  return PartOfTarget(s, aims, follow, certified).find(centre, samples);
+}
+
+bool reach_part(Search& s, const Search::Lead& lead, std::string_view planner) {
+  const LockedAim locked{s, lead.contacts, lead.target};
+  const double half = lead.half > 0 ? lead.half : half_window(s, locked, lead.launch);
+  if (!(half > 0)) return false;
+  Goal goal = Goal::exactly(s, static_cast<int>(lead.contacts.size()));
+  goal.sequence = &lead.contacts;
+  const auto launch = [&](double aim) -> std::optional<Launch> {
+    const auto speed = speed_near(s, locked, aim, lead.launch.speed);
+    if (!speed) return {};
+    return Launch{*speed, wrap_angle(aim)};
+  };
+  const auto follow = [&](double aim) {
+    const auto l = launch(aim);
+    return l ? replay(s, *l, goal) : Replay{};
+  };
+  const auto certified = [&](double aim, int bounces) {
+    const auto l = launch(aim);
+    return l && certify(s, *l, bounces, planner, true);
+  };
+  const Range aims{lead.launch.angle - half, lead.launch.angle + half};
+  return PartOfTarget(s, aims, follow, certified).find(lead.launch.angle, aims_across);
 }
 
 }  // namespace bankshot::planning

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Parts of a target: where no line reaches its centre, aims that still reach some of it.
-// Method: trace a row of aims; between two neighbours that fail for different reasons may lie a
-// window that is made, so bisect there; certify the middle of each window. Cost: some 30 traces for
-// each change of reason. Guarantee: none; a window between two aims that fail alike is not seen.
+// Method: follow a row of aims; between two neighbours that fail for different reasons may lie a
+// window that is made, so bisect there; certify the middle of each window. Cost: some 30 simulations
+// for each change of reason. Guarantee: none; a window between two aims that fail alike is not seen.
 #pragma once
 
 #include <string_view>
@@ -14,6 +14,10 @@
 namespace bankshot::planning {
 
 /// Certifies an off-centre shot of one window inside `aims` [rad], the one nearest to `centre` first.
+/// For paths whose shape does not depend on the speed.
 bool reach_part(Search& s, const Range& aims, double centre, int samples, const Goal& goal, std::string_view planner);
+
+/// The same around a lead, along its cushions, at the speed that each aim needs.
+bool reach_part(Search& s, const Search::Lead& lead, std::string_view planner);
 
 }  // namespace bankshot::planning

@@ -42,6 +42,15 @@ struct Search {
 
   long simulations = 0;
   std::vector<Shot> shots;
+  /// Launches that lead near a target along a cushion sequence but are no shots: its centre is blocked,
+  /// or no aim reaches it. Parts of the target may be reached beside them.
+  struct Lead {
+    Launch launch;
+    std::vector<int> contacts;
+    Vec2d target;
+    double half = 0;  ///< rad beside the aim to look at; 0: as far as the target is wide
+  };
+  std::vector<Lead> leads;
   NearMiss near;
   struct Counted {
     Failure failure;  ///< of several speeds, the one nearest to the bound

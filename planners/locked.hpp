@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// A target seen along a given cushion sequence: the smooth system whose roots are shots.
+// Unknowns: aim [rad] and ln speed, or the aim alone where the launch speed is fixed.
+// Residuals: to stop at a point, where the ball rests, over the diagonal. Else [0] the signed lateral
+// miss at the closest approach over the diagonal, [1] v² − s² there (at capture for a pocket) over
+// max(1, s²); v² is continued below 0, by what rolling on would have cost, when the ball rests before.
+// Derivatives are exact (dual numbers); no type of the library that makes them appears here.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "planners/search.hpp"
+
+namespace bankshot::planning {
+
+struct LockedAim {
+  const Search& s;
+  std::span<const int> contacts;
+  Vec2d target;
+
+  double capture() const { return s.capture(s.reach(target)); }
+  /// Of a range, the end that `prefer` chooses.
+  double asked_speed() const { return s.puzzle.prefer == Prefer::soft ? s.arrival->low : s.arrival->high; }
+};
+
+/// Residuals and their derivatives with respect to the aim and ln speed at one launch.
+struct Linear {
+  double r[2]{}, by_aim[2]{}, by_speed[2]{};
+};
+
+/// The step in (aim, ln speed) to the root of the linear system; none where it is singular. With one
+/// unknown the second is 0.
+std::optional<Vec2d> newton_step(const Linear& l, bool one_unknown);
+
+/// A launch near a root, moved onto it by Levenberg–Marquardt; none where that does not converge.
+/// About ten locked simulations.
+std::optional<Launch> solve_locked(Search& s, const LockedAim& aim, const Launch& seed);
+
+/// One locked simulation with dual numbers; none where the path never gets to its last leg.
+std::optional<Linear> linearise(Search& s, const LockedAim& aim, const Launch& launch);
+
+/// Certifies a root; one that something blocks is kept in `leads`.
+bool certify_root(Search& s, const LockedAim& aim, const Launch& root, std::string_view planner);
+
+/// Moves a seed onto its root and certifies it.
+bool try_root(Search& s, const LockedAim& aim, const Launch& seed, std::string_view planner);
+
+/// The root nearest in aim to the seed over all aim points.
+std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<int>& contacts);
+
+/// The launch speed with which the locked path at this angle arrives about as fast as asked:
+/// bisection in ln v to 1 %, where falling short counts as too slow. None where no speed gets there.
+std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle);
+
+/// The same exactly, by Newton's method from a speed near it.
+std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, double guess);
+
+/// The real path of a launch: the cushions it meets, and how each aim point is missed when the bounces
+/// end after any number of them that the puzzle allows. One simulation with dual numbers.
+struct Passage {
+  std::size_t bounces, aim_point;
+  Linear linear;
+};
+struct Forward {
+  std::vector<int> contacts;
+  std::vector<Passage> passages;
+};
+void forward(Search& s, const Launch& launch, Forward& out);
+
+}  // namespace bankshot::planning
