@@ -19,14 +19,22 @@ bool settled(const Search& s) {
          (names && !s.shots.empty() && std::all_of(names->begin(), names->end(), [&](int c) { return c < walls; }));
 }
 
-/// Images are only seeds, refinement finds the root, and the map what has no seed. Then parts of
-/// targets whose centre something blocks.
-void with_spin(Search& s) {
-  ceres(s);
-  if (s.cut) return;
-  if (s.shots.empty() || s.all) sweep(s);
+void beside_centre(Search& s) {
   const std::vector<Search::Lead> leads = std::move(s.leads);
+  s.leads.clear();
   for (std::size_t i = 0; i < leads.size() && s.shots.empty() && !s.spent(); ++i) reach_part(s, leads[i], "sweep");
+}
+
+/// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets
+/// whose centre something blocks: it often does at a pocket, hardly ever at a point.
+void with_spin(Search& s) {
+  constexpr Spacing coarse{}, fine{radians(0.7), 0.08};
+  image_seeds(s);
+  if (s.cut) return;
+  if (s.shots.empty() || s.all) map(s, coarse);
+  if (!s.point()) beside_centre(s);
+  if (s.shots.empty() && !s.cut) map(s, fine);
+  beside_centre(s);
   if (s.shots.empty() && !s.cut) nlopt_direct(s);
 }
 

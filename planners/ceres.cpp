@@ -28,7 +28,9 @@ bool from_seed(Search& s, double angle, const std::vector<int>& contacts, const 
 /// restitution: spin changes the rebound's angle, and one of these comes near it.
 constexpr double shares[] = {1, 0.8, 1.2, 0.6, 1.5};
 
-void from_images(Search& s) {
+}  // namespace
+
+void image_seeds(Search& s) {
   const bool straight = is_straight(s.puzzle.physics);
   for (const double share : shares) {
     Unfolding images(s, !straight, share * restitution(s.puzzle.physics).at_rest, true);
@@ -40,6 +42,8 @@ void from_images(Search& s) {
     if (s.puzzle.cushions.sequence && !s.shots.empty()) return;
   }
 }
+
+namespace {
 
 void from_fan(Search& s) {
   const CushionRule& rule = s.puzzle.cushions;
@@ -58,7 +62,7 @@ void from_fan(Search& s) {
 }  // namespace
 
 void ceres(Search& s) {
-  from_images(s);
+  image_seeds(s);
   if (!s.boundary.tips.empty()) from_fan(s);
 }
 

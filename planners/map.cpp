@@ -20,19 +20,17 @@
 namespace bankshot::planning {
 namespace {
 
-constexpr double aim_spacing = radians(1);
-constexpr double speed_spacing = 0.25;  // of ln speed
-constexpr double reach = 1.5;           // cells from a node to a root that it may seed
-constexpr double same = 0.1;            // cells between a prediction and a root that explains it
-constexpr double narrowest = 1e-5;      // rad; where the bisection between two sequences ends
+constexpr double reach = 1.5;       // cells from a node to a root that it may seed
+constexpr double near = 0.05;       // cells; a Newton step this short tells which root it goes to
+constexpr double narrowest = 1e-4;  // rad; where the bisection between two sequences ends
 
 class Map {
  public:
-  explicit Map(Search& s) : s_(s) {}
+  Map(Search& s, const Spacing& spacing) : s_(s), cell_(spacing) {}
 
   void run() {
     const Range around = s_.puzzle.angle.value_or(Range{0, radians(360)});
-    const int aims = std::max(1, static_cast<int>(std::ceil((around.high - around.low) / aim_spacing)));
+    const int aims = std::max(1, static_cast<int>(std::ceil((around.high - around.low) / cell_.aim)));
     for (const double speed : speeds()) {
       Node before = node(around.low, speed);
       for (int i = 1; i <= aims && !s_.spent(); ++i) {
@@ -60,7 +58,7 @@ class Map {
     if (v.fixed()) return {v.low};
     const double low = std::max(v.low, slowest_arrival());
     if (!(low < v.high)) return {v.high};
-    const int rows = 1 + static_cast<int>(std::ceil(std::log(v.high / low) / speed_spacing));
+    const int rows = 1 + static_cast<int>(std::ceil(std::log(v.high / low) / cell_.speed));
     std::vector<double> out;
     for (int i = 0; i < rows; ++i) out.push_back(low * std::pow(v.high / low, static_cast<double>(i) / (rows - 1)));
     return out;
@@ -84,18 +82,46 @@ class Map {
   void seed(double angle, double speed, const Passage& p) {
     lead(angle, speed, p);
     const auto step = newton_step(p.linear, s_.one_unknown());
-    if (!step || !(std::abs(step->x) < reach * aim_spacing && std::abs(step->y) < reach * speed_spacing)) return;
+    if (!step || !(std::abs(step->x) < reach * cell_.aim && std::abs(step->y) < reach * cell_.speed)) return;
     const Launch predicted{speed * std::exp(step->y), angle + step->x};
     const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
-    for (const Root& r : roots_)
-      if (explains(r, predicted, contacts, p.aim_point)) return;
     const LockedAim aim{s_, contacts, s_.aim_points()[p.aim_point]};
-    if (const auto root = solve_locked(s_, aim, predicted)) {
-      for (const Root& r : roots_)
-        if (explains(r, *root, contacts, p.aim_point)) return;
+    if (const auto root = newton(aim, predicted, p.aim_point)) {
       roots_.push_back({{contacts.begin(), contacts.end()}, p.aim_point, *root});
       certify_root(s_, aim, *root, "sweep");
     }
+  }
+
+  /// Newton's method on the locked path; none where it leaves the neighbourhood or comes to a root that
+  /// is known. Where the derivatives jump it may go round in circles: then Levenberg–Marquardt.
+  std::optional<Launch> newton(const LockedAim& aim, const Launch& from, std::size_t aim_point) {
+    constexpr int most_steps = 12;
+    constexpr double settled = 1e-7;  // cells; the step after it is exact to rounding
+    constexpr double far = 3;         // cells
+    Launch at = from;
+    for (int i = 0; i < most_steps; ++i) {
+      const auto l = linearise(s_, aim, at);
+      const auto step = l ? newton_step(*l, s_.one_unknown()) : std::nullopt;
+      if (!step) return {};
+      const double size = std::max(std::abs(step->x) / cell_.aim, std::abs(step->y) / cell_.speed);
+      if (!std::isfinite(size)) return {};
+      const double damped = size > 1 ? 1 / size : 1;
+      at = {at.speed * std::exp(damped * step->y), at.angle + damped * step->x};
+      if (size < near && known(at, aim.contacts, aim_point, 2 * size)) return {};
+      if (size < settled) return Launch{at.speed, wrap_angle(at.angle)};
+      if (std::abs(at.angle - from.angle) > far * cell_.aim || std::abs(std::log(at.speed / from.speed)) > far * cell_.speed) return {};
+    }
+    const auto root = solve_locked(s_, aim, from);
+    return root && known(*root, aim.contacts, aim_point, near) ? std::nullopt : root;
+  }
+
+  /// A root of the same sequence and target lies within so many cells.
+  bool known(const Launch& l, std::span<const int> contacts, std::size_t aim_point, double cells) const {
+    const double least = 1e-6;  // rounding of a root where the map is steep
+    return std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) {
+      return r.aim_point == aim_point && std::abs(angle_difference(r.launch.angle, l.angle)) < std::max(least, cells) * cell_.aim &&
+             std::abs(std::log(r.launch.speed / l.speed)) < std::max(least, cells) * cell_.speed && std::ranges::equal(contacts, r.contacts);
+    });
   }
 
   /// Keeps a node from which a turn within its cell may reach some part of the target, though perhaps
@@ -110,18 +136,12 @@ class Map {
       by_aim = l.by_aim[1 - along] - l.by_speed[1 - along] * l.by_aim[along] / l.by_speed[along];
     }
     const Vec2d& target = s_.aim_points()[p.aim_point];
-    const double wide = s_.reach(target) / s_.boundary.diagonal + std::abs(by_aim) * aim_spacing;
-    if (!(std::abs(lateral) < wide && std::abs(step) < reach * speed_spacing)) return;
+    const double wide = s_.reach(target) / s_.boundary.diagonal + std::abs(by_aim) * cell_.aim;
+    if (!(std::abs(lateral) < wide && std::abs(step) < reach * cell_.speed)) return;
     const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
     for (const Search::Lead& known : leads_)
-      if (known.target == target && std::abs(angle_difference(known.launch.angle, angle)) < aim_spacing / 2 && std::ranges::equal(known.contacts, contacts)) return;
-    leads_.push_back({{speed * std::exp(step), wrap_angle(angle)}, {contacts.begin(), contacts.end()}, target, aim_spacing});
-  }
-
-  static bool explains(const Root& r, const Launch& l, std::span<const int> contacts, std::size_t aim_point) {
-    return r.aim_point == aim_point && std::abs(angle_difference(r.launch.angle, l.angle)) < same * aim_spacing &&
-           std::abs(std::log(r.launch.speed / l.speed)) < same * speed_spacing &&
-           std::equal(contacts.begin(), contacts.end(), r.contacts.begin(), r.contacts.end());
+      if (known.target == target && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 && std::ranges::equal(known.contacts, contacts)) return;
+    leads_.push_back({{speed * std::exp(step), wrap_angle(angle)}, {contacts.begin(), contacts.end()}, target, cell_.aim});
   }
 
   void between(const Node& a, const Node& b) {
@@ -132,6 +152,7 @@ class Map {
   }
 
   Search& s_;
+  Spacing cell_;
   Forward forward_{};
   std::vector<Root> roots_{};
   std::vector<Search::Lead> leads_{};
@@ -139,6 +160,6 @@ class Map {
 
 }  // namespace
 
-void map(Search& s) { Map(s).run(); }
+void map(Search& s, const Spacing& spacing) { Map(s, spacing).run(); }
 
 }  // namespace bankshot::planning

@@ -10,9 +10,16 @@ namespace bankshot::planning {
 void image(Search& s);         ///< image.cpp
 void sweep(Search& s);         ///< sweep.cpp
 void ceres(Search& s);         ///< ceres.cpp
-void map(Search& s);           ///< map.cpp, what `sweep` does where paths depend on the speed
+void image_seeds(Search& s);   ///< ceres.cpp, its images alone
 void nlopt_bobyqa(Search& s);  ///< nlopt.cpp
 void nlopt_direct(Search& s);  ///< nlopt.cpp
 void automatic(Search& s);     ///< auto.cpp
+
+/// The cells of a forward map: rad of aim, and of ln speed. In map.cpp; what `sweep` does where paths
+/// depend on the speed.
+struct Spacing {
+  double aim = radians(2), speed = 0.12;
+};
+void map(Search& s, const Spacing& spacing);
 
 }  // namespace bankshot::planning

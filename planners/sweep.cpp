@@ -124,7 +124,7 @@ class Sweep {
 }  // namespace
 
 void sweep(Search& s) {
-  if (!is_straight(s.puzzle.physics)) return map(s);
+  if (!is_straight(s.puzzle.physics)) return map(s, {});
   Sweep sweep(s);
   sweep.run();
   if (s.shots.empty()) sweep.beside_centre();
