@@ -6,6 +6,7 @@
 // vertices also a fan of aims. Cost: about ten locked simulations a seed. Guarantee: none beyond the
 // certificate; it finds the root its seed leads to.
 #include <cmath>
+#include <set>
 
 #include "planners/locked.hpp"
 #include "planners/planners.hpp"
@@ -17,11 +18,18 @@ namespace {
 
 constexpr int fan = 720;  // aims tried as seeds where no image exists: every half degree
 
-/// Refines one image along one sequence.
+/// Shots to choose from; more would hardly be better.
+constexpr std::size_t enough_to_compare = 32;
+
+bool enough(Search& s) { return s.spent() || (!s.all && s.shots.size() >= enough_to_compare); }
+
+/// Refines one image along one sequence; true when it leads to a root, a shot or not.
 bool from_seed(Search& s, double angle, const std::vector<int>& contacts, const Vec2d& target) {
   const LockedAim aim{s, contacts, target};
   const auto speed = speed_at(s, aim, angle);
-  return speed && try_root(s, aim, {*speed, angle}, "image+ceres");
+  const auto root = speed ? solve_locked(s, aim, {*speed, angle}) : std::nullopt;
+  if (root) certify_root(s, aim, *root, "image+ceres");
+  return root.has_value();
 }
 
 /// Ratios of the normal to the tangential loss to unfold with, as shares of the cushion's own
@@ -32,11 +40,14 @@ constexpr double shares[] = {1, 0.8, 1.2, 0.6, 1.5};
 
 void image_seeds(Search& s) {
   const bool straight = is_straight(s.puzzle.physics);
+  std::set<std::pair<std::vector<int>, std::pair<double, double>>> settled;  // a sequence with a root has hardly ever another
   for (const double share : shares) {
     Unfolding images(s, !straight, share * restitution(s.puzzle.physics).at_rest, true);
     while (const auto c = images.next()) {
-      if (s.spent() || (!s.all && s.shots.size() >= 32)) return;
-      from_seed(s, c->angle, images.contacts(*c), c->target);
+      if (enough(s)) return;
+      std::pair key{images.contacts(*c), std::pair{c->target.x, c->target.y}};
+      if (!straight && settled.contains(key)) continue;
+      if (from_seed(s, c->angle, key.first, c->target)) settled.insert(std::move(key));
     }
     if (straight || !images.whole()) return;
     if (s.puzzle.cushions.sequence && !s.shots.empty()) return;
@@ -49,7 +60,7 @@ void from_fan(Search& s) {
   const CushionRule& rule = s.puzzle.cushions;
   for (int i = 0; i < fan; ++i)
     for (int n = rule.min; n <= rule.max; ++n) {
-      if (s.spent() || (!s.all && s.shots.size() >= 32)) return;
+      if (enough(s)) return;
       const double angle = radians(360.0 / fan) * i;
       std::vector<int> contacts;
       trace(s, angle, Goal::exactly(s, n), &contacts);

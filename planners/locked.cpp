@@ -160,11 +160,6 @@ bool certify_root(Search& s, const LockedAim& aim, const Launch& root, std::stri
   return false;
 }
 
-bool try_root(Search& s, const LockedAim& aim, const Launch& seed, std::string_view planner) {
-  const auto root = solve_locked(s, aim, seed);
-  return root && certify_root(s, aim, *root, planner);
-}
-
 std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<int>& contacts) {
   std::optional<Launch> best;
   double least = std::numeric_limits<double>::infinity();

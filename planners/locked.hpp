@@ -46,9 +46,6 @@ std::optional<Linear> linearise(Search& s, const LockedAim& aim, const Launch& l
 /// Certifies a root; one that something blocks is kept in `leads`.
 bool certify_root(Search& s, const LockedAim& aim, const Launch& root, std::string_view planner);
 
-/// Moves a seed onto its root and certifies it.
-bool try_root(Search& s, const LockedAim& aim, const Launch& seed, std::string_view planner);
-
 /// The root nearest in aim to the seed over all aim points.
 std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<int>& contacts);
 
