@@ -11,8 +11,12 @@ void image(Search& s);         ///< image.cpp
 void sweep(Search& s);         ///< sweep.cpp
 void ceres(Search& s);         ///< ceres.cpp
 void image_seeds(Search& s);   ///< ceres.cpp, its images alone
-void nlopt_bobyqa(Search& s);  ///< nlopt.cpp
-void nlopt_direct(Search& s);  ///< nlopt.cpp
+void nlopt_bobyqa(Search& s);  ///< nlopt.cpp, and the five below
+void nlopt_sbplx(Search& s);
+void nlopt_slsqp(Search& s);
+void nlopt_direct(Search& s);
+void nlopt_crs(Search& s);
+void nlopt_mlsl(Search& s);
 void automatic(Search& s);     ///< auto.cpp
 
 /// The cells of a forward map: rad of aim, and of ln speed. In map.cpp; what `sweep` does where paths

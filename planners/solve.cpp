@@ -22,12 +22,16 @@ struct Method {
 };
 
 constexpr std::array methods{
-    Method{{"auto", "image, then sweep where images cannot see, then ceres, then nlopt-direct"}, planning::automatic},
+    Method{{"auto", "images, refined where paths are no straight lines; then sweep; nlopt-direct last"}, planning::automatic},
     Method{{"image", "exact aims by unfolding the table; complete without reflex vertices"}, planning::image},
-    Method{{"sweep", "follows the aim around the circle and bisects; sees reflex vertices"}, planning::sweep},
+    Method{{"sweep", "maps every aim (with spin: every aim and speed) and bisects; finds all sequences"}, planning::sweep},
     Method{{"ceres", "Levenberg-Marquardt with dual numbers along a locked cushion sequence"}, planning::ceres},
     Method{{"nlopt-bobyqa", "local search without derivatives from the images (NLopt BOBYQA)"}, planning::nlopt_bobyqa},
+    Method{{"nlopt-sbplx", "the same by subspaces of simplices (NLopt SBPLX)"}, planning::nlopt_sbplx},
+    Method{{"nlopt-slsqp", "from the images along a locked sequence, dual-number gradient (NLopt SLSQP)"}, planning::nlopt_slsqp},
     Method{{"nlopt-direct", "global search over aim and speed (NLopt DIRECT-L)"}, planning::nlopt_direct},
+    Method{{"nlopt-crs", "the same by controlled random search (NLopt CRS2)"}, planning::nlopt_crs},
+    Method{{"nlopt-mlsl", "the same by many local searches (NLopt MLSL with BOBYQA)"}, planning::nlopt_mlsl},
 };
 
 const Method& find_method(const std::string& name) {

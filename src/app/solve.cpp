@@ -25,9 +25,6 @@ struct Arguments {
 void check_planner(const std::string& wanted) {
   std::vector<std::string_view> names;
   for (const PlannerInfo& p : planners()) names.push_back(p.name);
-  constexpr std::string_view to_come[] = {"nlopt-crs", "nlopt-mlsl", "nlopt-sbplx", "nlopt-slsqp"};
-  if (std::find(std::begin(to_come), std::end(to_come), wanted) != std::end(to_come))
-    throw CLI::ValidationError("--planner", quote(wanted) + " is not supported yet");
   if (std::find(names.begin(), names.end(), wanted) == names.end())
     throw CLI::ValidationError("--planner", quote(wanted) + " is no planner" + known_words(wanted, names));
 }

@@ -140,7 +140,6 @@ TEST_CASE("bad usage is refused with what was meant") {
       {"solve --budget -1", "--budget: \"-1\" must be a whole number"},
       {"solve --svg -", "standard output"},
       {"batch", "\"batch\" is not supported yet"},
-      {"solve --planner nlopt-crs", "\"nlopt-crs\" is not supported yet"},
       {"simulate --rate 0", "--rate"},
   }));
   INFO(arguments);
