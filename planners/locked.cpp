@@ -251,10 +251,12 @@ void first_order(const Search& s, Shot& shot) {
     const Jet lateral = cross(u, to<Jet>(target) - arrival.state.at);
     return Vec2<Jet>{lateral * line.x, lateral * line.y};
   });
-  const double by_aim = std::hypot(end.x.v(0), end.y.v(0)), by_speed = std::hypot(end.x.v(1), end.y.v(1));
-  shot.condition = std::max(by_aim, by_speed);
+  const Vec2d by_log_speed{end.x.v(1), end.y.v(1)};
+  shot.by_angle = {end.x.v(0), end.y.v(0)};
+  shot.by_speed = by_log_speed / shot.launch.speed;
+  shot.condition = std::max(norm(shot.by_angle), norm(by_log_speed));
   const Noise& noise = s.puzzle.noise;
-  const double spread = std::hypot(by_aim * noise.angle, by_speed * noise.speed / shot.launch.speed);
+  const double spread = std::hypot(norm(shot.by_angle) * noise.angle, norm(shot.by_speed) * noise.speed);
   shot.first_order = s.nearest_reach(shot.arrival.at) / spread;
 }
 

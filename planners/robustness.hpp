@@ -15,8 +15,9 @@ void first_order(const Search& s, Shot& shot);
 void find_margin(Search& s, Shot& shot);
 
 /// `success`: the share of a fixed low-discrepancy sample of the player's errors that is made by
-/// any allowed cushions. `success_samples` simulations; error about ±0.02.
-inline constexpr int success_samples = 144;
+/// any allowed cushions. `success_samples` simulations. The linear model takes the bulk;
+/// against 100,000 draws the error is 0.0025 in root mean square, 0.016 at worst of 210 shots.
+inline constexpr std::size_t success_samples = 144;
 void find_success(Search& s, Shot& shot);
 
 /// b − a brought into (−π, π].

@@ -25,10 +25,12 @@ double Search::reach(const Vec2d& aim_point) const {
   return 0;
 }
 
-double Search::nearest_reach(const Vec2d& arrived) const {
+const Vec2d& Search::nearest_aim_point(const Vec2d& arrived) const {
   const auto nearer = [&](const Vec2d& a, const Vec2d& b) { return norm(a - arrived) < norm(b - arrived); };
-  return reach(*std::min_element(aim_points_.begin(), aim_points_.end(), nearer));
+  return *std::min_element(aim_points_.begin(), aim_points_.end(), nearer);
 }
+
+double Search::nearest_reach(const Vec2d& arrived) const { return reach(nearest_aim_point(arrived)); }
 
 void Search::remember(const NearMiss& m) {
   if (m.miss < near.miss) near = m;

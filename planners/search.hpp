@@ -78,6 +78,7 @@ struct Search {
   const std::vector<Vec2d>& aim_points() const { return aim_points_; }
   /// How far from an aim point still counts: `within`, or the pocket's capture radius.
   double reach(const Vec2d& aim_point) const;
+  const Vec2d& nearest_aim_point(const Vec2d& arrived) const;
   /// The reach of the aim point nearest to where a ball arrived.
   double nearest_reach(const Vec2d& arrived) const;
   /// How far before its aim point a ball arrives: `reach` of a pocket, 0 of a point.

@@ -32,6 +32,10 @@ struct Shot {
   Arrival arrival{};
   double miss = 0;       ///< m, from the replay
   double condition = 0;  ///< m of arrival per rad of aim or per unit of relative speed, the larger
+  /// Derivatives of the arrival: where the ball rests, or else the closest point of its line of travel
+  /// to the target, which moves across the line only.
+  Vec2d by_angle{};  ///< m/rad
+  Vec2d by_speed{};  ///< m per m/s
   /// First-order margin in standard deviations of the player: orders shots when success is not
   /// computed.
   double first_order = 0;
