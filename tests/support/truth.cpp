@@ -50,13 +50,28 @@ bool follow(const Run& run, const State<T>& start, See&& see) {
 template <class T>
 Path recorded(const Run& run, const State<T>& start) {
   Path path;
-  Vec2d last = run.start.at;
-  path.ended = follow<T>(run, start, [&](const Event& e, const auto& sim) {
-    path.events.push_back(note(e, sim.time(), sim.state()));
-    path.length += norm(path.events.back().state.at - last);
-    last = path.events.back().state.at;
-  });
+  path.ended = follow<T>(run, start, [&](const Event& e, const auto& sim) { path.events.push_back(note(e, sim.time(), sim.state())); });
   return path;
+}
+
+using Step = Eigen::Matrix<double, 7, 7>;
+
+/// The state with its seven numbers as the variables of derivation.
+State<Jet> seeded(State<Jet> s) {
+  Jet* const inputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
+  for (int k = 0; k < 7; ++k) *inputs[k] = Jet(inputs[k]->a, k);
+  return s;
+}
+
+Step jacobian_of(const State<Jet>& s) {
+  Step j;
+  j << s.at.x.v.transpose(), s.at.y.v.transpose(), s.velocity.x.v.transpose(), s.velocity.y.v.transpose(), s.spin.x.v.transpose(),
+      s.spin.y.v.transpose(), s.spin.z.v.transpose();
+  return j;
+}
+
+double speed_scale(const State<Jet>& s, double radius) {
+  return std::hypot(s.velocity.x.a, s.velocity.y.a) + radius * std::hypot(s.spin.x.a, s.spin.y.a, s.spin.z.a);
 }
 
 /// Whether a and b meet the same events, up to the order of two cushions at one instant.
@@ -91,30 +106,37 @@ Path run_double(const Run& run) { return recorded(run, run.start); }
 Path run_truth(const Run& run) { return recorded(run, lift<Digits50>(run.start)); }
 
 Condition condition(const Run& run) {
-  State<Jet> s = lift<Jet>(run.start);
-  Jet* const inputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
-  for (int k = 0; k < 7; ++k) inputs[k]->v[k] = 1;
-  Vec2<Jet> end = s.at;
-  follow<Jet>(run, s, [&](const Event&, const auto& sim) { end = sim.state().at; });
-  const double R = run.boundary.radius, V = norm(run.start.velocity) + R * std::hypot(run.start.spin.x, run.start.spin.y, run.start.spin.z);
-  const double by_spin = R > 0 ? V / R : 0, extent = run.boundary.extent;
-  const double scale[] = {extent, extent, V, V, by_spin, by_spin, by_spin};
+  const double R = run.boundary.radius, extent = run.boundary.extent;
+  std::vector<Step> steps;
+  std::vector<double> scales{speed_scale(lift<Jet>(run.start), R)};
+  follow<Jet>(run, seeded(lift<Jet>(run.start)), [&](const Event&, auto& sim) {
+    steps.push_back(jacobian_of(sim.state()));
+    scales.push_back(speed_scale(sim.before(), R));
+    sim.resume(seeded(sim.state()));
+  });
   Condition c;
-  double square = 0;
-  for (int k = 0; k < 7; ++k) {
-    c.jacobian[0][k] = end.x.v[k];
-    c.jacobian[1][k] = end.y.v[k];
-    square += std::pow(std::hypot(end.x.v[k], end.y.v[k]) * scale[k] / extent, 2);
+  Eigen::Matrix<double, 2, 7> j = Eigen::Matrix<double, 2, 7>::Identity();
+  double sum = 0;
+  for (std::size_t k = steps.size(); k-- > 0;) {
+    j = (j * steps[k]).eval();
+    const double V = scales[k], by_spin = R > 0 ? V / R : 0;
+    const Eigen::Matrix<double, 7, 1> scale{extent, extent, V, V, by_spin, by_spin, by_spin};
+    c.of_start = (j * scale.asDiagonal()).norm() / extent;
+    sum += c.of_start;
   }
-  c.kappa = std::max(1.0, std::sqrt(square));
+  c.kappa = std::max(1.0, sum);
+  for (int k = 0; k < 7; ++k)
+    for (int i = 0; i < 2; ++i) c.jacobian[i][k] = j(i, k);
   return c;
 }
 
 Compared compare_with_truth(const Run& run) {
   const Path rough = run_double(run), exact = run_truth(run);
   Compared c{.events = rough.events.size()};
-  c.kappa = condition(run).kappa;
-  c.unit = unit_roundoff * (run.boundary.extent + std::max(rough.length, exact.length)) * c.kappa;
+  const Condition condition_of_run = condition(run);
+  c.kappa = condition_of_run.kappa;
+  c.of_start = condition_of_run.of_start;
+  c.unit = unit_roundoff * run.boundary.extent * c.kappa;
   if (!same(rough, exact)) {
     // Where they part, the events that compete lie within the bound, as times at the speed of the ball.
     const std::size_t i = agree(rough, exact);

@@ -33,17 +33,16 @@ struct Run {
 
 struct Path {
   std::vector<TruthEvent> events;
-  double length = 0;   ///< m, of the chords between events: not more than the path
   bool ended = false;  ///< by rest, a pocket or the number of cushions
 };
 
 Path run_double(const Run& run);
 Path run_truth(const Run& run);  ///< in 50 digits
 
-/// κ of the simulator's property 6 for the run in double, and d(position of the last event)/d(start),
-/// columns x, y, vx, vy, wx, wy, wz.
+/// κ of the simulator's property 6 for the run in double, that of the start alone (its first term), and
+/// d(position of the last event)/d(start), columns x, y, vx, vy, wx, wy, wz.
 struct Condition {
-  double kappa = 1;
+  double kappa = 1, of_start = 1;
   double jacobian[2][7] = {};
 };
 Condition condition(const Run& run);
@@ -52,7 +51,7 @@ Condition condition(const Run& run);
 struct Compared {
   double error = 0;  ///< m, of the last event's position
   double unit = 0;   ///< m, 2⁻⁵³ · size · κ
-  double kappa = 1;
+  double kappa = 1, of_start = 1;
   std::size_t events = 0;
   /// same: the events agree. tie: they part at two events that lie within the bound of each other, or the
   /// path in double is the exact path of a start within 1e-13 of this one. wrong: neither.

@@ -20,12 +20,14 @@
 //     slower than tolerance::still of its launch after a bounce rests.
 //  6. Error. The walls and constants are the given doubles. With T = double the position of the last
 //     event differs from the exact one of the same start state by
-//       |error| <= C · 2⁻⁵³ · size · κ,   C = tolerance::simulation_error,
-//     size = Boundary::extent + length of the path [m], κ = max(1, ‖J D‖ / extent): J the Jacobian
-//     of that position by the start state, D = diag(extent, extent, V, V, V/R, V/R, V/R), V = |v| + R|ω|
-//     at the start. Each event rounds the state by a few units in the last place; the path's
-//     length stands for their number. It holds as long as both runs meet the same events; they may differ
-//     only where two events lie within that bound of each other, or a cushion is grazed that closely.
+//       |error| <= C · 2⁻⁵³ · size · κ,   C = tolerance::simulation_error,   size = Boundary::extent,
+//       κ = Σ_k ‖J_k D_k‖ / size over the start (k = 0) and every event before the last.
+//     J_k: Jacobian of that position by the state after event k (x, y, v, ω), D_k = diag(size, size, V,
+//     V, V/R, V/R, V/R), V = |v| + R|ω| where the arc that led to event k began. Each event rounds the
+//     state anew by a few units in the last place. The start alone would not do: a bounce forgets
+//     the gap, and so what was wrong with it, while a ball that then leaves slowly along the cushion
+//     multiplies what the bounce has rounded. The bound holds as long as both runs meet the same events; they may
+//     differ only where two events lie within that bound of each other, or a cushion is grazed that closely.
 #pragma once
 
 #include <utility>
@@ -63,13 +65,7 @@ class Simulator {
   Event step(const T& horizon = T(forever)) {
     if (pending_ >= 0) {
       const int second = std::exchange(pending_, -1);
-      if (approach(second) > Number(0)) {
-        travelled_ = T(0);
-        before_ = state_;
-        arc_ = motion_.arc(state_);
-        bounce(second);
-        return {EventKind::cushion, second, true};
-      }
+      if (approach(second) > Number(0)) return second_of_instant(second);
     }
     before_ = state_;
     arc_ = motion_.arc(state_);
@@ -94,6 +90,9 @@ class Simulator {
   const T& time() const { return time_; }           ///< seconds since the launch
   const Arc<T>& arc() const { return arc_; }        ///< the arc that led to the last event
   const T& travelled() const { return travelled_; }  ///< seconds spent on that arc
+
+  /// Goes on from another state at the same event, such as the same with fresh derivatives.
+  void resume(const State<T>& state) { state_ = state; }
 
   /// Unit vector away from a contact, into the table, for the ball where it is now.
   Vec2<T> normal(int contact) const {
@@ -191,11 +190,25 @@ class Simulator {
     return next.event.kind == EventKind::horizon ? horizon : arc_.duration;
   }
 
+  /// No time passes, but the instant of the second bounce has derivatives of its own.
+  Event second_of_instant(int contact) {
+    before_ = state_;
+    arc_ = motion_.arc(state_);
+    travelled_ = T(0);
+    if (has_derivatives<T> && is_wall(contact)) {
+      travelled_ = lift_line(arc_, wall(contact).normal, wall(contact).offset, false, Number(0));
+      time_ += travelled_;
+      state_ = advance(motion_, before_, arc_, travelled_);
+    }
+    bounce(contact);
+    return {EventKind::cushion, contact, true};
+  }
+
   Event cushions(const Next& next) {
     int first = next.event.index, second = next.second;
     if (second >= 0 && approach(second) > approach(first)) std::swap(first, second);
     leave();
-    if (second >= 0) settle(second);
+    if (second >= 0) meet(second);
     bounce(first);
     pending_ = second;
     return {EventKind::cushion, first};
@@ -214,19 +227,43 @@ class Simulator {
     }
   }
 
-  /// Where the ball rests on a cushion and friction drives it in: no normal motion on this arc.
+  /// Where the ball rests on a cushion and friction drives it in: no normal motion on this arc. Between
+  /// two cushions it may be held by one, along which the other lets it go, or by both: then it stays.
   void hold() {
     held_[0] = held_[1] = -1;
+    const bool slow[] = {rests_at(on_[0]), rests_at(on_[1])};
+    if (!slow[0] && !slow[1]) return;
+    const Vec2<Number> a = value(arc_.acceleration);
+    bool pressed = false;
     for (int k = 0; k < 2; ++k) {
-      const int i = on_[k];
-      if (i < 0 || !is_wall(i)) continue;
-      const Vec2d& n = wall(i).normal;
-      const T speed = dot(n, arc_.velocity), acceleration = dot(n, arc_.acceleration);
-      if (value(speed) * value(speed) > resting2_ || !(value(acceleration) < 0)) continue;
-      held_[k] = i;
-      arc_.velocity -= {speed * n.x, speed * n.y};
-      arc_.acceleration -= {acceleration * n.x, acceleration * n.y};
+      if (!slow[k]) continue;
+      const Vec2d& n = wall(on_[k]).normal;
+      const Number into = dot(n, a);
+      if (!(into < 0)) continue;
+      pressed = true;
+      const Vec2<Number> along{a.x - into * n.x, a.y - into * n.y};
+      if (slow[1 - k] && dot(wall(on_[1 - k]).normal, along) < 0) continue;
+      held_[k] = on_[k];
+      stop_along(n, arc_.velocity);
+      stop_along(n, arc_.acceleration);
+      return;
     }
+    if (!pressed) return;
+    held_[0] = on_[0];
+    held_[1] = on_[1];
+    arc_.velocity = arc_.acceleration = {T(0), T(0)};
+  }
+
+  /// The ball is at wall i without speed from or towards it, to speak of.
+  bool rests_at(int i) const {
+    if (i < 0 || !is_wall(i)) return false;
+    const Number speed = dot(wall(i).normal, value(arc_.velocity));
+    return speed * speed <= resting2_;
+  }
+
+  static void stop_along(const Vec2d& n, Vec2<T>& v) {
+    const T part = dot(n, v);
+    v -= {part * n.x, part * n.y};
   }
 
   /// The ball has moved: it is at no cushion but those that hold it.
@@ -242,6 +279,11 @@ class Simulator {
       const T gap = dot(w.normal, state_.at) - Number(w.offset);
       state_.at -= {gap * w.normal.x, gap * w.normal.y};
     }
+    meet(contact);
+  }
+
+  /// Remembers that the centre is on the contact.
+  void meet(int contact) {
     if (contact != on_[0]) on_[1] = std::exchange(on_[0], contact);
   }
 
