@@ -16,8 +16,10 @@
 //     is exactly 0, so the same bounce is never found twice.
 //  5. A ball at a cushion, with no speed away from it, that friction drives into it is held there:
 //     its normal motion stops, its tangential motion goes on until the acceleration leaves. That is
-//     no bounce; it ends the bouncing without end of a ball that returns slower each time. A ball
-//     slower than tolerance::still of its launch after a bounce rests.
+//     no bounce; it ends the bouncing without end of a ball that returns slower each time. A ball that
+//     starts within Boundary::touch of a cushion is put on its line. Limitation: at a reflex vertex the ball
+//     goes on along the tangent, where friction might take it round. A ball slower than
+//     tolerance::still of its launch after a bounce rests.
 //  6. Error. The walls and constants are the given doubles. With T = double the position of the last
 //     event differs from the exact one of the same start state by
 //       |error| <= C · 2⁻⁵³ · size · κ,   C = tolerance::simulation_error,   size = Boundary::extent,
@@ -118,6 +120,7 @@ class Simulator {
   }
 
   Number approach(int contact) const { return -dot(value(normal(contact)), value(state_.velocity)); }
+  bool held(int contact) const { return contact == held_[0] || contact == held_[1]; }
   bool left(int contact) const { return contact == on_[0] || contact == on_[1]; }
 
   /// v² + (Rω)² of the part of the spin that moves the ball.
@@ -133,7 +136,7 @@ class Simulator {
     const auto walls = static_cast<int>(boundary_->walls.size());
     for (int i = 0; i < walls; ++i) consider(next, i, wall_hit(arc, i, next.time));
     for (const Circle& c : boundary_->tips)
-      consider(next, c.contact, first_entry(arc, c.centre, c.radius, next.time, left(c.contact)));
+      if (!held(c.contact)) consider(next, c.contact, first_entry(arc, c.centre, c.radius, next.time, left(c.contact)));
     for (const Circle& c : boundary_->pockets) {
       const Number t = first_entry(arc, c.centre, c.radius, next.time);
       if (t <= next.time && t < Number(forever)) next = {t, {EventKind::pocket, c.contact}};
@@ -159,7 +162,7 @@ class Simulator {
     if (gap > Number(0) && !(acceleration > Number(0)) && limit < Number(forever) &&
         gap + (speed + acceleration * (limit * 0.5)) * limit > Number(boundary_->touch))
       return Number(forever);
-    if (i == held_[0] || i == held_[1]) return Number(forever);
+    if (held(i)) return Number(forever);
     if (left(i)) {
       gap = Number(0);
       if (speed * speed < bounced2_ * (tolerance::along * tolerance::along)) return Number(forever);
@@ -214,7 +217,7 @@ class Simulator {
     return {EventKind::cushion, first};
   }
 
-  /// A ball may start at rest against a cushion: then the gap there is 0 from the beginning.
+  /// A ball may start at rest against a cushion: then it is put on the line, and the gap is 0.
   void find_touching() {
     using std::abs;
     const Number near(boundary_->touch);
@@ -223,7 +226,10 @@ class Simulator {
     for (int i = 0; i < static_cast<int>(boundary_->walls.size()) && found < 2; ++i) {
       const Wall& w = wall(i);
       const Number s = dot(w.along, at), gap = dot(w.normal, at) - Number(w.offset);
-      if (abs(gap) <= near && s >= w.begin - near && s <= w.end + near) on_[found++] = i;
+      if (abs(gap) <= near && s >= w.begin - near && s <= w.end + near) {
+        settle(i);
+        ++found;
+      }
     }
   }
 
@@ -237,12 +243,12 @@ class Simulator {
     bool pressed = false;
     for (int k = 0; k < 2; ++k) {
       if (!slow[k]) continue;
-      const Vec2d& n = wall(on_[k]).normal;
+      const Vec2<Number> n = value(normal(on_[k]));
       const Number into = dot(n, a);
       if (!(into < 0)) continue;
       pressed = true;
       const Vec2<Number> along{a.x - into * n.x, a.y - into * n.y};
-      if (slow[1 - k] && dot(wall(on_[1 - k]).normal, along) < 0) continue;
+      if (slow[1 - k] && dot(value(normal(on_[1 - k])), along) < 0) continue;
       held_[k] = on_[k];
       stop_along(n, arc_.velocity);
       stop_along(n, arc_.acceleration);
@@ -254,14 +260,14 @@ class Simulator {
     arc_.velocity = arc_.acceleration = {T(0), T(0)};
   }
 
-  /// The ball is at wall i without speed from or towards it, to speak of.
-  bool rests_at(int i) const {
-    if (i < 0 || !is_wall(i)) return false;
-    const Number speed = dot(wall(i).normal, value(arc_.velocity));
+  /// The ball is at this contact without speed from or towards it, to speak of.
+  bool rests_at(int contact) const {
+    if (contact < 0) return false;
+    const Number speed = dot(value(normal(contact)), value(arc_.velocity));
     return speed * speed <= resting2_;
   }
 
-  static void stop_along(const Vec2d& n, Vec2<T>& v) {
+  static void stop_along(const Vec2<Number>& n, Vec2<T>& v) {
     const T part = dot(n, v);
     v -= {part * n.x, part * n.y};
   }
