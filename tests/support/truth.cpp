@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_dec_float.hpp>
 #include <cmath>
+#include <utility>
 
 namespace bankshot::test {
 namespace {
@@ -84,6 +85,17 @@ std::size_t agree(const Path& a, const Path& b) {
 
 bool same(const Path& a, const Path& b) { return a.events.size() == b.events.size() && agree(a, b) == a.events.size(); }
 
+/// Without slides that last less than the ball needs to cross the bound: whether there is one at all is
+/// up to the rounding of a slip that is nearly 0.
+Path without_tiny_slides(Path path, double bound) {
+  double before = 0;
+  std::erase_if(path.events, [&](const TruthEvent& e) {
+    const double lasted = e.time - std::exchange(before, e.time);
+    return e.kind == EventKind::slide_to_roll && lasted * norm(e.state.velocity) <= bound;
+  });
+  return path;
+}
+
 /// The events in double are those of an exact path from a start this close, relative to its own size.
 bool nearby_start(const Run& run, const Path& rough) {
   constexpr double step = 1e-13;
@@ -131,12 +143,16 @@ Condition condition(const Run& run) {
 }
 
 Compared compare_with_truth(const Run& run) {
-  const Path rough = run_double(run), exact = run_truth(run);
+  Path rough = run_double(run), exact = run_truth(run);
   Compared c{.events = rough.events.size()};
   const Condition condition_of_run = condition(run);
   c.kappa = condition_of_run.kappa;
   c.of_start = condition_of_run.of_start;
   c.unit = unit_roundoff * run.boundary.extent * c.kappa;
+  if (!same(rough, exact)) {
+    rough = without_tiny_slides(std::move(rough), tolerance::simulation_error * c.unit);
+    exact = without_tiny_slides(std::move(exact), tolerance::simulation_error * c.unit);
+  }
   if (!same(rough, exact)) {
     // Where they part, the events that compete lie within the bound, as times at the speed of the ball.
     const std::size_t i = agree(rough, exact);
