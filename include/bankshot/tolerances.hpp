@@ -46,6 +46,10 @@ inline constexpr double slip = 1e-15;
 /// only adds bounces to a series that never ends.
 inline constexpr double resting = 1e-9;
 
+/// Of the launch's |v| + R|ω|. A ball that touches both cushions of a corner and is slower than this, while
+/// friction drives it in, stays there. It must be a few times `resting`, which is the size of the bounces it ends.
+inline constexpr double crawling = 1e-8;
+
 /// Of the launch's |v| + R|ω|. A ball slower than this after a bounce is at rest. Without friction it
 /// slows down by a factor a bounce for ever; much smaller and the squares of its speed would underflow.
 inline constexpr double still = 1e-100;

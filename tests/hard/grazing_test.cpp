@@ -20,7 +20,8 @@ TEST_CASE("a ball with spin that grazes a cushion stays within the bound") {
         ShotRequest shot = spin_shot({0.5, 0.028575 + gap}, 3, 0, {.top = top, .side = 0.3});
         shot.launch.angle = wrap_angle(-angle);
         INFO("angle " << angle << ", reach " << reach << ", topspin " << top);
-        CHECK(worst.within_bound(against_truth(shot)));
+        CHECK(worst.within_bound(against_truth(shot, 1)));  // the place of the bounce
+        CHECK(worst.within_bound(against_truth(shot)));     // and of rest, where the error is small again
         CHECK(simulate(shot).sequence().front() == 0);
       }
   CHECK(worst.kappa > 1e6);  // the cases are as hard as they claim

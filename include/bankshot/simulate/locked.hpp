@@ -37,9 +37,10 @@ T time_to_line(const Arc<T>& arc, const Wall& w) {
   if (!(speed < Number(0))) {
     t = first_descent(gap > Number(0) ? gap : Number(0), speed, a);
   } else {
+    // Without acceleration no square, which would underflow for the slowest approach.
     const Number discriminant = speed * speed - 2 * a * gap;
     if (discriminant < Number(0)) return T(forever);
-    t = 2 * gap / (sqrt(discriminant) - speed);
+    t = a == Number(0) ? Number(gap / -speed) : Number(2 * gap / (sqrt(discriminant) - speed));
   }
   if (!(t < Number(forever))) return T(forever);
   return lift_line(arc, w.normal, w.offset, !(speed < Number(0)) && !(gap > Number(0)), t);

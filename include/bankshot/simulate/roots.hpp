@@ -100,6 +100,17 @@ T lift_circle(const Arc<T>& arc, const Vec2d& centre, const Real<T>& t) {
   }
 }
 
+/// A step of Newton's method on the distance itself. The quartic's coefficients are squares of the whole
+/// distance to the circle, so its roots are off by that over the radius.
+template <class T>
+T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& t, const T& limit) {
+  const Vec2<T> d = arc.position(t) - to<T>(centre);
+  const T slope = dot(d, arc.velocity_at(t));
+  if (!(slope < T(0))) return t;
+  const T better = t - (dot(d, d) - T(T(radius) * radius)) / (T(2) * slope);
+  return better > T(0) && better <= limit ? better : t;
+}
+
 /// First time within `limit` at which an arc enters the circle. `left`: it starts on the circle,
 /// just left; then the gap there is exactly 0.
 template <class T>
@@ -112,7 +123,8 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   const T distance2 = dot(d, d);
   if (distance2 > reach * reach) return T(forever);
   const T gap = left ? T(0) : T(distance2 - T(T(radius) * radius));
-  return first_descent_of(Polynomial<T, 4>{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)}, until);
+  const T t = first_descent_of(Polynomial<T, 4>{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)}, until);
+  return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
 }
 
 /// When, within `duration`, an arc is closest to `point`.

@@ -237,27 +237,41 @@ class Simulator {
   /// two cushions it may be held by one, along which the other lets it go, or by both: then it stays.
   void hold() {
     held_[0] = held_[1] = -1;
-    const bool slow[] = {rests_at(on_[0]), rests_at(on_[1])};
+    if (on_[0] < 0) return;
+    const int corner = corner_to_crawl_in();
+    const int at[] = {on_[0], corner >= 0 ? corner : on_[1]};
+    const bool slow[] = {corner >= 0 || rests_at(at[0]), corner >= 0 || rests_at(at[1])};
     if (!slow[0] && !slow[1]) return;
     const Vec2<Number> a = value(arc_.acceleration);
     bool pressed = false;
     for (int k = 0; k < 2; ++k) {
       if (!slow[k]) continue;
-      const Vec2<Number> n = value(normal(on_[k]));
+      const Vec2<Number> n = value(normal(at[k]));
       const Number into = dot(n, a);
       if (!(into < 0)) continue;
       pressed = true;
       const Vec2<Number> along{a.x - into * n.x, a.y - into * n.y};
-      if (slow[1 - k] && dot(value(normal(on_[1 - k])), along) < 0) continue;
-      held_[k] = on_[k];
+      if (slow[1 - k] && dot(value(normal(at[1 - k])), along) < 0) continue;
+      held_[k] = on_[k] = at[k];
       stop_along(n, arc_.velocity);
       stop_along(n, arc_.acceleration);
       return;
     }
     if (!pressed) return;
-    held_[0] = on_[0];
-    held_[1] = on_[1];
+    for (int k = 0; k < 2; ++k) held_[k] = on_[k] = at[k];
     arc_.velocity = arc_.acceleration = {T(0), T(0)};
+  }
+
+  /// Where the ball is at a cushion in a corner and hardly moves: the other cushion, else -1. Friction into
+  /// the corner and spin at the cushions may feed ever the same tiny bounces from one to the other.
+  int corner_to_crawl_in() const {
+    using std::abs;
+    const Vec2<Number> at = value(arc_.at), v = value(arc_.velocity);
+    constexpr double more = tolerance::crawling / tolerance::resting;
+    if (dot(v, v) > resting2_ * (more * more) || !is_wall(on_[0])) return -1;
+    for (int i = 0; i < static_cast<int>(boundary_->walls.size()); ++i)
+      if (i != on_[0] && abs(Number(dot(wall(i).normal, at) - Number(wall(i).offset))) <= Number(boundary_->touch)) return i;
+    return -1;
   }
 
   /// The ball is at this contact without speed from or towards it, to speak of.
@@ -300,6 +314,8 @@ class Simulator {
       cushion_.bounce(state_, wall(contact).normal);
     else
       cushion_.bounce(state_, normal(contact));
+    const Vec2<Number> v = value(state_.velocity);
+    if (dot(v, v) < bounced2_ * (tolerance::along * tolerance::along)) state_.velocity = {T(0), T(0)};  // rounding
     if (squared_scale() < still2_) {
       state_.velocity = {T(0), T(0)};
       state_.spin.x = state_.spin.y = T(0);
