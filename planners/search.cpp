@@ -45,7 +45,7 @@ void Search::remember(const NearMiss& m) {
 }
 
 bool Search::touches(int contact) const {
-  const double slack = tolerance::touch * boundary.diagonal;
+  const double slack = boundary.touch;
   const auto walls = static_cast<int>(boundary.walls.size());
   if (contact < walls) {
     const Wall& w = boundary.walls[static_cast<std::size_t>(contact)];

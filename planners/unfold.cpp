@@ -155,7 +155,7 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) cons
   if (node.last >= 0) {
     // Beyond the line of the cushion just left there is no path.
     const Wall& left = s_.boundary.walls[static_cast<std::size_t>(node.last)];
-    const double behind = tolerance::touch * s_.boundary.diagonal;
+    const double behind = s_.boundary.touch;
     if (dot(left.normal, w.from) - left.offset < behind && dot(left.normal, w.to) - left.offset < behind)
       return {};
   }

@@ -15,29 +15,53 @@ inline constexpr double exact_speed = 1e-9;
 /// Of the diagonal. A point pocket (radius 0) captures a path that passes this close to it.
 inline constexpr double point_pocket = 1e-9;
 
+// The next group is used inside the simulator, where the scalar may be double, a dual number or a
+// number of 50 digits. All are part of the law, the same in every scalar: they forgive the rounding of
+// *input* (which is double everywhere) or decide what counts as rest, so that the run in 50 digits is the
+// truth about the run in double. Only `along` forgives the simulator's own rounding; it is far
+// below any bound stated, so it may be the same as well.
+
 /// Of the diagonal. A centre this far beyond a cushion line still counts as touching it: input
 /// such as `length - R` and each bounce are rounded. Larger would let a ball start outside;
 /// smaller would let one slip behind a cushion at a corner.
 inline constexpr double touch = 1e-12;
 
-/// Of the speed. A ball on a cushion whose approach speed is below this travels along it: it is
-/// the rounding of a velocity that was projected on an inclined cushion. Larger would swallow
-/// real grazing bounces.
+/// Of the largest coordinate, where that is more than `touch` of the diagonal: a gap is the difference
+/// of two lengths of that size, rounded five times. Larger would forgive more than rounding; smaller
+/// would lose a ball on a table far from the origin.
+inline constexpr double coordinate = 2e-15;
+
+/// Of |v| + R|ω| before the last bounce. A ball on a cushion whose approach speed is below this travels
+/// along it: it is the rounding of a velocity that was projected on an inclined cushion. Larger would
+/// swallow real grazing bounces.
 inline constexpr double along = 1e-15;
 
 /// Of the speed |v| + R|ω|. A contact point slower than this rolls: natural roll asked as topspin 1
-/// is slip 0 only up to rounding. The slide that is skipped would last as long as light takes for a
-/// millimetre.
-inline constexpr double slip = 1e-13;
+/// is slip 0 only up to three roundings. Larger would change the path of balls that do slide, by this
+/// of its length; smaller would make a slide out of rounding, with a direction of noise.
+inline constexpr double slip = 1e-15;
 
 /// Of the launch's |v| + R|ω|. A ball that leaves a cushion slower than this, while friction drives
 /// it back, stays on the cushion. Larger would move the path measurably (by (this·v)²/a); smaller
 /// only adds bounces to a series that never ends.
 inline constexpr double resting = 1e-9;
 
-/// Of the diagonal. A hit this far beyond the end of an edge still belongs to it, so that no path
-/// slips between two edges that meet at a reflex vertex when the ball has radius 0.
+/// Of the launch's |v| + R|ω|. A ball that touches both cushions of a corner and is slower than this, while
+/// friction drives it in, stays there. It must be a few times `resting`, which is the size of the bounces it ends.
+inline constexpr double crawling = 1e-8;
+
+/// Of the launch's |v| + R|ω|. A ball slower than this after a bounce is at rest. Without friction it
+/// slows down by a factor a bounce for ever; much smaller and the squares of its speed would underflow.
+inline constexpr double still = 1e-100;
+
+/// Of the extent (see Boundary). A hit this far beyond the end of an edge still belongs to it, so that
+/// no path slips between two edges that meet at a reflex vertex when the ball has radius 0.
 inline constexpr double edge_end = 1e-15;
+
+/// No unit: C of the error bound of the simulator (simulate/simulator.hpp, property 6): |error of the
+/// final position| <= C · 2⁻⁵³ · size · κ. Larger would promise less; the worst ratio seen is
+/// logged by `shots --truth` and by tests/simulate.
+inline constexpr double simulation_error = 8;
 
 /// Of the diagonal. A target asked exactly on a cushion line, or a path through a corner, is
 /// approached from the side that keeps the asked bounces by moving the aim this much (and ten

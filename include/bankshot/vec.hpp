@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "bankshot/scalar.hpp"
+
 namespace bankshot {
 
 template <class T>
@@ -41,6 +43,18 @@ auto dot(const Vec2<A>& a, const Vec2<B>& b) {
 template <class A, class B>
 auto cross(const Vec2<A>& a, const Vec2<B>& b) {
   return a.x * b.y - a.y * b.x;
+}
+
+/// A vector with derivatives times a plain number.
+template <class T>
+  requires has_derivatives<T>
+Vec2<T> operator*(const Vec2<T>& a, const Real<T>& s) {
+  return {a.x * s, a.y * s};
+}
+
+template <class T>
+Vec2<Real<T>> value(const Vec2<T>& a) {
+  return {value(a.x), value(a.y)};
 }
 
 /// `a` turned by +90 degrees.

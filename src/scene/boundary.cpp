@@ -2,6 +2,7 @@
 #include "bankshot/scene/boundary.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bankshot/tolerances.hpp"
@@ -40,7 +41,9 @@ Vec2d vertex_of(const Wall& w, double radius, double s) {
 }  // namespace
 
 Boundary::Boundary(const Table& table, double ball_radius)
-    : radius(ball_radius), diagonal(table.diagonal()) {
+    : radius(ball_radius), diagonal(table.diagonal()), extent(diagonal) {
+  for (const Vec2d& v : table.vertices) extent = std::max({extent, std::abs(v.x), std::abs(v.y)});
+  touch = std::max(tolerance::touch * diagonal, tolerance::coordinate * extent);
   const std::size_t n = table.vertices.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2d a = table.vertices[i], b = table.vertices[(i + 1) % n];

@@ -100,7 +100,7 @@ void check_inside(const Boundary& b, const Vec2d& p, const std::string& path, st
   need_finite(p.x, path + "/0");
   need_finite(p.y, path + "/1");
   const double clearance = b.clearance(p);
-  if (clearance < -tolerance::touch * b.diagonal)
+  if (clearance < -b.touch)
     fail(path, fmt::format("{}: {} must be inside the table, at least the ball's radius {} m from "
                            "each cushion; it is {:.6g} m too far out",
                            show(p), what, b.radius, -clearance));

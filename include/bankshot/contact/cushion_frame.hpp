@@ -13,25 +13,32 @@ struct InCushionFrame {
   T wn, wt, wz;  ///< rad/s
 };
 
-/// `away` is a unit vector that points away from the cushion.
-template <class T>
-InCushionFrame<T> into_frame(const State<T>& s, const Vec2<T>& away) {
-  const Vec2<T> n = -away, t = perpendicular(n), w{s.spin.x, s.spin.y};
+/// `away` is a unit vector that points away from the cushion; of a straight one a plain number.
+template <class T, class N>
+InCushionFrame<T> into_frame(const State<T>& s, const Vec2<N>& away) {
+  const Vec2<N> n = -away, t = perpendicular(n);
+  const Vec2<T> w{s.spin.x, s.spin.y};
   return {dot(n, s.velocity), dot(t, s.velocity), dot(n, w), dot(t, w), s.spin.z};
 }
 
-template <class T>
-void out_of_frame(const InCushionFrame<T>& f, const Vec2<T>& away, State<T>& s) {
-  const Vec2<T> n = -away, t = perpendicular(n);
-  s.velocity = n * f.vn + t * f.vt;
-  s.spin = {n.x * f.wn + t.x * f.wt, n.y * f.wn + t.y * f.wt, f.wz};
+template <class T, class N>
+void out_of_frame(const InCushionFrame<T>& f, const Vec2<N>& away, State<T>& s) {
+  const Vec2<N> n = -away, t = perpendicular(n);
+  s.velocity = {f.vn * n.x + f.vt * t.x, f.vn * n.y + f.vt * t.y};
+  s.spin = {f.wn * n.x + f.wt * t.x, f.wn * n.y + f.wt * t.y, f.wz};
 }
 
 /// The height of a cushion's nose over the ball's centre as an angle: sin θ = (h − R) / R.
+template <class N = double>
 struct NoseAngle {
-  double sine, cosine;
-  NoseAngle(double height, double radius)
-      : sine((height - radius) / radius), cosine(std::sqrt((1 - sine) * (1 + sine))) {}
+  N sine, cosine;
+  NoseAngle(double height, double radius) : sine((N(height) - radius) / radius), cosine(root((1 - sine) * (1 + sine))) {}
+
+ private:
+  static N root(const N& x) {
+    using std::sqrt;
+    return sqrt(x);
+  }
 };
 
 }  // namespace bankshot

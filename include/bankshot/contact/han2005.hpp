@@ -21,35 +21,31 @@ struct Han2005 {
   double friction = 0.2;  ///< f, between ball and cushion
 
   template <class T, class N>
-  void bounce(State<T>& s, const Vec2<N>& normal) const {
+  void bounce(State<T>& s, const Vec2<N>& away) const {
     using std::sqrt;
-    const Vec2<T> away = to<T>(normal);
+    using Number = Real<T>;
     InCushionFrame<T> f = into_frame(s, away);
-    const NoseAngle nose(height, radius);
-    const T sine(nose.sine), cosine(nose.cosine), R(radius);
+    const NoseAngle<Number> nose(height, radius);
+    const Number &sine = nose.sine, &cosine = nose.cosine, R(radius);
     // eqs 14-16, for mass 1: slip of the contact point along and across, approach speed
-    const T sx = f.vn * sine + R * f.wt;
-    const T sy = -f.vt - R * f.wz * cosine + R * f.wn * sine;
-    const T c = f.vn * cosine;
+    const T sx = f.vn * sine + f.wt * R;
+    const T sy = f.wn * Number(R * sine) - f.vt - f.wz * Number(R * cosine);
     constexpr double a = 7.0 / 2;
-    const T normal_impulse = (T(1) + restitution(f.vn)) * c;  // eq 17, PzE
+    const T normal_impulse = restitution.rebound(f.vn) * cosine;  // eq 17, PzE
     // Sticking needs |s|/A <= f PzE; squares are compared, for a root of 0 has no derivative.
-    const T limit = T(friction * a) * normal_impulse, slip2 = sx * sx + sy * sy;
-    T px = sx / T(a), py = sy / T(a);  // eqs 18-19
-    if (slip2 > limit * limit) {
-      const T share = limit / sqrt(slip2);  // eqs 20-21
-      px *= share;
-      py *= share;
-    }
+    const T limit = normal_impulse * Number(Number(friction) * a), slip2 = sx * sx + sy * sy;
+    const bool slides = value(slip2) > value(limit) * value(limit);
+    const T share = slides ? T(limit / sqrt(slip2) / Number(a)) : T(1 / Number(a));
+    const T px = sx * share, py = sy * share;  // eqs 18-21
     // eqs 22-23: impulses into, along and above the cushion
-    const T ix = -px * sine - normal_impulse * cosine, iy = py, iz = px * cosine - normal_impulse * sine;
-    const T by_inertia = T(5.0 / 2) / R;  // R / I for mass 1
+    const T ix = -px * sine - normal_impulse * cosine, iz = px * cosine - normal_impulse * sine;
+    const T turned = py * Number(Number(5.0 / 2) / R);  // R / I for mass 1
     f.vn += ix;
-    f.vt += iy;
-    f.wn -= by_inertia * iy * sine;
-    f.wt += by_inertia * (ix * sine - iz * cosine);
-    f.wz += by_inertia * iy * cosine;
-    if (f.vn > T(0)) f.vn = T(0);
+    f.vt += py;
+    f.wn -= turned * sine;
+    f.wt += (ix * sine - iz * cosine) * Number(Number(5.0 / 2) / R);
+    f.wz += turned * cosine;
+    if (value(f.vn) > 0) f.vn = T(0);
     out_of_frame(f, away, s);
   }
 };

@@ -15,9 +15,9 @@ struct Mirror {
   /// `normal` is a unit vector that points away from the cushion, into the table.
   template <class T, class N>
   void bounce(State<T>& s, const Vec2<N>& normal) const {
-    const Vec2<T> n = to<T>(normal);
-    const T approach = -dot(n, s.velocity);
-    s.velocity += n * ((T(1) + restitution(approach)) * approach);
+    const T impulse = restitution.rebound(T(-dot(normal, s.velocity)));
+    s.velocity.x += impulse * normal.x;
+    s.velocity.y += impulse * normal.y;
   }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bankshot/scalar.hpp"
+
 namespace bankshot {
 
 /// e = clamp(at_rest + per_speed · vn, 0, 1), vn the normal approach speed [m/s].
@@ -18,6 +20,12 @@ struct Restitution {
     const T e = T(at_rest) + T(per_speed) * normal_speed;
     if (e < T(0)) return T(0);
     return e > T(1) ? T(1) : e;
+  }
+  /// (1 + e) vn: what the cushion changes the approach speed by.
+  template <class T>
+  T rebound(const T& normal_speed) const {
+    if (per_speed == 0) return normal_speed * Real<T>(Real<T>(1) + at_rest);
+    return normal_speed * (T(1) + (*this)(normal_speed));
   }
   bool constant() const { return per_speed == 0; }
 };

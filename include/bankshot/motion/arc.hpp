@@ -38,9 +38,25 @@ struct Arc {
   T duration{};
   PhaseEnd end = PhaseEnd::none;
 
-  Vec2<T> position(const T& t) const { return at + (velocity + acceleration * (t / T(2))) * t; }
-  Vec2<T> velocity_at(const T& t) const { return velocity + acceleration * t; }
+  /// At a time with or without derivatives.
+  template <class S>
+  Vec2<T> position(const S& t) const {
+    return at + (velocity + acceleration * S(t * 0.5)) * t;
+  }
+  template <class S>
+  Vec2<T> velocity_at(const S& t) const {
+    return velocity + acceleration * t;
+  }
 };
+
+/// The arc without derivatives: itself where it has none.
+template <class T>
+decltype(auto) value(const Arc<T>& a) {
+  if constexpr (has_derivatives<T>)
+    return Arc<Real<T>>{value(a.at), value(a.velocity), value(a.acceleration), value(a.duration), a.end};
+  else
+    return (a);
+}
 
 /// The state t seconds into the arc that `motion` made of `s`.
 template <class T, class Motion>
@@ -54,7 +70,7 @@ State<T> advance(const Motion& motion, const State<T>& s, const Arc<T>& arc, con
 template <class T>
 Vec3<T> natural_roll(const Vec2<T>& velocity, double radius) {
   if (radius == 0) return {T(0), T(0), T(0)};
-  return {-velocity.y / T(radius), velocity.x / T(radius), T(0)};
+  return {-velocity.y / Real<T>(radius), velocity.x / Real<T>(radius), T(0)};
 }
 
 }  // namespace bankshot

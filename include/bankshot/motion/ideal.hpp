@@ -14,7 +14,8 @@ struct Ideal {
 
   template <class T>
   Arc<T> arc(const State<T>& s) const {
-    return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
+    const bool moves = value(s.velocity.x) != 0 || value(s.velocity.y) != 0;
+    return {s.at, s.velocity, {T(0), T(0)}, T(moves ? forever : 0), moves ? PhaseEnd::none : PhaseEnd::rest};
   }
   template <class T>
   void turn(State<T>&, const Arc<T>&, const T&) const {}

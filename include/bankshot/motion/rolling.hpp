@@ -11,11 +11,13 @@ namespace bankshot {
 
 /// The rolling phase from velocity v with deceleration a [m/s²].
 template <class T>
-Arc<T> rolling_arc(const Vec2<T>& at, const Vec2<T>& velocity, double a) {
-  const T speed = norm(velocity);
-  if (!(speed > T(0))) return {at, velocity, {T(0), T(0)}, T(0), PhaseEnd::rest};
+Arc<T> rolling_arc(const Vec2<T>& at, const Vec2<T>& velocity, const Real<T>& a) {
+  const T speed2 = dot(velocity, velocity);
+  if (!(value(speed2) > 0)) return {at, velocity, {T(0), T(0)}, T(0), PhaseEnd::rest};
   if (a == 0) return {at, velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
-  return {at, velocity, velocity * (T(-a) / speed), speed / T(a), PhaseEnd::rest};
+  using std::sqrt;
+  const T speed = sqrt(speed2);
+  return {at, velocity, velocity * T(-a / speed), speed / a, PhaseEnd::rest};
 }
 
 struct Rolling {
@@ -27,7 +29,7 @@ struct Rolling {
 
   template <class T>
   Arc<T> arc(const State<T>& s) const {
-    return rolling_arc(s.at, s.velocity, deceleration());
+    return rolling_arc(s.at, s.velocity, Real<T>(Real<T>(friction) * g));
   }
   template <class T>
   void turn(State<T>&, const Arc<T>&, const T&) const {}

@@ -28,36 +28,40 @@ struct SlideRoll {
   /// Velocity of the ball's lowest point over the cloth.
   template <class T>
   Vec2<T> slip(const State<T>& s) const {
-    return {s.velocity.x - T(radius) * s.spin.y, s.velocity.y + T(radius) * s.spin.x};
+    const Real<T> R(radius);
+    return {s.velocity.x - R * s.spin.y, s.velocity.y + R * s.spin.x};
   }
 
   template <class T>
   Arc<T> arc(const State<T>& s) const {
     using std::sqrt;
+    using Number = Real<T>;
     const Vec2<T> u = slip(s);
     const T slip2 = dot(u, u);
-    const T scale2 = dot(s.velocity, s.velocity) + T(radius * radius) * (s.spin.x * s.spin.x + s.spin.y * s.spin.y);
-    if (!(slip2 > T(tolerance::slip * tolerance::slip) * scale2))
-      return rolling_arc(s.at, s.velocity, deceleration());
-    const double a = sliding_friction * g;
-    if (a == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
+    constexpr double still = tolerance::slip * tolerance::slip;
+    if (!(value(slip2) > still * squared_scale(value(s.velocity), value(s.spin.x), value(s.spin.y))))
+      return rolling_arc(s.at, s.velocity, Number(Number(rolling_friction) * g));
+    if (sliding_friction == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
+    const Number a = Number(sliding_friction) * g;
     const T size = sqrt(slip2);
-    return {s.at, s.velocity, u * (T(-a) / size), T(2) * size / T(7 * a), PhaseEnd::roll};
+    return {s.at, s.velocity, u * T(-a / size), size * Number(2) / Number(7 * a), PhaseEnd::roll};
   }
 
   template <class T>
   void turn(State<T>& s, const Arc<T>& arc, const T& t) const {
+    using Number = Real<T>;
     if (arc.end == PhaseEnd::roll) {
       // ẑ × û (5 μs g / 2R) t, with û taken from the acceleration −μs g û.
-      s.spin.x += arc.acceleration.y * (T(2.5 / radius) * t);
-      s.spin.y -= arc.acceleration.x * (T(2.5 / radius) * t);
+      const T by_radius = t * Number(Number(2.5) / radius);
+      s.spin.x += arc.acceleration.y * by_radius;
+      s.spin.y -= arc.acceleration.x * by_radius;
     } else if (arc.end == PhaseEnd::rest) {
       set_rolling(s);
     }
-    const T lost = T(2.5 * spinning_friction * g / radius) * t;
-    if (s.spin.z > lost)
+    const T lost = t * Number(Number(2.5) * spinning_friction * g / radius);
+    if (value(s.spin.z) > value(lost))
       s.spin.z -= lost;
-    else if (s.spin.z < -lost)
+    else if (value(s.spin.z) < -value(lost))
       s.spin.z += lost;
     else
       s.spin.z = T(0);
@@ -78,8 +82,13 @@ struct SlideRoll {
  private:
   template <class T>
   void set_rolling(State<T>& s) const {
-    s.spin.x = -s.velocity.y / T(radius);
-    s.spin.y = s.velocity.x / T(radius);
+    s.spin.x = -s.velocity.y / Real<T>(radius);
+    s.spin.y = s.velocity.x / Real<T>(radius);
+  }
+  /// v² + (Rω)², what slip is small against.
+  template <class N>
+  N squared_scale(const Vec2<N>& v, const N& wx, const N& wy) const {
+    return dot(v, v) + N(radius) * N(radius) * (wx * wx + wy * wy);
   }
 };
 

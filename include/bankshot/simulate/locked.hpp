@@ -30,19 +30,31 @@ struct LockedPath {
 template <class T>
 T time_to_line(const Arc<T>& arc, const Wall& w) {
   using std::sqrt;
-  const T gap = dot(w.normal, arc.at) - T(w.offset), speed = dot(w.normal, arc.velocity);
-  if (!(speed < T(0))) return first_descent(gap > T(0) ? gap : T(0), speed, T(dot(w.normal, arc.acceleration)));
-  const T discriminant = speed * speed - T(2) * dot(w.normal, arc.acceleration) * gap;
-  if (discriminant < T(0)) return T(forever);
-  return T(2) * gap / (sqrt(discriminant) - speed);
+  using Number = Real<T>;
+  const Number speed = dot(w.normal, value(arc.velocity)), a = dot(w.normal, value(arc.acceleration));
+  const Number gap = dot(w.normal, value(arc.at)) - Number(w.offset);
+  Number t;
+  if (!(speed < Number(0))) {
+    t = first_descent(gap > Number(0) ? gap : Number(0), speed, a);
+  } else {
+    // Without acceleration no square, which would underflow for the slowest approach.
+    const Number discriminant = speed * speed - 2 * a * gap;
+    if (discriminant < Number(0)) return T(forever);
+    t = a == Number(0) ? Number(gap / -speed) : Number(2 * gap / (sqrt(discriminant) - speed));
+  }
+  if (!(t < Number(forever))) return T(forever);
+  return lift_line(arc, w.normal, w.offset, !(speed < Number(0)) && !(gap > Number(0)), t);
 }
 
 template <class T>
 T time_to_contact(const Boundary& boundary, const Arc<T>& arc, int contact) {
   const auto i = static_cast<std::size_t>(contact);
   if (i < boundary.walls.size()) return time_to_line(arc, boundary.walls[i]);
-  for (const Circle& c : boundary.tips)
-    if (c.contact == contact) return first_entry(arc, c.centre, c.radius, arc.duration);
+  for (const Circle& c : boundary.tips) {
+    if (c.contact != contact) continue;
+    const Real<T> t = first_entry(value(arc), c.centre, c.radius, value(arc.duration));
+    return t < Real<T>(forever) ? lift_circle(arc, c.centre, t) : T(forever);
+  }
   return T(forever);
 }
 
@@ -75,7 +87,11 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
       if (met) break;
       motion.finish(path.state, arc);
     }
-    cushion.bounce(path.state, normal_at(boundary, contact, path.state.at));
+    const auto i = static_cast<std::size_t>(contact);
+    if (i < boundary.walls.size())
+      cushion.bounce(path.state, boundary.walls[i].normal);
+    else
+      cushion.bounce(path.state, normal_at(boundary, contact, path.state.at));
   }
   return path;
 }

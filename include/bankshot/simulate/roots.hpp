@@ -18,6 +18,7 @@ namespace bankshot {
 template <class T>
 T first_descent(const T& gap, const T& speed, const T& acceleration) {
   using std::sqrt;
+  if (acceleration == T(0)) return speed < T(0) && !(gap < T(0)) ? T(gap / -speed) : T(forever);
   const T discriminant = speed * speed - T(2) * acceleration * gap;
   if (speed < T(0)) {
     if (gap < T(0) || discriminant < T(0)) return T(forever);
@@ -44,9 +45,9 @@ T first_entry_straight(const Arc<T>& arc, const Vec2d& centre, double radius) {
   if (!(closing > T(0))) return T(forever);  // at or past the closest approach
   const T speed2 = dot(arc.velocity, arc.velocity);
   const T moment = cross(arc.velocity, d);
-  const T chord2 = T(radius * radius) * speed2 - moment * moment;
+  const T chord2 = T(T(radius) * radius) * speed2 - moment * moment;
   if (!(chord2 > T(0))) return T(forever);
-  const T outside = dot(d, d) - T(radius * radius);
+  const T outside = dot(d, d) - T(T(radius) * radius);
   if (!(outside >= T(0))) return T(forever);  // inside: must come out first
   // The nearer intersection, as a length: (|d|² − r²) / (d·û + √(r² − lateral²)).
   const T length = outside * sqrt(speed2) / (closing + sqrt(chord2));
@@ -70,6 +71,46 @@ bool is_straight(const Arc<T>& arc) {
   return arc.end != PhaseEnd::roll;
 }
 
+/// The time `t` at which an arc meets the line of a wall, with the derivatives of the arc: one step of
+/// Newton's method, which does not move the value (implicit function theorem). `on`: the arc starts
+/// on the line, exactly. Without a crossing (a double root) there is no derivative, and none is given.
+template <class T>
+T lift_line(const Arc<T>& arc, const Vec2d& normal, double offset, bool on, const Real<T>& t) {
+  if constexpr (!has_derivatives<T>) {
+    return t;
+  } else {
+    const T speed = dot(normal, arc.velocity), a = dot(normal, arc.acceleration);
+    const T moved = (speed + a * Real<T>(t * 0.5)) * t;
+    const T f = on ? moved : T(dot(normal, arc.at) - Real<T>(offset) + moved);
+    const Real<T> slope = value(speed) + value(a) * t;
+    return slope == 0 ? T(t) : T(T(t) - (f - value(f)) / slope);
+  }
+}
+
+/// The same for the rim of a circle.
+template <class T>
+T lift_circle(const Arc<T>& arc, const Vec2d& centre, const Real<T>& t) {
+  if constexpr (!has_derivatives<T>) {
+    return t;
+  } else {
+    const Vec2<T> d = arc.position(t) - to<T>(centre);
+    const T f = dot(d, d) * 0.5;
+    const Real<T> slope = dot(value(d), value(arc).velocity_at(t));
+    return slope == 0 ? T(t) : T(T(t) - (f - value(f)) / slope);
+  }
+}
+
+/// A step of Newton's method on the distance itself. The quartic's coefficients are squares of the whole
+/// distance to the circle, so its roots are off by that over the radius.
+template <class T>
+T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& t, const T& limit) {
+  const Vec2<T> d = arc.position(t) - to<T>(centre);
+  const T slope = dot(d, arc.velocity_at(t));
+  if (!(slope < T(0))) return t;
+  const T better = t - (dot(d, d) - T(T(radius) * radius)) / (T(2) * slope);
+  return better > T(0) && better <= limit ? better : t;
+}
+
 /// First time within `limit` at which an arc enters the circle. `left`: it starts on the circle,
 /// just left; then the gap there is exactly 0.
 template <class T>
@@ -81,8 +122,9 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   const T reach = T(radius) + (norm(v) + norm(a) * (until / T(2))) * until;
   const T distance2 = dot(d, d);
   if (distance2 > reach * reach) return T(forever);
-  const T gap = left ? T(0) : T(distance2 - T(radius * radius));
-  return first_descent_of(Polynomial<T, 4>{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)}, until);
+  const T gap = left ? T(0) : T(distance2 - T(T(radius) * radius));
+  const T t = first_descent_of(Polynomial<T, 4>{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)}, until);
+  return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
 }
 
 /// When, within `duration`, an arc is closest to `point`.

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// What the simulator asks of a scalar T: +, −, ·, /, comparisons and sqrt, found by argument-dependent
+// lookup. Three kinds are used: double, a dual number (a value with derivatives, such as ceres::Jet,
+// which no header here names), and a number of 50 digits.
+//  1. Physical constants are doubles; their products are formed in Real<T>, so that in 50 digits
+//     nothing is rounded to double on the way, and a dual number is multiplied by plain numbers.
+//  2. Decisions are taken on value(x): derivatives never decide anything.
+#pragma once
+
+#include <type_traits>
+
+namespace bankshot {
+
+/// T without its derivatives. A dual number says what it is made of by the member type Scalar.
+template <class T>
+struct RealOf {
+  using type = T;
+};
+template <class T>
+  requires requires { typename T::Scalar; }
+struct RealOf<T> {
+  using type = typename RealOf<typename T::Scalar>::type;
+};
+template <class T>
+using Real = typename RealOf<T>::type;
+
+template <class T>
+inline constexpr bool has_derivatives = !std::is_same_v<T, Real<T>>;
+
+/// The value of x, without its derivatives.
+template <class T>
+const Real<T>& value(const T& x) {
+  if constexpr (has_derivatives<T>)
+    return value(x.a);
+  else
+    return x;
+}
+
+}  // namespace bankshot

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+//
+// What every cushion owes: no energy gained, no ball driven on into it, the same in a mirror and turned,
+// twice as much from twice as much, the place untouched, derivatives, and the limits of restitution.
+#include <ceres/jet.h>
+
+#include "support/catch.hpp"
+#include "support/models.hpp"
+
+using namespace bankshot;
+using namespace bankshot::test;
+
+namespace {
+
+constexpr int draws = 5000;
+constexpr std::uint64_t seed = 23;
+
+/// A state that moves into the cushion whose normal is (0, 1), now and then nearly along it or straight.
+State<double> approaching(Random& r) {
+  State<double> s = draw_state(r);
+  const double v = norm(s.velocity);
+  if (r.chance(0.1)) s.velocity = {v, -v * r.log_uniform(1e-12, 1e-2)};
+  if (r.chance(0.1)) s.velocity = {0, -v};
+  if (r.chance(0.1)) s.spin = natural_roll(s.velocity, ball_radius);
+  s.velocity.y = -std::abs(s.velocity.y);
+  return s;
+}
+
+template <class Cushion>
+State<double> bounced(const Cushion& cushion, State<double> s, const Vec2d& normal = {0, 1}) {
+  cushion.bounce(s, normal);
+  return s;
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("a bounce gains no energy, does not go on into the cushion and moves no centre", "", Cushions) {
+  Random r(seed);
+  double most = 0;
+  for (int i = 0; i < draws; ++i) {
+    const auto cushion = draw<TestType>(r);
+    const State<double> s = approaching(r), e = bounced(cushion, s);
+    INFO("draw " << i << " of seed " << seed);
+    REQUIRE(energy_of(e) <= energy_of(s) * (1 + 1e-14));
+    REQUIRE(e.velocity.y >= 0);
+    REQUIRE(e.velocity.y <= -s.velocity.y * 10 + scale_of(s));
+    REQUIRE(e.at == s.at);
+    most = std::max(most, energy_of(e) / energy_of(s));
+  }
+  CHECK(most > 0.9);  // the draws reach the lossless end
+}
+
+TEMPLATE_LIST_TEST_CASE("a bounce is the same in a mirror, turned, and twice as fast", "", Cushions) {
+  Random r(seed);
+  for (int i = 0; i < draws; ++i) {
+    const auto cushion = draw<TestType>(r);
+    const State<double> s = approaching(r), e = bounced(cushion, s);
+    const double angle = r.uniform(0, 6.28), scale = scale_of(s);
+    INFO("draw " << i << " of seed " << seed);
+    // In a mirror across the cushion: x changes its sign.
+    const State<double> across = turned(mirrored(s), radians(180));
+    REQUIRE(difference(bounced(cushion, across), turned(mirrored(e), radians(180))) <= 1e-14 * scale);
+    REQUIRE(difference(bounced(cushion, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle)) <= 2e-14 * scale);
+    REQUIRE(difference(bounced(cushion, times(s, 2)), times(e, 2)) == 0);
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("derivatives of a bounce agree with differences", "", Cushions) {
+  using Jet = ceres::Jet<double, 7>;
+  Random r(seed);
+  int sharp = 0, all = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto cushion = draw<TestType>(r);
+    State<double> s = draw_state(r);
+    s.velocity.y = -norm(s.velocity) * r.uniform(0.1, 0.9);
+    State<Jet> dual{to<Jet>(s.at), to<Jet>(s.velocity), {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
+    for (int k = 0; k < 7; ++k) number_of(dual, k).v[k] = 1;
+    cushion.bounce(dual, Vec2d{0, 1});
+    const double V = scale_of(s), unit[] = {1, 1, V, V, V / ball_radius, V / ball_radius, V / ball_radius};
+    for (int in = 2; in < 7; ++in)
+      for (int out = 2; out < 7; ++out) {
+        const auto f = [&](double h) {
+          State<double> moved = s;
+          number_of(moved, in) += h * unit[in];
+          cushion.bounce(moved, Vec2d{0, 1});
+          return number_of(moved, out) / unit[out];
+        };
+        const Slope slope = ridders(f, 1e-4);
+        ++all;
+        if (slope.error > 1e-9) continue;  // a step across the switch from sticking to sliding
+        ++sharp;
+        INFO("draw " << i << " of seed " << seed << ", d" << out << "/d" << in);
+        REQUIRE(slope.value == Approx(number_of(dual, out).v[in] * unit[in] / unit[out]).epsilon(1e-8).margin(1e-8));
+      }
+  }
+  CHECK(sharp > all * 9 / 10);
+}
+
+TEMPLATE_LIST_TEST_CASE("restitution 0 leaves the least, 1 the most", "", Cushions) {
+  Random r(seed);
+  for (int i = 0; i < draws; ++i) {
+    auto cushion = draw<TestType>(r);
+    const State<double> s = approaching(r);
+    double before = -1;
+    INFO("draw " << i << " of seed " << seed);
+    for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      cushion.restitution = Restitution{e};
+      const double leaves = bounced(cushion, s).velocity.y;
+      REQUIRE(leaves >= before);
+      before = leaves;
+    }
+    cushion.restitution = Restitution{0.5, -1e6};  // clamped at 0
+    const State<double> clamped = bounced(cushion, s);
+    cushion.restitution = Restitution{0};
+    if (-s.velocity.y > 1e-5) REQUIRE(difference(clamped, bounced(cushion, s)) <= 1e-15 * scale_of(s));
+  }
+}
+
+TEST_CASE("han2005 without friction is a mirror of its own: e cos^2 - sin^2 of the speed comes back") {
+  // Worked from eqs 17-23 with f = 0: vn' = vn (1 − (1 + e) cos²θ), tangential speed and spin kept.
+  Random r(seed);
+  for (int i = 0; i < draws; ++i) {
+    Han2005 h = draw<Han2005>(r);
+    h.friction = 0;
+    const State<double> s = approaching(r), e = bounced(h, s);
+    const double sine = h.height / h.radius - 1, cosine2 = 1 - sine * sine;
+    const double out = -s.velocity.y * ((1 + h.restitution.at_rest) * cosine2 - 1);
+    CHECK(e.velocity.y == Approx(std::max(0.0, out)).margin(1e-14 * scale_of(s)));
+    CHECK(e.velocity.x == Approx(s.velocity.x).epsilon(1e-14));
+    CHECK(e.spin.z == Approx(s.spin.z).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("han2005 with a sticking contact and a nose at the centre: 2/7 of the slip is taken") {
+  // θ → 0, all friction: the contact point of the cushion comes to rest along it, s = vt + R ωz → vt' = vt − 2/7 s.
+  const Han2005 h{.radius = ball_radius, .height = ball_radius * (1 + 1e-12), .restitution = Restitution{1}, .friction = 1e6};
+  Random r(seed);
+  for (int i = 0; i < draws; ++i) {
+    const State<double> s = draw_state(r);
+    State<double> in = s;
+    in.velocity.y = -std::abs(s.velocity.y) - 1e-3 * scale_of(s);
+    const State<double> e = bounced(h, in);
+    // The cushion lies at y = 0 below the ball: its contact point moves along +x with vx + R ωz... seen from the ball, −R ŷ.
+    const double slip = in.velocity.x + ball_radius * in.spin.z;
+    CHECK(e.velocity.x == Approx(in.velocity.x - 2.0 / 7 * slip).margin(1e-9 * scale_of(in)));
+    CHECK(e.velocity.x + ball_radius * e.spin.z == Approx(0).margin(1e-9 * scale_of(in)));
+    CHECK(e.velocity.y == Approx(-in.velocity.y).margin(1e-9 * scale_of(in)));
+  }
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// A phase that ends in the instant of a bounce. Why hard: slide-to-roll and bounce, or rest and bounce, in an order
+// that rounding decides. Conditioning: both orders lead to one path (the states agree where the times do),
+// so κ is small; at rest against a cushion the speed is 0 and nothing can differ but a bounce of no size.
+// Asserted: for wall distances within ±20 units in the last place of the coincidence, one path, as far as the moved start says, and
+// the bound where the order agrees with that of 50 digits.
+#include "support/against_truth.hpp"
+#include "support/catch.hpp"
+
+using namespace bankshot;
+using namespace bankshot::test;
+
+namespace {
+
+constexpr double R = 0.028575;
+
+}  // namespace
+
+TEST_CASE("a slide that ends at the cushion gives one path in either order") {
+  Worst worst("slide ends at a bounce");
+  const double v = 2, slide = 12 * v * v / (49 * 0.2 * 9.81);
+  Vec2d first{};
+  for (int ulps = -20; ulps <= 20; ++ulps) {
+    const ShotRequest shot = spin_shot({2 - R - slide + ulps * 0x1p-52, 0.5}, v, 0);
+    const Vec2d rest = simulate(shot).events.back().state.at;
+    if (ulps == -20) first = rest;
+    CHECK(norm(rest - first) <= 10 * (ulps + 20) * 0x1p-52 + 1e-15);  // the start itself moves
+    CHECK(worst.within_bound(against_truth(shot)));
+  }
+}
+
+TEST_CASE("a ball that comes to rest at a cushion is inside and at rest") {
+  const double v = 0.3, roll = v * v / (2 * 0.01 * 9.81);
+  for (int ulps = -20; ulps <= 20; ++ulps) {
+    const ShotRequest shot = spin_shot({2 - R - roll + ulps * 0x1p-52, 0.5}, v, 0, {.top = 1});
+    const Trajectory t = simulate(shot);
+    CHECK(t.end == Trajectory::End::rest);
+    CHECK(t.events.size() < 60);
+    // A distance δ short of the wall the ball still has √(2 a δ): at most 20 units and their rounding here.
+    CHECK(std::abs(t.events.back().state.at.x - (2 - R)) <= 1e-14);
+    CHECK(t.events.back().state.at.x <= 2 - R + 1e-15);
+  }
+}

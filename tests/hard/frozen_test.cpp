@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Frozen to a cushion at the start. Why hard: a gap of 1e-16 … 1e-9 m is above or below what the centre's
+// coordinates resolve, and a ball shot along the cushion must not bounce on noise. Law: a centre within
+// Boundary::touch (1e-12 of the diagonal) is on the line. Conditioning: benign, but for aims nearly along
+// the cushion (grazing). Asserted: at once a bounce when driven in, none when sent along or away,
+// the bound for all gaps, spins and aims.
+#include "support/against_truth.hpp"
+#include "support/catch.hpp"
+
+using namespace bankshot;
+using namespace bankshot::test;
+
+namespace {
+
+constexpr double R = 0.028575;
+constexpr double gaps[] = {0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 2e-12, 1e-11, 1e-10, 1e-9};
+
+}  // namespace
+
+TEST_CASE("frozen balls stay within the bound whatever the gap, the aim and the spin") {
+  Worst worst("frozen");
+  for (const double gap : gaps)
+    for (const double aim : {0.0, 1e-9, 0.5, 60.0, 90.0, 180.0, 200.0, 270.0, 359.9, 360 - 1e-6})
+      for (const LaunchSpin& spin : {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1.5, .side = 1}, LaunchSpin{.masse = 2}, LaunchSpin{.masse = -2}}) {
+        INFO("gap " << gap << ", aim " << aim << ", spin " << spin.top << ' ' << spin.side << ' ' << spin.masse);
+        CHECK(worst.within_bound(against_truth(spin_shot({0.7, R + gap}, 1.5, aim, spin))));
+      }
+}
+
+TEST_CASE("a frozen ball bounces at once when driven in, and not when sent along or away") {
+  for (const double gap : gaps) {
+    const Trajectory in = simulate(spin_shot({0.7, R + gap}, 1.5, 300));
+    REQUIRE(in.cushions > 0);
+    CHECK(in.events[1].kind == Record::Kind::cushion);
+    CHECK(in.events[1].time <= gap / (1.5 * 0.86) * (1 + 1e-12));
+    const Trajectory along = simulate(spin_shot({0.2, R + gap}, 1, 0, {.top = 1}));
+    REQUIRE(along.cushions > 0);
+    CHECK(along.sequence().front() == 1);
+    const Trajectory away = simulate(spin_shot({0.7, R + gap}, 0.5, 90));
+    CHECK(away.sequence() == std::vector<int>{});
+  }
+}
+
+TEST_CASE("a ball frozen to a cushion and driven along it by masse stays on it and does not bounce") {
+  // Sent along the bottom cushion with spin about its line of travel: friction presses it to the cushion
+  // (spin that curves right, aim 0) until it rolls. On the cushion the whole time, by the law of resting.
+  const Trajectory t = simulate(spin_shot({0.7, R}, 0.4, 0, {.masse = 2}));
+  REQUIRE(t.events.size() > 2);
+  CHECK(t.events[1].kind == Record::Kind::slide_to_roll);
+  CHECK(t.events[1].state.at.y == R);
+  CHECK(t.events[1].state.velocity.y == 0);
+  CHECK(t.cushions == 0);
+  // The other way round it leaves the cushion.
+  CHECK(simulate(spin_shot({0.7, R}, 0.4, 0, {.masse = -2})).events[1].state.at.y > R + 1e-3);
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Grazing cushions. Why hard: at angle ε to the cushion the place of the bounce is gap/ε, so an error δ of
+// the gap becomes δ/ε along the cushion. Conditioning: κ about 1/ε. Achievable error: 2⁻⁵³ size/ε.
+// Asserted: the bound C · 2⁻⁵³ · size · κ of simulator.hpp for ε = 1e-1 ... 1e-10, and by hand a point that
+// reaches the line after exactly gap/ε.
+#include "bankshot/simulate/locked.hpp"
+#include "support/against_truth.hpp"
+#include "support/catch.hpp"
+
+using namespace bankshot;
+using namespace bankshot::test;
+
+TEST_CASE("a ball with spin that grazes a cushion stays within the bound") {
+  Worst worst("grazing");
+  for (const double angle : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10})
+    for (const double reach : {0.1, 0.7, 0.9})
+      for (const double top : {0.0, 1.0}) {
+        const double gap = angle * reach;
+        ShotRequest shot = spin_shot({0.5, 0.028575 + gap}, 3, 0, {.top = top, .side = 0.3});
+        shot.launch.angle = wrap_angle(-angle);
+        INFO("angle " << angle << ", reach " << reach << ", topspin " << top);
+        CHECK(worst.within_bound(against_truth(shot, 1)));  // the place of the bounce
+        CHECK(worst.within_bound(against_truth(shot)));     // and of rest, where the error is small again
+        CHECK(simulate(shot).sequence().front() == 0);
+      }
+  CHECK(worst.kappa > 1e6);  // the cases are as hard as they claim
+}
+
+TEST_CASE("a point meets the line after gap over normal speed, to rounding") {
+  for (const double slope : {1e-3, 1e-9, 1e-15, 1e-100, 1e-200}) {
+    const Boundary boundary(rectangle_table(2, 1), 0);
+    // Straight on between left and right for ever; the bottom comes after 0.25/slope seconds, if that is first.
+    const Arc<double> arc{{1, 0.25}, {1, -slope}, {0, 0}, forever};
+    CHECK(time_to_line(arc, boundary.walls[0]) == 0.25 / slope);
+  }
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Many bounces, 20 … 20000. Why hard: each bounce rounds anew and the path multiplies what came before. In a rectangle
+// with mirrors the path unfolds to a straight line: after n bounces an error δ of the aim has grown to δ times
+// the length, so κ, a sum over the bounces, grows as n². Achievable: n 2⁻⁵³ of the length when errors add up,
+// √n of it when they do not. Asserted: the bound, and by hand the unfolded place in 50 digits through it;
+// with spin and loss the path contracts and 200 bounces cost no digits.
+#include "support/against_truth.hpp"
+#include "support/catch.hpp"
+
+using namespace bankshot;
+using namespace bankshot::test;
+
+TEST_CASE("20 to 20000 bounces between mirrors keep the bound") {
+  Worst worst("many bounces");
+  for (const int n : {20, 200, 2000, 20000}) {
+    ShotRequest shot{.table = rectangle_table(2.54, 1.27), .physics = ideal_physics(), .ball = {{0.635, 0.4}, 0.028575, 0.17}, .launch = {1, radians(53.1)}};
+    const Compared c = against_truth(shot, n, 1000000);
+    INFO(n << " bounces: error " << c.error << " m, " << c.ratio() << " units, kappa " << c.kappa);
+    CHECK(c.events == static_cast<std::size_t>(n));
+    CHECK(worst.within_bound(c));
+    CHECK(c.error <= 2e-15 * n * std::sqrt(n));
+  }
+}
+
+TEST_CASE("the unfolded path of a point, by hand") {
+  // Speed (3, 4)/5 in a 1 × 1 square from (0.5, 0.5): after t = 5k it has moved (3k, 4k): back at the start for even k.
+  const Boundary boundary(rectangle_table(1, 1), 0);
+  Simulator sim(boundary, Ideal{}, Mirror{1}, State<double>{{0.5, 0.5}, {0.6, 0.8}});
+  int bounces = 0;
+  while (sim.time() < 1000) bounces += sim.step(1000 - sim.time()).kind == EventKind::cushion;
+  CHECK(bounces == 600 + 800);
+  CHECK(norm(sim.state().at - Vec2d{0.5, 0.5}) < 1e-12);
+}
+
+TEST_CASE("with spin and hardly any loss hundreds of bounces stay true") {
+  Worst worst("many bounces with spin");
+  for (const double e : {1.0, 0.98, 0.9}) {
+    ShotRequest shot = spin_shot({0.635, 0.4}, 10, 53.1, {.top = 1});
+    shot.physics = {SlideRoll{.rolling_friction = 0.001}, Mirror{e}};
+    const Compared c = against_truth(shot, 300, 5000);
+    INFO("restitution " << e << ": kappa " << c.kappa << ", error " << c.error);
+    CHECK(worst.within_bound(c));
+  }
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+//
+// What every motion owes: no energy gained, the same in a mirror, turned and moved, phases that follow
+// each other without a jump, derivatives. Then the closed forms of a ball that slides and rolls.
+#include <ceres/jet.h>
+
+#include <limits>
+
+#include "support/catch.hpp"
+#include "support/models.hpp"
+
+using namespace bankshot;
+using namespace bankshot::test;
+
+namespace {
+
+constexpr int draws = 2000;
+constexpr std::uint64_t seed = 17;
+
+/// A time within the arc, now and then its end; within one second of an arc without end.
+double some_time(Random& r, const Arc<double>& arc) {
+  return (arc.duration < forever ? arc.duration : 1) * (r.chance(0.2) ? 1 : r.uniform(0, 1));
+}
+
+/// With the spin of natural roll where the motion does not carry spin.
+template <class Motion>
+State<double> whole(const Motion& motion, State<double> s) {
+  s.spin = motion.spin(s);
+  return s;
+}
+
+template <class Motion>
+State<double> after(const Motion& motion, const State<double>& s, double t) {
+  return whole(motion, advance(motion, s, motion.arc(s), t));
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("energy never grows along an arc, nor where it ends", "", Motions) {
+  Random r(seed);
+  for (int i = 0; i < draws; ++i) {
+    const auto motion = draw<TestType>(r);
+    const State<double> s = whole(motion, draw_state(r));
+    const Arc<double> arc = motion.arc(s);
+    double before = energy_of(s);
+    INFO("draw " << i << " of seed " << seed);
+    for (const double part : {0.0, 0.3, 0.6, 1.0}) {
+      const double now = energy_of(after(motion, s, part * (arc.duration < forever ? arc.duration : 1)));
+      REQUIRE(now <= before * (1 + 1e-14));
+      before = now;
+    }
+    if (!(arc.duration < forever)) continue;
+    State<double> end = advance(motion, s, arc, arc.duration);
+    motion.finish(end, arc);
+    REQUIRE(energy_of(whole(motion, end)) <= energy_of(s) * (1 + 1e-14));
+    REQUIRE(difference(whole(motion, end), after(motion, s, arc.duration)) <= 1e-14 * scale_of(s));  // no jump
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("a motion is the same in a mirror, turned and moved", "", Motions) {
+  Random r(seed);
+  for (int i = 0; i < draws; ++i) {
+    const auto motion = draw<TestType>(r);
+    const State<double> s = whole(motion, draw_state(r));
+    const double t = some_time(r, motion.arc(s)), angle = r.uniform(0, 6.28), room = norm(s.at) + norm(s.velocity) * t;
+    const State<double> end = after(motion, s, t), in_mirror = after(motion, mirrored(s), t), in_turn = after(motion, turned(s, angle), t);
+    State<double> moved = s;
+    moved.at += {3, -5};
+    const State<double> away = after(motion, moved, t);
+    INFO("draw " << i << " of seed " << seed);
+    REQUIRE(in_mirror.at == mirrored(end).at);
+    REQUIRE(difference(in_mirror, mirrored(end)) == 0);
+    REQUIRE(norm(in_turn.at - turned(end.at, angle)) <= 1e-14 * room);
+    REQUIRE(difference(in_turn, turned(end, angle)) <= 3e-14 * scale_of(s));
+    REQUIRE(norm(away.at - end.at - Vec2d{3, -5}) <= 1e-14 * (10 + room));
+    REQUIRE(difference(away, end) == 0);
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("speed scales time, and its square length", "", Motions) {
+  Random r(seed);
+  for (int i = 0; i < draws; ++i) {
+    const auto motion = draw<TestType>(r);
+    const State<double> s = whole(motion, draw_state(r));
+    const Arc<double> arc = motion.arc(s), fast = motion.arc(times(s, 2));
+    INFO("draw " << i << " of seed " << seed);
+    if (!(arc.duration < forever)) {
+      REQUIRE(fast.velocity == arc.velocity * 2.0);
+      continue;
+    }
+    REQUIRE(fast.duration == 2 * arc.duration);
+    REQUIRE(norm((fast.position(fast.duration) - s.at) - (arc.position(arc.duration) - s.at) * 4.0) <= 1e-14 * (norm(s.at) + norm(s.velocity) * fast.duration));
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Motions) {
+  using Jet = ceres::Jet<double, 7>;
+  Random r(seed);
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto motion = draw<TestType>(r);
+    const State<double> s = whole(motion, draw_state(r));
+    const Arc<double> arc = motion.arc(s);
+    const double t = (arc.duration < forever ? arc.duration : 1) * r.uniform(0.1, 0.8);
+    State<Jet> dual{to<Jet>(s.at), to<Jet>(s.velocity), {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
+    for (int k = 0; k < 7; ++k) number_of(dual, k).v[k] = 1;
+    State<Jet> end = advance(motion, dual, motion.arc(dual), Jet(t));
+    const double V = scale_of(s), unit[] = {1, 1, V, V, V / ball_radius, V / ball_radius, V / ball_radius};
+    for (int in = 0; in < (TestType::straight ? 4 : 6); ++in)
+      for (int out = 0; out < 4; ++out) {
+        const auto f = [&](double h) {
+          State<double> moved = s;
+          number_of(moved, in) += h * unit[in];
+          State<double> e = advance(motion, moved, motion.arc(moved), t);
+          return number_of(e, out) / unit[out];
+        };
+        const Slope slope = ridders(f, 1e-2);
+        const double dual_slope = number_of(end, out).v[in] * unit[in] / unit[out];
+        INFO("draw " << i << " of seed " << seed << ", d" << out << "/d" << in);
+        REQUIRE(std::abs(slope.value - dual_slope) <= 1e-9 * (1 + std::abs(dual_slope)) + 10 * slope.error);
+        if (slope.error < 1e-10) worst = std::max(worst, std::abs(slope.value - dual_slope));
+      }
+  }
+  REQUIRE(worst < 1e-8);
+}
+
+TEST_CASE("a ball struck in the centre rolls after 2v/(7 mu g), 12v^2/(49 mu g), at 5/7 of its speed") {
+  for (const double v : {1e-6, 0.3, 2.0, 30.0})
+    for (const double mu : {0.05, 0.2}) {
+      const SlideRoll motion{.sliding_friction = mu};
+      const State<double> s{{0, 0}, {0.6 * v, -0.8 * v}};
+      const Arc<double> arc = motion.arc(s);
+      const double a = mu * motion.g;
+      CHECK(arc.end == PhaseEnd::roll);
+      CHECK(arc.duration == Approx(2 * v / (7 * a)).epsilon(1e-15));
+      CHECK(norm(arc.position(arc.duration)) == Approx(12 * v * v / (49 * a)).epsilon(1e-15));
+      CHECK(norm(arc.velocity_at(arc.duration)) == Approx(5 * v / 7).epsilon(1e-15));
+    }
+}
+
+TEST_CASE("a ball launched with spin s rolls at (5 + 2s)/7 of its speed") {
+  const double v = 1.7;
+  for (const double s : {-3.0, -1.0, -0.5, 0.5, 0.999, 1.25, 4.0}) {
+    const SlideRoll motion;
+    const Vec2d forward{0.8, 0.6};
+    State<double> state = launched(Vec2d{0, 0}, motion.radius, forward * v, LaunchSpin{.top = s});
+    const Arc<double> arc = motion.arc(state);
+    state = advance(motion, state, arc, arc.duration);
+    motion.finish(state, arc);
+    CHECK(dot(state.velocity, forward) == Approx((5 + 2 * s) / 7 * v).epsilon(1e-14).margin(1e-15));
+    CHECK(motion.slip(state) == Vec2d{0, 0});
+  }
+}
+
+TEST_CASE("without masse the path of a slide is straight, with it the slip keeps its direction") {
+  Random r(seed);
+  for (int i = 0; i < draws; ++i) {
+    const SlideRoll motion = draw<SlideRoll>(r);
+    const State<double> s = draw_state(r);
+    const Arc<double> arc = motion.arc(s);
+    const Vec2d u = motion.slip(s), half = motion.slip(advance(motion, s, arc, arc.duration / 2));
+    REQUIRE(norm(half - u * 0.5) <= 1e-14 * scale_of(s));
+    REQUIRE(std::abs(cross(u, arc.acceleration)) <= 1e-15 * norm(u) * norm(arc.acceleration));
+  }
+}
+
+TEST_CASE("vertical spin stops after 2R w/(5 mu g) and never changes its sign") {
+  const SlideRoll motion;
+  const double w = 40, stop = w * 2 * motion.radius / (5 * motion.spinning_friction * motion.g);
+  State<double> s{{0, 0}, {3, 0}, {0, 3 / motion.radius, w}};
+  const Arc<double> arc = motion.arc(s);
+  REQUIRE(arc.duration > stop);
+  CHECK(advance(motion, s, arc, stop / 2).spin.z == Approx(w / 2).epsilon(1e-14));
+  CHECK(std::abs(advance(motion, s, arc, stop).spin.z) < 1e-13);
+  CHECK(advance(motion, s, arc, stop * 1.5).spin.z == 0);
+  s.spin.z = -w;
+  CHECK(advance(motion, s, arc, stop / 2).spin.z == Approx(-w / 2).epsilon(1e-14));
+}
+
+TEST_CASE("as friction goes to 0 a slide becomes a straight line of constant speed") {
+  const State<double> s{{0, 0}, {1, 0.5}, {3, -2, 1}};
+  Vec2d last{};
+  for (const double mu : {1e-2, 1e-5, 1e-8, 0.0}) {
+    const Arc<double> arc = SlideRoll{.sliding_friction = mu}.arc(s);
+    CHECK((mu == 0 ? arc.duration == forever : arc.duration > 0.01 / (mu * 9.81)));
+    last = arc.position(0.5);
+    CHECK(norm(last - s.velocity * 0.5) <= mu * 9.81 * 0.125 * (1 + 1e-12) + 1e-15);
+  }
+  CHECK(last == s.velocity * 0.5);
+}

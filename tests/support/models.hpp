@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+//
+// Every motion and every cushion, with the ranges of their parameters: what the conformance suites run
+// over. A new model is one more overload of `draw` and one more name in the list.
+#pragma once
+
+#include <tuple>
+
+#include "bankshot/contact/han2005.hpp"
+#include "bankshot/contact/mirror.hpp"
+#include "bankshot/motion/ideal.hpp"
+#include "bankshot/motion/rolling.hpp"
+#include "bankshot/motion/slide_roll.hpp"
+#include "support/random_puzzle.hpp"
+
+namespace bankshot::test {
+
+inline constexpr double ball_radius = 0.028575;
+
+using Motions = std::tuple<Ideal, Rolling, SlideRoll>;
+using Cushions = std::tuple<Mirror, Han2005>;
+
+template <class Model>
+Model draw(Random& r);
+
+template <>
+inline Ideal draw<Ideal>(Random&) {
+  return {ball_radius};
+}
+template <>
+inline Rolling draw<Rolling>(Random& r) {
+  return {.friction = r.log_uniform(0.003, 0.05), .radius = ball_radius};
+}
+template <>
+inline SlideRoll draw<SlideRoll>(Random& r) {
+  return {.radius = ball_radius, .sliding_friction = r.uniform(0.05, 0.4), .rolling_friction = r.log_uniform(0.003, 0.05), .spinning_friction = r.log_uniform(0.003, 0.05)};
+}
+template <>
+inline Mirror draw<Mirror>(Random& r) {
+  return {Restitution{r.uniform(0, 1)}};
+}
+template <>
+inline Han2005 draw<Han2005>(Random& r) {
+  return {.radius = ball_radius, .height = ball_radius * r.uniform(1.01, 1.7), .restitution = Restitution{r.uniform(0, 1)}, .friction = r.uniform(0, 0.5)};
+}
+
+/// A moving ball with any spin, over many decades of speed.
+inline State<double> draw_state(Random& r) {
+  const double v = r.log_uniform(1e-3, 20), w = v / ball_radius;
+  return {{r.uniform(-2, 2), r.uniform(-2, 2)}, direction(r.uniform(0, 6.28)) * v, {w * r.uniform(-2, 2), w * r.uniform(-2, 2), w * r.uniform(-2, 2)}};
+}
+
+/// ½ v² + ⅕ R² ω²: the energy of a ball of mass 1.
+inline double energy_of(const State<double>& s) {
+  const Vec3<double>& w = s.spin;
+  return dot(s.velocity, s.velocity) / 2 + ball_radius * ball_radius * (w.x * w.x + w.y * w.y + w.z * w.z) / 5;
+}
+
+/// |v| + R |ω|: what differences of states are small against.
+inline double scale_of(const State<double>& s) {
+  return norm(s.velocity) + ball_radius * std::hypot(s.spin.x, s.spin.y, s.spin.z);
+}
+
+/// Difference of velocity and R · spin [m/s].
+inline double difference(const State<double>& a, const State<double>& b) {
+  return norm(a.velocity - b.velocity) + ball_radius * std::hypot(a.spin.x - b.spin.x, a.spin.y - b.spin.y, a.spin.z - b.spin.z);
+}
+
+/// Seen in a mirror that lies along x: spin is an axial vector.
+inline State<double> mirrored(const State<double>& s) {
+  return {{s.at.x, -s.at.y}, {s.velocity.x, -s.velocity.y}, {-s.spin.x, s.spin.y, -s.spin.z}};
+}
+
+inline Vec2d turned(const Vec2d& p, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * p.x - s * p.y, s * p.x + c * p.y};
+}
+
+inline State<double> turned(const State<double>& s, double angle) {
+  const Vec2d w = turned(Vec2d{s.spin.x, s.spin.y}, angle);
+  return {turned(s.at, angle), turned(s.velocity, angle), {w.x, w.y, s.spin.z}};
+}
+
+inline State<double> times(const State<double>& s, double k) {
+  return {s.at, s.velocity * k, {s.spin.x * k, s.spin.y * k, s.spin.z * k}};
+}
+
+/// The seven numbers of a state, for derivatives.
+template <class T>
+T& number_of(State<T>& s, int k) {
+  T* const all[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
+  return *all[k];
+}
+
+/// f'(0) by Ridders' extrapolation of central differences: steps that shrink by 1.4, powers of h² removed.
+/// Returns the estimate and its error estimate (Ridders 1982; Press et al., dfridr).
+struct Slope {
+  double value, error;
+};
+template <class F>
+Slope ridders(const F& f, double step) {
+  constexpr int rows = 10;
+  constexpr double shrink = 1.4;
+  double table[rows][rows], h = step;
+  Slope best{0, std::numeric_limits<double>::infinity()};
+  for (int i = 0; i < rows; ++i, h /= shrink) {
+    table[0][i] = (f(h) - f(-h)) / (2 * h);
+    double factor = shrink * shrink;
+    for (int j = 1; j <= i; ++j, factor *= shrink * shrink) {
+      table[j][i] = (table[j - 1][i] * factor - table[j - 1][i - 1]) / (factor - 1);
+      const double error = std::max(std::abs(table[j][i] - table[j - 1][i]), std::abs(table[j][i] - table[j - 1][i - 1]));
+      if (error <= best.error) best = {table[j][i], error};
+    }
+  }
+  return best;
+}
+
+}  // namespace bankshot::test

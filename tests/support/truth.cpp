@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "support/truth.hpp"
+
+#include <ceres/jet.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_dec_float.hpp>
+#include <cmath>
+#include <utility>
+
+namespace bankshot::test {
+namespace {
+
+using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
+using Jet = ceres::Jet<double, 7>;
+
+constexpr double unit_roundoff = 0x1p-53;
+
+double rounded(double x) { return x; }
+double rounded(const Digits50& x) { return x.convert_to<double>(); }
+
+template <class T>
+State<T> lift(const State<double>& s) {
+  return {to<T>(s.at), to<T>(s.velocity), {T(s.spin.x), T(s.spin.y), T(s.spin.z)}};
+}
+
+template <class T>
+TruthEvent note(const Event& e, const T& time, const State<T>& s) {
+  const double t = rounded(time), x = rounded(s.at.x), y = rounded(s.at.y);
+  const Vec2d v{rounded(s.velocity.x), rounded(s.velocity.y)};
+  return {e.kind, e.index, t, rounded(T(time - t)), {{x, y}, v, {rounded(s.spin.x), rounded(s.spin.y), rounded(s.spin.z)}},
+          {rounded(T(s.at.x - x)), rounded(T(s.at.y - y))}};
+}
+
+/// Runs in T and hands each event to `see(event, simulator)`; true when the shot came to its end.
+template <class T, class See>
+bool follow(const Run& run, const State<T>& start, See&& see) {
+  return with_physics(run.physics, [&](const auto& motion, const auto& cushion) {
+    Simulator sim(run.boundary, motion, cushion, start);
+    int cushions = 0;
+    for (long i = 0; i < run.events; ++i) {
+      const Event e = sim.step();
+      see(e, sim);
+      if (e.kind == EventKind::cushion) ++cushions;
+      if (e.final() || cushions >= run.cushions) return e.kind != EventKind::horizon;
+    }
+    return false;
+  });
+}
+
+template <class T>
+Path recorded(const Run& run, const State<T>& start) {
+  Path path;
+  path.ended = follow<T>(run, start, [&](const Event& e, const auto& sim) { path.events.push_back(note(e, sim.time(), sim.state())); });
+  return path;
+}
+
+using Step = Eigen::Matrix<double, 7, 7>;
+
+/// The state with its seven numbers as the variables of derivation.
+State<Jet> seeded(State<Jet> s) {
+  Jet* const inputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
+  for (int k = 0; k < 7; ++k) *inputs[k] = Jet(inputs[k]->a, k);
+  return s;
+}
+
+Step jacobian_of(const State<Jet>& s) {
+  Step j;
+  j << s.at.x.v.transpose(), s.at.y.v.transpose(), s.velocity.x.v.transpose(), s.velocity.y.v.transpose(), s.spin.x.v.transpose(),
+      s.spin.y.v.transpose(), s.spin.z.v.transpose();
+  return j;
+}
+
+double speed_scale(const State<Jet>& s, double radius) {
+  return std::hypot(s.velocity.x.a, s.velocity.y.a) + radius * std::hypot(s.spin.x.a, s.spin.y.a, s.spin.z.a);
+}
+
+/// Whether a and b meet the same events, up to the order of two cushions at one instant.
+std::size_t agree(const Path& a, const Path& b) {
+  const std::size_t n = std::min(a.events.size(), b.events.size());
+  for (std::size_t i = 0; i < n; ++i)
+    if (a.events[i].kind != b.events[i].kind || a.events[i].index != b.events[i].index) return i;
+  return n;
+}
+
+bool same(const Path& a, const Path& b) { return a.events.size() == b.events.size() && agree(a, b) == a.events.size(); }
+
+/// Without slides that last less than the ball needs to cross the bound: whether there is one at all is
+/// up to the rounding of a slip that is nearly 0.
+Path without_tiny_slides(Path path, double bound) {
+  double before = 0;
+  std::erase_if(path.events, [&](const TruthEvent& e) {
+    const double lasted = e.time - std::exchange(before, e.time);
+    return e.kind == EventKind::slide_to_roll && lasted * norm(e.state.velocity) <= bound;
+  });
+  return path;
+}
+
+/// The events in double are those of an exact path from a start this close, relative to its own size.
+bool nearby_start(const Run& run, const Path& rough) {
+  constexpr double step = 1e-13;
+  const double v = norm(run.start.velocity), w = run.boundary.radius > 0 ? v / run.boundary.radius : 0;
+  for (const double sign : {1.0, -1.0})
+    for (int k = 0; k < 7; ++k) {
+      State<double> s = run.start;
+      const double by = sign * step;
+      if (k < 2) (k == 0 ? s.at.x : s.at.y) += by * run.boundary.extent;
+      else if (k < 4) s.velocity += k == 2 ? s.velocity * by : perpendicular(s.velocity) * by;
+      else (k == 4 ? s.spin.x : k == 5 ? s.spin.y : s.spin.z) += by * w;
+      if (same(rough, recorded(run, lift<Digits50>(s)))) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+Path run_double(const Run& run) { return recorded(run, run.start); }
+Path run_truth(const Run& run) { return recorded(run, lift<Digits50>(run.start)); }
+
+Condition condition(const Run& run) {
+  const double R = run.boundary.radius, extent = run.boundary.extent;
+  std::vector<Step> steps;
+  std::vector<double> scales{speed_scale(lift<Jet>(run.start), R)};
+  follow<Jet>(run, seeded(lift<Jet>(run.start)), [&](const Event&, auto& sim) {
+    steps.push_back(jacobian_of(sim.state()));
+    scales.push_back(speed_scale(sim.before(), R));
+    sim.resume(seeded(sim.state()));
+  });
+  Condition c;
+  Eigen::Matrix<double, 2, 7> j = Eigen::Matrix<double, 2, 7>::Identity();
+  double sum = 0;
+  for (std::size_t k = steps.size(); k-- > 0;) {
+    j = (j * steps[k]).eval();
+    const double V = scales[k], by_spin = R > 0 ? V / R : 0;
+    const Eigen::Matrix<double, 7, 1> scale{extent, extent, V, V, by_spin, by_spin, by_spin};
+    c.of_start = (j * scale.asDiagonal()).norm() / extent;
+    sum += c.of_start;
+  }
+  c.kappa = std::max(1.0, sum);
+  for (int k = 0; k < 7; ++k)
+    for (int i = 0; i < 2; ++i) c.jacobian[i][k] = j(i, k);
+  return c;
+}
+
+Compared compare_with_truth(const Run& run) {
+  Path rough = run_double(run), exact = run_truth(run);
+  Compared c{.events = rough.events.size()};
+  const Condition condition_of_run = condition(run);
+  c.kappa = condition_of_run.kappa;
+  c.of_start = condition_of_run.of_start;
+  c.unit = unit_roundoff * run.boundary.extent * c.kappa;
+  if (!same(rough, exact)) {
+    rough = without_tiny_slides(std::move(rough), tolerance::simulation_error * c.unit);
+    exact = without_tiny_slides(std::move(exact), tolerance::simulation_error * c.unit);
+  }
+  if (!same(rough, exact)) {
+    // Where they part, the events that compete lie within the bound, as times at the speed of the ball.
+    const std::size_t i = agree(rough, exact);
+    c.order = Compared::Order::wrong;
+    if (i < std::min(rough.events.size(), exact.events.size())) {
+      const double speed = norm(exact.events[i].state.velocity), apart = std::abs(rough.events[i].time - exact.events[i].time);
+      if (apart * speed <= tolerance::simulation_error * c.unit) c.order = Compared::Order::tie;
+    }
+    if (c.order == Compared::Order::wrong && nearby_start(run, rough)) c.order = Compared::Order::tie;
+    return c;
+  }
+  const TruthEvent &a = rough.events.back(), &b = exact.events.back();
+  c.error = norm((a.state.at - b.state.at) - b.at_rest);
+  return c;
+}
+
+}  // namespace bankshot::test
