@@ -45,7 +45,8 @@ const Method& find_method(const std::string& name) {
 std::vector<std::string> modelled(const Puzzle& p) {
   std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling"};
   if (!is_straight(p.physics)) out.insert(out.begin(), "sliding");
-  out.push_back(std::holds_alternative<Mirror>(p.physics.cushion) ? "mirror" : "han2005");
+  constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010"};
+  out.push_back(cushions[p.physics.cushion.index()]);
   if (!p.table.pockets.empty()) out.push_back("pockets");
   return out;
 }

@@ -58,14 +58,12 @@ double read_rolling_friction(const Reader& r) {
   return r.at_least(0);
 }
 
-std::variant<Mirror, Han2005> read_cushion(const Reader& r, Han2005 han) {
+/// `sliding_friction` of the cloth acts in mathavan2010 also during the impact.
+decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
   constexpr std::array<std::string_view, 3> models{"han2005", "mathavan2010", "mirror"};
   r.only({"model", "restitution", "friction", "height"});
   std::size_t which = 0;
-  if (const auto v = r.find("model")) {
-    which = v->word("cushion model", models);
-    if (which == 1) v->fail("is not supported yet; choose \"han2005\" or \"mirror\"");
-  }
+  if (const auto v = r.find("model")) which = v->word("cushion model", models);
   if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
   if (const auto v = r.find("friction")) han.friction = v->at_least(0);
   if (const auto v = r.find("height")) han.height = v->number();
@@ -74,6 +72,9 @@ std::variant<Mirror, Han2005> read_cushion(const Reader& r, Han2005 han) {
     where.fail(fmt::format("must lie between the ball's radius {} and its diameter {}", han.radius, 2 * han.radius));
   }
   if (which == 2) return Mirror{han.restitution};
+  if (which == 1)
+    return Mathavan2010{.radius = han.radius, .height = han.height, .restitution = han.restitution,
+                        .friction = han.friction, .sliding_friction = sliding_friction};
   return han;
 }
 
@@ -90,7 +91,7 @@ Physics read_spin_physics(const Reader* r, const Reader& table, const Ball& ball
   if (const auto v = r->find("rolling_friction")) motion.rolling_friction = read_rolling_friction(*v);
   if (const auto v = r->find("spinning_friction")) motion.spinning_friction = v->at_least(0);
   if (const auto v = r->find("g")) motion.g = v->positive();
-  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion);
+  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion, motion.sliding_friction);
   return p;
 }
 

@@ -43,6 +43,8 @@ Json physics_json(const Physics& p) {
   Json cushion{{"model", "mirror"}, {"restitution", bounce}};
   if (const auto* h = std::get_if<Han2005>(&p.cushion))
     cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};
+  if (const auto* c = std::get_if<Mathavan2010>(&p.cushion))
+    cushion = {{"model", "mathavan2010"}, {"restitution", bounce}, {"friction", c->friction}, {"height", c->height}};
   return {{"model", "spin"}, {"sliding_friction", m.sliding_friction}, {"rolling_friction", m.rolling_friction},
           {"spinning_friction", m.spinning_friction}, {"g", m.g}, {"cushion", std::move(cushion)}};
 }

@@ -76,7 +76,7 @@ const std::vector<Case>& cases() {
       {"unknown key", puzzle(R"({"tabel": 1})"), "/tabel", "unknown; did you mean \"table\"?"},
       {"unknown inner key", puzzle(R"({"ball": {"colour": 1}})"), "/ball/colour", "known are at, radius, mass, spin"},
       {"line break in a key", puzzle(R"({"a\nb": 1})"), "/a\\nb", "unknown"},
-      {"mathavan2010", puzzle(R"({"physics": {"model": "spin", "cushion": {"model": "mathavan2010"}}})"), "/physics/cushion/model", "not supported yet"},
+      {"unknown cushion model", puzzle(R"({"physics": {"model": "spin", "cushion": {"model": "mathavan2011"}}})"), "/physics/cushion/model", "did you mean \"mathavan2010\"?"},
       {"nose too low", puzzle(R"({"physics": {"model": "spin", "cushion": {"height": 0.02}}})"), "/physics/cushion/height", "must lie between the ball's radius"},
       {"a point with spin", puzzle(R"({"physics": "spin", "ball": {"radius": 0}})"), "/ball/radius", "is a point"},
       {"a range of spin", puzzle(R"({"physics": "spin", "ball": {"spin": {"top": [0, 1]}}})"), "/ball/spin/top", "not supported yet"},

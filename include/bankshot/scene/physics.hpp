@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "bankshot/contact/han2005.hpp"
+#include "bankshot/contact/mathavan2010.hpp"
 #include "bankshot/contact/mirror.hpp"
 #include "bankshot/motion/ideal.hpp"
 #include "bankshot/motion/rolling.hpp"
@@ -18,7 +19,7 @@ namespace bankshot {
 
 struct Physics {
   std::variant<Ideal, Rolling, SlideRoll> motion = Rolling{};
-  std::variant<Mirror, Han2005> cushion = Mirror{};
+  std::variant<Mirror, Han2005, Mathavan2010> cushion = Mirror{};
 };
 
 inline Physics ideal_physics() { return {Ideal{}, Mirror{.restitution = 1}}; }

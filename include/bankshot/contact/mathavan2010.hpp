@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+//
+// Cushion impact with friction at the nose and at the cloth: Mathavan, Jackson & Parkin, A theoretical
+// analysis of billiard ball dynamics under cushion impacts, Proc. IMechE C 224 (2010),
+// doi 10.1243/09544062JMES1964. An ODE in the normal impulse; here integrated by Taylor series whose
+// order follows from the tolerance, with every switch between sticking and sliding located.
+// Properties:
+//  1. The map is homogeneous of degree one in (v, ω) when the restitution is constant.
+//  2. No allocation; the same source for double, dual numbers and 50 digits.
+//  3. A ball that does not move into the cushion is left as it is.
+// Limitations: at exactly zero slip (natural roll at the cloth) the map has one-sided derivatives only;
+// the slip then counts as constant 0. With large friction the ball can jam between nose and cloth: its
+// normal velocity is set to 0, and `course` says so.
+#pragma once
+
+#include "bankshot/contact/cushion_frame.hpp"
+#include "bankshot/contact/mathavan2010_impact.hpp"
+#include "bankshot/contact/restitution.hpp"
+#include "bankshot/tolerances.hpp"
+
+namespace bankshot {
+
+struct Mathavan2010 {
+  double radius = 0.028575;         ///< R [m]
+  double height = 1.28 * 0.028575;  ///< h [m], R < h < 2R
+  Restitution restitution{};
+  double friction = 0.2;          ///< μw, between ball and cushion
+  double sliding_friction = 0.2;  ///< μs, between ball and cloth; that of the motion
+  double tolerance = bankshot::tolerance::impact;
+
+  template <class T, class N>
+  void bounce(State<T>& s, const Vec2<N>& normal) const {
+    course(s, normal);
+  }
+
+  /// bounce() that tells how the impact went.
+  template <class T, class N>
+  mathavan::Course course(State<T>& s, const Vec2<N>& normal) const {
+    using std::sqrt;
+    const Vec2<T> away = to<T>(normal);
+    InCushionFrame<T> f = into_frame(s, away);
+    const double approach = mathavan::value(f.vn);
+    const T R(radius);
+    const double w2 = mathavan::value(T(f.wn * f.wn + f.wt * f.wt + f.wz * f.wz)) * radius * radius;
+    const double fast = std::sqrt(mathavan::value(dot(s.velocity, s.velocity)) + w2);
+    if (!(approach > 0)) return {};
+    const T e = restitution(f.vn);
+    if (!(approach > bankshot::tolerance::along * fast)) {
+      f.vn *= -e;
+      out_of_frame(f, away, s);
+      return {};
+    }
+    // The paper's axes: y into the cushion, x = y × z = −t. Mass 1, radius 1, approach speed 1.
+    const T sine = (T(height) - R) / R, cosine = sqrt((T(1) - sine) * (T(1) + sine));
+    const mathavan::Nose<T> nose(sine, cosine, T(friction), T(sliding_friction));
+    const T by = T(1) / T(approach), spin = R * by;
+    T vx = -f.vt * by, vy = f.vn * by, wx = -f.wt * spin, wy = f.wn * spin, wz = f.wz * spin;
+    const Vec2<T> cushion{vx + wy * sine - wz * cosine, wx - vy * sine}, cloth{vx - wy, vy + wx};
+    mathavan::Impact<T> impact(nose, cushion, cloth, vy, tolerance, negligible * tolerance * fast / approach);
+    impact.run(e);
+    recover(nose, impact.cushion_slip() - cushion, impact.cloth_slip() - cloth, impact.vy(), vx, vy, wx, wy, wz);
+    if (impact.course().jams && vy > T(0)) vy = T(0);
+    f = {vy * T(approach), -vx * T(approach), wy / spin, -wx / spin, wz / spin};
+    out_of_frame(f, away, s);
+    return impact.course();
+  }
+
+ private:
+  static constexpr double negligible = 0.1;  ///< of the tolerance: a slip this small counts as 0
+
+  /// Velocities from the changes of the slips: the friction impulses along x are linear in them.
+  template <class T>
+  static void recover(const mathavan::Nose<T>& nose, const Vec2<T>& cushion, const Vec2<T>& cloth, const T& vy_after,
+                      T& vx, T& vy, T& wx, T& wy, T& wz) {
+    const T a(3.5), b = nose.beta, by = T(1) / (a * a - b * b);
+    const T at_cushion = (b * cloth.x - a * cushion.x) * by, at_cloth = (b * cushion.x - a * cloth.x) * by;
+    vx -= at_cushion + at_cloth;
+    wx += cloth.y - (vy_after - vy);
+    wy -= T(2.5) * (at_cushion * nose.sine - at_cloth);
+    wz += T(2.5) * at_cushion * nose.cosine;
+    vy = vy_after;
+  }
+};
+
+}  // namespace bankshot
