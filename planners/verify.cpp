@@ -99,7 +99,8 @@ class Follower {
     closest_ = t;
     if (miss < out_.replay.miss) {
       out_.replay.miss = miss;
-      out_.replay.arrival = {sim_.time() - sim_.travelled() + t, norm(sim_.arc().velocity_at(t)), at};
+      const Arc<double>& arc = sim_.arc();
+      out_.replay.arrival = {sim_.time() - arc.seconds(sim_.travelled()) + arc.seconds(t), norm(arc.velocity_at(t)), at};
     }
     return miss;
   }

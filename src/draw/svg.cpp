@@ -14,6 +14,7 @@ namespace {
 constexpr double picture = 900;  // px, the longer side of the playing surface
 constexpr double rail = 34;      // px, width of the wooden rail
 constexpr double nose = 10;      // px, width of the rubber
+constexpr double legend_line = 40;
 constexpr const char* path_colours[] = {"#ffffff", "#ffd166", "#8ecae6", "#f4a261", "#cdb4db", "#b7e4c7"};
 
 /// Text that may stand between two tags.
@@ -63,11 +64,20 @@ class Canvas {
       low = {std::min(low.x, c.x - px(p.radius)), std::min(low.y, c.y - px(p.radius))};
       high = {std::max(high.x, c.x + px(p.radius)), std::max(high.y, c.y + px(p.radius))};
     }
+    high.y += legend_ > 0 ? legend_line : 0;
     const Vec2d size = high - low;
     return fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="{:.0f} {:.0f} {:.0f} {:.0f}" width="{:.0f}" height="{:.0f}" font-family="sans-serif">)"
         "\n<title>{}</title>\n{}</svg>\n",
         low.x, low.y, size.x, size.y, size.x, size.y, escaped(title), body_);
+  }
+  /// Adds an entry to the line below the table.
+  void legend(const std::string& label, std::string_view colour) {
+    const double y = px(size_.y) + 2 * (rail + nose) + 0.65 * legend_line, x = rail + legend_;
+    add(R"(<rect x="{:.0f}" y="{:.0f}" width="26" height="5" fill="{}" stroke="#333" stroke-width="0.5"/>)", x, y - 8, colour);
+    add(R"(<text x="{:.0f}" y="{:.0f}" font-size="18" fill="#333">{}</text>)", x + 34, y, escaped(label));
+    constexpr double letter = 10;  // px, about
+    legend_ += 70 + letter * static_cast<double>(label.size());
   }
   const Table& table() const { return table_; }
 
@@ -75,6 +85,7 @@ class Canvas {
   const Table& table_;
   Vec2d low_, size_;
   double scale_;
+  double legend_ = 0;  // px, the width of the legend so far
   std::string body_;
 };
 
@@ -185,6 +196,21 @@ std::string draw(const ShotRequest& request, const Trajectory& trajectory) {
   draw_ball(c, request.ball.at, request.ball, R"(fill="#ffffff")");
   draw_ball(c, trajectory.events.back().state.at, request.ball, R"(fill="#ffffff" fill-opacity="0.6" stroke="#ef476f" stroke-width="2")");
   return c.document(fmt::format("{:.3f} m/s at {:.2f} degrees", request.launch.speed, degrees(request.launch.angle)));
+}
+
+std::string draw(const Table& table, const Ball& ball, std::span<const LabelledPath> paths) {
+  Canvas c(table);
+  draw_table(c);
+  std::string title;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const char* colour = path_colours[i % std::size(path_colours)];
+    draw_path(c, paths[i].trajectory, ball, colour, true);
+    draw_ball(c, paths[i].trajectory.events.back().state.at, ball, fmt::format(R"(fill="{}" fill-opacity="0.6")", colour));
+    c.legend(paths[i].label, colour);
+    title += (title.empty() ? "" : ", ") + paths[i].label;
+  }
+  draw_ball(c, ball.at, ball, R"(fill="#ffffff")");
+  return c.document(title);
 }
 
 std::string draw(const Puzzle& puzzle, const Answer& answer) {

@@ -53,9 +53,12 @@ Restitution read_restitution(const Reader& r) {
   return {r.need("at_rest").between(0, 1), r.need("per_speed").number()};
 }
 
-double read_rolling_friction(const Reader& r) {
-  if (r.is_object()) r.fail("is speed-dependent, which is not supported yet");
-  return r.at_least(0);
+RollingFriction read_rolling_friction(const Reader& r) {
+  if (!r.is_object()) return r.at_least(0);
+  r.only({"at_rest", "per_speed"});
+  const RollingFriction f{r.need("at_rest").at_least(0), r.need("per_speed").at_least(0)};
+  if (f.per_speed > 0 && f.at_rest == 0) r.need("at_rest").fail("must be greater than 0 where per_speed is: else the ball never comes to rest");
+  return f;
 }
 
 /// `sliding_friction` of the cloth acts in mathavan2010 also during the impact.

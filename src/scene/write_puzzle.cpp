@@ -36,7 +36,8 @@ Json table_json(const Table& t) {
 Json physics_json(const Physics& p) {
   if (is_ideal(p)) return "ideal";
   const Restitution& e = restitution(p);
-  const Json bounce = e.constant() ? Json(e.at_rest) : Json{{"at_rest", e.at_rest}, {"per_speed", e.per_speed}};
+  const auto of_speed = [](const auto& f) { return f.per_speed == 0 ? Json(f.at_rest) : Json{{"at_rest", f.at_rest}, {"per_speed", f.per_speed}}; };
+  const Json bounce = of_speed(e);
   if (const auto* r = std::get_if<Rolling>(&p.motion))
     return {{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
   const SlideRoll& m = std::get<SlideRoll>(p.motion);
@@ -45,7 +46,7 @@ Json physics_json(const Physics& p) {
     cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};
   if (const auto* c = std::get_if<Mathavan2010>(&p.cushion))
     cushion = {{"model", "mathavan2010"}, {"restitution", bounce}, {"friction", c->friction}, {"height", c->height}};
-  return {{"model", "spin"}, {"sliding_friction", m.sliding_friction}, {"rolling_friction", m.rolling_friction},
+  return {{"model", "spin"}, {"sliding_friction", m.sliding_friction}, {"rolling_friction", of_speed(m.rolling_friction)},
           {"spinning_friction", m.spinning_friction}, {"g", m.g}, {"cushion", std::move(cushion)}};
 }
 

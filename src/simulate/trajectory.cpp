@@ -35,7 +35,7 @@ double remaining(const ShotRequest::Until& until, double time, double length,
                  const Arc<double>& next) {
   double t = forever;
   if (until.time) t = std::min(t, std::max(0.0, *until.time - time));
-  if (until.length) t = std::min(t, time_to_length(next, std::max(0.0, *until.length - length)));
+  if (until.length) t = std::min(t, next.seconds(time_to_length(next, std::max(0.0, *until.length - length))));
   return t;
 }
 
@@ -114,7 +114,7 @@ State<double> start_state(const ShotRequest& r) {
 State<double> state_at(const Physics& physics, const Leg& leg, double t) {
   return std::visit(
       [&](const auto& motion) {
-        State<double> s = advance(motion, leg.start, leg.arc, t);
+        State<double> s = advance(motion, leg.start, leg.arc, leg.arc.parameter(t));
         s.spin = motion.spin(s);
         return s;
       },

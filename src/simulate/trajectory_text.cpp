@@ -77,7 +77,7 @@ std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
   long sample = 1;  // the launch is an event
   for (const Leg& leg : t.legs) {
     events_until(leg.begin);
-    const double end = leg.begin + leg.duration;
+    const double end = leg.begin + leg.arc.seconds(leg.duration);
     for (double s = static_cast<double>(sample) / rate; s < end; s = static_cast<double>(++sample) / rate)
       if (s > leg.begin) row(s, state_at(r.physics, leg, s - leg.begin));
   }

@@ -5,6 +5,7 @@
 // times more.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "bankshot/plan/answer.hpp"
@@ -15,6 +16,14 @@ namespace bankshot {
 
 /// A simulated shot: path, bounces, start and end.
 std::string draw(const ShotRequest& request, const Trajectory& trajectory);
+
+struct LabelledPath {
+  std::string label;
+  Trajectory trajectory;
+};
+
+/// Several paths on one table, each in its colour, with a legend.
+std::string draw(const Table& table, const Ball& ball, std::span<const LabelledPath> paths);
 
 /// A puzzle with its answer: every shot's path, the target, and the best shot's margin of aim as a
 /// shaded fan.

@@ -2,7 +2,9 @@
 //
 // What a motion model hands to the event finder: between two events the centre moves on an arc
 // of degree two in time. Models differ only in how they make the next arc.
-//   r(t) = at + velocity t + acceleration t²/2,  0 <= t <= duration     [m, m/s, m/s², s]
+//   r(p) = at + velocity p + acceleration p²/2,  0 <= p <= duration     [m, m/s, m/s², s]
+// The parameter p is the time in seconds, unless the arc has a drag: then it is the time that the ball
+// would need without slowing down, and `seconds` tells the time. Event finders see only p.
 //
 // A motion model is a value with
 //   straight                 true when every arc is a straight line and its shape does not depend
@@ -15,6 +17,7 @@
 
 #include <limits>
 
+#include "bankshot/motion/drag.hpp"
 #include "bankshot/vec.hpp"
 
 namespace bankshot {
@@ -37,15 +40,35 @@ struct Arc {
   Vec2<T> at{}, velocity{}, acceleration{};
   T duration{};
   PhaseEnd end = PhaseEnd::none;
+  Drag<Real<T>> drag{};
 
-  /// At a time with or without derivatives.
+  /// At a parameter with or without derivatives.
   template <class S>
-  Vec2<T> position(const S& t) const {
-    return at + (velocity + acceleration * S(t * 0.5)) * t;
+  Vec2<T> position(const S& p) const {
+    return at + (velocity + acceleration * S(p * 0.5)) * p;
   }
+  /// dr/dp
   template <class S>
-  Vec2<T> velocity_at(const S& t) const {
-    return velocity + acceleration * t;
+  Vec2<T> tangent(const S& p) const {
+    return velocity + acceleration * p;
+  }
+  /// dr/dt
+  Vec2<T> velocity_at(const T& p) const {
+    if (drag.linear == 0) return tangent(p);
+    const T v0 = norm(velocity);
+    return velocity * (drag.speed_after(v0, T(p * v0)) / v0);
+  }
+  /// The time at p.
+  T seconds(const T& p) const {
+    if (drag.linear == 0) return p;
+    const T v0 = norm(velocity);
+    return drag.seconds(v0, drag.speed_after(v0, T(p * v0)));
+  }
+  /// The p at a time, which may be beyond the arc's end.
+  T parameter(const T& t) const {
+    if (drag.linear == 0 || !(value(t) < value(seconds(duration)))) return t;
+    const T v0 = norm(velocity);
+    return drag.length_in(v0, t) / v0;
   }
 };
 
@@ -53,16 +76,16 @@ struct Arc {
 template <class T>
 decltype(auto) value(const Arc<T>& a) {
   if constexpr (has_derivatives<T>)
-    return Arc<Real<T>>{value(a.at), value(a.velocity), value(a.acceleration), value(a.duration), a.end};
+    return Arc<Real<T>>{value(a.at), value(a.velocity), value(a.acceleration), value(a.duration), a.end, a.drag};
   else
     return (a);
 }
 
-/// The state t seconds into the arc that `motion` made of `s`.
+/// The state at t on the arc that `motion` made of `s`.
 template <class T, class Motion>
 State<T> advance(const Motion& motion, const State<T>& s, const Arc<T>& arc, const T& t) {
   State<T> out{arc.position(t), arc.velocity_at(t), s.spin};
-  motion.turn(out, arc, t);
+  motion.turn(out, arc, arc.seconds(t));
   return out;
 }
 

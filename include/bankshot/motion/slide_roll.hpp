@@ -19,7 +19,7 @@ namespace bankshot {
 struct SlideRoll {
   double radius = 0.028575;                       ///< R [m], > 0
   double sliding_friction = 0.2;                  ///< μs
-  double rolling_friction = 0.01;                 ///< μr
+  RollingFriction rolling_friction{};             ///< μr
   double spinning_friction = 4.0 / 9 * 0.028575;  ///< μsp, dimensionless
   double g = 9.81;                                ///< m/s²
 
@@ -40,7 +40,7 @@ struct SlideRoll {
     const T slip2 = dot(u, u);
     constexpr double still = tolerance::slip * tolerance::slip;
     if (!(value(slip2) > still * squared_scale(value(s.velocity), value(s.spin.x), value(s.spin.y))))
-      return rolling_arc(s.at, s.velocity, Number(Number(rolling_friction) * g));
+      return rolling_arc(s.at, s.velocity, rolling_friction, g);
     if (sliding_friction == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
     const Number a = Number(sliding_friction) * g;
     const T size = sqrt(slip2);
@@ -77,7 +77,8 @@ struct SlideRoll {
   Vec3<T> spin(const State<T>& s) const {
     return s.spin;
   }
-  double deceleration() const { return rolling_friction * g; }
+  /// Of a slow ball [m/s²].
+  double deceleration() const { return rolling_friction.at_rest * g; }
 
  private:
   template <class T>

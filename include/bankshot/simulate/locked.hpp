@@ -82,7 +82,7 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
         return path;
       }
       const T on = met ? t : arc.duration;
-      path.time += on;
+      path.time += arc.seconds(on);
       path.state = advance(motion, path.state, arc, on);
       if (met) break;
       motion.finish(path.state, arc);

@@ -95,7 +95,7 @@ T lift_circle(const Arc<T>& arc, const Vec2d& centre, const Real<T>& t) {
   } else {
     const Vec2<T> d = arc.position(t) - to<T>(centre);
     const T f = dot(d, d) * 0.5;
-    const Real<T> slope = dot(value(d), value(arc).velocity_at(t));
+    const Real<T> slope = dot(value(d), value(arc).tangent(t));
     return slope == 0 ? T(t) : T(T(t) - (f - value(f)) / slope);
   }
 }
@@ -105,7 +105,7 @@ T lift_circle(const Arc<T>& arc, const Vec2d& centre, const Real<T>& t) {
 template <class T>
 T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& t, const T& limit) {
   const Vec2<T> d = arc.position(t) - to<T>(centre);
-  const T slope = dot(d, arc.velocity_at(t));
+  const T slope = dot(d, arc.tangent(t));
   if (!(slope < T(0))) return t;
   const T better = t - (dot(d, d) - T(T(radius) * radius)) / (T(2) * slope);
   return better > T(0) && better <= limit ? better : t;

@@ -72,13 +72,14 @@ class Simulator {
     before_ = state_;
     arc_ = motion_.arc(state_);
     if constexpr (!Motion::straight) hold();
-    const Next next = find_next(value(arc_), value(horizon));
+    const T end = arc_.parameter(horizon);
+    const Next next = find_next(value(arc_), value(end));
     if (!(next.time < Number(forever))) {
       travelled_ = T(0);
       return {EventKind::horizon};
     }
-    travelled_ = lift(next, horizon);
-    time_ += travelled_;
+    travelled_ = lift(next, end);
+    time_ += arc_.seconds(travelled_);
     state_ = advance(motion_, before_, arc_, travelled_);
     if (next.event.kind == EventKind::cushion) return cushions(next);
     if (next.time > Number(0)) leave();
@@ -91,7 +92,7 @@ class Simulator {
   const State<T>& before() const { return before_; }  ///< where the last arc began
   const T& time() const { return time_; }           ///< seconds since the launch
   const Arc<T>& arc() const { return arc_; }        ///< the arc that led to the last event
-  const T& travelled() const { return travelled_; }  ///< seconds spent on that arc
+  const T& travelled() const { return travelled_; }  ///< how far on that arc: its parameter, seconds on most
 
   /// Goes on from another state at the same event, such as the same with fresh derivatives.
   void resume(const State<T>& state) { state_ = state; }

@@ -23,7 +23,7 @@ struct Record {
 /// The arc between two events.
 struct Leg {
   double begin;     ///< s since the launch
-  double duration;  ///< s
+  double duration;  ///< of the arc's parameter: s, unless the arc has a drag
   Arc<double> arc;
   State<double> start;
 };

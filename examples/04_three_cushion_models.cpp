@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// 04: one shot, three cushions' laws. The mirror keeps the spin and the tangential speed; Han (2005) and
+// Mathavan (2010) let friction trade one for the other. One new idea: choosing the physics.
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bankshot/draw/svg.hpp"
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+
+int main(int argc, char** argv) {
+  using namespace bankshot;
+  const TablePreset& preset = *find_table_preset("carom-10ft");
+  const Ball ball{.at = {0.5, 0.4}, .radius = preset.radius, .mass = preset.mass};
+  Physics physics = spin_physics(ball.radius);
+  const Han2005 han = std::get<Han2005>(physics.cushion);
+  const std::pair<const char*, decltype(physics.cushion)> models[] = {
+      {"mirror", Mirror{han.restitution}},
+      {"han2005", han},
+      {"mathavan2010", Mathavan2010{.radius = ball.radius, .height = han.height, .restitution = han.restitution}},
+  };
+  std::vector<LabelledPath> paths;
+  for (const auto& [name, cushion] : models) {
+    physics.cushion = cushion;
+    const ShotRequest shot{.table = make_table(preset), .physics = physics, .ball = ball, .launch = {3.5, radians(35)}, .spin = {.top = 0.5, .side = 0.8}};
+    const Trajectory path = simulate(shot);
+    const Vec2d rest = path.events.back().state.at;
+    fmt::print("{:<13} rests at ({:.3f}, {:.3f}) m after {:.2f} s and", name, rest.x, rest.y, path.events.back().time);
+    for (const int cushion_met : path.sequence()) fmt::print(" {}", contact_name(shot.table, cushion_met));
+    fmt::print("\n");
+    paths.push_back({name, path});
+  }
+  if (argc > 1) std::ofstream(argv[1]) << draw(make_table(preset), ball, paths);
+}
