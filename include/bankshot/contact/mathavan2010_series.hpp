@@ -30,6 +30,17 @@ double value(const T& x) {
     return static_cast<double>(x);
 }
 
+/// What an error estimate sees of x: derivatives, where there are any, to three digits less.
+template <class T>
+double magnitude(const T& x) {
+  double size = value(x) < 0 ? -value(x) : value(x);
+  if constexpr (requires { x.v.cwiseAbs().maxCoeff(); }) {
+    const double by_derivative = 1e-3 * x.v.cwiseAbs().maxCoeff();
+    if (by_derivative > size) size = by_derivative;
+  }
+  return size;
+}
+
 template <class T>
 using Series = std::array<T, max_order + 1>;
 
@@ -116,8 +127,13 @@ struct Expansion {
     } else if (lifted) {
       c.ix[n] = c.iy[n] = T(0);
     } else {
-      c.ix[n] = nose.mu_s * product(q, c.fx, order);
-      c.iy[n] = nose.mu_s * product(q, c.fy, order);
+      T x(0), y(0);
+      for (std::size_t j = 0; j <= n; ++j) {
+        x += q[j] * c.fx[n - j];
+        y += q[j] * c.fy[n - j];
+      }
+      c.ix[n] = nose.mu_s * x;
+      c.iy[n] = nose.mu_s * y;
     }
     if (!w.moves()) w.ix[n] = nose.beta * c.ix[n] / T(-3.5);
     w.ax[n] = T(-3.5) * w.ix[n] - nose.beta * c.ix[n];
@@ -127,20 +143,33 @@ struct Expansion {
     vy_rate[n] = nose.sine * w.iy[n] - one * nose.cosine - c.iy[n];
     for (Contact<T>* k : {&w, &c}) {
       if (!k->moves()) continue;
-      k->along[n] = product(k->ax, k->fx, order) + product(k->ay, k->fy, order);
-      k->across[n] = product(k->ay, k->fx, order) - product(k->ax, k->fy, order);
+      // Four products in one loop: their sums do not wait for each other.
+      T xx(0), yy(0), yx(0), xy(0);
+      for (std::size_t j = 0; j <= n; ++j) {
+        xx += k->ax[j] * k->fx[n - j];
+        yy += k->ay[j] * k->fy[n - j];
+        yx += k->ay[j] * k->fx[n - j];
+        xy += k->ax[j] * k->fy[n - j];
+      }
+      k->along[n] = xx + yy;
+      k->across[n] = yx - xy;
     }
   }
 
   /// Coefficient n > 0 of the directions from θ1 … θn: f′ = θ′ (−fy, fx).
   static void turn_to(Contact<T>& k, std::size_t n) {
-    const int last = static_cast<int>(n) - 1;
-    k.fx[n] = -product(k.turn, k.fy, last) / T(last + 1);
-    k.fy[n] = product(k.turn, k.fx, last) / T(last + 1);
+    T x(0), y(0);
+    for (std::size_t j = 0; j < n; ++j) {
+      x -= k.turn[j] * k.fy[n - 1 - j];
+      y += k.turn[j] * k.fx[n - 1 - j];
+    }
+    const T by = T(1) / T(static_cast<int>(n));
+    k.fx[n] = x * by;
+    k.fy[n] = y * by;
   }
   void turn_to(std::size_t n) {
-    if (cushion.slip == Slip::slides) turn_to(cushion, n);
-    if (cloth.slip == Slip::slides) turn_to(cloth, n);
+    if (cushion.moves()) turn_to(cushion, n);
+    if (cloth.moves()) turn_to(cloth, n);
   }
 
   /// −∂T/∂θ at a contact whose direction is being chosen, read off the recurrence at order 1.
@@ -157,8 +186,6 @@ struct Expansion {
   /// θn of a contact that starts: (n r1 + κ) θn = Tn at θn = 0, less the terms of r2, r3, …
   void start_turning(Contact<T>& k, std::size_t n, const T& kappa) {
     const int order = static_cast<int>(n);
-    k.turn[n - 1] = T(0);
-    turn_to(k, n);
     forces(n);
     T rest = unit * k.across[n];
     for (std::size_t j = 2; j <= n; ++j) rest -= k.r[j] * k.turn[n - j];
@@ -206,6 +233,8 @@ struct Expansion {
       if (k->slip == Slip::starts && k->along[0] < T(0)) k->along[0] = T(0);
     integrate(0, sign);
     for (std::size_t n = 1; n < static_cast<std::size_t>(order); ++n) {
+      for (Contact<T>* k : {&cushion, &cloth})
+        if (k->slip == Slip::starts) k->turn[n - 1] = T(0);
       turn_to(n);
       if (cushion.slip == Slip::starts) start_turning(cushion, n, kappa[0]);
       if (cloth.slip == Slip::starts) start_turning(cloth, n, kappa[1]);
@@ -213,9 +242,9 @@ struct Expansion {
       integrate(n, sign);
     }
     const auto last = static_cast<std::size_t>(order);
-    turn_to(last);
     for (Contact<T>* k : {&cushion, &cloth})
-      if (k->slip == Slip::starts) k->fx[last] = k->fy[last] = T(0);
+      if (k->slip == Slip::starts) k->turn[last - 1] = T(0);
+    turn_to(last);
   }
 };
 
