@@ -35,8 +35,8 @@ inline constexpr double slip = 1e-13;
 /// only adds bounces to a series that never ends.
 inline constexpr double resting = 1e-9;
 
-/// Of the normal approach speed. What the steps of an integrated cushion impact neglect. Larger would
-/// show in the ninth digit of a path of many cushions; smaller is below the rounding of the slips.
+/// Of the normal approach speed. What the steps of an integrated cushion impact may neglect. Larger
+/// saves little time and shows sooner in paths of many cushions; smaller is below rounding.
 inline constexpr double impact = 1e-13;
 
 /// Of the diagonal. A hit this far beyond the end of an edge still belongs to it, so that no path

@@ -49,7 +49,8 @@ TEST_CASE("mathavan2010 in 50 digits: the published impacts, to 1e-20 and by dou
   double by_tolerance = 0, by_double = 0;
   for (std::string line; std::getline(lines, line);) {
     const auto j = nlohmann::json::parse(line);
-    test::Arrival a{j["set"] == "paper" ? test::paper_cushion() : test::pool_cushion(), {}, {j["top"], j["side"], 0}, ""};
+    test::Arrival a{
+        j["set"] == "paper" ? test::paper_cushion() : test::pool_cushion(), {}, {j["top"], j["side"], 0}, ""};
     a.velocity = direction(radians(j["incidence"])) * j["speed"].get<double>();
     const auto truth = bounced<Digits>(a, 1e-25);
     INFO(line);
@@ -74,9 +75,9 @@ TEST_CASE("mathavan2010 in 50 digits: random impacts at three tolerances") {
     for (int k = 0; k < 3; ++k) {
       mathavan::Course course;
       const double off = distance(truth, digits(bounced<double>(a, tolerances[k], &course))) / size(a);
-      INFO("seed " << seed << ", impact " << i << ", " << a.name << ": v " << a.velocity.x << ' ' << a.velocity.y << ", top "
-                   << a.spin.top << ", side " << a.spin.side << ", e " << a.cushion.restitution.at_rest << ", height "
-                   << a.cushion.height << ", " << test::sequence(course));
+      INFO("seed " << seed << ", impact " << i << ", " << a.name << ": v " << a.velocity.x << ' ' << a.velocity.y
+                   << ", top " << a.spin.top << ", side " << a.spin.side << ", e " << a.cushion.restitution.at_rest
+                   << ", height " << a.cushion.height << ", " << test::sequence(course));
       CHECK(off <= allowed[k]);
       worst[k] = std::max(worst[k], off);
       if (k == 2) ++seen[test::sequence(course)];
@@ -84,7 +85,8 @@ TEST_CASE("mathavan2010 in 50 digits: random impacts at three tolerances") {
   }
   std::string table;
   for (const auto& [switches, n] : seen) table += "\n  " + std::to_string(n) + "  " + switches;
-  WARN(count * families << " impacts, worst error of double at tolerance 1e-6, 1e-9, 1e-13: " << worst[0] << ", " << worst[1]
-                        << ", " << worst[2] << "; switches (I cushion, C cloth slide; i, c stick; 0 no load):" << table);
+  WARN(count * families << " impacts, worst error of double at tolerance 1e-6, 1e-9, 1e-13: " << worst[0] << ", "
+                        << worst[1] << ", " << worst[2]
+                        << "; switches (I cushion, C cloth slide; i, c stick; 0 no load):" << table);
   CHECK(seen.size() >= 8);
 }

@@ -43,8 +43,8 @@ void for_random(std::uint64_t seed, int count, F&& check) {
   test::Random random(seed);
   for (int i = 0; i < count * families; ++i) {
     const test::Arrival a = test::random_arrival(random, i % families);
-    INFO("seed " << seed << ", impact " << i << ", " << a.name << ": v " << a.velocity.x << ' ' << a.velocity.y << ", top "
-                 << a.spin.top << ", side " << a.spin.side << ", e " << a.cushion.restitution.at_rest);
+    INFO("seed " << seed << ", impact " << i << ", " << a.name << ": v " << a.velocity.x << ' ' << a.velocity.y
+                 << ", top " << a.spin.top << ", side " << a.spin.side << ", e " << a.cushion.restitution.at_rest);
     check(a);
   }
 }
@@ -78,14 +78,17 @@ TEST_CASE("mathavan2010: rebound speed and angle of the paper's snooker ball") {
   struct Row {
     double incidence, ratio[2], out[2];  // no spin, rolling
   };
-  const Row rows[] = {{10, {.9167, .9433}, {10.54, 10.34}}, {30, {.7876, .8614}, {36.17, 34.00}}, {50, {.7614, .8516}, {61.77, 58.56}},
-                      {70, {.8114, .8883}, {78.21, 76.59}}, {90, {.8373, .9107}, {90, 90}}};
+  const Row rows[] = {{10, {.9167, .9433}, {10.54, 10.34}},
+                      {30, {.7876, .8614}, {36.17, 34.00}},
+                      {50, {.7614, .8516}, {61.77, 58.56}},
+                      {70, {.8114, .8883}, {78.21, 76.59}},
+                      {90, {.8373, .9107}, {90, 90}}};
   for (const double speed : {0.5, 1.0, 2.0})
     for (const Row& row : rows)
       for (const int top : {0, 1}) {
         const Mathavan2010 cushion = test::paper_cushion();
-        const State<double> s =
-            after(cushion, launched({0, 0}, cushion.radius, direction(radians(row.incidence)) * speed, {double(top), 0, 0}));
+        const State<double> s = after(
+            cushion, launched({0, 0}, cushion.radius, direction(radians(row.incidence)) * speed, {double(top), 0, 0}));
         INFO(row.incidence << " degrees, top " << top << ", " << speed << " m/s");
         CHECK(std::abs(norm(s.velocity) / speed - row.ratio[top]) < 6e-5);
         CHECK(std::abs(degrees(std::atan2(-s.velocity.y, s.velocity.x)) - row.out[top]) < 6e-3);
@@ -111,7 +114,8 @@ TEST_CASE("mathavan2010: energy, scale, mirror image and direction of the cushio
 
     State<double> fast{s.at, s.velocity * 8.0, {8 * s.spin.x, 8 * s.spin.y, 8 * s.spin.z}};
     fast = after(a.cushion, fast);
-    CHECK(distance({out.at, fast.velocity / 8.0, {fast.spin.x / 8, fast.spin.y / 8, fast.spin.z / 8}}, out, R) <= 1e-15 * size);
+    CHECK(distance({out.at, fast.velocity / 8.0, {fast.spin.x / 8, fast.spin.y / 8, fast.spin.z / 8}}, out, R) <=
+          1e-15 * size);
 
     const auto mirrored = [](const State<double>& x) {
       return State<double>{x.at, {-x.velocity.x, x.velocity.y}, {x.spin.x, -x.spin.y, -x.spin.z}};
@@ -223,7 +227,8 @@ Slope ridders(const Mathavan2010& cushion, const double (&x)[5], int variable, c
       double factor = shrink * shrink;
       for (int j = 1; j <= i; ++j, factor *= shrink * shrink) {
         table[i][j][c] = (table[i][j - 1][c] * factor - table[i - 1][j - 1][c]) / (factor - 1);
-        const double off = std::max(std::abs(table[i][j][c] - table[i][j - 1][c]), std::abs(table[i][j][c] - table[i - 1][j - 1][c]));
+        const double off =
+            std::max(std::abs(table[i][j][c] - table[i][j - 1][c]), std::abs(table[i][j][c] - table[i - 1][j - 1][c]));
         if (off < out.error[c]) out.error[c] = off, out.value[c] = table[i][j][c];
       }
     }
@@ -260,14 +265,15 @@ TEST_CASE("mathavan2010: dual numbers agree with differences where the switches 
           continue;
         }
         const double off = std::abs(derivative[c].v[k] - slope.value[c]);
-        INFO("variable " << k << ", component " << c << ": " << derivative[c].v[k] << " and " << slope.value[c] << " ± " << slope.error[c] << ", " << test::sequence(course));
+        INFO("variable " << k << ", component " << c << ": " << derivative[c].v[k] << " and " << slope.value[c] << " ± "
+                         << slope.error[c] << ", " << test::sequence(course));
         CHECK(off <= 1e-6 + 100 * slope.error[c]);
         worst = std::max(worst, off);
         ++compared;
       }
     }
   });
-  WARN(compared << " derivatives, worst difference " << worst << "; " << skipped << " variables beside a switch, " << vague
-                << " differences too vague");
+  WARN(compared << " derivatives, worst difference " << worst << "; " << skipped << " variables beside a switch, "
+                << vague << " differences too vague");
   CHECK(compared > 4000);
 }

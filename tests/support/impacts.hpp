@@ -36,7 +36,8 @@ inline Mathavan2010 pool_cushion() {
   return {.radius = 0.028575, .height = 0.036576, .restitution = 0.85, .friction = 0.2, .sliding_friction = 0.2};
 }
 
-inline constexpr const char* impact_families[] = {"rolling", "sliding", "side spin", "draw", "any spin", "grazing", "discrete"};
+inline constexpr const char* impact_families[] = {"rolling",  "sliding", "side spin", "draw",
+                                                  "any spin", "grazing", "discrete"};
 
 inline Arrival random_arrival(Random& r, int family) {
   constexpr double restitutions[] = {0, 0.2, 0.85, 0.98, 1};
@@ -46,11 +47,20 @@ inline Arrival random_arrival(Random& r, int family) {
   double incidence = r.uniform(0, radians(180));
   const double speed = r.log_uniform(0.05, 10);
   switch (family) {
-    case 0: a.spin.top = 1; break;
-    case 1: break;
-    case 2: a.spin = {r.chance(0.5) ? 1.0 : 0.0, r.uniform(-2, 2), 0}; break;
-    case 3: a.spin.top = r.uniform(-1.5, 0); break;
-    case 4: a.spin = {r.uniform(-2, 2), r.uniform(-2, 2), r.uniform(-1, 1)}; break;
+    case 0:
+      a.spin.top = 1;
+      break;
+    case 1:
+      break;
+    case 2:
+      a.spin = {r.chance(0.5) ? 1.0 : 0.0, r.uniform(-2, 2), 0};
+      break;
+    case 3:
+      a.spin.top = r.uniform(-1.5, 0);
+      break;
+    case 4:
+      a.spin = {r.uniform(-2, 2), r.uniform(-2, 2), r.uniform(-1, 1)};
+      break;
     case 5:
       incidence = r.log_uniform(1e-6, 0.1);
       a.spin = {r.chance(0.5) ? 1.0 : r.uniform(-1, 1), r.chance(0.5) ? 0.0 : r.uniform(-1, 1), 0};

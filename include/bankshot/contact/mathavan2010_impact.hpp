@@ -57,11 +57,11 @@ class Impact {
  private:
   using Contact = mathavan::Contact<T>;
 
-  static int order(double tolerance) { return std::clamp(static_cast<int>(6 - 0.55 * std::log(tolerance)), 8, max_order - 1); }
-
-  static Vec2<T> slip(const Contact& k) {
-    return k.slip == Slip::slides ? k.direction * k.size : Vec2<T>{T(0), T(0)};
+  static int order(double tolerance) {
+    return std::clamp(static_cast<int>(6 - 0.55 * std::log(tolerance)), 8, max_order - 1);
   }
+
+  static Vec2<T> slip(const Contact& k) { return k.slip == Slip::slides ? k.direction * k.size : Vec2<T>{T(0), T(0)}; }
 
   static void set_slip(Contact& k, const Vec2<T>& slip, double zero) {
     using std::sqrt;
@@ -103,8 +103,10 @@ class Impact {
   }
 
   void note() {
-    const auto bits = (e_.cushion.moves() ? 1u : 0u) | (e_.cloth.moves() ? 2u : 0u) | (e_.lifted ? 4u : 0u) | (sign_ < 0 ? 8u : 0u);
-    if (course_.modes < static_cast<int>(course_.mode.size())) course_.mode[static_cast<std::size_t>(course_.modes)] = static_cast<Mode>(bits);
+    const auto bits =
+        (e_.cushion.moves() ? 1u : 0u) | (e_.cloth.moves() ? 2u : 0u) | (e_.lifted ? 4u : 0u) | (sign_ < 0 ? 8u : 0u);
+    if (course_.modes < static_cast<int>(course_.mode.size()))
+      course_.mode[static_cast<std::size_t>(course_.modes)] = static_cast<Mode>(bits);
     ++course_.modes;
   }
 
@@ -136,7 +138,7 @@ class Impact {
   /// From no slip at all (only where vy = 0, in the plane of a head-on shot): the motion stays in that
   /// plane, so the directions are ±y and the first consistent pair is taken.
   void settle_both() {
-    Contact&w = e_.cushion, &c = e_.cloth;
+    Contact &w = e_.cushion, &c = e_.cloth;
     for (const int cloth : {-1, 1, 0})
       for (const int cushion : {0, 1, -1}) {
         if (cloth == 0 && cushion == 0) continue;
@@ -297,7 +299,8 @@ class Impact {
         term = std::max(term, std::abs(value(k->r[i])));
         term = std::max(term, r * std::max(std::abs(value(k->fx[i])), std::abs(value(k->fy[i]))));
         if (k->slip == Slip::starts)
-          term = std::max(term, std::max(std::abs(value(k->fx[i - 1])), std::abs(value(k->fy[i - 1]))) * std::abs(value(k->r[1])));
+          term = std::max(
+              term, std::max(std::abs(value(k->fx[i - 1])), std::abs(value(k->fy[i - 1]))) * std::abs(value(k->r[1])));
       }
       if (term > 0) length = std::min(length, std::exp(std::log(tolerance_ * share / term) / n));
     }
@@ -317,43 +320,9 @@ class Impact {
     return longest;
   }
 
-  /// First root in (0, length] of a polynomial minus `goal`, which it passes once.
-  T root(const Series<T>& a, const T& goal, double length) const {
-    double low = 0, high = length;
-    T x(length);
-    const bool rises = value(goal) > value(a[0]);
-    constexpr int most = 100;
-    bool last = false;
-    for (int i = 0; i < most; ++i) {
-      const T off = evaluate(a, order_, x) - goal;
-      ((value(off) > 0) == rises ? high : low) = value(x);
-      T next = x - off / slope(a, order_, x);
-      const double v = value(next);
-      // Near the root the bracket, kept in double, says no more.
-      constexpr double near = 1e-10;
-      if (!(v > low && v < high) && !(std::abs(v - value(x)) <= near * length)) next = T((low + high) / 2);
-      const double moved = std::abs(value(T(next - x)));
-      x = next;
-      if (last) return x;
-      last = moved * moved <= tolerance_ * share * length * length * 1e-6;
-    }
-    return x;
-  }
-
-  /// The end of the interval outside, to the last bit, of a change from outside(0) = false.
-  template <class F>
-  double first_outside(double length, const F& outside) const {
-    double low = 0, high = length;
-    constexpr double fine = 1e-15;
-    while (high - low > fine * length) {
-      const double middle = (low + high) / 2;
-      (outside(middle) ? high : low) = middle;
-    }
-    return high;
-  }
-
   T margin_at(const Contact& k, double x) const {
-    return margin(k, evaluate(k.ix, order_ - 1, T(x)), evaluate(k.iy, order_ - 1, T(x)), evaluate(e_.q, order_ - 1, T(x)));
+    return margin(k, evaluate(k.ix, order_ - 1, T(x)), evaluate(k.iy, order_ - 1, T(x)),
+                  evaluate(e_.q, order_ - 1, T(x)));
   }
 
   void move(const T& x) {
@@ -398,7 +367,8 @@ class Impact {
     const T goal = sign_ > 0 ? T(0) : target_;
     const double off = value(T(evaluate(a, order_, T(length)) - goal));
     if (sign_ > 0 ? off <= 0 : off >= 0) {
-      move(root(a, goal, length));
+      constexpr double safe = 1e-6;
+      move(root(a, order_, goal, length, tolerance_ * share * safe));
       return true;
     }
     move(T(length));

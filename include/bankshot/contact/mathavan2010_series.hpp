@@ -13,58 +13,10 @@
 // at order n they are linear in the coefficient θn, with the same slope −κ at every order.
 #pragma once
 
-#include <array>
-
+#include "bankshot/contact/mathavan2010_polynomial.hpp"
 #include "bankshot/vec.hpp"
 
 namespace bankshot::mathavan {
-
-inline constexpr int max_order = 48;
-
-/// The number itself, without derivatives or further digits: decisions are taken on it.
-template <class T>
-double value(const T& x) {
-  if constexpr (requires { x.a; })
-    return static_cast<double>(x.a);
-  else
-    return static_cast<double>(x);
-}
-
-/// What an error estimate sees of x: derivatives, where there are any, to three digits less.
-template <class T>
-double magnitude(const T& x) {
-  double size = value(x) < 0 ? -value(x) : value(x);
-  if constexpr (requires { x.v.cwiseAbs().maxCoeff(); }) {
-    const double by_derivative = 1e-3 * x.v.cwiseAbs().maxCoeff();
-    if (by_derivative > size) size = by_derivative;
-  }
-  return size;
-}
-
-template <class T>
-using Series = std::array<T, max_order + 1>;
-
-/// Coefficient n of a·b, without the first `from` terms of a and the first `skip` of b.
-template <class T>
-T product(const Series<T>& a, const Series<T>& b, int n, int from = 0, int skip = 0) {
-  T sum(0);
-  for (int j = from; j <= n - skip; ++j) sum += a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(n - j)];
-  return sum;
-}
-
-template <class T>
-T evaluate(const Series<T>& a, int order, const T& x) {
-  T sum = a[static_cast<std::size_t>(order)];
-  for (int j = order; j-- > 0;) sum = sum * x + a[static_cast<std::size_t>(j)];
-  return sum;
-}
-
-template <class T>
-T slope(const Series<T>& a, int order, const T& x) {
-  T sum = a[static_cast<std::size_t>(order)] * T(order);
-  for (int j = order; j-- > 1;) sum = sum * x + a[static_cast<std::size_t>(j)] * T(j);
-  return sum;
-}
 
 /// What does not change during an impact.
 template <class T>
@@ -73,7 +25,14 @@ struct Nose {
   T beta, gamma, yy, push;  ///< β, γ, 5/2 + sin²θ, sin θ cos θ
 
   Nose(const T& s, const T& c, const T& w, const T& cloth)
-      : sine(s), cosine(c), mu_w(w), mu_s(cloth), beta(T(1) - T(2.5) * s), gamma(T(2.5) - s), yy(T(2.5) + s * s), push(s * c) {}
+      : sine(s),
+        cosine(c),
+        mu_w(w),
+        mu_s(cloth),
+        beta(T(1) - T(2.5) * s),
+        gamma(T(2.5) - s),
+        yy(T(2.5) + s * s),
+        push(s * c) {}
 };
 
 enum class Slip {
@@ -85,12 +44,12 @@ enum class Slip {
 template <class T>
 struct Contact {
   Slip slip = Slip::slides;
-  T size{};                ///< r now
-  Vec2<T> direction{};     ///< f now
+  T size{};                   ///< r now
+  Vec2<T> direction{};        ///< f now
   Series<T> r, turn, fx, fy;  ///< turn: of θ′
-  Series<T> ix, iy;        ///< friction impulse per unit of P
-  Series<T> ax, ay;        ///< slip acceleration
-  Series<T> along, across; ///< N and T
+  Series<T> ix, iy;           ///< friction impulse per unit of P
+  Series<T> ax, ay;           ///< slip acceleration
+  Series<T> along, across;    ///< N and T
 
   bool moves() const { return slip != Slip::sticks; }
 };
