@@ -54,8 +54,8 @@ inline constexpr double crawling = 1e-8;
 /// slows down by a factor a bounce for ever; much smaller and the squares of its speed would underflow.
 inline constexpr double still = 1e-100;
 
-/// Of the normal approach speed. What the steps of an integrated cushion impact neglect. Larger would
-/// show in the ninth digit of a path of many cushions; smaller is below the rounding of the slips.
+/// Of the normal approach speed. What the steps of an integrated cushion impact may neglect. Larger
+/// saves little time and shows sooner in paths of many cushions; smaller is below rounding.
 inline constexpr double impact = 1e-13;
 
 /// Of the extent (see Boundary). A hit this far beyond the end of an edge still belongs to it, so that

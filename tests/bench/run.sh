@@ -8,8 +8,8 @@ cd "$(dirname "$0")/../.."
 need $toolchain catch2 libbenchmark-dev
 build release -DBANKSHOT_TESTS=ON -DBANKSHOT_BENCH=ON
 bin=build/release/tests out=tests/bench/results
-for what in simulate solve; do
-  filter=$([ $what = simulate ] && echo '^simulate' || echo '^(rolling|ideal)_')
+for what in simulate solve mathavan; do
+  filter=$([ $what = solve ] && echo '^(rolling|ideal)_' || echo "^$what")
   "$bin/bench/bench" --benchmark_filter="$filter" --benchmark_format=csv --benchmark_repetitions=5 \
     --benchmark_report_aggregates_only=true 2>/dev/null >"$out/$what.csv"
 done

@@ -111,6 +111,23 @@ TEST_CASE("a count of cushions is exact and a lower bound alone raises the upper
   CHECK(read_puzzle(minimal({{"cushions", Json::array()}})).cushions.max == 0);
 }
 
+TEST_CASE("the cushion mathavan2010 takes the sliding friction of the cloth and is written back") {
+  const Json cushion{{"model", "mathavan2010"}, {"restitution", 0.98}, {"friction", 0.14}, {"height", 0.036}};
+  const Json physics{{"model", "spin"}, {"sliding_friction", 0.212}, {"cushion", cushion}};
+  Puzzle p = read_puzzle(minimal({{"physics", physics}}));
+  auto& c = std::get<Mathavan2010>(p.physics.cushion);
+  CHECK(c.restitution.at_rest == 0.98);
+  CHECK(c.friction == 0.14);
+  CHECK(c.height == 0.036);
+  CHECK(c.radius == p.ball.radius);
+  CHECK(c.sliding_friction == 0.212);
+  const std::string written = write_puzzle(p);
+  CHECK(Json::parse(written)["physics"]["cushion"] == cushion);
+  CHECK(write_puzzle(read_puzzle(written)) == written);
+  c.sliding_friction = 0.2;
+  CHECK_THROWS_AS(validate(p), InvalidInput);
+}
+
 TEST_CASE("writing and reading a puzzle gives the same text") {
   const Json wrap{{"angle", {350.1, 10.3}}, {"noise", {{"angle", 0.1}}}, {"id", 5}, {"cushions", {{"min", 1}}}};
   for (const std::string& text : {std::string(full), minimal(), minimal(wrap), minimal({{"physics", "ideal"}})}) {

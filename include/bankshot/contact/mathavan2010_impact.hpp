@@ -56,13 +56,12 @@ class Impact {
 
  private:
   using Contact = mathavan::Contact<T>;
-  enum class Stop { none, phase, stick_cushion, stick_cloth };
 
-  static int order(double tolerance) { return std::clamp(static_cast<int>(6 - 0.55 * std::log(tolerance)), 8, max_order - 1); }
-
-  static Vec2<T> slip(const Contact& k) {
-    return k.slip == Slip::slides ? k.direction * k.size : Vec2<T>{T(0), T(0)};
+  static int order(double tolerance) {
+    return std::clamp(static_cast<int>(6 - 0.55 * std::log(tolerance)), 8, max_order - 1);
   }
+
+  static Vec2<T> slip(const Contact& k) { return k.slip == Slip::slides ? k.direction * k.size : Vec2<T>{T(0), T(0)}; }
 
   static void set_slip(Contact& k, const Vec2<T>& slip, double zero) {
     using std::sqrt;
@@ -92,6 +91,8 @@ class Impact {
       if (course_.steps++ > most_steps) course_.jams = true;
       e_.begin();
       if (!(value(e_.vy_rate[0]) < 0)) course_.jams = true;
+      // A cushion that sticks can leave the cloth no load only where no friction force is consistent.
+      if (!e_.cushion.moves() && value(e_.q[0]) < 0) course_.jams = true;
       if (course_.jams) return;
       const double rate = -value(e_.vy_rate[0]);
       left_ = sign > 0 ? value(vy_) / rate : std::max(e + value(vy_), 0.0) / rate;
@@ -102,8 +103,10 @@ class Impact {
   }
 
   void note() {
-    const auto bits = (e_.cushion.moves() ? 1u : 0u) | (e_.cloth.moves() ? 2u : 0u) | (e_.lifted ? 4u : 0u) | (sign_ < 0 ? 8u : 0u);
-    if (course_.modes < static_cast<int>(course_.mode.size())) course_.mode[static_cast<std::size_t>(course_.modes)] = static_cast<Mode>(bits);
+    const auto bits =
+        (e_.cushion.moves() ? 1u : 0u) | (e_.cloth.moves() ? 2u : 0u) | (e_.lifted ? 4u : 0u) | (sign_ < 0 ? 8u : 0u);
+    if (course_.modes < static_cast<int>(course_.mode.size()))
+      course_.mode[static_cast<std::size_t>(course_.modes)] = static_cast<Mode>(bits);
     ++course_.modes;
   }
 
@@ -135,7 +138,7 @@ class Impact {
   /// From no slip at all (only where vy = 0, in the plane of a head-on shot): the motion stays in that
   /// plane, so the directions are ±y and the first consistent pair is taken.
   void settle_both() {
-    Contact&w = e_.cushion, &c = e_.cloth;
+    Contact &w = e_.cushion, &c = e_.cloth;
     for (const int cloth : {-1, 1, 0})
       for (const int cushion : {0, 1, -1}) {
         if (cloth == 0 && cushion == 0) continue;
@@ -176,23 +179,22 @@ class Impact {
     }
   }
 
-  /// How far the forces may be taken as constant: a slip that shrinks to 0 swings by T Δp, another
-  /// contact's force by T Δp / r.
+  /// Whether the forces are constant over dp: a slip that shrinks to 0 swings by T dp, another by T dp / r.
   bool constant_over(double dp) const {
     for (const Contact* k : {&e_.cushion, &e_.cloth}) {
       if (!k->moves()) continue;
       if (k->slip == Slip::starts) return false;
-      const double swing = std::abs(value(k->across[0])), r = value(k->size) + std::min(0.0, value(k->along[0])) * dp;
+      const double swing = magnitude(k->across[0]), r = value(k->size) + std::min(0.0, value(k->along[0])) * dp;
       const double off = r > dp * swing ? dp * dp * swing / r : dp * swing;
       if (off > tolerance_ * share) return false;
     }
     return true;
   }
 
-  /// The rest of this mode in one straight step, where the forces are constant to the tolerance.
+  /// The rest of the phase, or of a slide that ends before it, in one straight step if that is exact
+  /// to the tolerance.
   bool straight(bool& done) {
     using std::sqrt;
-    Stop stop = Stop::phase;
     const T rate = -e_.vy_rate[0];
     T dp(0);
     if (sign_ > 0) {
@@ -201,28 +203,62 @@ class Impact {
       const T rest = (target_ - work_) / e_.nose.cosine;
       dp = T(2) * rest / (sqrt(vy_ * vy_ + T(2) * rate * rest) - vy_);
     }
-    for (const Contact* k : {&e_.cushion, &e_.cloth}) {
+    Contact* ends = nullptr;
+    for (Contact* k : {&e_.cushion, &e_.cloth}) {
+      if (k->slip == Slip::starts) return false;
       if (k->slip != Slip::slides || !(value(k->along[0]) < 0)) continue;
       const T zero = k->size / -k->along[0];
       if (!(value(zero) < value(dp) - tolerance_ * share)) continue;
       dp = zero;
-      stop = k == &e_.cushion ? Stop::stick_cushion : Stop::stick_cloth;
+      ends = k;
     }
-    if (!constant_over(value(dp))) return false;
+    if (ends) {
+      if (!mean_directions(*ends, dp)) return false;
+      e_.forces(0);
+      dp = ends->size / -(ends->ax[0] * ends->direction.x + ends->ay[0] * ends->direction.y);
+    } else if (!constant_over(value(dp))) {
+      return false;
+    }
+    advance_straight(dp, ends);
+    done = !ends;
+    if (!done) settle();
+    return true;
+  }
+
+  void advance_straight(const T& dp, const Contact* ends) {
     for (Contact* k : {&e_.cushion, &e_.cloth}) {
       if (k->slip != Slip::slides) continue;
-      const Vec2<T> z = k->direction * k->size + Vec2<T>{k->ax[0], k->ay[0]} * dp;
-      const bool ends = stop == (k == &e_.cushion ? Stop::stick_cushion : Stop::stick_cloth);
-      if (ends)
+      if (k == ends)
         k->slip = Slip::sticks;
       else
-        set_slip(*k, z, tolerance_ * share);
+        set_slip(*k, k->direction * k->size + Vec2<T>{k->ax[0], k->ay[0]} * dp, tolerance_ * share);
     }
     const T before = vy_;
-    vy_ -= rate * dp;
+    vy_ += e_.vy_rate[0] * dp;
     work_ += T(sign_) * e_.nose.cosine * (before + vy_) * dp / T(2);
-    done = stop == Stop::phase;
-    if (!done) settle();
+  }
+
+  /// Directions whose forces, taken as constant, bring the slip of `ends` to 0 within dp: the other slip
+  /// at its middle, this one turned by T / (κ − N), which is its mean turn, for z reaches 0 with it.
+  /// False when the squares that this neglects exceed the tolerance.
+  bool mean_directions(Contact& ends, const T& dp) {
+    Contact& other = &ends == &e_.cushion ? e_.cloth : e_.cushion;
+    const T kappa = e_.stiffness(ends), firm = kappa - ends.along[0];
+    if (!(value(firm) > 0)) return false;
+    const T turn = ends.across[0] / firm, swing = other.moves() ? T(other.across[0] * dp / other.size) : T(0);
+    // A derivative may grow without bound towards r = 0; far below the tolerance it no longer decides.
+    constexpr double far_below = 1e-3;
+    const bool small = magnitude(T(dp * (turn * turn + swing * swing))) <= tolerance_ * share;
+    if (!small && !(value(dp) <= tolerance_ * far_below)) return false;
+    const auto rotate = [](Contact& k, const T& by) {
+      const Vec2<T> d = k.direction + perpendicular(k.direction) * by;
+      const T size = norm(d);
+      k.fx[0] = d.x / size;
+      k.fy[0] = d.y / size;
+    };
+    if (other.moves()) rotate(other, swing / T(2));
+    e_.forces(0);
+    rotate(ends, (ends.ay[0] * ends.direction.x - ends.ax[0] * ends.direction.y) / firm);
     return true;
   }
 
@@ -263,7 +299,8 @@ class Impact {
         term = std::max(term, std::abs(value(k->r[i])));
         term = std::max(term, r * std::max(std::abs(value(k->fx[i])), std::abs(value(k->fy[i]))));
         if (k->slip == Slip::starts)
-          term = std::max(term, std::max(std::abs(value(k->fx[i - 1])), std::abs(value(k->fy[i - 1]))) * std::abs(value(k->r[1])));
+          term = std::max(
+              term, std::max(std::abs(value(k->fx[i - 1])), std::abs(value(k->fy[i - 1]))) * std::abs(value(k->r[1])));
       }
       if (term > 0) length = std::min(length, std::exp(std::log(tolerance_ * share / term) / n));
     }
@@ -283,44 +320,9 @@ class Impact {
     return longest;
   }
 
-  /// First root in (0, length] of a polynomial minus `goal`, which it passes once.
-  T root(const Series<T>& a, const T& goal, double length) const {
-    double low = 0, high = length;
-    T x(length);
-    const bool rises = value(goal) > value(a[0]);
-    constexpr int most = 100;
-    bool last = false;
-    for (int i = 0; i < most; ++i) {
-      const T off = evaluate(a, order_, x) - goal;
-      ((value(off) > 0) == rises ? high : low) = value(x);
-      T next = x - off / slope(a, order_, x);
-      const double v = value(next);
-      if (!(v > low && v < high)) {
-        if (std::abs(v - value(x)) <= 1e-15 * length || last) return x;
-        next = T((low + high) / 2);
-      }
-      const double moved = std::abs(value(T(next - x)));
-      x = next;
-      if (last) return x;
-      last = moved * moved <= tolerance_ * share * length * length * 1e-6;
-    }
-    return x;
-  }
-
-  /// The end of the interval outside, to the last bit, of a change from outside(0) = false.
-  template <class F>
-  double first_outside(double length, const F& outside) const {
-    double low = 0, high = length;
-    constexpr double fine = 1e-15;
-    while (high - low > fine * length) {
-      const double middle = (low + high) / 2;
-      (outside(middle) ? high : low) = middle;
-    }
-    return high;
-  }
-
   T margin_at(const Contact& k, double x) const {
-    return margin(k, evaluate(k.ix, order_ - 1, T(x)), evaluate(k.iy, order_ - 1, T(x)), evaluate(e_.q, order_ - 1, T(x)));
+    return margin(k, evaluate(k.ix, order_ - 1, T(x)), evaluate(k.iy, order_ - 1, T(x)),
+                  evaluate(e_.q, order_ - 1, T(x)));
   }
 
   void move(const T& x) {
@@ -365,7 +367,8 @@ class Impact {
     const T goal = sign_ > 0 ? T(0) : target_;
     const double off = value(T(evaluate(a, order_, T(length)) - goal));
     if (sign_ > 0 ? off <= 0 : off >= 0) {
-      move(root(a, goal, length));
+      constexpr double safe = 1e-6;
+      move(root(a, order_, goal, length, tolerance_ * share * safe));
       return true;
     }
     move(T(length));

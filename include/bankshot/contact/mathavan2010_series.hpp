@@ -13,47 +13,10 @@
 // at order n they are linear in the coefficient θn, with the same slope −κ at every order.
 #pragma once
 
-#include <array>
-
+#include "bankshot/contact/mathavan2010_polynomial.hpp"
 #include "bankshot/vec.hpp"
 
 namespace bankshot::mathavan {
-
-inline constexpr int max_order = 48;
-
-/// The number itself, without derivatives or further digits: decisions are taken on it.
-template <class T>
-double value(const T& x) {
-  if constexpr (requires { x.a; })
-    return static_cast<double>(x.a);
-  else
-    return static_cast<double>(x);
-}
-
-template <class T>
-using Series = std::array<T, max_order + 1>;
-
-/// Coefficient n of a·b, without the first `from` terms of a and the first `skip` of b.
-template <class T>
-T product(const Series<T>& a, const Series<T>& b, int n, int from = 0, int skip = 0) {
-  T sum(0);
-  for (int j = from; j <= n - skip; ++j) sum += a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(n - j)];
-  return sum;
-}
-
-template <class T>
-T evaluate(const Series<T>& a, int order, const T& x) {
-  T sum = a[static_cast<std::size_t>(order)];
-  for (int j = order; j-- > 0;) sum = sum * x + a[static_cast<std::size_t>(j)];
-  return sum;
-}
-
-template <class T>
-T slope(const Series<T>& a, int order, const T& x) {
-  T sum = a[static_cast<std::size_t>(order)] * T(order);
-  for (int j = order; j-- > 1;) sum = sum * x + a[static_cast<std::size_t>(j)] * T(j);
-  return sum;
-}
 
 /// What does not change during an impact.
 template <class T>
@@ -62,7 +25,14 @@ struct Nose {
   T beta, gamma, yy, push;  ///< β, γ, 5/2 + sin²θ, sin θ cos θ
 
   Nose(const T& s, const T& c, const T& w, const T& cloth)
-      : sine(s), cosine(c), mu_w(w), mu_s(cloth), beta(T(1) - T(2.5) * s), gamma(T(2.5) - s), yy(T(2.5) + s * s), push(s * c) {}
+      : sine(s),
+        cosine(c),
+        mu_w(w),
+        mu_s(cloth),
+        beta(T(1) - T(2.5) * s),
+        gamma(T(2.5) - s),
+        yy(T(2.5) + s * s),
+        push(s * c) {}
 };
 
 enum class Slip {
@@ -74,12 +44,12 @@ enum class Slip {
 template <class T>
 struct Contact {
   Slip slip = Slip::slides;
-  T size{};                ///< r now
-  Vec2<T> direction{};     ///< f now
+  T size{};                   ///< r now
+  Vec2<T> direction{};        ///< f now
   Series<T> r, turn, fx, fy;  ///< turn: of θ′
-  Series<T> ix, iy;        ///< friction impulse per unit of P
-  Series<T> ax, ay;        ///< slip acceleration
-  Series<T> along, across; ///< N and T
+  Series<T> ix, iy;           ///< friction impulse per unit of P
+  Series<T> ax, ay;           ///< slip acceleration
+  Series<T> along, across;    ///< N and T
 
   bool moves() const { return slip != Slip::sticks; }
 };
@@ -116,8 +86,13 @@ struct Expansion {
     } else if (lifted) {
       c.ix[n] = c.iy[n] = T(0);
     } else {
-      c.ix[n] = nose.mu_s * product(q, c.fx, order);
-      c.iy[n] = nose.mu_s * product(q, c.fy, order);
+      T x(0), y(0);
+      for (std::size_t j = 0; j <= n; ++j) {
+        x += q[j] * c.fx[n - j];
+        y += q[j] * c.fy[n - j];
+      }
+      c.ix[n] = nose.mu_s * x;
+      c.iy[n] = nose.mu_s * y;
     }
     if (!w.moves()) w.ix[n] = nose.beta * c.ix[n] / T(-3.5);
     w.ax[n] = T(-3.5) * w.ix[n] - nose.beta * c.ix[n];
@@ -127,20 +102,33 @@ struct Expansion {
     vy_rate[n] = nose.sine * w.iy[n] - one * nose.cosine - c.iy[n];
     for (Contact<T>* k : {&w, &c}) {
       if (!k->moves()) continue;
-      k->along[n] = product(k->ax, k->fx, order) + product(k->ay, k->fy, order);
-      k->across[n] = product(k->ay, k->fx, order) - product(k->ax, k->fy, order);
+      // Four products in one loop: their sums do not wait for each other.
+      T xx(0), yy(0), yx(0), xy(0);
+      for (std::size_t j = 0; j <= n; ++j) {
+        xx += k->ax[j] * k->fx[n - j];
+        yy += k->ay[j] * k->fy[n - j];
+        yx += k->ay[j] * k->fx[n - j];
+        xy += k->ax[j] * k->fy[n - j];
+      }
+      k->along[n] = xx + yy;
+      k->across[n] = yx - xy;
     }
   }
 
   /// Coefficient n > 0 of the directions from θ1 … θn: f′ = θ′ (−fy, fx).
   static void turn_to(Contact<T>& k, std::size_t n) {
-    const int last = static_cast<int>(n) - 1;
-    k.fx[n] = -product(k.turn, k.fy, last) / T(last + 1);
-    k.fy[n] = product(k.turn, k.fx, last) / T(last + 1);
+    T x(0), y(0);
+    for (std::size_t j = 0; j < n; ++j) {
+      x -= k.turn[j] * k.fy[n - 1 - j];
+      y += k.turn[j] * k.fx[n - 1 - j];
+    }
+    const T by = T(1) / T(static_cast<int>(n));
+    k.fx[n] = x * by;
+    k.fy[n] = y * by;
   }
   void turn_to(std::size_t n) {
-    if (cushion.slip == Slip::slides) turn_to(cushion, n);
-    if (cloth.slip == Slip::slides) turn_to(cloth, n);
+    if (cushion.moves()) turn_to(cushion, n);
+    if (cloth.moves()) turn_to(cloth, n);
   }
 
   /// −∂T/∂θ at a contact whose direction is being chosen, read off the recurrence at order 1.
@@ -157,8 +145,6 @@ struct Expansion {
   /// θn of a contact that starts: (n r1 + κ) θn = Tn at θn = 0, less the terms of r2, r3, …
   void start_turning(Contact<T>& k, std::size_t n, const T& kappa) {
     const int order = static_cast<int>(n);
-    k.turn[n - 1] = T(0);
-    turn_to(k, n);
     forces(n);
     T rest = unit * k.across[n];
     for (std::size_t j = 2; j <= n; ++j) rest -= k.r[j] * k.turn[n - j];
@@ -206,6 +192,8 @@ struct Expansion {
       if (k->slip == Slip::starts && k->along[0] < T(0)) k->along[0] = T(0);
     integrate(0, sign);
     for (std::size_t n = 1; n < static_cast<std::size_t>(order); ++n) {
+      for (Contact<T>* k : {&cushion, &cloth})
+        if (k->slip == Slip::starts) k->turn[n - 1] = T(0);
       turn_to(n);
       if (cushion.slip == Slip::starts) start_turning(cushion, n, kappa[0]);
       if (cloth.slip == Slip::starts) start_turning(cloth, n, kappa[1]);
@@ -213,9 +201,9 @@ struct Expansion {
       integrate(n, sign);
     }
     const auto last = static_cast<std::size_t>(order);
-    turn_to(last);
     for (Contact<T>* k : {&cushion, &cloth})
-      if (k->slip == Slip::starts) k->fx[last] = k->fy[last] = T(0);
+      if (k->slip == Slip::starts) k->turn[last - 1] = T(0);
+    turn_to(last);
   }
 };
 
