@@ -61,6 +61,7 @@ class Follower {
           if (k_ == goal_.max) return fail(Foul::extra_cushion, e.index);
           if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.index);
           ++k_;
+          if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.index), sim_.state().velocity) > 0)) out_.replay.cushion_stick = true;
           if (contacts) contacts->push_back(e.index);
           break;
         case EventKind::slide_to_roll:
@@ -274,7 +275,7 @@ bool certify(Search& s, const Launch& proposed, int bounces, std::string_view pl
     s.shots.pop_back();
     break;
   }
-  Shot shot{.launch = launch, .cushions = std::move(contacts), .arrival = r.arrival, .miss = r.miss};
+  Shot shot{.launch = launch, .spin = s.puzzle.spin, .cushion_stick = r.cushion_stick, .cushions = std::move(contacts), .arrival = r.arrival, .miss = r.miss};
   shot.planner = planner;
   shot.simulations = s.simulations;
   first_order(s, shot);

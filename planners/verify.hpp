@@ -33,6 +33,7 @@ struct Replay {
   Arrival arrival;
   Failure failure;      ///< when it is not made
   int bounces = 0;  ///< at arrival or at the foul
+  bool cushion_stick = false;  ///< see Shot::cushion_stick
 };
 
 /// Simulates a launch against the goal; `contacts`, if given, receives the bounces.

@@ -16,7 +16,7 @@ Json shot_json(const Puzzle& p, const Shot& shot) {
   Json names = Json::array();
   for (const int c : shot.cushions) names.push_back(contact_name(p.table, c));
   // Without the physics `spin` the ball rolls from the start: natural roll, hit 2/5 R above centre.
-  const LaunchSpin spin = is_straight(p.physics) ? LaunchSpin{.top = 1} : p.spin;
+  const LaunchSpin spin = is_straight(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
   Json j{{"speed", shot.launch.speed},
          {"angle", exact_degrees(shot.launch.angle)},
          {"spin", {{"top", spin.top}, {"side", spin.side}}},
@@ -83,7 +83,7 @@ std::string to_json(const Answer& a) {
 }
 
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {
-  ShotRequest r{p.id, p.table, p.physics, p.ball, shot.launch, p.spin, {}};
+  ShotRequest r{p.id, p.table, p.physics, p.ball, shot.launch, shot.spin, {}};
   r.until.time = shot.arrival.time;
   return r;
 }

@@ -27,14 +27,29 @@ LaunchSpin read_spin(const Reader& r) {
   r.only({"top", "side", "masse"});
   LaunchSpin spin;
   const auto read = [&](const char* key, double& value) {
-    const auto v = r.find(key);
-    if (v && v->is_array()) v->fail("is a range, which is not supported yet");
-    if (v) value = v->number();
+    if (const auto v = r.find(key)) value = v->number();
   };
   read("top", spin.top);
   read("side", spin.side);
   read("masse", spin.masse);
   return spin;
+}
+
+/// None when every spin is one number.
+std::optional<SpinRange> read_spin_range(const Reader& r) {
+  r.only({"top", "side", "masse"});
+  SpinRange range;
+  bool any = false;
+  const auto read = [&](const char* key, Range& value) {
+    const auto v = r.find(key);
+    if (!v) return;
+    value = v->range();
+    any = any || v->is_array();
+  };
+  read("top", range.top);
+  read("side", range.side);
+  read("masse", range.masse);
+  return any ? std::optional(range) : std::nullopt;
 }
 
 /// `printed`: answers print the natural roll that every shot has without the physics `spin`.
@@ -205,7 +220,7 @@ void read_choices(const Reader& doc, Puzzle& p) {
   }
   if (const auto v = doc.find("aim")) {
     constexpr std::array<std::string_view, 2> words{"centre", "safest"};
-    if (v->word("aim", words) == 1) v->fail("is not supported yet");
+    p.aim = static_cast<Aim>(v->word("aim", words));
   }
   if (const auto v = doc.find("noise")) p.noise = read_noise(*v);
   if (const auto v = doc.find("budget")) {
@@ -227,7 +242,10 @@ Puzzle read_puzzle(std::string_view text) {
   p.ball = read_ball(doc, default_ball(table));
   p.table = read_table(table, p.ball.radius);
   p.physics = read_physics(doc, p.ball);
-  if (const auto v = doc.need("ball").find("spin")) p.spin = read_spin(*v, p.physics, false);
+  if (const auto v = doc.need("ball").find("spin")) {
+    if (!is_straight(p.physics)) p.spin_range = read_spin_range(*v);
+    if (!p.spin_range) p.spin = read_spin(*v, p.physics, false);
+  }
   if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
   p.target = read_target(doc.need("target"), p.table);
   if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);

@@ -11,7 +11,8 @@ namespace {
 
 Json pair(double a, double b) { return Json::array({a, b}); }
 Json pair(const Vec2d& p) { return pair(p.x, p.y); }
-Json range(const Range& r) { return r.fixed() ? Json(r.low) : pair(r.low, r.high); }
+Json both(const Range& r) { return pair(r.low, r.high); }
+Json range(const Range& r) { return r.fixed() ? Json(r.low) : both(r); }
 
 Json table_json(const Table& t) {
   Json j = Json::object();
@@ -73,13 +74,17 @@ std::string write_puzzle(const Puzzle& p) {
   j["table"] = table_json(p.table);
   j["physics"] = physics_json(p.physics);
   j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.radius}, {"mass", p.ball.mass}};
-  if (!is_straight(p.physics)) j["ball"]["spin"] = {{"top", p.spin.top}, {"side", p.spin.side}, {"masse", p.spin.masse}};
+  if (p.spin_range)
+    j["ball"]["spin"] = {{"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};
+  else if (!is_straight(p.physics))
+    j["ball"]["spin"] = {{"top", p.spin.top}, {"side", p.spin.side}, {"masse", p.spin.masse}};
   j["target"] = target_json(p);
   j["cushions"] = cushions_json(p);
   if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};
   j["speed"] = range(p.speed);
   if (p.angle) j["angle"] = pair(exact_degrees(p.angle->low), exact_degrees(p.angle->high));
   j["prefer"] = preferences[static_cast<int>(p.prefer)];
+  if (p.aim == Aim::safest) j["aim"] = "safest";
   j["noise"] = {{"angle", exact_degrees(p.noise.angle)}, {"speed", p.noise.speed}};
   j["budget"] = {{"simulations", p.budget}};
   return write_json(p.id, j);

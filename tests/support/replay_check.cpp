@@ -63,7 +63,7 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
 
 Checked check_shot(const Puzzle& p, const Shot& shot) {
   Checked c;
-  ShotRequest request{{}, p.table, p.physics, p.ball, shot.launch, p.spin, {}};
+  ShotRequest request{{}, p.table, p.physics, p.ball, shot.launch, shot.spin, {}};
   request.until.cushions = static_cast<int>(shot.cushions.size()) + 1;
   const Trajectory t = simulate(request);
   const std::size_t n = shot.cushions.size();

@@ -17,6 +17,7 @@ struct SolveOptions {
   std::string planner = "auto";
   bool all = false;         ///< every distinct shot, not only the best
   bool robustness = true;   ///< margin and success; without, `robust` ranks by first-order margin
+  bool suggest = true;      ///< where there is no shot, look for what would make one possible
 };
 
 /// Never throws for a puzzle that is merely hard: invalid puzzles and unknown planners throw

@@ -28,6 +28,8 @@ struct Margin {
 
 struct Shot {
   Launch launch{};
+  LaunchSpin spin{};
+  bool cushion_stick = false;   ///< some cushion's law left the ball moving into it: it stayed there
   std::vector<int> cushions{};  ///< contacts in order
   Arrival arrival{};
   double miss = 0;       ///< m, from the replay

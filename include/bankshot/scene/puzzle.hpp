@@ -50,6 +50,13 @@ struct CushionRule {
 inline constexpr int max_cushions = 20000;
 
 enum class Prefer { robust, soft, quick };
+/// centre: an exact root. safest: may leave it, inside what still counts as made, to raise the chance.
+enum class Aim { centre, safest };
+
+/// Spins that the planner may choose from, each in units of natural roll (see LaunchSpin).
+struct SpinRange {
+  Range top{0, 0}, side{0, 0}, masse{0, 0};
+};
 
 /// Standard deviations of a player: aim [rad] and speed [m/s].
 struct Noise {
@@ -62,13 +69,15 @@ struct Puzzle {
   Table table{};
   Physics physics = rolling_physics();
   Ball ball{};
-  LaunchSpin spin{};
+  LaunchSpin spin{};                       ///< at launch, where `spin_range` is not given
+  std::optional<SpinRange> spin_range{};   ///< then the least spin that works is chosen
   Target target{};
   CushionRule cushions{};
   std::optional<Range> arrive{};  ///< speed at the target [m/s]; the default depends on the target
   Range speed{0.1, 10};         ///< launch speed [m/s]
   std::optional<Range> angle{};   ///< rad, from low anticlockwise to high; high may exceed 2π
   Prefer prefer = Prefer::robust;
+  Aim aim = Aim::centre;
   Noise noise{};
   long budget = 100000;  ///< simulations
 };
