@@ -142,6 +142,23 @@ Condition condition(const Run& run) {
   return c;
 }
 
+Condition truth_jacobian(const Run& run) {
+  const Digits50 step("1e-20");
+  Condition c;
+  for (int k = 0; k < 7; ++k) {
+    Vec2<Digits50> ends[2];
+    for (int side = 0; side < 2; ++side) {
+      State<Digits50> s = lift<Digits50>(run.start);
+      Digits50* const inputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
+      *inputs[k] += side == 0 ? step : Digits50(-step);
+      follow<Digits50>(run, s, [&](const Event&, const auto& sim) { ends[side] = sim.state().at; });
+    }
+    c.jacobian[0][k] = rounded(Digits50((ends[0].x - ends[1].x) / (2 * step)));
+    c.jacobian[1][k] = rounded(Digits50((ends[0].y - ends[1].y) / (2 * step)));
+  }
+  return c;
+}
+
 Compared compare_with_truth(const Run& run) {
   Path rough = run_double(run), exact = run_truth(run);
   Compared c{.events = rough.events.size()};
