@@ -248,7 +248,7 @@ class Simulator {
       if (!slow[k]) continue;
       const Vec2<Number> n = value(normal(at[k]));
       const Number into = dot(n, a);
-      if (!(into < 0)) continue;
+      if (!brings_back(into, dot(n, value(arc_.velocity)))) continue;
       pressed = true;
       const Vec2<Number> along{a.x - into * n.x, a.y - into * n.y};
       if (slow[1 - k] && dot(value(normal(at[1 - k])), along) < 0) continue;
@@ -260,6 +260,13 @@ class Simulator {
     if (!pressed) return;
     for (int k = 0; k < 2; ++k) held_[k] = on_[k] = at[k];
     arc_.velocity = arc_.acceleration = {T(0), T(0)};
+  }
+
+  /// Within this arc. Otherwise the ball is not pressed to the cushion, and an acceleration along it, the
+  /// sign of whose normal part is rounding, decides nothing.
+  bool brings_back(const Number& acceleration, const Number& speed) const {
+    using std::abs;
+    return acceleration < 0 && -acceleration * value(arc_.duration) >= 2 * abs(speed);
   }
 
   /// Where the ball is at a cushion in a corner and hardly moves: the other cushion, else -1. Friction into
