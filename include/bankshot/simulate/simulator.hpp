@@ -136,13 +136,22 @@ class Simulator {
     const auto walls = static_cast<int>(boundary_->walls.size());
     for (int i = 0; i < walls; ++i) consider(next, i, wall_hit(arc, i, next.time));
     for (const Circle& c : boundary_->tips)
-      if (!held(c.contact)) consider(next, c.contact, first_entry(arc, c.centre, c.radius, next.time, left(c.contact)));
+      if (!held(c.contact) && !passes_tangent(c.contact, arc)) consider(next, c.contact, first_entry(arc, c.centre, c.radius, next.time, left(c.contact)));
     for (const Circle& c : boundary_->pockets) {
       const Number t = first_entry(arc, c.centre, c.radius, next.time);
       if (t <= next.time && t < Number(forever)) next = {t, {EventKind::pocket, c.contact}};
     }
     return next;
   }
+
+  /// The ball runs along a cushion that ends at this vertex: the line touches the tip's arc there, exactly.
+  bool passes_tangent(int contact, const Arc<Number>& arc) const {
+    const int walls = static_cast<int>(boundary_->walls.size()), vertex = contact - walls;
+    for (const int i : {vertex, (vertex + walls - 1) % walls})
+      if (held(i) || (left(i) && runs_along(dot(wall(i).normal, arc.velocity)))) return true;
+    return false;
+  }
+  bool runs_along(const Number& speed) const { return speed * speed < bounced2_ * (tolerance::along * tolerance::along); }
 
   static void consider(Next& next, int contact, const Number& t) {
     if (t < next.time)
@@ -165,9 +174,10 @@ class Simulator {
     if (held(i)) return Number(forever);
     if (left(i)) {
       gap = Number(0);
-      if (speed * speed < bounced2_ * (tolerance::along * tolerance::along)) return Number(forever);
+      if (runs_along(speed)) return Number(forever);
     } else if (gap < Number(0) && gap > Number(-boundary_->touch)) {
       gap = Number(0);
+      if (speed * speed < dot(arc.velocity, arc.velocity) * (tolerance::along * tolerance::along)) return Number(forever);
     }
     const Number t = first_descent(gap, speed, acceleration);
     if (boundary_->strictly_convex || !(t <= limit)) return t;
@@ -262,11 +272,12 @@ class Simulator {
     arc_.velocity = arc_.acceleration = {T(0), T(0)};
   }
 
-  /// Within this arc. Otherwise the ball is not pressed to the cushion, and an acceleration along it, the
-  /// sign of whose normal part is rounding, decides nothing.
+  /// The arc ends with a speed towards the cushion. Otherwise the ball is not pressed to it, and an acceleration
+  /// along the cushion, whose normal part has the sign of rounding, decides nothing. A ball that rolls away
+  /// ends with speed 0, up to rounding: a hundredth more tells them apart.
   bool brings_back(const Number& acceleration, const Number& speed) const {
     using std::abs;
-    return acceleration < 0 && -acceleration * value(arc_.duration) >= 2 * abs(speed);
+    return acceleration < 0 && -acceleration * value(arc_.duration) > 1.01 * abs(speed);
   }
 
   /// Where the ball is at a cushion in a corner and hardly moves: the other cushion, else -1. Friction into
