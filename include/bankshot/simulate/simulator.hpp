@@ -151,6 +151,13 @@ class Simulator {
       if (held(i) || (left(i) && runs_along(dot(wall(i).normal, arc.velocity)))) return true;
     return false;
   }
+  /// Speed to and from a line, now and when the arc ends, is the rounding of the velocity.
+  static bool parallel(const Arc<Number>& arc, const Number& speed, const Number& acceleration) {
+    const Number noise2 = dot(arc.velocity, arc.velocity) * (tolerance::along * tolerance::along);
+    if (!(speed * speed < noise2)) return false;
+    const Number gained = acceleration == 0 ? Number(0) : Number(acceleration * arc.duration);
+    return gained * gained < noise2;
+  }
   bool runs_along(const Number& speed) const { return speed * speed < bounced2_ * (tolerance::along * tolerance::along); }
 
   static void consider(Next& next, int contact, const Number& t) {
@@ -175,9 +182,9 @@ class Simulator {
     if (left(i)) {
       gap = Number(0);
       if (runs_along(speed)) return Number(forever);
-    } else if (gap < Number(0) && gap > Number(-boundary_->touch)) {
-      gap = Number(0);
-      if (speed * speed < dot(arc.velocity, arc.velocity) * (tolerance::along * tolerance::along)) return Number(forever);
+    } else if (gap < Number(boundary_->touch) && gap > Number(-boundary_->touch)) {
+      if (gap < Number(0)) gap = Number(0);
+      if (parallel(arc, speed, acceleration)) return Number(forever);
     }
     const Number t = first_descent(gap, speed, acceleration);
     if (boundary_->strictly_convex || !(t <= limit)) return t;
