@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "bankshot/scene/ball.hpp"
+#include "bankshot/scene/physics.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"
