@@ -9,7 +9,7 @@ need $toolchain catch2 libbenchmark-dev
 build release -DBANKSHOT_TESTS=ON -DBANKSHOT_BENCH=ON
 bin=build/release/tests out=tests/bench/results
 for what in simulate solve; do
-  filter=$([ $what = simulate ] && echo '^simulate' || echo '^(rolling|ideal)_')
+  filter=$([ $what = simulate ] && echo '^(simulate|locked)' || echo '^(rolling|ideal)_')
   "$bin/bench/bench" --benchmark_filter="$filter" --benchmark_format=csv --benchmark_repetitions=5 \
     --benchmark_report_aggregates_only=true 2>/dev/null >"$out/$what.csv"
 done
