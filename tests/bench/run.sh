@@ -5,11 +5,15 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
-need $toolchain catch2 libbenchmark-dev
+need $toolchain catch2 libbenchmark-dev libboost-dev
 build release -DBANKSHOT_TESTS=ON -DBANKSHOT_BENCH=ON
 bin=build/release/tests out=tests/bench/results
 for what in simulate solve mathavan; do
-  filter=$([ $what = solve ] && echo '^(rolling|ideal)_' || echo "^$what")
+  case $what in
+    simulate) filter='^(simulate|locked)' ;;
+    solve) filter='^(rolling|ideal|spin)_' ;;
+    *) filter="^$what" ;;
+  esac
   "$bin/bench/bench" --benchmark_filter="$filter" --benchmark_format=csv --benchmark_repetitions=5 \
     --benchmark_report_aggregates_only=true 2>/dev/null >"$out/$what.csv"
 done

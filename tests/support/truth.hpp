@@ -44,8 +44,12 @@ Path run_truth(const Run& run);  ///< in 50 digits
 struct Condition {
   double kappa = 1, of_start = 1;
   double jacobian[2][7] = {};
+  std::vector<int> events;  ///< kind and index of each: where they are not those of the run in double, it is at a tie
 };
 Condition condition(const Run& run);
+
+/// The same Jacobian from differences in 50 digits, exact to 1e-30: no dual number is involved.
+Condition truth_jacobian(const Run& run);
 
 /// A run in double held against the truth.
 struct Compared {
@@ -54,7 +58,8 @@ struct Compared {
   double kappa = 1, of_start = 1;
   std::size_t events = 0;
   /// same: the events agree. tie: they part at two events that lie within the bound of each other, or the
-  /// path in double is the exact path of a start within 1e-13 of this one. wrong: neither.
+  /// path in double is the exact path of a start within 1e-13 of this one, or adding derivatives, which
+  /// rounds differently, already changes the events. wrong: none of these.
   enum class Order { same, tie, wrong } order = Order::same;
   double ratio() const { return unit > 0 ? error / unit : 0; }
 };

@@ -137,13 +137,29 @@ class Simulator {
     const auto walls = static_cast<int>(boundary_->walls.size());
     for (int i = 0; i < walls; ++i) consider(next, i, wall_hit(arc, i, next.time));
     for (const Circle& c : boundary_->tips)
-      if (!held(c.contact)) consider(next, c.contact, first_entry(arc, c.centre, c.radius, next.time, left(c.contact)));
+      if (!held(c.contact) && !passes_tangent(c.contact, arc)) consider(next, c.contact, first_entry(arc, c.centre, c.radius, next.time, left(c.contact)));
     for (const Circle& c : boundary_->pockets) {
       const Number t = first_entry(arc, c.centre, c.radius, next.time);
       if (t <= next.time && t < Number(forever)) next = {t, {EventKind::pocket, c.contact}};
     }
     return next;
   }
+
+  /// The ball runs along a cushion that ends at this vertex: the line touches the tip's arc there, exactly.
+  bool passes_tangent(int contact, const Arc<Number>& arc) const {
+    const int walls = static_cast<int>(boundary_->walls.size()), vertex = contact - walls;
+    for (const int i : {vertex, (vertex + walls - 1) % walls})
+      if (held(i) || (left(i) && runs_along(dot(wall(i).normal, arc.velocity)))) return true;
+    return false;
+  }
+  /// Speed to and from a line, now and when the arc ends, is the rounding of the velocity.
+  static bool parallel(const Arc<Number>& arc, const Number& speed, const Number& acceleration) {
+    const Number noise2 = dot(arc.velocity, arc.velocity) * (tolerance::along * tolerance::along);
+    if (!(speed * speed < noise2)) return false;
+    const Number gained = acceleration == 0 ? Number(0) : Number(acceleration * arc.duration);
+    return gained * gained < noise2;
+  }
+  bool runs_along(const Number& speed) const { return speed * speed < bounced2_ * (tolerance::along * tolerance::along); }
 
   static void consider(Next& next, int contact, const Number& t) {
     if (t < next.time)
@@ -166,9 +182,10 @@ class Simulator {
     if (held(i)) return Number(forever);
     if (left(i)) {
       gap = Number(0);
-      if (speed * speed < bounced2_ * (tolerance::along * tolerance::along)) return Number(forever);
-    } else if (gap < Number(0) && gap > Number(-boundary_->touch)) {
-      gap = Number(0);
+      if (runs_along(speed)) return Number(forever);
+    } else if (gap < Number(boundary_->touch) && gap > Number(-boundary_->touch)) {
+      if (gap < Number(0)) gap = Number(0);
+      if (parallel(arc, speed, acceleration)) return Number(forever);
     }
     const Number t = first_descent(gap, speed, acceleration);
     if (boundary_->strictly_convex || !(t <= limit)) return t;
@@ -249,7 +266,7 @@ class Simulator {
       if (!slow[k]) continue;
       const Vec2<Number> n = value(normal(at[k]));
       const Number into = dot(n, a);
-      if (!(into < 0)) continue;
+      if (!brings_back(into, dot(n, value(arc_.velocity)))) continue;
       pressed = true;
       const Vec2<Number> along{a.x - into * n.x, a.y - into * n.y};
       if (slow[1 - k] && dot(value(normal(at[1 - k])), along) < 0) continue;
@@ -261,6 +278,14 @@ class Simulator {
     if (!pressed) return;
     for (int k = 0; k < 2; ++k) held_[k] = on_[k] = at[k];
     arc_.velocity = arc_.acceleration = {T(0), T(0)};
+  }
+
+  /// The arc ends with a speed towards the cushion. Otherwise the ball is not pressed to it, and an acceleration
+  /// along the cushion, whose normal part has the sign of rounding, decides nothing. A ball that rolls away
+  /// ends with speed 0, up to rounding: a hundredth more tells them apart.
+  bool brings_back(const Number& acceleration, const Number& speed) const {
+    using std::abs;
+    return acceleration < 0 && -acceleration * value(arc_.duration) > 1.01 * abs(speed);
   }
 
   /// Where the ball is at a cushion in a corner and hardly moves: the other cushion, else -1. Friction into

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the planner may choose: spin inside a range, a launch inside what is made; and what it says where
+// there is nothing to choose.
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/json.hpp"
+#include "support/catch.hpp"
+#include "support/replay_check.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+Puzzle read(const std::string& more) {
+  return read_puzzle(R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4])" + more);
+}
+
+}  // namespace
+
+TEST_CASE("of a range of spin the least that works is used") {
+  const Puzzle free = read(R"(, "spin": {"top": [0, 1], "side": [-1, 1]}}, "target": {"point": [1.9, 0.9]}, "cushions": 1})");
+  const Answer a = solve(free, {.robustness = false});
+  REQUIRE(a.status == Status::solved);
+  CHECK(a.shots[0].spin.top == 0);
+  CHECK(a.shots[0].spin.side == 0);
+  CHECK(test::check_shot(free, a.shots[0]).problem == "");
+}
+
+TEST_CASE("spin is used where nothing works without") {
+  // Straight at the cushion and back: to come off it at an angle takes side spin.
+  Puzzle p = read(R"(, "spin": {"side": [-1, 1]}}, "target": {"point": [0.75, 0.635], "within": 0.001}, "cushions": ["top"],
+                  "arrive": {"speed": [0.2, 5]}, "angle": [89.9, 90.1]})");
+  const Answer a = solve(p, {.robustness = false});
+  INFO(a.message);
+  REQUIRE(a.status == Status::solved);
+  CHECK(a.shots[0].spin.side != 0);
+  CHECK(test::check_shot(p, a.shots[0]).problem == "");
+  CHECK(a.message.find("spins were tried") != std::string::npos);
+}
+
+TEST_CASE("the safest launch is made and no less likely than the centred one") {
+  Puzzle p = read(R"(}, "target": {"pocket": "top-right"}, "cushions": ["bottom"], "arrive": {"speed": 0.3}})");
+  const Answer centred = solve(p);
+  p.aim = Aim::safest;
+  const Answer safest = solve(p);
+  REQUIRE(centred.status == Status::solved);
+  REQUIRE(safest.status == Status::solved);
+  CHECK(*safest.shots[0].success >= *centred.shots[0].success);
+  CHECK(safest.shots[0].cushions == centred.shots[0].cushions);
+  CHECK(safest.shots[0].miss < p.table.pockets[5].radius);
+}
+
+TEST_CASE("a no-shot says what would open it") {
+  const auto hint = [](const std::string& more) {
+    const Answer a = solve(read(more));
+    CHECK(a.status == Status::no_shot);
+    return a.message;
+  };
+  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 2, "speed": [0.1, 0.5]})"), Catch::Contains("m/s would do it"));
+  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 0, "angle": [90, 100]})"), Catch::Contains("an aim of"));
+  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": ["top", "top", "top", "top"]})"), Catch::Contains("there is a shot with"));
+}
+
+TEST_CASE("puzzles with friction that grows with speed are solved") {
+  const Puzzle p = read(R"(}, "physics": {"model": "spin", "rolling_friction": {"at_rest": 0.008, "per_speed": 0.004}},
+                        "target": {"point": [1.9, 0.9]}, "cushions": 2})");
+  const Answer a = solve(p);
+  REQUIRE(a.status == Status::solved);
+  CHECK(test::check_shot(p, a.shots[0]).problem == "");
+  CHECK(a.shots[0].miss < 1e-9);
+}

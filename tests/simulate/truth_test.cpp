@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// The simulator's property 6 and its derivatives, held against 50 digits on random shots of every family.
+// The worst ratio is printed; `shots --truth N` does the same for any number of shots.
+#include <ceres/jet.h>
+
+#include <cstdio>
+
+#include "support/against_truth.hpp"
+#include "support/catch.hpp"
+#include "support/random_shot.hpp"
+
+using namespace bankshot;
+using namespace bankshot::test;
+
+TEST_CASE("the error of a run in double is within C 2^-53 size kappa") {
+  Worst worst("random shots");
+  constexpr std::uint64_t seed = 31;
+  for (const ShotFamily family : shot_families) {
+    Random random(seed);
+    for (int i = 0; i < 40; ++i) {
+      const ShotRequest shot = random_shot(random, family);
+      const Compared c = against_truth(shot, 8);
+      INFO(name(family) << " number " << i << " of seed " << seed << ": " << write_shot(shot));
+      if (c.kappa <= 1e6) CHECK(worst.within_bound(c));
+    }
+  }
+  CHECK(worst.ratio > 0.01);  // the bound is not so wide that it says nothing
+}
+
+TEST_CASE("derivatives through every event agree with differences in 50 digits") {
+  constexpr std::uint64_t seed = 37;
+  double worst = 0;
+  int compared = 0;
+  for (const ShotFamily family : shot_families) {
+    Random random(seed);
+    for (int i = 0; i < 20; ++i) {
+      const ShotRequest shot = random_shot(random, family);
+      const Boundary boundary(shot.table, shot.ball.radius);
+      const Run run{boundary, shot.physics, start_state(shot), 6};
+      const Compared c = compare_with_truth(run);
+      if (c.order != Compared::Order::same || c.kappa > 1e5) continue;
+      bool at_cushion = false;  // there derivatives are one-sided
+      for (const Wall& w : boundary.walls) at_cushion = at_cushion || dot(w.normal, run.start.at) - w.offset < 1e-9;
+      if (at_cushion) continue;
+      // A slip that is nearly 0 has a direction with few digits, and derivatives that change within them.
+      const Vec2d slip{run.start.velocity.x - boundary.radius * run.start.spin.y, run.start.velocity.y + boundary.radius * run.start.spin.x};
+      if (const double part = norm(slip) / norm(run.start.velocity); part > 2e-16 && part < 1e-5) continue;
+      const Condition dual = condition(run), exact = truth_jacobian(run);
+      const double V = norm(run.start.velocity), R = boundary.radius, unit[] = {1, 1, V, V, V / R, V / R, V / R};
+      INFO(name(family) << " number " << i << " of seed " << seed << ", kappa " << c.kappa << ": " << write_shot(shot));
+      for (int out = 0; out < 2; ++out)
+        for (int in = 0; in < (R > 0 ? 7 : 4); ++in) {
+          const double off = std::abs(dual.jacobian[out][in] - exact.jacobian[out][in]) * unit[in] / (boundary.extent * c.kappa);
+          worst = std::max(worst, off);
+          CHECK(off <= 1e-9);
+        }
+      ++compared;
+    }
+  }
+  std::printf("derivatives: %d shots, worst difference %.2g of size kappa\n", compared, worst);
+  CHECK(compared > 150);
+}
+
+TEST_CASE("two dual numbers give the columns that seven give") {
+  using Jet = ceres::Jet<double, 2>;
+  const ShotRequest shot = spin_shot({0.5, 0.3}, 4, 40, {.top = 0.3, .side = 0.8});
+  const Boundary boundary(shot.table, shot.ball.radius);
+  const State<double> s = start_state(shot);
+  const Condition c = condition({boundary, shot.physics, s, 3});
+  State<Jet> dual{to<Jet>(s.at), {Jet(s.velocity.x, 0), Jet(s.velocity.y, 1)}, {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
+  Simulator sim(boundary, std::get<SlideRoll>(shot.physics.motion), std::get<Han2005>(shot.physics.cushion), dual);
+  for (int cushions = 0; cushions < 3;) cushions += sim.step().kind == EventKind::cushion;
+  for (int k = 0; k < 2; ++k) {
+    CHECK(sim.state().at.x.v[k] == Approx(c.jacobian[0][2 + k]).epsilon(1e-12));
+    CHECK(sim.state().at.y.v[k] == Approx(c.jacobian[1][2 + k]).epsilon(1e-12));
+  }
+}
