@@ -16,6 +16,6 @@ done
 for example in "$bin"/examples/[0-9]*; do
   [ -x "$example" ] || continue
   echo "== $(basename "$example")"
-  "$example"
+  "$example" "examples/figures/$(basename "$example").svg"
 done
 echo "Pictures: examples/figures/*.svg"

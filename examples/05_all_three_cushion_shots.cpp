@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// 05: every way to a point with exactly three cushions, with spin and real cushions. One new idea: --all.
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bankshot/draw/svg.hpp"
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/boundary.hpp"
+
+int main(int argc, char** argv) {
+  using namespace bankshot;
+  const TablePreset& preset = *find_table_preset("carom-10ft");
+  const Puzzle puzzle{.table = make_table(preset),
+                      .physics = spin_physics(preset.radius),
+                      .ball = {.at = {0.7, 0.5}, .radius = preset.radius, .mass = preset.mass},
+                      .spin = {.top = 0.5, .side = 0.5},
+                      .target = PointTarget{.at = {2.1, 0.9}, .within = 0.03},
+                      .cushions = CushionRule::exactly(3),
+                      .prefer = Prefer::soft};
+  const Answer answer = solve(puzzle, {.all = true});
+  for (const Shot& shot : answer.shots) {
+    fmt::print("{:8.3f} degrees  {:.3f} m/s  chance {:.2f} ", degrees(shot.launch.angle), shot.launch.speed, *shot.success);
+    for (const int cushion : shot.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
+    fmt::print("\n");
+  }
+  if (argc > 1) std::ofstream(argv[1]) << draw(puzzle, answer);
+}
