@@ -31,8 +31,8 @@ State<T> start_of(const Search& s, const T& angle, const T& speed) {
 
 /// Where the locked path from `start` arrives; none when it never gets to its last leg.
 template <class T>
-std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& start) {
-  return with_physics(a.s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
+std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& start, const Physics& physics) {
+  return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
     const auto path = follow_locked(a.s.boundary, motion, cushion, a.contacts, start);
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
     return arrive_locked(motion, path.state, a.target, a.capture(), a.s.stop);
@@ -69,7 +69,7 @@ struct Residual {
   bool operator()(const T* x, T* r) const {
     using std::exp;
     const T speed = Unknowns == 2 ? T(exp(x[Unknowns - 1])) : T(fixed_speed);
-    const auto arrival = arrival_of(aim, start_of(aim.s, x[0], speed));
+    const auto arrival = arrival_of(aim, start_of(aim.s, x[0], speed), aim.s.puzzle.physics);
     if (!arrival || !residuals_of(aim, *arrival, r, Unknowns == 2))
       std::fill(r, r + Unknowns, T(1e3));  // flat and high: the solver turns back or gives up
     return true;
@@ -148,7 +148,7 @@ std::optional<Launch> solve_locked(Search& s, const LockedAim& aim, const Launch
 
 std::optional<Linear> linearise(Search& s, const LockedAim& aim, const Launch& launch) {
   ++s.simulations;
-  const auto arrival = arrival_of(aim, dual_start(s, launch));
+  const auto arrival = arrival_of(aim, dual_start(s, launch), s.puzzle.physics);
   Jet r[2] = {Jet(0), Jet(0)};
   if (!arrival || !residuals_of(aim, *arrival, r, !s.one_unknown())) return {};
   return linear(r);
@@ -196,7 +196,7 @@ std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle) {
   const double asked = aim.asked_speed();
   const auto enough = [&](double v) {
     ++s.simulations;
-    const auto arrival = arrival_of(aim, start_of(s, angle, v));
+    const auto arrival = arrival_of(aim, start_of(s, angle, v), s.rough);
     if (!arrival) return false;
     const Vec2d off = aim.target - arrival->state.at;
     if (arrival->at_rest) return dot(arrival->heading, off) < 0;
@@ -216,7 +216,7 @@ void forward(Search& s, const Launch& launch, Forward& out) {
   out.contacts.clear();
   out.passages.clear();
   const CushionRule& rule = s.puzzle.cushions;
-  with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+  with_physics(s.rough, [&](const auto& motion, const auto& cushion) {
     const State<Jet> start = dual_start(s, launch);
     if (rule.sequence) {
       out.contacts = *rule.sequence;

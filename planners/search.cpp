@@ -7,8 +7,17 @@
 
 namespace bankshot::planning {
 
+namespace {
+
+Physics roughly(Physics p) {
+  if (auto* m = std::get_if<Mathavan2010>(&p.cushion)) m->tolerance = std::max(m->tolerance, tolerance::rough_impact);
+  return p;
+}
+
+}  // namespace
+
 Search::Search(const Puzzle& p, bool find_all)
-    : puzzle(p), boundary(p.table, p.ball.radius), all(find_all), arrival(arrival_range(p)),
+    : puzzle(p), boundary(p.table, p.ball.radius), rough(roughly(p.physics)), all(find_all), arrival(arrival_range(p)),
       stop(point() && arrival && arrival->high == 0) {
   if (const PointTarget* t = point()) {
     aim_points_ = {t->at};

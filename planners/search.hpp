@@ -36,6 +36,7 @@ struct Search {
 
   const Puzzle& puzzle;
   Boundary boundary;
+  Physics rough;  ///< the puzzle's, integrated no more finely than a seed needs
   bool all;
   std::optional<Range> arrival;  ///< speed asked at the target; none: any
   bool stop;                     ///< the ball must come to rest at the target
