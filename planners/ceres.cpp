@@ -24,10 +24,13 @@ constexpr std::size_t enough_to_compare = 32;
 bool enough(Search& s) { return s.spent() || (!s.all && s.shots.size() >= enough_to_compare); }
 
 /// Refines one image along one sequence; true when it leads to a root, a shot or not.
-bool from_seed(Search& s, double angle, const std::vector<int>& contacts, const Vec2d& target) {
+bool from_seed(Search& s, double angle, const std::vector<int>& contacts, const Vec2d& target, bool quickly) {
   const LockedAim aim{s, contacts, target};
   const auto speed = speed_at(s, aim, angle);
-  const auto root = speed ? solve_locked(s, aim, {*speed, angle}) : std::nullopt;
+  if (!speed) return false;
+  const Launch seed{*speed, angle};
+  constexpr Neighbourhood wide{0.3, 0.5};
+  const auto root = quickly ? newton(s, aim, seed, wide) : solve_locked(s, aim, seed);
   if (root) certify_root(s, aim, *root, "image+ceres");
   return root.has_value();
 }
@@ -38,7 +41,7 @@ constexpr double shares[] = {1, 0.8, 1.2, 0.6, 1.5};
 
 }  // namespace
 
-void image_seeds(Search& s) {
+void image_seeds(Search& s, bool quickly) {
   const bool straight = is_straight(s.puzzle.physics);
   std::set<std::pair<std::vector<int>, std::pair<double, double>>> settled;  // a sequence with a root has hardly ever another
   for (const double share : shares) {
@@ -47,7 +50,7 @@ void image_seeds(Search& s) {
       if (enough(s)) return;
       std::pair key{images.contacts(*c), std::pair{c->target.x, c->target.y}};
       if (!straight && settled.contains(key)) continue;
-      if (from_seed(s, c->angle, key.first, c->target)) settled.insert(std::move(key));
+      if (from_seed(s, c->angle, key.first, c->target, quickly)) settled.insert(std::move(key));
     }
     if (straight || !images.whole()) return;
     if (s.puzzle.cushions.sequence && !s.shots.empty()) return;
@@ -66,14 +69,14 @@ void from_fan(Search& s) {
       trace(s, angle, Goal::exactly(s, n), &contacts);
       if (s.puzzle.cushions.sequence) contacts = *s.puzzle.cushions.sequence;
       if (static_cast<int>(contacts.size()) == n)
-        for (const Vec2d& target : s.aim_points()) from_seed(s, angle, contacts, target);
+        for (const Vec2d& target : s.aim_points()) from_seed(s, angle, contacts, target, false);
     }
 }
 
 }  // namespace
 
 void ceres(Search& s) {
-  image_seeds(s);
+  image_seeds(s, false);
   if (!s.boundary.tips.empty()) from_fan(s);
 }
 

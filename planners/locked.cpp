@@ -142,6 +142,26 @@ std::optional<Vec2d> newton_step(const Linear& l, bool one_unknown) {
   return Vec2d{(l.by_speed[0] * l.r[1] - l.by_speed[1] * l.r[0]) / det, (l.by_aim[1] * l.r[0] - l.by_aim[0] * l.r[1]) / det};
 }
 
+std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from, const Neighbourhood& near, const Known& known) {
+  constexpr int most_steps = 12;
+  constexpr double settled = 1e-7;  // of a longest step; the step after it is exact to rounding
+  Launch at = from;
+  for (int i = 0; i < most_steps; ++i) {
+    const auto l = linearise(s, aim, at);
+    const auto step = l ? newton_step(*l, s.one_unknown()) : std::nullopt;
+    if (!step) return {};
+    const double size = std::max(std::abs(step->x) / near.step_aim, std::abs(step->y) / near.step_speed);
+    if (!std::isfinite(size)) return {};
+    const double damped = size > 1 ? 1 / size : 1;
+    at = {at.speed * std::exp(damped * step->y), at.angle + damped * step->x};
+    if (known && known(at, size)) return {};
+    if (size < settled) return Launch{at.speed, wrap_angle(at.angle)};
+    if (std::abs(at.angle - from.angle) > near.far * near.step_aim || std::abs(std::log(at.speed / from.speed)) > near.far * near.step_speed) return {};
+  }
+  const auto root = solve_locked(s, aim, from);
+  return root && known && known(*root, settled) ? std::nullopt : root;
+}
+
 std::optional<Launch> solve_locked(Search& s, const LockedAim& aim, const Launch& seed) {
   return s.one_unknown() ? minimise<1>(s, aim, seed) : minimise<2>(s, aim, seed);
 }
@@ -212,13 +232,13 @@ std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle) {
   return high;
 }
 
-void forward(Search& s, const Launch& launch, Forward& out) {
+void forward(Search& s, const Launch& launch, bool locked, Forward& out) {
   out.contacts.clear();
   out.passages.clear();
   const CushionRule& rule = s.puzzle.cushions;
   with_physics(s.rough, [&](const auto& motion, const auto& cushion) {
     const State<Jet> start = dual_start(s, launch);
-    if (rule.sequence) {
+    if (rule.sequence && locked) {
       out.contacts = *rule.sequence;
       const auto path = follow_locked(s.boundary, motion, cushion, std::span<const int>(out.contacts), start);
       if (path.end == LockedEnd::complete) look(s, motion, path.state, out);
@@ -227,7 +247,7 @@ void forward(Search& s, const Launch& launch, Forward& out) {
     Simulator sim(s.boundary, motion, cushion, start);
     for (;;) {
       const int k = static_cast<int>(out.contacts.size());
-      if (k >= rule.min) look(s, motion, sim.state(), out);
+      if (k >= rule.min && (!rule.sequence || out.contacts == *rule.sequence)) look(s, motion, sim.state(), out);
       if (k == rule.max) return;
       Event e = sim.step();
       while (e.kind == EventKind::slide_to_roll) e = sim.step();

@@ -8,6 +8,7 @@
 // Derivatives are exact (dual numbers); no type of the library that makes them appears here.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -35,6 +36,16 @@ struct Linear {
 /// The step in (aim, ln speed) to the root of the linear system; none where it is singular. With one
 /// unknown the second is 0.
 std::optional<Vec2d> newton_step(const Linear& l, bool one_unknown);
+
+/// A root near a launch by damped Newton steps, none where it leaves the neighbourhood; where the
+/// derivatives jump it may go round in circles: then Levenberg–Marquardt. About five simulations.
+struct Neighbourhood {
+  double step_aim, step_speed;  ///< the longest step: rad, and of ln speed
+  double far = 3;               ///< of such steps: how far from the start
+};
+/// Asked before each step how long it is, in longest steps, and where it leads: true to give up.
+using Known = std::function<bool(const Launch&, double size)>;
+std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from, const Neighbourhood& near, const Known& known = {});
 
 /// A launch near a root, moved onto it by Levenberg–Marquardt; none where that does not converge.
 /// About ten locked simulations.
@@ -66,6 +77,7 @@ struct Forward {
   std::vector<int> contacts;
   std::vector<Passage> passages;
 };
-void forward(Search& s, const Launch& launch, Forward& out);
+/// `locked`: a sequence that is given is followed on its locked path.
+void forward(Search& s, const Launch& launch, bool locked, Forward& out);
 
 }  // namespace bankshot::planning

@@ -33,7 +33,7 @@ class Map {
     const int aims = std::max(1, static_cast<int>(std::ceil((around.high - around.low) / cell_.aim)));
     for (const double speed : speeds()) {
       Node before = node(around.low, speed);
-      for (int i = 1; i <= aims && !s_.spent(); ++i) {
+      for (int i = 1; i <= aims && !done(); ++i) {
         Node after = node(around.low + (around.high - around.low) * i / aims, speed);
         between(before, after);
         before = std::move(after);
@@ -52,6 +52,9 @@ class Map {
     std::size_t aim_point;
     Launch launch;
   };
+
+  /// One sequence hardly ever has two roots.
+  bool done() { return s_.spent() || (s_.puzzle.cushions.sequence && !s_.all && !s_.shots.empty()); }
 
   std::vector<double> speeds() const {
     const Range& v = s_.puzzle.speed;
@@ -74,7 +77,7 @@ class Map {
   }
 
   Node node(double angle, double speed) {
-    forward(s_, {speed, wrap_angle(angle)}, forward_);
+    forward(s_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
     for (const Passage& p : forward_.passages) seed(angle, speed, p);
     return {angle, speed, forward_.contacts};
   }
@@ -86,33 +89,17 @@ class Map {
     const Launch predicted{speed * std::exp(step->y), angle + step->x};
     const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
     const LockedAim aim{s_, contacts, s_.aim_points()[p.aim_point]};
-    if (const auto root = newton(aim, predicted, p.aim_point)) {
+    if (const auto root = new_root(aim, predicted, p.aim_point)) {
       roots_.push_back({{contacts.begin(), contacts.end()}, p.aim_point, *root});
       certify_root(s_, aim, *root, "sweep");
     }
   }
 
-  /// Newton's method on the locked path; none where it leaves the neighbourhood or comes to a root that
-  /// is known. Where the derivatives jump it may go round in circles: then Levenberg–Marquardt.
-  std::optional<Launch> newton(const LockedAim& aim, const Launch& from, std::size_t aim_point) {
-    constexpr int most_steps = 12;
-    constexpr double settled = 1e-7;  // cells; the step after it is exact to rounding
-    constexpr double far = 3;         // cells
-    Launch at = from;
-    for (int i = 0; i < most_steps; ++i) {
-      const auto l = linearise(s_, aim, at);
-      const auto step = l ? newton_step(*l, s_.one_unknown()) : std::nullopt;
-      if (!step) return {};
-      const double size = std::max(std::abs(step->x) / cell_.aim, std::abs(step->y) / cell_.speed);
-      if (!std::isfinite(size)) return {};
-      const double damped = size > 1 ? 1 / size : 1;
-      at = {at.speed * std::exp(damped * step->y), at.angle + damped * step->x};
-      if (size < near && known(at, aim.contacts, aim_point, 2 * size)) return {};
-      if (size < settled) return Launch{at.speed, wrap_angle(at.angle)};
-      if (std::abs(at.angle - from.angle) > far * cell_.aim || std::abs(std::log(at.speed / from.speed)) > far * cell_.speed) return {};
-    }
-    const auto root = solve_locked(s_, aim, from);
-    return root && known(*root, aim.contacts, aim_point, near) ? std::nullopt : root;
+  /// The root that a prediction leads to; none when it is known.
+  std::optional<Launch> new_root(const LockedAim& aim, const Launch& predicted, std::size_t aim_point) {
+    return newton(s_, aim, predicted, {cell_.aim, cell_.speed}, [&](const Launch& at, double size) {
+      return size < near && known(at, aim.contacts, aim_point, 2 * size);
+    });
   }
 
   /// A root of the same sequence and target lies within so many cells.
@@ -145,7 +132,7 @@ class Map {
   }
 
   void between(const Node& a, const Node& b) {
-    if (s_.puzzle.cushions.sequence || a.contacts == b.contacts || b.angle - a.angle < narrowest || s_.spent()) return;
+    if ((s_.puzzle.cushions.sequence && cell_.locked) || a.contacts == b.contacts || b.angle - a.angle < narrowest || s_.spent()) return;
     const Node middle = node(a.angle + (b.angle - a.angle) / 2, a.speed);
     between(a, middle);
     between(middle, b);

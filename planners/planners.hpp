@@ -10,7 +10,8 @@ namespace bankshot::planning {
 void image(Search& s);         ///< image.cpp
 void sweep(Search& s);         ///< sweep.cpp
 void ceres(Search& s);         ///< ceres.cpp
-void image_seeds(Search& s);   ///< ceres.cpp, its images alone
+/// The images of `ceres` alone; `quickly` by Newton's method, which fails a little more often.
+void image_seeds(Search& s, bool quickly);
 void nlopt_bobyqa(Search& s);  ///< nlopt.cpp, and the five below
 void nlopt_sbplx(Search& s);
 void nlopt_slsqp(Search& s);
@@ -23,6 +24,7 @@ void automatic(Search& s);     ///< auto.cpp
 /// depend on the speed.
 struct Spacing {
   double aim = radians(2), speed = 0.12;
+  bool locked = true;  ///< follow a sequence that is given on its locked path, not where it really occurs
 };
 void map(Search& s, const Spacing& spacing);
 

@@ -39,8 +39,8 @@ bool through_corner(const test::Made& made) {
   return sequence(-2e-9) != sequence(0) || sequence(2e-9) != sequence(0);
 }
 
-void one(test::Random& random, test::Family family, test::Model model, const SolveOptions& options, Tally& t) {
-  const test::Made made = test::random_puzzle(random, family, model);
+void one(test::Random& random, test::Family family, test::Model model, int bounces, const SolveOptions& options, Tally& t) {
+  const test::Made made = test::random_puzzle(random, family, model, bounces);
   const Answer a = solve(made.puzzle, options);
   ++t.puzzles;
   t.simulations += a.simulations;
@@ -76,17 +76,22 @@ int main(int argc, char** argv) {
   long count = 1000;
   std::uint64_t seed = 1;
   std::string physics = "rolling", family = "all";
-  SolveOptions options{.robustness = false};
+  SolveOptions options{.robustness = false, .suggest = false};
   app.add_option("--count", count)->capture_default_str();
   app.add_option("--seed", seed)->capture_default_str();
-  app.add_option("--physics", physics)->check(CLI::IsMember({"ideal", "rolling", "spin"}))->capture_default_str();
+  app.add_option("--physics", physics)->check(CLI::IsMember({"ideal", "rolling", "spin", "mathavan"}))->capture_default_str();
   app.add_option("--family", family)->check(CLI::IsMember({"all", "uniform", "discrete", "convex", "reflex"}))->capture_default_str();
+  int bounces = -1;
+  app.add_option("--cushions", bounces, "Exactly so many cushions; -1: up to 5")->capture_default_str();
   bool csv = false;
   app.add_flag("--csv", csv);
   app.add_option("--planner", options.planner)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  const test::Model model = physics == "ideal" ? test::Model::ideal : physics == "rolling" ? test::Model::rolling : test::Model::spin;
+  const test::Model model = physics == "ideal"     ? test::Model::ideal
+                            : physics == "rolling" ? test::Model::rolling
+                            : physics == "spin"    ? test::Model::spin
+                                                   : test::Model::mathavan;
   bool clean = true;
   if (csv) std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_diagonal,worst_speed_error,simulations_each,us_each\n";
   for (const test::Family f : test::families) {
@@ -94,7 +99,7 @@ int main(int argc, char** argv) {
     test::Random random(seed);
     Tally t;
     const auto begin = std::chrono::steady_clock::now();
-    for (long i = 0; i < (family == "all" ? count / 4 : count); ++i) one(random, f, model, options, t);
+    for (long i = 0; i < (family == "all" ? count / 4 : count); ++i) one(random, f, model, bounces, options, t);
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
     const auto print = [&](auto format) {
       std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved, t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,

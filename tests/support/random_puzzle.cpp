@@ -11,7 +11,6 @@
 namespace bankshot::test {
 namespace {
 
-constexpr int most_bounces = 5;
 
 /// The aim would drive the ball straight into a cushion it touches: no planner offers that unless
 /// the sequence asks for it.
@@ -43,13 +42,14 @@ Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) 
 Physics random_physics(Random& r, Model model, Family family, double radius) {
   if (model == Model::ideal) return ideal_physics();
   if (model == Model::spin) return spin_physics(radius);
-  Physics p{Rolling{.friction = r.log_uniform(0.005, 0.05)}, Mirror{r.uniform(0.5, 1)}};
-  if (family == Family::discrete) p = {Rolling{.friction = 0.01}, Mirror{r.chance(0.5) ? 1.0 : 0.75}};
-  return p;
+  if (model == Model::mathavan) return {spin_physics(radius).motion, Mathavan2010{.radius = radius, .height = 1.28 * radius}};
+  if (family == Family::discrete) return {Rolling{.friction = 0.01}, Mirror{r.chance(0.5) ? 1.0 : 0.75}};
+  const double friction = r.log_uniform(0.005, 0.05);
+  return {Rolling{.friction = friction}, Mirror{r.uniform(0.5, 1)}};
 }
 
 /// What to ask about a simulated shot; none when it does not lend itself to the kind drawn.
-std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t, Model model) {
+std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t, Model model, int bounces) {
   Made m{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};
   Puzzle& p = m.puzzle;
   const Record& last = t.events.back();
@@ -72,7 +72,7 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
     arrival = norm(l.arc.velocity_at(time));
     if (!(arrival > 1e-3)) return {};
   }
-  if (m.bounces > most_bounces) return {};
+  if (bounces < 0 ? m.bounces > most_bounces : m.bounces != bounces) return {};
   p.speed = {shot.launch.speed / 2, shot.launch.speed * 2};
   const bool ideal = model == Model::ideal, stops = !ideal && arrival == 0;
   if (!stops && r.chance(0.5)) p.speed = {shot.launch.speed, shot.launch.speed};
@@ -115,11 +115,12 @@ Table random_polygon(Random& r, bool convex) {
   return polygon_table(std::move(v));
 }
 
-Made random_puzzle(Random& r, Family family, Model model) {
+Made random_puzzle(Random& r, Family family, Model model, int bounces) {
+  const bool spins = model == Model::spin || model == Model::mathavan;
   for (;;) {
     ShotRequest shot;
     shot.table = random_table(r, family);
-    const bool tiny = model != Model::spin && r.chance(0.2);
+    const bool tiny = !spins && r.chance(0.2);
     shot.ball.radius = family == Family::discrete ? (tiny ? 0 : 0.0625) : tiny ? 0 : 0.0285;
     if (family != Family::convex && family != Family::reflex && r.chance(0.5) && shot.ball.radius > 0)
       shot.table.pockets = six_pockets(shot.table, {4.4 * shot.ball.radius, 4.8 * shot.ball.radius});
@@ -129,13 +130,13 @@ Made random_puzzle(Random& r, Family family, Model model) {
     if (boundary.clearance(middle) < 0) continue;
     shot.ball.at = random_place(r, boundary, shot.table, family);
     shot.physics = random_physics(r, model, family, shot.ball.radius);
-    if (model == Model::spin) shot.spin = {r.uniform(-1, 1.2), r.uniform(-1, 1), r.chance(0.2) ? r.uniform(-0.5, 0.5) : 0};
+    if (spins) shot.spin = {r.uniform(-1, 1.2), r.uniform(-1, 1), r.chance(0.2) ? r.uniform(-0.5, 0.5) : 0};
     shot.launch = {r.log_uniform(0.2, 10), radians(r.uniform(0, 360))};
     if (family == Family::discrete) shot.launch = {1.0 * r.integer(1, 4), wrap_angle(radians(15.0 * r.integer(0, 23)))};
-    shot.until.cushions = most_bounces + 1;
+    shot.until.cushions = std::max(bounces, most_bounces) + 1;
     const Trajectory t = simulate(shot);
     if (t.legs.empty()) continue;
-    if (auto made = ask(r, shot, t, model)) {
+    if (auto made = ask(r, shot, t, model, bounces)) {
       made->puzzle.noise = {};
       return *made;
     }

@@ -17,7 +17,7 @@ namespace bankshot::test {
 /// uniform: rectangles of many sizes, six pockets or none. discrete: grid positions, angles that are
 /// multiples of 15 degrees, exact corners, starts on a cushion. convex, reflex: random polygons.
 enum class Family { uniform, discrete, convex, reflex };
-enum class Model { ideal, rolling, spin };
+enum class Model { ideal, rolling, spin, mathavan };
 inline constexpr Family families[] = {Family::uniform, Family::discrete, Family::convex, Family::reflex};
 std::string name(Family family);
 
@@ -40,8 +40,10 @@ struct Made {
   int bounces;
 };
 
-/// Always returns: draws until a shot qualifies.
-Made random_puzzle(Random& random, Family family, Model model);
+inline constexpr int most_bounces = 5;
+
+/// Always returns: draws until a shot qualifies. `bounces`: exactly so many, -1 for up to most_bounces.
+Made random_puzzle(Random& random, Family family, Model model, int bounces = -1);
 
 /// A simple polygon around the origin; convex, or with some vertices pulled in.
 Table random_polygon(Random& random, bool convex);

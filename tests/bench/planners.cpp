@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+//
+// Every planner on the same random puzzles with spin: a ball that must rest at a point after exactly so
+// many cushions, on rectangles without pockets. One line of CSV a planner; "mirror" only aims at the
+// mirror image, at the speed that carries the ball abreast of its target.
+//   planners --count 300 --seed 4 --cushions 3 [--sequence]
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+#include "bankshot/plan/planner.hpp"
+#include "planners/locked.hpp"
+#include "planners/unfold.hpp"
+#include "planners/verify.hpp"
+#include "support/random_puzzle.hpp"
+
+namespace {
+
+using namespace bankshot;
+
+struct Outcome {
+  bool exact = false, near = false;  // on the root; within a ball's radius
+  double simulations = 0, us = 0;
+};
+
+std::vector<Puzzle> puzzles(int count, std::uint64_t seed, int cushions, bool sequence) {
+  test::Random random(seed);
+  std::vector<Puzzle> out;
+  while (static_cast<int>(out.size()) < count) {
+    const Puzzle p = test::random_puzzle(random, test::Family::uniform, test::Model::spin, cushions).puzzle;
+    const bool rests = std::holds_alternative<PointTarget>(p.target) && !p.arrive && !p.speed.fixed();
+    if (p.table.pockets.empty() && rests && sequence == p.cushions.sequence.has_value()) out.push_back(p);
+  }
+  return out;
+}
+
+Outcome by_planner(const Puzzle& p, const std::string& planner) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Answer a = solve(p, {.planner = planner, .robustness = false, .suggest = false});
+  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+  const double miss = !a.shots.empty() ? a.shots[0].miss : a.nearest ? a.nearest->shot.miss : 1;
+  return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.radius, static_cast<double>(a.simulations), took.count()};
+}
+
+/// The best of the mirror's aims, each replayed once.
+Outcome by_mirror(const Puzzle& p) {
+  using namespace planning;
+  const auto begin = std::chrono::steady_clock::now();
+  Search s(p, false);
+  Unfolding images(s, true, 1.0, true);
+  double least = 1;
+  while (const auto c = images.next()) {
+    const std::vector<int> contacts = images.contacts(*c);
+    const auto speed = speed_at(s, {s, contacts, c->target}, c->angle);
+    if (speed) least = std::min(least, replay(s, {*speed, c->angle}, Goal::exactly(s, c->bounces)).miss);
+  }
+  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+  return {least <= 1e-9 * p.table.diagonal(), least <= p.ball.radius, static_cast<double>(s.simulations), took.count()};
+}
+
+double part(std::vector<double> v, double share) {
+  std::sort(v.begin(), v.end());
+  return v[std::min(v.size() - 1, static_cast<std::size_t>(share * static_cast<double>(v.size())))];
+}
+
+void print(const std::string& name, int cushions, bool sequence, const std::vector<Outcome>& all) {
+  std::vector<double> simulations, us;
+  double exact = 0, near = 0;
+  for (const Outcome& o : all) {
+    simulations.push_back(o.simulations);
+    us.push_back(o.us);
+    exact += o.exact;
+    near += o.near;
+  }
+  const double n = static_cast<double>(all.size());
+  std::cout << fmt::format("{},{},{},{},{:.4f},{:.4f},{:.0f},{:.0f},{:.1f},{:.1f}\n", name, cushions, sequence ? "sequence" : "count", all.size(), exact / n,
+                           near / n, part(simulations, 0.5), part(simulations, 0.99), part(us, 0.5), part(us, 0.99));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Every planner on the same puzzles");
+  int count = 300, cushions = 3;
+  std::uint64_t seed = 4;
+  bool sequence = false, header = false;
+  std::string only;
+  app.add_option("--count", count)->capture_default_str();
+  app.add_option("--seed", seed)->capture_default_str();
+  app.add_option("--cushions", cushions)->capture_default_str();
+  app.add_option("--only", only, "One planner");
+  app.add_flag("--sequence", sequence, "The sequence is given, not only the count");
+  app.add_flag("--header", header);
+  CLI11_PARSE(app, argc, argv);
+  const std::vector<Puzzle> set = puzzles(count, seed, cushions, sequence);
+  if (header) std::cout << "planner,cushions,given,puzzles,exact,within_ball_radius,simulations_median,simulations_p99,us_median,us_p99\n";
+  const auto run = [&](const std::string& name, auto&& solve_one) {
+    if (!only.empty() && only != name) return;
+    std::vector<Outcome> all;
+    for (const Puzzle& p : set) all.push_back(solve_one(p));
+    print(name, cushions, sequence, all);
+  };
+  run("mirror", by_mirror);
+  for (const PlannerInfo& planner : planners())
+    if (planner.name != "image") run(std::string(planner.name), [&](const Puzzle& p) { return by_planner(p, std::string(planner.name)); });
+}
