@@ -31,7 +31,8 @@ void with_spin(Search& s) {
   constexpr Spacing coarse{}, fine{radians(0.7), 0.08}, real{radians(2), 0.12, false};
   image_seeds(s, true);
   if (s.cut) return;
-  if (s.shots.empty() || s.all) map(s, coarse);
+  if (s.all) sweep(s);
+  if (s.shots.empty()) map(s, coarse);
   if (!s.point()) beside_centre(s);
   if (s.shots.empty() && !s.cut) map(s, fine);
   if (s.shots.empty() && !s.cut && s.puzzle.cushions.sequence) map(s, real);

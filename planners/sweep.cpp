@@ -7,6 +7,7 @@
 // rounding, between two that meet the same ones look for a change of side of the target and bisect
 // to it. Cost: about 5,000 traces. Guarantee: none; a sequence narrower than the fan's spacing that
 // lies between two equal neighbours is missed.
+#include <algorithm>
 #include <cmath>
 
 #include "bankshot/simulate/simulator.hpp"
@@ -121,10 +122,18 @@ class Sweep {
   Search& s_;
 };
 
+/// Paths with more bounces bend the map more.
+Spacing complete_spacing(const Search& s) {
+  constexpr int plain = 3;  // bounces for which the usual cells leave nothing out
+  const double finer = static_cast<double>(plain) / std::max(plain, s.puzzle.cushions.max);
+  constexpr Spacing usual{};
+  return s.all ? Spacing{usual.aim * finer, usual.speed * finer} : usual;
+}
+
 }  // namespace
 
 void sweep(Search& s) {
-  if (!is_straight(s.puzzle.physics)) return map(s, {});
+  if (!is_straight(s.puzzle.physics)) return map(s, complete_spacing(s));
   Sweep sweep(s);
   sweep.run();
   if (s.shots.empty()) sweep.beside_centre();
