@@ -26,11 +26,19 @@ measure() {
 {
   measure --count 100000 --physics ideal
   measure --count 100000 --physics rolling
+  measure --count 1000000 --physics spin
+  measure --count 10000 --physics mathavan
 } >"$out/stress.csv"
+"$bin/shots" --count 1000000 --seed 1 --truth 10000 --csv >"$out/shots.csv"
 header=yes
 for planner in auto image sweep ceres nlopt-bobyqa nlopt-direct; do
   measure --count 2000 --seed 2 --physics rolling --family uniform --planner $planner
-done >"$out/planners.csv"
+done >"$out/planners-rolling.csv"
+{
+  "$bin/bench/bench_planners" --count 300 --header
+  for n in 1 5 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --only auto; done
+  for n in 3 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --sequence --only auto; done
+} >"$out/planners-spin.csv"
 {
   echo "# $(grep -m1 'model name' /proc/cpuinfo | cut -d: -f2- | xargs), $(nproc) cores, $(c++ --version | head -n1), commit $(git rev-parse --short HEAD)"
 } >"$out/machine.txt"
