@@ -2,9 +2,11 @@
 //
 // What every planner must keep, whatever its method.
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/simulate/trajectory.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 #include "support/replay_check.hpp"
+#include "support/truth.hpp"
 
 using namespace bankshot;
 
@@ -40,6 +42,30 @@ TEST_CASE("every planner solves the easy set and what it returns is true") {
     const test::Checked c = test::check_shot(p, a.shots.at(0));
     CHECK(c.problem == "");
     CHECK(a.shots[0].miss <= 1e-9 * p.table.diagonal());
+  }
+}
+
+TEST_CASE("what a planner returns survives a replay in 50 digits") {
+  const std::string planner = GENERATE(from_range(planner_names));
+  INFO(planner);
+  std::vector<Puzzle> set = easy_set();
+  const Table plain = rectangle_table(2, 1);
+  if (planner != "image") {
+    set.push_back({.table = plain, .physics = spin_physics(), .ball = {.at = {0.4, 0.3}}, .spin = {.side = 0.3}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1)});
+    set.push_back({.table = plain, .physics = spin_physics(), .ball = {.at = {0.4, 0.3}}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(2)});
+  }
+  for (const Puzzle& p : set) {
+    const auto* point = std::get_if<PointTarget>(&p.target);
+    if (!point || p.arrive || is_ideal(p.physics)) continue;  // those that come to rest at a point
+    const Answer a = solve(p, {.planner = planner, .robustness = false});
+    REQUIRE(a.status == Status::solved);
+    const Boundary boundary(p.table, p.ball.radius);
+    const test::Path path = test::run_truth({boundary, p.physics, start_state(as_request(p, a.shots[0]))});
+    std::vector<int> sequence;
+    for (const test::TruthEvent& e : path.events)
+      if (e.kind == EventKind::cushion) sequence.push_back(e.index);
+    CHECK(sequence == a.shots[0].cushions);
+    CHECK(norm(path.events.back().state.at - point->at) <= 1e-9 * p.table.diagonal());
   }
 }
 

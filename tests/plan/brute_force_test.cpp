@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+//
+// All shots at a fixed speed against brute force that shares only the simulator with the planners: aims in
+// steps of 0.02 degrees, every change of cushions bisected, every change of side of the target a shot.
+// By hand, at length: test_plan "[long]"
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/simulate/simulator.hpp"
+#include "support/catch.hpp"
+#include "support/random_puzzle.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+constexpr int most_cushions = 3;
+
+/// On which side of the target each leg passes it, where it does pass.
+struct Aimed {
+  double angle;
+  std::vector<int> contacts;
+  std::array<std::optional<double>, most_cushions + 1> side;
+};
+
+struct Found {
+  std::vector<int> contacts;
+  double angle;
+};
+
+class BruteForce {
+ public:
+  BruteForce(const Puzzle& p) : p_(p), boundary_(p.table, p.ball.radius), target_(std::get<PointTarget>(p.target).at) {}
+
+  std::vector<Found> run() {
+    constexpr int steps = 18000;
+    Aimed before = aim(0);
+    for (int i = 1; i <= steps; ++i) {
+      Aimed after = aim(radians(360.0 / steps) * i);
+      between(before, after);
+      before = after;
+    }
+    return found_;
+  }
+
+ private:
+  Aimed aim(double angle) {
+    return with_physics(p_.physics, [&](const auto& motion, const auto& cushion) {
+      Aimed out{angle, {}, {}};
+      Simulator sim(boundary_, motion, cushion, launched(p_.ball.at, p_.ball.radius, direction(wrap_angle(angle)) * p_.speed.low, p_.spin));
+      double nearest = 1e300;
+      for (;;) {
+        const Event e = sim.step();
+        const double t = closest_time(sim.arc(), sim.travelled(), target_);
+        const Vec2d off = target_ - sim.arc().position(t), v = sim.arc().tangent(t);
+        if (t > 0 && t < sim.travelled() && norm(off) < nearest) {
+          nearest = norm(off);
+          out.side[out.contacts.size()] = cross(v, off);
+        }
+        if (e.kind == EventKind::slide_to_roll) continue;
+        if (e.final() || out.contacts.size() == most_cushions) return out;
+        out.contacts.push_back(e.index);
+        nearest = 1e300;
+      }
+    });
+  }
+
+  static std::size_t agree(const Aimed& a, const Aimed& b) {
+    return static_cast<std::size_t>(std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end()).first - a.contacts.begin());
+  }
+
+  void between(const Aimed& a, const Aimed& b) {
+    constexpr double finest = 1e-9;  // rad
+    const std::size_t same = agree(a, b);
+    for (std::size_t k = 0; k <= same && k <= std::min(a.contacts.size(), b.contacts.size()); ++k)
+      if (a.side[k] && b.side[k] && (*a.side[k] > 0) != (*b.side[k] > 0)) root(a, b, k);
+    if (a.contacts == b.contacts || b.angle - a.angle < finest) return;
+    const Aimed middle = aim((a.angle + b.angle) / 2);
+    // Roots of the legs that agree were counted from the ends.
+    if (a.contacts != middle.contacts) later(a, middle, same);
+    if (middle.contacts != b.contacts) later(middle, b, same);
+  }
+
+  /// Only the legs after the first `same`.
+  void later(const Aimed& a, const Aimed& b, std::size_t same) {
+    constexpr double finest = 1e-9;
+    const std::size_t now = agree(a, b);
+    for (std::size_t k = same + 1; k <= now && k <= std::min(a.contacts.size(), b.contacts.size()); ++k)
+      if (a.side[k] && b.side[k] && (*a.side[k] > 0) != (*b.side[k] > 0)) root(a, b, k);
+    if (a.contacts == b.contacts || b.angle - a.angle < finest) return;
+    const Aimed middle = aim((a.angle + b.angle) / 2);
+    later(a, middle, std::max(same, now));
+    later(middle, b, std::max(same, now));
+  }
+
+  void root(Aimed a, Aimed b, std::size_t k) {
+    const std::vector<int> contacts(a.contacts.begin(), a.contacts.begin() + static_cast<long>(k));
+    for (int i = 0; i < 40; ++i) {
+      const Aimed m = aim((a.angle + b.angle) / 2);
+      if (m.contacts.size() < k || !std::equal(contacts.begin(), contacts.end(), m.contacts.begin()) || !m.side[k]) return;
+      ((*m.side[k] > 0) == (*a.side[k] > 0) ? a : b) = m;
+    }
+    found_.push_back({contacts, a.angle});
+  }
+
+  const Puzzle& p_;
+  Boundary boundary_;
+  Vec2d target_;
+  std::vector<Found> found_;
+};
+
+void compare(int puzzles) {
+  test::Random random(23);
+  std::size_t by_force = 0, missed = 0;
+  for (int i = 0; i < puzzles; ++i) {
+    const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1), speed = random.uniform(1, 3) * std::sqrt(length);
+    const auto place = [&] { return Vec2d{random.uniform(0.05, length - 0.05), random.uniform(0.05, width - 0.05)}; };
+    Puzzle p{.table = rectangle_table(length, width), .physics = spin_physics()};
+    p.ball.at = place();
+    p.target = PointTarget{place()};
+    p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+    p.cushions = {.min = 0, .max = most_cushions};
+    p.speed = {speed, speed};
+    p.budget = 10000000;
+    const std::vector<Shot> all = solve(p, {.all = true, .robustness = false}).shots;
+    for (const Found& f : BruteForce(p).run()) {
+      const auto same = [&](const Shot& x) {
+        return x.cushions == f.contacts && std::abs(wrap_angle(x.launch.angle - f.angle + radians(180)) - radians(180)) < 1e-7;
+      };
+      ++by_force;
+      if (std::any_of(all.begin(), all.end(), same)) continue;
+      ++missed;
+      UNSCOPED_INFO("puzzle " << i << " of seed 23: " << f.contacts.size() << " cushions at " << degrees(f.angle) << " degrees");
+    }
+  }
+  INFO(missed << " of " << by_force << " shots missed");
+  CHECK(by_force > 10 * static_cast<std::size_t>(puzzles));
+  CHECK(missed == 0);
+}
+
+}  // namespace
+
+TEST_CASE("all shots at a fixed speed are those of brute force") { compare(20); }
+
+TEST_CASE("all shots at a fixed speed are those of brute force, at length", "[.][long]") { compare(200); }

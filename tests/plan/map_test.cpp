@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// Does the forward map find every shot? Against a map with finer cells. By hand, at length: test_plan "[long]"
+#include <algorithm>
+
+#include "bankshot/plan/planner.hpp"
+#include "planners/planners.hpp"
+#include "support/catch.hpp"
+#include "support/random_puzzle.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+Puzzle three_or_more(test::Random& random, int cushions) {
+  const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1);
+  const auto place = [&] { return Vec2d{random.uniform(0.03, length - 0.03), random.uniform(0.03, width - 0.03)}; };
+  Puzzle p{.table = rectangle_table(length, width), .physics = spin_physics()};
+  p.ball.at = place();
+  p.target = PointTarget{place()};
+  p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+  p.cushions = CushionRule::exactly(cushions);
+  p.budget = 100000000;
+  return p;
+}
+
+std::vector<Shot> mapped(const Puzzle& p, const planning::Spacing& spacing) {
+  planning::Search s(p, true);
+  planning::map(s, spacing);
+  return s.shots;
+}
+
+void compare(int puzzles, int cushions, double most_missed) {
+  constexpr planning::Spacing fine{radians(0.5), 0.03};
+  test::Random random(17);
+  std::size_t found = 0, missed = 0;
+  for (int i = 0; i < puzzles; ++i) {
+    const Puzzle p = three_or_more(random, cushions);
+    const std::vector<Shot> all = solve(p, {.planner = "sweep", .all = true, .robustness = false}).shots;
+    for (const Shot& shot : mapped(p, fine)) {
+      const auto same = [&](const Shot& x) { return x.cushions == shot.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-6; };
+      ++found;
+      missed += std::none_of(all.begin(), all.end(), same);
+    }
+  }
+  INFO(missed << " of " << found << " shots with " << cushions << " cushions missed, seed 17");
+  CHECK(found > static_cast<std::size_t>(puzzles));
+  CHECK(static_cast<double>(missed) <= most_missed * static_cast<double>(found));
+}
+
+}  // namespace
+
+TEST_CASE("the map of aim and speed finds every shot that a finer one finds") { compare(6, 3, 0); }
+
+TEST_CASE("the map misses hardly a shot with three to five cushions", "[.][long]") {
+  compare(100, 3, 0);
+  compare(100, 4, 0.001);
+  compare(100, 5, 0.003);
+}
