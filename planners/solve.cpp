@@ -95,11 +95,11 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   const Method& method = find_method(options.planner);
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = spins_to_try(puzzle);
-  Puzzle one = puzzle;
+  std::optional<Puzzle> one;  // with a spin of its own
   long spent = 0;
   for (std::size_t i = 0;; ++i) {
-    one.spin = spins[i];
-    Search s(one, options.all);
+    if (puzzle.spin_range) one = puzzle, one->spin = spins[i];
+    Search s(one ? *one : puzzle, options.all);
     s.simulations = spent;
     if (!s.spent()) method.plan(s);
     spent = s.simulations;
