@@ -98,12 +98,16 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   std::optional<Puzzle> one;  // with a spin of its own
   long spent = 0;
   for (std::size_t i = 0;; ++i) {
-    if (puzzle.spin_range) one = puzzle, one->spin = spins[i];
+    if (puzzle.spin_range) {
+      one = puzzle;
+      one->spin = spins[i];
+      one->budget = spent + (puzzle.budget - spent) / static_cast<long>(spins.size() - i);  // an even share of what is left
+    }
     Search s(one ? *one : puzzle, options.all);
     s.simulations = spent;
     if (!s.spent()) method.plan(s);
     spent = s.simulations;
-    if (s.shots.empty() && !s.cut && i + 1 < spins.size()) continue;
+    if (s.shots.empty() && spent < puzzle.budget && i + 1 < spins.size()) continue;
     planning::rank(s, s.shots);
     if (puzzle.aim == Aim::safest && !s.shots.empty()) planning::make_safest(s, s.shots.front());
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
