@@ -48,23 +48,11 @@ T time_to_line(const Arc<T>& arc, const Wall& w) {
 
 template <class T>
 T time_to_contact(const Boundary& boundary, const Arc<T>& arc, int contact) {
-  const auto i = static_cast<std::size_t>(contact);
-  if (i < boundary.walls.size()) return time_to_line(arc, boundary.walls[i]);
-  for (const Circle& c : boundary.tips) {
-    if (c.contact != contact) continue;
-    const Real<T> t = first_entry(value(arc), c.centre, c.radius, value(arc.duration));
-    return t < Real<T>(forever) ? lift_circle(arc, c.centre, t) : T(forever);
-  }
-  return T(forever);
-}
-
-template <class T>
-Vec2<T> normal_at(const Boundary& boundary, int contact, const Vec2<T>& at) {
-  const auto i = static_cast<std::size_t>(contact);
-  if (i < boundary.walls.size()) return to<T>(boundary.walls[i].normal);
-  for (const Circle& c : boundary.tips)
-    if (c.contact == contact) return (at - to<T>(c.centre)) / T(c.radius);
-  return {T(0), T(0)};
+  if (boundary.is_wall(contact)) return time_to_line(arc, boundary.wall(contact));
+  const Circle* const tip = boundary.tip(contact);
+  if (!tip) return T(forever);
+  const Real<T> t = first_entry(value(arc), tip->centre, tip->radius, value(arc.duration));
+  return t < Real<T>(forever) ? lift_circle(arc, tip->centre, t) : T(forever);
 }
 
 template <class T, class Motion, class Cushion>
@@ -77,7 +65,7 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
       const T t = time_to_contact(boundary, arc, contact);
       const bool met = t <= arc.duration && t < T(forever);
       if (!met && arc.end != PhaseEnd::roll) {
-        const bool towards = dot(normal_at(boundary, contact, arc.at), arc.velocity) < T(0);
+        const bool towards = dot(boundary.normal(contact, value(arc.at)), value(arc.velocity)) < Real<T>(0);
         path.end = towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
         return path;
       }
@@ -87,11 +75,10 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
       if (met) break;
       motion.finish(path.state, arc);
     }
-    const auto i = static_cast<std::size_t>(contact);
-    if (i < boundary.walls.size())
-      cushion.bounce(path.state, boundary.walls[i].normal);
+    if (boundary.is_wall(contact))
+      cushion.bounce(path.state, boundary.wall(contact).normal);
     else
-      cushion.bounce(path.state, normal_at(boundary, contact, path.state.at));
+      cushion.bounce(path.state, boundary.normal(contact, path.state.at));
   }
   return path;
 }

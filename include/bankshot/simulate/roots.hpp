@@ -123,7 +123,8 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   const T distance2 = dot(d, d);
   if (distance2 > reach * reach) return T(forever);
   const T gap = left ? T(0) : T(distance2 - T(T(radius) * radius));
-  const T t = first_descent_of(Polynomial<T, 4>{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)}, until);
+  const Polynomial<T, 4> outside{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)};
+  const T t = first_descent_of(outside, until);
   return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
 }
 
