@@ -27,32 +27,53 @@ struct LockedPath {
 };
 
 /// Time to the line of wall w, negative when the centre is already beyond it and moving on.
-template <class T>
-T time_to_line(const Arc<T>& arc, const Wall& w) {
+template <class N>
+N time_to_line(const Arc<N>& arc, const Wall& w) {
   using std::sqrt;
-  using Number = Real<T>;
-  const Number speed = dot(w.normal, value(arc.velocity)), a = dot(w.normal, value(arc.acceleration));
-  const Number gap = dot(w.normal, value(arc.at)) - Number(w.offset);
-  Number t;
-  if (!(speed < Number(0))) {
-    t = first_descent(gap > Number(0) ? gap : Number(0), speed, a);
-  } else {
-    // Without acceleration no square, which would underflow for the slowest approach.
-    const Number discriminant = speed * speed - 2 * a * gap;
-    if (discriminant < Number(0)) return T(forever);
-    t = a == Number(0) ? Number(gap / -speed) : Number(2 * gap / (sqrt(discriminant) - speed));
-  }
-  if (!(t < Number(forever))) return T(forever);
-  return lift_line(arc, w.normal, w.offset, !(speed < Number(0)) && !(gap > Number(0)), t);
+  const N speed = dot(w.normal, arc.velocity), a = dot(w.normal, arc.acceleration);
+  const N gap = dot(w.normal, arc.at) - N(w.offset);
+  if (!(speed < N(0))) return first_descent(gap > N(0) ? gap : N(0), speed, a);
+  // Without acceleration no square, which would underflow for the slowest approach.
+  if (a == N(0)) return gap / -speed;
+  const N discriminant = speed * speed - 2 * a * gap;
+  return discriminant < N(0) ? N(forever) : N(2 * gap / (sqrt(discriminant) - speed));
 }
 
-template <class T>
-T time_to_contact(const Boundary& boundary, const Arc<T>& arc, int contact) {
+template <class N>
+N time_to_contact(const Boundary& boundary, const Arc<N>& arc, int contact) {
   if (boundary.is_wall(contact)) return time_to_line(arc, boundary.wall(contact));
   const Circle* const tip = boundary.tip(contact);
-  if (!tip) return T(forever);
-  const Real<T> t = first_entry(value(arc), tip->centre, tip->radius, value(arc.duration));
-  return t < Real<T>(forever) ? lift_circle(arc, tip->centre, t) : T(forever);
+  return tip ? first_entry(arc, tip->centre, tip->radius, arc.duration) : N(forever);
+}
+
+/// The time at which a contact is met, with the derivatives of the arc; of a gap that counted as 0, none.
+template <class T>
+T lift_contact(const Boundary& boundary, const Arc<T>& arc, int contact, const Real<T>& t) {
+  if (!boundary.is_wall(contact)) return lift_circle(arc, boundary.tip(contact)->centre, t);
+  const Wall& w = boundary.wall(contact);
+  const bool beyond = !(dot(w.normal, value(arc.at)) - Real<T>(w.offset) > 0);
+  const bool away = !(dot(w.normal, value(arc.velocity)) < 0);
+  return lift_line(arc, w.normal, w.offset, beyond && away, t);
+}
+
+/// Moves `state` to its next meeting with the contact; says how that ended.
+template <class T, class Motion>
+LockedEnd go_to_contact(const Boundary& boundary, const Motion& motion, int contact, LockedPath<T>& path) {
+  using Number = Real<T>;
+  for (;;) {
+    const Arc<T> arc = motion.arc(path.state);
+    const Number t = time_to_contact(boundary, value(arc), contact);
+    const bool met = t <= value(arc.duration) && t < Number(forever);
+    if (!met && arc.end != PhaseEnd::roll) {
+      const bool towards = dot(boundary.normal(contact, value(arc.at)), value(arc.velocity)) < Number(0);
+      return towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
+    }
+    const T on = met ? lift_contact(boundary, arc, contact, t) : arc.duration;
+    path.time += arc.seconds(on);
+    path.state = advance(motion, path.state, arc, on);
+    if (met) return LockedEnd::complete;
+    motion.finish(path.state, arc);
+  }
 }
 
 template <class T, class Motion, class Cushion>
@@ -60,21 +81,8 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
                             std::span<const int> contacts, const State<T>& start) {
   LockedPath<T> path{start, T(0)};
   for (const int contact : contacts) {
-    for (;;) {
-      const Arc<T> arc = motion.arc(path.state);
-      const T t = time_to_contact(boundary, arc, contact);
-      const bool met = t <= arc.duration && t < T(forever);
-      if (!met && arc.end != PhaseEnd::roll) {
-        const bool towards = dot(boundary.normal(contact, value(arc.at)), value(arc.velocity)) < Real<T>(0);
-        path.end = towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
-        return path;
-      }
-      const T on = met ? t : arc.duration;
-      path.time += arc.seconds(on);
-      path.state = advance(motion, path.state, arc, on);
-      if (met) break;
-      motion.finish(path.state, arc);
-    }
+    path.end = go_to_contact(boundary, motion, contact, path);
+    if (path.end != LockedEnd::complete) return path;
     if (boundary.is_wall(contact))
       cushion.bounce(path.state, boundary.wall(contact).normal);
     else
