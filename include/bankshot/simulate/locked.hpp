@@ -102,15 +102,21 @@ struct LockedArrival {
 
 template <class T, class Motion>
 LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d& target, double capture, bool stop) {
+  using Number = Real<T>;
   for (;;) {
     const Arc<T> arc = motion.arc(state);
-    const T entry = capture > 0 && !stop ? first_entry(arc, target, capture, arc.duration) : T(forever);
-    T t = entry <= arc.duration ? entry : arc.duration;
-    bool arrived = entry <= arc.duration && entry < T(forever);
+    const Arc<Number>& plain = value(arc);
+    T t = arc.duration;
+    bool arrived = false;
+    if (capture > 0 && !stop) {
+      const Number entry = first_entry(plain, target, capture, plain.duration);
+      arrived = entry <= plain.duration && entry < Number(forever);
+      if (arrived) t = lift_circle(arc, target, entry);
+    }
     if (!arrived && !stop) {
-      const T nearest = closest_time(arc, arc.duration, target);
-      arrived = nearest < arc.duration;
-      if (arrived) t = nearest;
+      const Number nearest = closest_time(plain, plain.duration, target);
+      arrived = nearest < plain.duration;
+      if (arrived) t = nearest > Number(0) ? lift_closest(arc, target, nearest) : T(0);
     }
     if (arrived || arc.end != PhaseEnd::roll) {
       const bool ends = !(t < T(forever));
