@@ -56,33 +56,27 @@ T lift_contact(const Boundary& boundary, const Arc<T>& arc, int contact, const R
   return lift_line(arc, w.normal, w.offset, beyond && away, t);
 }
 
-/// Moves `state` to its next meeting with the contact; says how that ended.
-template <class T, class Motion>
-LockedEnd go_to_contact(const Boundary& boundary, const Motion& motion, int contact, LockedPath<T>& path) {
-  using Number = Real<T>;
-  for (;;) {
-    const Arc<T> arc = motion.arc(path.state);
-    const Number t = time_to_contact(boundary, value(arc), contact);
-    const bool met = t <= value(arc.duration) && t < Number(forever);
-    if (!met && arc.end != PhaseEnd::roll) {
-      const bool towards = dot(boundary.normal(contact, value(arc.at)), value(arc.velocity)) < Number(0);
-      return towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
-    }
-    const T on = met ? lift_contact(boundary, arc, contact, t) : arc.duration;
-    path.time += arc.seconds(on);
-    path.state = advance(motion, path.state, arc, on);
-    if (met) return LockedEnd::complete;
-    motion.finish(path.state, arc);
-  }
-}
-
 template <class T, class Motion, class Cushion>
 LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
                             std::span<const int> contacts, const State<T>& start) {
+  using Number = Real<T>;
   LockedPath<T> path{start, T(0)};
   for (const int contact : contacts) {
-    path.end = go_to_contact(boundary, motion, contact, path);
-    if (path.end != LockedEnd::complete) return path;
+    for (;;) {
+      const Arc<T> arc = motion.arc(path.state);
+      const Number t = time_to_contact(boundary, value(arc), contact);
+      const bool met = t <= value(arc.duration) && t < Number(forever);
+      if (!met && arc.end != PhaseEnd::roll) {
+        const bool towards = dot(boundary.normal(contact, value(arc.at)), value(arc.velocity)) < Number(0);
+        path.end = towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
+        return path;
+      }
+      const T on = met ? lift_contact(boundary, arc, contact, t) : arc.duration;
+      path.time += arc.seconds(on);
+      path.state = advance(motion, path.state, arc, on);
+      if (met) break;
+      motion.finish(path.state, arc);
+    }
     if (boundary.is_wall(contact))
       cushion.bounce(path.state, boundary.wall(contact).normal);
     else
