@@ -90,14 +90,29 @@ void locked(benchmark::State& state) {
   }
 }
 
+/// The first leg, up to where it is abreast of the place where the next case starts, or within 6 cm of it.
+template <class T>
+void arrive(benchmark::State& state) {
+  std::size_t n = 0;
+  for (auto _ : state) {
+    const Case &c = cases()[n % cases().size()], &other = cases()[(n + 1) % cases().size()];
+    ++n;
+    benchmark::DoNotOptimize(arrive_locked(SlideRoll{}, start_of<T>(c), other.at, 0.06, false));
+  }
+}
+
 void simulate_spin(benchmark::State& state) { simulate<double>(state); }
 void simulate_spin_derivatives(benchmark::State& state) { simulate<Jet>(state); }
 void locked_spin(benchmark::State& state) { locked<double>(state); }
 void locked_spin_derivatives(benchmark::State& state) { locked<Jet>(state); }
+void locked_arrival(benchmark::State& state) { arrive<double>(state); }
+void locked_arrival_derivatives(benchmark::State& state) { arrive<Jet>(state); }
 
 BENCHMARK(simulate_spin)->Arg(1)->Arg(3);
 BENCHMARK(simulate_spin_derivatives)->Arg(1)->Arg(3);
 BENCHMARK(locked_spin);
 BENCHMARK(locked_spin_derivatives);
+BENCHMARK(locked_arrival);
+BENCHMARK(locked_arrival_derivatives);
 
 }  // namespace

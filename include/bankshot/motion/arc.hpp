@@ -29,6 +29,13 @@ struct State {
   Vec3<T> spin{};
 };
 
+/// v² + (Rω)² of the part of the spin that moves the ball [m²/s²]: what speeds are small against.
+template <class T>
+Real<T> squared_scale(const State<T>& s, double radius) {
+  const Vec2<Real<T>> v = value(s.velocity), w{value(s.spin.x), value(s.spin.y)};
+  return dot(v, v) + Real<T>(radius) * radius * dot(w, w);
+}
+
 /// Longer than any shot: the duration of a motion that never ends by itself.
 inline constexpr double forever = std::numeric_limits<double>::infinity();
 

@@ -72,7 +72,8 @@ struct Drag {
     const T first = v0 - s * linear;  // exact without the constant part, too fast with it
     T square = value(first) > 0 ? T(first * first) : T(0);
     using Number = Real<T>;
-    Number low(0), high = value(s) > 0 ? value(T(v0 * v0)) : Number(2 * value(T(v0 * v0 - s * (v0 * linear + constant))));
+    const Number start2 = value(v0) * value(v0), slowing = value(v0) * linear + constant;
+    Number low(0), high = value(s) > 0 ? start2 : Number(2 * (start2 - value(s) * slowing));
     constexpr int enough = 200;
     for (int i = 0; i < enough; ++i) {
       const T v = root_of(square), beyond = length(v0, v) - s;

@@ -39,7 +39,7 @@ struct SlideRoll {
     const Vec2<T> u = slip(s);
     const T slip2 = dot(u, u);
     constexpr double still = tolerance::slip * tolerance::slip;
-    if (!(value(slip2) > still * squared_scale(value(s.velocity), value(s.spin.x), value(s.spin.y))))
+    if (!(value(slip2) > still * squared_scale(s, radius)))
       return rolling_arc(s.at, s.velocity, rolling_friction, g);
     if (sliding_friction == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
     const Number a = Number(sliding_friction) * g;
@@ -85,11 +85,6 @@ struct SlideRoll {
   void set_rolling(State<T>& s) const {
     s.spin.x = -s.velocity.y / Real<T>(radius);
     s.spin.y = s.velocity.x / Real<T>(radius);
-  }
-  /// v² + (Rω)², what slip is small against.
-  template <class N>
-  N squared_scale(const Vec2<N>& v, const N& wx, const N& wy) const {
-    return dot(v, v) + N(radius) * N(radius) * (wx * wx + wy * wy);
   }
 };
 

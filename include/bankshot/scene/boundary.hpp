@@ -42,6 +42,23 @@ struct Boundary {
   Boundary(const Table& table, double radius);
 
   int vertex_contact(int vertex) const { return static_cast<int>(walls.size()) + vertex; }
+  bool is_wall(int contact) const { return contact < static_cast<int>(walls.size()); }
+  const Wall& wall(int contact) const { return walls[static_cast<std::size_t>(contact)]; }
+  /// The arc of a vertex; null where the vertex is not reflex.
+  const Circle* tip(int contact) const {
+    for (const Circle& c : tips)
+      if (c.contact == contact) return &c;
+    return nullptr;
+  }
+  /// Unit vector away from a contact, into the table, for a centre at `at`; 0 where there is no such contact.
+  template <class T>
+  Vec2<T> normal(int contact, const Vec2<T>& at) const {
+    if (is_wall(contact)) return to<T>(wall(contact).normal);
+    const Circle* const c = tip(contact);
+    if (!c) return {T(0), T(0)};
+    const Vec2<T> out = at - to<T>(c->centre);
+    return out / norm(out);
+  }
   /// Distance a centre at `at` is inside the allowed region (negative: outside it).
   double clearance(const Vec2d& at) const;
   /// Distance from `point` to the nearest place where the centre can be.

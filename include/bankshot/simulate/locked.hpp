@@ -27,71 +27,60 @@ struct LockedPath {
 };
 
 /// Time to the line of wall w, negative when the centre is already beyond it and moving on.
-template <class T>
-T time_to_line(const Arc<T>& arc, const Wall& w) {
+template <class N>
+N time_to_line(const Arc<N>& arc, const Wall& w) {
   using std::sqrt;
-  using Number = Real<T>;
-  const Number speed = dot(w.normal, value(arc.velocity)), a = dot(w.normal, value(arc.acceleration));
-  const Number gap = dot(w.normal, value(arc.at)) - Number(w.offset);
-  Number t;
-  if (!(speed < Number(0))) {
-    t = first_descent(gap > Number(0) ? gap : Number(0), speed, a);
-  } else {
-    // Without acceleration no square, which would underflow for the slowest approach.
-    const Number discriminant = speed * speed - 2 * a * gap;
-    if (discriminant < Number(0)) return T(forever);
-    t = a == Number(0) ? Number(gap / -speed) : Number(2 * gap / (sqrt(discriminant) - speed));
-  }
-  if (!(t < Number(forever))) return T(forever);
-  return lift_line(arc, w.normal, w.offset, !(speed < Number(0)) && !(gap > Number(0)), t);
+  const N speed = dot(w.normal, arc.velocity), a = dot(w.normal, arc.acceleration);
+  const N gap = dot(w.normal, arc.at) - N(w.offset);
+  if (!(speed < N(0))) return first_descent(gap > N(0) ? gap : N(0), speed, a);
+  // Without acceleration no square, which would underflow for the slowest approach.
+  if (a == N(0)) return gap / -speed;
+  const N discriminant = speed * speed - 2 * a * gap;
+  return discriminant < N(0) ? N(forever) : N(2 * gap / (sqrt(discriminant) - speed));
 }
 
-template <class T>
-T time_to_contact(const Boundary& boundary, const Arc<T>& arc, int contact) {
-  const auto i = static_cast<std::size_t>(contact);
-  if (i < boundary.walls.size()) return time_to_line(arc, boundary.walls[i]);
-  for (const Circle& c : boundary.tips) {
-    if (c.contact != contact) continue;
-    const Real<T> t = first_entry(value(arc), c.centre, c.radius, value(arc.duration));
-    return t < Real<T>(forever) ? lift_circle(arc, c.centre, t) : T(forever);
-  }
-  return T(forever);
+template <class N>
+N time_to_contact(const Boundary& boundary, const Arc<N>& arc, int contact) {
+  if (boundary.is_wall(contact)) return time_to_line(arc, boundary.wall(contact));
+  const Circle* const tip = boundary.tip(contact);
+  return tip ? first_entry(arc, tip->centre, tip->radius, arc.duration) : N(forever);
 }
 
+/// The time at which a contact is met, with the derivatives of the arc; of a gap that counted as 0, none.
 template <class T>
-Vec2<T> normal_at(const Boundary& boundary, int contact, const Vec2<T>& at) {
-  const auto i = static_cast<std::size_t>(contact);
-  if (i < boundary.walls.size()) return to<T>(boundary.walls[i].normal);
-  for (const Circle& c : boundary.tips)
-    if (c.contact == contact) return (at - to<T>(c.centre)) / T(c.radius);
-  return {T(0), T(0)};
+T lift_contact(const Boundary& boundary, const Arc<T>& arc, int contact, const Real<T>& t) {
+  if (!boundary.is_wall(contact)) return lift_circle(arc, boundary.tip(contact)->centre, t);
+  const Wall& w = boundary.wall(contact);
+  const bool beyond = !(dot(w.normal, value(arc.at)) - Real<T>(w.offset) > 0);
+  const bool away = !(dot(w.normal, value(arc.velocity)) < 0);
+  return lift_line(arc, w.normal, w.offset, beyond && away, t);
 }
 
 template <class T, class Motion, class Cushion>
 LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
                             std::span<const int> contacts, const State<T>& start) {
+  using Number = Real<T>;
   LockedPath<T> path{start, T(0)};
   for (const int contact : contacts) {
     for (;;) {
       const Arc<T> arc = motion.arc(path.state);
-      const T t = time_to_contact(boundary, arc, contact);
-      const bool met = t <= arc.duration && t < T(forever);
+      const Number t = time_to_contact(boundary, value(arc), contact);
+      const bool met = t <= value(arc.duration) && t < Number(forever);
       if (!met && arc.end != PhaseEnd::roll) {
-        const bool towards = dot(normal_at(boundary, contact, arc.at), arc.velocity) < T(0);
+        const bool towards = dot(boundary.normal(contact, value(arc.at)), value(arc.velocity)) < Number(0);
         path.end = towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
         return path;
       }
-      const T on = met ? t : arc.duration;
+      const T on = met ? lift_contact(boundary, arc, contact, t) : arc.duration;
       path.time += arc.seconds(on);
       path.state = advance(motion, path.state, arc, on);
       if (met) break;
       motion.finish(path.state, arc);
     }
-    const auto i = static_cast<std::size_t>(contact);
-    if (i < boundary.walls.size())
-      cushion.bounce(path.state, boundary.walls[i].normal);
+    if (boundary.is_wall(contact))
+      cushion.bounce(path.state, boundary.wall(contact).normal);
     else
-      cushion.bounce(path.state, normal_at(boundary, contact, path.state.at));
+      cushion.bounce(path.state, boundary.normal(contact, path.state.at));
   }
   return path;
 }
@@ -107,15 +96,21 @@ struct LockedArrival {
 
 template <class T, class Motion>
 LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d& target, double capture, bool stop) {
+  using Number = Real<T>;
   for (;;) {
     const Arc<T> arc = motion.arc(state);
-    const T entry = capture > 0 && !stop ? first_entry(arc, target, capture, arc.duration) : T(forever);
-    T t = entry <= arc.duration ? entry : arc.duration;
-    bool arrived = entry <= arc.duration && entry < T(forever);
+    const Arc<Number>& plain = value(arc);
+    T t = arc.duration;
+    bool arrived = false;
+    if (capture > 0 && !stop) {
+      const Number entry = first_entry(plain, target, capture, plain.duration);
+      arrived = entry <= plain.duration && entry < Number(forever);
+      if (arrived) t = lift_circle(arc, target, entry);
+    }
     if (!arrived && !stop) {
-      const T nearest = closest_time(arc, arc.duration, target);
-      arrived = nearest < arc.duration;
-      if (arrived) t = nearest;
+      const Number nearest = closest_time(plain, plain.duration, target);
+      arrived = nearest < plain.duration;
+      if (arrived) t = nearest > Number(0) ? lift_closest(arc, target, nearest) : T(0);
     }
     if (arrived || arc.end != PhaseEnd::roll) {
       const bool ends = !(t < T(forever));

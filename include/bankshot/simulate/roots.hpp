@@ -100,6 +100,19 @@ T lift_circle(const Arc<T>& arc, const Vec2d& centre, const Real<T>& t) {
   }
 }
 
+/// The same for the closest approach to a point, where the arc runs across the line to it.
+template <class T>
+T lift_closest(const Arc<T>& arc, const Vec2d& point, const Real<T>& t) {
+  if constexpr (!has_derivatives<T>) {
+    return t;
+  } else {
+    const Vec2<T> d = arc.position(t) - to<T>(point), v = arc.tangent(t);
+    const T f = dot(d, v);
+    const Real<T> slope = dot(value(v), value(v)) + dot(value(d), value(arc.acceleration));
+    return slope == 0 ? T(t) : T(T(t) - (f - value(f)) / slope);
+  }
+}
+
 /// A step of Newton's method on the distance itself. The quartic's coefficients are squares of the whole
 /// distance to the circle, so its roots are off by that over the radius.
 template <class T>
@@ -123,7 +136,8 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   const T distance2 = dot(d, d);
   if (distance2 > reach * reach) return T(forever);
   const T gap = left ? T(0) : T(distance2 - T(T(radius) * radius));
-  const T t = first_descent_of(Polynomial<T, 4>{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)}, until);
+  const Polynomial<T, 4> outside{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)};
+  const T t = first_descent_of(outside, until);
   return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
 }
 
