@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Cost of one forward simulation, shots drawn at random and stopped at the n-th bounce.
-//   bench --benchmark_format=csv > tests/bench/results/foundation.csv
+//   bash tests/bench/run.sh, which writes tests/bench/results/simulate.csv
 #include <benchmark/benchmark.h>
 
 #include <vector>

@@ -27,7 +27,8 @@ ShotRequest at_corner(const Table& table, double off, Physics physics) {
 
 TEST_CASE("a ball aimed at a corner with spin is true on either side") {
   Worst worst("corners");
-  for (const Table& table : {rectangle_table(2, 1), polygon_table({{0, 0}, {2, 0}, {2.3, 1.1}, {0, 1}}), polygon_table({{0, 0}, {2, 0}, {1.7, 1}, {0, 1}})})
+  for (const Table& table : {rectangle_table(2, 1), polygon_table({{0, 0}, {2, 0}, {2.3, 1.1}, {0, 1}}),
+                             polygon_table({{0, 0}, {2, 0}, {1.7, 1}, {0, 1}})})
     for (const double off : beside) {
       INFO("aim " << off << " beside the corner");
       CHECK(worst.within_bound(against_truth(at_corner(table, off, spin_physics()))));
@@ -47,7 +48,10 @@ TEST_CASE("mirrors send a ball back from a square corner by the same path in eit
 
 TEST_CASE("a ball driven into a corner it touches stays there until its spin is gone") {
   for (const double acute : {1.0, 0.5, 0.2}) {
-    ShotRequest shot{.table = polygon_table({{0, 0}, {2, 0}, {2, 2 * acute}}), .physics = spin_physics(), .ball = {{1.2, 0.05}, 0.0285, 0.17}, .launch = {1, 0}};
+    ShotRequest shot{.table = polygon_table({{0, 0}, {2, 0}, {2, 2 * acute}}),
+                     .physics = spin_physics(),
+                     .ball = {{1.2, 0.05}, 0.0285, 0.17},
+                     .launch = {1, 0}};
     const Boundary b(shot.table, 0.0285);
     // Frozen to two cushions, topspin into the vertex at the origin.
     const Wall& w = b.walls[0];

@@ -70,7 +70,13 @@ bool find_fold(const Class& c, double& aim) {
 
 TEST_CASE("a place of rest on a fold of the map is reached") {
   int folds = 0;
-  for (const Class& c : {Class{0, 0.5, 1.6, 345, 352}, {0, 0.5, 2, 345, 352}, {0, 0.5, 2.5, 345, 352}, {1, 0.85, 2, 20, 28}, {2, 0.85, 2, 20, 28}, {2, 0.85, 2.5, 20, 28}, {0, 0.85, 3, 184, 190}}) {
+  for (const Class& c : {Class{0, 0.5, 1.6, 345, 352},
+                         {0, 0.5, 2, 345, 352},
+                         {0, 0.5, 2.5, 345, 352},
+                         {1, 0.85, 2, 20, 28},
+                         {2, 0.85, 2, 20, 28},
+                         {2, 0.85, 2.5, 20, 28},
+                         {0, 0.85, 3, 184, 190}}) {
     double aim = 0;
     if (!find_fold(c, aim)) continue;
     ++folds;

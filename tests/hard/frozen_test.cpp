@@ -22,7 +22,8 @@ TEST_CASE("frozen balls stay within the bound whatever the gap, the aim and the 
   Worst worst("frozen");
   for (const double gap : gaps)
     for (const double aim : {0.0, 1e-9, 0.5, 60.0, 90.0, 180.0, 200.0, 270.0, 359.9, 360 - 1e-6})
-      for (const LaunchSpin& spin : {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1.5, .side = 1}, LaunchSpin{.masse = 2}, LaunchSpin{.masse = -2}}) {
+      for (const LaunchSpin& spin : {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1.5, .side = 1},
+                                     LaunchSpin{.masse = 2}, LaunchSpin{.masse = -2}}) {
         INFO("gap " << gap << ", aim " << aim << ", spin " << spin.top << ' ' << spin.side << ' ' << spin.masse);
         CHECK(worst.within_bound(against_truth(spin_shot({0.7, R + gap}, 1.5, aim, spin))));
       }

@@ -14,7 +14,10 @@ using namespace bankshot::test;
 TEST_CASE("20 to 20000 bounces between mirrors keep the bound") {
   Worst worst("many bounces");
   for (const int n : {20, 200, 2000, 20000}) {
-    ShotRequest shot{.table = rectangle_table(2.54, 1.27), .physics = ideal_physics(), .ball = {{0.635, 0.4}, 0.028575, 0.17}, .launch = {1, radians(53.1)}};
+    ShotRequest shot{.table = rectangle_table(2.54, 1.27),
+                     .physics = ideal_physics(),
+                     .ball = {{0.635, 0.4}, 0.028575, 0.17},
+                     .launch = {1, radians(53.1)}};
     const Compared c = against_truth(shot, n, 1000000);
     INFO(n << " bounces: error " << c.error << " m, " << c.ratio() << " units, kappa " << c.kappa);
     CHECK(c.events == static_cast<std::size_t>(n));

@@ -22,8 +22,13 @@ double reach(const Physics& physics, double v) {
 Puzzle at_distance(const Physics& physics, double share) {
   const double v = 0.4;
   const Vec2d from{0.3, 0.3}, direction_{0.8, 0.6};
-  return {.table = rectangle_table(2, 1), .physics = physics, .ball = {from, R, 0.17}, .target = PointTarget{from + direction_ * (reach(physics, v) * share), 1e-9},
-          .cushions = CushionRule::exactly(0), .arrive = Range{0, 0}, .speed = {0.1, v}};
+  return {.table = rectangle_table(2, 1),
+          .physics = physics,
+          .ball = {from, R, 0.17},
+          .target = PointTarget{from + direction_ * (reach(physics, v) * share), 1e-9},
+          .cushions = CushionRule::exactly(0),
+          .arrive = Range{0, 0},
+          .speed = {0.1, v}};
 }
 
 }  // namespace

@@ -18,7 +18,11 @@ ShotRequest scaled(double s, Vec2d shift = {0, 0}) {
   Physics physics = spin_physics(R * s);
   std::get<Han2005>(physics.cushion).height = 1.25 * R * s;
   std::get<SlideRoll>(physics.motion).spinning_friction = 0.015;
-  return {.table = table, .physics = physics, .ball = {Vec2d{0.5, 0.375} * s + shift, R * s, 0.17}, .launch = {3 * std::sqrt(s), radians(33)}, .spin = {.top = -0.5, .side = 0.75, .masse = 0.25}};
+  return {.table = table,
+          .physics = physics,
+          .ball = {Vec2d{0.5, 0.375} * s + shift, R * s, 0.17},
+          .launch = {3 * std::sqrt(s), radians(33)},
+          .spin = {.top = -0.5, .side = 0.75, .masse = 0.25}};
 }
 
 }  // namespace

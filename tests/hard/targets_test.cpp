@@ -15,7 +15,11 @@ namespace {
 constexpr double R = 0.028575;
 
 Puzzle to_point(Vec2d at, int cushions, const Physics& physics, Range arrive) {
-  Puzzle p{.table = rectangle_table(2, 1), .physics = physics, .ball = {{0.6, 0.35}, R, 0.17}, .target = PointTarget{at}, .cushions = CushionRule::exactly(cushions)};
+  Puzzle p{.table = rectangle_table(2, 1),
+           .physics = physics,
+           .ball = {{0.6, 0.35}, R, 0.17},
+           .target = PointTarget{at},
+           .cushions = CushionRule::exactly(cushions)};
   if (!is_ideal(physics)) p.arrive = arrive;
   return p;
 }
@@ -23,7 +27,10 @@ Puzzle to_point(Vec2d at, int cushions, const Physics& physics, Range arrive) {
 void check_solved(const Puzzle& p) {
   const Answer a = solve(p, {.robustness = false});
   const Vec2d at = std::get<PointTarget>(p.target).at;
-  INFO((is_ideal(p.physics) ? "ideal" : is_straight(p.physics) ? "rolling" : "spin") << ", target " << at.x << ' ' << at.y << ", " << p.cushions.min << " cushions: " << a.message);
+  INFO((is_ideal(p.physics)      ? "ideal"
+        : is_straight(p.physics) ? "rolling"
+                                 : "spin")
+       << ", target " << at.x << ' ' << at.y << ", " << p.cushions.min << " cushions: " << a.message);
   CHECK(a.status == Status::solved);
   if (a.shots.empty()) return;
   CHECK(test::check_shot(p, a.shots.front()).problem == "");
@@ -40,7 +47,8 @@ TEST_CASE("targets on a cushion line and in a corner are reached, passing") {
 }
 
 TEST_CASE("targets on a cushion line are reached, at rest") {
-  for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}, Vec2d{2 - R, 1 - R}}) check_solved(to_point(target, 0, rolling_physics(), {0, 0}));
+  for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}, Vec2d{2 - R, 1 - R}})
+    check_solved(to_point(target, 0, rolling_physics(), {0, 0}));
 }
 
 // Not found yet: rounding makes the ball touch the cushion once before it rests there. Fails when it is.

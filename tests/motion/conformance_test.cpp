@@ -89,7 +89,8 @@ TEMPLATE_LIST_TEST_CASE("speed scales time, and its square length", "", Motions)
       continue;
     }
     REQUIRE(fast.duration == 2 * arc.duration);
-    REQUIRE(norm((fast.position(fast.duration) - s.at) - (arc.position(arc.duration) - s.at) * 4.0) <= 1e-14 * (norm(s.at) + norm(s.velocity) * fast.duration));
+    REQUIRE(norm((fast.position(fast.duration) - s.at) - (arc.position(arc.duration) - s.at) * 4.0) <=
+            1e-14 * (norm(s.at) + norm(s.velocity) * fast.duration));
   }
 }
 

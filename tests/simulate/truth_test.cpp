@@ -44,7 +44,8 @@ TEST_CASE("derivatives through every event agree with differences in 50 digits")
       for (const Wall& w : boundary.walls) at_cushion = at_cushion || dot(w.normal, run.start.at) - w.offset < 1e-9;
       if (at_cushion) continue;
       // A slip that is nearly 0 has a direction with few digits, and derivatives that change within them.
-      const Vec2d slip{run.start.velocity.x - boundary.radius * run.start.spin.y, run.start.velocity.y + boundary.radius * run.start.spin.x};
+      const Vec2d slip{run.start.velocity.x - boundary.radius * run.start.spin.y,
+                       run.start.velocity.y + boundary.radius * run.start.spin.x};
       if (const double part = norm(slip) / norm(run.start.velocity); part > 2e-16 && part < 1e-5) continue;
       const Condition dual = condition(run), exact = truth_jacobian(run);
       const double V = norm(run.start.velocity), R = boundary.radius, unit[] = {1, 1, V, V, V / R, V / R, V / R};

@@ -104,7 +104,8 @@ std::string check_truth(const ShotRequest& shot, const Boundary& boundary, int c
   t.kappa = std::max(t.kappa, c.kappa);
   t.miss = std::max(t.miss, c.error / boundary.extent);
   if (c.ratio() <= tolerance::simulation_error) return "";
-  return fmt::format("error {:.3g} m after {} cushions is {:.3g} units of 2^-53 size kappa, kappa {:.3g}", c.error, cushions, c.ratio(), c.kappa);
+  return fmt::format("error {:.3g} m after {} cushions is {:.3g} units of 2^-53 size kappa, kappa {:.3g}", c.error,
+                     cushions, c.ratio(), c.kappa);
 }
 
 }  // namespace
@@ -137,13 +138,17 @@ int main(int argc, char** argv) {
       if (problem.empty() && i < (truth + parts - 1) / parts) problem = check_truth(shot, boundary, cushions, t);
       ++t.shots;
       if (problem.empty()) continue;
-      if (++t.failed <= 20) std::cout << fmt::format("FAILED {} number {} of seed {}: {}\n{}\n", test::name(f), i, seed, problem, test::write_shot(shot));
+      if (++t.failed <= 20)
+        std::cout << fmt::format("FAILED {} number {} of seed {}: {}\n{}\n", test::name(f), i, seed, problem,
+                                 test::write_shot(shot));
     }
     std::cout << fmt::format(
-        "{:8} seed {}: {} shots, {} events, {} failed; outside by {:.2g} touch, energy gain {:.1g}; {} against 50 digits: worst error {:.2g} of "
-        "the bound's unit (C = {}), {:.2g} of the extent, {} at ties, {} in wrong order; condition up to {:.1g}, {} above {:.0g} ({} beyond the bound)\n",
-        test::name(f), seed, t.shots, t.events, t.failed, t.outside, t.gain, t.truth, t.ratio, tolerance::simulation_error, t.miss, t.ties, t.wrong, t.kappa,
-        t.conditioned, hard, t.beyond);
+        "{:8} seed {}: {} shots, {} events, {} failed; outside by {:.2g} touch, energy gain {:.1g}; {} against 50 "
+        "digits: worst error {:.2g} of "
+        "the bound's unit (C = {}), {:.2g} of the extent, {} at ties, {} in wrong order; condition up to {:.1g}, {} "
+        "above {:.0g} ({} beyond the bound)\n",
+        test::name(f), seed, t.shots, t.events, t.failed, t.outside, t.gain, t.truth, t.ratio,
+        tolerance::simulation_error, t.miss, t.ties, t.wrong, t.kappa, t.conditioned, hard, t.beyond);
     failed += t.failed;
     all.ratio = std::max(all.ratio, t.ratio);
     all.shots += t.shots;
@@ -151,6 +156,7 @@ int main(int argc, char** argv) {
     all.events += t.events;
     all.ties += t.ties;
   }
-  std::cout << fmt::format("{} shots, {} events, {} failed; {} against 50 digits, {} at ties, worst {:.3g} units\n", all.shots, all.events, failed, all.truth, all.ties, all.ratio);
+  std::cout << fmt::format("{} shots, {} events, {} failed; {} against 50 digits, {} at ties, worst {:.3g} units\n",
+                           all.shots, all.events, failed, all.truth, all.ties, all.ratio);
   return failed == 0 ? 0 : 1;
 }

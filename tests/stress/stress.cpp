@@ -29,7 +29,11 @@ struct Tally {
 /// corner or exactly along a cushion, and rounding decides. Such a puzzle may fail; it is counted.
 bool through_corner(const test::Made& made) {
   const auto sequence = [&](double turned) {
-    ShotRequest r{.table = made.puzzle.table, .physics = made.puzzle.physics, .ball = made.puzzle.ball, .launch = made.launch, .spin = made.puzzle.spin};
+    ShotRequest r{.table = made.puzzle.table,
+                  .physics = made.puzzle.physics,
+                  .ball = made.puzzle.ball,
+                  .launch = made.launch,
+                  .spin = made.puzzle.spin};
     r.launch.angle = wrap_angle(r.launch.angle + turned);
     r.until.cushions = made.bounces + 1;
     std::vector<int> s = simulate(r).sequence();
@@ -57,7 +61,8 @@ void one(test::Random& random, test::Family family, test::Model model, int bounc
   const double miss = shot.miss / made.puzzle.table.diagonal();
   if (miss > 1e-9) {
     ++t.off_centre;
-    if (!std::holds_alternative<PocketTarget>(made.puzzle.target) && !through_corner(made)) report(fmt::format("miss {:.3g} of the diagonal", miss));
+    if (!std::holds_alternative<PocketTarget>(made.puzzle.target) && !through_corner(made))
+      report(fmt::format("miss {:.3g} of the diagonal", miss));
   } else {
     t.worst_miss = std::max(t.worst_miss, miss);
   }
@@ -93,7 +98,9 @@ int main(int argc, char** argv) {
                             : physics == "spin"    ? test::Model::spin
                                                    : test::Model::mathavan;
   bool clean = true;
-  if (csv) std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_diagonal,worst_speed_error,simulations_each,us_each\n";
+  if (csv)
+    std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_"
+                 "diagonal,worst_speed_error,simulations_each,us_each\n";
   for (const test::Family f : test::families) {
     if (family != "all" && family != test::name(f)) continue;
     test::Random random(seed);
@@ -102,11 +109,14 @@ int main(int argc, char** argv) {
     for (long i = 0; i < (family == "all" ? count / 4 : count); ++i) one(random, f, model, bounces, options, t);
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
     const auto print = [&](auto format) {
-      std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved, t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
-                               static_cast<double>(t.simulations) / static_cast<double>(t.puzzles), took.count() / static_cast<double>(t.puzzles));
+      std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved,
+                               t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
+                               static_cast<double>(t.simulations) / static_cast<double>(t.puzzles),
+                               took.count() / static_cast<double>(t.puzzles));
     };
     print(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f}\n"
-              : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the pocket's centre), {} unsolved through a corner, {} wrong, worst miss {:.2g} of the "
+              : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the pocket's centre), {} unsolved through a "
+                "corner, {} wrong, worst miss {:.2g} of the "
                 "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each\n");
     clean = clean && t.solved + t.corners == t.puzzles && t.wrong == 0;
   }

@@ -27,8 +27,8 @@ struct Worst {
   Worst(const Worst&) = delete;
   Worst& operator=(const Worst&) = delete;
   ~Worst() {
-    std::printf("%s: %d cases, %d ties, worst error %.2g m = %.2g of 2^-53 size kappa (C = %g), kappa up to %.2g\n", what.c_str(), cases, ties, error, ratio,
-                tolerance::simulation_error, kappa);
+    std::printf("%s: %d cases, %d ties, worst error %.2g m = %.2g of 2^-53 size kappa (C = %g), kappa up to %.2g\n",
+                what.c_str(), cases, ties, error, ratio, tolerance::simulation_error, kappa);
   }
   /// True when the events agree, or part at a tie, and the error is within the bound.
   bool within_bound(const Compared& c) {
@@ -44,7 +44,11 @@ struct Worst {
 
 /// A shot on a 2 × 1 table with the default physics `spin`.
 inline ShotRequest spin_shot(Vec2d at, double speed, double degrees_, LaunchSpin spin = {}) {
-  return {.table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {at, 0.028575, 0.17}, .launch = {speed, radians(degrees_)}, .spin = spin};
+  return {.table = rectangle_table(2, 1),
+          .physics = spin_physics(),
+          .ball = {at, 0.028575, 0.17},
+          .launch = {speed, radians(degrees_)},
+          .spin = spin};
 }
 
 }  // namespace bankshot::test

@@ -33,7 +33,10 @@ inline Rolling draw<Rolling>(Random& r) {
 }
 template <>
 inline SlideRoll draw<SlideRoll>(Random& r) {
-  return {.radius = ball_radius, .sliding_friction = r.uniform(0.05, 0.4), .rolling_friction = r.log_uniform(0.003, 0.05), .spinning_friction = r.log_uniform(0.003, 0.05)};
+  return {.radius = ball_radius,
+          .sliding_friction = r.uniform(0.05, 0.4),
+          .rolling_friction = r.log_uniform(0.003, 0.05),
+          .spinning_friction = r.log_uniform(0.003, 0.05)};
 }
 template <>
 inline Mirror draw<Mirror>(Random& r) {
@@ -41,13 +44,18 @@ inline Mirror draw<Mirror>(Random& r) {
 }
 template <>
 inline Han2005 draw<Han2005>(Random& r) {
-  return {.radius = ball_radius, .height = ball_radius * r.uniform(1.01, 1.7), .restitution = Restitution{r.uniform(0, 1)}, .friction = r.uniform(0, 0.5)};
+  return {.radius = ball_radius,
+          .height = ball_radius * r.uniform(1.01, 1.7),
+          .restitution = Restitution{r.uniform(0, 1)},
+          .friction = r.uniform(0, 0.5)};
 }
 
 /// A moving ball with any spin, over many decades of speed.
 inline State<double> draw_state(Random& r) {
   const double v = r.log_uniform(1e-3, 20), w = v / ball_radius;
-  return {{r.uniform(-2, 2), r.uniform(-2, 2)}, direction(r.uniform(0, 6.28)) * v, {w * r.uniform(-2, 2), w * r.uniform(-2, 2), w * r.uniform(-2, 2)}};
+  return {{r.uniform(-2, 2), r.uniform(-2, 2)},
+          direction(r.uniform(0, 6.28)) * v,
+          {w * r.uniform(-2, 2), w * r.uniform(-2, 2), w * r.uniform(-2, 2)}};
 }
 
 /// ½ v² + ⅕ R² ω²: the energy of a ball of mass 1.

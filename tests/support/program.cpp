@@ -37,7 +37,8 @@ Run run_program(const std::string& arguments, const std::string& input) {
   const Scratch scratch;
   const auto file = [&](const char* name) { return (scratch.path / name).string(); };
   std::ofstream(file("in"), std::ios::binary) << input;
-  const std::string command = "\"" BANKSHOT_PROGRAM "\" " + arguments + " <\"" + file("in") + "\" >\"" + file("out") + "\" 2>\"" + file("err") + "\"";
+  const std::string command = "\"" BANKSHOT_PROGRAM "\" " + arguments + " <\"" + file("in") + "\" >\"" + file("out") +
+                              "\" 2>\"" + file("err") + "\"";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(file("out")), slurp(file("err"))};
 }

@@ -95,7 +95,8 @@ bool place(Random& r, ShotFamily f, const Boundary& b, const Table& t, Vec2d& at
 }  // namespace
 
 std::string name(ShotFamily family) {
-  constexpr const char* names[] = {"uniform", "discrete", "frozen", "corners", "grazing", "masse", "speeds", "dead", "slick", "convex", "reflex", "moved"};
+  constexpr const char* names[] = {"uniform", "discrete", "frozen", "corners", "grazing", "masse",
+                                   "speeds",  "dead",     "slick",  "convex",  "reflex",  "moved"};
   return names[static_cast<int>(family)];
 }
 
@@ -103,7 +104,9 @@ ShotRequest random_shot(Random& r, ShotFamily f) {
   for (;;) {
     ShotRequest shot;
     shot.table = random_table(r, f);
-    shot.ball.radius = f == ShotFamily::discrete ? 0.0625 : f == ShotFamily::moved ? shot.table.diagonal() * r.uniform(0.005, 0.05) : 0.0285;
+    shot.ball.radius = f == ShotFamily::discrete ? 0.0625
+                       : f == ShotFamily::moved  ? shot.table.diagonal() * r.uniform(0.005, 0.05)
+                                                 : 0.0285;
     shot.physics = random_physics(r, f, shot.ball.radius);
     if (is_straight(shot.physics) && r.chance(0.2)) {
       shot.ball.radius = 0;
@@ -113,7 +116,9 @@ ShotRequest random_shot(Random& r, ShotFamily f) {
     double aim = 0;
     if (!place(r, f, boundary, shot.table, shot.ball.at, aim)) continue;
     // Through degrees, as a document says it, so that the document replays the same bits.
-    shot.launch = {f == ShotFamily::speeds ? r.log_uniform(1e-6, 30) : f == ShotFamily::masse ? r.log_uniform(0.05, 4) : r.log_uniform(0.1, 10),
+    shot.launch = {f == ShotFamily::speeds  ? r.log_uniform(1e-6, 30)
+                   : f == ShotFamily::masse ? r.log_uniform(0.05, 4)
+                                            : r.log_uniform(0.1, 10),
                    wrap_angle(radians(exact_degrees(wrap_angle(aim))))};
     if (f == ShotFamily::discrete) shot.launch.speed = r.integer(1, 4);
     if (!is_straight(shot.physics)) shot.spin = random_spin(r, f);

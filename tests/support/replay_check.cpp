@@ -19,7 +19,8 @@ bool same_sequence(const std::vector<int>& asked, const Trajectory& t, std::size
   if (hits.size() < bounces) return false;
   for (std::size_t i = 0; i < bounces; ++i) {
     if (hits[i]->index == asked[i]) continue;
-    const bool swapped = i + 1 < bounces && hits[i]->time == hits[i + 1]->time && hits[i]->index == asked[i + 1] && hits[i + 1]->index == asked[i];
+    const bool swapped = i + 1 < bounces && hits[i]->time == hits[i + 1]->time && hits[i]->index == asked[i + 1] &&
+                         hits[i + 1]->index == asked[i];
     if (!swapped) return false;
     ++i;
   }
