@@ -108,6 +108,37 @@ std::string check_truth(const ShotRequest& shot, const Boundary& boundary, int c
                      cushions, c.ratio(), c.kappa);
 }
 
+constexpr const char* header =
+    "family,seed,shots,events,failed,outside_in_touch,energy_gain,truth,worst_error_over_unit,bound,worst_error_over_extent,ties,wrong_order,"
+    "condition,ill_conditioned,ill_conditioned_beyond\n";
+
+std::string row(test::ShotFamily f, std::uint64_t seed, const Tally& t, bool csv) {
+  constexpr const char* as_csv = "{},{},{},{},{},{:.2g},{:.1g},{},{:.3g},{},{:.2g},{},{},{:.1g},{},{}\n";
+  constexpr const char* as_text =
+      "{:8} seed {}: {} shots, {} events, {} failed; outside by {:.2g} touch, energy gain {:.1g}; {} against 50 digits: worst error {:.2g} of the "
+      "bound's unit (C = {}), {:.2g} of the extent, {} at ties, {} in wrong order; condition up to {:.1g}, {} above 1e6 ({} beyond the bound)\n";
+  return fmt::format(fmt::runtime(csv ? as_csv : as_text), test::name(f), seed, t.shots, t.events, t.failed, t.outside, t.gain, t.truth, t.ratio,
+                     tolerance::simulation_error, t.miss, t.ties, t.wrong, t.kappa, t.conditioned, t.beyond);
+}
+
+/// All shots of a family; each failure prints as JSON that `bankshot simulate` replays.
+Tally run(test::ShotFamily f, std::uint64_t seed, long count, long truth) {
+  constexpr long most_printed = 20;
+  test::Random random(seed);
+  Tally t;
+  for (long i = 0; i < count; ++i) {
+    const ShotRequest shot = test::random_shot(random, f);
+    const Boundary boundary(shot.table, shot.ball.radius);
+    const int cushions = random.integer(1, 12);
+    std::string problem = check(shot, boundary, t);
+    if (problem.empty() && i < truth) problem = check_truth(shot, boundary, cushions, t);
+    ++t.shots;
+    if (problem.empty() || ++t.failed > most_printed) continue;
+    std::cout << fmt::format("FAILED {} number {} of seed {}: {}\n{}\n", test::name(f), i, seed, problem, test::write_shot(shot));
+  }
+  return t;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -115,48 +146,33 @@ int main(int argc, char** argv) {
   long count = 12000, truth = 120;
   std::uint64_t seed = 1;
   std::string family = "all";
+  bool csv = false;
   std::vector<std::string> names{"all"};
   for (const test::ShotFamily f : test::shot_families) names.push_back(test::name(f));
   app.add_option("--count", count)->capture_default_str();
   app.add_option("--seed", seed)->capture_default_str();
   app.add_option("--family", family)->check(CLI::IsMember(names))->capture_default_str();
   app.add_option("--truth", truth, "how many of them are held against 50 digits")->capture_default_str();
+  app.add_flag("--csv", csv);
   CLI11_PARSE(app, argc, argv);
 
   const long parts = family == "all" ? static_cast<long>(std::size(test::shot_families)) : 1;
-  long failed = 0;
+  const auto share = [&](long n) { return (n + parts - 1) / parts; };
   Tally all;
+  if (csv) std::cout << header;
   for (const test::ShotFamily f : test::shot_families) {
     if (family != "all" && family != test::name(f)) continue;
-    test::Random random(seed);
-    Tally t;
-    for (long i = 0; i < (count + parts - 1) / parts; ++i) {
-      const ShotRequest shot = test::random_shot(random, f);
-      const Boundary boundary(shot.table, shot.ball.radius);
-      const int cushions = random.integer(1, 12);
-      std::string problem = check(shot, boundary, t);
-      if (problem.empty() && i < (truth + parts - 1) / parts) problem = check_truth(shot, boundary, cushions, t);
-      ++t.shots;
-      if (problem.empty()) continue;
-      if (++t.failed <= 20)
-        std::cout << fmt::format("FAILED {} number {} of seed {}: {}\n{}\n", test::name(f), i, seed, problem,
-                                 test::write_shot(shot));
-    }
-    std::cout << fmt::format(
-        "{:8} seed {}: {} shots, {} events, {} failed; outside by {:.2g} touch, energy gain {:.1g}; {} against 50 "
-        "digits: worst error {:.2g} of "
-        "the bound's unit (C = {}), {:.2g} of the extent, {} at ties, {} in wrong order; condition up to {:.1g}, {} "
-        "above {:.0g} ({} beyond the bound)\n",
-        test::name(f), seed, t.shots, t.events, t.failed, t.outside, t.gain, t.truth, t.ratio,
-        tolerance::simulation_error, t.miss, t.ties, t.wrong, t.kappa, t.conditioned, hard, t.beyond);
-    failed += t.failed;
+    const Tally t = run(f, seed, share(count), share(truth));
+    std::cout << row(f, seed, t, csv);
     all.ratio = std::max(all.ratio, t.ratio);
     all.shots += t.shots;
+    all.failed += t.failed;
     all.truth += t.truth;
     all.events += t.events;
     all.ties += t.ties;
   }
-  std::cout << fmt::format("{} shots, {} events, {} failed; {} against 50 digits, {} at ties, worst {:.3g} units\n",
-                           all.shots, all.events, failed, all.truth, all.ties, all.ratio);
-  return failed == 0 ? 0 : 1;
+  if (!csv)
+    std::cout << fmt::format("{} shots, {} events, {} failed; {} against 50 digits, {} at ties, worst {:.3g} units\n", all.shots, all.events, all.failed,
+                             all.truth, all.ties, all.ratio);
+  return all.failed == 0 ? 0 : 1;
 }
