@@ -7,10 +7,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace bankshot::mathavan {
-
-inline constexpr int max_order = 48;
 
 /// The number itself, without derivatives or further digits: decisions are taken on it.
 template <class T>
@@ -32,8 +31,12 @@ double magnitude(const T& x) {
   return size;
 }
 
+/// Tolerances below the rounding of double need more terms than it, or a dual number, can use.
 template <class T>
-using Series = std::array<T, max_order + 1>;
+inline constexpr int max_order = requires(T x) { x.a; } || std::is_same_v<T, double> ? 28 : 48;
+
+template <class T>
+using Series = std::array<T, max_order<T> + 1>;
 
 /// Coefficient n of a·b, without the first `from` terms of a and the first `skip` of b.
 template <class T>
@@ -47,6 +50,14 @@ template <class T>
 T evaluate(const Series<T>& a, int order, const T& x) {
   T sum = a[static_cast<std::size_t>(order)];
   for (int j = order; j-- > 0;) sum = sum * x + a[static_cast<std::size_t>(j)];
+  return sum;
+}
+
+/// The same of member k of a series of pairs.
+template <class S, class T>
+T evaluate(const S& a, std::size_t k, int order, const T& x) {
+  T sum = a[static_cast<std::size_t>(order)][k];
+  for (int j = order; j-- > 0;) sum = sum * x + a[static_cast<std::size_t>(j)][k];
   return sum;
 }
 

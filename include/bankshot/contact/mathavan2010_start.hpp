@@ -1,39 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
 // One step of the cushion impact of Mathavan, Jackson & Parkin (2010) as Taylor series in the normal
-// impulse P. The ball has mass 1 and radius 1 (spin velocities are Rω); x runs along the cushion, y
-// into it. With I = (Ix, Iy) and C = (Cx, Cy) the friction at the cushion and at the cloth per unit of
-// P, and q = sin θ + Iy cos θ the load on the cloth, the paper's equations of motion become
-//   ẋI′ = −7/2 Ix − β Cx         ẏI′ = sin θ cos θ − (5/2 + sin²θ) Iy − γ Cy      slip at the cushion
-//   ẋC′ = −β Ix − 7/2 Cx         ẏC′ = −cos θ − γ Iy − 7/2 Cy                     slip at the cloth
-//   vy′ = −(cos θ − Iy sin θ + Cy),   β = 1 − 5/2 sin θ,  γ = 5/2 − sin θ
-// Sliding: I = μw f, C = μs q f, f the direction of that slip. Sticking: the force that keeps the slip 0.
-// Each slip is written r f in polar form, r′ = N and r θ′ = T (N and T: slip acceleration along and
-// across f), because these recurrences also start from r = 0, where a direction needs T = 0:
-// at order n they are linear in the coefficient θn, with the same slope −κ at every order.
+// impulse P, of the forces in mathavan2010_law.hpp, from a slip that is 0 and grows. Each slip is written
+// r f in polar form, r′ = N and r θ′ = T (N and T: slip acceleration along and across f), because these
+// recurrences also start from r = 0, where a direction needs T = 0: at order n they are linear in the
+// coefficient θn, with the same slope −κ at every order.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/contact/mathavan2010_law.hpp"
 #include "bankshot/contact/mathavan2010_polynomial.hpp"
 #include "bankshot/vec.hpp"
 
 namespace bankshot::mathavan {
-
-/// What does not change during an impact.
-template <class T>
-struct Nose {
-  T sine, cosine, mu_w, mu_s;
-  T beta, gamma, yy, push;  ///< β, γ, 5/2 + sin²θ, sin θ cos θ
-
-  Nose(const T& s, const T& c, const T& w, const T& cloth)
-      : sine(s),
-        cosine(c),
-        mu_w(w),
-        mu_s(cloth),
-        beta(T(1) - T(2.5) * s),
-        gamma(T(2.5) - s),
-        yy(T(2.5) + s * s),
-        push(s * c) {}
-};
 
 enum class Slip {
   sticks,  ///< is 0 and stays 0
@@ -55,51 +36,44 @@ struct Contact {
 };
 
 template <class T>
-struct Expansion {
-  explicit Expansion(const Nose<T>& n) : nose(n) {}
+struct Start {
+  explicit Start(const Nose<T>& n) : nose(n) {}
 
   Nose<T> nose;
   Contact<T> cushion, cloth;
   bool lifted = false;  ///< q < 0: the cushion's friction carries the ball, the cloth's is 0
   T unit{1};            ///< of P: dP = unit dσ, so that no coefficient overflows
-  int clock = -1;       ///< dP = unit (r / r0) dσ with the slip of this contact (0 cushion, 1 cloth); −1: without
-  Series<T> q, vy, work, vy_rate, pace;
+  Series<T> q, vy, work, vy_rate;
+
+  Sliding sliding() const { return {cushion.moves(), cloth.moves(), lifted}; }
 
   /// Coefficient n of forces and accelerations from those of the directions.
   void forces(std::size_t n) {
     const int order = static_cast<int>(n);
     const T one = n == 0 ? T(1) : T(0);
     Contact<T>&w = cushion, &c = cloth;
-    if (w.moves()) {
-      w.ix[n] = nose.mu_w * w.fx[n];
-      w.iy[n] = nose.mu_w * w.fy[n];
-    } else {
-      // ẏI′ = 0 with Cy = μs (sin θ + Iy cos θ) fy is one division of series.
-      const T g = nose.gamma * nose.mu_s;
-      w.iy[n] = one * nose.push - g * nose.sine * c.fy[n] - g * nose.cosine * product(c.fy, w.iy, order, 1);
-      w.iy[n] /= nose.yy + g * nose.cosine * c.fy[0];
-    }
-    q[n] = one * nose.sine + w.iy[n] * nose.cosine;
-    if (!c.moves()) {
-      c.ix[n] = nose.beta * w.ix[n] / T(-3.5);
-      c.iy[n] = (one * nose.cosine + nose.gamma * w.iy[n]) / T(-3.5);
-    } else if (lifted) {
-      c.ix[n] = c.iy[n] = T(0);
-    } else {
-      T x(0), y(0);
+    const T known = w.moves() ? T(0) : product(c.fy, w.iy, order, 1);
+    const auto times_load = [&](const T& load) {
+      q[n] = load;
+      Vec2<T> sum{T(0), T(0)};
       for (std::size_t j = 0; j <= n; ++j) {
-        x += q[j] * c.fx[n - j];
-        y += q[j] * c.fy[n - j];
+        sum.x += q[j] * c.fx[n - j];
+        sum.y += q[j] * c.fy[n - j];
       }
-      c.ix[n] = nose.mu_s * x;
-      c.iy[n] = nose.mu_s * y;
-    }
-    if (!w.moves()) w.ix[n] = nose.beta * c.ix[n] / T(-3.5);
-    w.ax[n] = T(-3.5) * w.ix[n] - nose.beta * c.ix[n];
-    w.ay[n] = one * nose.push - nose.yy * w.iy[n] - nose.gamma * c.iy[n];
-    c.ax[n] = -nose.beta * w.ix[n] - T(3.5) * c.ix[n];
-    c.ay[n] = -one * nose.cosine - nose.gamma * w.iy[n] - T(3.5) * c.iy[n];
-    vy_rate[n] = nose.sine * w.iy[n] - one * nose.cosine - c.iy[n];
+      return sum;
+    };
+    const Forces<T> f = mathavan::forces<T>(nose, sliding(), one, {w.fx[n], w.fy[n]}, {c.fx[n], c.fy[n]}, c.fy[0],
+                                            known, times_load);
+    q[n] = f.load;
+    w.ix[n] = f.cushion.x;
+    w.iy[n] = f.cushion.y;
+    c.ix[n] = f.cloth.x;
+    c.iy[n] = f.cloth.y;
+    w.ax[n] = f.cushion_rate.x;
+    w.ay[n] = f.cushion_rate.y;
+    c.ax[n] = f.cloth_rate.x;
+    c.ay[n] = f.cloth_rate.y;
+    vy_rate[n] = f.vy_rate;
     for (Contact<T>* k : {&w, &c}) {
       if (!k->moves()) continue;
       // Four products in one loop: their sums do not wait for each other.
@@ -156,20 +130,14 @@ struct Expansion {
   void integrate(std::size_t n, double sign) {
     const int order = static_cast<int>(n);
     const T by = T(1) / T(order + 1);
-    const auto paced = [&](const Series<T>& a) { return clock < 0 ? unit * a[n] : product(pace, a, order); };
-    for (int i = 0; i < 2; ++i) {
-      Contact<T>& k = i == 0 ? cushion : cloth;
-      if (!k.moves()) continue;
-      k.r[n + 1] = paced(k.along) * by;
-      if (k.slip == Slip::starts) continue;
-      if (i == clock)
-        k.turn[n] = unit * k.across[n] / k.size;
-      else
-        k.turn[n] = (paced(k.across) - product(k.r, k.turn, order, 1)) / k.size;
-      if (i == clock) pace[n + 1] = unit * k.r[n + 1] / k.size;
+    for (Contact<T>* k : {&cushion, &cloth}) {
+      if (!k->moves()) continue;
+      k->r[n + 1] = unit * k->along[n] * by;
+      if (k->slip == Slip::starts) continue;
+      k->turn[n] = (unit * k->across[n] - product(k->r, k->turn, order, 1)) / k->size;
     }
-    work[n + 1] = T(sign) * nose.cosine * paced(vy) * by;  // W′ = |vy| cos θ
-    vy[n + 1] = paced(vy_rate) * by;
+    work[n + 1] = T(sign) * nose.cosine * unit * vy[n] * by;  // W′ = |vy| cos θ
+    vy[n + 1] = unit * vy_rate[n] * by;
   }
 
   /// Order 0: forces and accelerations here and now.
@@ -184,7 +152,6 @@ struct Expansion {
 
   /// All coefficients up to `order`, after begin(). `sign` is that of vy.
   void expand(int order, double sign) {
-    pace[0] = unit;
     T kappa[2]{};
     if (cushion.slip == Slip::starts) kappa[0] = stiffness(cushion);
     if (cloth.slip == Slip::starts) kappa[1] = stiffness(cloth);
@@ -205,6 +172,34 @@ struct Expansion {
       if (k->slip == Slip::starts) k->turn[last - 1] = T(0);
     turn_to(last);
   }
+
+  /// At σ = x: the slip and the friction impulse per unit of P of contact k (0 cushion, 1 cloth).
+  Vec2<T> slip(std::size_t k, int order, const T& x) const {
+    const Contact<T>& c = contact(k);
+    const Vec2<T> d{evaluate(c.fx, order, x), evaluate(c.fy, order, x)};
+    return d / norm(d) * evaluate(c.r, order, x);
+  }
+  Vec2<T> friction(std::size_t k, int order, const T& x) const {
+    const Contact<T>& c = contact(k);
+    return {evaluate(c.ix, order - 1, x), evaluate(c.iy, order - 1, x)};
+  }
+
+  /// Size of the terms of order n.
+  double term(std::size_t n) const {
+    double most = std::max(std::abs(value(vy[n])), std::abs(value(work[n])));
+    for (const Contact<T>* k : {&cushion, &cloth}) {
+      if (!k->moves()) continue;
+      const bool starts = k->slip == Slip::starts;
+      const std::size_t m = starts ? n - 1 : n;
+      const double size = starts ? std::abs(value(k->r[1])) : value(k->size);
+      most = std::max(most, std::abs(value(k->r[n])));
+      most = std::max(most, size * std::max(std::abs(value(k->fx[m])), std::abs(value(k->fy[m]))));
+    }
+    return most;
+  }
+
+  const Contact<T>& contact(std::size_t k) const { return k == 0 ? cushion : cloth; }
+  Contact<T>& contact(std::size_t k) { return k == 0 ? cushion : cloth; }
 };
 
 }  // namespace bankshot::mathavan
