@@ -60,20 +60,24 @@ struct Arc {
     return velocity + acceleration * p;
   }
   /// dr/dt
-  Vec2<T> velocity_at(const T& p) const {
-    if (drag.linear == 0) return tangent(p);
+  Vec2<T> velocity_at(const T& p) const { return drag.linear == 0 ? tangent(p) : slowed_velocity(p); }
+  /// The time at p.
+  T seconds(const T& p) const { return drag.linear == 0 ? p : slowed_seconds(p); }
+  /// The p at a time, which may be beyond the arc's end.
+  T parameter(const T& t) const { return drag.linear == 0 ? t : slowed_parameter(t); }
+
+ private:
+  // Out of line: rare, and long enough to keep the common case from being inlined.
+  [[gnu::noinline]] Vec2<T> slowed_velocity(const T& p) const {
     const T v0 = norm(velocity);
     return velocity * (drag.speed_after(v0, T(p * v0)) / v0);
   }
-  /// The time at p.
-  T seconds(const T& p) const {
-    if (drag.linear == 0) return p;
+  [[gnu::noinline]] T slowed_seconds(const T& p) const {
     const T v0 = norm(velocity);
     return drag.seconds(v0, drag.speed_after(v0, T(p * v0)));
   }
-  /// The p at a time, which may be beyond the arc's end.
-  T parameter(const T& t) const {
-    if (drag.linear == 0 || !(value(t) < value(seconds(duration)))) return t;
+  [[gnu::noinline]] T slowed_parameter(const T& t) const {
+    if (!(value(t) < value(slowed_seconds(duration)))) return t;
     const T v0 = norm(velocity);
     return drag.length_in(v0, t) / v0;
   }
