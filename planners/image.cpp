@@ -84,7 +84,7 @@ void image(Search& s) {
   const bool some_part = beside_centre(s);
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
   const bool unobstructed = s.boundary.strictly_convex && s.boundary.pockets.empty() && is_ideal(s.puzzle.physics);
-  s.proved = s.complete && (!some_part || unobstructed) && !s.frozen();
+  s.proved = s.complete && (!some_part || unobstructed) && !s.frozen() && !(s.boundary.strictly_convex && s.boundary.pockets.empty() && s.rounding_decided);
 }
 
 }  // namespace bankshot::planning

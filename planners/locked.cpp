@@ -212,7 +212,7 @@ std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, 
 
 std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle) {
   const Range& bounds = s.puzzle.speed;
-  if (s.one_unknown()) return is_ideal(s.puzzle.physics) ? std::clamp(1.0, bounds.low, bounds.high) : bounds.low;
+  if (s.one_unknown()) return fixed_speed(s);
   const double asked = aim.asked_speed();
   const auto enough = [&](double v) {
     ++s.simulations;

@@ -62,6 +62,7 @@ struct Search {
   void add_note(const std::string& text) { note += (note.empty() ? "" : "; ") + text; }
   bool complete = false;                ///< every candidate there can be was tried
   bool proved = false;                  ///< and nothing else can reach any part of the target
+  bool rounding_decided = false;        ///< some path through a corner or along a line failed by rounding, perhaps
   bool cut = false;                     ///< the budget ended the search
 
   /// Counts a failed candidate, and keeps it if it came nearest.

@@ -227,12 +227,17 @@ Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contact
   return t;
 }
 
+double fixed_speed(const Search& s) {
+  const Range& bounds = s.puzzle.speed;
+  return is_ideal(s.puzzle.physics) ? std::clamp(1.0, bounds.low, bounds.high) : bounds.low;
+}
+
 std::optional<double> launch_speed(Search& s, double angle, const Trace& t, bool off_centre) {
   const Range& bounds = s.puzzle.speed;
   const int n = t.replay.bounces;
   const auto speed_for = [&](double v) { return std::sqrt((v * v + t.account.loss) / t.account.gain); };
   double low = bounds.low, high = bounds.high;
-  if (is_ideal(s.puzzle.physics)) return bounds.fixed() ? low : std::clamp(1.0, low, high);
+  if (is_ideal(s.puzzle.physics)) return fixed_speed(s);
   if (s.arrival) {
     low = speed_for(s.arrival->low);
     high = speed_for(s.arrival->high);
@@ -303,13 +308,17 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
   const double step = tolerance::nudge * s.boundary.diagonal / path;
   // A path through corners was likely asked at a round angle, which the image has to rounding only.
   const double rounded = radians(std::round(degrees(angle) * 1e9) / 1e9);
-  if (std::abs(rounded - angle) < step && !s.spent() && attempt(rounded, 0)) return true;
+  const bool round = std::abs(rounded - angle) < step;
+  if (round && !s.spent() && attempt(rounded, 0)) return true;
+  // Two cushions met in one instant at the speed that is given need not be at the trace's.
+  if (round && s.one_unknown() && !s.spent() && certify(s, {fixed_speed(s), rounded}, bounces, planner)) return true;
   for (const double k : {0.0, 1.0, -1.0, 10.0, -10.0})
     for (const double shorter : {0.0, step}) {
       if (s.spent()) return false;
       const bool tried = k == 0 && shorter == 0;
       if (!tried && (shorter == 0 || s.stop) && attempt(angle + k * step, shorter)) return true;
     }
+  s.rounding_decided = s.rounding_decided || !last.made;
   return false;
 }
 

@@ -61,6 +61,9 @@ struct Trace {
 };
 Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts = nullptr);
 
+/// The launch speed where only the aim is unknown: the fixed one, in `ideal` 1 m/s brought inside the bounds.
+double fixed_speed(const Search& s);
+
 /// The launch speed for this path: fixed, or chosen by `prefer` inside what the puzzle leaves
 /// free. None when a bound forbids it; then the search remembers it. `off_centre`: to rest beside the
 /// target's centre the bound itself may do.
