@@ -291,10 +291,14 @@ bool certify(Search& s, const Launch& proposed, int bounces, std::string_view pl
 bool certify_aim(Search& s, double angle, int bounces, std::string_view planner, bool off_centre) {
   const Goal goal = Goal::exactly(s, bounces);
   Replay last;
+  std::optional<Failure> first;
+  bool alike = true;  // on both sides of the aim a path fails for one reason, unless it runs through a corner
   const auto attempt = [&](double a, double shorter) {
     const Trace t = trace(s, a, goal);
     last = t.replay;
     if (!t.replay.made) {
+      if (!first) first = t.replay.failure;
+      alike = alike && first->foul == last.failure.foul && first->index == last.failure.index;
       s.remember({{s.puzzle.speed.high, a}, bounces, t.replay.miss, t.replay.failure});
       return false;
     }
@@ -318,7 +322,7 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
       const bool tried = k == 0 && shorter == 0;
       if (!tried && (shorter == 0 || s.stop) && attempt(angle + k * step, shorter)) return true;
     }
-  s.rounding_decided = s.rounding_decided || !last.made;
+  s.rounding_decided = s.rounding_decided || !alike;
   return false;
 }
 
