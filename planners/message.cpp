@@ -6,11 +6,41 @@
 #include <algorithm>
 
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/boundary.hpp"
 #include "bankshot/tolerances.hpp"
 #include "planners/verify.hpp"
 
 namespace bankshot::planning {
 namespace {
+
+/// The aims that the puzzle allows, in words.
+std::string aims(const Search& s) {
+  const Range aim = s.puzzle.angle.value_or(Range{0, radians(360)});
+  const double to = degrees(aim.high);
+  return fmt::format("{:.4g}° to {:.4g}°", degrees(aim.low), to > 360 ? to - 360 : to);
+}
+
+/// What went wrong, as the end of a sentence that begins with "it".
+std::string explain(const Search& s, const Failure& f) {
+  const auto cushion = [&] { return contact_name(s.puzzle.table, f.index); };
+  const Range& v = s.puzzle.speed;
+  switch (f.foul) {
+    case Foul::none:
+    case Foul::missed: return "passes by the target";
+    case Foul::fell_short: return "stops before the target";
+    case Foul::wrong_cushion: return fmt::format("meets cushion {} out of turn", cushion());
+    case Foul::extra_cushion: return fmt::format("meets cushion {} before the target", cushion());
+    case Foul::pocketed:
+      return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(f.index)].name);
+    case Foul::too_fast: return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
+    case Foul::too_slow:
+      if (s.stop && deceleration(s.puzzle.physics) == 0) return "never stops, for the rolling friction is 0";
+      return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
+    case Foul::too_long: return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
+    case Foul::outside_aim: break;
+  }
+  return fmt::format("needs an aim outside the bounds of {}", aims(s));
+}
 
 /// The reasons that candidates failed for, the most frequent first.
 std::string failures(const Search& s) {
@@ -56,7 +86,7 @@ std::string message(const Search& s, const Answer& a, std::size_t found) {
     const Range& v = s.puzzle.speed;
     text = fmt::format("searched {} and aims {} with {}: {}",
                        v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low) : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high),
-                       planning::aims(s), asked_cushions(s.puzzle.cushions), failures(s));
+                       aims(s), asked_cushions(s.puzzle.cushions), failures(s));
   }
   if (a.status != Status::solved && !s.puzzle.cushions.sequence && s.puzzle.cushions.max > 0 && s.frozen())
     text += "; aims straight into a cushion that the ball touches were left out";

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "planners/verify.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -324,33 +322,6 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
     }
   s.rounding_decided = s.rounding_decided || !alike;
   return false;
-}
-
-std::string aims(const Search& s) {
-  const Range aim = s.puzzle.angle.value_or(Range{0, radians(360)});
-  const double to = degrees(aim.high);
-  return fmt::format("{:.4g}° to {:.4g}°", degrees(aim.low), to > 360 ? to - 360 : to);
-}
-
-std::string explain(const Search& s, const Failure& f) {
-  const auto cushion = [&] { return contact_name(s.puzzle.table, f.index); };
-  const Range& v = s.puzzle.speed;
-  switch (f.foul) {
-    case Foul::none:
-    case Foul::missed: return "passes by the target";
-    case Foul::fell_short: return "stops before the target";
-    case Foul::wrong_cushion: return fmt::format("meets cushion {} out of turn", cushion());
-    case Foul::extra_cushion: return fmt::format("meets cushion {} before the target", cushion());
-    case Foul::pocketed:
-      return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(f.index)].name);
-    case Foul::too_fast: return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
-    case Foul::too_slow:
-      if (s.stop && deceleration(s.puzzle.physics) == 0) return "never stops, for the rolling friction is 0";
-      return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
-    case Foul::too_long: return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
-    case Foul::outside_aim: break;
-  }
-  return fmt::format("needs an aim outside the bounds of {}", aims(s));
 }
 
 }  // namespace bankshot::planning

@@ -79,10 +79,4 @@ bool certify(Search& s, const Launch& launch, int bounces, std::string_view plan
 bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
                  bool off_centre = false);
 
-/// The aims that the puzzle allows, in words.
-std::string aims(const Search& s);
-
-/// What went wrong, as the end of a sentence that begins with "it".
-std::string explain(const Search& s, const Failure& failure);
-
 }  // namespace bankshot::planning
