@@ -27,7 +27,7 @@ void beside_centre(Search& s) {
 
 /// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets
 /// whose centre something blocks: it often does at a pocket, hardly ever at a point.
-void with_spin(Search& s) {
+void search_with_spin(Search& s) {
   constexpr Spacing coarse{}, fine{radians(0.7), 0.08}, real{radians(2), 0.12, false}, finest{radians(0.8), 0.05, false};
   image_seeds(s, true);
   if (s.cut) return;
@@ -40,6 +40,27 @@ void with_spin(Search& s) {
   if (s.shots.empty() && !s.cut && !s.point()) map(s, finest);
   beside_centre(s);
   if (s.shots.empty() && !s.cut) nlopt_direct(s);
+}
+
+/// Where the end of a range of arrival speeds that is preferred is out of reach: its other end, its middle,
+/// then launches at the bounds of their own speed, which arrive as they may.
+void with_spin(Search& s) {
+  search_with_spin(s);
+  if (!s.arrival || s.arrival->fixed()) return;
+  const Range& arrive = *s.arrival;
+  const auto nothing_yet = [&] { return s.shots.empty() && !s.cut; };
+  const double preferred = s.asked;
+  for (const double asked : {arrive.low + arrive.high - preferred, (arrive.low + arrive.high) / 2}) {
+    if (!nothing_yet()) return;
+    s.asked = asked;
+    search_with_spin(s);
+  }
+  for (const double speed : {s.puzzle.speed.high, s.puzzle.speed.low}) {
+    if (!nothing_yet() || !(speed > 0)) return;
+    s.pinned = speed;
+    search_with_spin(s);
+  }
+  s.pinned.reset();
 }
 
 }  // namespace

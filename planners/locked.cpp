@@ -56,7 +56,7 @@ bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r, boo
   if (!two) return true;
   T speed2 = dot(arrival.state.velocity, arrival.state.velocity);
   if (arrival.at_rest) speed2 = T(-2 * deceleration(a.s.puzzle.physics)) * dot(u, off);
-  const double asked = a.asked_speed();
+  const double asked = a.s.asked;
   r[1] = (speed2 - T(asked * asked)) / T(std::max(1.0, asked * asked));
   return true;
 }
@@ -213,7 +213,7 @@ std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, 
 std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle) {
   const Range& bounds = s.puzzle.speed;
   if (s.one_unknown()) return fixed_speed(s);
-  const double asked = aim.asked_speed();
+  const double asked = s.asked;
   const auto enough = [&](double v) {
     ++s.simulations;
     const auto arrival = arrival_of(aim, start_of(s, angle, v), s.rough);

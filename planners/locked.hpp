@@ -24,8 +24,6 @@ struct LockedAim {
   Vec2d target;
 
   double capture() const { return s.capture(s.reach(target)); }
-  /// Of a range, the end that `prefer` chooses.
-  double asked_speed() const { return s.puzzle.prefer == Prefer::soft ? s.arrival->low : s.arrival->high; }
 };
 
 /// Residuals and their derivatives with respect to the aim and ln speed at one launch.

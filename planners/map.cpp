@@ -58,7 +58,7 @@ class Map {
 
   std::vector<double> speeds() const {
     const Range& v = s_.puzzle.speed;
-    if (v.fixed()) return {v.low};
+    if (s_.pinned || v.fixed()) return {s_.pinned.value_or(v.low)};
     const double low = std::max(v.low, slowest_arrival());
     if (!(low < v.high)) return {v.high};
     const int rows = 1 + static_cast<int>(std::ceil(std::log(v.high / low) / cell_.speed));

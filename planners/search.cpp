@@ -19,6 +19,7 @@ Physics roughly(Physics p) {
 Search::Search(const Puzzle& p, bool find_all)
     : puzzle(p), boundary(p.table, p.ball.radius), rough(roughly(p.physics)), all(find_all), arrival(arrival_range(p)),
       stop(point() && arrival && arrival->high == 0) {
+  if (arrival) asked = p.prefer == Prefer::soft ? arrival->low : arrival->high;
   if (const PointTarget* t = point()) {
     aim_points_ = {t->at};
     return;

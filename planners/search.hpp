@@ -40,6 +40,8 @@ struct Search {
   bool all;
   std::optional<Range> arrival;  ///< speed asked at the target; none: any
   bool stop;                     ///< the ball must come to rest at the target
+  double asked = 0;              ///< m/s, of a range of arrival speeds the one to aim for; `prefer` chooses
+  std::optional<double> pinned{};  ///< m/s, a launch speed to keep to: then any arrival in the range will do
 
   long simulations = 0;
   std::vector<Shot> shots;
@@ -75,7 +77,7 @@ struct Search {
     cut = cut || simulations >= puzzle.budget;
     return cut;
   }
-  bool one_unknown() const { return !arrival; }
+  bool one_unknown() const { return !arrival || pinned; }
   /// Where shots are aimed: the point, or the pocket's centre.
   const std::vector<Vec2d>& aim_points() const { return aim_points_; }
   /// How far from an aim point still counts: `within`, or the pocket's capture radius.

@@ -226,6 +226,7 @@ Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contact
 }
 
 double fixed_speed(const Search& s) {
+  if (s.pinned) return *s.pinned;
   const Range& bounds = s.puzzle.speed;
   return is_ideal(s.puzzle.physics) ? std::clamp(1.0, bounds.low, bounds.high) : bounds.low;
 }

@@ -38,6 +38,18 @@ TEST_CASE("spin is used where nothing works without") {
   CHECK(a.message.find("spins were tried") != std::string::npos);
 }
 
+TEST_CASE("of a range of arrival speeds one that can be reached is found") {
+  // No launch up to 3 m/s arrives at 6 m/s, nor any that gets there at 5.
+  for (const char* prefer : {"robust", "soft", "quick"}) {
+    const Puzzle p = read(std::string(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 1, "speed": [2, 3], "arrive": {"speed": [0.5, 6]}, "prefer": ")") + prefer + "\"}");
+    const Answer a = solve(p, {.robustness = false});
+    INFO(a.message);
+    REQUIRE(a.status == Status::solved);
+    CHECK(a.shots[0].miss < 1e-9);
+    CHECK(p.arrive->contains(a.shots[0].arrival.speed));
+  }
+}
+
 TEST_CASE("the safest launch is made and no less likely than the centred one") {
   Puzzle p = read(R"(}, "target": {"pocket": "top-right"}, "cushions": ["bottom"], "arrive": {"speed": 0.3}})");
   const Answer centred = solve(p);
