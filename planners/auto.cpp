@@ -28,11 +28,10 @@ void beside_centre(Search& s) {
 /// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets
 /// whose centre something blocks: it often does at a pocket, hardly ever at a point.
 void search_with_spin(Search& s) {
-  constexpr Spacing coarse{}, fine{radians(0.7), 0.08}, real{radians(2), 0.12, false}, finest{radians(0.8), 0.05, false};
+  constexpr Spacing fine{radians(0.7), 0.08}, real{radians(2), 0.12, false}, finest{radians(0.8), 0.05, false};
   image_seeds(s, true);
   if (s.cut) return;
-  if (s.all) sweep(s);
-  if (s.shots.empty()) map(s, coarse);
+  if (s.all || s.shots.empty()) sweep(s);
   if (!s.point()) beside_centre(s);
   if (s.shots.empty() && !s.cut) map(s, fine);
   if (s.shots.empty() && !s.cut && s.puzzle.cushions.sequence) map(s, real);

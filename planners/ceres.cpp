@@ -2,10 +2,9 @@
 //
 // Planner `ceres`: Levenberg–Marquardt (ceres::TinySolver) on dual-number derivatives of the
 // locked-sequence residual, in (aim, ln speed) or in the aim alone.
-// Seeds: the images of unfold.hpp with the sequence their trace meets; on tables with reflex
-// vertices also a fan of aims. Cost: about ten locked simulations a seed. Guarantee: none beyond the
+// Seeds: the images of unfold.hpp with their sequences; on tables with reflex vertices also a fan of
+// aims with the sequences their traces meet. Cost: about ten locked simulations a seed. Guarantee: none beyond the
 // certificate; it finds the root its seed leads to.
-#include <cmath>
 #include <set>
 
 #include "planners/locked.hpp"
@@ -17,11 +16,6 @@ namespace bankshot::planning {
 namespace {
 
 constexpr int fan = 720;  // aims tried as seeds where no image exists: every half degree
-
-/// Shots to choose from; more would hardly be better.
-constexpr std::size_t enough_to_compare = 32;
-
-bool enough(Search& s) { return s.spent() || (!s.all && s.shots.size() >= enough_to_compare); }
 
 /// Refines one image along one sequence; true when it leads to a root, a shot or not.
 bool from_seed(Search& s, double angle, const std::vector<int>& contacts, const Vec2d& target, bool quickly) {
@@ -39,31 +33,11 @@ bool from_seed(Search& s, double angle, const std::vector<int>& contacts, const 
 /// restitution: spin changes the rebound's angle, and one of these comes near it.
 constexpr double shares[] = {1, 0.8, 1.2, 0.6, 1.5};
 
-}  // namespace
-
-void image_seeds(Search& s, bool quickly) {
-  const bool straight = is_straight(s.puzzle.physics);
-  std::set<std::pair<std::vector<int>, std::pair<double, double>>> settled;  // a sequence with a root has hardly ever another
-  for (const double share : shares) {
-    Unfolding images(s, !straight, share * restitution(s.puzzle.physics).at_rest, true);
-    while (const auto c = images.next()) {
-      if (enough(s)) return;
-      std::pair key{images.contacts(*c), std::pair{c->target.x, c->target.y}};
-      if (!straight && settled.contains(key)) continue;
-      if (from_seed(s, c->angle, key.first, c->target, quickly)) settled.insert(std::move(key));
-    }
-    if (straight || !images.whole()) return;
-    if (s.puzzle.cushions.sequence && !s.shots.empty()) return;
-  }
-}
-
-namespace {
-
 void from_fan(Search& s) {
   const CushionRule& rule = s.puzzle.cushions;
   for (int i = 0; i < fan; ++i)
     for (int n = rule.min; n <= rule.max; ++n) {
-      if (enough(s)) return;
+      if (s.enough()) return;
       const double angle = radians(360.0 / fan) * i;
       std::vector<int> contacts;
       trace(s, angle, Goal::exactly(s, n), &contacts);
@@ -74,6 +48,22 @@ void from_fan(Search& s) {
 }
 
 }  // namespace
+
+void image_seeds(Search& s, bool quickly) {
+  const bool straight = is_straight(s.puzzle.physics);
+  std::set<std::pair<std::vector<int>, std::pair<double, double>>> settled;  // a sequence with a root has hardly ever another
+  for (const double share : shares) {
+    Unfolding images(s, !straight, share * restitution(s.puzzle.physics).at_rest, true);
+    while (const auto c = images.next()) {
+      if (s.enough()) return;
+      std::pair key{images.contacts(*c), std::pair{c->target.x, c->target.y}};
+      if (!straight && settled.contains(key)) continue;
+      if (from_seed(s, c->angle, key.first, c->target, quickly)) settled.insert(std::move(key));
+    }
+    if (straight || !images.whole()) return;
+    if (s.puzzle.cushions.sequence && !s.shots.empty()) return;
+  }
+}
 
 void ceres(Search& s) {
   image_seeds(s, false);

@@ -34,7 +34,7 @@ void order(const Puzzle& p, std::vector<Shot>& shots) {
 
 /// Where some line reaches the target's centre, shots beside it are no answer.
 void keep_centred(const Search& s, std::vector<Shot>& shots) {
-  const auto beside = [&](const Shot& shot) { return shot.miss > tolerance::exact_miss * s.boundary.diagonal; };
+  const auto beside = [&](const Shot& shot) { return !s.centred(shot.miss); };
   if (!std::all_of(shots.begin(), shots.end(), beside)) std::erase_if(shots, beside);
 }
 
@@ -44,9 +44,7 @@ constexpr std::size_t most_compared = 64;
 /// The same shot with another launch; none where it is not made.
 std::optional<Shot> moved(Search& s, const Shot& from, const Launch& to) {
   if (!(to.speed > 0) || !s.puzzle.speed.contains(to.speed)) return {};
-  Goal goal = Goal::exactly(s, static_cast<int>(from.cushions.size()));
-  goal.sequence = &from.cushions;
-  const Replay r = replay(s, to, goal);
+  const Replay r = replay(s, to, Goal::along(from.cushions));
   if (!r.made) return {};
   Shot shot = from;
   shot.launch = to;

@@ -19,15 +19,14 @@
 namespace bankshot::planning {
 namespace {
 
-/// Shots to compare by success when images come shortest first: the first-order margin only falls
-/// with the length, so later ones are worse unless a bound or a pocket makes the difference.
-constexpr std::size_t enough_to_compare = 32;
 /// Aims tried across the part of a target that a ray may reach.
 constexpr int aims_across = 33;
 
+/// Where images come shortest first: the first-order margin only falls with the length, so later ones are
+/// worse unless a bound or a pocket makes the difference.
 bool enough(const Search& s, const Unfolding& images) {
   if (s.all || !images.shortest_first()) return false;
-  return s.shots.size() >= (s.puzzle.prefer == Prefer::robust ? enough_to_compare : 1);
+  return s.shots.size() >= (s.puzzle.prefer == Prefer::robust ? Search::enough_to_compare : 1);
 }
 
 /// Every centred candidate; true when all were tried.
@@ -83,8 +82,8 @@ void image(Search& s) {
   if (!s.shots.empty() || s.cut || !whole) return;
   const bool some_part = beside_centre(s);
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
-  const bool unobstructed = s.boundary.strictly_convex && s.boundary.pockets.empty() && is_ideal(s.puzzle.physics);
-  s.proved = s.complete && (!some_part || unobstructed) && !s.frozen() && !(s.boundary.strictly_convex && s.boundary.pockets.empty() && s.rounding_decided);
+  const bool no_obstacle = s.boundary.strictly_convex && s.boundary.pockets.empty();
+  s.proved = s.complete && (!some_part || (no_obstacle && is_ideal(s.puzzle.physics))) && !s.frozen() && !(no_obstacle && s.rounding_decided);
 }
 
 }  // namespace bankshot::planning

@@ -7,7 +7,6 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/boundary.hpp"
-#include "bankshot/tolerances.hpp"
 #include "planners/verify.hpp"
 
 namespace bankshot::planning {
@@ -75,7 +74,7 @@ std::string message(const Search& s, const Answer& a, std::size_t found) {
   std::string text;
   if (a.status == Status::solved) {
     text = found == 1 ? "one shot found" : fmt::format("{} distinct shots found", found);
-    if (a.shots.front().miss > tolerance::exact_miss * s.boundary.diagonal) text += "; nothing found reaches the target's centre, this reaches part of it";
+    if (!s.centred(a.shots.front().miss)) text += "; nothing found reaches the target's centre, this reaches part of it";
     if (s.cut) text += "; the budget ended the search, so there may be better ones";
     if (s.all && !s.complete && !s.cut) text += "; there may be more: shots in a narrow range of aims can be missed";
   } else if (a.status == Status::budget) {

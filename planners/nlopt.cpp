@@ -150,16 +150,15 @@ Range all_angles(const Search& s) { return s.puzzle.angle.value_or(Range{0, radi
 
 double some_speed(const Search& s) {
   const Range& v = s.puzzle.speed;
-  return is_ideal(s.puzzle.physics) ? std::clamp(1.0, v.low, v.high) : (v.low + v.high) / 2;
+  return s.one_unknown() ? fixed_speed(s) : (v.low + v.high) / 2;
 }
 
 void from_images(Search& s, const Method& m) {
-  constexpr std::size_t enough_to_compare = 32;
   const Range angles = all_angles(s);
   const bool straight = is_straight(s.puzzle.physics), locked = m.scope == Scope::gradient;
   Unfolding images(s, !straight, restitution(s.puzzle.physics).at_rest, locked);
   while (const auto c = images.next()) {
-    if (s.spent() || (!s.all && s.shots.size() >= enough_to_compare)) return;
+    if (s.enough()) return;
     const double angle = c->angle < angles.low ? c->angle + radians(360) : c->angle;
     if (locked) {
       const std::vector<int> contacts = images.contacts(*c);

@@ -41,7 +41,7 @@ class PartOfTarget {
     double aim;
     Replay replay;
     bool like(const Tried& o) const {
-      return replay.failure.foul == o.replay.failure.foul && replay.failure.index == o.replay.failure.index && replay.bounces == o.replay.bounces;
+      return replay.failure.like(o.replay.failure) && replay.bounces == o.replay.bounces;
     }
   };
 
@@ -108,8 +108,7 @@ bool reach_part(Search& s, const Search::Lead& lead, std::string_view planner) {
   const LockedAim locked{s, lead.contacts, lead.target};
   const double half = lead.half > 0 ? lead.half : half_window(s, locked, lead.launch);
   if (!(half > 0)) return false;
-  Goal goal = Goal::exactly(s, static_cast<int>(lead.contacts.size()));
-  goal.sequence = &lead.contacts;
+  const Goal goal = Goal::along(lead.contacts);
   const auto launch = [&](double aim) -> std::optional<Launch> {
     const auto speed = speed_near(s, locked, aim, lead.launch.speed);
     if (!speed) return {};

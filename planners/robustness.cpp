@@ -94,8 +94,7 @@ class LinearModel {
 double angle_difference(double a, double b) { return wrap_angle(b - a + radians(180)) - radians(180); }
 
 void find_margin(Search& s, Shot& shot) {
-  Goal goal = Goal::exactly(s, static_cast<int>(shot.cushions.size()));
-  goal.sequence = &shot.cushions;
+  const Goal goal = Goal::along(shot.cushions);
   const Launch& at = shot.launch;
   const auto made = [&](double speed, double angle) {
     return speed > 0 && replay(s, {speed, wrap_angle(angle)}, goal).made;

@@ -45,7 +45,7 @@ double Search::nearest_reach(const Vec2d& arrived) const { return reach(nearest_
 void Search::remember(const NearMiss& m) {
   if (m.miss < near.miss) near = m;
   for (Counted& c : failures) {
-    if (c.failure.foul != m.failure.foul || c.failure.index != m.failure.index) continue;
+    if (!c.failure.like(m.failure)) continue;
     ++c.times;
     if (m.failure.foul == Foul::too_fast) c.failure.speed = std::min(c.failure.speed, m.failure.speed);
     if (m.failure.foul == Foul::too_slow) c.failure.speed = std::max(c.failure.speed, m.failure.speed);
@@ -66,6 +66,8 @@ bool Search::touches(int contact) const {
     if (tip.contact == contact) return norm(puzzle.ball.at - tip.centre) - tip.radius <= slack;
   return false;
 }
+
+bool Search::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }
 
 bool Search::frozen() const {
   const auto contacts = 2 * static_cast<int>(boundary.walls.size());

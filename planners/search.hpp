@@ -22,6 +22,7 @@ struct Failure {
   Foul foul = Foul::none;
   int index = -1;    ///< the contact or pocket that stood in the way
   double speed = 0;  ///< m/s, what a bound on the speed forbids (too_fast, too_slow)
+  bool like(const Failure& o) const { return foul == o.foul && index == o.index; }
 };
 
 struct NearMiss {
@@ -77,6 +78,10 @@ struct Search {
     cut = cut || simulations >= puzzle.budget;
     return cut;
   }
+  /// Shots to choose from; more would hardly be better.
+  static constexpr std::size_t enough_to_compare = 32;
+  /// Whether a planner that proposes seed after seed may stop.
+  bool enough() { return spent() || (!all && shots.size() >= enough_to_compare); }
   bool one_unknown() const { return !arrival || pinned; }
   /// Where shots are aimed: the point, or the pocket's centre.
   const std::vector<Vec2d>& aim_points() const { return aim_points_; }
@@ -92,6 +97,8 @@ struct Search {
     const auto& p = std::get_if<PocketTarget>(&puzzle.target)->pocket;
     return !p || *p == pocket;
   }
+  /// A miss this small is one of the target's centre.
+  bool centred(double miss) const;
   /// The ball touches this contact at the start; any at all.
   bool touches(int contact) const;
   bool frozen() const;

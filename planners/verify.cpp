@@ -186,8 +186,6 @@ bool same_launch(const Shot& a, const Launch& b) {
          std::abs(a.launch.speed - b.speed) <= tolerance::exact_speed * std::max(1.0, b.speed);
 }
 
-bool centred(const Search& s, const Replay& r) { return r.miss <= tolerance::exact_miss * s.boundary.diagonal; }
-
 bool fast_as_asked(const Search& s, const Replay& r) {
   if (!s.arrival || s.stop) return true;
   const double slack = tolerance::exact_speed * std::max(1.0, s.arrival->high);
@@ -268,7 +266,7 @@ bool certify(Search& s, const Launch& proposed, int bounces, std::string_view pl
   if (!inside(launch.speed, s.puzzle.speed)) return false;
   std::vector<int> contacts;
   const Replay r = replay(s, launch, Goal::exactly(s, bounces), &contacts);
-  if (!r.made || !fast_as_asked(s, r) || !(off_centre || centred(s, r))) {
+  if (!r.made || !fast_as_asked(s, r) || !(off_centre || s.centred(r.miss))) {
     s.remember({launch, bounces, r.miss, r.failure});
     return false;
   }
@@ -297,7 +295,7 @@ bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
     last = t.replay;
     if (!t.replay.made) {
       if (!first) first = t.replay.failure;
-      alike = alike && first->foul == last.failure.foul && first->index == last.failure.index;
+      alike = alike && first->like(last.failure);
       s.remember({{s.puzzle.speed.high, a}, bounces, t.replay.miss, t.replay.failure});
       return false;
     }

@@ -25,6 +25,10 @@ struct Goal {
     g.min = g.max = bounces;
     return g;
   }
+  static Goal along(const std::vector<int>& contacts) {
+    const int n = static_cast<int>(contacts.size());
+    return {n, n, &contacts};
+  }
 };
 
 struct Replay {
