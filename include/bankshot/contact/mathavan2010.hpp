@@ -36,7 +36,6 @@ struct Mathavan2010 {
   /// bounce() that tells how the impact went.
   template <class T, class N>
   mathavan::Course course(State<T>& s, const Vec2<N>& normal) const {
-    using std::sqrt;
     const Vec2<T> away = to<T>(normal);
     InCushionFrame<T> f = into_frame(s, away);
     const double approach = mathavan::value(f.vn);
@@ -51,7 +50,8 @@ struct Mathavan2010 {
       return {};
     }
     // The paper's axes: y into the cushion, x = y × z = −t. Mass 1, radius 1, approach speed 1.
-    const T sine = (T(height) - R) / R, cosine = sqrt((T(1) - sine) * (T(1) + sine));
+    const NoseAngle<Real<T>> angle(height, radius);
+    const T sine(angle.sine), cosine(angle.cosine);
     const mathavan::Nose<T> nose(sine, cosine, T(friction), T(sliding_friction));
     const T by = T(1) / T(approach), spin = R * by;
     T vx = -f.vt * by, vy = f.vn * by, wx = -f.wt * spin, wy = f.wn * spin, wz = f.wz * spin;
