@@ -15,6 +15,7 @@
 #include "planners/locked.hpp"
 #include "planners/planners.hpp"
 #include "planners/robustness.hpp"
+#include "planners/unfold.hpp"
 #include "planners/verify.hpp"
 
 namespace bankshot::planning {
@@ -40,6 +41,18 @@ class Map {
       }
     }
     if (s_.shots.empty()) s_.leads.insert(s_.leads.end(), leads_.begin(), leads_.end());
+  }
+
+  void fan_out() {
+    const int most = static_cast<int>(std::ceil(radians(180) / cell_.aim));
+    Unfolding images(s_, true, restitution(s_.puzzle.physics).at_rest, true);
+    while (const auto image = images.next()) {
+      const std::vector<int> contacts = images.contacts(*image);
+      for (int i = 1; i <= 2 * most && !done(); ++i) {
+        const double angle = image->angle + cell_.aim * (i / 2) * (i % 2 == 0 ? 1 : -1);
+        if (const auto speed = speed_at(s_, {s_, contacts, image->target}, angle, image->distance)) node(angle, *speed);
+      }
+    }
   }
 
  private:
@@ -148,5 +161,6 @@ class Map {
 }  // namespace
 
 void map(Search& s, const Spacing& spacing) { Map(s, spacing).run(); }
+void fan_out(Search& s, const Spacing& spacing) { Map(s, spacing).fan_out(); }
 
 }  // namespace bankshot::planning
