@@ -133,12 +133,9 @@ void look(Search& s, const Motion& motion, const State<Jet>& state, Forward& out
 }  // namespace
 
 std::optional<Vec2d> newton_step(const Linear& l, bool one_unknown) {
-  if (one_unknown) {
-    if (l.by_aim[0] == 0) return {};
-    return Vec2d{-l.r[0] / l.by_aim[0], 0};
-  }
-  const double det = l.by_aim[0] * l.by_speed[1] - l.by_aim[1] * l.by_speed[0];
+  const double det = l.determinant(one_unknown);
   if (det == 0) return {};
+  if (one_unknown) return Vec2d{-l.r[0] / det, 0};
   return Vec2d{(l.by_speed[0] * l.r[1] - l.by_speed[1] * l.r[0]) / det, (l.by_aim[1] * l.r[0] - l.by_aim[0] * l.r[1]) / det};
 }
 

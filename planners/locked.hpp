@@ -29,6 +29,10 @@ struct LockedAim {
 /// Residuals and their derivatives with respect to the aim and ln speed at one launch.
 struct Linear {
   double r[2]{}, by_aim[2]{}, by_speed[2]{};
+  /// Its sign changes across a fold of the map.
+  double determinant(bool one_unknown) const {
+    return one_unknown ? by_aim[0] : by_aim[0] * by_speed[1] - by_aim[1] * by_speed[0];
+  }
 };
 
 /// The step in (aim, ln speed) to the root of the linear system; none where it is singular. With one

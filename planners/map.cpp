@@ -102,10 +102,32 @@ class Map {
     const Launch predicted{speed * std::exp(step->y), angle + step->x};
     const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
     const LockedAim aim{s_, contacts, s_.aim_points()[p.aim_point]};
-    if (const auto root = new_root(aim, predicted, p.aim_point)) {
-      roots_.push_back({{contacts.begin(), contacts.end()}, p.aim_point, *root});
-      certify_root(s_, aim, *root, "sweep");
-    }
+    if (const auto root = new_root(aim, predicted, p.aim_point)) add(aim, *root, p.aim_point);
+  }
+
+  void add(const LockedAim& aim, const Launch& root, std::size_t aim_point) {
+    roots_.push_back({{aim.contacts.begin(), aim.contacts.end()}, aim_point, root});
+    certify_root(s_, aim, root, "sweep");
+    if (s_.all) across_fold(aim, root, aim_point);
+  }
+
+  /// Roots come in pairs on the two sides of a fold or a kink, where the determinant changes its sign; nodes
+  /// are too far apart to see both. So Newton's method also starts around a root wherever that sign is another.
+  void across_fold(const LockedAim& aim, const Launch& root, std::size_t aim_point) {
+    const auto determinant = [&](const Launch& l) {
+      const auto at = linearise(s_, aim, l);
+      return at ? at->determinant(s_.one_unknown()) : 0;
+    };
+    const double here = determinant(root);
+    constexpr int ways = 8;
+    for (const double cells : {0.02, 0.1, 0.3})
+      for (int i = 0; i < ways; ++i) {
+        const Vec2d turn = direction(radians(360) * i / ways) * cells;
+        const Launch from{root.speed * std::exp(turn.y * cell_.speed), root.angle + turn.x * cell_.aim};
+        if (!(determinant(from) * here < 0)) continue;
+        const auto other = newton(s_, aim, from, {cell_.aim, cell_.speed});
+        if (other && !known(*other, aim.contacts, aim_point, 0)) add(aim, *other, aim_point);
+      }
   }
 
   /// The root that a prediction leads to; none when it is known.
