@@ -16,6 +16,8 @@ bankshot_need(fmt 8 libfmt-dev)
 bankshot_need(CLI11 2.1 libcli11-dev)
 bankshot_need(Eigen3 3.4 libeigen3-dev NO_MODULE)
 bankshot_need(Ceres 2.1 libceres-dev)
+bankshot_need(Boost 1.74 libboost-dev)
+bankshot_need(TBB 2021 libtbb-dev)
 
 # NLopt is packaged twice under one CMake name (C and C++), so ask for the target.
 find_package(NLopt 2.7 QUIET)

@@ -11,7 +11,7 @@
 namespace bankshot::app {
 
 /// Exit codes, fixed by the interface.
-enum Exit { done = 0, nothing_solved = 1, bad_input = 2 };
+enum Exit { done = 0, nothing_solved = 1, some_fail = 1, bad_input = 2 };
 
 /// A file that cannot be read or written; ends the program with `bad_input`.
 class FileError : public std::runtime_error {
