@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/truth.hpp"
+#include "app/truth/truth.hpp"
 
 #include <ceres/jet.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace bankshot::test {
+namespace bankshot::truth {
 namespace {
 
 using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
@@ -39,10 +39,10 @@ bool follow(const Run& run, const State<T>& start, See&& see) {
     Simulator sim(run.boundary, motion, cushion, start);
     int cushions = 0;
     for (long i = 0; i < run.events; ++i) {
-      const Event e = sim.step();
+      const Event e = run.until < forever ? sim.step(T(run.until) - sim.time()) : sim.step();
       see(e, sim);
       if (e.kind == EventKind::cushion) ++cushions;
-      if (e.final() || cushions >= run.cushions) return e.kind != EventKind::horizon;
+      if (e.final() || cushions >= run.cushions) return e.kind != EventKind::horizon || run.until < forever;
     }
     return false;
   });
@@ -194,4 +194,4 @@ Compared compare_with_truth(const Run& run) {
   return c;
 }
 
-}  // namespace bankshot::test
+}  // namespace bankshot::truth
