@@ -16,7 +16,7 @@ namespace bankshot::app {
 namespace {
 
 // Pixels.
-constexpr int width = 960, left = 72, right = 14, top = 30, bottom = 52, legend_row = 22, legend_columns = 4;
+constexpr int width = 960, right = 14, top = 30, bottom = 52, legend_row = 22, legend_columns = 4;
 
 /// Told apart also by most who see fewer colours, dark enough for thin lines; ours, first, is black.
 constexpr const char* colours[] = {"#111111", "#0072b2", "#d55e00", "#009e73", "#b8489a", "#c58b00", "#3aa3dc", "#7a6fd0", "#8b5a2b", "#7f7f7f"};
@@ -67,7 +67,11 @@ Range extent(std::span<const Panel> panels, Axis Panel::*axis, double Point::*nu
 std::string set_axis(char name, const Axis& axis, const Range& range) {
   std::string out = axis.logarithmic ? fmt::format("set logscale {0}\nset format {0} \"10^{{%T}}\"\n", name) : fmt::format("unset logscale {0}\nset format {0} \"%g\"\n", name);
   out += fmt::format("set {}range [{:.6g}:{:.6g}]\n", name, range.low, range.high);
-  if (axis.logarithmic) {
+  if (!axis.names.empty()) {
+    out += fmt::format("set {}tics (", name);
+    for (std::size_t i = 0; i < axis.names.size(); ++i) out += fmt::format("{}\"{}\" {}", i ? ", " : "", plain(axis.names[i]), -static_cast<int>(i));
+    out += ")\n";
+  } else if (axis.logarithmic) {
     constexpr double most_ticks = 6;
     const double decades = std::log10(range.high / range.low), step = std::max(1.0, std::ceil(decades / most_ticks));
     out += fmt::format("set {}tics {:.0e}\nset m{}tics {}\n", name, std::pow(10, step), name, step > 1 ? static_cast<int>(step) : 1);
@@ -165,7 +169,7 @@ std::string gnuplot_script(const Figure& f, const std::string& svg) {
     const double across = static_cast<double>(width) / f.columns;
     const auto x = [&](double pixel) { return (column * across + pixel) / width; };
     const auto y = [&](double pixel) { return 1 - (row * f.row_height + pixel) / height; };
-    out += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", x(left), x(across - right),
+    out += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", x(f.left), x(across - right),
                        y(top), y(f.row_height - bottom));
     out += draw_panel(f.panels[static_cast<std::size_t>(i)], names, i);
   }

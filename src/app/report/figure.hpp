@@ -29,6 +29,7 @@ struct Axis {
   std::string label;
   bool logarithmic = false;
   std::optional<Range> range{};
+  std::vector<std::string> names{};  ///< of 0, −1, −2 ... on an axis of names
 };
 
 struct Panel {
@@ -41,6 +42,7 @@ struct Figure {
   std::vector<Panel> panels;
   int columns = 1;
   int row_height = 250;  ///< of 960 pixels across
+  int left = 72;         ///< pixels for labels and ticks of y
   std::vector<std::string> names{};  ///< of curves, in the legend's order; others follow
 };
 

@@ -14,5 +14,10 @@ struct Settings {
 };
 
 Section simulators(const Settings& settings, Progress& progress);  ///< simulators.cpp, with troubles.cpp
+Section models(const Settings& settings, Progress& progress);
+Section planners(const Settings& settings, Progress& progress);  ///< planners.cpp, with suite.cpp and derivatives
+Section conditioning(const Settings& settings, Progress& progress);
+Section hard_cases(const Settings& settings, Progress& progress);
+Section scaling(const Settings& settings, Progress& progress);
 
 }  // namespace bankshot::app

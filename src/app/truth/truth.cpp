@@ -11,13 +11,18 @@
 namespace bankshot::truth {
 namespace {
 
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
+template <unsigned digits>
+using Digits = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<digits>, boost::multiprecision::et_off>;
+using Digits50 = Digits<50>;
 using Jet = ceres::Jet<double, 7>;
 
 constexpr double unit_roundoff = 0x1p-53;
 
 double rounded(double x) { return x; }
-double rounded(const Digits50& x) { return x.convert_to<double>(); }
+template <unsigned digits>
+double rounded(const Digits<digits>& x) {
+  return x.template convert_to<double>();
+}
 
 template <class T>
 State<T> lift(const State<double>& s) {
@@ -116,6 +121,10 @@ bool nearby_start(const Run& run, const Path& rough) {
 
 Path run_double(const Run& run) { return recorded(run, run.start); }
 Path run_truth(const Run& run) { return recorded(run, lift<Digits50>(run.start)); }
+Path run_in_digits(const Run& run, int digits) {
+  constexpr int few = 25, many = 100;
+  return digits == few ? recorded(run, lift<Digits<few>>(run.start)) : digits == many ? recorded(run, lift<Digits<many>>(run.start)) : run_truth(run);
+}
 
 Condition condition(const Run& run) {
   const double R = run.boundary.radius, extent = run.boundary.extent;

@@ -39,6 +39,8 @@ struct Path {
 
 Path run_double(const Run& run);
 Path run_truth(const Run& run);  ///< in 50 digits
+/// In 25, 50 or 100 digits: to see what digits cost.
+Path run_in_digits(const Run& run, int digits);
 
 /// κ of the simulator's property 6 for the run in double, that of the start alone (its first term), and
 /// d(position of the last event)/d(start), columns x, y, vx, vy, wx, wy, wz.
