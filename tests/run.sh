@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/packages.sh
-need $toolchain catch2 libbenchmark-dev
+need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium
 preset=${1:-release}
 build "$preset" -DBANKSHOT_TESTS=ON
 ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)"

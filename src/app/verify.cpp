@@ -12,7 +12,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "bankshot/scene/json.hpp"
-#include "truth/claims.hpp"
+#include "app/truth/claims.hpp"
 
 namespace bankshot::app {
 namespace {

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
-need $toolchain catch2 libbenchmark-dev libboost-dev
+need $toolchain catch2 libbenchmark-dev
 build release -DBANKSHOT_TESTS=ON -DBANKSHOT_BENCH=ON
 bin=build/release/tests out=tests/bench/results
 for what in simulate solve mathavan; do

@@ -27,12 +27,10 @@ ShotRequest at_corner(const Table& table, double off, Physics physics) {
 
 TEST_CASE("a ball aimed at a corner with spin is true on either side") {
   Worst worst("corners");
-  for (const Table& table : {rectangle_table(2, 1), polygon_table({{0, 0}, {2, 0}, {2.3, 1.1}, {0, 1}}),
-                             polygon_table({{0, 0}, {2, 0}, {1.7, 1}, {0, 1}})})
-    for (const double off : beside) {
-      INFO("aim " << off << " beside the corner");
-      CHECK(worst.within_bound(against_truth(at_corner(table, off, spin_physics()))));
-    }
+  for (const HardCase& c : hard_cases("corners")) {
+    INFO(c.what);
+    CHECK(worst.within_bound(compare_with_truth(c)));
+  }
 }
 
 TEST_CASE("mirrors send a ball back from a square corner by the same path in either order") {

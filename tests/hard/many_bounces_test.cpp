@@ -13,16 +13,12 @@ using namespace bankshot::test;
 
 TEST_CASE("20 to 20000 bounces between mirrors keep the bound") {
   Worst worst("many bounces");
-  for (const int n : {20, 200, 2000, 20000}) {
-    ShotRequest shot{.table = rectangle_table(2.54, 1.27),
-                     .physics = ideal_physics(),
-                     .ball = {{0.635, 0.4}, 0.028575, 0.17},
-                     .launch = {1, radians(53.1)}};
-    const Compared c = against_truth(shot, n, 1000000);
-    INFO(n << " bounces: error " << c.error << " m, " << c.ratio() << " units, kappa " << c.kappa);
-    CHECK(c.events == static_cast<std::size_t>(n));
+  for (const HardCase& hard : hard_cases("many bounces")) {
+    const Compared c = compare_with_truth(hard);
+    INFO(hard.what << ": error " << c.error << " m, " << c.ratio() << " units, kappa " << c.kappa);
+    CHECK(c.events == static_cast<std::size_t>(hard.cushions));
     CHECK(worst.within_bound(c));
-    CHECK(c.error <= 2e-15 * n * std::sqrt(n));
+    CHECK(c.error <= 2e-15 * hard.cushions * std::sqrt(hard.cushions));
   }
 }
 
@@ -38,11 +34,8 @@ TEST_CASE("the unfolded path of a point, by hand") {
 
 TEST_CASE("with spin and hardly any loss hundreds of bounces stay true") {
   Worst worst("many bounces with spin");
-  for (const double e : {1.0, 0.98, 0.9}) {
-    ShotRequest shot = spin_shot({0.635, 0.4}, 10, 53.1, {.top = 1});
-    shot.physics = {SlideRoll{.rolling_friction = 0.001}, Mirror{e}};
-    const Compared c = against_truth(shot, 300, 5000);
-    INFO("restitution " << e << ": kappa " << c.kappa << ", error " << c.error);
-    CHECK(worst.within_bound(c));
+  for (const HardCase& c : hard_cases("many bounces with spin")) {
+    INFO(c.what);
+    CHECK(worst.within_bound(compare_with_truth(c)));
   }
 }

@@ -43,12 +43,10 @@ TEST_CASE("a table of another size has the same path, to the bit for powers of f
 
 TEST_CASE("tables from a millimetre to a kilometre, near and far from the origin, keep the bound") {
   Worst worst("tables");
-  for (const double s : {1e-3, 1e-2, 0.3, 7.0, 1e2, 1e3})
-    for (const Vec2d& shift : {Vec2d{0, 0}, Vec2d{1e-3, -1}, Vec2d{-100, 37}, Vec2d{1e4, -1e4}}) {
-      if (norm(shift) > 1e6 * s) continue;  // a millimetre at ten kilometres has four digits left
-      INFO("size " << s << ", at " << shift.x << ' ' << shift.y);
-      CHECK(worst.within_bound(against_truth(scaled(s, shift))));
-    }
+  for (const HardCase& c : hard_cases("tables")) {
+    INFO(c.what);
+    CHECK(worst.within_bound(compare_with_truth(c)));
+  }
 }
 
 TEST_CASE("a ball frozen to a cushion far from the origin is accepted and stays inside") {

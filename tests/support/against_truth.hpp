@@ -8,6 +8,7 @@
 
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "app/truth/hard_cases.hpp"
 #include "support/truth.hpp"
 
 namespace bankshot::test {
@@ -41,14 +42,5 @@ struct Worst {
     return c.ratio() <= tolerance::simulation_error;
   }
 };
-
-/// A shot on a 2 × 1 table with the default physics `spin`.
-inline ShotRequest spin_shot(Vec2d at, double speed, double degrees_, LaunchSpin spin = {}) {
-  return {.table = rectangle_table(2, 1),
-          .physics = spin_physics(),
-          .ball = {at, 0.028575, 0.17},
-          .launch = {speed, radians(degrees_)},
-          .spin = spin};
-}
 
 }  // namespace bankshot::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/truth.hpp"
+#include "app/truth/condition.hpp"
 
 #include <ceres/jet.h>
 
@@ -7,13 +7,11 @@
 #include <cmath>
 #include <utility>
 
-#include "truth/follow.hpp"
+#include "app/truth/follow.hpp"
 
-namespace bankshot::test {
+namespace bankshot::truth {
 namespace {
 
-using truth::follow;
-using truth::lift;
 using Jet = ceres::Jet<double, 7>;
 
 constexpr double unit_roundoff = 0x1p-53;
@@ -70,16 +68,14 @@ bool nearby_start(const Run& run, const Path& rough) {
       if (k < 2) (k == 0 ? s.at.x : s.at.y) += by * run.boundary.extent;
       else if (k < 4) s.velocity += k == 2 ? s.velocity * by : perpendicular(s.velocity) * by;
       else (k == 4 ? s.spin.x : k == 5 ? s.spin.y : s.spin.z) += by * w;
-      Run near = run;
-      near.start = s;
-      if (same(rough, run_truth(near))) return true;
+      if (same(rough, recorded(run, lift<Digits50>(s)))) return true;
     }
   return false;
 }
 
 }  // namespace
 
-Path run_double(const Run& run) { return truth::recorded<double>(run); }
+Path run_double(const Run& run) { return recorded<double>(run); }
 
 Condition condition(const Run& run) {
   const double R = run.boundary.radius, extent = run.boundary.extent;
@@ -141,4 +137,4 @@ Compared compare_with_truth(const Run& run) {
   return c;
 }
 
-}  // namespace bankshot::test
+}  // namespace bankshot::truth

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
-#include "truth/follow.hpp"
+#include "app/truth/follow.hpp"
 
 namespace bankshot::truth {
 namespace {
 
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
+template <unsigned digits>
+using Digits = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<digits>, boost::multiprecision::et_off>;
+using Digits50 = Digits<50>;
 
 }  // namespace
 
 Path run_truth(const Run& run) { return recorded<Digits50>(run); }
+
+Path run_in_digits(const Run& run, int digits) {
+  constexpr int few = 25, many = 100;
+  return digits == few ? recorded<Digits<few>>(run) : digits == many ? recorded<Digits<many>>(run) : run_truth(run);
+}
 
 Jacobian truth_jacobian(const Run& run) {
   const Digits50 step("1e-20");

@@ -5,7 +5,7 @@
 
 #include "bankshot/simulate/roots.hpp"
 #include "bankshot/simulate/simulator.hpp"
-#include "truth/run.hpp"
+#include "app/truth/run.hpp"
 
 namespace bankshot::truth {
 
@@ -77,10 +77,10 @@ bool follow(const Run& run, const State<T>& start, See&& see) {
     Simulator sim(run.boundary, motion, cushion, start);
     int cushions = 0;
     for (long i = 0; i < run.events; ++i) {
-      const Event e = sim.step();
+      const Event e = run.until < forever ? sim.step(T(T(run.until) - sim.time())) : sim.step();
       see(e, sim);
       if (e.kind == EventKind::cushion) ++cushions;
-      if (e.final() || cushions >= run.cushions) return e.kind != EventKind::horizon;
+      if (e.final() || cushions >= run.cushions) return e.kind != EventKind::horizon || run.until < forever;
     }
     return false;
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "truth/claims.hpp"
+#include "app/truth/claims.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "bankshot/scene/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "bankshot/tolerances.hpp"
-#include "truth/arrival.hpp"
+#include "app/truth/arrival.hpp"
 
 namespace bankshot::truth {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "bankshot/plan/shot.hpp"
 #include "bankshot/scene/boundary.hpp"
-#include "truth/run.hpp"
+#include "app/truth/run.hpp"
 
 namespace bankshot::truth {
 

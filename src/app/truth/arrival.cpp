@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "truth/arrival.hpp"
+#include "app/truth/arrival.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "bankshot/tolerances.hpp"
-#include "truth/follow.hpp"
+#include "app/truth/follow.hpp"
 
 namespace bankshot::truth {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The truth about a shot: the simulator itself, run in 50 decimal digits from the same double start.
-// `verify` and the tests share it. digits50.cpp is the one file that needs the long numbers.
+// `verify`, `report` and the tests share it. digits50.cpp is the one file that needs the long numbers.
 #pragma once
 
 #include <limits>
@@ -33,13 +33,14 @@ struct TruthEvent {
   Passing passing{};       ///< of the arc that led here
 };
 
-/// What to run and when to stop: at the last of `cushions` bounces, `events` events, or at rest.
+/// What to run and when to stop: at the last of `cushions` bounces, `events` events, `until` seconds, or at rest.
 struct Run {
   const Boundary& boundary;
   const Physics& physics;
   State<double> start;
   int cushions = 1000000;
   long events = 20000;
+  double until = forever;
   std::optional<Vec2d> target{};
   double turned = 0;  ///< rad, small: the launch is turned by this, its spin with it, ...
   double pushed = 0;  ///< ... and made faster by this, relative; both without rounding
@@ -47,11 +48,13 @@ struct Run {
 
 struct Path {
   std::vector<TruthEvent> events;
-  bool ended = false;  ///< by rest, a pocket or the number of cushions
+  bool ended = false;  ///< by rest, a pocket, the time or the number of cushions
 };
 
 /// In 50 digits.
 Path run_truth(const Run& run);
+/// In 25, 50 or 100 digits: to see what digits cost.
+Path run_in_digits(const Run& run, int digits);
 
 /// d(position of the last event)/d(start), columns x, y, vx, vy, wx, wy, wz, from differences in 50
 /// digits, exact to 1e-30: no dual number is involved.

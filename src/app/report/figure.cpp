@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "app/report/figure.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+extern char** environ;
+
+namespace bankshot::app {
+namespace {
+
+// Pixels.
+constexpr int width = 960, right = 14, top = 30, bottom = 52, legend_row = 22, legend_columns = 4;
+
+/// Told apart also by most who see fewer colours, dark enough for thin lines; ours, first, is black.
+constexpr const char* colours[] = {"#111111", "#0072b2", "#d55e00", "#009e73", "#b8489a", "#c58b00", "#3aa3dc", "#7a6fd0", "#8b5a2b", "#7f7f7f"};
+constexpr int marks[] = {7, 5, 9, 11, 13, 4, 6, 8, 10, 12};
+
+/// Text that gnuplot's enhanced mode shows as it is.
+std::string plain(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::strchr("_@&~^{}", c)) out += "\\\\";
+    if (c == '"') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+/// What a logarithmic axis can show.
+bool shown(const Axis& x, const Axis& y, const Point& p) {
+  const auto fits = [](const Axis& axis, double v) { return std::isfinite(v) && (!axis.logarithmic || v > 0); };
+  return fits(x, p.x) && fits(y, p.y);
+}
+
+void widen(std::optional<Range>& r, double v) {
+  if (!r) r = Range{v, v};
+  r->low = std::min(r->low, v);
+  r->high = std::max(r->high, v);
+}
+
+/// All points of the panels on one axis, with some room at both ends.
+Range extent(std::span<const Panel> panels, Axis Panel::*axis, double Point::*number) {
+  std::optional<Range> r;
+  for (const Panel& panel : panels)
+    for (const Curve& c : panel.curves)
+      for (const Point& p : c.points)
+        if (shown(panel.x, panel.y, p)) widen(r, p.*number);
+  const bool logarithmic = !panels.empty() && (panels.front().*axis).logarithmic;
+  if (!r) return logarithmic ? Range{0.1, 10} : Range{0, 1};
+  constexpr double room = 0.05;
+  if (logarithmic) {
+    const double by = std::pow(r->high / r->low, room) * 1.3;
+    return {r->low / by, r->high * by};
+  }
+  const double by = r->high > r->low ? room * (r->high - r->low) : 0.5;
+  return {r->low - by, r->high + by};
+}
+
+/// Range, ticks and label of an axis, for gnuplot.
+std::string set_axis(char name, const Axis& axis, const Range& range) {
+  std::string out = axis.logarithmic ? fmt::format("set logscale {0}\nset format {0} \"10^{{%T}}\"\n", name) : fmt::format("unset logscale {0}\nset format {0} \"%g\"\n", name);
+  out += fmt::format("set {}range [{:.6g}:{:.6g}]\n", name, range.low, range.high);
+  if (!axis.names.empty()) {
+    out += fmt::format("set {}tics (", name);
+    for (std::size_t i = 0; i < axis.names.size(); ++i) out += fmt::format("{}\"{}\" {}", i ? ", " : "", plain(axis.names[i]), -static_cast<int>(i));
+    out += ")\n";
+  } else if (axis.logarithmic) {
+    constexpr double most_ticks = 6;
+    const double decades = std::log10(range.high / range.low), step = std::max(1.0, std::ceil(decades / most_ticks));
+    out += fmt::format("set {}tics {:.0e}\nset m{}tics {}\n", name, std::pow(10, step), name, step > 1 ? static_cast<int>(step) : 1);
+  } else {
+    out += fmt::format("set {0}tics autofreq\nset m{0}tics 1\n", name);
+  }
+  return out + fmt::format("set {}label \"{}\"\n", name, plain(axis.label));
+}
+
+std::vector<std::string> legend(const Figure& f) {
+  std::vector<std::string> names = f.names;
+  for (const Panel& p : f.panels)
+    for (const Curve& c : p.curves)
+      if (!c.name.empty() && std::find(names.begin(), names.end(), c.name) == names.end()) names.push_back(c.name);
+  return names;
+}
+
+std::string style(const std::vector<std::string>& names, const Curve& c) {
+  const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), c.name) - names.begin());
+  const std::string colour = c.name.empty() ? "#999999" : colours[i % std::size(colours)];
+  if (c.style == Curve::Style::dashes) return fmt::format("with lines dashtype 2 linewidth 1.2 linecolor \"{}\"", colour);
+  const int mark = marks[i % std::size(marks)];
+  const double size = c.style == Curve::Style::points || i == 0 ? 0.65 : 0.5;
+  return fmt::format("with {} linewidth {} pointtype {} pointsize {} linecolor \"{}\"", c.style == Curve::Style::points ? "points" : "linespoints", i == 0 ? 2.2 : 1.4,
+                     mark, size, colour);
+}
+
+std::string draw_panel(const Panel& p, const std::vector<std::string>& names, int number) {
+  std::string data, plots;
+  const auto add = [&](const std::string& what) { plots += (plots.empty() ? "plot " : ", \\\n     ") + what; };
+  std::vector<std::string> lines;
+  int block = 0;
+  for (const Curve& c : p.curves) {
+    const std::string name = fmt::format("$p{}c{}", number, block++);
+    data += name + " << EOD\n";
+    bool band = false, any = false;
+    for (const Point& point : c.points) {
+      if (!shown(p.x, p.y, point)) continue;
+      data += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g}\n", point.x, point.y, point.low, point.high);
+      band = band || point.low != point.high;
+      any = true;
+    }
+    data += "EOD\n";
+    if (!any) continue;
+    const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), c.name) - names.begin());
+    if (band) add(fmt::format("{} using 1:3:4 with filledcurves fillstyle transparent solid 0.12 noborder fillcolor \"{}\" notitle", name, colours[i % std::size(colours)]));
+    lines.push_back(fmt::format("{} using 1:2 {} notitle", name, style(names, c)));
+  }
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) add(*line);  // the first on top
+  if (plots.empty()) plots = "plot NaN notitle";
+  const Range x = p.x.range.value_or(extent({&p, 1}, &Panel::x, &Point::x)), y = p.y.range.value_or(extent({&p, 1}, &Panel::y, &Point::y));
+  return data + fmt::format("set title \"{}\" offset 0,-0.6\n", plain(p.title)) + set_axis('x', p.x, x) + set_axis('y', p.y, y) + plots + "\n";
+}
+
+/// A strip without axes that holds the legend of all panels.
+std::string draw_legend(const Figure& f, const std::vector<std::string>& names, int height, int strip) {
+  std::string out = fmt::format(
+      "unset border\nunset tics\nunset xlabel\nunset ylabel\nunset title\nunset logscale\nunset grid\nset lmargin at screen 0.02\nset rmargin at screen 0.98\n"
+      "set tmargin at screen {:.5f}\nset bmargin at screen 0.0\nset key center center horizontal Left reverse maxcols {} samplen 2.2 width 1\nset xrange [0:1]\nset yrange [0:1]\nplot ",
+      static_cast<double>(strip) / height, legend_columns);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Curve c{names[i], {}, Curve::Style::line_points};
+    for (const Panel& p : f.panels)
+      for (const Curve& drawn : p.curves)
+        if (drawn.name == names[i]) c.style = drawn.style;
+    out += fmt::format("{}NaN {} title \"{}\"", i ? ", \\\n     " : "", style(names, c), plain(names[i]));
+  }
+  return out + "\n";
+}
+
+}  // namespace
+
+void share_x(std::span<Panel> panels) {
+  const Range r = extent(panels, &Panel::x, &Point::x);
+  for (Panel& p : panels) p.x.range = r;
+}
+
+void share_y(std::span<Panel> panels) {
+  const Range r = extent(panels, &Panel::y, &Point::y);
+  for (Panel& p : panels) p.y.range = r;
+}
+
+std::string gnuplot_script(const Figure& f, const std::string& svg) {
+  const std::vector<std::string> names = legend(f);
+  const int panels = static_cast<int>(f.panels.size()), rows = (panels + f.columns - 1) / f.columns;
+  const int strip = names.empty() ? 4 : 10 + legend_row * ((static_cast<int>(names.size()) + legend_columns - 1) / legend_columns);
+  const int height = rows * f.row_height + strip;
+  std::string out = fmt::format(
+      "set terminal svg size {},{} fixed enhanced font \"sans-serif,12\" background \"#ffffff\"\nset output \"{}\"\nset encoding utf8\nset multiplot\nset key off\n"
+      "set border 3 linecolor \"#555555\" linewidth 0.8\nset tics nomirror textcolor \"#333333\" scale 0.6,0.3\nset grid linecolor \"#e4e4e4\" linewidth 0.6, linecolor \"#e4e4e4\" linewidth 0.6\n"
+      "set xlabel offset 0,0.4\nset ylabel offset 0.6,0\n",
+      width, height, svg);
+  for (int i = 0; i < panels; ++i) {
+    const int row = i / f.columns, column = i % f.columns;
+    const double across = static_cast<double>(width) / f.columns;
+    const auto x = [&](double pixel) { return (column * across + pixel) / width; };
+    const auto y = [&](double pixel) { return 1 - (row * f.row_height + pixel) / height; };
+    out += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", x(f.left), x(across - right),
+                       y(top), y(f.row_height - bottom));
+    out += draw_panel(f.panels[static_cast<std::size_t>(i)], names, i);
+  }
+  if (!names.empty()) out += draw_legend(f, names, height, strip);
+  return out + "unset multiplot\n";
+}
+
+void run_gnuplot(const std::string& script) {
+  std::string program = "gnuplot", file = script;
+  char* arguments[] = {program.data(), file.data(), nullptr};
+  pid_t child = 0;
+  const int problem = posix_spawnp(&child, "gnuplot", nullptr, nullptr, arguments, environ);
+  if (problem == ENOENT) throw DrawingError("gnuplot is not installed, so there are no figures: apt-get install gnuplot-nox");
+  if (problem) throw DrawingError(fmt::format("gnuplot cannot be run: {}", std::strerror(problem)));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw DrawingError(fmt::format("gnuplot (package gnuplot-nox) could not draw {}", script));
+}
+
+}  // namespace bankshot::app

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// How the report measures: processor time of the thread, so that other programs hardly count; the least of
+// some repeats, since a machine adds noise upwards only; medians with the 10 % and 90 % of the shots beside them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace bankshot::app {
+
+/// Seconds of processor time of this thread.
+double cpu_seconds();
+
+/// Seconds that one call of f takes: the least of three repeats, each as many calls as fill `enough` seconds. One
+/// repeat does for what takes `long_enough`.
+template <class F>
+double seconds_of(F&& f) {
+  constexpr double enough = 50e-6, long_enough = 5e-3;
+  constexpr int repeats = 3;
+  const auto timed = [&](long calls) {
+    const double begin = cpu_seconds();
+    for (long i = 0; i < calls; ++i) f();
+    return (cpu_seconds() - begin) / static_cast<double>(calls);
+  };
+  double least = timed(1);
+  if (least >= long_enough) return least;
+  long calls = 1;
+  while (static_cast<double>(calls) * least < enough) {
+    calls *= 2;
+    least = std::min(least, timed(calls));
+  }
+  for (int i = 0; i < repeats; ++i) least = std::min(least, timed(calls));
+  return least;
+}
+
+/// Middle and spread of some numbers.
+struct Spread {
+  double low = 0, median = 0, high = 0;  ///< 10 %, 50 %, 90 %
+};
+Spread spread(std::vector<double> numbers);
+
+/// Seeded draws, the same on every machine.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+  double uniform(double low, double high);
+  double log_uniform(double low, double high);
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// "Processor, cores, compiler, commit".
+std::string machine();
+
+/// A number for a table: three digits, powers of ten written out; "0.34 µs" for times.
+std::string short_number(double x);
+std::string short_time(double seconds);
+std::string short_length(double metres);
+
+}  // namespace bankshot::app

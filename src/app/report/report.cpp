@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// `report`: measures, section by section, and writes a page, its figures and its numbers into a folder.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "app/report/sections.hpp"
+
+namespace bankshot::app {
+namespace {
+
+struct Arguments {
+  std::string folder;
+  bool quick = false;
+  int shots = 0;
+};
+
+constexpr int full_shots = 15, quick_shots = 5;
+
+using Measure = Section (*)(const Settings&, Progress&);
+constexpr Measure parts[] = {simulators, conditioning, hard_cases, scaling};
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) throw FileError(fmt::format("{}: cannot be made a folder: {}", folder.string(), problem.message()));
+}
+
+/// The figure of each section, drawn by gnuplot; `trouble` says why there are none.
+std::vector<std::string> draw(const std::filesystem::path& folder, const std::vector<Section>& sections, std::string& trouble) {
+  std::vector<std::string> out;
+  for (const Section& s : sections) {
+    const std::string base = (folder / "figures" / s.name).string();
+    write_file(base + ".gp", gnuplot_script(s.figure, base + ".svg"));
+    out.emplace_back();
+    if (!trouble.empty()) continue;
+    try {
+      run_gnuplot(base + ".gp");
+      out.back() = read_file(base + ".svg");
+    } catch (const DrawingError& e) {
+      trouble = e.what();
+    }
+  }
+  return out;
+}
+
+int run(const Arguments& a) {
+  const std::filesystem::path folder(a.folder);
+  make_folder(folder / "figures");
+  const Settings settings{a.quick, a.shots > 0 ? a.shots : a.quick ? quick_shots : full_shots};
+  Page page{fmt::format("{}; {} run, {} shots a point", machine(), a.quick ? "quick" : "full", settings.shots), {}};
+  {
+    Progress progress(static_cast<int>(std::size(parts)));
+    for (const Measure measure : parts) {
+      page.sections.push_back(measure(settings, progress));
+      for (const Csv& c : page.sections.back().data) write_file((folder / (c.name + ".csv")).string(), c.text);
+    }
+  }
+  std::string trouble;
+  const std::vector<std::string> figures = draw(folder, page.sections, trouble);
+  write_file((folder / "report.md").string(), to_markdown(page, figures));
+  if (trouble.empty()) write_file((folder / "index.html").string(), to_html(page, figures));
+  for (const Section& s : page.sections) print(fmt::format("{}: {}\n", s.title, s.conclusion));
+  if (trouble.empty()) return done;
+  std::cerr << "bankshot: " << one_line(trouble) << "; report.md and the CSV files are written\n";
+  return bad_input;
+}
+
+}  // namespace
+
+Run add_report(CLI::App& app) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("report", "Measure speed against error: simulators and planners");
+  command->add_option("-o,--output", a->folder, "The folder to write index.html, report.md, figures and CSV files into")->required()->check(file_name);
+  command->add_flag("--quick", a->quick, "Fewer shots and coarser ranges: under a minute");
+  command->add_option("--shots", a->shots, "Shots a point of a curve")->group("")->check(CLI::Range(1, 1000));  // for tests
+  return [a] { return run(*a); };
+}
+
+}  // namespace bankshot::app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// The sections of the report, a file each.
+#pragma once
+
+#include "app/report/page.hpp"
+#include "app/report/progress.hpp"
+
+namespace bankshot::app {
+
+struct Settings {
+  bool quick = false;
+  int shots = 0;  ///< a point of a curve; what else grows with the effort follows from it
+};
+
+Section simulators(const Settings& settings, Progress& progress);  ///< simulators.cpp, with troubles.cpp
+Section models(const Settings& settings, Progress& progress);
+Section planners(const Settings& settings, Progress& progress);  ///< planners.cpp, with suite.cpp and derivatives
+Section conditioning(const Settings& settings, Progress& progress);
+Section hard_cases(const Settings& settings, Progress& progress);
+Section scaling(const Settings& settings, Progress& progress);
+
+}  // namespace bankshot::app

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "app/report/troubles.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "app/report/compared.hpp"
+#include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+
+namespace bankshot::app {
+namespace {
+
+/// What went wrong with one shot under one stepper, a number; the truth of an event is that of ours, whose
+/// events are those of 50 digits.
+using Trouble = std::function<double(std::size_t shot, const Scheme& scheme)>;
+
+double energy_of(const State<double>& s) { return energy(Ball{}, s); }
+
+/// Relative difference of the energy from the true one at the same moment.
+Trouble energy_drift(const std::vector<Timed>& shots, const Physics& physics) {
+  return [&shots, physics](std::size_t i, const Scheme& scheme) {
+    const Stepped s = step_through(comparison_table(), physics, shots[i].start, shots[i].until, scheme);
+    const double truth = energy_of(by_events(comparison_table(), physics, shots[i]));
+    return std::abs(energy_of(s.state) / truth - 1);
+  };
+}
+
+/// Bounces met by a moment, or a negative number where the ball is pocketed.
+int bounces(const Boundary& table, const Physics& physics, const Timed& shot) {
+  return with_physics(physics, [&](const auto& motion, const auto& cushion) {
+    Simulator sim(table, motion, cushion, shot.start);
+    for (int met = 0;;) {
+      const Event e = sim.step(shot.until - sim.time());
+      if (e.kind == EventKind::cushion) ++met;
+      if (e.kind == EventKind::pocket) return -1;
+      if (e.final()) return met;
+    }
+  });
+}
+
+/// 1 where the ball meets more or fewer cushions than it should.
+Trouble corner(const std::vector<Timed>& shots, const Physics& physics) {
+  return [&shots, physics](std::size_t i, const Scheme& scheme) {
+    const Stepped s = step_through(comparison_table(), physics, shots[i].start, shots[i].until, scheme);
+    return s.cushions == bounces(comparison_table(), physics, shots[i]) ? 0.0 : 1.0;
+  };
+}
+
+/// 1 where the ball passes over the pocket into which it falls.
+Trouble tunnel(const std::vector<Timed>& shots, const Physics& physics) {
+  return [&shots, physics](std::size_t i, const Scheme& scheme) {
+    return step_through(comparison_table(true), physics, shots[i].start, shots[i].until, scheme).pocketed ? 0.0 : 1.0;
+  };
+}
+
+/// A ball sent from a random place to within `beside` metres of a point, with a moment `after` seconds later than
+/// it would be there if nothing slowed it.
+Timed towards(Draw& draw, const Vec2d& point, double beside, double after) {
+  const Boundary& table = comparison_table();
+  const Vec2d low = table.walls[0].from, high = table.walls[1].to;
+  const Vec2d at{draw.uniform(low.x, high.x), draw.uniform(low.y, high.y)};
+  const Vec2d way = point - at, d = way / norm(way);
+  const Vec2d aim = way + perpendicular(d) * draw.uniform(-beside, beside);
+  const double speed = draw.log_uniform(1, 8);
+  return {launched(at, table.radius, aim / norm(aim) * speed, LaunchSpin{.top = draw.uniform(-0.5, 1)}), norm(way) / speed + after};
+}
+
+std::vector<Timed> into_corners(const Physics& physics, int count) {
+  constexpr double beside = 0.02, after = 0.3;
+  Draw draw(1);
+  std::vector<Timed> out;
+  while (static_cast<int>(out.size()) < count) {
+    const Boundary& table = comparison_table();
+    const Timed shot = towards(draw, table.walls[static_cast<std::size_t>(draw.uniform(0, 4))].to, beside, after);
+    if (bounces(table, physics, shot) >= 2) out.push_back(shot);
+  }
+  return out;
+}
+
+std::vector<Timed> into_pockets(const Physics& physics, int count) {
+  constexpr double after = 1;
+  Draw draw(2);
+  std::vector<Timed> out;
+  while (static_cast<int>(out.size()) < count) {
+    const Boundary& table = comparison_table(true);
+    const Circle& pocket = table.pockets[static_cast<std::size_t>(draw.uniform(0, 6))];
+    const Timed shot = towards(draw, pocket.centre, pocket.radius, after);
+    if (bounces(table, physics, shot) < 0) out.push_back(shot);
+  }
+  return out;
+}
+
+struct Question {
+  const char *name, *title, *axis;
+  Trouble trouble;
+  std::size_t shots;
+  bool share;  ///< of shots in trouble; else the size of it
+};
+
+Panel panel(const Question& q, std::string& csv) {
+  Panel p{q.title, {"step [s]", true}, {q.axis, !q.share}, {}};
+  if (q.share) p.y.range = Range{-4, 104};
+  constexpr double finest = 1e-4;
+  for (const Series& series : stepping_series(finest)) {
+    if (series.scheme.method == Scheme::Method::dormand_prince) continue;  // it has no step of its own
+    Curve curve{series.name, {}};
+    std::string plain_name = series.name;
+    std::erase(plain_name, ',');
+    for (const double step : series.steps) {
+      Scheme scheme = series.scheme;
+      scheme.step = step;
+      std::vector<double> found;
+      double sum = 0;
+      for (std::size_t i = 0; i < q.shots; ++i) {
+        found.push_back(q.trouble(i, scheme));
+        sum += found.back();
+      }
+      const double percent = 100 * sum / static_cast<double>(q.shots);
+      const Spread s = q.share ? Spread{percent, percent, percent} : spread(found);
+      curve.points.push_back({step, s.median, s.low, s.high});
+      csv += fmt::format("{},{},{:.3g},{},{:.4g},{:.4g},{:.4g}\n", q.name, plain_name, step, q.shots, s.low, s.median, s.high);
+    }
+    p.curves.push_back(curve);
+  }
+  return p;
+}
+
+}  // namespace
+
+void add_troubles(const Settings& settings, Section& section, Progress& progress) {
+  constexpr int times_more = 10;  // these runs are short
+  const int count = times_more * settings.shots;
+  const Physics physics = spin_physics();
+  Draw draw(3);
+  std::vector<Timed> ordinary;
+  for (int i = 0; i < count; ++i) ordinary.push_back(timed_shot(draw, physics, 3));
+  const std::vector<Timed> corners = into_corners(physics, count), pockets = into_pockets(physics, count);
+  const Question questions[] = {
+      {"energy_drift", "energy after 3 cushions, spin", "off by a share of", energy_drift(ordinary, physics), ordinary.size(), false},
+      {"corner", "stuck or lost in a corner, spin", "wrong bounces [% of shots]", corner(corners, physics), corners.size(), true},
+      {"tunnel", "passes over its pocket, spin", "not pocketed [% of shots]", tunnel(pockets, physics), pockets.size(), true}};
+  std::string csv = "trouble,method,step,shots,low_10,median_or_percent,high_90\n";
+  for (const Question& q : questions) {
+    section.figure.panels.push_back(panel(q, csv));
+    progress.step();
+  }
+  section.data.push_back({section.name + "-troubles", csv});
+}
+
+}  // namespace bankshot::app
