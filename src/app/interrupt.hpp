@@ -6,7 +6,8 @@
 
 namespace bankshot::app {
 
-/// From its construction SIGINT, SIGTERM and SIGHUP are noted, and a closed pipe is a write error.
+/// From its construction SIGINT, SIGTERM and SIGHUP are noted, and a closed pipe or a
+/// file grown to its limit is a write error.
 class Interrupts {
  public:
   Interrupts();
