@@ -26,23 +26,27 @@ std::string without_time(std::string line) {
   return begin == std::string::npos || end == std::string::npos ? line : line.erase(begin, end - begin);
 }
 
-/// Whether an output without a journal is all of the answer already: as many lines, and the first and
-/// the last are what this input and these flags give.
+/// Whether an output without a journal is all of the answer already: as many lines, and those of the
+/// first and the last chunk are what this input and these flags give.
 bool finished(LineReader& in, const Arguments& a) {
   LineReader out(a.output, true);
   Lines asked, told;
-  std::string question[2], answer[2];
-  const auto take = [](LineReader& from, Lines& lines, std::string (&ends)[2]) {
-    if (!from.next(lines)) return 0L;
-    if (lines.after.lines == static_cast<long>(lines.lines.size())) ends[0] = lines.line(0);
-    ends[1] = lines.line(lines.lines.size() - 1);
-    return lines.after.lines;
+  const auto same = [&] {
+    if (asked.lines.size() != told.lines.size()) return false;
+    for (std::size_t i = 0; i < asked.lines.size(); ++i)
+      if (without_time(answer_line(asked.line(i), a.flags)) != without_time(std::string(told.line(i)))) return false;
+    return true;
   };
-  long lines_in = 0, lines_out = 0;
-  while (const long n = take(in, asked, question)) lines_in = n;
-  while (const long n = take(out, told, answer)) lines_out = n;
-  const auto same = [&](int i) { return without_time(answer_line(question[i], a.flags)) == without_time(answer[i]); };
-  return lines_in == lines_out && same(0) && same(1);
+  const auto next = [](LineReader& reader, Lines& lines) {
+    Lines more;
+    if (!reader.next(more)) return false;
+    lines = std::move(more);
+    return true;
+  };
+  if (!in.next(asked) || !out.next(told) || !same()) return false;
+  while (next(in, asked)) {}
+  while (next(out, told)) {}
+  return asked.after.lines == told.after.lines && same();
 }
 
 /// How far an earlier run had come, checked and with the output cut to it.
@@ -90,7 +94,7 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
   } catch (const FileError& e) {
     progress.clear();
     if (journal) out.cut_quietly(batch.at.written);
-    throw WriteError(fmt::format("{}; {} answers were written{}", e.what(), grouped(batch.at.read.lines), how_to_go_on));
+    throw WriteError(fmt::format("{}; answers written: {}{}", e.what(), grouped(batch.at.read.lines), how_to_go_on));
   }
   progress.clear();
   if (const int signal = interrupted()) {

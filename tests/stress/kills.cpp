@@ -81,6 +81,7 @@ bool run(const std::vector<std::string>& words, const fs::path& output, std::opt
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
   if (end == End::kill && WIFSIGNALED(status)) return ++tally.kills, false;
+  if (end == End::interrupt && WIFSIGNALED(status)) return ++tally.kills, false;  // it had not begun to listen
   if (end == End::interrupt && WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT) return ++tally.interrupts, false;
   if (end == End::full && WIFEXITED(status) && WEXITSTATUS(status) == 2) return ++tally.full, false;
   throw std::runtime_error(fmt::format("the program ended with status {:#x}", status));
