@@ -3,7 +3,9 @@
 // The rules a scene must keep, whether it came from a file or from a C++ program.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "bankshot/scene/boundary.hpp"
@@ -25,6 +27,13 @@ void need_finite(double v, const std::string& path) {
   if (!std::isfinite(v)) fail(path, fmt::format("{} must be a finite number", v));
 }
 
+/// `path` is only asked for when it is told: puzzles come by the million.
+void need_finite(const Vec2d& p, auto&& path) {
+  if (std::isfinite(p.x) && std::isfinite(p.y)) return;
+  need_finite(p.x, path() + "/0");
+  need_finite(p.y, path() + "/1");
+}
+
 bool segments_meet(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
   const auto side = [](Vec2d p, Vec2d q, Vec2d r) {
     const double s = cross(q - p, r - p);
@@ -43,10 +52,7 @@ void check_shape(const Table& t) {
   const auto& v = t.vertices;
   const std::size_t n = v.size();
   if (n < 3) fail("/table/vertices", fmt::format("a polygon needs at least 3 vertices, not {}", n));
-  for (std::size_t i = 0; i < n; ++i) {
-    need_finite(v[i].x, at("/table/vertices", i) + "/0");
-    need_finite(v[i].y, at("/table/vertices", i) + "/1");
-  }
+  for (std::size_t i = 0; i < n; ++i) need_finite(v[i], [&] { return at("/table/vertices", i); });
   if (!(std::isfinite(t.diagonal()) && t.diagonal() > 0))
     fail("/table", "the table is too small or too large to compute with");
   double area = 0;
@@ -64,26 +70,34 @@ void check_shape(const Table& t) {
   if (!(area > 0)) fail("/table/vertices", "the vertices must run anticlockwise");
 }
 
+/// The first that stands earlier in the list as well.
+std::optional<std::size_t> second_of_a_name(const std::vector<std::string_view>& names) {
+  std::set<std::string_view> seen;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!seen.insert(names[i]).second) return i;
+  return {};
+}
+
 void check_names(const Table& t) {
-  std::set<std::string> seen;
-  for (std::size_t i = 0; i < t.cushions.size(); ++i)
-    if (!seen.insert(t.cushions[i]).second)
-      fail(at("/table/names", i), fmt::format("\"{}\" names two cushions", t.cushions[i]));
-  for (std::size_t i = 0; i < t.vertices.size(); ++i)
-    if (seen.count("v" + std::to_string(i)))
-      fail("/table/names", fmt::format("\"v{0}\" is the name of vertex {0}", i));
-  seen = {"any"};
-  for (std::size_t i = 0; i < t.pockets.size(); ++i)
-    if (!seen.insert(t.pockets[i].name).second)
-      fail(at("/table/pockets", i) + "/name",
-           fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", t.pockets[i].name));
+  if (const auto i = second_of_a_name({t.cushions.begin(), t.cushions.end()}))
+    fail(at("/table/names", *i), fmt::format("\"{}\" names two cushions", t.cushions[*i]));
+  for (const std::string& name : t.cushions) {
+    const std::string_view number = std::string_view(name).substr(std::min<std::size_t>(name.size(), 1));
+    std::size_t vertex = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), vertex);
+    if (name.starts_with('v') && error == std::errc() && vertex < t.vertices.size() && name == "v" + std::to_string(vertex))
+      fail("/table/names", fmt::format("\"v{0}\" is the name of vertex {0}", vertex));
+  }
+  std::vector<std::string_view> pockets{"any"};
+  for (const Pocket& p : t.pockets) pockets.push_back(p.name);
+  if (const auto i = second_of_a_name(pockets))
+    fail(at("/table/pockets", *i - 1) + "/name", fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", pockets[*i]));
 }
 
 void check_pockets(const Table& t, const Boundary& b) {
   for (std::size_t i = 0; i < t.pockets.size(); ++i) {
     const Pocket& p = t.pockets[i];
-    need_finite(p.at.x, at("/table/pockets", i) + "/at/0");
-    need_finite(p.at.y, at("/table/pockets", i) + "/at/1");
+    need_finite(p.at, [&] { return at("/table/pockets", i) + "/at"; });
     const double distance = b.distance_to_centres(p.at);
     const bool point = p.radius == 0 && b.radius == 0;
     if (p.radius == 0 && b.radius > 0)
@@ -97,8 +111,7 @@ void check_pockets(const Table& t, const Boundary& b) {
 }
 
 void check_inside(const Boundary& b, const Vec2d& p, const std::string& path, std::string_view what) {
-  need_finite(p.x, path + "/0");
-  need_finite(p.y, path + "/1");
+  need_finite(p, [&] { return path; });
   const double clearance = b.clearance(p);
   if (clearance < -b.touch)
     fail(path, fmt::format("{}: {} must be inside the table, at least the ball's radius {} m from "

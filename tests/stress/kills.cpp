@@ -49,15 +49,15 @@ std::string puzzles(Random& r, int count) {
   return out;
 }
 
-pid_t start(const std::vector<std::string>& words, long most_bytes) {
+pid_t start(const std::vector<std::string>& words, const fs::path& complaints, long most_bytes) {
   const pid_t child = fork();
   if (child != 0) return child;
+  const int errors = open(complaints.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(errors, STDERR_FILENO);
   if (most_bytes > 0) {
     const rlimit limit{static_cast<rlim_t>(most_bytes), static_cast<rlim_t>(most_bytes)};
     setrlimit(RLIMIT_FSIZE, &limit);
   }
-  const int nowhere = open("/dev/null", O_WRONLY);
-  dup2(nowhere, STDERR_FILENO);
   std::vector<char*> arguments;
   for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));
   arguments.push_back(nullptr);
@@ -67,7 +67,8 @@ pid_t start(const std::vector<std::string>& words, long most_bytes) {
 
 /// Runs until it ends by itself or the output has so many bytes; true when it was done.
 bool run(const std::vector<std::string>& words, const fs::path& output, std::optional<End> end, long bytes, Tally& tally) {
-  const pid_t child = start(words, end == End::full ? bytes : 0);
+  const fs::path complaints = output.parent_path() / "stderr";
+  const pid_t child = start(words, complaints, end == End::full ? bytes : 0);
   int status = 0;
   const auto running = [&] { return waitpid(child, &status, WNOHANG) == 0; };
   std::error_code none;
@@ -84,7 +85,7 @@ bool run(const std::vector<std::string>& words, const fs::path& output, std::opt
   if (end == End::interrupt && WIFSIGNALED(status)) return ++tally.kills, false;  // it had not begun to listen
   if (end == End::interrupt && WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT) return ++tally.interrupts, false;
   if (end == End::full && WIFEXITED(status) && WEXITSTATUS(status) == 2) return ++tally.full, false;
-  throw std::runtime_error(fmt::format("the program ended with status {:#x}", status));
+  throw std::runtime_error(fmt::format("the program ended with status {:#x}: {}", status, text_of(complaints)));
 }
 
 }  // namespace
