@@ -14,6 +14,8 @@
 namespace bankshot::app {
 namespace {
 
+constexpr int by_signal = 128;  ///< exit codes above: ended by this signal
+
 struct Arguments {
   std::string file, output = "-", cost, picture;
   SolveFlags flags;
@@ -58,7 +60,7 @@ Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::st
     out.cut(0);
     return {};
   }
-  if (!in.skip(mark->read))
+  if (!in.skip(mark->read) && !interrupted())
     throw FileError(fmt::format("{}: this batch was begun with another input: its first {} lines differ", Journal::path_for(path), mark->read.lines));
   out.cut(mark->written);
   journal.go_on(*mark);
@@ -97,10 +99,9 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
     throw WriteError(fmt::format("{}; answers written: {}{}", e.what(), grouped(batch.at.read.lines), how_to_go_on));
   }
   progress.clear();
-  if (const int signal = interrupted()) {
+  if (interrupted()) {
     if (!a.quiet) std::cerr << fmt::format("bankshot: interrupted after {} puzzles{}\n", grouped(batch.at.read.lines), how_to_go_on);
-    constexpr int by_signal = 128;
-    return by_signal + signal;
+    return by_signal + interrupted();
   }
   if (journal) journal->remove();
   if (!a.quiet) std::cerr << closing_line(batch.at.tally, kept, progress);
@@ -121,7 +122,9 @@ int run(Arguments a) {
   if (!out.regular()) return run_batch(a, in, out, nullptr, {});
   const std::string progress_file = Journal::path_for(a.output);
   if (a.resume && out.size() > 0 && !std::filesystem::exists(progress_file)) {
-    if (!finished(in, a))
+    const bool whole = finished(in, a);
+    if (interrupted()) return by_signal + interrupted();
+    if (!whole)
       throw FileError(fmt::format("{}: cannot be gone on with: {} is missing, and it is not all of the answer to this input with these flags",
                                   a.output, progress_file));
     if (!a.quiet) std::cerr << a.output << ": is whole already\n";

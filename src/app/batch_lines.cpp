@@ -53,6 +53,7 @@ bool LineReader::next(Lines& out) {
   } catch (const FileError&) {
     if (out.lines.empty()) throw;  // else it comes again, after the lines before it
   }
+  if (whole_chunks_ && interrupted()) return false;  // a shorter chunk would be another way to cut the input
   out.after = mark_;
   out.share = share();
   return !out.lines.empty();
