@@ -45,6 +45,8 @@ struct Search {
   std::optional<double> pinned{};  ///< m/s, a launch speed to keep to: then any arrival in the range will do
 
   long simulations = 0;
+  bool measure = false;   ///< clock the certification
+  double certify_us = 0;
   std::vector<Shot> shots;
   /// Launches that lead near a target along a cushion sequence but are no shots: its centre is blocked,
   /// or no aim reaches it. Parts of the target may be reached beside them.

@@ -2,6 +2,7 @@
 #include "planners/verify.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "bankshot/simulate/simulator.hpp"
@@ -254,8 +255,9 @@ std::optional<double> launch_speed(Search& s, double angle, const Trace& t, bool
   return s.puzzle.prefer == Prefer::soft ? low : high;
 }
 
-bool certify(Search& s, const Launch& proposed, int bounces, std::string_view planner,
-             bool off_centre) {
+namespace {
+
+bool try_launch(Search& s, const Launch& proposed, int bounces, std::string_view planner, bool off_centre) {
   const CushionRule& rule = s.puzzle.cushions;
   if (bounces < rule.min || bounces > rule.max) return false;
   Launch launch{proposed.speed, wrap_angle(radians(degrees(proposed.angle)))};
@@ -283,6 +285,16 @@ bool certify(Search& s, const Launch& proposed, int bounces, std::string_view pl
   first_order(s, shot);
   s.shots.push_back(std::move(shot));
   return true;
+}
+
+}  // namespace
+
+bool certify(Search& s, const Launch& proposed, int bounces, std::string_view planner, bool off_centre) {
+  if (!s.measure) return try_launch(s, proposed, bounces, planner, off_centre);
+  const auto begin = std::chrono::steady_clock::now();
+  const bool certified = try_launch(s, proposed, bounces, planner, off_centre);
+  s.certify_us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  return certified;
 }
 
 bool certify_aim(Search& s, double angle, int bounces, std::string_view planner, bool off_centre) {

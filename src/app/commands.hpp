@@ -11,6 +11,7 @@ namespace bankshot::app {
 using Run = std::function<int()>;
 
 Run add_solve(CLI::App& app);
+Run add_batch(CLI::App& app);
 Run add_simulate(CLI::App& app);
 Run add_verify(CLI::App& app);
 Run add_report(CLI::App& app);

@@ -205,12 +205,10 @@ Noise read_noise(const Reader& r) {
   return n;
 }
 
-/// As it is written, so that 1.0 does not come back as 1.
-std::string read_id(const Reader& doc, std::string_view text) {
-  const auto r = doc.find("id");
-  if (!r) return "";
-  if (!r->is_string() && !r->is_number()) r->fail("must be a string or a number");
-  return find_id(text);
+/// `written`: its text in the document.
+std::string read_id(const Reader& doc, std::string written) {
+  if (const auto r = doc.find("id"); r && !r->is_string() && !r->is_number()) r->fail("must be a string or a number");
+  return written;
 }
 
 void read_choices(const Reader& doc, Puzzle& p) {
@@ -232,12 +230,13 @@ void read_choices(const Reader& doc, Puzzle& p) {
 }  // namespace
 
 Puzzle read_puzzle(std::string_view text) {
-  const Json json = parse_document(text);
+  std::string id;
+  const Json json = parse_document(text, &id);
   const Reader doc(json);
   doc.only({"id", "table", "physics", "ball", "others", "target", "cushions", "arrive", "speed",
             "angle", "prefer", "aim", "noise", "budget"});
   Puzzle p;
-  p.id = read_id(doc, text);
+  p.id = read_id(doc, std::move(id));
   const Reader table = doc.need("table");
   p.ball = read_ball(doc, default_ball(table));
   p.table = read_table(table, p.ball.radius);
@@ -261,11 +260,12 @@ Puzzle read_puzzle(std::string_view text) {
 }
 
 ShotRequest read_shot(std::string_view text) {
-  const Json json = parse_document(text);
+  std::string id;
+  const Json json = parse_document(text, &id);
   const Reader doc(json);
   doc.only({"id", "table", "physics", "ball", "others", "shot", "until"});
   ShotRequest s;
-  s.id = read_id(doc, text);
+  s.id = read_id(doc, std::move(id));
   const Reader table = doc.need("table");
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.radius);

@@ -30,6 +30,10 @@ struct Answer {
   std::vector<std::string> modelled{};
   long simulations = 0;  ///< search and certification
   double time_us = 0;    ///< of the search, without margin and success
+  struct Cost {
+    double certify_us = 0;     ///< of time_us, what the replays of candidates took
+    double robustness_us = 0;  ///< margin and success, beside time_us
+  } cost{};  ///< where SolveOptions::measure asked for it
   std::string message{};
   struct Error {
     std::string path, reason;

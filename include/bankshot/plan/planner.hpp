@@ -18,6 +18,7 @@ struct SolveOptions {
   bool all = false;         ///< every distinct shot, not only the best
   bool robustness = true;   ///< margin and success; without, `robust` ranks by first-order margin
   bool suggest = true;      ///< where there is no shot, look for what would make one possible
+  bool measure = false;     ///< fill Answer::cost, at the price of a clock beside each replay
 };
 
 /// Never throws for a puzzle that is merely hard: invalid puzzles and unknown planners throw
