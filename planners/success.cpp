@@ -169,7 +169,7 @@ class Chance {
 
   /// Brackets both ends of what is expected to be made, by steps that double.
   void follow(Line& line, double low, double high) {
-    constexpr int most_steps = 3;
+    constexpr int most_steps = 6;
     for (const bool upper : {false, true}) {
       const double edge = upper ? high : low;
       if (std::abs(edge) >= widest) continue;
