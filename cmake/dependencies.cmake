@@ -20,7 +20,6 @@ bankshot_need(Eigen3 3.4 libeigen3-dev NO_MODULE)
 bankshot_need(Ceres 2.1 libceres-dev)
 # Headers only, for 50 digits and for the integrators that `report` compares with; the program uses them, the libraries do not.
 bankshot_need(Boost 1.74 libboost-dev)
-bankshot_need(TBB 2021 libtbb-dev)
 
 # NLopt is packaged twice under one CMake name (C and C++), so ask for the target.
 find_package(NLopt 2.7 QUIET)

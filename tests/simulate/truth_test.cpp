@@ -6,6 +6,7 @@
 
 #include <cstdio>
 
+#include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 #include "support/random_shot.hpp"

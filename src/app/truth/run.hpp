@@ -40,10 +40,10 @@ struct Run {
   State<double> start;
   int cushions = 1000000;
   long events = 20000;
-  double until = forever;
   std::optional<Vec2d> target{};
   double turned = 0;  ///< rad, small: the launch is turned by this, its spin with it, ...
   double pushed = 0;  ///< ... and made faster by this, relative; both without rounding
+  double until = forever;
 };
 
 struct Path {
