@@ -71,7 +71,8 @@ Run add_solve(CLI::App& app) {
   CLI::App* command = app.add_subcommand("solve", "Find the aim and the speed for a puzzle");
   command->add_option("puzzle", a->file, "A puzzle in JSON; - reads standard input")->capture_default_str();
   command->add_option("--planner", a->options.planner, "Which planner; 'list' names them")->capture_default_str();
-  command->add_flag("--all", a->options.all, "Every distinct shot, best first");
+  CLI::Option* all = command->add_flag("--all", a->options.all, "Every distinct shot, best first");
+  command->add_flag("--first", a->options.first, "The first shot found, not the best")->excludes(all);
   command->add_option("--budget", a->budget, "Simulations to spend at most")->check(whole_number);
   command->add_option("--svg", a->svg, "Write a picture to this file")->check(file_name);
   command->add_flag("--json", a->json, "One line of JSON instead of text");
