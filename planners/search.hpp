@@ -33,12 +33,13 @@ struct NearMiss {
 };
 
 struct Search {
-  explicit Search(const Puzzle& p, bool find_all);
+  explicit Search(const Puzzle& p, bool find_all, bool find_first = false);
 
   const Puzzle& puzzle;
   Boundary boundary;
   Physics rough;  ///< the puzzle's, integrated no more finely than a seed needs
-  bool all;
+  bool all;    ///< every shot
+  bool first;  ///< the first shot found will do
   std::optional<Range> arrival;  ///< speed asked at the target; none: any
   bool stop;                     ///< the ball must come to rest at the target
   double asked = 0;              ///< m/s, of a range of arrival speeds the one to aim for; `prefer` chooses
@@ -83,7 +84,14 @@ struct Search {
   /// Shots to choose from; more would hardly be better.
   static constexpr std::size_t enough_to_compare = 32;
   /// Whether a planner that proposes seed after seed may stop.
-  bool enough() { return spent() || (!all && shots.size() >= enough_to_compare); }
+  bool enough() {
+    const bool plenty = !all && shots.size() >= (first ? 1 : enough_to_compare);
+    stopped = stopped || plenty;
+    return plenty || spent();
+  }
+  bool stopped = false;  ///< with so many shots that no more were looked for
+  /// Some shot was found, and no other is asked for.
+  bool satisfied() const { return first && !shots.empty(); }
   bool one_unknown() const { return !arrival || pinned; }
   /// Where shots are aimed: the point, or the pocket's centre.
   const std::vector<Vec2d>& aim_points() const { return aim_points_; }

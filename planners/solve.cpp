@@ -44,7 +44,7 @@ const Method& find_method(const std::string& name) {
 std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shots) {
   std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling"};
   if (!is_straight(p.physics)) out.insert(out.begin(), "sliding");
-  constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010"};
+  constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010", "custom cushion"};
   out.push_back(cushions[p.physics.cushion.index()]);
   if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.cushion_stick; })) out.push_back("cushion-stick");
   if (!p.table.pockets.empty()) out.push_back("pockets");
@@ -101,6 +101,7 @@ Answer finish(Search& s, const SolveOptions& options, double time_us) {
 
 Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   validate(puzzle);
+  if (options.all && options.first) throw InvalidInput("", "either all shots are asked for or the first one found");
   const Method& method = find_method(options.planner);
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = spins_to_try(puzzle);
@@ -113,7 +114,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
       one->spin = spins[i];
       one->budget = spent + (puzzle.budget - spent) / static_cast<long>(spins.size() - i);  // an even share of what is left
     }
-    Search s(one ? *one : puzzle, options.all);
+    Search s(one ? *one : puzzle, options.all, options.first);
     s.simulations = spent;
     s.measure = options.measure;
     s.certify_us = certify_us;

@@ -26,6 +26,7 @@ Puzzle SolveFlags::read(std::string_view text) const {
 std::string SolveFlags::words() const {
   std::string out = "--planner " + options.planner;
   if (options.all) out += " --all";
+  if (options.first) out += " --first";
   if (budget >= 0) out += fmt::format(" --budget {}", budget);
   if (no_timing) out += " --no-timing";
   if (no_robustness) out += " --no-robustness";
@@ -34,7 +35,8 @@ std::string SolveFlags::words() const {
 
 void add_solve_flags(CLI::App& command, SolveFlags& flags) {
   command.add_option("--planner", flags.options.planner, "Which planner; 'list' names them")->capture_default_str();
-  command.add_flag("--all", flags.options.all, "Every distinct shot, best first");
+  CLI::Option* all = command.add_flag("--all", flags.options.all, "Every distinct shot, best first");
+  command.add_flag("--first", flags.options.first, "The first shot found, not the best")->excludes(all);
   command.add_option("--budget", flags.budget, "Simulations to spend at most")->check(whole_number);
   command.add_flag("--no-timing", flags.no_timing, "Leave out time_us: same input, same bytes");
   command.add_flag("--no-robustness", flags.no_robustness, "Leave out margin and success");

@@ -128,6 +128,7 @@ void check_physics(const Physics& physics) {
     if (!(m->radius > 0)) fail("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
     if (!(m->sliding_friction >= 0 && std::isfinite(m->sliding_friction * m->g)))
       fail("/physics/sliding_friction", "must be finite and at least 0");
+    if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law) fail("/physics/cushion", "a custom cushion needs a law");
     const auto* c = std::get_if<Mathavan2010>(&physics.cushion);
     if (c && c->sliding_friction != m->sliding_friction)
       fail("/physics/cushion", fmt::format("the cloth's sliding friction is {} during an impact and {} between two",

@@ -42,6 +42,8 @@ Json physics_json(const Physics& p) {
   if (const auto* r = std::get_if<Rolling>(&p.motion))
     return {{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
   const SlideRoll& m = std::get<SlideRoll>(p.motion);
+  if (std::holds_alternative<CustomCushion>(p.cushion))
+    throw InvalidInput("/physics/cushion", "a custom cushion is a function: JSON has no words for it");
   Json cushion{{"model", "mirror"}, {"restitution", bounce}};
   if (const auto* h = std::get_if<Han2005>(&p.cushion))
     cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};

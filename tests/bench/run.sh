@@ -37,6 +37,7 @@ done >"$out/planners-rolling.csv"
 {
   "$bin/bench/bench_planners" --count 300 --header
   for n in 1 5 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --only auto; done
+  for n in 1 5 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --only "auto --first"; done
   for n in 3 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --sequence --only auto; done
 } >"$out/planners-spin.csv"
 {
