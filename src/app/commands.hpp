@@ -13,5 +13,6 @@ using Run = std::function<int()>;
 Run add_solve(CLI::App& app);
 Run add_simulate(CLI::App& app);
 Run add_verify(CLI::App& app);
+Run add_generate(CLI::App& app);
 
 }  // namespace bankshot::app
