@@ -195,6 +195,7 @@ Difficulty difficulty(const Shot& shot) {
 }
 
 std::string Tries::text() const {
+  if (no_room) return "the table has no free place for the ball";
   std::string out = fmt::format("{} shots drawn, {} with the bounces and the target wished and solved for", draws, solved);
   if (no_shot) out += fmt::format("; {} had no exact shot", no_shot);
   if (other_difficulty) out += fmt::format("; {} had another difficulty", other_difficulty);
@@ -206,6 +207,9 @@ std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
   Tries own;
   Tries& tries = counts ? *counts : own;
   const Boundary boundary(w.table, w.ball.radius);
+  Random look(1);
+  tries.no_room = !free_place(look, boundary, w.table);
+  if (tries.no_room) return {};
   while (tries.solved < w.tries && tries.draws < draws_a_try * w.tries) {
     ++tries.draws;
     auto p = w.cushions.sequence ? from_target(r, w, boundary) : from_shot(r, w, boundary);

@@ -14,5 +14,6 @@ Run add_solve(CLI::App& app);
 Run add_simulate(CLI::App& app);
 Run add_verify(CLI::App& app);
 Run add_generate(CLI::App& app);
+Run add_map(CLI::App& app);
 
 }  // namespace bankshot::app

@@ -28,7 +28,7 @@ int refuse(const std::string& reason, bool json) {
 /// The parser would only say that a command is missing.
 void check_command(const std::string& first, const std::map<std::string, Run>& commands) {
   if (first.starts_with('-') || commands.contains(first)) return;
-  constexpr std::string_view to_come[] = {"batch", "map", "report", "serve", "fit"};
+  constexpr std::string_view to_come[] = {"batch", "report", "serve", "fit"};
   if (std::find(std::begin(to_come), std::end(to_come), first) != std::end(to_come))
     throw CLI::ParseError("the command " + quote(first) + " is not supported yet", bad_input);
   std::vector<std::string_view> names;
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "bankshot " BANKSHOT_VERSION);
   app.require_subcommand(1);
   const std::map<std::string, Run> commands{{"solve", add_solve(app)}, {"simulate", add_simulate(app)}, {"verify", add_verify(app)},
-                                        {"generate", add_generate(app)}};
+                                        {"generate", add_generate(app)}, {"map", add_map(app)}};
   try {
     if (argc > 1) check_command(argv[1], commands);
     app.parse(argc, argv);

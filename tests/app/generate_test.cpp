@@ -66,7 +66,7 @@ TEST_CASE("generate: what cannot be is refused or given up") {
       {"--count 1 --seed 1 --table seed --target pocket", 2, "this table has no pockets"},
       {"--count 1 --seed 1 -o /no/such/folder/x", 2, "/no/such/folder/x: cannot be written"},
       {"--count 1 --seed 1 --physics ideal --target stop", 2, "--target stop: without friction no ball comes to rest"},
-      {"--count 9 --seed 1 --table '{\"length\": 0.06, \"width\": 0.06}' --physics ideal", 1, "puzzle 1 of 9 was not found: 100000 shots drawn, 0 with the bounces and the target wished"},
+      {"--count 9 --seed 1 --table '{\"length\": 0.06, \"width\": 0.06}' --physics ideal", 1, "puzzle 1 of 9 was not found: the table has no free place for the ball"},
   }));
   INFO(arguments);
   const auto run = run_program("generate " + arguments);

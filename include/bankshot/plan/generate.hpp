@@ -71,6 +71,7 @@ struct Generated {
 struct Tries {
   long draws = 0;    ///< shots simulated; most have other bounces than wished
   int solved = 0;    ///< puzzles given to `solve`
+  bool no_room = false;
   int no_shot = 0, other_difficulty = 0, not_unique = 0;
   std::string text() const;
 };
