@@ -19,6 +19,9 @@ constexpr const char* cloth = "#1f7a4d";
 /// reads the same to colour-blind people and in print.
 constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84}, {71, 44, 122}, {59, 81, 139}, {44, 113, 142}, {33, 144, 141}, {39, 173, 129}, {92, 200, 99}, {170, 220, 50}, {253, 231, 37}}};
 
+/// Above this part a dark line is seen better on it than a white one.
+constexpr double light = 0.55;
+
 /// Between two of its colours in a straight line; `part` from 0 to 1.
 std::string colour(double part) {
   const double x = std::clamp(part, 0.0, 1.0) * (viridis.size() - 1);
@@ -43,7 +46,7 @@ std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> le
     const Vec2d half = m.grid.cell / 2.0, at = m.grid.at(i);
     const Shot* s = shot_from(m, i);
     holes = holes || !s;
-    cells.push_back({at - half, at + half, s ? colour(part(*s)) : hole, s ? std::optional(s->launch.angle) : std::nullopt});
+    cells.push_back({at - half, at + half, s ? colour(part(*s)) : hole, s ? std::optional(s->launch.angle) : std::nullopt, s && part(*s) > light ? "#222" : "#fff"});
   }
   if (holes) legend.push_back({"no shot", hole});
   if (cells.size() < m.starts.size()) legend.push_back({"no start", cloth});
@@ -66,15 +69,14 @@ std::string draw(const Puzzle& p, const StartMap& m) {
     const double part = i / 4.0;
     chance.push_back({fmt::format("{:.0f} %", 100 * part), colour(part)});
     // Slow is light: both maps are light where a player would like to be. Evenly in ln speed.
-    if (fastest > 0) speed.push_back({fmt::format("{:.2g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
+    if (fastest > 0) speed.push_back({fmt::format("{:.3g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
   }
   Chapter page{"", "", {}};
   if (success)
     page.plates.push_back({heat(p, m, chance, "chance", [](const Shot& s) { return s.success.value_or(0); }), "How robust? The chance that the best shot from here is made", {}});
   const double decades = fastest > slowest ? std::log(fastest / slowest) : 1;
   page.plates.push_back({heat(p, m, speed, "speed", [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }), "How slow? Its launch speed", {}});
-  const Vec2d size = p.table.highest() - p.table.lowest();
-  return draw_page(std::array{page}, {.plate = size.x >= size.y ? 1000.0 : 600.0, .ratio = (size.y + 0.3 * std::max(size.x, size.y)) / (size.x + 0.1 * std::max(size.x, size.y)), .letter = 20});
+  return draw_page(std::array{page}, {.letter = 20});
 }
 
 }  // namespace bankshot

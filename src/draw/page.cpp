@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "draw/escape.hpp"
 
@@ -20,6 +21,13 @@ std::string placed(const std::string& svg, double x, double y, double width, dou
   const auto box = svg.find(box_key), end = svg.find('"', box + box_key.size()), body = svg.find('>') + 1;
   return fmt::format(R"(<svg x="{:.0f}" y="{:.0f}" width="{:.0f}" height="{:.0f}" {} font-family="sans-serif">{})", x, y, width, height,
                      svg.substr(box, end + 1 - box), svg.substr(body));
+}
+
+/// Height over width of a picture, from its viewBox.
+double ratio_of(const std::string& svg) {
+  double x = 0, y = 0, width = 1, height = 1;
+  std::istringstream(svg.substr(svg.find("viewBox=\"") + 9)) >> x >> y >> width >> height;
+  return height / width;
 }
 
 class Page {
@@ -39,12 +47,14 @@ class Page {
   }
 
   void plates(std::span<const Plate> all) {
-    const double line = 1.35 * style_.letter, picture = style_.plate * style_.ratio;
+    const double line = 1.35 * style_.letter;
     for (std::size_t i = 0; i < all.size();) {
       const std::size_t row = std::min(all.size() - i, static_cast<std::size_t>(style_.columns));
       std::size_t lines = 0;
       const bool titled = std::any_of(all.begin() + static_cast<long>(i), all.begin() + static_cast<long>(i + row), [](const Plate& p) { return !p.title.empty(); });
-      const double top = y_ + (titled ? 1.5 * line : 0);
+      double ratio = style_.ratio;
+      for (std::size_t k = 0; k < row && style_.ratio == 0; ++k) ratio = std::max(ratio, ratio_of(all[i + k].svg));
+      const double picture = style_.plate * ratio, top = y_ + (titled ? 1.5 * line : 0);
       for (std::size_t k = 0; k < row; ++k, ++i) {
         const Plate& p = all[i];
         const double x = margin_ + static_cast<double>(k) * (style_.plate + gap_);

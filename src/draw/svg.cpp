@@ -224,14 +224,18 @@ std::string draw(const Puzzle& puzzle, const Answer& answer) {
 std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend, const std::string& title) {
   Canvas c(puzzle.table);
   draw_table(c);
-  constexpr double seam = 0.3;  // px, so that no cloth shines through between two cells
+  c.add(R"(<g shape-rendering="crispEdges">)");  // no cloth shines through between two cells
   for (const Cell& cell : cells) {
-    const Vec2d a = c.at({cell.low.x, cell.high.y}), b = c.at({cell.high.x, cell.low.y}), middle = (a + b) / 2.0;
-    c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a.x, a.y, b.x - a.x + seam, b.y - a.y + seam, cell.fill);
-    const double tick = 0.38 * std::min(b.x - a.x, b.y - a.y);
+    const Vec2d a = c.at({cell.low.x, cell.high.y}), b = c.at({cell.high.x, cell.low.y});
+    c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a.x, a.y, b.x - a.x, b.y - a.y, cell.fill);
+  }
+  c.add("</g>");
+  for (const Cell& cell : cells) {
+    const Vec2d size = cell.high - cell.low, middle = c.at(cell.low + size / 2.0);
+    const double tick = 0.4 * c.px(std::min(size.x, size.y));
     if (!cell.aim || tick < 3) continue;
     const Vec2d u = direction(*cell.aim) * tick;
-    c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="#fff" stroke-width="1.2" stroke-opacity="0.75"/>)", middle.x, middle.y, u.x, -u.y);
+    c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="{}" stroke-width="1.2" stroke-opacity="0.7"/>)", middle.x, middle.y, u.x, -u.y, cell.ink);
   }
   draw_pockets(c);
   draw_target(c, puzzle);

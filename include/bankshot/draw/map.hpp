@@ -13,7 +13,8 @@ namespace bankshot {
 struct Cell {
   Vec2d low, high;  ///< corners [m]
   std::string fill;
-  std::optional<double> aim{};  ///< rad; drawn as a line from the middle
+  std::optional<double> aim{};  ///< rad; drawn as a line from the middle, where the cell has room for it ...
+  std::string ink = "#fff";     ///< ... in this colour
 };
 
 struct LegendEntry {

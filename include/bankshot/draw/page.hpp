@@ -23,7 +23,7 @@ struct Chapter {
 struct PageStyle {
   int columns = 1;
   double plate = 1000;    ///< px, the width of a plate
-  double ratio = 0.6;     ///< of the space for a picture, height over width
+  double ratio = 0;       ///< of the space for a picture, height over width; 0: a row is as high as its highest
   double letter = 18;     ///< px, of captions
   std::string title{}, subtitle{};
 };
