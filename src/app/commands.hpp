@@ -14,6 +14,8 @@ Run add_solve(CLI::App& app);
 Run add_batch(CLI::App& app);
 Run add_simulate(CLI::App& app);
 Run add_verify(CLI::App& app);
+Run add_generate(CLI::App& app);
+Run add_map(CLI::App& app);
 Run add_report(CLI::App& app);
 
 }  // namespace bankshot::app

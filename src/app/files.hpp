@@ -35,6 +35,9 @@ void print(const std::string& text);
 /// would write a file of that name, and standard output carries the answer.
 std::string file_name(const std::string& text);
 
+/// The same for a whole number, at least 0; CLI11's own check prints its bounds with 309 digits.
+std::string whole_number(const std::string& text);
+
 /// `text` without line breaks and other control characters.
 std::string one_line(std::string text);
 

@@ -54,11 +54,4 @@ int list_planners() {
   return done;
 }
 
-/// CLI11's own check prints its bounds with 309 digits.
-std::string whole_number(const std::string& text) {
-  constexpr std::size_t most_digits = 18;  // fits a long
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits && text.size() <= most_digits ? "" : quote(text) + " must be a whole number, at least 0";
-}
-
 }  // namespace bankshot::app

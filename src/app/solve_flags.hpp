@@ -27,7 +27,4 @@ void add_solve_flags(CLI::App& command, SolveFlags& flags);
 void check_planner(const std::string& wanted);
 int list_planners();
 
-/// A check of an option's value: a whole number, at least 0.
-std::string whole_number(const std::string& text);
-
 }  // namespace bankshot::app

@@ -286,6 +286,16 @@ ShotRequest read_shot(std::string_view text) {
   return s;
 }
 
+SceneDocument read_scene(std::string_view table, std::string_view physics) {
+  const Json json{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
+  const Reader doc(json);
+  SceneDocument s;
+  s.ball = default_ball(doc.need("table"));
+  s.table = read_table(doc.need("table"), s.ball.radius);
+  s.physics = read_physics(doc, s.ball);
+  return s;
+}
+
 std::string read_id(std::string_view text) { return find_id(text); }
 
 }  // namespace bankshot
