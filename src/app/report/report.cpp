@@ -22,7 +22,7 @@ struct Arguments {
 constexpr int full_shots = 15, quick_shots = 5;
 
 using Measure = Section (*)(const Settings&, Progress&);
-constexpr Measure parts[] = {simulators, models, conditioning, hard_cases, scaling};
+constexpr Measure parts[] = {simulators, models, planners, conditioning, hard_cases, scaling};
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code problem;
