@@ -36,6 +36,9 @@ struct Panel {
   std::string title;
   Axis x, y;
   std::vector<Curve> curves;
+  /// Not empty: no axes, only a legend of these names, which the common one then leaves out; they begin anew with
+  /// the first colour.
+  std::vector<std::string> legend{};
 };
 
 struct Figure {

@@ -206,7 +206,9 @@ std::string add_derivatives(const Settings& settings, Section& s, Progress& prog
     text += fmt::format("{}{}", text.empty() ? "" : ", ", n ? fmt::format("{} simulations ({}) with {}", *n, short_time(*t), way.name) : fmt::format("not at all with {}", way.name));
     progress.step();
   }
-  s.figure.panels.insert(s.figure.panels.end(), {time, simulations});
+  Panel legend;
+  for (const Way& way : ways) legend.legend.emplace_back(way.name);
+  s.figure.panels.insert(s.figure.panels.end(), {time, simulations, legend});
   s.data.push_back({s.name + "-derivatives", csv});
   return text;
 }
