@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/report/figure.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -206,17 +208,34 @@ std::string gnuplot_script(const Figure& f, const std::string& svg) {
   return out + "unset multiplot\n";
 }
 
-void run_gnuplot(const std::string& script) {
-  std::string program = "gnuplot", file = script;
-  char* arguments[] = {program.data(), file.data(), nullptr};
+namespace {
+
+/// Runs gnuplot with one argument; its exit code. Without `loud` it says nothing.
+int run_with(std::string argument, bool loud) {
+  std::string program = "gnuplot";
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  if (!loud) posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t child = 0;
-  const int problem = posix_spawnp(&child, "gnuplot", nullptr, nullptr, arguments, environ);
-  if (problem == ENOENT) throw DrawingError("gnuplot is not installed, so there are no figures: apt-get install gnuplot-nox");
+  const int problem = posix_spawnp(&child, "gnuplot", &files, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (problem == ENOENT) throw DrawingError("gnuplot is not installed (apt-get install gnuplot-nox)");
   if (problem) throw DrawingError(fmt::format("gnuplot cannot be run: {}", std::strerror(problem)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw DrawingError(fmt::format("gnuplot (package gnuplot-nox) could not draw {}", script));
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+void find_gnuplot() {
+  if (run_with("--version", false) != 0) throw DrawingError("gnuplot (package gnuplot-nox) does not run");
+}
+
+void run_gnuplot(const std::string& script) {
+  if (run_with(script, true) != 0) throw DrawingError(fmt::format("gnuplot (package gnuplot-nox) cannot draw {}", script));
 }
 
 }  // namespace bankshot::app
