@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/boundary.hpp"
+#include "bankshot/tolerances.hpp"
 #include "planners/verify.hpp"
 
 namespace bankshot::planning {
@@ -59,6 +61,13 @@ std::string asked_cushions(const CushionRule& c) {
   return fmt::format("{} to {} cushions", c.min, c.max);
 }
 
+/// A warning where double precision is not enough for an exact answer: the replay's miss is then rounding, too.
+std::string uncertain(const Search& s, const Shot& shot) {
+  const double error = tolerance::simulation_error * 0x1p-53 * shot.condition, diagonal = s.boundary.diagonal;
+  if (!(error > tolerance::exact_miss * diagonal)) return "";
+  return fmt::format("; its condition leaves about {:.0f} of 16 digits: in exact numbers the arrival may be {:.1g} m off", std::max(0.0, -std::log10(error / diagonal)), error);
+}
+
 /// The softest shot of a changed puzzle.
 std::optional<Shot> opened(Puzzle p) {
   p.prefer = Prefer::soft;
@@ -76,6 +85,7 @@ std::string message(const Search& s, const Answer& a, std::size_t found) {
     text = s.first ? "the first shot found, there may be better ones" : found == 1 ? "one shot found" : fmt::format("{} distinct shots found", found);
     if (s.stopped && !s.first) text += "; the search stopped there, so others were not compared";
     if (!s.centred(a.shots.front().miss)) text += "; nothing found reaches the target's centre, this reaches part of it";
+    text += uncertain(s, a.shots.front());
     if (s.cut) text += "; the budget ended the search, so there may be better ones";
     if (s.all && !s.complete && !s.cut) text += "; there may be more: shots in a narrow range of aims can be missed";
   } else if (a.status == Status::budget) {

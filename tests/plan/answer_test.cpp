@@ -3,6 +3,7 @@
 // What an answer says beside the launch: why not, how robust, which of several.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "planners/message.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 
@@ -133,4 +134,13 @@ TEST_CASE("an aim into a cushion that the ball touches is offered only when aske
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].launch.angle > radians(180));
+}
+
+TEST_CASE("an answer warns when its condition leaves fewer digits than an exact shot needs") {
+  const Puzzle p = plain(ideal_physics());
+  const planning::Search s(p, false);
+  Answer a{.status = Status::solved, .shots = {Shot{.condition = 1e3}}};
+  CHECK(!says(planning::message(s, a, 1), "digits"));
+  a.shots[0].condition = 1e8;
+  CHECK(says(planning::message(s, a, 1), "leaves about 8 of 16 digits"));
 }

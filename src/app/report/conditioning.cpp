@@ -23,11 +23,18 @@ struct Scene {
   double low, high;  ///< launch speed [m/s]
 };
 
-/// A rectangle with a round peg's worth of reflex vertices: a square post in the middle scatters what it meets.
-Table with_post() {
-  constexpr double half = 0.1, x = 1.27, y = 0.5;
-  // The post hangs on the bottom cushion by a stem of its own width: one simple polygon.
-  return polygon_table({{0, 0}, {x - half, 0}, {x - half, y}, {x + half, y}, {x + half, 0}, {2.54, 0}, {2.54, 1.27}, {0, 1.27}});
+/// A rectangle whose bottom cushion is a row of pins nearer to each other than the ball is wide: it meets only
+/// their tips, which scatter what comes to them.
+Table with_pins() {
+  constexpr double length = 2.54, width = 1.27, height = 0.04;
+  constexpr int pins = 50;
+  std::vector<Vec2d> vertices;
+  for (int i = 0; i < pins; ++i) {
+    vertices.push_back({length * i / pins, 0});
+    vertices.push_back({length * (i + 0.5) / pins, height});
+  }
+  vertices.insert(vertices.end(), {{length, 0}, {length, width}, {0, width}});
+  return polygon_table(vertices);
 }
 
 std::vector<Scene> scenes() {
@@ -40,7 +47,7 @@ std::vector<Scene> scenes() {
   return {{"rectangle, ideal", plain, ideal_physics(), 1, 1},
           {"rectangle, spin, mirror cushions", plain, mirrors, 6, 10},
           {"rectangle, spin, han2005", plain, lively, 6, 10},
-          {"reflex vertices, ideal", with_post(), ideal_physics(), 1, 1}};
+          {"rectangle with a row of pins, ideal", with_pins(), ideal_physics(), 1, 1}};
 }
 
 /// Digits lost, and digits that κ allows to be lost, after n cushions.

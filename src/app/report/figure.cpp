@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/report/figure.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -57,7 +59,10 @@ Range extent(std::span<const Panel> panels, Axis Panel::*axis, double Point::*nu
   constexpr double room = 0.05;
   if (logarithmic) {
     const double by = std::pow(r->high / r->low, room) * 1.3;
-    return {r->low / by, r->high * by};
+    r = Range{r->low / by, r->high * by};
+    constexpr double few = 1e3;  // whole decades, so that there are ticks with numbers
+    if (r->high / r->low > few) return *r;
+    return {std::pow(10, std::floor(std::log10(r->low))), std::pow(10, std::ceil(std::log10(r->high)))};
   }
   const double by = r->high > r->low ? room * (r->high - r->low) : 0.5;
   return {r->low - by, r->high + by};
@@ -81,25 +86,57 @@ std::string set_axis(char name, const Axis& axis, const Range& range) {
   return out + fmt::format("set {}label \"{}\"\n", name, plain(axis.label));
 }
 
-std::vector<std::string> legend(const Figure& f) {
-  std::vector<std::string> names = f.names;
-  for (const Panel& p : f.panels)
-    for (const Curve& c : p.curves)
-      if (!c.name.empty() && std::find(names.begin(), names.end(), c.name) == names.end()) names.push_back(c.name);
-  return names;
+/// The names of curves, each with the number of its colour and mark.
+struct Names {
+  std::vector<std::string> common;
+  std::vector<std::string> apart;  ///< those of a panel that is a legend
+
+  explicit Names(const Figure& f) : common(f.names) {
+    for (const Panel& p : f.panels) apart.insert(apart.end(), p.legend.begin(), p.legend.end());
+    for (const Panel& p : f.panels)
+      for (const Curve& c : p.curves)
+        if (!holds(common, c.name) && !holds(apart, c.name)) common.push_back(c.name);
+  }
+  std::size_t number(const std::string& name) const {
+    const auto& in = holds(apart, name) ? apart : common;
+    return static_cast<std::size_t>(std::find(in.begin(), in.end(), name) - in.begin());
+  }
+  static bool holds(const std::vector<std::string>& in, const std::string& name) { return std::find(in.begin(), in.end(), name) != in.end(); }
+};
+
+std::string style(const Names& names, const std::string& name, Curve::Style kind) {
+  const std::size_t i = names.number(name);
+  const std::string colour = colours[i % std::size(colours)];
+  if (kind == Curve::Style::dashes) return fmt::format("with lines dashtype 2 linewidth 1.2 linecolor \"{}\"", colour);
+  const double size = kind == Curve::Style::points || i == 0 ? 0.65 : 0.5;
+  return fmt::format("with {} linewidth {} pointtype {} pointsize {} linecolor \"{}\"", kind == Curve::Style::points ? "points" : "linespoints", i == 0 ? 2.2 : 1.4,
+                     marks[i % std::size(marks)], size, colour);
 }
 
-std::string style(const std::vector<std::string>& names, const Curve& c) {
-  const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), c.name) - names.begin());
-  const std::string colour = c.name.empty() ? "#999999" : colours[i % std::size(colours)];
-  if (c.style == Curve::Style::dashes) return fmt::format("with lines dashtype 2 linewidth 1.2 linecolor \"{}\"", colour);
-  const int mark = marks[i % std::size(marks)];
-  const double size = c.style == Curve::Style::points || i == 0 ? 0.65 : 0.5;
-  return fmt::format("with {} linewidth {} pointtype {} pointsize {} linecolor \"{}\"", c.style == Curve::Style::points ? "points" : "linespoints", i == 0 ? 2.2 : 1.4,
-                     mark, size, colour);
+/// Entries for a plot that shows nothing but its key.
+std::string key_of(const Figure& f, const Names& names, const std::vector<std::string>& shown_names) {
+  std::string out;
+  for (const std::string& name : shown_names) {
+    Curve::Style kind = Curve::Style::line_points;
+    for (const Panel& p : f.panels)
+      for (const Curve& c : p.curves)
+        if (c.name == name) kind = c.style;
+    out += fmt::format("{}NaN {} title \"{}\"", out.empty() ? "plot " : ", \\\n     ", style(names, name, kind), plain(name));
+  }
+  return out + "\n";
 }
 
-std::string draw_panel(const Panel& p, const std::vector<std::string>& names, int number) {
+constexpr const char* with_axes =
+    "set border 3 linecolor \"#555555\" linewidth 0.8\nset tics nomirror textcolor \"#333333\" scale 0.6,0.3\n"
+    "set grid linecolor \"#e4e4e4\" linewidth 0.6, linecolor \"#e4e4e4\" linewidth 0.6\n";
+constexpr const char* without_axes =
+    "unset border\nunset tics\nunset xlabel\nunset ylabel\nunset title\nunset logscale\nunset grid\nset xrange [0:1]\nset yrange [0:1]\n";
+
+std::string draw_legend_panel(const Figure& f, const Panel& p, const Names& names) {
+  return std::string(without_axes) + "set key center left vertical Left reverse maxcols 1 samplen 2.2\n" + key_of(f, names, p.legend) + "set key off\n" + with_axes;
+}
+
+std::string draw_panel(const Panel& p, const Names& names, int number) {
   std::string data, plots;
   const auto add = [&](const std::string& what) { plots += (plots.empty() ? "plot " : ", \\\n     ") + what; };
   std::vector<std::string> lines;
@@ -116,9 +153,9 @@ std::string draw_panel(const Panel& p, const std::vector<std::string>& names, in
     }
     data += "EOD\n";
     if (!any) continue;
-    const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), c.name) - names.begin());
+    const std::size_t i = names.number(c.name);
     if (band) add(fmt::format("{} using 1:3:4 with filledcurves fillstyle transparent solid 0.12 noborder fillcolor \"{}\" notitle", name, colours[i % std::size(colours)]));
-    lines.push_back(fmt::format("{} using 1:2 {} notitle", name, style(names, c)));
+    lines.push_back(fmt::format("{} using 1:2 {} notitle", name, style(names, c.name, c.style)));
   }
   for (auto line = lines.rbegin(); line != lines.rend(); ++line) add(*line);  // the first on top
   if (plots.empty()) plots = "plot NaN notitle";
@@ -126,20 +163,14 @@ std::string draw_panel(const Panel& p, const std::vector<std::string>& names, in
   return data + fmt::format("set title \"{}\" offset 0,-0.6\n", plain(p.title)) + set_axis('x', p.x, x) + set_axis('y', p.y, y) + plots + "\n";
 }
 
-/// A strip without axes that holds the legend of all panels.
-std::string draw_legend(const Figure& f, const std::vector<std::string>& names, int height, int strip) {
-  std::string out = fmt::format(
-      "unset border\nunset tics\nunset xlabel\nunset ylabel\nunset title\nunset logscale\nunset grid\nset lmargin at screen 0.02\nset rmargin at screen 0.98\n"
-      "set tmargin at screen {:.5f}\nset bmargin at screen 0.0\nset key center center horizontal Left reverse maxcols {} samplen 2.2 width 1\nset xrange [0:1]\nset yrange [0:1]\nplot ",
-      static_cast<double>(strip) / height, legend_columns);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    Curve c{names[i], {}, Curve::Style::line_points};
-    for (const Panel& p : f.panels)
-      for (const Curve& drawn : p.curves)
-        if (drawn.name == names[i]) c.style = drawn.style;
-    out += fmt::format("{}NaN {} title \"{}\"", i ? ", \\\n     " : "", style(names, c), plain(names[i]));
-  }
-  return out + "\n";
+/// A strip below all panels that holds their common legend.
+std::string draw_legend(const Figure& f, const Names& names, int height, int strip) {
+  return without_axes +
+         fmt::format(
+             "set lmargin at screen 0.02\nset rmargin at screen 0.98\nset tmargin at screen {:.5f}\nset bmargin at screen 0.0\n"
+             "set key center center horizontal Left reverse maxcols {} samplen 2.2 width 1\n",
+             static_cast<double>(strip) / height, legend_columns) +
+         key_of(f, names, names.common);
 }
 
 }  // namespace
@@ -155,15 +186,14 @@ void share_y(std::span<Panel> panels) {
 }
 
 std::string gnuplot_script(const Figure& f, const std::string& svg) {
-  const std::vector<std::string> names = legend(f);
+  const Names names(f);
   const int panels = static_cast<int>(f.panels.size()), rows = (panels + f.columns - 1) / f.columns;
-  const int strip = names.empty() ? 4 : 10 + legend_row * ((static_cast<int>(names.size()) + legend_columns - 1) / legend_columns);
+  const int strip = names.common.empty() ? 4 : 10 + legend_row * ((static_cast<int>(names.common.size()) + legend_columns - 1) / legend_columns);
   const int height = rows * f.row_height + strip;
   std::string out = fmt::format(
       "set terminal svg size {},{} fixed enhanced font \"sans-serif,12\" background \"#ffffff\"\nset output \"{}\"\nset encoding utf8\nset multiplot\nset key off\n"
-      "set border 3 linecolor \"#555555\" linewidth 0.8\nset tics nomirror textcolor \"#333333\" scale 0.6,0.3\nset grid linecolor \"#e4e4e4\" linewidth 0.6, linecolor \"#e4e4e4\" linewidth 0.6\n"
-      "set xlabel offset 0,0.4\nset ylabel offset 0.6,0\n",
-      width, height, svg);
+"{}set xlabel offset 0,0.4\nset ylabel offset 0.6,0\n",
+      width, height, svg, with_axes);
   for (int i = 0; i < panels; ++i) {
     const int row = i / f.columns, column = i % f.columns;
     const double across = static_cast<double>(width) / f.columns;
@@ -171,23 +201,41 @@ std::string gnuplot_script(const Figure& f, const std::string& svg) {
     const auto y = [&](double pixel) { return 1 - (row * f.row_height + pixel) / height; };
     out += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", x(f.left), x(across - right),
                        y(top), y(f.row_height - bottom));
-    out += draw_panel(f.panels[static_cast<std::size_t>(i)], names, i);
+    const Panel& p = f.panels[static_cast<std::size_t>(i)];
+    out += p.legend.empty() ? draw_panel(p, names, i) : draw_legend_panel(f, p, names);
   }
-  if (!names.empty()) out += draw_legend(f, names, height, strip);
+  if (!names.common.empty()) out += draw_legend(f, names, height, strip);
   return out + "unset multiplot\n";
 }
 
-void run_gnuplot(const std::string& script) {
-  std::string program = "gnuplot", file = script;
-  char* arguments[] = {program.data(), file.data(), nullptr};
+namespace {
+
+/// Runs gnuplot with one argument; its exit code. Without `loud` it says nothing.
+int run_with(std::string argument, bool loud) {
+  std::string program = "gnuplot";
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  if (!loud) posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t child = 0;
-  const int problem = posix_spawnp(&child, "gnuplot", nullptr, nullptr, arguments, environ);
-  if (problem == ENOENT) throw DrawingError("gnuplot is not installed, so there are no figures: apt-get install gnuplot-nox");
+  const int problem = posix_spawnp(&child, "gnuplot", &files, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (problem == ENOENT) throw DrawingError("gnuplot is not installed (apt-get install gnuplot-nox)");
   if (problem) throw DrawingError(fmt::format("gnuplot cannot be run: {}", std::strerror(problem)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw DrawingError(fmt::format("gnuplot (package gnuplot-nox) could not draw {}", script));
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+void find_gnuplot() {
+  if (run_with("--version", false) != 0) throw DrawingError("gnuplot (package gnuplot-nox) does not run");
+}
+
+void run_gnuplot(const std::string& script) {
+  if (run_with(script, true) != 0) throw DrawingError(fmt::format("gnuplot (package gnuplot-nox) cannot draw {}", script));
 }
 
 }  // namespace bankshot::app

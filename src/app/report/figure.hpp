@@ -36,6 +36,9 @@ struct Panel {
   std::string title;
   Axis x, y;
   std::vector<Curve> curves;
+  /// Not empty: no axes, only a legend of these names, which the common one then leaves out; they begin anew with
+  /// the first colour.
+  std::vector<std::string> legend{};
 };
 
 struct Figure {
@@ -59,7 +62,9 @@ class DrawingError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs gnuplot on a script. Throws DrawingError with one line that names the package.
+/// Throws DrawingError, with one line that names the package, when there is no gnuplot.
+void find_gnuplot();
+/// Runs gnuplot on a script; throws likewise.
 void run_gnuplot(const std::string& script);
 
 }  // namespace bankshot::app

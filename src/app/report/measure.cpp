@@ -55,6 +55,16 @@ std::string short_number(double x) {
   return size >= many || size < few ? fmt::format("{:.1e}", x) : fmt::format("{:.3g}", x);
 }
 
+std::string short_count(double x) {
+  if (!(x >= 100)) return fmt::format("{:.2g}", x);
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  std::string digits = fmt::format("{:.0f}", std::round(x / unit) * unit);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+std::string short_power(double x) { return fmt::format("{:.2f}", std::round(100 * x) / 100 + 0.0); }
+
 namespace {
 
 struct Unit {

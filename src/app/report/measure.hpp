@@ -59,6 +59,8 @@ std::string machine();
 
 /// A number for a table: three digits, powers of ten written out; "0.34 µs" for times.
 std::string short_number(double x);
+std::string short_count(double x);  ///< two digits, "12,000"
+std::string short_power(double x);  ///< two decimals, without the sign of 0
 std::string short_time(double seconds);
 std::string short_length(double metres);
 

@@ -37,7 +37,8 @@ figcaption { margin-top: 0.5rem; max-width: 52rem; }
 table { border-collapse: collapse; font-size: 0.86rem; line-height: 1.35; font-variant-numeric: tabular-nums lining-nums;
   border-top: 1.5px solid var(--ink); border-bottom: 1.5px solid var(--ink); }
 th { font-weight: 600; border-bottom: 1px solid var(--ink); vertical-align: bottom; }
-th, td { padding: 0.26rem 0 0.26rem 1.5rem; text-align: right; white-space: nowrap; }
+th, td { padding: 0.26rem 0 0.26rem 1.5rem; text-align: right; }
+td { white-space: nowrap; }
 th:first-child, td:first-child { padding-left: 0.2rem; }
 th:last-child, td:last-child { padding-right: 0.2rem; }
 th.text, td.text { text-align: left; }

@@ -172,7 +172,7 @@ Section scaling(const Settings& settings, Progress& progress) {
     s.figure.panels.push_back(panel(titles[k], axes[k], all[k]));
     for (const Measured& m : all[k]) {
       s.table.rows.push_back({m.what, m.name, short_number(m.x.front()), short_time(m.seconds.front().median), short_number(m.x.back()), short_time(m.seconds.back().median),
-                              fmt::format("{:.2f}", growth(m))});
+                              short_power(growth(m))});
       std::string name = m.name;
       std::erase(name, ',');
       for (std::size_t i = 0; i < m.x.size(); ++i)
@@ -183,9 +183,10 @@ Section scaling(const Settings& settings, Progress& progress) {
   s.caption = fmt::format("Medians of {} shots with 10–90 % bands.", shots);
   const double thousand = all[0][1].seconds.back().median / all[0][1].x.back(), digits = all[3][1].seconds[2].median / all[3][1].seconds[0].median;
   s.conclusion = fmt::format(
-      "A shot's cost grows with cushions to the power {:.2f} ({} each with spin) and with edges to the power {:.2f}, not with the length of the path (power {:.2f}, where stepping has {:.2f}); 50 digits cost "
+      "A shot's cost grows with cushions to the power {} ({} each with spin) and with edges to the power {}, not with the length of the path (power {}, where stepping has {}); 50 digits cost "
       "{:.0f} times a double.",
-      growth(all[0][1]), short_time(thousand), growth(all[1][1]), growth(all[2][0]), growth(all[2][1]), digits);
+      short_power(growth(all[0][1])), short_time(thousand), short_power(growth(all[1][1])), short_power(growth(all[2][0])), short_power(growth(all[2][1])),
+      digits);
   s.data.push_back({s.name, csv});
   return s;
 }

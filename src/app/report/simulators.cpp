@@ -24,7 +24,7 @@ struct Kind {
 
 std::vector<Kind> kinds() {
   Physics drag = spin_physics();
-  std::get<SlideRoll>(drag.motion).rolling_friction = {0.008, 0.004};
+  std::get<SlideRoll>(drag.motion).rolling_friction = {0.005, 0.01};
   return {{"rolling", rolling_physics()}, {"spin", spin_physics()}, {"speed-dependent friction", drag}};
 }
 
@@ -139,7 +139,7 @@ void judge(const Case& c, const std::vector<Measured>& all, Numbers& table, Verd
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Cost cost = cost_at(all[k], asked_error);
     const double times = cost.seconds / ours.seconds.median;
-    row.push_back(fmt::format("{}{:.2g}", cost.reached ? "" : "> ", times >= 1000 ? std::round(times / 100) * 100 : times));
+    row.push_back((cost.reached ? "" : "> ") + short_count(times));
     ++v.compared;
     if (times >= claim) ++v.dominated;
     else if (std::find(v.exceptions.begin(), v.exceptions.end(), all[k].name) == v.exceptions.end()) v.exceptions.push_back(all[k].name);

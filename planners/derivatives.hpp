@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// One root along one locked sequence, found with and without derivatives: what `report` compares. The
+// planners themselves use dual numbers.
+#pragma once
+
+#include <vector>
+
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot::planning {
+
+/// dual: Newton's method, the Jacobian by dual numbers, one simulation a step. forward, central: by differences, three and
+/// five. none: BOBYQA on the squared distance.
+enum class Derivatives { dual, forward, central, none };
+
+struct Iterate {
+  long simulations;
+  double seconds;  ///< processor time since the start
+  double miss;     ///< m, the least so far
+};
+
+/// From the image of a puzzle that gives its sequence and asks the ball to rest at a point; empty where the image gives no
+/// seed. Ends when the miss no longer matters, or after enough steps.
+std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives derivatives);
+
+}  // namespace bankshot::planning

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+//
+// Section 2: what each level of physics costs, and how far its answers miss when the fullest one is the truth.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/report/compared.hpp"
+#include "app/report/sections.hpp"
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+
+namespace bankshot::app {
+namespace {
+
+constexpr int most_cushions = 5;
+
+struct Model {
+  const char* name;
+  Physics physics;
+};
+
+/// Cheapest first; the last is the reference.
+std::vector<Model> models_in_order() {
+  Physics mirrors = spin_physics(), fullest = spin_physics();
+  mirrors.cushion = Mirror{};
+  fullest.cushion = Mathavan2010{};
+  return {{"ideal", ideal_physics()}, {"rolling", rolling_physics()}, {"spin, mirror", mirrors}, {"spin, han2005", spin_physics()}, {"spin, mathavan2010", fullest}};
+}
+
+/// A ball that rolls and comes to rest after exactly n cushions in the fullest model.
+struct Question {
+  ShotRequest shot;
+  Vec2d rest;
+  std::vector<int> met;
+};
+
+Question draw_question(Draw& draw, const Physics& fullest, int cushions) {
+  const double R = comparison_table().radius;
+  for (;;) {
+    ShotRequest shot{.table = rectangle_table(2.54, 1.27), .physics = fullest};
+    shot.ball.at = {draw.uniform(R, 2.54 - R), draw.uniform(R, 1.27 - R)};
+    shot.launch = {draw.log_uniform(0.5, 5), draw.uniform(0, radians(360))};
+    shot.spin = {1, 0, 0};
+    const Trajectory t = simulate(shot);
+    if (t.cushions == cushions) return {shot, t.events.back().state.at, t.sequence()};
+  }
+}
+
+Puzzle puzzle_of(const Question& q, const Physics& physics) {
+  Puzzle p{.table = q.shot.table, .physics = physics, .ball = q.shot.ball, .target = PointTarget{q.rest}, .cushions = CushionRule::in_order(q.met), .speed = {0.1, 10}};
+  p.prefer = Prefer::soft;
+  if (is_ideal(physics))
+    p.speed = {q.shot.launch.speed, q.shot.launch.speed};  // it knows no friction: the right speed is given
+  else
+    p.arrive = Range{0, 0};
+  if (!is_straight(physics)) p.spin = q.shot.spin;
+  return p;
+}
+
+/// Seconds to simulate the shot in a model, to its rest or its last cushion.
+double cost(const Question& q, const Physics& physics) {
+  return with_physics(physics, [&](const auto& motion, const auto& cushion) {
+    const State<double> start = start_state(q.shot);
+    const int last = static_cast<int>(q.met.size());
+    return seconds_of([&] {
+      Simulator sim(comparison_table(), motion, cushion, start);
+      for (int met = 0; met < last;) {
+        const Event e = sim.step();
+        if (e.final()) break;
+        if (e.kind == EventKind::cushion) ++met;
+      }
+    });
+  });
+}
+
+struct Result {
+  Spread miss, seconds, solve_seconds;
+  int solved = 0;
+};
+
+Result measure(const Model& m, const std::vector<Question>& questions, int cushions, std::string& csv) {
+  std::vector<double> misses, seconds, solving;
+  int solved = 0;
+  for (const Question& q : questions) {
+    const Answer a = solve(puzzle_of(q, m.physics), {.robustness = false, .suggest = false});
+    seconds.push_back(cost(q, m.physics));
+    double miss = forever;
+    if (!a.shots.empty()) {
+      ShotRequest played = q.shot;
+      played.launch = a.shots.front().launch;
+      miss = norm(simulate(played).events.back().state.at - q.rest);
+      ++solved;
+      misses.push_back(miss);
+      solving.push_back(a.time_us * 1e-6);
+    }
+    csv += fmt::format("\"{}\",{},{:.4g},{:.4g},{:.4g}\n", m.name, cushions, miss, seconds.back(), a.time_us * 1e-6);
+  }
+  return {spread(misses), spread(seconds), spread(solving), solved};
+}
+
+constexpr const char* about =
+    "Random shots of a rolling ball that rests after 1 to 5 cushions in the fullest model, spin with mathavan2010. Each simpler model is asked for the launch to the same place by the same cushions, and its "
+    "answer is played in the fullest; the miss is where the ball then rests. The model ideal knows no friction and is given the right speed. All cushions have the restitution 0.85. Air is in none of them: at 5 m/s its "
+    "drag is about 0.10 m/s², as much as rolling friction, and the Magnus force about 0.07 m/s², 8 mm over 2.5 m; below 2 m/s both are negligible.";
+
+}  // namespace
+
+Section models(const Settings& settings, Progress& progress) {
+  const std::vector<Model> all = models_in_order();
+  progress.begin("models", all.size() * most_cushions);
+  Section s{.name = "2-models", .title = "Models", .about = about};
+  s.table = {{"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
+  std::string csv = "model,cushions,miss_m,seconds_a_shot,seconds_an_answer\n";
+  Panel by_cushions{"miss when played in the fullest model", {"cushions", false, Range{0.5, most_cushions + 0.5}}, {"miss [m]", true}, {}};
+  Panel by_cost{"the same against what a shot costs, 1 to 5 cushions", {"processor time per shot [s]", true}, {"miss [m]", true}, {}};
+  std::vector<std::vector<Question>> questions;
+  Draw draw(2);
+  for (int n = 1; n <= most_cushions; ++n) {
+    questions.emplace_back();
+    for (int i = 0; i < settings.shots; ++i) questions.back().push_back(draw_question(draw, all.back().physics, n));
+  }
+  std::vector<Result> at_three;
+  for (const Model& m : all) {
+    Curve misses{m.name, {}}, costs{m.name, {}};
+    for (int n = 1; n <= most_cushions; ++n) {
+      const Result r = measure(m, questions[static_cast<std::size_t>(n - 1)], n, csv);
+      s.table.rows.push_back({m.name, fmt::format("{}", n), short_time(r.seconds.median), short_time(r.solve_seconds.median), fmt::format("{} of {}", r.solved, settings.shots),
+                              short_length(r.miss.low), short_length(r.miss.median), short_length(r.miss.high)});
+      if (n == 3) at_three.push_back(r);
+      misses.points.push_back({static_cast<double>(n), r.miss.median, r.miss.low, r.miss.high});
+      costs.points.push_back({r.seconds.median, r.miss.median, r.miss.median, r.miss.median});
+      progress.step();
+    }
+    if (&m == &all.back()) continue;  // it misses by rounding
+    by_cushions.curves.push_back(misses);
+    by_cost.curves.push_back(costs);
+  }
+  s.figure.panels = {by_cushions, by_cost};
+  share_y(s.figure.panels);
+  s.figure.columns = 2;
+  s.figure.row_height = 300;
+  s.caption = fmt::format("Medians of {} shots a point, with 10–90 % bands on the left.", settings.shots);
+  s.conclusion = "After three cushions ";
+  for (std::size_t k = 0; k + 1 < all.size(); ++k)
+    s.conclusion += fmt::format("{}{} misses by {} at {} a shot", k ? ", " : "", all[k].name, short_length(at_three[k].miss.median), short_time(at_three[k].seconds.median));
+  s.conclusion += fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
+  s.data.push_back({s.name, csv});
+  return s;
+}
+
+}  // namespace bankshot::app

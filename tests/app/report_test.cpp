@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+//
+// `report` as typed in a shell, with as few shots as there can be: what it writes, and how its page looks to a browser
+// without a network.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "app/scratch_file.hpp"
+#include "support/catch.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using bankshot::test::run_program;
+using bankshot::test::ScratchFile;
+using Catch::Contains;
+
+constexpr const char* sections[] = {"1-simulators", "2-models", "3-planners", "4-conditioning", "5-hard-cases", "6-scaling"};
+
+/// A folder in the temporary folder that goes with its contents.
+struct ScratchFolder : ScratchFile {
+  using ScratchFile::ScratchFile;
+  ~ScratchFolder() { std::filesystem::remove_all(path); }
+  std::string file(const std::string& name) const { return path + "/" + name; }
+  std::string read(const std::string& name) const {
+    std::ifstream in(file(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+/// Every line has as many fields as the first; commas inside quotes do not count.
+void check_csv(const std::string& text) {
+  std::istringstream in(text);
+  const auto fields = [](const std::string& line) {
+    bool quoted = false;
+    return std::count_if(line.begin(), line.end(), [&](char c) { return c == '"' ? (quoted = !quoted, false) : c == ',' && !quoted; });
+  };
+  std::string header;
+  std::getline(in, header);
+  long rows = 0;
+  for (std::string line; std::getline(in, line); ++rows)
+    if (fields(line) != fields(header)) FAIL(header << " but " << line);
+  CHECK(rows > 3);
+}
+
+void check_files(const ScratchFolder& folder, bool figures) {
+  const std::string markdown = folder.read("report.md");
+  for (const std::string name : sections) {
+    INFO(name);
+    check_csv(folder.read(name + ".csv"));
+    CHECK((folder.read("figures/" + name + ".svg").find("</svg>") != std::string::npos) == figures);
+    CHECK((markdown.find("(figures/" + name + ".svg)") != std::string::npos) == figures);
+    CHECK_THAT(markdown, Contains(name + ".csv"));
+  }
+  CHECK(count(markdown, "\n**") == std::size(sections));  // a conclusion each
+}
+
+/// What the browser makes of the page, and its complaints; the page measures its own figures.
+std::string in_browser(const ScratchFolder& folder, std::string& complaints) {
+  std::string page = folder.read("index.html");
+  const std::string script =
+      "<script>let n = 0; for (const f of document.querySelectorAll('figure svg')) { const b = f.getBoundingClientRect();"
+      " if (b.width > 300 && b.height > 100 && f.querySelectorAll('path').length > 20) ++n; } document.title = n + ' figures, wide ' +"
+      " (document.documentElement.scrollWidth > window.innerWidth);</script></body>";
+  page.replace(page.rfind("</body>"), 7, script);
+  std::ofstream(folder.file("checked.html"), std::ios::binary) << page;
+  const std::string command = "chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
+                              "--disable-component-update --disable-sync --enable-logging=stderr --host-resolver-rules='MAP * ~NOTFOUND' --window-size=1200,900 --user-data-dir='" +
+                              folder.file("profile") + "' --dump-dom 'file://" + folder.file("checked.html") + "' >'" + folder.file("dom") + "' 2>'" + folder.file("log") + "'";
+  CHECK(std::system(command.c_str()) == 0);
+  complaints = folder.read("log");
+  return folder.read("dom");
+}
+
+}  // namespace
+
+TEST_CASE("report writes a page that opens offline and shows every figure") {
+  const ScratchFolder folder("report");
+  const auto run = run_program("report --quick --shots 1 -o \"" + folder.path + "\"");
+  CHECK(run.exit == 0);
+  CHECK(run.err.empty());  // no bar where there is no terminal
+  for (const char* title : {"Simulators: ", "Models: ", "Planners: ", "Conditioning: ", "Hard cases: ", "Scaling: "}) CHECK_THAT(run.out, Contains(title));
+  check_files(folder, true);
+  const std::string page = folder.read("index.html");
+  CHECK(count(page, "<svg ") == std::size(sections));
+  CHECK(count(page, "<table>") == std::size(sections));
+  CHECK(count(page, "class=\"conclusion\"") == std::size(sections));
+  for (const char* outside : {"src=\"http", "href=\"http", "@import", "<script"}) CHECK(count(page, outside) == 0);
+  CHECK_THAT(page, Contains("commit ") && Contains("core"));
+
+  if (std::system("command -v chromium >/dev/null 2>&1") != 0) {
+    WARN("chromium is not installed: the page was not opened in a browser");
+    return;
+  }
+  std::string complaints;
+  const std::string dom = in_browser(folder, complaints);
+  CHECK_THAT(dom, Contains("<title>6 figures, wide false</title>"));
+  CHECK(count(complaints, "CONSOLE") == 0);
+}
+
+TEST_CASE("without gnuplot report says so, names the package and writes the numbers") {
+  const ScratchFolder folder("report-without-gnuplot");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  const auto run = run_program("report --quick --shots 1 -o \"" + folder.path + "\"");
+  setenv("PATH", path.c_str(), 1);
+  CHECK(run.exit == 2);
+  CHECK_THAT(run.err, Contains("gnuplot-nox"));
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  check_files(folder, false);
+  CHECK(!std::filesystem::exists(folder.file("index.html")));
+}
+
+TEST_CASE("report refuses what it cannot do in one line") {
+  const auto [arguments, reason] = GENERATE(table<const char*, const char*>({{"report", "--output"},
+                                                                             {"report -o --quick", "is an option, not a file"},
+                                                                             {"report -o /dev/null/report", "/dev/null/report"}}));
+  const auto run = run_program(arguments);
+  CHECK(run.exit == 2);
+  CHECK_THAT(run.err, Contains(reason));
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+}
