@@ -140,6 +140,10 @@ int run(Arguments a) {
 Run add_batch(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("batch", "Solve many puzzles, one a line");
+  command->footer(
+      "Each line is answered by one line, in order; one that is no puzzle is answered \"invalid\". While a batch runs, SHOTS.jsonl.progress\n"
+      "stands beside its output: after a kill, a full disk or Ctrl-C the same command with --resume checks the input and the flags against it\n"
+      "and goes on; a few hundred puzzles are solved again at most. A packed output is a row of gzip members of 64 lines.");
   command->add_option("puzzles", a->file, "A puzzle in JSON on each line; - reads standard input, *.gz is unpacked")->required();
   command->add_option("-o,--output", a->output, "Write the answers here, one a line; *.gz is packed")->capture_default_str();
   command->add_option("-j,--threads", a->threads, "Threads; 0: one for each core")->capture_default_str()->check(CLI::Range(0, 1024));

@@ -31,7 +31,6 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  bool begun() const { return !marks_.empty() || header_read_; }
   /// The last mark that an output of `size` bytes covers; none where nothing is worth keeping.
   std::optional<Mark> last(long size) const;
   /// Throws FileError when the earlier run had other flags, another input or another version.

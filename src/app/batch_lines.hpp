@@ -34,7 +34,7 @@ struct Lines {
 
 class LineReader {
  public:
-  static constexpr std::size_t lines_a_chunk = 64;        ///< lost at most when the program is killed, a thread
+  static constexpr std::size_t lines_a_chunk = 64;       ///< a kill loses the chunks under way
   static constexpr std::size_t bytes_a_chunk = 1 << 20;   ///< long lines make shorter chunks
   static constexpr std::size_t longest_line = 16 << 20;   ///< bytes; more is no puzzle, and memory is to stay flat
 

@@ -2,6 +2,7 @@
 #include "app/batch_tally.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -112,12 +113,14 @@ std::string closing_line(const Tally& t, long kept, const Progress& progress) {
 
 std::string cost_csv(const Cost& c, const Tally& t, long kept, const Progress& progress) {
   const double each = 1e6 / static_cast<double>(std::max(1L, t.lines() - kept));
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
   return fmt::format(
-      "puzzles,solved,seconds,puzzles_per_second,simulations,cpu_us_each,read_us,parse_us,search_us,certify_us,robustness_us,format_us,write_us\n"
-      "{},{},{:.3f},{:.0f},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n",
+      "puzzles,solved,seconds,puzzles_per_second,simulations,cpu_us_each,read_us,parse_us,search_us,certify_us,robustness_us,format_us,write_us,peak_mb\n"
+      "{},{},{:.3f},{:.0f},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.1f}\n",
       t.lines() - kept, t.solved, progress.seconds(), progress.rate(t), t.simulations,
       each * (c.read + c.parse + c.search + c.certify + c.robustness + c.format + c.write), each * c.read, each * c.parse, each * c.search,
-      each * c.certify, each * c.robustness, each * c.format, each * c.write);
+      each * c.certify, each * c.robustness, each * c.format, each * c.write, static_cast<double>(use.ru_maxrss) / 1024);
 }
 
 }  // namespace bankshot::app

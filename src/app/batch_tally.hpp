@@ -60,7 +60,7 @@ class Progress {
 /// "1,000 puzzles in 0.1 s, 9,000 a second: 998 solved, ..."
 std::string closing_line(const Tally& tally, long kept, const Progress& progress);
 std::string grouped(long n);  ///< 1,234,567
-/// A table of the costs as CSV.
+/// A table of the costs, and of the most memory held, as CSV.
 std::string cost_csv(const Cost& cost, const Tally& tally, long kept, const Progress& progress);
 
 }  // namespace bankshot::app

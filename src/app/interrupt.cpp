@@ -19,11 +19,11 @@ Interrupts::Interrupts() {
   struct sigaction once{};
   once.sa_handler = note_signal;
   once.sa_flags = static_cast<int>(SA_RESETHAND);  // reads that wait are woken, and a second signal kills
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction before{};
-    // nohup, or a shell that started the program in the background, had it ignored.
-    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(signal, &once, nullptr);
-  }
+  struct sigaction before{};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &once, nullptr);  // else nohup wants it to go on
+  sigaction(SIGINT, &once, nullptr);
+  sigaction(SIGTERM, &once, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
