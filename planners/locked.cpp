@@ -224,8 +224,8 @@ std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle) {
   };
   double low = std::max(bounds.low, 1e-3 * bounds.high), high = bounds.high;
   if (!enough(high)) return {};
-  constexpr int halvings = 10;
-  for (int i = 0; i < halvings; ++i) {
+  constexpr double near = 1.03;  // Newton's method takes it from there
+  while (high > near * low) {
     const double middle = std::sqrt(low * high);
     (enough(middle) ? high : low) = middle;
   }

@@ -59,7 +59,7 @@ bool certify_root(Search& s, const LockedAim& aim, const Launch& root, std::stri
 std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<int>& contacts);
 
 /// The launch speed with which the locked path at this angle arrives about as fast as asked:
-/// bisection in ln v to 1 %, where falling short counts as too slow. None where no speed gets there.
+/// bisection in ln v to 3 %, where falling short counts as too slow. None where no speed gets there.
 std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle);
 
 /// The same exactly, by Newton's method from a speed near it.
