@@ -121,7 +121,7 @@ Panel panel(const Scene& scene, const Losses& l, double most) {
 
 constexpr const char* about =
     "The place of the n-th bounce in double against 50 digits, and the digits that the bound 4 · 2⁻⁵³ · size · κ allows to be lost. Between straight cushions κ grows like a power of the "
-    "number of bounces; each reflex vertex, which the ball meets as an arc of its own radius, multiplies it. An answer is asked for to 1e-9 of the diagonal, so about seven of the sixteen digits may go.";
+    "number of bounces; each reflex vertex, which the ball meets as an arc of its own radius, multiplies it. An answer is asked for to 1e-9 of the diagonal, so about seven of the sixteen digits may go; where a shot's condition leaves fewer, the answer's message says how many.";
 
 }  // namespace
 
@@ -146,13 +146,13 @@ Section conditioning(const Settings& settings, Progress& progress) {
     s.table.rows.push_back(row);
     s.figure.panels.push_back(panel(scene, l, most));
     worst = std::max(worst, l.worst_ratio);
-    if (last) weak += fmt::format("{}{} from {} cushions on", weak.empty() ? "" : ", ", scene.name, last);
+    if (last) weak += fmt::format("{}in the scene “{}” only through {}", weak.empty() ? "" : ", ", scene.name, last - 1);
   }
   share_y(s.figure.panels);
   s.figure.columns = 2;
   s.caption = fmt::format("Decimal digits lost, of the sixteen of a double: medians of {} shots with 10–90 % bands. Parted: the events are no longer those of 50 digits, so there is no error to measure.", shots);
-  s.conclusion = fmt::format("No shot loses more than {:.0f} % of what κ allows, and half of the shots keep the nine digits of an exact answer {}.", 100 * worst,
-                             weak.empty() ? "up to 20 cushions in every scene" : "up to 20 cushions but for " + weak);
+  s.conclusion = fmt::format("The error is at most {:.0f} % of what κ allows, and half of the shots keep the nine digits of an exact answer through 20 cushions{}{}.", 100 * worst,
+                             weak.empty() ? " in every scene" : ", but ", weak);
   s.data.push_back({s.name, csv});
   return s;
 }

@@ -83,7 +83,18 @@ struct Curves {
   std::array<Setting, levels.size()> last;  ///< of each level, with the largest budget
 };
 
-Curves measure(const Kind& kind, const std::string& planner, const std::array<std::vector<Puzzle>, levels.size()>& sets, std::string& csv) {
+/// Raw numbers and their medians, as CSV.
+struct Tables {
+  std::string puzzles = "physics,planner,level,puzzle,budget,miss_m,simulations,seconds,solved\n";
+  std::string settings = "physics,planner,level,puzzles,budget,solved_percent,miss_median,miss_high_90,simulations_median,simulations_high_90,seconds_median,seconds_high_90\n";
+
+  void add(const Kind& kind, const std::string& planner, const char* level, std::size_t count, const Setting& s) {
+    settings += fmt::format("\"{}\",{},{},{},{},{:.1f},{:.3g},{:.3g},{:.0f},{:.0f},{:.3g},{:.3g}\n", kind.name, planner, level, count, s.budget, s.solved, s.miss.median, s.miss.high,
+                            s.simulations.median, s.simulations.high, s.seconds.median, s.seconds.high);
+  }
+};
+
+Curves measure(const Kind& kind, const std::string& planner, const std::array<std::vector<Puzzle>, levels.size()>& sets, Tables& csv) {
   Curves c{planner, {}, {}};
   std::array<std::vector<Outcome>, levels.size()> before;
   for (const long budget : budgets(kind.budget)) {
@@ -94,13 +105,15 @@ Curves measure(const Kind& kind, const std::string& planner, const std::array<st
         // A search that ended by itself is the same with a larger budget.
         now.push_back(!before[l].empty() && !before[l][i].cut ? before[l][i] : attempt(sets[l][i], planner, budget));
         const Outcome& o = now.back();
-        csv += fmt::format("\"{}\",{},{},{},{},{:.4g},{:.0f},{:.4g},{}\n", kind.name, planner, name(levels[l]), i, budget, o.miss, o.simulations, o.seconds, o.solved ? 1 : 0);
+        csv.puzzles += fmt::format("\"{}\",{},{},{},{},{:.4g},{:.0f},{:.4g},{}\n", kind.name, planner, name(levels[l]), i, budget, o.miss, o.simulations, o.seconds, o.solved ? 1 : 0);
       }
       all.insert(all.end(), now.begin(), now.end());
       c.last[l] = summed(budget, now);
+      csv.add(kind, planner, name(levels[l]), now.size(), c.last[l]);
       before[l] = std::move(now);
     }
     c.settings.push_back(summed(budget, all));
+    csv.add(kind, planner, "all", all.size(), c.settings.back());
   }
   return c;
 }
@@ -226,7 +239,7 @@ Section planners(const Settings& settings, Progress& progress) {
   progress.begin("planners", all.size() * bankshot::planners().size() + std::size(ways));
   Section s{.name = "3-planners", .title = "Planners", .about = about};
   s.table = {{"physics", "planner", "easy", "medium", "hard", "miss, median", "90 %", "simulations, median", "90 %", "time, median", "90 %"}, {}, 2};
-  std::string csv = "physics,planner,level,puzzle,budget,miss_m,simulations,seconds,solved\n";
+  Tables csv;
   Setting ours, best;
   std::string best_name;
   for (const Kind& kind : all) {
@@ -253,7 +266,7 @@ Section planners(const Settings& settings, Progress& progress) {
   s.conclusion = fmt::format("With spin auto solves {:.0f} % in {} and {} simulations (medians), the next best, {}, {:.0f} % in {} and {}; the median root is exact after {}.", ours.solved,
                              short_time(ours.seconds.median), short_count(ours.simulations.median), best_name, best.solved, short_time(best.seconds.median), short_count(best.simulations.median),
                              derivatives);
-  s.data.insert(s.data.begin(), {s.name, csv});
+  s.data.insert(s.data.begin(), {{s.name, csv.settings}, {s.name + "-puzzles", csv.puzzles}});
   return s;
 }
 

@@ -19,7 +19,7 @@ struct Arguments {
   int shots = 0;
 };
 
-constexpr int full_shots = 15, quick_shots = 5;
+constexpr int full_shots = 40, quick_shots = 10;
 
 using Measure = Section (*)(const Settings&, Progress&);
 constexpr Measure parts[] = {simulators, models, planners, conditioning, hard_cases, scaling};

@@ -173,10 +173,8 @@ Section scaling(const Settings& settings, Progress& progress) {
     for (const Measured& m : all[k]) {
       s.table.rows.push_back({m.what, m.name, short_number(m.x.front()), short_time(m.seconds.front().median), short_number(m.x.back()), short_time(m.seconds.back().median),
                               short_power(growth(m))});
-      std::string name = m.name;
-      std::erase(name, ',');
       for (std::size_t i = 0; i < m.x.size(); ++i)
-        csv += fmt::format("{},{},{:.4g},{:.4g},{:.4g},{:.4g}\n", m.what, name, m.x[i], m.seconds[i].low, m.seconds[i].median, m.seconds[i].high);
+        csv += fmt::format("{},\"{}\",{:.4g},{:.4g},{:.4g},{:.4g}\n", m.what, m.name, m.x[i], m.seconds[i].low, m.seconds[i].median, m.seconds[i].high);
     }
   }
   s.figure.columns = 2;

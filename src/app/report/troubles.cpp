@@ -107,8 +107,6 @@ Panel panel(const Question& q, std::string& csv) {
   for (const Series& series : stepping_series(finest)) {
     if (series.scheme.method == Scheme::Method::dormand_prince) continue;  // it has no step of its own
     Curve curve{series.name, {}};
-    std::string plain_name = series.name;
-    std::erase(plain_name, ',');
     for (const double step : series.steps) {
       Scheme scheme = series.scheme;
       scheme.step = step;
@@ -121,7 +119,7 @@ Panel panel(const Question& q, std::string& csv) {
       const double percent = 100 * sum / static_cast<double>(q.shots);
       const Spread s = q.share ? Spread{percent, percent, percent} : spread(found);
       curve.points.push_back({step, s.median, s.low, s.high});
-      csv += fmt::format("{},{},{:.3g},{},{:.4g},{:.4g},{:.4g}\n", q.name, plain_name, step, q.shots, s.low, s.median, s.high);
+      csv += fmt::format("{},\"{}\",{:.3g},{},{:.4g},{:.4g},{:.4g}\n", q.name, series.name, step, q.shots, s.low, s.median, s.high);
     }
     p.curves.push_back(curve);
   }
