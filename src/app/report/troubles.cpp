@@ -102,7 +102,6 @@ struct Question {
 
 Panel panel(const Question& q, std::string& csv) {
   Panel p{q.title, {"step [s]", true}, {q.axis, !q.share}, {}};
-  if (q.share) p.y.range = Range{-4, 104};
   constexpr double finest = 1e-4;
   for (const Series& series : stepping_series(finest)) {
     if (series.scheme.method == Scheme::Method::dormand_prince) continue;  // it has no step of its own
