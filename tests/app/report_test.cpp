@@ -77,9 +77,9 @@ std::string in_browser(const ScratchFolder& folder, std::string& complaints) {
   const std::string command =
       "chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
       "--disable-component-update --disable-sync --enable-logging=stderr --host-resolver-rules='MAP * ~NOTFOUND' --window-size=1200,900 "
-      "--user-data-dir='" +
-      folder.file("profile") + "' --dump-dom 'file://" + folder.file("checked.html") + "' >'" + folder.file("dom") + "' 2>'" +
-      folder.file("log") + "'";
+      "--user-data-dir=\"" +
+      folder.file("profile") + "\" --dump-dom \"file://" + folder.file("checked.html") + "\" >\"" + folder.file("dom") + "\" 2>\"" +
+      folder.file("log") + "\"";
   CHECK(std::system(command.c_str()) == 0);
   complaints = folder.read("log");
   return folder.read("dom");
@@ -88,7 +88,7 @@ std::string in_browser(const ScratchFolder& folder, std::string& complaints) {
 }  // namespace
 
 TEST_CASE("report writes a page that opens offline and shows every figure") {
-  const ScratchFolder folder("report");
+  const ScratchFolder folder("it's-a-report");
   const auto run = run_program("report --quick --shots 1 -o \"" + folder.path + "\"");
   CHECK(run.exit == 0);
   CHECK(run.err.empty());  // no bar where there is no terminal
@@ -123,6 +123,12 @@ TEST_CASE("without gnuplot report says so, names the package and writes the numb
   CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
   check_files(folder, false);
   CHECK(!std::filesystem::exists(folder.file("index.html")));
+}
+
+TEST_CASE("report --help names its options") {
+  const auto run = run_program("report --help");
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.out, Contains("--quick") && Contains("--output"));
 }
 
 TEST_CASE("report refuses what it cannot do in one line") {

@@ -139,13 +139,19 @@ Section conditioning(const Settings& settings, Progress& progress) {
   s.table = {{"table and physics", "after 5", "10", "15", "20 cushions", "allowed after 20", "parted by 20", "worst of the bound",
               "too few digits from"},
              {}};
-  std::string csv = "scene,shot,cushions,error_m,kappa\n", weak;
+  std::string csv = "scene,shot,cushions,error_m,kappa\n",
+              medians = "scene,cushions,shots,parted,lost_low_10,lost_median,lost_high_90,allowed_median\n", weak;
   double worst = 0;
   for (const Scene& scene : all) {
     const Losses l = measure(scene, shots, csv, progress);
     const double unit = 0x1p-53 * Boundary(scene.table, radius).extent / scene.table.diagonal(),
                  most = std::log10(tolerance::exact_miss / unit);
     const int last = too_many(l.lost, most);
+    for (int n = 1; n <= most_cushions; ++n) {
+      const Spread lost = spread(l.lost[n]);
+      medians += fmt::format("\"{}\",{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", scene.name, n, l.lost[n].size(), l.parted[n], lost.low,
+                             lost.median, lost.high, spread(l.allowed[n]).median);
+    }
     std::vector<std::string> row{scene.name};
     for (const std::size_t n : {5u, 10u, 15u, 20u})
       row.push_back(l.lost[n].empty() ? "–" : fmt::format("{:.1f}", spread(l.lost[n]).median));
@@ -168,7 +174,7 @@ Section conditioning(const Settings& settings, Progress& progress) {
       "The error is at most {:.0f} % of what κ allows, and half of the shots keep the nine digits of an exact answer through 20 "
       "cushions{}{}.",
       100 * worst, weak.empty() ? " in every scene" : ", but ", weak);
-  s.data.push_back({s.name, csv});
+  s.data = {{s.name, medians}, {s.name + "-shots", csv}};
   return s;
 }
 

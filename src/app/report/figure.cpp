@@ -36,6 +36,13 @@ std::string plain(const std::string& text) {
   return out;
 }
 
+/// A file name that gnuplot takes as it is: between double quotes it would run what stands in back quotes.
+std::string quoted(const std::string& file) {
+  std::string out = "'";
+  for (const char c : file) out += c == '\'' ? "''" : std::string(1, c);
+  return out + "'";
+}
+
 /// What a logarithmic axis can show.
 bool shown(const Axis& x, const Axis& y, const Point& p) {
   const auto fits = [](const Axis& axis, double v) { return std::isfinite(v) && (!axis.logarithmic || v > 0); };
@@ -202,10 +209,10 @@ std::string gnuplot_script(const Figure& f, const std::string& svg) {
       names.common.empty() ? 4 : 10 + legend_row * ((static_cast<int>(names.common.size()) + legend_columns - 1) / legend_columns);
   const int height = rows * f.row_height + strip;
   std::string out = fmt::format(
-      "set terminal svg size {},{} fixed enhanced font \"sans-serif,12\" background \"#ffffff\"\nset output \"{}\"\nset encoding utf8\nset "
+      "set terminal svg size {},{} fixed enhanced font \"sans-serif,12\" background \"#ffffff\"\nset output {}\nset encoding utf8\nset "
       "multiplot\nset key off\n"
       "{}set xlabel offset 0,0.4\nset ylabel offset 0.6,0\n",
-      width, height, svg, with_axes);
+      width, height, quoted(svg), with_axes);
   for (int i = 0; i < panels; ++i) {
     const int row = i / f.columns, column = i % f.columns;
     const double across = static_cast<double>(width) / f.columns;

@@ -124,6 +124,7 @@ Section models(const Settings& settings, Progress& progress) {
   Section s{.name = "2-models", .title = "Models", .about = about};
   s.table = {{"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
   std::string csv = "model,cushions,miss_m,seconds_a_shot,seconds_an_answer\n";
+  std::string medians = "model,cushions,shots,answered,miss_low_10,miss_median,miss_high_90,seconds_a_shot,seconds_an_answer\n";
   Panel by_cushions{"miss when played in the fullest model", {"cushions", false, Range{0.5, most_cushions + 0.5}}, {"miss [m]", true}, {}};
   Panel by_cost{"the same against what a shot costs, 1 to 5 cushions", {"processor time per shot [s]", true}, {"miss [m]", true}, {}};
   std::vector<std::vector<Question>> questions;
@@ -140,6 +141,8 @@ Section models(const Settings& settings, Progress& progress) {
       s.table.rows.push_back({m.name, fmt::format("{}", n), short_time(r.seconds.median), short_time(r.solve_seconds.median),
                               fmt::format("{} of {}", r.solved, settings.shots), short_length(r.miss.low), short_length(r.miss.median),
                               short_length(r.miss.high)});
+      medians += fmt::format("\"{}\",{},{},{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}\n", m.name, n, settings.shots, r.solved, r.miss.low,
+                             r.miss.median, r.miss.high, r.seconds.median, r.solve_seconds.median);
       if (n == 3) at_three.push_back(r);
       misses.points.push_back({static_cast<double>(n), r.miss.median, r.miss.low, r.miss.high});
       costs.points.push_back({r.seconds.median, r.miss.median, r.miss.median, r.miss.median});
@@ -159,7 +162,7 @@ Section models(const Settings& settings, Progress& progress) {
     s.conclusion += fmt::format("{}{} misses by {} at {} a shot", k ? ", " : "", all[k].name, short_length(at_three[k].miss.median),
                                 short_time(at_three[k].seconds.median));
   s.conclusion += fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
-  s.data.push_back({s.name, csv});
+  s.data = {{s.name, medians}, {s.name + "-shots", csv}};
   return s;
 }
 
