@@ -83,7 +83,8 @@ void newton_from(Path& p, const Launch& seed, Derivatives d) {
   constexpr double step_aim = 0.3, step_speed = 0.5, settled = 1e-16;
   double angle = seed.angle, log_speed = std::log(seed.speed);
   for (int i = 0; i < most_steps; ++i) {
-    const auto l = d == Derivatives::dual ? by_dual_numbers(p, angle, log_speed) : by_differences(p, angle, log_speed, d == Derivatives::central);
+    const auto l =
+        d == Derivatives::dual ? by_dual_numbers(p, angle, log_speed) : by_differences(p, angle, log_speed, d == Derivatives::central);
     if (!l) return;
     p.note({l->r[0], l->r[1]});
     const auto step = newton_step(*l, false);
@@ -127,8 +128,10 @@ std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d) {
     if (!speed) continue;
     Path path{s, contacts, c->target};
     const Launch seed{*speed, c->angle};
-    if (d == Derivatives::none) bobyqa_from(path, seed);
-    else newton_from(path, seed, d);
+    if (d == Derivatives::none)
+      bobyqa_from(path, seed);
+    else
+      newton_from(path, seed, d);
     return path.seen;
   }
   return {};

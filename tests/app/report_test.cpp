@@ -74,9 +74,12 @@ std::string in_browser(const ScratchFolder& folder, std::string& complaints) {
       " (document.documentElement.scrollWidth > window.innerWidth);</script></body>";
   page.replace(page.rfind("</body>"), 7, script);
   std::ofstream(folder.file("checked.html"), std::ios::binary) << page;
-  const std::string command = "chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
-                              "--disable-component-update --disable-sync --enable-logging=stderr --host-resolver-rules='MAP * ~NOTFOUND' --window-size=1200,900 --user-data-dir='" +
-                              folder.file("profile") + "' --dump-dom 'file://" + folder.file("checked.html") + "' >'" + folder.file("dom") + "' 2>'" + folder.file("log") + "'";
+  const std::string command =
+      "chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
+      "--disable-component-update --disable-sync --enable-logging=stderr --host-resolver-rules='MAP * ~NOTFOUND' --window-size=1200,900 "
+      "--user-data-dir=\"" +
+      folder.file("profile") + "\" --dump-dom \"file://" + folder.file("checked.html") + "\" >\"" + folder.file("dom") + "\" 2>\"" +
+      folder.file("log") + "\"";
   CHECK(std::system(command.c_str()) == 0);
   complaints = folder.read("log");
   return folder.read("dom");
@@ -85,11 +88,12 @@ std::string in_browser(const ScratchFolder& folder, std::string& complaints) {
 }  // namespace
 
 TEST_CASE("report writes a page that opens offline and shows every figure") {
-  const ScratchFolder folder("report");
+  const ScratchFolder folder("it's-a-report");
   const auto run = run_program("report --quick --shots 1 -o \"" + folder.path + "\"");
   CHECK(run.exit == 0);
   CHECK(run.err.empty());  // no bar where there is no terminal
-  for (const char* title : {"Simulators: ", "Models: ", "Planners: ", "Conditioning: ", "Hard cases: ", "Scaling: "}) CHECK_THAT(run.out, Contains(title));
+  for (const char* title : {"Simulators: ", "Models: ", "Planners: ", "Conditioning: ", "Hard cases: ", "Scaling: "})
+    CHECK_THAT(run.out, Contains(title));
   check_files(folder, true);
   const std::string page = folder.read("index.html");
   CHECK(count(page, "<svg ") == std::size(sections));
@@ -121,10 +125,15 @@ TEST_CASE("without gnuplot report says so, names the package and writes the numb
   CHECK(!std::filesystem::exists(folder.file("index.html")));
 }
 
+TEST_CASE("report --help names its options") {
+  const auto run = run_program("report --help");
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.out, Contains("--quick") && Contains("--output"));
+}
+
 TEST_CASE("report refuses what it cannot do in one line") {
-  const auto [arguments, reason] = GENERATE(table<const char*, const char*>({{"report", "--output"},
-                                                                             {"report -o --quick", "is an option, not a file"},
-                                                                             {"report -o /dev/null/report", "/dev/null/report"}}));
+  const auto [arguments, reason] = GENERATE(table<const char*, const char*>(
+      {{"report", "--output"}, {"report -o --quick", "is an option, not a file"}, {"report -o /dev/null/report", "/dev/null/report"}}));
   const auto run = run_program(arguments);
   CHECK(run.exit == 2);
   CHECK_THAT(run.err, Contains(reason));

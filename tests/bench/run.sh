@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
-need $toolchain catch2 libbenchmark-dev
+need $toolchain catch2 libbenchmark-dev gnuplot-nox
 build release -DBANKSHOT_TESTS=ON -DBANKSHOT_BENCH=ON
 bin=build/release/tests out=tests/bench/results
 for what in simulate solve mathavan; do
@@ -58,6 +58,13 @@ header=yes
   batch rolling 1000000 2
   batch spin 1000000 2 --no-robustness
 } >"$out/batch.csv"
+# The report's medians, figures and text; its raw numbers, a few megabytes, stay in build/report.
+build/release/bankshot report -o build/report
+cp build/report/figures/*.svg examples/figures/
+for csv in build/report/*.csv; do
+  case $csv in *-shots.csv | *-puzzles.csv) ;; *) cp "$csv" "$out/" ;; esac
+done
+sed -e 's| \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)||g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 {
   echo "# $(grep -m1 'model name' /proc/cpuinfo | cut -d: -f2- | xargs), $(nproc) cores, $(c++ --version | head -n1), commit $(git rev-parse --short HEAD)"
 } >"$out/machine.txt"

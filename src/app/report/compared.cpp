@@ -62,8 +62,9 @@ Timed timed_shot(Draw& draw, const Physics& physics, int cushions) {
     LaunchSpin spin{draw.uniform(-0.5, 1), draw.uniform(-0.5, 0.5), 0};
     if (is_straight(physics)) spin = {1, 0, 0};
     const Timed shot{launched(at, radius, direction(aim) * speed, spin), 0};
-    const double until = with_physics(
-        physics, [&](const auto& motion, const auto& cushion) { return moment(Simulator(comparison_table(), motion, cushion, shot.start), cushions); });
+    const double until = with_physics(physics, [&](const auto& motion, const auto& cushion) {
+      return moment(Simulator(comparison_table(), motion, cushion, shot.start), cushions);
+    });
     if (until > 0 && until < longest) return {shot.start, until};
   }
 }

@@ -21,7 +21,8 @@ namespace {
 constexpr int width = 960, right = 14, top = 30, bottom = 52, legend_row = 22, legend_columns = 4;
 
 /// Told apart also by most who see fewer colours, dark enough for thin lines; ours, first, is black.
-constexpr const char* colours[] = {"#111111", "#0072b2", "#d55e00", "#009e73", "#b8489a", "#c58b00", "#3aa3dc", "#7a6fd0", "#8b5a2b", "#7f7f7f"};
+constexpr const char* colours[] = {"#111111", "#0072b2", "#d55e00", "#009e73", "#b8489a",
+                                   "#c58b00", "#3aa3dc", "#7a6fd0", "#8b5a2b", "#7f7f7f"};
 constexpr int marks[] = {7, 5, 9, 11, 13, 4, 6, 8, 10, 12};
 
 /// Text that gnuplot's enhanced mode shows as it is.
@@ -33,6 +34,13 @@ std::string plain(const std::string& text) {
     out += c;
   }
   return out;
+}
+
+/// A file name that gnuplot takes as it is: between double quotes it would run what stands in back quotes.
+std::string quoted(const std::string& file) {
+  std::string out = "'";
+  for (const char c : file) out += c == '\'' ? "''" : std::string(1, c);
+  return out + "'";
 }
 
 /// What a logarithmic axis can show.
@@ -70,11 +78,13 @@ Range extent(std::span<const Panel> panels, Axis Panel::*axis, double Point::*nu
 
 /// Range, ticks and label of an axis, for gnuplot.
 std::string set_axis(char name, const Axis& axis, const Range& range) {
-  std::string out = axis.logarithmic ? fmt::format("set logscale {0}\nset format {0} \"10^{{%T}}\"\n", name) : fmt::format("unset logscale {0}\nset format {0} \"%g\"\n", name);
+  std::string out = axis.logarithmic ? fmt::format("set logscale {0}\nset format {0} \"10^{{%T}}\"\n", name)
+                                     : fmt::format("unset logscale {0}\nset format {0} \"%g\"\n", name);
   out += fmt::format("set {}range [{:.6g}:{:.6g}]\n", name, range.low, range.high);
   if (!axis.names.empty()) {
     out += fmt::format("set {}tics (", name);
-    for (std::size_t i = 0; i < axis.names.size(); ++i) out += fmt::format("{}\"{}\" {}", i ? ", " : "", plain(axis.names[i]), -static_cast<int>(i));
+    for (std::size_t i = 0; i < axis.names.size(); ++i)
+      out += fmt::format("{}\"{}\" {}", i ? ", " : "", plain(axis.names[i]), -static_cast<int>(i));
     out += ")\n";
   } else if (axis.logarithmic) {
     constexpr double most_ticks = 6;
@@ -101,7 +111,9 @@ struct Names {
     const auto& in = holds(apart, name) ? apart : common;
     return static_cast<std::size_t>(std::find(in.begin(), in.end(), name) - in.begin());
   }
-  static bool holds(const std::vector<std::string>& in, const std::string& name) { return std::find(in.begin(), in.end(), name) != in.end(); }
+  static bool holds(const std::vector<std::string>& in, const std::string& name) {
+    return std::find(in.begin(), in.end(), name) != in.end();
+  }
 };
 
 std::string style(const Names& names, const std::string& name, Curve::Style kind) {
@@ -109,8 +121,9 @@ std::string style(const Names& names, const std::string& name, Curve::Style kind
   const std::string colour = colours[i % std::size(colours)];
   if (kind == Curve::Style::dashes) return fmt::format("with lines dashtype 2 linewidth 1.2 linecolor \"{}\"", colour);
   const double size = kind == Curve::Style::points || i == 0 ? 0.65 : 0.5;
-  return fmt::format("with {} linewidth {} pointtype {} pointsize {} linecolor \"{}\"", kind == Curve::Style::points ? "points" : "linespoints", i == 0 ? 2.2 : 1.4,
-                     marks[i % std::size(marks)], size, colour);
+  return fmt::format("with {} linewidth {} pointtype {} pointsize {} linecolor \"{}\"",
+                     kind == Curve::Style::points ? "points" : "linespoints", i == 0 ? 2.2 : 1.4, marks[i % std::size(marks)], size,
+                     colour);
 }
 
 /// Entries for a plot that shows nothing but its key.
@@ -133,7 +146,8 @@ constexpr const char* without_axes =
     "unset border\nunset tics\nunset xlabel\nunset ylabel\nunset title\nunset logscale\nunset grid\nset xrange [0:1]\nset yrange [0:1]\n";
 
 std::string draw_legend_panel(const Figure& f, const Panel& p, const Names& names) {
-  return std::string(without_axes) + "set key center left vertical Left reverse maxcols 1 samplen 2.2\n" + key_of(f, names, p.legend) + "set key off\n" + with_axes;
+  return std::string(without_axes) + "set key center left vertical Left reverse maxcols 1 samplen 2.2\n" + key_of(f, names, p.legend) +
+         "set key off\n" + with_axes;
 }
 
 std::string draw_panel(const Panel& p, const Names& names, int number) {
@@ -154,13 +168,16 @@ std::string draw_panel(const Panel& p, const Names& names, int number) {
     data += "EOD\n";
     if (!any) continue;
     const std::size_t i = names.number(c.name);
-    if (band) add(fmt::format("{} using 1:3:4 with filledcurves fillstyle transparent solid 0.12 noborder fillcolor \"{}\" notitle", name, colours[i % std::size(colours)]));
+    if (band)
+      add(fmt::format("{} using 1:3:4 with filledcurves fillstyle transparent solid 0.12 noborder fillcolor \"{}\" notitle", name,
+                      colours[i % std::size(colours)]));
     lines.push_back(fmt::format("{} using 1:2 {} notitle", name, style(names, c.name, c.style)));
   }
   for (auto line = lines.rbegin(); line != lines.rend(); ++line) add(*line);  // the first on top
   if (plots.empty()) plots = "plot NaN notitle";
   const Range x = p.x.range.value_or(extent({&p, 1}, &Panel::x, &Point::x)), y = p.y.range.value_or(extent({&p, 1}, &Panel::y, &Point::y));
-  return data + fmt::format("set title \"{}\" offset 0,-0.6\n", plain(p.title)) + set_axis('x', p.x, x) + set_axis('y', p.y, y) + plots + "\n";
+  return data + fmt::format("set title \"{}\" offset 0,-0.6\n", plain(p.title)) + set_axis('x', p.x, x) + set_axis('y', p.y, y) + plots +
+         "\n";
 }
 
 /// A strip below all panels that holds their common legend.
@@ -188,19 +205,22 @@ void share_y(std::span<Panel> panels) {
 std::string gnuplot_script(const Figure& f, const std::string& svg) {
   const Names names(f);
   const int panels = static_cast<int>(f.panels.size()), rows = (panels + f.columns - 1) / f.columns;
-  const int strip = names.common.empty() ? 4 : 10 + legend_row * ((static_cast<int>(names.common.size()) + legend_columns - 1) / legend_columns);
+  const int strip =
+      names.common.empty() ? 4 : 10 + legend_row * ((static_cast<int>(names.common.size()) + legend_columns - 1) / legend_columns);
   const int height = rows * f.row_height + strip;
   std::string out = fmt::format(
-      "set terminal svg size {},{} fixed enhanced font \"sans-serif,12\" background \"#ffffff\"\nset output \"{}\"\nset encoding utf8\nset multiplot\nset key off\n"
-"{}set xlabel offset 0,0.4\nset ylabel offset 0.6,0\n",
-      width, height, svg, with_axes);
+      "set terminal svg size {},{} fixed enhanced font \"sans-serif,12\" background \"#ffffff\"\nset output {}\nset encoding utf8\nset "
+      "multiplot\nset key off\n"
+      "{}set xlabel offset 0,0.4\nset ylabel offset 0.6,0\n",
+      width, height, quoted(svg), with_axes);
   for (int i = 0; i < panels; ++i) {
     const int row = i / f.columns, column = i % f.columns;
     const double across = static_cast<double>(width) / f.columns;
     const auto x = [&](double pixel) { return (column * across + pixel) / width; };
     const auto y = [&](double pixel) { return 1 - (row * f.row_height + pixel) / height; };
-    out += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", x(f.left), x(across - right),
-                       y(top), y(f.row_height - bottom));
+    out += fmt::format(
+        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+        x(f.left), x(across - right), y(top), y(f.row_height - bottom));
     const Panel& p = f.panels[static_cast<std::size_t>(i)];
     out += p.legend.empty() ? draw_panel(p, names, i) : draw_legend_panel(f, p, names);
   }

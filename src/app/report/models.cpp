@@ -26,7 +26,11 @@ std::vector<Model> models_in_order() {
   Physics mirrors = spin_physics(), fullest = spin_physics();
   mirrors.cushion = Mirror{};
   fullest.cushion = Mathavan2010{};
-  return {{"ideal", ideal_physics()}, {"rolling", rolling_physics()}, {"spin, mirror", mirrors}, {"spin, han2005", spin_physics()}, {"spin, mathavan2010", fullest}};
+  return {{"ideal", ideal_physics()},
+          {"rolling", rolling_physics()},
+          {"spin, mirror", mirrors},
+          {"spin, han2005", spin_physics()},
+          {"spin, mathavan2010", fullest}};
 }
 
 /// A ball that rolls and comes to rest after exactly n cushions in the fullest model.
@@ -49,7 +53,12 @@ Question draw_question(Draw& draw, const Physics& fullest, int cushions) {
 }
 
 Puzzle puzzle_of(const Question& q, const Physics& physics) {
-  Puzzle p{.table = q.shot.table, .physics = physics, .ball = q.shot.ball, .target = PointTarget{q.rest}, .cushions = CushionRule::in_order(q.met), .speed = {0.1, 10}};
+  Puzzle p{.table = q.shot.table,
+           .physics = physics,
+           .ball = q.shot.ball,
+           .target = PointTarget{q.rest},
+           .cushions = CushionRule::in_order(q.met),
+           .speed = {0.1, 10}};
   p.prefer = Prefer::soft;
   if (is_ideal(physics))
     p.speed = {q.shot.launch.speed, q.shot.launch.speed};  // it knows no friction: the right speed is given
@@ -101,9 +110,11 @@ Result measure(const Model& m, const std::vector<Question>& questions, int cushi
 }
 
 constexpr const char* about =
-    "Random shots of a rolling ball that rests after 1 to 5 cushions in the fullest model, spin with mathavan2010. Each simpler model is asked for the launch to the same place by the same cushions, and its "
-    "answer is played in the fullest; the miss is where the ball then rests. The model ideal knows no friction and is given the right speed. All cushions have the restitution 0.85. Air is in none of them: at 5 m/s its "
-    "drag is about 0.10 m/s², as much as rolling friction, and the Magnus force about 0.07 m/s², 8 mm over 2.5 m; below 2 m/s both are negligible.";
+    "Random shots of a rolling ball that rests after 1 to 5 cushions in the fullest model, spin with mathavan2010. Each simpler model is "
+    "asked for the launch to the same place by the same cushions, and its answer is played in the fullest; the miss is where the ball "
+    "then rests. The model ideal knows no friction and is given the right speed. All cushions have the restitution 0.85. Air is in none "
+    "of them: at 5 m/s its drag is about 0.10 m/s², as much as rolling friction, and the Magnus force about 0.07 m/s², 8 mm over 2.5 m; "
+    "below 2 m/s both are negligible.";
 
 }  // namespace
 
@@ -113,6 +124,7 @@ Section models(const Settings& settings, Progress& progress) {
   Section s{.name = "2-models", .title = "Models", .about = about};
   s.table = {{"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
   std::string csv = "model,cushions,miss_m,seconds_a_shot,seconds_an_answer\n";
+  std::string medians = "model,cushions,shots,answered,miss_low_10,miss_median,miss_high_90,seconds_a_shot,seconds_an_answer\n";
   Panel by_cushions{"miss when played in the fullest model", {"cushions", false, Range{0.5, most_cushions + 0.5}}, {"miss [m]", true}, {}};
   Panel by_cost{"the same against what a shot costs, 1 to 5 cushions", {"processor time per shot [s]", true}, {"miss [m]", true}, {}};
   std::vector<std::vector<Question>> questions;
@@ -126,8 +138,11 @@ Section models(const Settings& settings, Progress& progress) {
     Curve misses{m.name, {}}, costs{m.name, {}};
     for (int n = 1; n <= most_cushions; ++n) {
       const Result r = measure(m, questions[static_cast<std::size_t>(n - 1)], n, csv);
-      s.table.rows.push_back({m.name, fmt::format("{}", n), short_time(r.seconds.median), short_time(r.solve_seconds.median), fmt::format("{} of {}", r.solved, settings.shots),
-                              short_length(r.miss.low), short_length(r.miss.median), short_length(r.miss.high)});
+      s.table.rows.push_back({m.name, fmt::format("{}", n), short_time(r.seconds.median), short_time(r.solve_seconds.median),
+                              fmt::format("{} of {}", r.solved, settings.shots), short_length(r.miss.low), short_length(r.miss.median),
+                              short_length(r.miss.high)});
+      medians += fmt::format("\"{}\",{},{},{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}\n", m.name, n, settings.shots, r.solved, r.miss.low,
+                             r.miss.median, r.miss.high, r.seconds.median, r.solve_seconds.median);
       if (n == 3) at_three.push_back(r);
       misses.points.push_back({static_cast<double>(n), r.miss.median, r.miss.low, r.miss.high});
       costs.points.push_back({r.seconds.median, r.miss.median, r.miss.median, r.miss.median});
@@ -144,9 +159,10 @@ Section models(const Settings& settings, Progress& progress) {
   s.caption = fmt::format("Medians of {} shots a point, with 10–90 % bands on the left.", settings.shots);
   s.conclusion = "After three cushions ";
   for (std::size_t k = 0; k + 1 < all.size(); ++k)
-    s.conclusion += fmt::format("{}{} misses by {} at {} a shot", k ? ", " : "", all[k].name, short_length(at_three[k].miss.median), short_time(at_three[k].seconds.median));
+    s.conclusion += fmt::format("{}{} misses by {} at {} a shot", k ? ", " : "", all[k].name, short_length(at_three[k].miss.median),
+                                short_time(at_three[k].seconds.median));
   s.conclusion += fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
-  s.data.push_back({s.name, csv});
+  s.data = {{s.name, medians}, {s.name + "-shots", csv}};
   return s;
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr const char* title = "Speed against error";
 constexpr const char* question =
-    "How fast are the simulators and planners of bankshot, how wrong are they, and where do their numbers stop being good enough? Every error is "
-    "measured against a reference that does not use the method it judges; every time is processor time of one thread.";
+    "How fast are the simulators and planners of bankshot, how wrong are they, and where do their numbers stop being good enough? Every "
+    "error is measured against a reference that does not use the method it judges; every time is processor time of one thread.";
 
 constexpr const char* styles = R"(
 :root { color-scheme: light; --ink: #1a1a1a; --soft: #5c5c5c; --line: #d8d8d8; --accent: #0b5d3b; }
@@ -49,20 +49,17 @@ footer { margin-top: 4rem; border-top: 1px solid var(--line); padding-top: 0.8re
 @media print { body { padding: 0; font-size: 11pt; } section { break-inside: avoid-page; } }
 )";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  return out;
+void replace_all(std::string& text, const std::string& from, const std::string& with) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + with.size()))
+    text.replace(at, from.size(), with);
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& with) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + with.size())) text.replace(at, from.size(), with);
+std::string escaped(std::string text) {
+  replace_all(text, "&", "&amp;");
+  replace_all(text, "<", "&lt;");
+  replace_all(text, ">", "&gt;");
+  replace_all(text, "\"", "&quot;");
+  return text;
 }
 
 /// The <svg> element alone, its identifiers made different from those of the other figures.
@@ -98,8 +95,9 @@ std::string table_html(const Numbers& t) {
 }
 
 std::string section_html(const Section& s, std::size_t number, const std::string& figure) {
-  std::string out = fmt::format("<section id=\"{}\">\n<h2><span class=\"number\">{}</span>{}</h2>\n<p class=\"conclusion\">{}</p>\n<p>{}</p>\n", s.name, number,
-                                escaped(s.title), escaped(s.conclusion), escaped(s.about));
+  std::string out =
+      fmt::format("<section id=\"{}\">\n<h2><span class=\"number\">{}</span>{}</h2>\n<p class=\"conclusion\">{}</p>\n<p>{}</p>\n", s.name,
+                  number, escaped(s.title), escaped(s.conclusion), escaped(s.about));
   if (!figure.empty()) out += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", inlined(figure, s), escaped(s.caption));
   out += table_html(s.table) + "<p class=\"data\">Raw data:";
   for (const Csv& c : s.data) out += fmt::format(" <a href=\"{0}.csv\">{0}.csv</a>", c.name);
@@ -130,15 +128,20 @@ std::string table_markdown(const Numbers& t) {
 
 std::string to_html(const Page& page, const std::vector<std::string>& figures) {
   std::string out = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>bankshot: {}</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n"
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n<title>bankshot: {}</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p "
+      "class=\"lead\">{}</p>\n"
       "<p class=\"machine\">{}</p>\n<nav><ol>\n",
       escaped(title), styles, escaped(title), escaped(question), escaped(page.caption));
   for (std::size_t i = 0; i < page.sections.size(); ++i)
     out += fmt::format("<li><a href=\"#{}\">{}&ensp;{}</a></li>\n", page.sections[i].name, i + 1, escaped(page.sections[i].title));
   out += "</ol></nav>\n</header>\n<main>\n";
   for (std::size_t i = 0; i < page.sections.size(); ++i) out += section_html(page.sections[i], i + 1, figures[i]);
-  return out + fmt::format("</main>\n<footer>{}. Made by <code>bankshot report</code>, which measures all of it again.</footer>\n</body>\n</html>\n", escaped(page.caption));
+  return out +
+         fmt::format(
+             "</main>\n<footer>{}. Made by <code>bankshot report</code>, which measures all of it again.</footer>\n</body>\n</html>\n",
+             escaped(page.caption));
 }
 
 std::string to_markdown(const Page& page, const std::vector<std::string>& figures) {

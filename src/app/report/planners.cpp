@@ -5,11 +5,11 @@
 
 #include <cmath>
 
+#include "app/report/derivatives.hpp"
 #include "app/report/sections.hpp"
 #include "app/report/suite.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/tolerances.hpp"
-#include "planners/derivatives.hpp"
 
 namespace bankshot::app {
 namespace {
@@ -27,7 +27,10 @@ std::vector<Kind> kinds(const Settings& settings) {
   Physics mathavan = spin_physics();
   mathavan.cushion = Mathavan2010{};
   const double most = settings.shots < 3 ? 100 : settings.quick ? 3e3 : 3e4;
-  return {{"ideal", ideal_physics(), 1, most}, {"rolling", rolling_physics(), 1, most}, {"spin, han2005", spin_physics(), 1, most}, {"spin, mathavan2010", mathavan, 3, most / 10}};
+  return {{"ideal", ideal_physics(), 1, most},
+          {"rolling", rolling_physics(), 1, most},
+          {"spin, han2005", spin_physics(), 1, most},
+          {"spin, mathavan2010", mathavan, 3, most / 10}};
 }
 
 std::vector<long> budgets(double most) {
@@ -79,11 +82,25 @@ Setting summed(long budget, const std::vector<Outcome>& all) {
 
 struct Curves {
   std::string planner;
-  std::vector<Setting> settings;      ///< over all levels
+  std::vector<Setting> settings;            ///< over all levels
   std::array<Setting, levels.size()> last;  ///< of each level, with the largest budget
 };
 
-Curves measure(const Kind& kind, const std::string& planner, const std::array<std::vector<Puzzle>, levels.size()>& sets, std::string& csv) {
+/// Raw numbers and their medians, as CSV.
+struct Tables {
+  std::string puzzles = "physics,planner,level,puzzle,budget,miss_m,simulations,seconds,solved\n";
+  std::string settings =
+      "physics,planner,level,puzzles,budget,solved_percent,miss_median,miss_high_90,simulations_median,simulations_high_90,seconds_median,"
+      "seconds_high_90\n";
+
+  void add(const Kind& kind, const std::string& planner, const char* level, std::size_t count, const Setting& s) {
+    settings +=
+        fmt::format("\"{}\",{},{},{},{},{:.1f},{:.3g},{:.3g},{:.0f},{:.0f},{:.3g},{:.3g}\n", kind.name, planner, level, count, s.budget,
+                    s.solved, s.miss.median, s.miss.high, s.simulations.median, s.simulations.high, s.seconds.median, s.seconds.high);
+  }
+};
+
+Curves measure(const Kind& kind, const std::string& planner, const std::array<std::vector<Puzzle>, levels.size()>& sets, Tables& csv) {
   Curves c{planner, {}, {}};
   std::array<std::vector<Outcome>, levels.size()> before;
   for (const long budget : budgets(kind.budget)) {
@@ -94,13 +111,16 @@ Curves measure(const Kind& kind, const std::string& planner, const std::array<st
         // A search that ended by itself is the same with a larger budget.
         now.push_back(!before[l].empty() && !before[l][i].cut ? before[l][i] : attempt(sets[l][i], planner, budget));
         const Outcome& o = now.back();
-        csv += fmt::format("\"{}\",{},{},{},{},{:.4g},{:.0f},{:.4g},{}\n", kind.name, planner, name(levels[l]), i, budget, o.miss, o.simulations, o.seconds, o.solved ? 1 : 0);
+        csv.puzzles += fmt::format("\"{}\",{},{},{},{},{:.4g},{:.0f},{:.4g},{}\n", kind.name, planner, name(levels[l]), i, budget, o.miss,
+                                   o.simulations, o.seconds, o.solved ? 1 : 0);
       }
       all.insert(all.end(), now.begin(), now.end());
       c.last[l] = summed(budget, now);
+      csv.add(kind, planner, name(levels[l]), now.size(), c.last[l]);
       before[l] = std::move(now);
     }
     c.settings.push_back(summed(budget, all));
+    csv.add(kind, planner, "all", all.size(), c.settings.back());
   }
   return c;
 }
@@ -129,104 +149,32 @@ void add_rows(const std::string& kind, const std::vector<Curves>& all, Numbers& 
     std::vector<std::string> row{kind, c.planner};
     for (const Setting& s : c.last) row.push_back(fmt::format("{:.0f} %", s.solved));
     const Setting& s = c.settings.back();
-    row.insert(row.end(), {short_length(s.miss.median <= floor_of_figure ? 0 : s.miss.median), short_length(s.miss.high), short_count(s.simulations.median), short_count(s.simulations.high),
-                           short_time(s.seconds.median), short_time(s.seconds.high)});
+    row.insert(row.end(), {short_length(s.miss.median <= floor_of_figure ? 0 : s.miss.median), short_length(s.miss.high),
+                           short_count(s.simulations.median), short_count(s.simulations.high), short_time(s.seconds.median),
+                           short_time(s.seconds.high)});
     table.rows.push_back(row);
   }
 }
 
-struct Way {
-  const char* name;
-  planning::Derivatives derivatives;
-};
-constexpr Way ways[] = {{"Newton, dual numbers", planning::Derivatives::dual},
-                        {"Newton, forward differences", planning::Derivatives::forward},
-                        {"Newton, central differences", planning::Derivatives::central},
-                        {"BOBYQA, no derivatives", planning::Derivatives::none}};
-
-/// Median of the least miss after n simulations, over the puzzles; a run that has ended stays as it is.
-struct Approach {
-  const char* name;
-  std::vector<double> simulations, seconds;
-  std::vector<Spread> miss;
-};
-
-Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string& csv) {
-  std::vector<std::vector<planning::Iterate>> runs;
-  for (const Puzzle& p : puzzles) {
-    auto run = planning::approach(p, way.derivatives);
-    const auto again = planning::approach(p, way.derivatives);
-    for (std::size_t i = 0; i < std::min(run.size(), again.size()); ++i) run[i].seconds = std::min(run[i].seconds, again[i].seconds);
-    if (!run.empty()) runs.push_back(std::move(run));
-  }
-  Approach out{way.name, {}, {}, {}};
-  std::size_t longest = 0;
-  for (const auto& run : runs) longest = std::max(longest, run.size());
-  for (std::size_t k = 0; k < longest; ++k) {
-    std::vector<double> miss, simulations, seconds;
-    for (const auto& run : runs) {
-      const planning::Iterate& it = run[std::min(k, run.size() - 1)];
-      miss.push_back(std::max(it.miss, floor_of_figure));
-      simulations.push_back(static_cast<double>(it.simulations));
-      seconds.push_back(it.seconds);
-    }
-    out.miss.push_back(spread(miss));
-    out.simulations.push_back(spread(simulations).median);
-    out.seconds.push_back(spread(seconds).median);
-    csv += fmt::format("\"{}\",{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}\n", way.name, runs.size(), k, out.simulations.back(), out.seconds.back(), out.miss.back().low, out.miss.back().median,
-                       out.miss.back().high);
-  }
-  return out;
-}
-
-/// The first step at which the median miss is exact; none when it never is.
-const double* first_exact(const Approach& a, const std::vector<double>& of) {
-  for (std::size_t k = 0; k < a.miss.size(); ++k)
-    if (a.miss[k].median < tolerance::exact_miss) return &of[k];
-  return nullptr;
-}
-
-std::string add_derivatives(const Settings& settings, Section& s, Progress& progress) {
-  std::vector<Puzzle> puzzles;
-  for (const Level level : levels)
-    for (const Puzzle& p : suite(spin_physics(), level, 4 * settings.shots))
-      if (p.cushions.sequence) puzzles.push_back(p);
-  std::string csv = "method,puzzles,step,simulations,seconds,miss_low_10,miss_median,miss_high_90\n", text;
-  Panel time{"one root, spin, han2005", {"processor time [s]", true}, {"miss [m]", true}, {}}, simulations{"one root, spin, han2005", {"simulations", true}, {"miss [m]", true}, {}};
-  for (const Way& way : ways) {
-    const Approach a = measure(way, puzzles, csv);
-    Curve by_time{way.name, {}}, by_simulations{way.name, {}};
-    for (std::size_t k = 0; k < a.miss.size(); ++k) {
-      by_time.points.push_back({a.seconds[k], a.miss[k].median, a.miss[k].low, a.miss[k].high});
-      by_simulations.points.push_back({a.simulations[k], a.miss[k].median, a.miss[k].low, a.miss[k].high});
-    }
-    time.curves.push_back(by_time);
-    simulations.curves.push_back(by_simulations);
-    const double *n = first_exact(a, a.simulations), *t = first_exact(a, a.seconds);
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", n ? fmt::format("{} simulations ({}) with {}", *n, short_time(*t), way.name) : fmt::format("not at all with {}", way.name));
-    progress.step();
-  }
-  Panel legend;
-  for (const Way& way : ways) legend.legend.emplace_back(way.name);
-  s.figure.panels.insert(s.figure.panels.end(), {time, simulations, legend});
-  s.data.push_back({s.name + "-derivatives", csv});
-  return text;
-}
-
 constexpr const char* about =
-    "A fixed suite of puzzles made from random shots on a 9-foot table: a ball must rest at a point (pass through it in ideal) after 1 or 2 cushions (easy), 3 (medium), 4 or 5 (hard), the sequence given in "
-    "every other one. Every planner gets every budget of simulations; the miss is that of the best shot a replay confirmed, or of the nearest one when there is none, and the whole table when there is not even that, "
-    "so failures stay in the medians. Solved: a miss of at most 1e-9 of the diagonal. Curves: medians over all levels, one point a budget. Last row: one root along one sequence from the seed of its image, with derivatives by "
-    "dual numbers, by differences, and without any.";
+    "A fixed suite of puzzles made from random shots on a 9-foot table: a ball must rest at a point (pass through it in ideal) after 1 "
+    "or 2 cushions (easy), 3 (medium), 4 or 5 (hard), the sequence given in every other one. Every planner gets every budget of "
+    "simulations; the miss is that of the best shot a replay confirmed, or of the nearest one when there is none, and the whole table "
+    "when there is not even that, so failures stay in the medians. Solved: a miss of at most 1e-9 of the diagonal. Curves: medians over "
+    "all levels, one point a budget. Last row: one root along one sequence from the seed of its image, with derivatives by dual numbers, "
+    "by differences, and without any.";
 
 }  // namespace
 
 Section planners(const Settings& settings, Progress& progress) {
   const std::vector<Kind> all = kinds(settings);
-  progress.begin("planners", all.size() * bankshot::planners().size() + std::size(ways));
+  progress.begin("planners", all.size() * bankshot::planners().size() + derivatives_steps);
   Section s{.name = "3-planners", .title = "Planners", .about = about};
-  s.table = {{"physics", "planner", "easy", "medium", "hard", "miss, median", "90 %", "simulations, median", "90 %", "time, median", "90 %"}, {}, 2};
-  std::string csv = "physics,planner,level,puzzle,budget,miss_m,simulations,seconds,solved\n";
+  s.table = {
+      {"physics", "planner", "easy", "medium", "hard", "miss, median", "90 %", "simulations, median", "90 %", "time, median", "90 %"},
+      {},
+      2};
+  Tables csv;
   Setting ours, best;
   std::string best_name;
   for (const Kind& kind : all) {
@@ -239,8 +187,10 @@ Section planners(const Settings& settings, Progress& progress) {
       curves.push_back(measure(kind, std::string(planner.name), sets, csv));
       const Setting& last = curves.back().settings.back();
       if (std::string_view(kind.name) != "spin, han2005") continue;
-      if (planner.name == "auto") ours = last;
-      else if (best_name.empty() || last.solved > best.solved || (last.solved == best.solved && last.seconds.median < best.seconds.median)) best = last, best_name = planner.name;
+      if (planner.name == "auto")
+        ours = last;
+      else if (best_name.empty() || last.solved > best.solved || (last.solved == best.solved && last.seconds.median < best.seconds.median))
+        best = last, best_name = planner.name;
     }
     add_panels(kind.name, curves, s.figure.panels);
     add_rows(kind.name, curves, s.table);
@@ -248,12 +198,16 @@ Section planners(const Settings& settings, Progress& progress) {
   for (const PlannerInfo& planner : bankshot::planners()) s.figure.names.emplace_back(planner.name);
   const std::string derivatives = add_derivatives(settings, s, progress);
   s.figure.columns = 3;
-  s.caption = fmt::format("{} puzzles a level ({} with mathavan2010). Left and middle: median miss; right: share solved, at the median number of simulations spent.", settings.shots,
-                          std::max(1, settings.shots / all.back().share));
-  s.conclusion = fmt::format("With spin auto solves {:.0f} % in {} and {} simulations (medians), the next best, {}, {:.0f} % in {} and {}; the median root is exact after {}.", ours.solved,
-                             short_time(ours.seconds.median), short_count(ours.simulations.median), best_name, best.solved, short_time(best.seconds.median), short_count(best.simulations.median),
-                             derivatives);
-  s.data.insert(s.data.begin(), {s.name, csv});
+  s.caption = fmt::format(
+      "{} puzzles a level ({} with mathavan2010). Left and middle: median miss; right: share solved, at the median number of simulations "
+      "spent.",
+      settings.shots, std::max(1, settings.shots / all.back().share));
+  s.conclusion = fmt::format(
+      "With spin auto solves {:.0f} % in {} and {} simulations (medians), the next best, {}, {:.0f} % in {} and {}; the median root is "
+      "exact after {}.",
+      ours.solved, short_time(ours.seconds.median), short_count(ours.simulations.median), best_name, best.solved,
+      short_time(best.seconds.median), short_count(best.simulations.median), derivatives);
+  s.data.insert(s.data.begin(), {{s.name, csv.settings}, {s.name + "-puzzles", csv.puzzles}});
   return s;
 }
 

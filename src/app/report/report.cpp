@@ -19,7 +19,7 @@ struct Arguments {
   int shots = 0;
 };
 
-constexpr int full_shots = 15, quick_shots = 5;
+constexpr int full_shots = 40, quick_shots = 10;
 
 using Measure = Section (*)(const Settings&, Progress&);
 constexpr Measure parts[] = {simulators, models, planners, conditioning, hard_cases, scaling};
@@ -68,7 +68,8 @@ int run(const Arguments& a) {
   make_folder(folder / "figures");
   const bool gnuplot = has_gnuplot();
   const Settings settings{a.quick, a.shots > 0 ? a.shots : a.quick ? quick_shots : full_shots};
-  const Page page{fmt::format("{}; {} run, {} shots a point", machine(), a.quick ? "quick" : "full", settings.shots), measure_all(folder, settings)};
+  const Page page{fmt::format("{}; {} run, {} shots a point", machine(), a.quick ? "quick" : "full", settings.shots),
+                  measure_all(folder, settings)};
   const std::vector<std::string> figures = draw(folder, page.sections, gnuplot);
   write_file((folder / "report.md").string(), to_markdown(page, figures));
   if (gnuplot) write_file((folder / "index.html").string(), to_html(page, figures));
@@ -81,7 +82,9 @@ int run(const Arguments& a) {
 Run add_report(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("report", "Measure speed against error: simulators and planners");
-  command->add_option("-o,--output", a->folder, "The folder to write index.html, report.md, figures and CSV files into")->required()->check(file_name);
+  command->add_option("-o,--output", a->folder, "The folder to write index.html, report.md, figures and CSV files into")
+      ->required()
+      ->check(file_name);
   command->add_flag("--quick", a->quick, "Fewer shots and coarser ranges: under a minute");
   command->add_option("--shots", a->shots, "Shots a point of a curve")->group("");  // for tests
   return [a] { return run(*a); };

@@ -1,60 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "app/report/steppers.hpp"
 
-#include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <optional>
 
+#include "app/report/forces.hpp"
 #include "bankshot/tolerances.hpp"
 
 namespace bankshot::app {
 namespace {
-
-using Numbers = std::array<double, 6>;  // x, y, vx, vy, wx, wy
-enum class Phase { slide, roll, rest };
-
-Vec2d velocity_of(const Numbers& y) { return {y[2], y[3]}; }
-
-Numbers moved(const Numbers& y, const Numbers& rate, double h) {
-  Numbers out;
-  for (std::size_t i = 0; i < y.size(); ++i) out[i] = y[i] + h * rate[i];
-  return out;
-}
-
-/// The right-hand side in one phase; `along` is û of a slide, v̂ of a roll.
-struct Forces {
-  Phase phase;
-  Vec2d along;
-  double sliding;             ///< μs g
-  double rolling, per_speed;  ///< a g [m/s²], b g [1/s]
-  double turning;             ///< 5 μs g / 2R [rad/s²]
-
-  Numbers operator()(const Numbers& y) const {
-    const double a = phase == Phase::slide ? sliding : rolling + per_speed * dot(velocity_of(y), along);
-    const double turn = phase == Phase::slide ? turning : 0;
-    return {y[2], y[3], -a * along.x, -a * along.y, -turn * along.y, turn * along.x};
-  }
-  /// As Odeint calls it.
-  void operator()(const Numbers& y, Numbers& rate, double) const { rate = (*this)(y); }
-};
-
-Numbers advanced(Scheme::Method method, const Forces& f, const Numbers& y, double h) {
-  const Numbers k1 = f(y);
-  if (method == Scheme::Method::euler) return moved(y, k1, h);
-  if (method == Scheme::Method::semi_implicit) {
-    Numbers out = moved(y, k1, h);
-    out[0] = y[0] + h * out[2];
-    out[1] = y[1] + h * out[3];
-    return out;
-  }
-  const Numbers k2 = f(moved(y, k1, h / 2)), k3 = f(moved(y, k2, h / 2)), k4 = f(moved(y, k3, h));
-  Numbers out;
-  for (std::size_t i = 0; i < y.size(); ++i) out[i] = y[i] + h / 6 * (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]);
-  return out;
-}
 
 /// Something that happens where its function of the state falls through 0.
 struct Crossing {
@@ -65,7 +22,8 @@ struct Crossing {
 template <class Motion, class Cushion>
 class Run {
  public:
-  Run(const Boundary& boundary, const Motion& motion, const Cushion& cushion, const State<double>& start, double until, const Scheme& scheme)
+  Run(const Boundary& boundary, const Motion& motion, const Cushion& cushion, const State<double>& start, double until,
+      const Scheme& scheme)
       : boundary_(boundary), motion_(motion), cushion_(cushion), scheme_(scheme), until_(until), spin_(start.spin.z) {
     y_ = {start.at.x, start.at.y, start.velocity.x, start.velocity.y, start.spin.x, start.spin.y};
     choose_phase();

@@ -14,12 +14,15 @@ namespace {
 constexpr double R = 0.028575;
 using Cases = std::vector<HardCase>;
 
-HardCase hard(std::string what, const ShotRequest& shot) { return {std::move(what), shot.table, shot.ball.radius, shot.physics, start_state(shot)}; }
+HardCase hard(std::string what, const ShotRequest& shot) {
+  return {std::move(what), shot.table, shot.ball.radius, shot.physics, start_state(shot)};
+}
 
 /// Sent from the middle to the end of the second cushion, `off` radians beside it.
 Cases corners() {
   Cases out;
-  for (const Table& table : {rectangle_table(2, 1), polygon_table({{0, 0}, {2, 0}, {2.3, 1.1}, {0, 1}}), polygon_table({{0, 0}, {2, 0}, {1.7, 1}, {0, 1}})})
+  for (const Table& table :
+       {rectangle_table(2, 1), polygon_table({{0, 0}, {2, 0}, {2.3, 1.1}, {0, 1}}), polygon_table({{0, 0}, {2, 0}, {1.7, 1}, {0, 1}})})
     for (const double off : {0.0, 1e-16, -1e-16, 1e-15, -1e-15, 1e-13, -1e-13, 1e-10, -1e-10, 1e-6, -1e-6, 1e-3, -1e-3}) {
       ShotRequest shot = spin_shot({1, 0.5}, 2, 0);
       shot.table = table;
@@ -34,7 +37,8 @@ Cases corners() {
 Cases coincidence() {
   Cases out;
   const double v = 2, slide = 12 * v * v / (49 * 0.2 * 9.81);
-  for (int ulps = -20; ulps <= 20; ++ulps) out.push_back(hard(fmt::format("{} units before the cushion", ulps), spin_shot({2 - R - slide + ulps * 0x1p-52, 0.5}, v, 0)));
+  for (int ulps = -20; ulps <= 20; ++ulps)
+    out.push_back(hard(fmt::format("{} units before the cushion", ulps), spin_shot({2 - R - slide + ulps * 0x1p-52, 0.5}, v, 0)));
   return out;
 }
 
@@ -47,7 +51,8 @@ Cases curving() {
     for (const double sign : {1.0, -1.0}) {
       const Vec2d v{0.2, -vn}, slip{0, -8};
       const State<double> start{{1, R + turn * (1 - sign * depth)}, v, {(slip.y - v.y) / R, (v.x - slip.x) / R, 0}};
-      out.push_back({fmt::format("vertex {} of vn^2/2a beyond the line", sign * depth), rectangle_table(2, 1), R, {motion, Mirror{0.9}}, start, 3});
+      out.push_back(
+          {fmt::format("vertex {} of vn^2/2a beyond the line", sign * depth), rectangle_table(2, 1), R, {motion, Mirror{0.9}}, start, 3});
     }
   return out;
 }
@@ -56,8 +61,10 @@ Cases frozen() {
   Cases out;
   for (const double gap : {0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 2e-12, 1e-11, 1e-10, 1e-9})
     for (const double aim : {0.0, 1e-9, 0.5, 60.0, 90.0, 180.0, 200.0, 270.0, 359.9, 360 - 1e-6})
-      for (const LaunchSpin& s : {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1.5, .side = 1}, LaunchSpin{.masse = 2}, LaunchSpin{.masse = -2}})
-        out.push_back(hard(fmt::format("gap {}, aim {}, spin {} {} {}", gap, aim, s.top, s.side, s.masse), spin_shot({0.7, R + gap}, 1.5, aim, s)));
+      for (const LaunchSpin& s :
+           {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1.5, .side = 1}, LaunchSpin{.masse = 2}, LaunchSpin{.masse = -2}})
+        out.push_back(
+            hard(fmt::format("gap {}, aim {}, spin {} {} {}", gap, aim, s.top, s.side, s.masse), spin_shot({0.7, R + gap}, 1.5, aim, s)));
   return out;
 }
 
@@ -80,7 +87,8 @@ Cases grazing() {
 Cases many_bounces() {
   Cases out;
   for (const int n : {20, 200, 2000, 20000}) {
-    const ShotRequest shot{.table = rectangle_table(2.54, 1.27), .physics = ideal_physics(), .ball = {{0.635, 0.4}, R, 0.17}, .launch = {1, radians(53.1)}};
+    const ShotRequest shot{
+        .table = rectangle_table(2.54, 1.27), .physics = ideal_physics(), .ball = {{0.635, 0.4}, R, 0.17}, .launch = {1, radians(53.1)}};
     HardCase c = hard(fmt::format("{} bounces", n), shot);
     c.cushions = n;
     c.events = 1000000;
@@ -164,11 +172,12 @@ Cases tables() {
       Physics physics = spin_physics(radius * s);
       std::get<Han2005>(physics.cushion).height = 1.25 * radius * s;
       std::get<SlideRoll>(physics.motion).spinning_friction = 0.015;
-      const ShotRequest shot{.table = polygon_table({Vec2d{0, 0} * s + by, Vec2d{2, 0} * s + by, Vec2d{2.25, 1} * s + by, Vec2d{0, 1.125} * s + by}),
-                             .physics = physics,
-                             .ball = {Vec2d{0.5, 0.375} * s + by, radius * s, 0.17},
-                             .launch = {3 * std::sqrt(s), radians(33)},
-                             .spin = {.top = -0.5, .side = 0.75, .masse = 0.25}};
+      const ShotRequest shot{
+          .table = polygon_table({Vec2d{0, 0} * s + by, Vec2d{2, 0} * s + by, Vec2d{2.25, 1} * s + by, Vec2d{0, 1.125} * s + by}),
+          .physics = physics,
+          .ball = {Vec2d{0.5, 0.375} * s + by, radius * s, 0.17},
+          .launch = {3 * std::sqrt(s), radians(33)},
+          .spin = {.top = -0.5, .side = 0.75, .masse = 0.25}};
       out.push_back(hard(fmt::format("size {}, at {} {}", s, by.x, by.y), shot));
     }
   return out;
@@ -207,7 +216,8 @@ constexpr Class classes[] = {{"grazing", grazing},
 }  // namespace
 
 ShotRequest spin_shot(Vec2d at, double speed, double degrees_, LaunchSpin spin) {
-  return {.table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {at, R, 0.17}, .launch = {speed, radians(degrees_)}, .spin = spin};
+  return {
+      .table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {at, R, 0.17}, .launch = {speed, radians(degrees_)}, .spin = spin};
 }
 
 std::vector<std::string_view> hard_classes() {

@@ -14,7 +14,11 @@ constexpr double R = 0.028575;
 using Puzzles = std::vector<Puzzle>;
 
 Puzzle to_point(Vec2d at, int cushions, const Physics& physics, Range arrive) {
-  Puzzle p{.table = rectangle_table(2, 1), .physics = physics, .ball = {{0.6, 0.35}, R, 0.17}, .target = PointTarget{at}, .cushions = CushionRule::exactly(cushions)};
+  Puzzle p{.table = rectangle_table(2, 1),
+           .physics = physics,
+           .ball = {{0.6, 0.35}, R, 0.17},
+           .target = PointTarget{at},
+           .cushions = CushionRule::exactly(cushions)};
   if (!is_ideal(physics)) p.arrive = arrive;
   return p;
 }
@@ -24,7 +28,8 @@ Puzzles on_cushions() {
   for (const Physics& physics : {ideal_physics(), rolling_physics(), spin_physics(R)})
     for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{2 - R, 0.6}, Vec2d{0.4, 1 - R}, Vec2d{2 - R, 1 - R}, Vec2d{R, R}})
       for (const int cushions : {0, 1}) out.push_back(to_point(target, cushions, physics, {0.3, 0.3}));
-  for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}, Vec2d{2 - R, 1 - R}}) out.push_back(to_point(target, 0, rolling_physics(), {0, 0}));
+  for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}, Vec2d{2 - R, 1 - R}})
+    out.push_back(to_point(target, 0, rolling_physics(), {0, 0}));
   for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}}) out.push_back(to_point(target, 0, spin_physics(R), {0, 0}));
   return out;
 }
@@ -42,7 +47,8 @@ Puzzles at_the_speed_bound() {
   const double v = 0.4;
   for (const Physics& physics : {rolling_physics(), spin_physics(R)})
     for (const double share : {1.0, 1 - 1e-15, 1 - 1e-12, 0.5}) {
-      const double reach = is_straight(physics) ? v * v / (2 * 0.01 * 9.81) : 12 * v * v / (49 * 0.2 * 9.81) + 25 * v * v / 49 / (2 * 0.01 * 9.81);
+      const double reach =
+          is_straight(physics) ? v * v / (2 * 0.01 * 9.81) : 12 * v * v / (49 * 0.2 * 9.81) + 25 * v * v / 49 / (2 * 0.01 * 9.81);
       const Vec2d from{0.3, 0.3}, direction_{0.8, 0.6};
       out.push_back({.table = rectangle_table(2, 1),
                      .physics = physics,
@@ -109,13 +115,25 @@ bool find_fold(const Fold& c, double& aim) {
 /// Places of rest where d(rest)/d(aim, speed) is singular, found by bisection of its determinant along a line of launches.
 Puzzles folds() {
   Puzzles out;
-  for (const Fold& c : {Fold{0, 0.5, 1.6, 345, 352}, {0, 0.5, 2, 345, 352}, {0, 0.5, 2.5, 345, 352}, {1, 0.85, 2, 20, 28}, {2, 0.85, 2, 20, 28}, {2, 0.85, 2.5, 20, 28}, {0, 0.85, 3, 184, 190}}) {
+  for (const Fold& c : {Fold{0, 0.5, 1.6, 345, 352},
+                        {0, 0.5, 2, 345, 352},
+                        {0, 0.5, 2.5, 345, 352},
+                        {1, 0.85, 2, 20, 28},
+                        {2, 0.85, 2, 20, 28},
+                        {2, 0.85, 2.5, 20, 28},
+                        {0, 0.85, 3, 184, 190}}) {
     double aim = 0;
     if (!find_fold(c, aim)) continue;
     const ShotRequest shot = launch(c, aim);
     const Rest rest = rest_of(shot);
-    out.push_back({.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin, .target = PointTarget{rest.at, 1e-3},
-                   .cushions = CushionRule::in_order(rest.met), .arrive = Range{0, 0}, .speed = {0.1, 10}});
+    out.push_back({.table = shot.table,
+                   .physics = shot.physics,
+                   .ball = shot.ball,
+                   .spin = shot.spin,
+                   .target = PointTarget{rest.at, 1e-3},
+                   .cushions = CushionRule::in_order(rest.met),
+                   .arrive = Range{0, 0},
+                   .speed = {0.1, 10}});
   }
   return out;
 }
@@ -125,7 +143,10 @@ struct Class {
   Puzzles (*puzzles)();
 };
 
-constexpr Class classes[] = {{"targets on cushions", on_cushions}, {"target at the start", at_the_start}, {"edge of the speed bound", at_the_speed_bound}, {"folds", folds}};
+constexpr Class classes[] = {{"targets on cushions", on_cushions},
+                             {"target at the start", at_the_start},
+                             {"edge of the speed bound", at_the_speed_bound},
+                             {"folds", folds}};
 
 }  // namespace
 

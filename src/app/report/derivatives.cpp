@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "app/report/derivatives.hpp"
+
+#include <fmt/format.h>
+
+#include "app/report/suite.hpp"
+#include "bankshot/tolerances.hpp"
+#include "planners/derivatives.hpp"
+
+namespace bankshot::app {
+namespace {
+
+constexpr double floor_of_figure = 1e-17;  // m: a miss of 0 is drawn here
+
+struct Way {
+  const char* name;
+  planning::Derivatives derivatives;
+};
+constexpr Way ways[] = {{"Newton, dual numbers", planning::Derivatives::dual},
+                        {"Newton, forward differences", planning::Derivatives::forward},
+                        {"Newton, central differences", planning::Derivatives::central},
+                        {"BOBYQA, no derivatives", planning::Derivatives::none}};
+
+/// Median of the least miss after n simulations, over the puzzles; a run that has ended stays as it is.
+struct Approach {
+  const char* name;
+  std::vector<double> simulations, seconds;
+  std::vector<Spread> miss;
+};
+
+Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string& csv) {
+  std::vector<std::vector<planning::Iterate>> runs;
+  for (const Puzzle& p : puzzles) {
+    auto run = planning::approach(p, way.derivatives);
+    const auto again = planning::approach(p, way.derivatives);
+    for (std::size_t i = 0; i < std::min(run.size(), again.size()); ++i) run[i].seconds = std::min(run[i].seconds, again[i].seconds);
+    if (!run.empty()) runs.push_back(std::move(run));
+  }
+  Approach out{way.name, {}, {}, {}};
+  std::size_t longest = 0;
+  for (const auto& run : runs) longest = std::max(longest, run.size());
+  for (std::size_t k = 0; k < longest; ++k) {
+    std::vector<double> miss, simulations, seconds;
+    for (const auto& run : runs) {
+      const planning::Iterate& it = run[std::min(k, run.size() - 1)];
+      miss.push_back(std::max(it.miss, floor_of_figure));
+      simulations.push_back(static_cast<double>(it.simulations));
+      seconds.push_back(it.seconds);
+    }
+    out.miss.push_back(spread(miss));
+    out.simulations.push_back(spread(simulations).median);
+    out.seconds.push_back(spread(seconds).median);
+    csv += fmt::format("\"{}\",{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}\n", way.name, runs.size(), k, out.simulations.back(),
+                       out.seconds.back(), out.miss.back().low, out.miss.back().median, out.miss.back().high);
+  }
+  return out;
+}
+
+/// The first step at which the median miss is exact; none when it never is.
+const double* first_exact(const Approach& a, const std::vector<double>& of) {
+  for (std::size_t k = 0; k < a.miss.size(); ++k)
+    if (a.miss[k].median < tolerance::exact_miss) return &of[k];
+  return nullptr;
+}
+
+}  // namespace
+
+std::string add_derivatives(const Settings& settings, Section& s, Progress& progress) {
+  std::vector<Puzzle> puzzles;
+  for (const Level level : levels)
+    for (const Puzzle& p : suite(spin_physics(), level, 4 * settings.shots))
+      if (p.cushions.sequence) puzzles.push_back(p);
+  std::string csv = "method,puzzles,step,simulations,seconds,miss_low_10,miss_median,miss_high_90\n", text;
+  Panel time{"one root, spin, han2005", {"processor time [s]", true}, {"miss [m]", true}, {}},
+      simulations{"one root, spin, han2005", {"simulations", true}, {"miss [m]", true}, {}};
+  for (const Way& way : ways) {
+    const Approach a = measure(way, puzzles, csv);
+    Curve by_time{way.name, {}}, by_simulations{way.name, {}};
+    for (std::size_t k = 0; k < a.miss.size(); ++k) {
+      by_time.points.push_back({a.seconds[k], a.miss[k].median, a.miss[k].low, a.miss[k].high});
+      by_simulations.points.push_back({a.simulations[k], a.miss[k].median, a.miss[k].low, a.miss[k].high});
+    }
+    time.curves.push_back(by_time);
+    simulations.curves.push_back(by_simulations);
+    const double *n = first_exact(a, a.simulations), *t = first_exact(a, a.seconds);
+    text += fmt::format(
+        "{}{}", text.empty() ? "" : ", ",
+        n ? fmt::format("{} simulations ({}) with {}", *n, short_time(*t), way.name) : fmt::format("not at all with {}", way.name));
+    progress.step();
+  }
+  Panel legend;
+  for (const Way& way : ways) legend.legend.emplace_back(way.name);
+  s.figure.panels.insert(s.figure.panels.end(), {time, simulations, legend});
+  s.data.push_back({s.name + "-derivatives", csv});
+  return text;
+}
+
+}  // namespace bankshot::app
