@@ -17,7 +17,7 @@ namespace {
 constexpr int by_signal = 128;  ///< exit codes above: ended by this signal
 
 struct Arguments {
-  std::string file, output = "-", cost, picture;
+  std::string file, output = "-", cost;
   SolveFlags flags;
   int threads = 0;
   bool resume = false, quiet = false, json = true;
@@ -152,8 +152,8 @@ Run add_batch(CLI::App& app) {
   add_solve_flags(*command, a->flags);
   command->add_flag("--json", a->json, "Answers are JSON with or without it");
   command->add_option("--cost", a->cost, "Write where the time went to this file (CSV)")->check(file_name);
-  const auto no_pictures = [](const std::string&) { return std::string("a batch draws no pictures; bankshot solve --svg draws one"); };
-  command->add_option("--svg", a->picture)->group("")->check(CLI::Validator(no_pictures, ""));
+  const auto no_picture = [](const std::string&) { throw CLI::ValidationError("--svg", "a batch draws no pictures; bankshot solve --svg draws one"); };
+  command->add_option_function<std::string>("--svg", no_picture)->group("");
   return [a] { return run(*a); };
 }
 

@@ -11,6 +11,7 @@ namespace bankshot {
 
 class JsonWriter {
  public:
+  JsonWriter() { out_.reserve(usual); }
   void open(char bracket) { comma(), out_ += bracket; }
   void close(char bracket) { out_ += bracket; }
   /// What follows is the value of this key, which needs no escapes.
@@ -27,6 +28,8 @@ class JsonWriter {
   void string(std::string_view k, std::string_view text) { key(k), string(text); }
 
  private:
+  static constexpr std::size_t usual = 1024;  ///< bytes of an answer with one shot, margin and success
+
   /// Between two values of a list or two members of an object.
   void comma() {
     if (!out_.empty() && std::string_view("{[:").find(out_.back()) == std::string_view::npos) out_ += ',';

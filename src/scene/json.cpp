@@ -172,15 +172,14 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
   }
   if (!r.is_array()) r.fail("must be a number, a list of cushions or {\"min\":, \"max\":}");
   if (r.size() > static_cast<std::size_t>(max_cushions)) r.fail("must have at most 20000 cushions");
-  std::vector<std::string> all;
-  const auto edges = static_cast<int>(table.cushions.size());
-  for (int i = 0; i < 2 * edges; ++i) all.push_back(contact_name(table, i));
-  std::vector<std::string_view> names(all.begin(), all.begin() + edges);
+  const std::vector<std::string_view> names(table.cushions.begin(), table.cushions.end());
+  const auto edges = static_cast<int>(names.size());
   std::vector<int> contacts;
   for (const Reader& item : r.items()) {
-    const auto it = std::find(all.begin(), all.end(), item.text());
-    contacts.push_back(it != all.end() ? static_cast<int>(it - all.begin())
-                                       : static_cast<int>(item.word("cushion", names)));
+    const std::string name = item.text();
+    int contact = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+    while (contact >= edges && contact < 2 * edges && contact_name(table, contact) != name) ++contact;
+    contacts.push_back(contact < 2 * edges ? contact : static_cast<int>(item.word("cushion", names)));
   }
   return CushionRule::in_order(std::move(contacts));
 }
