@@ -78,8 +78,9 @@ void tidy(Puzzle& p) {
   else p.arrive.reset();
 }
 
-/// A question about a shot drawn at random; none when it has other bounces.
-std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& boundary) {
+/// A question about a shot drawn at random; none when it has other bounces, or falls into another pocket:
+/// most drop into the middle ones.
+std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& boundary, int pocket) {
   const auto at = free_place(r, boundary, w.table);
   if (!at) return {};
   ShotRequest shot{.table = w.table, .physics = w.physics, .ball = w.ball};
@@ -90,6 +91,8 @@ std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& bounda
   shot.until.cushions = n + 1;
   auto asked = ask(r, shot, simulate(shot), n, n);
   if (!asked) return {};
+  const auto* drop = std::get_if<PocketTarget>(&asked->puzzle.target);
+  if (drop && drop->pocket != pocket) return {};
   asked->puzzle.cushions = CushionRule::exactly(n);
   return asked->puzzle;
 }
@@ -109,15 +112,17 @@ std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boun
   return p;
 }
 
-/// Valid as it is written, and not solved by standing still.
+/// Valid as it is written, and worth asking: the target is a fifth of the diagonal away or more.
 bool is_sound(const Puzzle& p) {
   try {
     validate(p);
   } catch (const InvalidInput&) {
     return false;
   }
+  constexpr double near = 0.2;
   const auto* point = std::get_if<PointTarget>(&p.target);
-  return !point || norm(point->at - p.ball.at) > 4 * std::max(p.ball.radius, point->within);
+  const Vec2d target = point ? point->at : p.table.pockets[static_cast<std::size_t>(std::get<PocketTarget>(p.target).pocket.value())].at;
+  return norm(target - p.ball.at) >= near * p.table.diagonal();
 }
 
 /// A drawn target often has no shot, and to be sure of that costs far more than to find one.
@@ -210,9 +215,11 @@ std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
   Random look(1);
   tries.no_room = !free_place(look, boundary, w.table);
   if (tries.no_room) return {};
+  int pocket = 0;
   while (tries.solved < w.tries && tries.draws < draws_a_try * w.tries) {
-    ++tries.draws;
-    auto p = w.cushions.sequence ? from_target(r, w, boundary) : from_shot(r, w, boundary);
+    constexpr long patience = 1000;  // draws for one pocket, which may have no such shot
+    if (tries.draws++ % patience == 0) pocket = r.integer(0, std::max(0, static_cast<int>(w.table.pockets.size()) - 1));
+    auto p = w.cushions.sequence ? from_target(r, w, boundary) : from_shot(r, w, boundary, pocket);
     if (!p) continue;
     tidy(*p);
     if ((w.kind && kind_of(*p) != *w.kind) || !is_sound(*p)) continue;

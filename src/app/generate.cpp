@@ -117,7 +117,7 @@ std::string help() {
       "give the same puzzles; a larger --count goes on where a smaller one ends. Difficulty, of the best shot and\n"
       "a player with the default noise (0.125 degrees, 0.075 m/s):\n"
       "  easy    made in at least {:.0f} % of tries, and {:.2g} degrees of aim to both sides still make it\n"
-      "  hard    made in less than {:.0f} % of tries, or less than {:.2g} degrees to one side\n"
+      "  hard    made in less than {:.0f} % of tries, or less than {:.3g} degrees to one side\n"
       "  medium  between\n"
       "--unique: `solve --all` finds exactly one shot. With spin its completeness is measured, not proved.\n"
       "Exit 1 where a puzzle is not found in {} tries; standard error says what became of them.",

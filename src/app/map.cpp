@@ -101,7 +101,7 @@ Run add_map(CLI::App& app) {
   CLI::App* command = app.add_subcommand("map", "Solve a puzzle from every start on a grid: where can this shot be made from?");
   command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")->required();
   command->add_option("--grid", a->grid, "Columns and rows of starts")->required()->check(CLI::Range(1, most));
-  command->add_option("-o", a->out, "Write a heat map (.svg) or a table (.csv) to this file; may be given twice")->required()->check(picture_or_table);
+  command->add_option("-o", a->out, "Write a heat map (.svg) or a table (.csv) to this file; may be given twice")->required()->allow_extra_args(false)->check(picture_or_table);
   command->add_option("--budget", a->budget, "Simulations to spend on a start at most")->check(whole_number);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
   command->footer(

@@ -14,6 +14,8 @@ namespace {
 constexpr const char* ink = "#2b2118";
 constexpr const char* faint = "#8a7a66";
 constexpr const char* paper = "#fbf7ee";
+/// Paths stay as wide however small the picture is.
+constexpr const char* thin_lines = "<style>polyline{vector-effect:non-scaling-stroke;stroke-width:2}</style>\n";
 
 /// A picture's own svg element, placed and sized; its title stays as a tooltip.
 std::string placed(const std::string& svg, double x, double y, double width, double height) {
@@ -40,7 +42,7 @@ class Page {
     if (title.empty()) return;
     y_ += 1.2 * size;
     text(width_ / 2, y_, size, ink, title, "middle");
-    if (!subtitle.empty()) text(width_ / 2, y_ += 0.75 * size, 0.42 * size, faint, subtitle, "middle", true);
+    if (!subtitle.empty()) text(width_ / 2, y_ += 0.75 * size, 0.48 * size, faint, subtitle, "middle", true);
     const double half = 0.12 * width_;
     body_ += fmt::format(R"(<path d="M{:.0f} {:.0f}h{:.0f}" stroke="{}" stroke-width="1.5"/>)", width_ / 2 - half, y_ += 0.5 * size, 2 * half, faint) + "\n";
     y_ += 0.5 * size;
@@ -71,8 +73,8 @@ class Page {
   std::string document() const {
     const double height = y_ + 0.5 * margin_;
     return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" height="{1:.0f}" font-family="Georgia, 'DejaVu Serif', serif">)"
-                       "\n<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n{4}</svg>\n",
-                       width_, height, escaped(style_.title), paper, body_);
+                       "\n<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n{4}{5}</svg>\n",
+                       width_, height, escaped(style_.title), paper, thin_lines, body_);
   }
 
  private:

@@ -121,13 +121,21 @@ void draw_table(Canvas& c) {
   draw_pockets(c);
 }
 
-/// Points along a path: the ends of its arcs, and points between where an arc bends.
+/// Points along one arc: its ends, and points between where it bends.
+std::vector<Vec2d> outline(const Leg& leg, int pieces) {
+  if (!(std::abs(cross(leg.arc.velocity, leg.arc.acceleration)) > 1e-12)) pieces = 1;
+  std::vector<Vec2d> points;
+  for (int i = 0; i <= pieces; ++i) points.push_back(leg.arc.position(leg.duration * i / pieces));
+  return points;
+}
+
+/// The same along a path.
 std::vector<Vec2d> outline(const Trajectory& t) {
+  constexpr int pieces = 24;
   std::vector<Vec2d> points{t.events.front().state.at};
   for (const Leg& leg : t.legs) {
-    const bool bends = std::abs(cross(leg.arc.velocity, leg.arc.acceleration)) > 1e-12;
-    const int pieces = bends ? 24 : 1;
-    for (int i = 1; i <= pieces; ++i) points.push_back(leg.arc.position(leg.duration * i / pieces));
+    const std::vector<Vec2d> more = outline(leg, pieces);
+    points.insert(points.end(), more.begin() + 1, more.end());
   }
   return points;
 }
@@ -155,15 +163,18 @@ void draw_ball(Canvas& c, const Vec2d& at, const Ball& ball, std::string_view st
 void draw_fan(Canvas& c, const Puzzle& p, const Shot& shot) {
   const auto& m = shot.margin->angle;
   if (!m[0] || !m[1]) return;
-  constexpr int strips = 8;
-  std::vector<Vec2d> before;
+  constexpr int strips = 8, pieces = 8;
+  std::vector<Leg> before;
   for (int i = 0; i <= strips; ++i) {
     Shot edge = shot;
     edge.launch.angle = wrap_angle(shot.launch.angle + *m[0] + (*m[1] - *m[0]) * i / strips);
-    const std::vector<Vec2d> path = outline(simulate(as_request(p, edge)));
-    for (std::size_t k = 0; k + 1 < std::min(path.size(), before.size()); ++k)
-      c.polyline({before[k], before[k + 1], path[k + 1], path[k]}, "polygon", R"(fill="#ffd166" fill-opacity="0.45")");
-    before = path;
+    const std::vector<Leg> legs = simulate(as_request(p, edge)).legs;
+    for (std::size_t k = 0; k < std::min(legs.size(), before.size()); ++k) {
+      std::vector<Vec2d> strip = outline(before[k], pieces), back = outline(legs[k], pieces);
+      strip.insert(strip.end(), back.rbegin(), back.rend());
+      c.polyline(strip, "polygon", R"(fill="#ffd166" fill-opacity="0.45")");
+    }
+    before = legs;
   }
 }
 
@@ -214,9 +225,9 @@ std::string draw(const Puzzle& puzzle, const Answer& answer) {
     const Shot& shot = answer.shots[i];
     draw_path(c, simulate(as_request(puzzle, shot)), puzzle.ball, path_colours[i % std::size(path_colours)], i == 0, answer.shots.size() - 1);
   }
-  draw_target(c, puzzle);
   if (!answer.shots.empty())
     draw_ball(c, answer.shots[0].arrival.at, puzzle.ball, R"(fill="#ffffff" fill-opacity="0.5")");
+  draw_target(c, puzzle);
   draw_ball(c, puzzle.ball.at, puzzle.ball, R"(fill="#ffffff")");
   return c.document(fmt::format("{}: {}", name(answer.status), answer.message));
 }

@@ -42,7 +42,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST_CASE("map: each row is the answer of solve from there") {
   const ScratchFile csv("map.csv"), svg("map.svg");
-  const Run run = run_program("map - --grid 6 3 -o \"" + csv.path + "\" -o \"" + svg.path + "\"", bank);
+  const Run run = run_program("map --grid 6 3 -o \"" + csv.path + "\" -o \"" + svg.path + "\" -", bank);
   CHECK(run.exit == 0);
   CHECK(run.err.empty());
   const auto rows = table(csv.text());

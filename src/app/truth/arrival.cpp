@@ -49,6 +49,24 @@ bool same_events(const Path& a, const Path& b, std::size_t last) {
   return true;
 }
 
+/// The event whose arc arrives: after n bounces, the nearest to the time claimed.
+std::size_t arriving(const Path& path, int n, double time, bool stops) {
+  std::optional<std::size_t> best;
+  const auto late = [&](std::size_t i) { return std::abs((stops ? path.events[i].time : path.events[i].passing.time) - time); };
+  int bounces = 0;
+  for (std::size_t i = 0; i < path.events.size(); ++i) {
+    if (bounces == n && (!best || late(i) < late(*best))) best = i;
+    bounces += path.events[i].kind == EventKind::cushion;
+  }
+  return best.value_or(path.events.size());
+}
+
+/// Metres between two arrivals: of where the ball rests, or across the line of travel.
+double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
+  if (stops) return norm((a.state.at - b.state.at) + (a.at_rest - b.at_rest));
+  return std::abs((a.passing.lateral - b.passing.lateral) + (a.passing.lateral_rest - b.passing.lateral_rest));
+}
+
 }  // namespace
 
 struct Scene::Goal {
@@ -133,32 +151,21 @@ Arrived Scene::replay(const Launch& launch, const Shot& claim, double slack) con
 }
 
 std::optional<double> Scene::condition(const Shot& shot) const {
-  constexpr double step = 1e-10;  // what is left out is its square; the values have 32 digits
+  constexpr double step = 1e-14;  // what is left out is of this size; the values have 32 digits
   const int n = static_cast<int>(shot.cushions.size());
   Run base = run(shot.launch, shot.spin, n);
   if (!stops_) base.target = shot.arrival.at;
   const Path path = run_truth(base);
-  // The event whose arc arrives: the same in the runs beside it.
-  std::size_t arrives = path.events.size();
-  int bounces = 0;
-  for (std::size_t i = 0; i < path.events.size(); ++i) {
-    const auto late = [&](std::size_t k) { return std::abs((stops_ ? path.events[k].time : path.events[k].passing.time) - shot.arrival.time); };
-    if (bounces == n && (arrives == path.events.size() || late(i) < late(arrives))) arrives = i;
-    bounces += path.events[i].kind == EventKind::cushion;
-  }
+  const std::size_t arrives = arriving(path, n, shot.arrival.time, stops_);
   const auto moved = [&](double turned, double pushed) -> std::optional<double> {
-    std::vector<const TruthEvent*> ends;
-    const Path sides[] = {beside(base, turned, pushed), beside(base, -turned, -pushed)};
-    for (const Path& side : sides)
-      if (same_events(side, path, arrives)) ends.push_back(&side.events[arrives]);
-    const double apart = static_cast<double>(ends.size()) * step;
-    if (ends.empty()) return {};
-    ends.push_back(&path.events[arrives]);
-    const auto difference = [&](auto&& of) { return of(*ends[0]) - of(*ends[1]); };
-    if (!stops_) return std::abs(difference([](const TruthEvent& e) { return e.passing.lateral; }) + difference([](const TruthEvent& e) { return e.passing.lateral_rest; })) / apart;
-    return norm(difference([](const TruthEvent& e) { return e.state.at; }) + difference([](const TruthEvent& e) { return e.at_rest; })) / apart;
+    // On one side of the shot its path may meet other cushions.
+    for (const double side : {step, -step}) {
+      const Path other = beside(base, side * turned, side * pushed);
+      if (same_events(other, path, arrives)) return apart(other.events[arrives], path.events[arrives], stops_) / step;
+    }
+    return {};
   };
-  const auto by_aim = moved(step, 0), by_speed = moved(0, step);
+  const auto by_aim = moved(1, 0), by_speed = moved(0, 1);
   if (!by_aim || !by_speed) return {};
   return std::max(*by_aim, *by_speed);
 }
