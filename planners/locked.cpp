@@ -210,7 +210,7 @@ std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, 
   return speed;
 }
 
-std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle) {
+std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle, double within) {
   const Range& bounds = s.puzzle.speed;
   if (s.one_unknown()) return fixed_speed(s);
   const double asked = s.asked;
@@ -224,8 +224,7 @@ std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle) {
   };
   double low = std::max(bounds.low, 1e-3 * bounds.high), high = bounds.high;
   if (!enough(high)) return {};
-  constexpr double near = 1.03;  // Newton's method takes it from there
-  while (high > near * low) {
+  while (high > (1 + within) * low) {
     const double middle = std::sqrt(low * high);
     (enough(middle) ? high : low) = middle;
   }

@@ -58,9 +58,11 @@ bool certify_root(Search& s, const LockedAim& aim, const Launch& root, std::stri
 /// The root nearest in aim to the seed over all aim points.
 std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<int>& contacts);
 
+/// Of a launch speed: as near as a seed need be, Newton's method takes it from there.
+inline constexpr double within_seed = 0.03;
 /// The launch speed with which the locked path at this angle arrives about as fast as asked:
-/// bisection in ln v to 3 %, where falling short counts as too slow. None where no speed gets there.
-std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle);
+/// bisection in ln v to `within`, where falling short counts as too slow. None where no speed gets there.
+std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle, double within = within_seed);
 
 /// The same exactly, by Newton's method from a speed near it.
 std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, double guess);
