@@ -33,6 +33,7 @@ void search_with_spin(Search& s) {
   if (s.cut) return;
   if (s.shots.empty() && s.puzzle.cushions.sequence) fan_out(s, {});
   if (s.all || s.shots.empty()) sweep(s);
+  if ((s.all || s.shots.empty()) && !s.cut) along_touched(s);
   if (!s.point()) beside_centre(s);
   if (s.shots.empty() && !s.cut) map(s, fine);
   if (s.shots.empty() && !s.cut && s.puzzle.cushions.sequence) map(s, real);

@@ -20,6 +20,8 @@ void nlopt_crs(Search& s);
 void nlopt_mlsl(Search& s);
 void automatic(Search& s);     ///< auto.cpp
 
+void along_touched(Search& s);  ///< along.cpp
+
 /// The cells of a forward map: rad of aim, and of ln speed. In map.cpp; what `sweep` does where paths
 /// depend on the speed.
 struct Spacing {

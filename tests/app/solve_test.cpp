@@ -91,6 +91,14 @@ TEST_CASE("option --all prints every distinct shot, the best first") {
   for (std::size_t i = 1; i < all.size(); ++i) CHECK(all[i - 1].at("success") >= all[i].at("success"));
 }
 
+TEST_CASE("option --first prints the first shot found, and not with --all") {
+  const auto first = run_program("solve --first", bank), both = run_program("solve --first --all", bank);
+  CHECK(first.exit == 0);
+  CHECK(first.out.find("the first shot found") != std::string::npos);
+  CHECK(both.exit == 2);
+  CHECK(both.err == "bankshot: --all excludes --first; see bankshot --help\n");
+}
+
 TEST_CASE("no budget and no shot are exit code 1") {
   const auto none = run_program("solve --json --budget 0", bank);
   CHECK(none.exit == 1);

@@ -45,6 +45,24 @@ TEST_CASE("every planner solves the easy set and what it returns is true") {
   }
 }
 
+TEST_CASE("the first shot is a shot, and costs no more than the best") {
+  const std::string planner = GENERATE(from_range(planner_names));
+  INFO(planner);
+  std::vector<Puzzle> set = easy_set();
+  if (planner != "image")
+    set.push_back({.table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {.at = {0.4, 0.3}}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(3)});
+  for (const Puzzle& p : set) {
+    const Answer best = solve(p, {.planner = planner, .robustness = false}), first = solve(p, {.planner = planner, .first = true, .robustness = false});
+    REQUIRE(first.status == Status::solved);
+    CHECK(first.shots.size() == 1);
+    CHECK(test::check_shot(p, first.shots[0]).problem == "");
+    CHECK(first.simulations <= best.simulations);
+    CHECK(first.message.find("the first shot found") == 0);
+    if (planner == "auto" && p.cushions.max == 3) CHECK(first.simulations * 5 < best.simulations);
+  }
+  CHECK_THROWS_WITH(solve(set[0], {.planner = planner, .all = true, .first = true}), Catch::Contains("either all shots"));
+}
+
 TEST_CASE("what a planner returns survives a replay in 50 digits") {
   const std::string planner = GENERATE(from_range(planner_names));
   INFO(planner);
