@@ -31,6 +31,7 @@ void search_with_spin(Search& s) {
   constexpr Spacing fine{radians(0.7), 0.08}, real{radians(2), 0.12, false}, finest{radians(0.8), 0.05, false};
   image_seeds(s, true);
   if (s.cut) return;
+  if (s.shots.empty() && s.puzzle.cushions.sequence) fan_out(s, {});
   if (s.all || s.shots.empty()) sweep(s);
   if (!s.point()) beside_centre(s);
   if (s.shots.empty() && !s.cut) map(s, fine);

@@ -18,9 +18,9 @@ namespace {
 constexpr int fan = 720;  // aims tried as seeds where no image exists: every half degree
 
 /// Refines one image along one sequence; true when it leads to a root, a shot or not.
-bool from_seed(Search& s, double angle, const std::vector<int>& contacts, const Vec2d& target, bool quickly) {
+bool from_seed(Search& s, double angle, double length, const std::vector<int>& contacts, const Vec2d& target, bool quickly) {
   const LockedAim aim{s, contacts, target};
-  const auto speed = speed_at(s, aim, angle);
+  const auto speed = speed_at(s, aim, angle, length);
   if (!speed) return false;
   const Launch seed{*speed, angle};
   constexpr Neighbourhood wide{0.3, 0.5};
@@ -43,7 +43,7 @@ void from_fan(Search& s) {
       trace(s, angle, Goal::exactly(s, n), &contacts);
       if (s.puzzle.cushions.sequence) contacts = *s.puzzle.cushions.sequence;
       if (static_cast<int>(contacts.size()) == n)
-        for (const Vec2d& target : s.aim_points()) from_seed(s, angle, contacts, target, false);
+        for (const Vec2d& target : s.aim_points()) from_seed(s, angle, s.boundary.diagonal, contacts, target, false);
     }
 }
 
@@ -58,7 +58,7 @@ void image_seeds(Search& s, bool quickly) {
       if (s.enough()) return;
       std::pair key{images.contacts(*c), std::pair{c->target.x, c->target.y}};
       if (!straight && settled.contains(key)) continue;
-      if (from_seed(s, c->angle, key.first, c->target, quickly)) settled.insert(std::move(key));
+      if (from_seed(s, c->angle, c->distance, key.first, c->target, quickly)) settled.insert(std::move(key));
     }
     if (straight || !images.whole()) return;
     if (s.puzzle.cushions.sequence && !s.shots.empty()) return;

@@ -133,12 +133,9 @@ void look(Search& s, const Motion& motion, const State<Jet>& state, Forward& out
 }  // namespace
 
 std::optional<Vec2d> newton_step(const Linear& l, bool one_unknown) {
-  if (one_unknown) {
-    if (l.by_aim[0] == 0) return {};
-    return Vec2d{-l.r[0] / l.by_aim[0], 0};
-  }
-  const double det = l.by_aim[0] * l.by_speed[1] - l.by_aim[1] * l.by_speed[0];
+  const double det = l.determinant(one_unknown);
   if (det == 0) return {};
+  if (one_unknown) return Vec2d{-l.r[0] / det, 0};
   return Vec2d{(l.by_speed[0] * l.r[1] - l.by_speed[1] * l.r[0]) / det, (l.by_aim[1] * l.r[0] - l.by_aim[0] * l.r[1]) / det};
 }
 
@@ -210,26 +207,41 @@ std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, 
   return speed;
 }
 
-std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle) {
-  const Range& bounds = s.puzzle.speed;
+std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle, double length) {
   if (s.one_unknown()) return fixed_speed(s);
-  const double asked = s.asked;
-  const auto enough = [&](double v) {
+  const double asked = s.asked * s.asked, slowing = 2 * deceleration(s.puzzle.physics);
+  // By how much the squared speed of arrival exceeds the one asked, as if a ball that rests had to roll on.
+  const auto excess = [&](double square) -> std::optional<double> {
     ++s.simulations;
-    const auto arrival = arrival_of(aim, start_of(s, angle, v), s.rough);
-    if (!arrival) return false;
-    const Vec2d off = aim.target - arrival->state.at;
-    if (arrival->at_rest) return dot(arrival->heading, off) < 0;
-    return dot(arrival->state.velocity, arrival->state.velocity) >= asked * asked;
+    const auto arrival = arrival_of(aim, start_of(s, angle, std::sqrt(square)), s.rough);
+    if (!arrival) return {};
+    const Vec2d& v = arrival->state.velocity;
+    if (!arrival->at_rest) return dot(v, v) - asked;
+    const double short_of = dot(arrival->heading, aim.target - arrival->state.at) / norm(arrival->heading);
+    return -slowing * short_of - asked;
   };
-  double low = std::max(bounds.low, 1e-3 * bounds.high), high = bounds.high;
-  if (!enough(high)) return {};
-  constexpr int halvings = 10;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = std::sqrt(low * high);
-    (enough(middle) ? high : low) = middle;
+  const Range& bounds = s.puzzle.speed;
+  const double slowest = std::max(bounds.low, 1e-3 * bounds.high);
+  double low = slowest * slowest, high = bounds.high * bounds.high;
+  const auto most = excess(high);
+  if (!most || *most < 0) return {};
+  // It is nearly linear in the square of the launch speed: bounces take a share of that, rolling the same from all.
+  double at = high, over = *most, slope = (over + asked + slowing * length) / high;
+  constexpr int most_steps = 12;
+  for (int i = 0; i < most_steps; ++i) {
+    const double next = at - over / slope;
+    const bool inside = next > low && next < high;
+    constexpr double near = 0.05;  // of the square
+    if (inside && std::abs(next - at) < near * next) return std::sqrt(next);
+    const double tried = inside ? next : std::sqrt(low * high);
+    const auto e = excess(tried);
+    (e && *e >= 0 ? high : low) = tried;
+    if (!e) continue;
+    if ((*e - over) / (tried - at) > 0) slope = (*e - over) / (tried - at);
+    at = tried;
+    over = *e;
   }
-  return high;
+  return std::sqrt(high);
 }
 
 void forward(Search& s, const Launch& launch, bool locked, Forward& out) {

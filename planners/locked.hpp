@@ -29,6 +29,10 @@ struct LockedAim {
 /// Residuals and their derivatives with respect to the aim and ln speed at one launch.
 struct Linear {
   double r[2]{}, by_aim[2]{}, by_speed[2]{};
+  /// Its sign changes across a fold of the map.
+  double determinant(bool one_unknown) const {
+    return one_unknown ? by_aim[0] : by_aim[0] * by_speed[1] - by_aim[1] * by_speed[0];
+  }
 };
 
 /// The step in (aim, ln speed) to the root of the linear system; none where it is singular. With one
@@ -58,9 +62,10 @@ bool certify_root(Search& s, const LockedAim& aim, const Launch& root, std::stri
 /// The root nearest in aim to the seed over all aim points.
 std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<int>& contacts);
 
-/// The launch speed with which the locked path at this angle arrives about as fast as asked:
-/// bisection in ln v to 1 %, where falling short counts as too slow. None where no speed gets there.
-std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle);
+/// The launch speed with which the locked path at this angle, some `length` metres long, arrives about as
+/// fast as asked: secants in the square of the speed, bracketed, to some 2 %; falling short counts as too
+/// slow. None where no speed gets there. About four locked simulations.
+std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle, double length);
 
 /// The same exactly, by Newton's method from a speed near it.
 std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, double guess);

@@ -15,6 +15,7 @@
 #include "planners/locked.hpp"
 #include "planners/planners.hpp"
 #include "planners/robustness.hpp"
+#include "planners/unfold.hpp"
 #include "planners/verify.hpp"
 
 namespace bankshot::planning {
@@ -40,6 +41,18 @@ class Map {
       }
     }
     if (s_.shots.empty()) s_.leads.insert(s_.leads.end(), leads_.begin(), leads_.end());
+  }
+
+  void fan_out() {
+    const int most = static_cast<int>(std::ceil(radians(180) / cell_.aim));
+    Unfolding images(s_, true, restitution(s_.puzzle.physics).at_rest, true);
+    while (const auto image = images.next()) {
+      const std::vector<int> contacts = images.contacts(*image);
+      for (int i = 1; i <= 2 * most && !done(); ++i) {
+        const double angle = image->angle + cell_.aim * (i / 2) * (i % 2 == 0 ? 1 : -1);
+        if (const auto speed = speed_at(s_, {s_, contacts, image->target}, angle, image->distance)) node(angle, *speed);
+      }
+    }
   }
 
  private:
@@ -89,10 +102,32 @@ class Map {
     const Launch predicted{speed * std::exp(step->y), angle + step->x};
     const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
     const LockedAim aim{s_, contacts, s_.aim_points()[p.aim_point]};
-    if (const auto root = new_root(aim, predicted, p.aim_point)) {
-      roots_.push_back({{contacts.begin(), contacts.end()}, p.aim_point, *root});
-      certify_root(s_, aim, *root, "sweep");
-    }
+    if (const auto root = new_root(aim, predicted, p.aim_point)) add(aim, *root, p.aim_point);
+  }
+
+  void add(const LockedAim& aim, const Launch& root, std::size_t aim_point) {
+    roots_.push_back({{aim.contacts.begin(), aim.contacts.end()}, aim_point, root});
+    certify_root(s_, aim, root, "sweep");
+    if (s_.all) across_fold(aim, root, aim_point);
+  }
+
+  /// Roots come in pairs on the two sides of a fold or a kink, where the determinant changes its sign; nodes
+  /// are too far apart to see both. So Newton's method also starts around a root wherever that sign is another.
+  void across_fold(const LockedAim& aim, const Launch& root, std::size_t aim_point) {
+    const auto determinant = [&](const Launch& l) {
+      const auto at = linearise(s_, aim, l);
+      return at ? at->determinant(s_.one_unknown()) : 0;
+    };
+    const double here = determinant(root);
+    constexpr int ways = 8;
+    for (const double cells : {0.02, 0.1, 0.3})
+      for (int i = 0; i < ways; ++i) {
+        const Vec2d turn = direction(radians(360) * i / ways) * cells;
+        const Launch from{root.speed * std::exp(turn.y * cell_.speed), root.angle + turn.x * cell_.aim};
+        if (!(determinant(from) * here < 0)) continue;
+        const auto other = newton(s_, aim, from, {cell_.aim, cell_.speed});
+        if (other && !known(*other, aim.contacts, aim_point, 0)) add(aim, *other, aim_point);
+      }
   }
 
   /// The root that a prediction leads to; none when it is known.
@@ -148,5 +183,6 @@ class Map {
 }  // namespace
 
 void map(Search& s, const Spacing& spacing) { Map(s, spacing).run(); }
+void fan_out(Search& s, const Spacing& spacing) { Map(s, spacing).fan_out(); }
 
 }  // namespace bankshot::planning

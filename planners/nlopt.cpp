@@ -163,7 +163,7 @@ void from_images(Search& s, const Method& m) {
     if (locked) {
       const std::vector<int> contacts = images.contacts(*c);
       const LockedAim aim{s, contacts, c->target};
-      if (const auto speed = speed_at(s, aim, c->angle)) run_locked(s, m, angles, {*speed, angle}, aim);
+      if (const auto speed = speed_at(s, aim, c->angle, c->distance)) run_locked(s, m, angles, {*speed, angle}, aim);
       continue;
     }
     double speed = some_speed(s);

@@ -27,5 +27,7 @@ struct Spacing {
   bool locked = true;  ///< follow a sequence that is given on its locked path, not where it really occurs
 };
 void map(Search& s, const Spacing& spacing);
+/// The same of a sequence that is given, only at the speeds that arrive as asked, and outward from its image.
+void fan_out(Search& s, const Spacing& spacing);
 
 }  // namespace bankshot::planning

@@ -3,8 +3,10 @@
 // The rules a scene must keep, whether it came from a file or from a C++ program.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
+#include <numeric>
+#include <optional>
 
 #include "bankshot/scene/boundary.hpp"
 #include "bankshot/scene/puzzle.hpp"
@@ -25,6 +27,13 @@ void need_finite(double v, const std::string& path) {
   if (!std::isfinite(v)) fail(path, fmt::format("{} must be a finite number", v));
 }
 
+/// Names the place only if it must: most scenes are good, and millions are checked.
+void need_finite(const Vec2d& p, const auto& path) {
+  if (std::isfinite(p.x) && std::isfinite(p.y)) return;
+  need_finite(p.x, path() + "/0");
+  need_finite(p.y, path() + "/1");
+}
+
 bool segments_meet(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
   const auto side = [](Vec2d p, Vec2d q, Vec2d r) {
     const double s = cross(q - p, r - p);
@@ -43,10 +52,7 @@ void check_shape(const Table& t) {
   const auto& v = t.vertices;
   const std::size_t n = v.size();
   if (n < 3) fail("/table/vertices", fmt::format("a polygon needs at least 3 vertices, not {}", n));
-  for (std::size_t i = 0; i < n; ++i) {
-    need_finite(v[i].x, at("/table/vertices", i) + "/0");
-    need_finite(v[i].y, at("/table/vertices", i) + "/1");
-  }
+  for (std::size_t i = 0; i < n; ++i) need_finite(v[i], [&] { return at("/table/vertices", i); });
   if (!(std::isfinite(t.diagonal()) && t.diagonal() > 0))
     fail("/table", "the table is too small or too large to compute with");
   double area = 0;
@@ -64,26 +70,37 @@ void check_shape(const Table& t) {
   if (!(area > 0)) fail("/table/vertices", "the vertices must run anticlockwise");
 }
 
+/// The first element that has the name of one before it.
+template <class List, class Name>
+std::optional<std::size_t> repeated(const List& list, const Name& name) {
+  std::vector<std::size_t> order(list.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return name(list[a]) < name(list[b]); });
+  std::optional<std::size_t> first;
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (name(list[order[i - 1]]) == name(list[order[i]])) first = std::min(first.value_or(order[i]), order[i]);
+  return first;
+}
+
 void check_names(const Table& t) {
-  std::set<std::string> seen;
-  for (std::size_t i = 0; i < t.cushions.size(); ++i)
-    if (!seen.insert(t.cushions[i]).second)
-      fail(at("/table/names", i), fmt::format("\"{}\" names two cushions", t.cushions[i]));
-  for (std::size_t i = 0; i < t.vertices.size(); ++i)
-    if (seen.count("v" + std::to_string(i)))
-      fail("/table/names", fmt::format("\"v{0}\" is the name of vertex {0}", i));
-  seen = {"any"};
+  if (const auto i = repeated(t.cushions, [](const std::string& c) -> const std::string& { return c; }))
+    fail(at("/table/names", *i), fmt::format("\"{}\" names two cushions", t.cushions[*i]));
+  for (const std::string& c : t.cushions)
+    for (std::size_t i = 0; c.starts_with('v') && i < t.vertices.size(); ++i)
+      if (c == "v" + std::to_string(i)) fail("/table/names", fmt::format("\"v{0}\" is the name of vertex {0}", i));
+  const auto taken = [&](std::size_t i) {
+    fail(at("/table/pockets", i) + "/name",
+         fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", t.pockets[i].name));
+  };
   for (std::size_t i = 0; i < t.pockets.size(); ++i)
-    if (!seen.insert(t.pockets[i].name).second)
-      fail(at("/table/pockets", i) + "/name",
-           fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", t.pockets[i].name));
+    if (t.pockets[i].name == "any") taken(i);
+  if (const auto i = repeated(t.pockets, [](const Pocket& p) -> const std::string& { return p.name; })) taken(*i);
 }
 
 void check_pockets(const Table& t, const Boundary& b) {
   for (std::size_t i = 0; i < t.pockets.size(); ++i) {
     const Pocket& p = t.pockets[i];
-    need_finite(p.at.x, at("/table/pockets", i) + "/at/0");
-    need_finite(p.at.y, at("/table/pockets", i) + "/at/1");
+    need_finite(p.at, [&] { return at("/table/pockets", i) + "/at"; });
     const double distance = b.distance_to_centres(p.at);
     const bool point = p.radius == 0 && b.radius == 0;
     if (p.radius == 0 && b.radius > 0)
@@ -97,8 +114,7 @@ void check_pockets(const Table& t, const Boundary& b) {
 }
 
 void check_inside(const Boundary& b, const Vec2d& p, const std::string& path, std::string_view what) {
-  need_finite(p.x, path + "/0");
-  need_finite(p.y, path + "/1");
+  need_finite(p, [&] { return path; });
   const double clearance = b.clearance(p);
   if (clearance < -b.touch)
     fail(path, fmt::format("{}: {} must be inside the table, at least the ball's radius {} m from "

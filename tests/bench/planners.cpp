@@ -54,7 +54,7 @@ Outcome by_mirror(const Puzzle& p) {
   double least = 1;
   while (const auto c = images.next()) {
     const std::vector<int> contacts = images.contacts(*c);
-    const auto speed = speed_at(s, {s, contacts, c->target}, c->angle);
+    const auto speed = speed_at(s, {s, contacts, c->target}, c->angle, c->distance);
     if (speed) least = std::min(least, replay(s, {*speed, c->angle}, Goal::exactly(s, c->bounces)).miss);
   }
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
