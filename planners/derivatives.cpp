@@ -124,7 +124,7 @@ std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d) {
   const std::vector<int>& contacts = *puzzle.cushions.sequence;
   Unfolding images(s, true, restitution(puzzle.physics).at_rest, true);
   while (const auto c = images.next()) {
-    const auto speed = speed_at(s, {s, contacts, c->target}, c->angle);
+    const auto speed = speed_at(s, {s, contacts, c->target}, c->angle, c->distance);
     if (!speed) continue;
     Path path{s, contacts, c->target};
     const Launch seed{*speed, c->angle};
