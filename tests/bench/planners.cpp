@@ -51,7 +51,6 @@ Outcome by_mirror(const Puzzle& p) {
   const auto begin = std::chrono::steady_clock::now();
   Search s(p, false);
   Unfolding images(s, true, 1.0, true);
-  constexpr double close = 1e-3;  // of the speed: what is missed is the aim's fault
   double least = 1;
   while (const auto c = images.next()) {
     const std::vector<int> contacts = images.contacts(*c);
