@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -33,10 +34,12 @@ std::string without_time(std::string line) {
 bool finished(LineReader& in, const Arguments& a) {
   LineReader out(a.output, true);
   Lines asked, told;
-  const auto same = [&] {
-    if (asked.lines.size() != told.lines.size()) return false;
-    for (std::size_t i = 0; i < asked.lines.size(); ++i)
-      if (without_time(answer_line(asked.line(i), a.flags)) != without_time(std::string(told.line(i)))) return false;
+  const auto same = [&](bool from_the_end) {
+    const std::size_t n = asked.lines.size(), m = told.lines.size(), both = std::min(n, m);
+    for (std::size_t i = 0; i < both; ++i) {
+      const std::string_view question = asked.line(from_the_end ? n - 1 - i : i), answer = told.line(from_the_end ? m - 1 - i : i);
+      if (without_time(answer_line(question, a.flags)) != without_time(std::string(answer))) return false;
+    }
     return true;
   };
   const auto next = [](LineReader& reader, Lines& lines) {
@@ -45,10 +48,10 @@ bool finished(LineReader& in, const Arguments& a) {
     lines = std::move(more);
     return true;
   };
-  if (!in.next(asked) || !out.next(told) || !same()) return false;
+  if (!in.next(asked) || !out.next(told) || !same(false)) return false;
   while (next(in, asked)) {}
   while (next(out, told)) {}
-  return asked.after.lines == told.after.lines && same();
+  return asked.after.lines == told.after.lines && same(true);
 }
 
 /// How far an earlier run had come, checked and with the output cut to it.

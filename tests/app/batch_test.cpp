@@ -77,10 +77,10 @@ TEST_CASE("the last line may lack its line break, the first may begin with a byt
 }
 
 TEST_CASE("a line that no puzzle needs is answered without being held in memory") {
-  const std::string text = line(0) + "\n{\"id\": 5, \"" + std::string(20'000'000, 'x') + "\n" + line(1);
+  const std::string text = line(0) + "\n{\"id\": 5, \"" + std::string(5'000'000, 'x') + "\n" + line(1);
   const std::vector<std::string> out = split(run_program(batch + "-", text).out);
   REQUIRE(out.size() == 3);
-  CHECK_THAT(Json::parse(out[1]).at("error").at("reason").get<std::string>(), Contains("longer than 16777216 bytes"));
+  CHECK_THAT(Json::parse(out[1]).at("error").at("reason").get<std::string>(), Contains("longer than 4194304 bytes"));
   CHECK(Json::parse(out[1]).at("id") == 5);
   CHECK(Json::parse(out[2]).at("id") == 1);
 }
