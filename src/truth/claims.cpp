@@ -121,7 +121,8 @@ class ShotCheck {
             fmt::format("says {} s and arrives after {} s", said.time, there.time));
     compare(Claim::arrival, std::abs(said.speed - there.speed), tolerance::exact_speed * std::max(1.0, there.speed),
             fmt::format("says {} m/s and arrives at {} m/s", said.speed, there.speed));
-    if (const auto asked = arrival_range(p_))
+    // The safest launch need not arrive at the speed asked: what counts as made does not speak of it.
+    if (const auto asked = arrival_range(p_); asked && p_.aim == Aim::centre)
       compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high),
               tolerance::exact_speed * std::max(1.0, asked->high),
               fmt::format("arrives at {} m/s, and {} to {} is asked", there.speed, asked->low, asked->high));
