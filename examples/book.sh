@@ -21,6 +21,7 @@ seed=2026
 # some COUNT TABLE PHYSICS CUSHIONS TARGET [--unique]
 some() {
   seed=$((seed + 1))
+  # shellcheck disable=SC2086  # a level is several words
   "$bankshot" generate --count "$1" --seed "$seed" --table "$2" --physics "$3" --cushions "$4" --target "$5" "${@:6}" $level
 }
 easy() {

@@ -18,6 +18,8 @@ for example in "$bin"/examples/[0-9]*; do
   echo "== $(basename "$example")"
   "$example" "examples/figures/$(basename "$example").svg"
 done
+echo "== where the two-cushion bank can be played from"
+"$bin/bankshot" map examples/puzzles/two-cushion-bank.json --grid 40 20 -o examples/figures/two-cushion-map.svg
 echo "== the puzzle book"
 "$bin/examples/puzzle_book" examples/puzzles/book.jsonl examples/figures/book.svg
 echo "Pictures: examples/figures/*.svg"

@@ -74,7 +74,8 @@ void tidy(Puzzle& p) {
   const Puzzle plain;
   if (is_ideal(p.physics) || !p.speed.fixed()) p.speed = plain.speed;
   else p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
-  if (p.arrive && !stops && std::holds_alternative<PointTarget>(p.target)) p.arrive = Range{in_tenths(p.arrive->low), in_tenths(p.arrive->low)};
+  if (p.arrive && !stops && std::holds_alternative<PointTarget>(p.target))
+    p.arrive = Range{in_tenths(p.arrive->low), in_tenths(p.arrive->low)};
   else p.arrive.reset();
 }
 
@@ -140,17 +141,11 @@ Random::Random(std::uint64_t seed, std::uint64_t number) : engine_(0) {
   engine_.seed(sequence);
 }
 
-double Random::uniform(double low, double high) {
-  return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-}
+double Random::uniform(double low, double high) { return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53); }
 
-double Random::log_uniform(double low, double high) {
-  return std::exp(uniform(std::log(low), std::log(high)));
-}
+double Random::log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
 
-int Random::integer(int low, int high) {
-  return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-}
+int Random::integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1)); }
 
 std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory& t, int least, int most) {
   Question q{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};
@@ -170,9 +165,8 @@ std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory
     const Leg& l = t.legs[leg];
     const double time = l.duration * (r.chance(0.2) ? 1.0 : r.uniform(0.05, 1));
     p.target = PointTarget{l.arc.position(time)};
-    q.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(), [&](const Record& e) {
-      return e.kind == Record::Kind::cushion && e.time <= l.begin;
-    }));
+    q.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(),
+                                               [&](const Record& e) { return e.kind == Record::Kind::cushion && e.time <= l.begin; }));
     arrival = norm(l.arc.velocity_at(time));
     if (!(arrival > 1e-3)) return {};
   }

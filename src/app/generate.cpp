@@ -49,7 +49,8 @@ CushionRule read_rule(const std::string& text, const Table& table) {
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
     const auto it = std::find(all.begin(), all.end(), word);
-    if (it == all.end()) throw FileError(fmt::format("--cushions: {} is neither a number, LOW-HIGH nor a cushion{}", quote(word), known_words(word, names)));
+    if (it == all.end())
+      throw FileError(fmt::format("--cushions: {} is neither a number, LOW-HIGH nor a cushion{}", quote(word), known_words(word, names)));
     contacts.push_back(static_cast<int>(it - all.begin()));
   }
   return CushionRule::in_order(std::move(contacts));
@@ -61,7 +62,8 @@ Wish read_wish(const Arguments& a) {
     const SceneDocument scene = read_scene(as_json(a.table), as_json(a.physics));
     w.table = scene.table, w.physics = scene.physics, w.ball = scene.ball;
   } catch (const InvalidInput& e) {
-    throw FileError(e.path.empty() ? fmt::format("--table or --physics: {}", e.what()) : fmt::format("--{}: {}", e.path.substr(1), e.what()));
+    throw FileError(e.path.empty() ? fmt::format("--table or --physics: {}", e.what())
+                                   : fmt::format("--{}: {}", e.path.substr(1), e.what()));
   }
   w.cushions = read_rule(a.cushions, w.table);
   for (const Difficulty d : {Difficulty::easy, Difficulty::medium, Difficulty::hard})
@@ -133,9 +135,12 @@ Run add_generate(CLI::App& app) {
   command->add_option("--seed", a->seed, "Other seeds, other puzzles")->required()->check(whole_number);
   command->add_option("--table", a->table, "A table's name, or its JSON")->capture_default_str();
   command->add_option("--physics", a->physics, "A physics' name, or its JSON")->capture_default_str();
-  command->add_option("--cushions", a->cushions, "A number; LOW-HIGH, a number drawn for each puzzle; or names: top,left")->capture_default_str();
-  command->add_option("--target", a->target, "pocket, stop (rest at a point) or pass (through a point); else drawn")->check(CLI::IsMember({"pocket", "stop", "pass"}));
-  command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; else any")->check(CLI::IsMember({"easy", "medium", "hard"}));
+  command->add_option("--cushions", a->cushions, "A number; LOW-HIGH, a number drawn for each puzzle; or names: top,left")
+      ->capture_default_str();
+  command->add_option("--target", a->target, "pocket, stop (rest at a point) or pass (through a point); else drawn")
+      ->check(CLI::IsMember({"pocket", "stop", "pass"}));
+  command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; else any")
+      ->check(CLI::IsMember({"easy", "medium", "hard"}));
   command->add_flag("--unique", a->unique, "Puzzles with exactly one shot");
   command->add_option("-o", a->out, "Write to this file; - is standard output")->capture_default_str();
   command->footer(help());

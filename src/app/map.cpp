@@ -46,7 +46,8 @@ StartMap map_of(const Puzzle& puzzle, const Arguments& a) {
   }
   std::vector<Answer> found = answers(asked, {.robustness = !a.no_robustness, .suggest = false});
   auto next = found.begin();
-  for (const Start start : map.starts) map.answers.push_back(start == Start::legal ? std::move(*next++) : Answer{.status = Status::invalid});
+  for (const Start start : map.starts)
+    map.answers.push_back(start == Start::legal ? std::move(*next++) : Answer{.status = Status::invalid});
   return map;
 }
 
@@ -64,8 +65,9 @@ std::string summary(const StartMap& map) {
     if (s.success && (!safest || *s.success > *safest->success)) safest = &s, safest_at = i;
   }
   const auto place = [&](std::size_t i) { return fmt::format("({:.3f}, {:.3f})", map.grid.at(i).x, map.grid.at(i).y); };
-  std::string out = fmt::format("{} starts: {} with a shot, {} without, {} ran out of budget; {} lie in a cushion, {} in a pocket, {} at the target\n", map.starts.size(),
-                                of_status[0], of_status[1], of_status[2], of_start[1], of_start[2], of_start[3]);
+  std::string out =
+      fmt::format("{} starts: {} with a shot, {} without, {} ran out of budget; {} lie in a cushion, {} in a pocket, {} at the target\n",
+                  map.starts.size(), of_status[0], of_status[1], of_status[2], of_start[1], of_start[2], of_start[3]);
   if (slowest) out += fmt::format("slowest: {:.4g} m/s from {}\n", slowest->launch.speed, place(slowest_at));
   if (safest) out += fmt::format("most robust: {:.0f} % from {}\n", 100 * *safest->success, place(safest_at));
   return out;
@@ -86,7 +88,9 @@ int run(const Arguments& a) {
     const StartMap map = map_of(puzzle, a);
     for (const std::string& path : a.out) write_file(path, path.ends_with(".svg") ? draw(puzzle, map) : to_csv(puzzle, map));
     print(summary(map));
-    return std::any_of(map.answers.begin(), map.answers.end(), [](const Answer& found) { return found.status == Status::solved; }) ? done : nothing_solved;
+    return std::any_of(map.answers.begin(), map.answers.end(), [](const Answer& found) { return found.status == Status::solved; })
+               ? done
+               : nothing_solved;
   } catch (const InvalidInput& e) {
     std::cerr << complaint(a.file, e) << '\n';
     return bad_input;
@@ -101,7 +105,10 @@ Run add_map(CLI::App& app) {
   CLI::App* command = app.add_subcommand("map", "Solve a puzzle from every start on a grid: where can this shot be made from?");
   command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")->required();
   command->add_option("--grid", a->grid, "Columns and rows of starts")->required()->check(CLI::Range(1, most));
-  command->add_option("-o", a->out, "Write a heat map (.svg) or a table (.csv) to this file; may be given twice")->required()->allow_extra_args(false)->check(picture_or_table);
+  command->add_option("-o", a->out, "Write a heat map (.svg) or a table (.csv) to this file; may be given twice")
+      ->required()
+      ->allow_extra_args(false)
+      ->check(picture_or_table);
   command->add_option("--budget", a->budget, "Simulations to spend on a start at most")->check(whole_number);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
   command->footer(

@@ -26,7 +26,7 @@ class Lines {
   explicit Lines(const std::string& path) : name(path == "-" ? "standard input" : path) {
     if (path == "-") return;
     file_.open(path, std::ios::binary);
-    file_.peek();  // a folder opens, and fails here
+    file_.peek();                                          // a folder opens, and fails here
     if (!file_.is_open() || file_.bad()) read_file(path);  // which says what is wrong
   }
   bool next(std::string& line) {
@@ -97,15 +97,17 @@ class Tally {
   bool clean() const { return failed_ == 0; }
 
   std::string text() const {
-    std::string out = fmt::format("{} answers: {} solved, {} no-shot, {} budget, {} invalid; {} shots", answers_, of(Status::solved), of(Status::no_shot),
-                                  of(Status::budget), of(Status::invalid), shots_);
+    std::string out = fmt::format("{} answers: {} solved, {} no-shot, {} budget, {} invalid; {} shots", answers_, of(Status::solved),
+                                  of(Status::no_shot), of(Status::budget), of(Status::invalid), shots_);
     if (beside_) out += fmt::format("; {} say that they are beside the target's centre", beside_);
     out += fmt::format("\n\n{:<14} {:>9} {:>8}   worst, and how far off is allowed\n", "claim", "checked", "failed");
     for (int i = 0; i < truth::claims; ++i) {
       const One& one = of_claim_[static_cast<std::size_t>(i)];
       if (one.checked == 0) continue;
       out += fmt::format("{:<14} {:>9} {:>8}", truth::name(static_cast<Claim>(i)), one.checked, one.failed);
-      if (one.worst.allowed > 0) out += fmt::format("   {:.2g} of {:.2g} {} on line {}", one.worst.off, one.worst.allowed, truth::unit(one.worst.claim), one.worst_line);
+      if (one.worst.allowed > 0)
+        out += fmt::format("   {:.2g} of {:.2g} {} on line {}", one.worst.off, one.worst.allowed, truth::unit(one.worst.claim),
+                           one.worst_line);
       out += "\n";
     }
     out += "not checked: whether a no-shot has a shot, the nearest miss, tip, ranks, counts, time_us\n";

@@ -17,7 +17,15 @@ constexpr const char* cloth = "#1f7a4d";
 
 /// Of the colour map viridis (Smith and van der Walt, 2015, CC0): its lightness rises evenly, so that it
 /// reads the same to colour-blind people and in print.
-constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84}, {71, 44, 122}, {59, 81, 139}, {44, 113, 142}, {33, 144, 141}, {39, 173, 129}, {92, 200, 99}, {170, 220, 50}, {253, 231, 37}}};
+constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84},
+                                                        {71, 44, 122},
+                                                        {59, 81, 139},
+                                                        {44, 113, 142},
+                                                        {33, 144, 141},
+                                                        {39, 173, 129},
+                                                        {92, 200, 99},
+                                                        {170, 220, 50},
+                                                        {253, 231, 37}}};
 
 /// Above this part a dark line is seen better on it than a white one.
 constexpr double light = 0.55;
@@ -46,7 +54,8 @@ std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> le
     const Vec2d half = m.grid.cell / 2.0, at = m.grid.at(i);
     const Shot* s = shot_from(m, i);
     holes = holes || !s;
-    cells.push_back({at - half, at + half, s ? colour(part(*s)) : hole, s ? std::optional(s->launch.angle) : std::nullopt, s && part(*s) > light ? "#222" : "#fff"});
+    cells.push_back({at - half, at + half, s ? colour(part(*s)) : hole, s ? std::optional(s->launch.angle) : std::nullopt,
+                     s && part(*s) > light ? "#222" : "#fff"});
   }
   if (holes) legend.push_back({"no shot", hole});
   if (cells.size() < m.starts.size()) legend.push_back({"no start", cloth});
@@ -73,9 +82,13 @@ std::string draw(const Puzzle& p, const StartMap& m) {
   }
   Chapter page{"", "", {}};
   if (success)
-    page.plates.push_back({heat(p, m, chance, "chance", [](const Shot& s) { return s.success.value_or(0); }), "How robust? The chance that the best shot from here is made", {}});
+    page.plates.push_back({heat(p, m, chance, "chance", [](const Shot& s) { return s.success.value_or(0); }),
+                           "How robust? The chance that the best shot from here is made",
+                           {}});
   const double decades = fastest > slowest ? std::log(fastest / slowest) : 1;
-  page.plates.push_back({heat(p, m, speed, "speed", [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }), "How slow? Its launch speed", {}});
+  page.plates.push_back({heat(p, m, speed, "speed", [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }),
+                         "How slow? Its launch speed",
+                         {}});
   return draw_page(std::array{page}, {.letter = 20});
 }
 

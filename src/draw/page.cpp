@@ -35,8 +35,11 @@ double ratio_of(const std::string& svg) {
 class Page {
  public:
   explicit Page(const PageStyle& style)
-      : style_(style), gap_(style.plate * 0.09), margin_(style.plate * (style.columns > 1 ? 0.2 : 0.06)),
-        width_(2 * margin_ + style.columns * style.plate + (style.columns - 1) * gap_), y_(margin_) {}
+      : style_(style),
+        gap_(style.plate * 0.09),
+        margin_(style.plate * (style.columns > 1 ? 0.2 : 0.06)),
+        width_(2 * margin_ + style.columns * style.plate + (style.columns - 1) * gap_),
+        y_(margin_) {}
 
   void heading(const std::string& title, const std::string& subtitle, double size) {
     if (title.empty()) return;
@@ -44,7 +47,9 @@ class Page {
     text(width_ / 2, y_, size, ink, title, "middle");
     if (!subtitle.empty()) text(width_ / 2, y_ += 0.75 * size, 0.48 * size, faint, subtitle, "middle", true);
     const double half = 0.12 * width_;
-    body_ += fmt::format(R"(<path d="M{:.0f} {:.0f}h{:.0f}" stroke="{}" stroke-width="1.5"/>)", width_ / 2 - half, y_ += 0.5 * size, 2 * half, faint) + "\n";
+    body_ += fmt::format(R"(<path d="M{:.0f} {:.0f}h{:.0f}" stroke="{}" stroke-width="1.5"/>)", width_ / 2 - half, y_ += 0.5 * size,
+                         2 * half, faint) +
+             "\n";
     y_ += 0.5 * size;
   }
 
@@ -53,7 +58,8 @@ class Page {
     for (std::size_t i = 0; i < all.size();) {
       const std::size_t row = std::min(all.size() - i, static_cast<std::size_t>(style_.columns));
       std::size_t lines = 0;
-      const bool titled = std::any_of(all.begin() + static_cast<long>(i), all.begin() + static_cast<long>(i + row), [](const Plate& p) { return !p.title.empty(); });
+      const bool titled = std::any_of(all.begin() + static_cast<long>(i), all.begin() + static_cast<long>(i + row),
+                                      [](const Plate& p) { return !p.title.empty(); });
       double ratio = style_.ratio;
       for (std::size_t k = 0; k < row && style_.ratio == 0; ++k) ratio = std::max(ratio, ratio_of(all[i + k].svg));
       const double picture = style_.plate * ratio, top = y_ + (titled ? 1.5 * line : 0);
@@ -72,15 +78,17 @@ class Page {
 
   std::string document() const {
     const double height = y_ + 0.5 * margin_;
-    return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" height="{1:.0f}" font-family="Georgia, 'DejaVu Serif', serif">)"
-                       "\n<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n{4}{5}</svg>\n",
-                       width_, height, escaped(style_.title), paper, thin_lines, body_);
+    return fmt::format(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" height="{1:.0f}" font-family="Georgia, 'DejaVu Serif', serif">)"
+        "\n<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n{4}{5}</svg>\n",
+        width_, height, escaped(style_.title), paper, thin_lines, body_);
   }
 
  private:
   void text(double x, double y, double size, const char* colour, const std::string& words, const char* anchor, bool italic = false) {
-    body_ += fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.1f}" fill="{}" text-anchor="{}"{}>{}</text>)", x, y, size, colour, anchor,
-                         italic ? R"( font-style="italic")" : "", escaped(words)) + "\n";
+    body_ += fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.1f}" fill="{}" text-anchor="{}"{}>{}</text>)", x, y, size, colour,
+                         anchor, italic ? R"( font-style="italic")" : "", escaped(words)) +
+             "\n";
   }
 
   const PageStyle& style_;

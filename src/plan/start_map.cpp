@@ -18,9 +18,9 @@ std::string row(const Puzzle& p, const Answer& a) {
   std::string cushions;
   for (const int c : s.cushions) cushions += (cushions.empty() ? "" : " ") + contact_name(p.table, c);
   const Margin m = s.margin.value_or(Margin{});
-  return fmt::format("solved,{},{},{},{},{},{},{},{},{},{},{},{}", s.launch.speed, exact_degrees(s.launch.angle), cushions, s.arrival.time, s.arrival.speed,
-                     number(s.success), number(m.angle[0], degrees(1)), number(m.angle[1], degrees(1)), number(m.speed[0]), number(m.speed[1]), s.miss,
-                     s.condition);
+  return fmt::format("solved,{},{},{},{},{},{},{},{},{},{},{},{}", s.launch.speed, exact_degrees(s.launch.angle), cushions, s.arrival.time,
+                     s.arrival.speed, number(s.success), number(m.angle[0], degrees(1)), number(m.angle[1], degrees(1)), number(m.speed[0]),
+                     number(m.speed[1]), s.miss, s.condition);
 }
 
 }  // namespace

@@ -60,13 +60,15 @@ TEST_CASE("generate: what cannot be is refused or given up") {
       {"--count 1 --seed 1 --table pool-9fot", 2, "--table: \"pool-9fot\" is no table"},
       {"--count 1 --seed 1 --table '{\"length\": 1}'", 2, "--table/width: this key is required"},
       {"--count 1 --seed 1 --physics spinn", 2, "did you mean \"spin\"?"},
-      {"--count 1 --seed 1 --cushions top,botom", 2, "--cushions: \"botom\" is neither a number, LOW-HIGH nor a cushion; known are bottom, right, top, left; did you mean \"bottom\"?"},
+      {"--count 1 --seed 1 --cushions top,botom", 2,
+       "--cushions: \"botom\" is neither a number, LOW-HIGH nor a cushion; known are bottom, right, top, left; did you mean \"bottom\"?"},
       {"--count 1 --seed 1 --cushions 3-1", 2, "neither a number"},
       {"--count 1 --seed 1 --difficulty impossible", 2, "--difficulty"},
       {"--count 1 --seed 1 --table seed --target pocket", 2, "this table has no pockets"},
       {"--count 1 --seed 1 -o /no/such/folder/x", 2, "/no/such/folder/x: cannot be written"},
       {"--count 1 --seed 1 --physics ideal --target stop", 2, "--target stop: without friction no ball comes to rest"},
-      {"--count 9 --seed 1 --table '{\"length\": 0.06, \"width\": 0.06}' --physics ideal", 1, "puzzle 1 of 9 was not found: the table has no free place for the ball"},
+      {"--count 9 --seed 1 --table '{\"length\": 0.06, \"width\": 0.06}' --physics ideal", 1,
+       "puzzle 1 of 9 was not found: the table has no free place for the ball"},
   }));
   INFO(arguments);
   const auto run = run_program("generate " + arguments);

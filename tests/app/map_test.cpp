@@ -68,7 +68,8 @@ TEST_CASE("map: each row is the answer of solve from there") {
     CHECK(std::stod(row[9]) == Approx(s["margin"]["angle"][0].get<double>()));
   }
   CHECK((solved > 8 && solved < 18));
-  CHECK_THAT(run.out, Contains(fmt::format("18 starts: {} with a shot, {} without", solved, 18 - solved)) && Contains("slowest: ") && Contains("most robust: "));
+  CHECK_THAT(run.out, Contains(fmt::format("18 starts: {} with a shot, {} without", solved, 18 - solved)) && Contains("slowest: ") &&
+                          Contains("most robust: "));
   // Two tables, a rectangle for each cell, a line where it is aimed.
   CHECK(count(svg.text(), "<svg ") == 3);
   CHECK(count(svg.text(), "stroke-opacity=\"0.7\"") == 2 * static_cast<std::size_t>(solved));
@@ -77,7 +78,8 @@ TEST_CASE("map: each row is the answer of solve from there") {
 
 TEST_CASE("map: starts in cushions, in pockets and at the target are marked") {
   const ScratchFile csv("map-marks.csv");
-  const char* const corner = R"({"table": {"vertices": [[0,0],[2,0],[2,1],[1,1],[1,2],[0,2]], "pockets": [{"name": "hole", "at": [0,0], "radius": 0.3}]},
+  const char* const corner =
+      R"({"table": {"vertices": [[0,0],[2,0],[2,1],[1,1],[1,2],[0,2]], "pockets": [{"name": "hole", "at": [0,0], "radius": 0.3}]},
     "physics": "ideal", "ball": {"at": [1.5, 0.5]}, "target": {"point": [0.5, 1.5], "within": 0.2}, "cushions": 1})";
   const Run run = run_program("map - --grid 8 8 -o \"" + csv.path + "\"", corner);
   CHECK(run.exit == 0);

@@ -34,9 +34,12 @@ std::string answer_to(const std::string& puzzle, bool all = false) {
 }
 
 const std::string bank =
-    R"({"id":"bank","table":"pool-9ft","ball":{"at":[0.635,0.4],"spin":{"top":0.5,"side":[0,0.4]}},"target":{"pocket":"bottom-middle"},"cushions":["top","right"],"angle":[0,90],"speed":[0.1,9]})";
+    R"({"id":"bank","table":"pool-9ft","ball":{"at":[0.635,0.4],"spin":{"top":0.5,"side":[0,0.4]}},"target":)"
+    R"({"pocket":"bottom-middle"},"cushions":["top","right"],"angle":[0,90],"speed":[0.1,9]})";
 const std::string stop = R"({"id":7,"table":"carom-10ft","ball":{"at":[0.7,0.5]},"target":{"point":[2.1,0.9]},"cushions":2})";
-const std::string pass = R"({"id":"pass","table":"seed","physics":"rolling","ball":{"at":[0.7,0.5]},"target":{"point":[2.1,0.9]},"cushions":1,"arrive":{"speed":1.2}})";
+const std::string pass =
+    R"({"id":"pass","table":"seed","physics":"rolling","ball":{"at":[0.7,0.5]},"target":)"
+    R"({"point":[2.1,0.9]},"cushions":1,"arrive":{"speed":1.2}})";
 
 }  // namespace
 
@@ -49,16 +52,28 @@ TEST_CASE("verify: honest answers of every kind hold") {
       puzzles += p + "\n";
       answers += answer_to(p);
     }
-  const std::string weak = R"({"id":"weak","table":"pool-9ft","ball":{"at":[0.635,0.4]},"target":{"pocket":"top-right"},"cushions":3,"speed":[0.1,0.2]})";
+  const std::string weak =
+      R"({"id":"weak","table":"pool-9ft","ball":{"at":[0.635,0.4]},"target":{"pocket":"top-right"},"cushions":3,"speed":[0.1,0.2]})";
+  for (const char* more : {R"("aim":"safest")", R"("prefer":"soft")"}) {
+    const std::string p = pass.substr(0, pass.size() - 1) + "," + more + "}";
+    puzzles += p + "\n";
+    answers += answer_to(p);
+  }
+  const std::string far = R"({"table":{"length":2,"width":1},"physics":"ideal","ball":{"at":[0.3,0.4]},"target":)"
+      R"({"point":[1.5,0.7]},"cushions":200})";
+  puzzles += far + "\n";
+  answers += answer_to(far);
   puzzles += stop + "\n" + weak + "\n\n{\"id\":3,\"tabel\":1}\n";
   answers += answer_to(stop, true) + answer_to(weak);
-  answers += R"({"status":"invalid","shots":[],"nearest":null,"error":{"path":"","reason":"empty"},"message":"empty"})" "\n";
-  answers += R"({"id":3,"status":"invalid","shots":[],"nearest":null,"error":{"path":"/tabel","reason":"unknown"},"message":"unknown"})" "\n";
+  answers += R"({"status":"invalid","shots":[],"nearest":null,"error":{"path":"","reason":"empty"},"message":"empty"})"
+             "\n";
+  answers += R"({"id":3,"status":"invalid","shots":[],"nearest":null,"error":{"path":"/tabel","reason":"unknown"},"message":"unknown"})"
+             "\n";
   const Run run = verify(puzzles, answers);
   INFO(run.out);
   CHECK(run.exit == 0);
   CHECK(run.err.empty());
-  CHECK_THAT(run.out, Contains("76 answers: 73 solved, 1 no-shot, 0 budget, 2 invalid") && Contains("every claim holds"));
+  CHECK_THAT(run.out, Contains("79 answers: 76 solved, 1 no-shot, 0 budget, 2 invalid") && Contains("every claim holds"));
   CHECK_THAT(run.out, !Contains("fails:"));
 }
 
@@ -135,14 +150,16 @@ TEST_CASE("verify: each claim that is altered by a little is named") {
     std::getline(lines, line);
     INFO(lie.where << " " << lie.value << ": " << line);
     ++number;
-    CHECK_THAT(line, Contains(":" + std::to_string(number) + ": " + (number == 1 ? "\"bank\"" : Json::parse(lie.puzzle)["id"].dump()) + " fails: "));
+    CHECK_THAT(line, Contains(":" + std::to_string(number) + ": " + (number == 1 ? "\"bank\"" : Json::parse(lie.puzzle)["id"].dump()) +
+                              " fails: "));
     CHECK_THAT(line, Contains(lie.named));
   }
   CHECK_THAT(run.out, Contains(std::to_string(lies.size()) + " of " + std::to_string(lies.size()) + " answers fail"));
 }
 
 TEST_CASE("verify: statuses that do not fit the puzzle") {
-  const std::string invalid = R"({"id":"bank","status":"invalid","shots":[],"nearest":null,"error":{"path":"/x","reason":"y"},"message":"y"})";
+  const std::string invalid =
+      R"({"id":"bank","status":"invalid","shots":[],"nearest":null,"error":{"path":"/x","reason":"y"},"message":"y"})";
   CHECK_THAT(verify(bank + "\n", invalid + "\n").out, Contains("status: is invalid, and the puzzle can be read"));
   Json a = Json::parse(answer_to(bank));
   const Run run = verify("{\"id\":\"bank\"}\n", a.dump() + "\n");

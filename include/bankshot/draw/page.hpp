@@ -10,8 +10,8 @@
 namespace bankshot {
 
 struct Plate {
-  std::string svg;                    ///< a picture of draw/svg.hpp
-  std::string title{};                ///< above it
+  std::string svg;                     ///< a picture of draw/svg.hpp
+  std::string title{};                 ///< above it
   std::vector<std::string> caption{};  ///< below it, line by line
 };
 
@@ -22,9 +22,9 @@ struct Chapter {
 
 struct PageStyle {
   int columns = 1;
-  double plate = 1000;    ///< px, the width of a plate
-  double ratio = 0;       ///< of the space for a picture, height over width; 0: a row is as high as its highest
-  double letter = 18;     ///< px, of captions
+  double plate = 1000;  ///< px, the width of a plate
+  double ratio = 0;     ///< of the space for a picture, height over width; 0: a row is as high as its highest
+  double letter = 18;   ///< px, of captions
   std::string title{}, subtitle{};
 };
 

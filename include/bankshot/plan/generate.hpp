@@ -2,7 +2,8 @@
 //
 // Puzzles that have a shot. Each is made from a simulated shot, or where a sequence of cushions is
 // wished from a drawn target, with its numbers rounded to what a person would write; it is kept only when
-// `solve` finds its shot, and when the target is a fifth of the table's diagonal from the ball or more. Seeded: the same seed gives the same puzzles.
+// `solve` finds its shot, and when the target is a fifth of the table's diagonal from the ball or more. Seeded: the same seed gives the
+// same puzzles.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +54,7 @@ Difficulty difficulty(const Shot& shot);
 struct Wish {
   Table table{};
   Physics physics{};
-  Ball ball{};              ///< radius and mass
+  Ball ball{};                     ///< radius and mass
   CushionRule cushions{1, 3, {}};  ///< a number between min and max is drawn for each puzzle, or the sequence
   enum class Kind { pocket, stop, pass };
   std::optional<Kind> kind{};  ///< drop, rest at a point, pass it at a speed; else drawn
@@ -69,8 +70,8 @@ struct Generated {
 
 /// Why tries failed, for the message when there is no puzzle.
 struct Tries {
-  long draws = 0;    ///< shots simulated; most have other bounces than wished
-  int solved = 0;    ///< puzzles given to `solve`
+  long draws = 0;  ///< shots simulated; most have other bounces than wished
+  int solved = 0;  ///< puzzles given to `solve`
   bool no_room = false;
   int no_shot = 0, other_difficulty = 0, not_unique = 0;
   std::string text() const;

@@ -29,7 +29,8 @@ bool same_order(const std::vector<int>& asked, const std::vector<const TruthEven
   if (asked.size() != met.size()) return false;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     if (met[i]->index == asked[i]) continue;
-    const bool swapped = i + 1 < asked.size() && met[i + 1]->time - met[i]->time <= one_instant && met[i]->index == asked[i + 1] && met[i + 1]->index == asked[i];
+    const bool swapped = i + 1 < asked.size() && met[i + 1]->time - met[i]->time <= one_instant && met[i]->index == asked[i + 1] &&
+                         met[i + 1]->index == asked[i];
     if (!swapped) return false;
     ++i;
   }
@@ -82,7 +83,8 @@ Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.radius), phy
 }
 
 Run Scene::run(const Launch& launch, const LaunchSpin& spin, int cushions) const {
-  Run r{boundary, physics_, launched(puzzle.ball.at, puzzle.ball.radius, direction(launch.angle) * launch.speed, spin), cushions + 1, 4L * cushions + 100};
+  Run r{boundary, physics_, launched(puzzle.ball.at, puzzle.ball.radius, direction(launch.angle) * launch.speed, spin), cushions + 1,
+        4L * cushions + 100};
   if (const auto* point = std::get_if<PointTarget>(&puzzle.target)) r.target = point->at;
   return r;
 }
@@ -115,13 +117,15 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
     return out;
   };
   for (const TruthEvent& e : path.events) {
-    if (point && !stops_ && counts() && e.passing.miss <= within && (!found || std::abs(e.passing.time - goal.time) < std::abs(out.time - goal.time))) {
+    if (point && !stops_ && counts() && e.passing.miss <= within &&
+        (!found || std::abs(e.passing.time - goal.time) < std::abs(out.time - goal.time))) {
       out = at_point(std::move(out), e.passing);
       found = true;
     }
     switch (e.kind) {
       case EventKind::cushion:
-        if (static_cast<int>(met.size()) == goal.max || found) return fails(fmt::format("meets {} before the target", contact_name(puzzle.table, e.index)));
+        if (static_cast<int>(met.size()) == goal.max || found)
+          return fails(fmt::format("meets {} before the target", contact_name(puzzle.table, e.index)));
         met.push_back(&e);
         out.cushions.push_back(e.index);
         update();
@@ -178,7 +182,8 @@ double Scene::chance(const Shot& shot, int draws) const {
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double size = std::sqrt(-2 * std::log(uniform())), turn = radians(360) * uniform();  // Box and Muller
-    const Launch l{shot.launch.speed + puzzle.noise.speed * size * std::cos(turn), wrap_angle(shot.launch.angle + puzzle.noise.angle * size * std::sin(turn))};
+    const Launch l{shot.launch.speed + puzzle.noise.speed * size * std::cos(turn),
+                   wrap_angle(shot.launch.angle + puzzle.noise.angle * size * std::sin(turn))};
     if (!(l.speed > 0)) continue;
     Run r = run(l, shot.spin, rule.max);
     const Run rough{boundary, puzzle.physics, r.start, r.cushions, r.events, r.target};

@@ -19,15 +19,15 @@ constexpr double unit_roundoff = 0x1p-53;
 /// The checks of one shot.
 class ShotCheck {
  public:
-  ShotCheck(const Puzzle& p, const Answer& a, const Shot& shot)
-      : p_(p), answer_(a), shot_(shot), scene_(p), place_(place_tolerance()) {}
+  ShotCheck(const Puzzle& p, const Answer& a, const Shot& shot) : p_(p), answer_(a), shot_(shot), scene_(p), place_(place_tolerance()) {}
 
   std::vector<Check> run() {
     bounds();
     asked_cushions();
     const Arrived there = scene_.replay(shot_.launch, shot_, place_);
     const bool all = there.cushions.size() == shot_.cushions.size();
-    if (all && !there.in_order) return fails(Claim::cushions, fmt::format("meets {}, not {}", names(there.cushions), names(shot_.cushions)));
+    if (all && !there.in_order)
+      return fails(Claim::cushions, fmt::format("meets {}, not {}", names(there.cushions), names(shot_.cushions)));
     if (!there.why.empty()) return fails(Claim::target, fmt::format("{} after {}", there.why, names(there.cushions)));
     holds(Claim::cushions);
     holds(Claim::target);
@@ -47,7 +47,8 @@ class ShotCheck {
   /// `words` describe the claim and the truth.
   void compare(Claim c, double off, double allowed, std::string words) {
     if (!(off >= 0)) off = std::isnan(off) ? HUGE_VAL : 0;
-    out_.push_back({c, off, allowed, off <= allowed ? "" : fmt::format("{}: off by {:.3g} {}, allowed {:.3g}", words, off, unit(c), allowed)});
+    out_.push_back(
+        {c, off, allowed, off <= allowed ? "" : fmt::format("{}: off by {:.3g} {}, allowed {:.3g}", words, off, unit(c), allowed)});
   }
 
   std::string names(const std::vector<int>& contacts) const {
@@ -79,7 +80,8 @@ class ShotCheck {
             fmt::format("{} m/s is outside {} to {}", v, p_.speed.low, p_.speed.high));
     if (p_.angle) {
       constexpr double turn = radians(360);
-      const double a = shot_.launch.angle, off = std::min({outside(a, *p_.angle), outside(a + turn, *p_.angle), outside(a - turn, *p_.angle)});
+      const double a = shot_.launch.angle,
+                   off = std::min({outside(a, *p_.angle), outside(a + turn, *p_.angle), outside(a - turn, *p_.angle)});
       compare(Claim::angle, off, tolerance::bound * turn,
               fmt::format("{}° is outside {}° to {}°", degrees(a), degrees(p_.angle->low), degrees(p_.angle->high)));
     }
@@ -94,7 +96,8 @@ class ShotCheck {
     const CushionRule& rule = p_.cushions;
     const int n = static_cast<int>(shot_.cushions.size());
     if (n < rule.min || n > rule.max) fails(Claim::rule, fmt::format("{} cushions, and {} to {} are asked", n, rule.min, rule.max));
-    else if (rule.sequence && !scene_.replay(shot_.launch, named(*rule.sequence), place_).in_order) fails(Claim::rule, fmt::format("{}, and {} is asked", names(shot_.cushions), names(*rule.sequence)));
+    else if (rule.sequence && !scene_.replay(shot_.launch, named(*rule.sequence), place_).in_order)
+      fails(Claim::rule, fmt::format("{}, and {} is asked", names(shot_.cushions), names(*rule.sequence)));
     else holds(Claim::rule);
   }
 
@@ -109,15 +112,19 @@ class ShotCheck {
   void arrives(const Arrived& there) {
     const Arrival& said = shot_.arrival;
     const double place = place_ / there.incidence;
-    compare(Claim::miss, std::abs(there.miss - shot_.miss), place_, fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, there.miss));
+    compare(Claim::miss, std::abs(there.miss - shot_.miss), place_,
+            fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, there.miss));
     if (!beside_centre(p_, answer_)) compare(Claim::centre, there.miss, place_, "does not reach the centre and does not say so");
-    compare(Claim::place, norm(said.at - there.at), place, fmt::format("says ({}, {}) and arrives at ({}, {})", said.at.x, said.at.y, there.at.x, there.at.y));
+    compare(Claim::place, norm(said.at - there.at), place,
+            fmt::format("says ({}, {}) and arrives at ({}, {})", said.at.x, said.at.y, there.at.x, there.at.y));
     compare(Claim::time, std::abs(said.time - there.time), time_tolerance(there, place) + tolerance::exact_speed * there.time,
             fmt::format("says {} s and arrives after {} s", said.time, there.time));
     compare(Claim::arrival, std::abs(said.speed - there.speed), tolerance::exact_speed * std::max(1.0, there.speed),
             fmt::format("says {} m/s and arrives at {} m/s", said.speed, there.speed));
-    if (const auto asked = arrival_range(p_))
-      compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high), tolerance::exact_speed * std::max(1.0, asked->high),
+    // The safest launch need not arrive at the speed asked: what counts as made does not speak of it.
+    if (const auto asked = arrival_range(p_); asked && p_.aim == Aim::centre)
+      compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high),
+              tolerance::exact_speed * std::max(1.0, asked->high),
               fmt::format("arrives at {} m/s, and {} to {} is asked", there.speed, asked->low, asked->high));
   }
 
@@ -126,7 +133,8 @@ class ShotCheck {
     if (!truth) return;
     const double scale = std::max(*truth, scene_.boundary.extent);
     constexpr double digits = 1e-6;  // what a player or a program may build on
-    compare(Claim::condition, std::abs(*truth - shot_.condition) / scale, digits, fmt::format("says {} m and it is {} m", shot_.condition, *truth));
+    compare(Claim::condition, std::abs(*truth - shot_.condition) / scale, digits,
+            fmt::format("says {} m and it is {} m", shot_.condition, *truth));
   }
 
   /// Both sides of each end, a little more than the bisection's tolerance away.
@@ -143,7 +151,8 @@ class ShotCheck {
       };
       if (made(1 - beside) && !made(1 + beside)) return;
       wrong += 1;
-      what += fmt::format("{}{} of {:.6g} {}", what.empty() ? "" : "; ", which, turned != 0 ? degrees(*m) : *m, made(1 - beside) ? "does not break it" : "is not made");
+      what += fmt::format("{}{} of {:.6g} {}", what.empty() ? "" : "; ", which, turned != 0 ? degrees(*m) : *m,
+                          made(1 - beside) ? "does not break it" : "is not made");
     };
     end(shot_.margin->angle[0], -1, 0, "angle");
     end(shot_.margin->angle[1], 1, 0, "angle");
@@ -183,13 +192,15 @@ std::string form(const Answer& a) {
 }  // namespace
 
 std::string_view name(Claim c) {
-  constexpr std::string_view names[claims] = {"id",    "form",  "status", "launch speed", "aim",           "spin",          "rule",      "cushions", "target", "centre",
-                                              "miss",  "place",  "time",         "arrival speed", "speed asked",   "condition", "margin",   "success"};
+  constexpr std::string_view names[claims] = {"id",   "form",          "status",      "launch speed", "aim",    "spin",
+                                              "rule", "cushions",      "target",      "centre",       "miss",   "place",
+                                              "time", "arrival speed", "speed asked", "condition",    "margin", "success"};
   return names[static_cast<int>(c)];
 }
 
 std::string_view unit(Claim c) {
-  constexpr std::string_view units[claims] = {"", "", "", "m/s", "rad", "", "", "", "", "m", "m", "m", "s", "m/s", "m/s", "of it", "ends", ""};
+  constexpr std::string_view units[claims] = {"",  "",  "",  "m/s", "rad", "",    "",      "",     "",
+                                              "m", "m", "m", "s",   "m/s", "m/s", "of it", "ends", ""};
   return units[static_cast<int>(c)];
 }
 
@@ -200,14 +211,15 @@ bool beside_centre(const Puzzle& p, const Answer& a) {
 std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answer& a) {
   std::vector<Check> out;
   const auto text = [](const std::string& s) { return s.empty() ? std::string("none") : s; };
-  out.push_back({Claim::id, id == a.id ? 0.0 : 1.0, 0, id == a.id ? "" : fmt::format("the answer's is {}, the puzzle's {}", text(a.id), text(id))});
+  out.push_back(
+      {Claim::id, id == a.id ? 0.0 : 1.0, 0, id == a.id ? "" : fmt::format("the answer's is {}, the puzzle's {}", text(a.id), text(id))});
   const std::string missing = form(a);
   out.push_back({Claim::form, missing.empty() ? 0.0 : 1.0, 0, missing});
   const bool invalid = a.status == Status::invalid;
   if (invalid == (puzzle != nullptr))
-    out.push_back({Claim::status, 1, 0, invalid ? "is invalid, and the puzzle can be read" : "the puzzle cannot be read, and the answer is not `invalid`"});
-  else
-    out.push_back({Claim::status});
+    out.push_back({Claim::status, 1, 0,
+                   invalid ? "is invalid, and the puzzle can be read" : "the puzzle cannot be read, and the answer is not `invalid`"});
+  else out.push_back({Claim::status});
   if (!puzzle) return out;
   for (std::size_t i = 0; i < a.shots.size(); ++i)
     for (Check& c : ShotCheck(*puzzle, a, a.shots[i]).run()) {

@@ -43,7 +43,7 @@ std::string_view unit(Claim claim);  ///< of `off` and `allowed`
 struct Check {
   Claim claim;
   double off = 0, allowed = 0;
-  std::string what{};  ///< in words, where it does not hold
+  std::string what{};    ///< in words, where it does not hold
   std::size_t shot = 0;  ///< which of the answer's; 0 is the best
   bool holds() const { return off <= allowed; }
 };

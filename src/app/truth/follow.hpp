@@ -12,10 +12,8 @@ namespace bankshot::truth {
 inline double rounded(double x) { return x; }
 /// Of a number of 50 digits.
 template <class T>
-  requires requires(const T& x) { x.template convert_to<double>(); }
-double rounded(const T& x) {
-  return x.template convert_to<double>();
-}
+requires requires(const T& x) { x.template convert_to<double>(); }
+double rounded(const T& x) { return x.template convert_to<double>(); }
 
 template <class T>
 State<T> lift(const State<double>& s) {
@@ -66,8 +64,13 @@ TruthEvent note(const Run& run, const Event& e, const Sim& sim) {
   const State<T>& s = sim.state();
   const double t = rounded(time), x = rounded(s.at.x), y = rounded(s.at.y);
   const Vec2d v{rounded(s.velocity.x), rounded(s.velocity.y)};
-  return {e.kind, e.index, t, rounded(T(time - t)), {{x, y}, v, {rounded(s.spin.x), rounded(s.spin.y), rounded(s.spin.z)}},
-          {rounded(T(s.at.x - x)), rounded(T(s.at.y - y))}, passing_of<T>(run, e, sim)};
+  return {e.kind,
+          e.index,
+          t,
+          rounded(T(time - t)),
+          {{x, y}, v, {rounded(s.spin.x), rounded(s.spin.y), rounded(s.spin.z)}},
+          {rounded(T(s.at.x - x)), rounded(T(s.at.y - y))},
+          passing_of<T>(run, e, sim)};
 }
 
 /// Runs in T and hands each event to `see(event, simulator)`; true when the shot came to its end.
