@@ -2,7 +2,6 @@
 #include "planners/robustness.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bankshot/tolerances.hpp"

@@ -9,7 +9,7 @@
 // monotone cubic (Fritsch & Butland 1984), summed with the normal density by Gauss's rule.
 // Edges are looked for where the neighbouring lines have them and between some points spread over
 // the line, so that a band which nobody expects is met too; then the neighbours are looked at again.
-// Cost: success_samples simulations at most. Guarantee: none; what was measured is in robustness.hpp.
+// Cost: success_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
 #include <algorithm>
 #include <array>
 #include <cmath>
