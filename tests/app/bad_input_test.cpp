@@ -133,7 +133,7 @@ TEST_CASE("bad usage is refused with what was meant") {
       {"solve /no/such/file.json", "/no/such/file.json: cannot be read: No such file"},
       {"solve /", "/: cannot be read: Is a directory"},
       {"solve --frob", "--frob"},
-      {"slove", "\"slove\" is no command; known are simulate, solve; did you mean \"solve\"?"},
+      {"slove", "\"slove\" is no command; known are report, simulate, solve; did you mean \"solve\"?"},
       {"", "subcommand is required"},
       {"solve --planner imge", "--planner: \"imge\" is no planner"},
       {"solve --planner imge", "did you mean \"image\"?"},
