@@ -14,6 +14,8 @@ endfunction()
 bankshot_need(nlohmann_json 3.10 nlohmann-json3-dev GLOBAL)
 bankshot_need(fmt 8 libfmt-dev)
 bankshot_need(CLI11 2.1 libcli11-dev)
+bankshot_need(TBB 2021 libtbb-dev)
+bankshot_need(ZLIB 1.2 zlib1g-dev)
 bankshot_need(Eigen3 3.4 libeigen3-dev NO_MODULE)
 bankshot_need(Ceres 2.1 libceres-dev)
 # Headers only, for 50 digits and for the integrators that `report` compares with; the program uses them, the libraries do not.

@@ -18,4 +18,6 @@ for example in "$bin"/examples/[0-9]*; do
   echo "== $(basename "$example")"
   "$example" "examples/figures/$(basename "$example").svg"
 done
+echo "== the puzzle book"
+"$bin/examples/puzzle_book" examples/puzzles/book.jsonl examples/figures/book.svg
 echo "Pictures: examples/figures/*.svg"

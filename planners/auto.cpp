@@ -15,7 +15,7 @@ namespace {
 bool settled(const Search& s) {
   const auto& names = s.puzzle.cushions.sequence;
   const auto walls = static_cast<int>(s.boundary.walls.size());
-  return s.complete || s.cut ||
+  return s.complete || s.cut || s.satisfied() ||
          (names && !s.shots.empty() && std::all_of(names->begin(), names->end(), [&](int c) { return c < walls; }));
 }
 

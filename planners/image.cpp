@@ -25,6 +25,7 @@ constexpr int aims_across = 33;
 /// Where images come shortest first: the first-order margin only falls with the length, so later ones are
 /// worse unless a bound or a pocket makes the difference.
 bool enough(const Search& s, const Unfolding& images) {
+  if (s.satisfied()) return true;
   if (s.all || !images.shortest_first()) return false;
   return s.shots.size() >= (s.puzzle.prefer == Prefer::robust ? Search::enough_to_compare : 1);
 }
@@ -36,7 +37,7 @@ bool centred(Search& s) {
     if (s.spent()) return false;
     certify_aim(s, c->angle, c->bounces, "image");
     if (!enough(s, images)) continue;
-    if (s.puzzle.prefer == Prefer::robust && images.next())
+    if (s.puzzle.prefer == Prefer::robust && !s.first && images.next())
       s.add_note(fmt::format("compared the {} shortest shots", s.shots.size()));
     return true;
   }

@@ -67,7 +67,7 @@ class Map {
   };
 
   /// One sequence hardly ever has two roots.
-  bool done() { return s_.spent() || (s_.puzzle.cushions.sequence && !s_.all && !s_.shots.empty()); }
+  bool done() { return s_.spent() || s_.satisfied() || (s_.puzzle.cushions.sequence && !s_.all && !s_.shots.empty()); }
 
   std::vector<double> speeds() const {
     const Range& v = s_.puzzle.speed;

@@ -82,7 +82,8 @@ std::optional<Shot> opened(Puzzle p) {
 std::string message(const Search& s, const Answer& a, std::size_t found) {
   std::string text;
   if (a.status == Status::solved) {
-    text = found == 1 ? "one shot found" : fmt::format("{} distinct shots found", found);
+    text = s.first ? "the first shot found, there may be better ones" : found == 1 ? "one shot found" : fmt::format("{} distinct shots found", found);
+    if (s.stopped && !s.first) text += "; the search stopped there, so others were not compared";
     if (!s.centred(a.shots.front().miss)) text += "; nothing found reaches the target's centre, this reaches part of it";
     text += uncertain(s, a.shots.front());
     if (s.cut) text += "; the budget ended the search, so there may be better ones";

@@ -33,18 +33,21 @@ struct NearMiss {
 };
 
 struct Search {
-  explicit Search(const Puzzle& p, bool find_all);
+  explicit Search(const Puzzle& p, bool find_all, bool find_first = false);
 
   const Puzzle& puzzle;
   Boundary boundary;
   Physics rough;  ///< the puzzle's, integrated no more finely than a seed needs
-  bool all;
+  bool all;    ///< every shot
+  bool first;  ///< the first shot found will do
   std::optional<Range> arrival;  ///< speed asked at the target; none: any
   bool stop;                     ///< the ball must come to rest at the target
   double asked = 0;              ///< m/s, of a range of arrival speeds the one to aim for; `prefer` chooses
   std::optional<double> pinned{};  ///< m/s, a launch speed to keep to: then any arrival in the range will do
 
   long simulations = 0;
+  bool measure = false;   ///< clock the certification
+  double certify_us = 0;
   std::vector<Shot> shots;
   /// Launches that lead near a target along a cushion sequence but are no shots: its centre is blocked,
   /// or no aim reaches it. Parts of the target may be reached beside them.
@@ -81,7 +84,14 @@ struct Search {
   /// Shots to choose from; more would hardly be better.
   static constexpr std::size_t enough_to_compare = 32;
   /// Whether a planner that proposes seed after seed may stop.
-  bool enough() { return spent() || (!all && shots.size() >= enough_to_compare); }
+  bool enough() {
+    const bool plenty = !all && shots.size() >= (first ? 1 : enough_to_compare);
+    stopped = stopped || plenty;
+    return plenty || spent();
+  }
+  bool stopped = false;  ///< with so many shots that no more were looked for
+  /// Some shot was found, and no other is asked for.
+  bool satisfied() const { return first && !shots.empty(); }
   bool one_unknown() const { return !arrival || pinned; }
   /// Where shots are aimed: the point, or the pocket's centre.
   const std::vector<Vec2d>& aim_points() const { return aim_points_; }

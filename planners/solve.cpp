@@ -44,7 +44,7 @@ const Method& find_method(const std::string& name) {
 std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shots) {
   std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling"};
   if (!is_straight(p.physics)) out.insert(out.begin(), "sliding");
-  constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010"};
+  constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010", "custom cushion"};
   out.push_back(cushions[p.physics.cushion.index()]);
   if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.cushion_stick; })) out.push_back("cushion-stick");
   if (!p.table.pockets.empty()) out.push_back("pockets");
@@ -72,15 +72,24 @@ std::vector<LaunchSpin> spins_to_try(const Puzzle& p) {
   return spins;
 }
 
+double microseconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+}
+
 /// Margins, order and words of what a search found.
 Answer finish(Search& s, const SolveOptions& options, double time_us) {
   Answer a{.id = s.puzzle.id};
   a.simulations = s.simulations;
   a.time_us = time_us;
+  a.cost.certify_us = s.certify_us;
   a.status = !s.shots.empty() ? Status::solved : s.cut ? Status::budget : Status::no_shot;
   const std::size_t found = s.shots.size();
   add_nearest(s, a);
-  if (options.robustness && found > 0) add_robustness(s, s.shots, options.all);
+  if (options.robustness && found > 0) {
+    const auto begin = std::chrono::steady_clock::now();
+    add_robustness(s, s.shots, options.all);
+    if (options.measure) a.cost.robustness_us = microseconds_since(begin);
+  }
   if (!options.all && found > 1) s.shots.resize(1);
   a.shots = std::move(s.shots);
   a.modelled = modelled(s.puzzle, a.shots);
@@ -92,27 +101,32 @@ Answer finish(Search& s, const SolveOptions& options, double time_us) {
 
 Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   validate(puzzle);
+  if (options.all && options.first) throw InvalidInput("", "either all shots are asked for or the first one found");
   const Method& method = find_method(options.planner);
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = spins_to_try(puzzle);
   std::optional<Puzzle> one;  // with a spin of its own
   long spent = 0;
+  double certify_us = 0;
   for (std::size_t i = 0;; ++i) {
     if (puzzle.spin_range) {
       one = puzzle;
       one->spin = spins[i];
       one->budget = spent + (puzzle.budget - spent) / static_cast<long>(spins.size() - i);  // an even share of what is left
     }
-    Search s(one ? *one : puzzle, options.all);
+    Search s(one ? *one : puzzle, options.all, options.first);
     s.simulations = spent;
+    s.measure = options.measure;
+    s.certify_us = certify_us;
     if (!s.spent()) method.plan(s);
     spent = s.simulations;
+    certify_us = s.certify_us;
     if (s.shots.empty() && spent < puzzle.budget && i + 1 < spins.size()) continue;
     planning::rank(s, s.shots);
     if (puzzle.aim == Aim::safest && !s.shots.empty()) planning::make_safest(s, s.shots.front());
-    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+    const double took = microseconds_since(begin);
     if (spins.size() > 1) s.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));
-    Answer a = finish(s, options, took.count());
+    Answer a = finish(s, options, took);
     if (a.status != Status::no_shot || !options.suggest) return a;
     const std::string hint = planning::what_would_open(puzzle);
     if (!hint.empty()) a.message += "; " + hint;

@@ -41,7 +41,7 @@ class Sweep {
   void run() {
     const Range around = aims();
     Sample before = sample(around.low);
-    for (int i = 1; i <= fan && !s_.spent(); ++i) {
+    for (int i = 1; i <= fan && !s_.spent() && !s_.satisfied(); ++i) {
       Sample after = sample(around.low + (around.high - around.low) * i / fan);
       between(before, after);
       before = std::move(after);

@@ -13,23 +13,22 @@ namespace {
 constexpr long most_visited = 500'000;
 /// Images a lattice may list at once.
 constexpr long most_images = 500'000;
-/// Rays that miss a window's end by this share of a radian still pass: rounding of the images.
+/// Rays that miss a window's end by this share of a radian, or twice that, still pass: rounding of the images.
 constexpr double ray_slack = 1e-10;
 
-double slack(const Vec2d& a, const Vec2d& b) { return ray_slack * norm(a) * norm(b); }
+/// Sums of coordinates stand for lengths: no root is worth while here.
+double slack(const Vec2d& a, const Vec2d& b) { return ray_slack * (std::abs(a.x) + std::abs(a.y)) * (std::abs(b.x) + std::abs(b.y)); }
 
 /// `ray` lies in the beam from `a` anticlockwise to `b` (less than half a turn wide).
 bool in_beam(const Vec2d& a, const Vec2d& b, const Vec2d& ray) {
   return cross(a, ray) >= -slack(a, ray) && cross(ray, b) >= -slack(b, ray) &&
-         dot(a / norm(a) + b / norm(b), ray) > 0;
+         (dot(a, ray) > 0 || dot(b, ray) > 0);
 }
 
 /// Anticlockwise from `a` to `b`, in (−π, π].
 double angle_between(const Vec2d& a, const Vec2d& b) { return std::atan2(cross(a, b), dot(a, b)); }
 
-/// The least distance between centres that touch two cushions; 0 for neighbours and for none (-1).
 double walls_apart(const Boundary& b, int i, int j) {
-  if (i < 0 || i == j) return 0;
   const Wall &p = b.walls[static_cast<std::size_t>(i)], &q = b.walls[static_cast<std::size_t>(j)];
   const auto apart = [](const Vec2d& at, const Wall& w) {
     const Vec2d d = w.to - w.from;
@@ -59,8 +58,11 @@ Unfolding::Unfolding(const Search& s, bool whole_target, double restitution, boo
     follow_sequence();
   else if (s.puzzle.table.is_rectangle() && restitution_ == 1 && !name_contacts && images <= most_images)
     lattice();
-  else
+  else {
+    constexpr std::size_t usual = 64;
+    nodes_.reserve(usual);
     add({});
+  }
 }
 
 std::optional<Candidate> Unfolding::next() {
@@ -148,7 +150,18 @@ Unfolding::Affine Unfolding::through(const Affine& image, int wall) const {
   return out;
 }
 
-std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) const {
+double Unfolding::apart(int i, int j) {
+  if (i < 0 || i == j) return 0;
+  constexpr std::size_t most_kept = 64;  // walls: beyond, a table of all pairs would cost more than it saves
+  const std::size_t walls = s_.boundary.walls.size();
+  if (walls > most_kept) return walls_apart(s_.boundary, i, j);
+  if (apart_.empty()) apart_.assign(walls * walls, -1);
+  double& known = apart_[static_cast<std::size_t>(i) * walls + static_cast<std::size_t>(j)];
+  if (known < 0) known = walls_apart(s_.boundary, i, j);
+  return known;
+}
+
+std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   if (wall == node.last) return {};
   const Wall& w = s_.boundary.walls[static_cast<std::size_t>(wall)];
   if (dot(w.to - w.from, w.along) < 0) return {};  // no ball fits there
@@ -163,19 +176,20 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) cons
   Vec2d a = node.image.apply(w.from) - ball, b = node.image.apply(w.to) - ball;
   if (node.flipped) std::swap(a, b);
   if (!(cross(a, b) > 0)) return {};  // seen from behind, or edge-on
-  Node next{through(node.image, wall), a, b};
-  next.open = false;
+  Vec2d from = a, to = b;
   if (!node.open) {
-    next.from = in_beam(a, b, node.from) ? node.from : a;
-    next.to = in_beam(a, b, node.to) ? node.to : b;
-    if (!in_beam(node.from, node.to, next.from) || !in_beam(node.from, node.to, next.to)) return {};
+    if (in_beam(a, b, node.from)) from = node.from;
+    if (in_beam(a, b, node.to)) to = node.to;
+    if (!in_beam(node.from, node.to, from) || !in_beam(node.from, node.to, to)) return {};
   }
+  Node next{through(node.image, wall), from, to};
+  next.open = false;
   next.distance = std::max(node.distance, distance_to(a, b));
   // Neighbouring cushions meet in a corner, so look two back as well.
   next.before = node.last;
   next.length_before = node.length;
-  next.length = std::max(node.length + walls_apart(s_.boundary, node.last, wall),
-                         node.length_before + walls_apart(s_.boundary, node.before, wall));
+  next.length = std::max(node.length + apart(node.last, wall),
+                         node.length_before + apart(node.before, wall));
   if (restitution_ == 1) next.length = std::max(next.length, next.distance);
   next.bounces = node.bounces + 1;
   next.parent = node.self;

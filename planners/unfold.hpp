@@ -93,7 +93,9 @@ class Unfolding {
   void visit(Node node);
   void propose(const Node& node);
   void propose(const Node& node, const Vec2d& target, double reach);
-  std::optional<Node> child(const Node& node, int wall) const;
+  std::optional<Node> child(const Node& node, int wall);
+  /// The least distance between centres that touch two cushions; 0 for neighbours and for none (-1).
+  double apart(int i, int j);
   void follow_sequence();
   void lattice();
   Affine through(const Affine& image, int wall) const;
@@ -103,6 +105,7 @@ class Unfolding {
   double restitution_;
   double longest_;  ///< m, how far the fastest launch rolls
   long visited_ = 0, too_long_ = 0;
+  std::vector<double> apart_;  ///< what apart() has found, -1 where it was not asked
   std::vector<Node> nodes_;
   std::priority_queue<Turn, std::vector<Turn>, Farther> turns_;
   std::priority_queue<Candidate, std::vector<Candidate>, Farther> candidates_;

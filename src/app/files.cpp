@@ -38,6 +38,12 @@ std::string file_name(const std::string& text) {
   return text.starts_with("--") ? "\"" + text + "\" is an option, not a file" : "";
 }
 
+std::string whole_number(const std::string& text) {
+  constexpr std::size_t most_digits = 18;  // fits a long
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits && text.size() <= most_digits ? "" : "\"" + text + "\" must be a whole number, at least 0";
+}
+
 std::string one_line(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';

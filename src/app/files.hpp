@@ -11,7 +11,7 @@
 namespace bankshot::app {
 
 /// Exit codes, fixed by the interface.
-enum Exit { done = 0, nothing_solved = 1, bad_input = 2 };
+enum Exit { done = 0, nothing_solved = 1, some_fail = 1, bad_input = 2 };
 
 /// A file that cannot be read or written; ends the program with `bad_input`.
 class FileError : public std::runtime_error {
@@ -34,6 +34,9 @@ void print(const std::string& text);
 /// A check of an option's value: why it cannot be a file to write, empty when it can. "--svg --json"
 /// would write a file of that name, and standard output carries the answer.
 std::string file_name(const std::string& text);
+
+/// The same for a whole number, at least 0; CLI11's own check prints its bounds with 309 digits.
+std::string whole_number(const std::string& text);
 
 /// `text` without line breaks and other control characters.
 std::string one_line(std::string text);

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/draw/map.hpp"
 #include "bankshot/scene/boundary.hpp"
+#include "draw/escape.hpp"
 
 namespace bankshot {
 namespace {
@@ -16,18 +18,6 @@ constexpr double rail = 34;      // px, width of the wooden rail
 constexpr double nose = 10;      // px, width of the rubber
 constexpr double legend_line = 40;
 constexpr const char* path_colours[] = {"#ffffff", "#ffd166", "#8ecae6", "#f4a261", "#cdb4db", "#b7e4c7"};
-
-/// Text that may stand between two tags.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else out += c;
-  }
-  return out;
-}
 
 /// Table metres to picture pixels, y downwards.
 class Canvas {
@@ -106,6 +96,10 @@ void draw_diamonds(Canvas& c) {
   along(size.y, ny, [&](double y) { mark({low.x, low.y + y}, {-1, 0}); mark({high.x, low.y + y}, {1, 0}); });
 }
 
+void draw_pockets(Canvas& c) {
+  for (const Pocket& p : c.table().pockets) c.circle(p.at, std::max(c.px(p.radius), 3.0), R"(fill="#111")");
+}
+
 void draw_table(Canvas& c) {
   const Table& t = c.table();
   if (t.is_rectangle()) {
@@ -124,17 +118,24 @@ void draw_table(Canvas& c) {
     c.polyline(t.vertices, "polygon", fmt::format(R"(fill="none" stroke="#14532d" stroke-width="{}" stroke-linejoin="round")", 2 * nose));
     c.polyline(t.vertices, "polygon", R"(fill="#1f7a4d")");
   }
-  for (const Pocket& p : t.pockets)
-    c.circle(p.at, std::max(c.px(p.radius), 3.0), R"(fill="#111")");
+  draw_pockets(c);
 }
 
-/// Points along a path: the ends of its arcs, and points between where an arc bends.
+/// Points along one arc: its ends, and points between where it bends.
+std::vector<Vec2d> outline(const Leg& leg, int pieces) {
+  if (!(std::abs(cross(leg.arc.velocity, leg.arc.acceleration)) > 1e-12)) pieces = 1;
+  std::vector<Vec2d> points;
+  for (int i = 0; i <= pieces; ++i) points.push_back(leg.arc.position(leg.duration * i / pieces));
+  return points;
+}
+
+/// The same along a path.
 std::vector<Vec2d> outline(const Trajectory& t) {
+  constexpr int pieces = 24;
   std::vector<Vec2d> points{t.events.front().state.at};
   for (const Leg& leg : t.legs) {
-    const bool bends = std::abs(cross(leg.arc.velocity, leg.arc.acceleration)) > 1e-12;
-    const int pieces = bends ? 24 : 1;
-    for (int i = 1; i <= pieces; ++i) points.push_back(leg.arc.position(leg.duration * i / pieces));
+    const std::vector<Vec2d> more = outline(leg, pieces);
+    points.insert(points.end(), more.begin() + 1, more.end());
   }
   return points;
 }
@@ -162,15 +163,18 @@ void draw_ball(Canvas& c, const Vec2d& at, const Ball& ball, std::string_view st
 void draw_fan(Canvas& c, const Puzzle& p, const Shot& shot) {
   const auto& m = shot.margin->angle;
   if (!m[0] || !m[1]) return;
-  constexpr int strips = 8;
-  std::vector<Vec2d> before;
+  constexpr int strips = 8, pieces = 8;
+  std::vector<Leg> before;
   for (int i = 0; i <= strips; ++i) {
     Shot edge = shot;
     edge.launch.angle = wrap_angle(shot.launch.angle + *m[0] + (*m[1] - *m[0]) * i / strips);
-    const std::vector<Vec2d> path = outline(simulate(as_request(p, edge)));
-    for (std::size_t k = 0; k + 1 < std::min(path.size(), before.size()); ++k)
-      c.polyline({before[k], before[k + 1], path[k + 1], path[k]}, "polygon", R"(fill="#ffd166" fill-opacity="0.45")");
-    before = path;
+    const std::vector<Leg> legs = simulate(as_request(p, edge)).legs;
+    for (std::size_t k = 0; k < std::min(legs.size(), before.size()); ++k) {
+      std::vector<Vec2d> strip = outline(before[k], pieces), back = outline(legs[k], pieces);
+      strip.insert(strip.end(), back.rbegin(), back.rend());
+      c.polyline(strip, "polygon", R"(fill="#ffd166" fill-opacity="0.45")");
+    }
+    before = legs;
   }
 }
 
@@ -221,11 +225,33 @@ std::string draw(const Puzzle& puzzle, const Answer& answer) {
     const Shot& shot = answer.shots[i];
     draw_path(c, simulate(as_request(puzzle, shot)), puzzle.ball, path_colours[i % std::size(path_colours)], i == 0, answer.shots.size() - 1);
   }
-  draw_target(c, puzzle);
   if (!answer.shots.empty())
     draw_ball(c, answer.shots[0].arrival.at, puzzle.ball, R"(fill="#ffffff" fill-opacity="0.5")");
+  draw_target(c, puzzle);
   draw_ball(c, puzzle.ball.at, puzzle.ball, R"(fill="#ffffff")");
   return c.document(fmt::format("{}: {}", name(answer.status), answer.message));
+}
+
+std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend, const std::string& title) {
+  Canvas c(puzzle.table);
+  draw_table(c);
+  c.add(R"(<g shape-rendering="crispEdges">)");  // no cloth shines through between two cells
+  for (const Cell& cell : cells) {
+    const Vec2d a = c.at({cell.low.x, cell.high.y}), b = c.at({cell.high.x, cell.low.y});
+    c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a.x, a.y, b.x - a.x, b.y - a.y, cell.fill);
+  }
+  c.add("</g>");
+  for (const Cell& cell : cells) {
+    const Vec2d size = cell.high - cell.low, middle = c.at(cell.low + size / 2.0);
+    const double tick = 0.4 * c.px(std::min(size.x, size.y));
+    if (!cell.aim || tick < 3) continue;
+    const Vec2d u = direction(*cell.aim) * tick;
+    c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="{}" stroke-width="1.2" stroke-opacity="0.7"/>)", middle.x, middle.y, u.x, -u.y, cell.ink);
+  }
+  draw_pockets(c);
+  draw_target(c, puzzle);
+  for (const LegendEntry& entry : legend) c.legend(entry.label, entry.colour);
+  return c.document(title);
 }
 
 }  // namespace bankshot

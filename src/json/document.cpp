@@ -61,13 +61,17 @@ class Builder : public nlohmann::json_sax<Json> {
  public:
   explicit Builder(std::string_view text) : text_(text) {}
   Json take() { return std::move(root_); }
+  std::string take_id() { return std::move(id_); }
 
   bool null() override { return add(nullptr); }
   bool boolean(bool v) override { return add(v); }
-  bool number_integer(number_integer_t v) override { return add(v); }
-  bool number_unsigned(number_unsigned_t v) override { return add(v); }
-  bool number_float(number_float_t v, const string_t&) override { return add(v); }
-  bool string(string_t& v) override { return add(std::move(v)); }
+  bool number_integer(number_integer_t v) override { return is_id() ? add(v, std::to_string(v)) : add(v); }
+  bool number_unsigned(number_unsigned_t v) override { return is_id() ? add(v, std::to_string(v)) : add(v); }
+  bool number_float(number_float_t v, const string_t& written) override { return is_id() ? add(v, written) : add(v); }
+  bool string(string_t& v) override {
+    if (is_id()) id_ = write_json(Json(v));
+    return add(std::move(v));
+  }
   bool binary(binary_t&) override { return false; }
   bool start_object(std::size_t) override { return open(Json::object()); }
   bool start_array(std::size_t) override { return open(Json::array()); }
@@ -103,17 +107,25 @@ class Builder : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  bool is_id() const { return stack_.size() == 1 && root_.is_object() && key_ == "id"; }
+  bool add(Json v, std::string written) {
+    id_ = std::move(written);
+    return add(std::move(v));
+  }
+
   Json* place(Json v) {
     if (stack_.empty()) return &(root_ = std::move(v));
     if (stack_.back()->is_array()) return &stack_.back()->emplace_back(std::move(v));
-    return &((*stack_.back())[key_] = std::move(v));
+    // `key` has looked for the same key already.
+    auto& members = stack_.back()->get_ref<Json::object_t&>();
+    return &members.Json::object_t::Container::emplace_back(std::move(key_), std::move(v)).second;
   }
 
   bool open(Json container) {
     if (stack_.size() >= max_depth)
       throw InvalidInput("", fmt::format("nested deeper than {} levels", max_depth), too_deep_line(text_));
     const bool in_list = !stack_.empty() && stack_.back()->is_array();
-    keys_.push_back(in_list ? std::to_string(stack_.back()->size()) : quote_key(key_));
+    keys_.push_back(in_list ? std::to_string(stack_.back()->size()) : key_);
     stack_.push_back(place(std::move(container)));
     return true;
   }
@@ -126,7 +138,7 @@ class Builder : public nlohmann::json_sax<Json> {
 
   std::string path() const {
     std::string p;
-    for (std::size_t i = 1; i < keys_.size(); ++i) p += "/" + keys_[i];
+    for (std::size_t i = 1; i < keys_.size(); ++i) p += "/" + quote_key(keys_[i]);
     return p;
   }
 
@@ -134,7 +146,7 @@ class Builder : public nlohmann::json_sax<Json> {
   Json root_;
   std::vector<Json*> stack_;
   std::vector<std::string> keys_;
-  std::string key_;
+  std::string key_, id_;
 };
 
 /// Listens for the top-level "id" only, so that an answer to broken text still says whose it is.
@@ -203,9 +215,13 @@ void write(const Json& v, std::string& out) {
 
 }  // namespace
 
-Json parse_document(std::string_view text) {
+Json parse_document(std::string_view text, std::string* id) {
+  // To nlohmann's reader a zero byte is the end of the text, whatever follows.
+  if (const auto zero = text.find('\0'); zero != std::string_view::npos)
+    throw InvalidInput("", "not JSON: there is a zero byte", 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n')));
   Builder builder(text);
   Json::sax_parse(text, &builder);
+  if (id) *id = builder.take_id();
   return builder.take();
 }
 

@@ -12,8 +12,9 @@ namespace bankshot {
 
 using Json = nlohmann::ordered_json;
 
-/// Throws InvalidInput (path "", line set).
-Json parse_document(std::string_view text);
+/// Throws InvalidInput (path "", line set). `id` receives the text of the top-level "id" as it is
+/// written, so that 1.0 does not come back as 1; it stays empty without.
+Json parse_document(std::string_view text, std::string* id = nullptr);
 
 /// The value as JSON text with the shortest decimals that read back to the same doubles.
 std::string write_json(const Json& value);

@@ -26,6 +26,7 @@ class Reader {
   bool is_array() const { return value_->is_array(); }
   bool is_string() const { return value_->is_string(); }
   bool is_number() const { return value_->is_number(); }
+  bool is_null() const { return value_->is_null(); }
 
   double number() const;
   double positive() const;

@@ -1,45 +1,77 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/boundary.hpp"
-#include "json/document.hpp"
+#include "json/writer.hpp"
 
 namespace bankshot {
 namespace {
 
-Json bounds(const std::array<std::optional<double>, 2>& b, double unit) {
-  Json out = Json::array();
-  for (const auto& v : b) out.push_back(v ? Json(*v * unit) : Json(nullptr));
-  return out;
+void write_bounds(JsonWriter& w, std::string_view key, const std::array<std::optional<double>, 2>& b, double unit) {
+  w.key(key);
+  w.open('[');
+  for (const auto& v : b) v ? w.number(*v * unit) : w.null();
+  w.close(']');
 }
 
-Json shot_json(const Puzzle& p, const Shot& shot) {
-  Json names = Json::array();
-  for (const int c : shot.cushions) names.push_back(contact_name(p.table, c));
+void write_path(JsonWriter& w, const Puzzle& p, const Shot& shot) {
+  w.key("cushions");
+  w.open('[');
+  for (const int c : shot.cushions) w.string(contact_name(p.table, c));
+  w.close(']');
+  w.number("miss", shot.miss);
+  w.key("arrival");
+  w.open('{');
+  w.number("time", shot.arrival.time);
+  w.number("speed", shot.arrival.speed);
+  w.key("at");
+  w.open('[');
+  w.number(shot.arrival.at.x);
+  w.number(shot.arrival.at.y);
+  w.close(']');
+  w.close('}');
+}
+
+/// `why` is the reason of a nearest miss; none for a shot.
+void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, const std::string* why = nullptr) {
   // Without the physics `spin` the ball rolls from the start: natural roll, hit 2/5 R above centre.
   const LaunchSpin spin = is_straight(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
-  Json j{{"speed", shot.launch.speed},
-         {"angle", exact_degrees(shot.launch.angle)},
-         {"spin", {{"top", spin.top}, {"side", spin.side}}},
-         {"tip", {{"right", 0.4 * p.ball.radius * spin.side}, {"up", 0.4 * p.ball.radius * spin.top}}},
-         {"cushions", std::move(names)},
-         {"miss", shot.miss},
-         {"arrival", {{"time", shot.arrival.time}, {"speed", shot.arrival.speed}, {"at", {shot.arrival.at.x, shot.arrival.at.y}}}},
-         {"condition", shot.condition}};
-  if (spin.masse != 0) j["spin"]["masse"] = spin.masse;
-  if (shot.margin)
-    j["margin"] = {{"angle", bounds(shot.margin->angle, degrees(1))}, {"speed", bounds(shot.margin->speed, 1)}};
-  if (shot.success) j["success"] = *shot.success;
-  j["planner"] = shot.planner;
-  j["simulations"] = shot.simulations;
-  return j;
+  w.open('{');
+  w.number("speed", shot.launch.speed);
+  w.number("angle", exact_degrees(shot.launch.angle));
+  w.key("spin");
+  w.open('{');
+  w.number("top", spin.top);
+  w.number("side", spin.side);
+  if (spin.masse != 0) w.number("masse", spin.masse);
+  w.close('}');
+  w.key("tip");
+  w.open('{');
+  w.number("right", 0.4 * p.ball.radius * spin.side);
+  w.number("up", 0.4 * p.ball.radius * spin.top);
+  w.close('}');
+  write_path(w, p, shot);
+  w.number("condition", shot.condition);
+  if (shot.margin) {
+    w.key("margin");
+    w.open('{');
+    write_bounds(w, "angle", shot.margin->angle, degrees(1));
+    write_bounds(w, "speed", shot.margin->speed, 1);
+    w.close('}');
+  }
+  if (shot.success) w.number("success", *shot.success);
+  w.string("planner", shot.planner);
+  w.integer("simulations", shot.simulations);
+  if (why) w.string("why", *why);
+  w.close('}');
 }
 
-Json head(const Answer& a) {
-  Json j = Json::object();
-  j["status"] = name(a.status);
-  j["shots"] = Json::array();
-  j["nearest"] = nullptr;
-  return j;
+/// Up to the list of shots, which is left open.
+void write_head(JsonWriter& w, const Answer& a) {
+  w.open('{');
+  if (!a.id.empty()) w.key("id"), w.raw(a.id);
+  w.string("status", name(a.status));
+  w.key("shots");
+  w.open('[');
 }
 
 }  // namespace
@@ -62,24 +94,39 @@ Answer invalid_answer(std::string id, const InvalidInput& error) {
 }
 
 std::string to_json(const Puzzle& puzzle, const Answer& a, bool timing) {
-  Json j = head(a);
-  for (const Shot& s : a.shots) j["shots"].push_back(shot_json(puzzle, s));
-  if (a.nearest) {
-    j["nearest"] = shot_json(puzzle, a.nearest->shot);
-    j["nearest"]["why"] = a.nearest->why;
-  }
-  j["modelled"] = a.modelled;
-  j["simulations"] = a.simulations;
-  if (timing) j["time_us"] = a.time_us;
-  j["message"] = a.message;
-  return write_json(a.id, j);
+  JsonWriter w;
+  write_head(w, a);
+  for (const Shot& s : a.shots) write_shot(w, puzzle, s);
+  w.close(']');
+  w.key("nearest");
+  a.nearest ? write_shot(w, puzzle, a.nearest->shot, &a.nearest->why) : w.null();
+  w.key("modelled");
+  w.open('[');
+  for (const std::string& m : a.modelled) w.string(m);
+  w.close(']');
+  w.integer("simulations", a.simulations);
+  if (timing) w.number("time_us", a.time_us);
+  w.string("message", a.message);
+  w.close('}');
+  return w.take();
 }
 
 std::string to_json(const Answer& a) {
-  Json j = head(a);
-  if (a.error) j["error"] = {{"path", a.error->path}, {"reason", a.error->reason}};
-  j["message"] = a.message;
-  return write_json(a.id, j);
+  JsonWriter w;
+  write_head(w, a);
+  w.close(']');
+  w.key("nearest");
+  w.null();
+  if (a.error) {
+    w.key("error");
+    w.open('{');
+    w.string("path", a.error->path);
+    w.string("reason", a.error->reason);
+    w.close('}');
+  }
+  w.string("message", a.message);
+  w.close('}');
+  return w.take();
 }
 
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {

@@ -17,14 +17,10 @@ double distance_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
   return norm(p - (a + d * s));
 }
 
-bool inside_polygon(const std::vector<Vec2d>& vertices, const Vec2d& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = vertices.size() - 1; i < vertices.size(); j = i++) {
-    const Vec2d &a = vertices[i], &b = vertices[j];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x)
-      inside = !inside;
-  }
-  return inside;
+/// The edge from `b` to `a` lies to the right of p, at its height: a polygon has p inside when an odd
+/// number of edges do.
+bool passes_right_of(const Vec2d& a, const Vec2d& b, const Vec2d& p) {
+  return (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x;
 }
 
 /// Where a ball touches both cushions of a convex vertex.
@@ -70,13 +66,16 @@ Boundary::Boundary(const Table& table, double ball_radius)
 }
 
 double Boundary::clearance(const Vec2d& at) const {
-  std::vector<Vec2d> polygon;
   double nearest = std::numeric_limits<double>::infinity();
+  bool inside = false;
+  Vec2d before = vertex_of(walls.back(), radius, walls.back().begin);
   for (const Wall& w : walls) {
-    polygon.push_back(vertex_of(w, radius, w.begin));
-    nearest = std::min(nearest, distance_to_segment(at, polygon.back(), vertex_of(w, radius, w.end)));
+    const Vec2d vertex = vertex_of(w, radius, w.begin);
+    nearest = std::min(nearest, distance_to_segment(at, vertex, vertex_of(w, radius, w.end)));
+    inside = inside != passes_right_of(vertex, before, at);
+    before = vertex;
   }
-  return (inside_polygon(polygon, at) ? nearest : -nearest) - radius;
+  return (inside ? nearest : -nearest) - radius;
 }
 
 double Boundary::distance_to_centres(const Vec2d& point) const {

@@ -172,15 +172,14 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
   }
   if (!r.is_array()) r.fail("must be a number, a list of cushions or {\"min\":, \"max\":}");
   if (r.size() > static_cast<std::size_t>(max_cushions)) r.fail("must have at most 20000 cushions");
-  std::vector<std::string> all;
-  const auto edges = static_cast<int>(table.cushions.size());
-  for (int i = 0; i < 2 * edges; ++i) all.push_back(contact_name(table, i));
-  std::vector<std::string_view> names(all.begin(), all.begin() + edges);
+  const std::vector<std::string_view> names(table.cushions.begin(), table.cushions.end());
+  const auto edges = static_cast<int>(names.size());
   std::vector<int> contacts;
   for (const Reader& item : r.items()) {
-    const auto it = std::find(all.begin(), all.end(), item.text());
-    contacts.push_back(it != all.end() ? static_cast<int>(it - all.begin())
-                                       : static_cast<int>(item.word("cushion", names)));
+    const std::string name = item.text();
+    int contact = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+    while (contact >= edges && contact < 2 * edges && contact_name(table, contact) != name) ++contact;
+    contacts.push_back(contact < 2 * edges ? contact : static_cast<int>(item.word("cushion", names)));
   }
   return CushionRule::in_order(std::move(contacts));
 }
@@ -205,12 +204,10 @@ Noise read_noise(const Reader& r) {
   return n;
 }
 
-/// As it is written, so that 1.0 does not come back as 1.
-std::string read_id(const Reader& doc, std::string_view text) {
-  const auto r = doc.find("id");
-  if (!r) return "";
-  if (!r->is_string() && !r->is_number()) r->fail("must be a string or a number");
-  return find_id(text);
+/// `written`: its text in the document.
+std::string read_id(const Reader& doc, std::string written) {
+  if (const auto r = doc.find("id"); r && !r->is_string() && !r->is_number()) r->fail("must be a string or a number");
+  return written;
 }
 
 void read_choices(const Reader& doc, Puzzle& p) {
@@ -232,12 +229,13 @@ void read_choices(const Reader& doc, Puzzle& p) {
 }  // namespace
 
 Puzzle read_puzzle(std::string_view text) {
-  const Json json = parse_document(text);
+  std::string id;
+  const Json json = parse_document(text, &id);
   const Reader doc(json);
   doc.only({"id", "table", "physics", "ball", "others", "target", "cushions", "arrive", "speed",
             "angle", "prefer", "aim", "noise", "budget"});
   Puzzle p;
-  p.id = read_id(doc, text);
+  p.id = read_id(doc, std::move(id));
   const Reader table = doc.need("table");
   p.ball = read_ball(doc, default_ball(table));
   p.table = read_table(table, p.ball.radius);
@@ -261,11 +259,12 @@ Puzzle read_puzzle(std::string_view text) {
 }
 
 ShotRequest read_shot(std::string_view text) {
-  const Json json = parse_document(text);
+  std::string id;
+  const Json json = parse_document(text, &id);
   const Reader doc(json);
   doc.only({"id", "table", "physics", "ball", "others", "shot", "until"});
   ShotRequest s;
-  s.id = read_id(doc, text);
+  s.id = read_id(doc, std::move(id));
   const Reader table = doc.need("table");
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.radius);
@@ -283,6 +282,16 @@ ShotRequest read_shot(std::string_view text) {
     if (const auto v = until->find("length")) s.until.length = v->at_least(0);
   }
   validate(s);
+  return s;
+}
+
+SceneDocument read_scene(std::string_view table, std::string_view physics) {
+  const Json json{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
+  const Reader doc(json);
+  SceneDocument s;
+  s.ball = default_ball(doc.need("table"));
+  s.table = read_table(doc.need("table"), s.ball.radius);
+  s.physics = read_physics(doc, s.ball);
   return s;
 }
 

@@ -3,10 +3,10 @@
 // The rules a scene must keep, whether it came from a file or from a C++ program.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <numeric>
 #include <optional>
+#include <set>
 
 #include "bankshot/scene/boundary.hpp"
 #include "bankshot/scene/puzzle.hpp"
@@ -27,8 +27,8 @@ void need_finite(double v, const std::string& path) {
   if (!std::isfinite(v)) fail(path, fmt::format("{} must be a finite number", v));
 }
 
-/// Names the place only if it must: most scenes are good, and millions are checked.
-void need_finite(const Vec2d& p, const auto& path) {
+/// `path` is only asked for when it is told: puzzles come by the million.
+void need_finite(const Vec2d& p, auto&& path) {
   if (std::isfinite(p.x) && std::isfinite(p.y)) return;
   need_finite(p.x, path() + "/0");
   need_finite(p.y, path() + "/1");
@@ -70,31 +70,28 @@ void check_shape(const Table& t) {
   if (!(area > 0)) fail("/table/vertices", "the vertices must run anticlockwise");
 }
 
-/// The first element that has the name of one before it.
-template <class List, class Name>
-std::optional<std::size_t> repeated(const List& list, const Name& name) {
-  std::vector<std::size_t> order(list.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return name(list[a]) < name(list[b]); });
-  std::optional<std::size_t> first;
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (name(list[order[i - 1]]) == name(list[order[i]])) first = std::min(first.value_or(order[i]), order[i]);
-  return first;
+/// The first that stands earlier in the list as well.
+std::optional<std::size_t> second_of_a_name(const std::vector<std::string_view>& names) {
+  std::set<std::string_view> seen;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!seen.insert(names[i]).second) return i;
+  return {};
 }
 
 void check_names(const Table& t) {
-  if (const auto i = repeated(t.cushions, [](const std::string& c) -> const std::string& { return c; }))
+  if (const auto i = second_of_a_name({t.cushions.begin(), t.cushions.end()}))
     fail(at("/table/names", *i), fmt::format("\"{}\" names two cushions", t.cushions[*i]));
-  for (const std::string& c : t.cushions)
-    for (std::size_t i = 0; c.starts_with('v') && i < t.vertices.size(); ++i)
-      if (c == "v" + std::to_string(i)) fail("/table/names", fmt::format("\"v{0}\" is the name of vertex {0}", i));
-  const auto taken = [&](std::size_t i) {
-    fail(at("/table/pockets", i) + "/name",
-         fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", t.pockets[i].name));
-  };
-  for (std::size_t i = 0; i < t.pockets.size(); ++i)
-    if (t.pockets[i].name == "any") taken(i);
-  if (const auto i = repeated(t.pockets, [](const Pocket& p) -> const std::string& { return p.name; })) taken(*i);
+  for (const std::string& name : t.cushions) {
+    const std::string_view number = std::string_view(name).substr(std::min<std::size_t>(name.size(), 1));
+    std::size_t vertex = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), vertex);
+    if (name.starts_with('v') && error == std::errc() && vertex < t.vertices.size() && name == "v" + std::to_string(vertex))
+      fail("/table/names", fmt::format("\"v{0}\" is the name of vertex {0}", vertex));
+  }
+  std::vector<std::string_view> pockets{"any"};
+  for (const Pocket& p : t.pockets) pockets.push_back(p.name);
+  if (const auto i = second_of_a_name(pockets))
+    fail(at("/table/pockets", *i - 1) + "/name", fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", pockets[*i]));
 }
 
 void check_pockets(const Table& t, const Boundary& b) {
@@ -131,6 +128,7 @@ void check_physics(const Physics& physics) {
     if (!(m->radius > 0)) fail("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
     if (!(m->sliding_friction >= 0 && std::isfinite(m->sliding_friction * m->g)))
       fail("/physics/sliding_friction", "must be finite and at least 0");
+    if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law) fail("/physics/cushion", "a custom cushion needs a law");
     const auto* c = std::get_if<Mathavan2010>(&physics.cushion);
     if (c && c->sliding_friction != m->sliding_friction)
       fail("/physics/cushion", fmt::format("the cloth's sliding friction is {} during an impact and {} between two",

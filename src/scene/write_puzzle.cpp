@@ -42,6 +42,8 @@ Json physics_json(const Physics& p) {
   if (const auto* r = std::get_if<Rolling>(&p.motion))
     return {{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
   const SlideRoll& m = std::get<SlideRoll>(p.motion);
+  if (std::holds_alternative<CustomCushion>(p.cushion))
+    throw InvalidInput("/physics/cushion", "a custom cushion is a function: JSON has no words for it");
   Json cushion{{"model", "mirror"}, {"restitution", bounce}};
   if (const auto* h = std::get_if<Han2005>(&p.cushion))
     cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};
@@ -66,13 +68,10 @@ Json cushions_json(const Puzzle& p) {
   return names;
 }
 
-}  // namespace
-
-std::string write_puzzle(const Puzzle& p) {
+/// All but the scene.
+Json question_json(const Puzzle& p) {
   constexpr const char* preferences[] = {"robust", "soft", "quick"};
   Json j = Json::object();
-  j["table"] = table_json(p.table);
-  j["physics"] = physics_json(p.physics);
   j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.radius}, {"mass", p.ball.mass}};
   if (p.spin_range)
     j["ball"]["spin"] = {{"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};
@@ -87,6 +86,34 @@ std::string write_puzzle(const Puzzle& p) {
   if (p.aim == Aim::safest) j["aim"] = "safest";
   j["noise"] = {{"angle", exact_degrees(p.noise.angle)}, {"speed", p.noise.speed}};
   j["budget"] = {{"simulations", p.budget}};
+  return j;
+}
+
+}  // namespace
+
+std::string write_puzzle(const Puzzle& p) {
+  Json j = Json::object();
+  j["table"] = table_json(p.table);
+  j["physics"] = physics_json(p.physics);
+  j.update(question_json(p));
+  return write_json(p.id, j);
+}
+
+std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_view physics) {
+  const SceneDocument scene = read_scene(table, physics);
+  Puzzle plain{.table = scene.table, .physics = scene.physics, .ball = scene.ball, .target = p.target, .cushions = p.cushions};
+  plain.ball.at = p.ball.at;
+  if (auto* point = std::get_if<PointTarget>(&plain.target)) point->within = PointTarget{}.within;
+  const Json said = question_json(p), untold = question_json(plain);
+  Json j{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
+  for (const auto& [key, value] : said.items())
+    if (value != untold[key] || key == "ball" || key == "target" || key == "cushions") j[key] = value;
+  for (const char* key : {"ball", "target"})
+    for (const auto& [inner, value] : said[key].items())
+      if (inner != "at" && inner != "point" && inner != "pocket" && value == untold[key][inner]) j[key].erase(inner);
+  if (j["ball"].contains("spin"))
+    for (const char* key : {"top", "side", "masse"})
+      if (j["ball"]["spin"][key] == 0) j["ball"]["spin"].erase(key);
   return write_json(p.id, j);
 }
 

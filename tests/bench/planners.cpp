@@ -37,9 +37,9 @@ std::vector<Puzzle> puzzles(int count, std::uint64_t seed, int cushions, bool se
   return out;
 }
 
-Outcome by_planner(const Puzzle& p, const std::string& planner) {
+Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const Answer a = solve(p, {.planner = planner, .robustness = false, .suggest = false});
+  const Answer a = solve(p, options);
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
   const double miss = !a.shots.empty() ? a.shots[0].miss : a.nearest ? a.nearest->shot.miss : 1;
   return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.radius, static_cast<double>(a.simulations), took.count()};
@@ -105,5 +105,6 @@ int main(int argc, char** argv) {
   };
   run("mirror", by_mirror);
   for (const PlannerInfo& planner : planners())
-    if (planner.name != "image") run(std::string(planner.name), [&](const Puzzle& p) { return by_planner(p, std::string(planner.name)); });
+    if (planner.name != "image") run(std::string(planner.name), [&](const Puzzle& p) { return by_planner(p, {.planner = std::string(planner.name), .robustness = false, .suggest = false}); });
+  run("auto --first", [&](const Puzzle& p) { return by_planner(p, {.first = true, .robustness = false, .suggest = false}); });
 }

@@ -37,8 +37,27 @@ done >"$out/planners-rolling.csv"
 {
   "$bin/bench/bench_planners" --count 300 --header
   for n in 1 5 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --only auto; done
+  for n in 1 5 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --only "auto --first"; done
   for n in 3 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --sequence --only auto; done
 } >"$out/planners-spin.csv"
+# From file to file. CPU times are sums over the threads, in microseconds a puzzle.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+batch() {  # SET COUNT THREADS FLAGS
+  [ -f "$scratch/$1.jsonl" ] || "$bin/bench/batch_puzzles" --set "$1" --count "$2" >"$scratch/$1.jsonl"
+  # shellcheck disable=SC2086  # several flags
+  build/release/bankshot batch "$scratch/$1.jsonl" -o "$scratch/shots.jsonl" -j "$3" --quiet --no-timing --cost "$scratch/cost.csv" ${4:-}
+  [ $header = yes ] && echo "set,threads,flags,$(head -n 1 "$scratch/cost.csv")"
+  header=no
+  echo "$1,$3,${4:-},$(tail -n 1 "$scratch/cost.csv")"
+}
+header=yes
+{
+  batch rolling 1000000 2 --no-robustness
+  batch rolling 1000000 1 --no-robustness
+  batch rolling 1000000 2
+  batch spin 1000000 2 --no-robustness
+} >"$out/batch.csv"
 # The report's medians, figures and text; its raw numbers, a few megabytes, stay in build/report.
 build/release/bankshot report -o build/report
 cp build/report/figures/*.svg examples/figures/

@@ -5,6 +5,7 @@
 // missed by rounding. Conditioning of the touch: with a vertex d beyond the line the time of the hit is
 // t* − √(2d/a), so κ about 1/√d; at d = 0 infinite, and hit and miss differ by a jump. Asserted: by
 // hand, the return after 2 vn/a; hit or miss as the sign of d says down to d = 1e-14 of vn²/2a; the bound on both sides.
+#include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 

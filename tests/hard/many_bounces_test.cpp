@@ -5,6 +5,7 @@
 // the length, so κ, a sum over the bounces, grows as n². Achievable: n 2⁻⁵³ of the length when errors add up,
 // √n of it when they do not. Asserted: the bound, and by hand the unfolded place in 50 digits through it;
 // with spin and loss the path contracts and 200 bounces cost no digits.
+#include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 

@@ -5,6 +5,7 @@
 // cushion. By hand: if it rolls before it is back (1/6 ≤ e < 2/5) it returns with (2 − 5e)/7 of its speed,
 // else with e of it. Conditioning: contracting, κ of the place along the cushion is that of the slow tangential motion.
 // Asserted: those ratios, a bounded number of events, the bound.
+#include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 
+#include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 #include "support/random_shot.hpp"
@@ -47,12 +48,13 @@ TEST_CASE("derivatives through every event agree with differences in 50 digits")
       const Vec2d slip{run.start.velocity.x - boundary.radius * run.start.spin.y,
                        run.start.velocity.y + boundary.radius * run.start.spin.x};
       if (const double part = norm(slip) / norm(run.start.velocity); part > 2e-16 && part < 1e-5) continue;
-      const Condition dual = condition(run), exact = truth_jacobian(run);
+      const Condition dual = condition(run);
+      const truth::Jacobian exact = truth_jacobian(run);
       const double V = norm(run.start.velocity), R = boundary.radius, unit[] = {1, 1, V, V, V / R, V / R, V / R};
       INFO(name(family) << " number " << i << " of seed " << seed << ", kappa " << c.kappa << ": " << write_shot(shot));
       for (int out = 0; out < 2; ++out)
         for (int in = 0; in < (R > 0 ? 7 : 4); ++in) {
-          const double off = std::abs(dual.jacobian[out][in] - exact.jacobian[out][in]) * unit[in] / (boundary.extent * c.kappa);
+          const double off = std::abs(dual.jacobian[out][in] - exact.d[out][in]) * unit[in] / (boundary.extent * c.kappa);
           worst = std::max(worst, off);
           CHECK(off <= 1e-9);
         }

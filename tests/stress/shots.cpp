@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/random_shot.hpp"
 #include "support/truth.hpp"

@@ -6,6 +6,8 @@
 
 #include <tuple>
 
+#include "bankshot/contact/conformance.hpp"
+#include "bankshot/contact/custom.hpp"
 #include "bankshot/contact/han2005.hpp"
 #include "bankshot/contact/mirror.hpp"
 #include "bankshot/motion/ideal.hpp"
@@ -18,7 +20,7 @@ namespace bankshot::test {
 inline constexpr double ball_radius = 0.028575;
 
 using Motions = std::tuple<Ideal, Rolling, SlideRoll>;
-using Cushions = std::tuple<Mirror, Han2005>;
+using Cushions = std::tuple<Mirror, Han2005, CustomCushion>;
 
 template <class Model>
 Model draw(Random& r);
@@ -50,6 +52,24 @@ inline Han2005 draw<Han2005>(Random& r) {
           .friction = r.uniform(0, 0.5)};
 }
 
+/// Han's law as a user would write it.
+struct HanLaw final : CushionLaw {
+  Han2005 han{};
+  void impact(InCushionFrame<double>& f) const override {
+    State<double> s;
+    out_of_frame(f, Vec2d{0, 1}, s);
+    han.bounce(s, Vec2d{0, 1});
+    f = into_frame(s, Vec2d{0, 1});
+  }
+};
+/// Good until the next draw.
+template <>
+inline CustomCushion draw<CustomCushion>(Random& r) {
+  static HanLaw law;
+  law.han = draw<Han2005>(r);
+  return {&law, law.han.restitution};
+}
+
 /// A moving ball with any spin, over many decades of speed.
 inline State<double> draw_state(Random& r) {
   const double v = r.log_uniform(1e-3, 20), w = v / ball_radius;
@@ -58,36 +78,9 @@ inline State<double> draw_state(Random& r) {
           {w * r.uniform(-2, 2), w * r.uniform(-2, 2), w * r.uniform(-2, 2)}};
 }
 
-/// ½ v² + ⅕ R² ω²: the energy of a ball of mass 1.
-inline double energy_of(const State<double>& s) {
-  const Vec3<double>& w = s.spin;
-  return dot(s.velocity, s.velocity) / 2 + ball_radius * ball_radius * (w.x * w.x + w.y * w.y + w.z * w.z) / 5;
-}
-
-/// |v| + R |ω|: what differences of states are small against.
-inline double scale_of(const State<double>& s) {
-  return norm(s.velocity) + ball_radius * std::hypot(s.spin.x, s.spin.y, s.spin.z);
-}
-
-/// Difference of velocity and R · spin [m/s].
-inline double difference(const State<double>& a, const State<double>& b) {
-  return norm(a.velocity - b.velocity) + ball_radius * std::hypot(a.spin.x - b.spin.x, a.spin.y - b.spin.y, a.spin.z - b.spin.z);
-}
-
-/// Seen in a mirror that lies along x: spin is an axial vector.
-inline State<double> mirrored(const State<double>& s) {
-  return {{s.at.x, -s.at.y}, {s.velocity.x, -s.velocity.y}, {-s.spin.x, s.spin.y, -s.spin.z}};
-}
-
-inline Vec2d turned(const Vec2d& p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.x - s * p.y, s * p.x + c * p.y};
-}
-
-inline State<double> turned(const State<double>& s, double angle) {
-  const Vec2d w = turned(Vec2d{s.spin.x, s.spin.y}, angle);
-  return {turned(s.at, angle), turned(s.velocity, angle), {w.x, w.y, s.spin.z}};
-}
+inline double energy_of(const State<double>& s) { return bankshot::energy_of(s, ball_radius); }
+inline double scale_of(const State<double>& s) { return bankshot::scale_of(s, ball_radius); }
+inline double difference(const State<double>& a, const State<double>& b) { return bankshot::difference(a, b, ball_radius); }
 
 inline State<double> times(const State<double>& s, double k) {
   return {s.at, s.velocity * k, {s.spin.x * k, s.spin.y * k, s.spin.z * k}};

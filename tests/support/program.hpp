@@ -15,6 +15,9 @@ struct Run {
 /// `arguments` as typed in a shell.
 Run run_program(const std::string& arguments, const std::string& input = "");
 
+/// Several commands of a shell; the word PROGRAM stands for the program.
+Run run_shell(std::string commands, const std::string& input = "");
+
 /// A file below the repository.
 std::string read_repository_file(const std::string& path);
 

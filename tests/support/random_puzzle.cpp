@@ -11,13 +11,6 @@
 namespace bankshot::test {
 namespace {
 
-
-/// The aim would drive the ball straight into a cushion it touches: no planner offers that unless
-/// the sequence asks for it.
-bool starts_into_cushion(const Trajectory& t) {
-  return t.events.size() > 1 && t.events[1].kind == Record::Kind::cushion && t.events[1].time < 1e-12;
-}
-
 Table random_table(Random& r, Family family) {
   if (family == Family::convex) return random_polygon(r, true);
   if (family == Family::reflex) return random_polygon(r, false);
@@ -48,59 +41,11 @@ Physics random_physics(Random& r, Model model, Family family, double radius) {
   return {Rolling{.friction = friction}, Mirror{r.uniform(0.5, 1)}};
 }
 
-/// What to ask about a simulated shot; none when it does not lend itself to the kind drawn.
-std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t, Model model, int bounces) {
-  Made m{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};
-  Puzzle& p = m.puzzle;
-  const Record& last = t.events.back();
-  double arrival = 0;
-  if (t.end == Trajectory::End::pocketed) {
-    p.target = PocketTarget{t.events[t.events.size() - 2].index};
-    m.bounces = t.cushions;
-    arrival = norm(last.state.velocity);
-  } else if (t.end == Trajectory::End::rest && r.chance(0.5)) {
-    p.target = PointTarget{last.state.at};
-    m.bounces = t.cushions;
-  } else {
-    const auto leg = static_cast<std::size_t>(r.integer(0, static_cast<int>(t.legs.size()) - 1));
-    const Leg& l = t.legs[leg];
-    const double time = l.duration * (r.chance(0.2) ? 1.0 : r.uniform(0.05, 1));
-    p.target = PointTarget{l.arc.position(time)};
-    m.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(), [&](const Record& e) {
-      return e.kind == Record::Kind::cushion && e.time <= l.begin;
-    }));
-    arrival = norm(l.arc.velocity_at(time));
-    if (!(arrival > 1e-3)) return {};
-  }
-  if (bounces < 0 ? m.bounces > most_bounces : m.bounces != bounces) return {};
-  p.speed = {shot.launch.speed / 2, shot.launch.speed * 2};
-  const bool ideal = model == Model::ideal, stops = !ideal && arrival == 0;
-  if (!stops && r.chance(0.5)) p.speed = {shot.launch.speed, shot.launch.speed};
-  else if (!ideal && !stops) p.arrive = Range{arrival, arrival};
-  std::vector<int> contacts = t.sequence();
-  contacts.resize(static_cast<std::size_t>(m.bounces));
-  const bool touching = starts_into_cushion(t);
-  p.cushions = touching || r.chance(0.5) ? CushionRule::in_order(contacts) : CushionRule::exactly(m.bounces);
-  return m;
-}
-
 }  // namespace
 
 std::string name(Family family) {
   constexpr const char* names[] = {"uniform", "discrete", "convex", "reflex"};
   return names[static_cast<int>(family)];
-}
-
-double Random::uniform(double low, double high) {
-  return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-}
-
-double Random::log_uniform(double low, double high) {
-  return std::exp(uniform(std::log(low), std::log(high)));
-}
-
-int Random::integer(int low, int high) {
-  return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
 }
 
 Table random_polygon(Random& r, bool convex) {
@@ -135,8 +80,7 @@ Made random_puzzle(Random& r, Family family, Model model, int bounces) {
     if (family == Family::discrete) shot.launch = {1.0 * r.integer(1, 4), wrap_angle(radians(15.0 * r.integer(0, 23)))};
     shot.until.cushions = std::max(bounces, most_bounces) + 1;
     const Trajectory t = simulate(shot);
-    if (t.legs.empty()) continue;
-    if (auto made = ask(r, shot, t, model, bounces)) {
+    if (auto made = bounces < 0 ? ask(r, shot, t, 0, most_bounces) : ask(r, shot, t, bounces, bounces)) {
       made->puzzle.noise = {};
       return *made;
     }

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Puzzles that have a shot, made by simulating one: a random shot with 0 to 5 cushions, and the
-// question asks for where it stops, passes, or drops. Seeded; the same seed gives the same puzzles
-// on every machine.
+// Puzzles that have a shot, made by simulating one (plan/generate.hpp): a random shot with 0 to 5 cushions,
+// and the question asks for where it stops, passes, or drops, in numbers as they come. Seeded; the same
+// seed gives the same puzzles on every machine.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <random>
 #include <string>
 
-#include "bankshot/scene/puzzle.hpp"
+#include "bankshot/plan/generate.hpp"
 
 namespace bankshot::test {
+
+using bankshot::Random;
 
 /// uniform: rectangles of many sizes, six pockets or none. discrete: grid positions, angles that are
 /// multiples of 15 degrees, exact corners, starts on a cushion. convex, reflex: random polygons.
@@ -21,24 +20,8 @@ enum class Model { ideal, rolling, spin, mathavan };
 inline constexpr Family families[] = {Family::uniform, Family::discrete, Family::convex, Family::reflex};
 std::string name(Family family);
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double low, double high);  ///< own arithmetic: std distributions differ by library
-  double log_uniform(double low, double high);
-  int integer(int low, int high);  ///< both ends included
-  bool chance(double p) { return uniform(0, 1) < p; }
-
- private:
-  std::mt19937_64 engine_;
-};
-
 /// A puzzle and the launch it was made from.
-struct Made {
-  Puzzle puzzle;
-  Launch launch;
-  int bounces;
-};
+using Made = Question;
 
 inline constexpr int most_bounces = 5;
 

@@ -113,7 +113,7 @@ TEST_CASE("directions near a multiple of 90 degrees keep what the angle says") {
   for (int i = 0; i < 360; ++i) CHECK(norm(direction(radians(i))) == Approx(1).epsilon(1e-15));
 }
 
-TEST_CASE("wrap_angle brings every angle into [0, 2 pi)") {
+TEST_CASE("wrap_angle brings every angle between 0 and 2 pi, without the latter") {
   const double turn = radians(360);
   CHECK(wrap_angle(0) == 0);
   CHECK(wrap_angle(turn) == 0);

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bankshot/plan/shot.hpp"
@@ -28,6 +30,10 @@ struct Answer {
   std::vector<std::string> modelled{};
   long simulations = 0;  ///< search and certification
   double time_us = 0;    ///< of the search, without margin and success
+  struct Cost {
+    double certify_us = 0;     ///< of time_us, what the replays of candidates took
+    double robustness_us = 0;  ///< margin and success, beside time_us
+  } cost{};  ///< where SolveOptions::measure asked for it
   std::string message{};
   struct Error {
     std::string path, reason;
@@ -42,6 +48,11 @@ Answer invalid_answer(std::string id, const InvalidInput& error);
 std::string to_json(const Puzzle& puzzle, const Answer& answer, bool timing = true);
 /// The same for an `invalid` answer, which has no puzzle.
 std::string to_json(const Answer& invalid);
+
+/// An answer read back, shots with the launch, spin, cushions and claims of their JSON. Throws InvalidInput with
+/// the JSON path. Of an answer to a puzzle that cannot be read (null) only id, status and error are
+/// read. `unread`, if given, receives the keys of answer and shots that are no part of the format.
+Answer read_answer(std::string_view text, const Puzzle* puzzle, std::set<std::string>* unread = nullptr);
 
 /// A short text for a person: where to aim, how hard, what happens.
 std::string to_text(const Puzzle& puzzle, const Answer& answer);

@@ -18,6 +18,17 @@ ShotRequest read_shot(std::string_view text);
 /// rounded to the nearest double). Every choice is written out, also those that are defaults.
 std::string write_puzzle(const Puzzle& puzzle);
 
+/// The same in short: table and physics as the JSON text they came from, no defaults.
+std::string write_puzzle(const Puzzle& puzzle, std::string_view table, std::string_view physics);
+
+/// A table and a physics, each the JSON text of a puzzle's member, and the ball that the table implies.
+struct SceneDocument {
+  Table table{};
+  Physics physics{};
+  Ball ball{};
+};
+SceneDocument read_scene(std::string_view table, std::string_view physics);
+
 /// The JSON text of `id` in a document that may be invalid otherwise; empty when there is none.
 std::string read_id(std::string_view text);
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "bankshot/contact/custom.hpp"
 #include "bankshot/contact/han2005.hpp"
 #include "bankshot/contact/mathavan2010.hpp"
 #include "bankshot/contact/mirror.hpp"
@@ -19,7 +20,7 @@ namespace bankshot {
 
 struct Physics {
   std::variant<Ideal, Rolling, SlideRoll> motion = Rolling{};
-  std::variant<Mirror, Han2005, Mathavan2010> cushion = Mirror{};
+  std::variant<Mirror, Han2005, Mathavan2010, CustomCushion> cushion = Mirror{};
 };
 
 inline Physics ideal_physics() { return {Ideal{}, Mirror{.restitution = 1}}; }

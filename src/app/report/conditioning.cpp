@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/report/sections.hpp"
-#include "app/truth/truth.hpp"
+#include "app/truth/condition.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/tolerances.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "app/report/compared.hpp"
 #include "app/report/sections.hpp"
-#include "app/truth/truth.hpp"
+#include "app/truth/condition.hpp"
 #include "bankshot/simulate/simulator.hpp"
 
 namespace bankshot::app {

@@ -8,7 +8,7 @@
 #include "app/report/compared.hpp"
 #include "app/report/sections.hpp"
 #include "app/report/troubles.hpp"
-#include "app/truth/truth.hpp"
+#include "app/truth/condition.hpp"
 
 namespace bankshot::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/truth/truth.hpp"
+#include "app/truth/condition.hpp"
 #include "bankshot/scene/puzzle.hpp"
 
 namespace bankshot::truth {

@@ -1,64 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "app/truth/truth.hpp"
+#include "app/truth/condition.hpp"
 
 #include <ceres/jet.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_dec_float.hpp>
 #include <cmath>
 #include <utility>
+
+#include "app/truth/follow.hpp"
 
 namespace bankshot::truth {
 namespace {
 
-template <unsigned digits>
-using Digits = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<digits>, boost::multiprecision::et_off>;
-using Digits50 = Digits<50>;
 using Jet = ceres::Jet<double, 7>;
 
 constexpr double unit_roundoff = 0x1p-53;
-
-double rounded(double x) { return x; }
-template <unsigned digits>
-double rounded(const Digits<digits>& x) {
-  return x.template convert_to<double>();
-}
-
-template <class T>
-State<T> lift(const State<double>& s) {
-  return {to<T>(s.at), to<T>(s.velocity), {T(s.spin.x), T(s.spin.y), T(s.spin.z)}};
-}
-
-template <class T>
-TruthEvent note(const Event& e, const T& time, const State<T>& s) {
-  const double t = rounded(time), x = rounded(s.at.x), y = rounded(s.at.y);
-  const Vec2d v{rounded(s.velocity.x), rounded(s.velocity.y)};
-  return {e.kind, e.index, t, rounded(T(time - t)), {{x, y}, v, {rounded(s.spin.x), rounded(s.spin.y), rounded(s.spin.z)}},
-          {rounded(T(s.at.x - x)), rounded(T(s.at.y - y))}};
-}
-
-/// Runs in T and hands each event to `see(event, simulator)`; true when the shot came to its end.
-template <class T, class See>
-bool follow(const Run& run, const State<T>& start, See&& see) {
-  return with_physics(run.physics, [&](const auto& motion, const auto& cushion) {
-    Simulator sim(run.boundary, motion, cushion, start);
-    int cushions = 0;
-    for (long i = 0; i < run.events; ++i) {
-      const Event e = run.until < forever ? sim.step(T(run.until) - sim.time()) : sim.step();
-      see(e, sim);
-      if (e.kind == EventKind::cushion) ++cushions;
-      if (e.final() || cushions >= run.cushions) return e.kind != EventKind::horizon || run.until < forever;
-    }
-    return false;
-  });
-}
-
-template <class T>
-Path recorded(const Run& run, const State<T>& start) {
-  Path path;
-  path.ended = follow<T>(run, start, [&](const Event& e, const auto& sim) { path.events.push_back(note(e, sim.time(), sim.state())); });
-  return path;
-}
 
 using Step = Eigen::Matrix<double, 7, 7>;
 
@@ -112,19 +68,16 @@ bool nearby_start(const Run& run, const Path& rough) {
       if (k < 2) (k == 0 ? s.at.x : s.at.y) += by * run.boundary.extent;
       else if (k < 4) s.velocity += k == 2 ? s.velocity * by : perpendicular(s.velocity) * by;
       else (k == 4 ? s.spin.x : k == 5 ? s.spin.y : s.spin.z) += by * w;
-      if (same(rough, recorded(run, lift<Digits50>(s)))) return true;
+      Run near = run;
+      near.start = s;
+      if (same(rough, run_truth(near))) return true;
     }
   return false;
 }
 
 }  // namespace
 
-Path run_double(const Run& run) { return recorded(run, run.start); }
-Path run_truth(const Run& run) { return recorded(run, lift<Digits50>(run.start)); }
-Path run_in_digits(const Run& run, int digits) {
-  constexpr int few = 25, many = 100;
-  return digits == few ? recorded(run, lift<Digits<few>>(run.start)) : digits == many ? recorded(run, lift<Digits<many>>(run.start)) : run_truth(run);
-}
+Path run_double(const Run& run) { return recorded<double>(run); }
 
 Condition condition(const Run& run) {
   const double R = run.boundary.radius, extent = run.boundary.extent;
@@ -149,23 +102,6 @@ Condition condition(const Run& run) {
   c.kappa = std::max(1.0, sum);
   for (int k = 0; k < 7; ++k)
     for (int i = 0; i < 2; ++i) c.jacobian[i][k] = j(i, k);
-  return c;
-}
-
-Condition truth_jacobian(const Run& run) {
-  const Digits50 step("1e-20");
-  Condition c;
-  for (int k = 0; k < 7; ++k) {
-    Vec2<Digits50> ends[2];
-    for (int side = 0; side < 2; ++side) {
-      State<Digits50> s = lift<Digits50>(run.start);
-      Digits50* const inputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
-      *inputs[k] += side == 0 ? step : Digits50(-step);
-      follow<Digits50>(run, s, [&](const Event&, const auto& sim) { ends[side] = sim.state().at; });
-    }
-    c.jacobian[0][k] = rounded(Digits50((ends[0].x - ends[1].x) / (2 * step)));
-    c.jacobian[1][k] = rounded(Digits50((ends[0].y - ends[1].y) / (2 * step)));
-  }
   return c;
 }
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// 07: a cushion of your own. A law in a few lines; does it keep what a cushion owes; the same three-cushion shot
+// planned with it and with Han's. One new idea: CustomCushion.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "bankshot/contact/conformance.hpp"
+#include "bankshot/draw/svg.hpp"
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+
+namespace {
+
+using namespace bankshot;
+
+/// A soft rail that is met at the height of the ball's centre: it gives back less of a hard hit, and grips the
+/// ball along the rail until the contact point stops sliding or friction has given all it can.
+struct SoftRail final : CushionLaw {
+  double radius = 0;  // of the ball [m]
+
+  void impact(InCushionFrame<double>& f) const override {
+    constexpr double friction = 0.14, stick = 2.0 / 7, turns = 5.0 / 2;  // of a solid ball
+    const double restitution = 0.9 / (1 + 0.05 * f.vn), impulse = (1 + restitution) * f.vn;
+    const double slip = f.vt + radius * f.wz;  // of the contact point along the rail
+    const double grip = -std::copysign(std::min(stick * std::abs(slip), friction * impulse), slip);
+    f.vn -= impulse;
+    f.vt += grip;
+    f.wz += turns * grip / radius;
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const TablePreset& preset = *find_table_preset("carom-10ft");
+  SoftRail law;
+  law.radius = preset.radius;
+  const CustomCushion rail{.law = &law, .restitution = 0.85};
+  for (const Promise& p : try_promises(rail, preset.radius)) fmt::print("{}: {}\n", p.kept() ? "kept" : "BROKEN", p.what);
+  Puzzle puzzle{.table = make_table(preset),
+                .ball = {.at = {0.7, 0.4}, .radius = preset.radius, .mass = preset.mass},
+                .spin = {.side = 0.5},
+                .target = PointTarget{.at = {2.2, 0.5}, .within = 0.06},
+                .cushions = CushionRule::exactly(3),
+                .arrive = Range{0.5, 0.5},
+                .prefer = Prefer::soft};
+  std::vector<LabelledPath> paths;
+  for (const bool own : {false, true}) {
+    puzzle.physics = spin_physics(preset.radius);
+    if (own) puzzle.physics.cushion = rail;
+    const Answer answer = solve(puzzle);
+    const Shot& shot = answer.shots.at(0);
+    const char* name = own ? "soft rail" : "han2005";
+    fmt::print("{}: {:.2f} degrees, {:.2f} m/s, chance {:.2f}\n", name, degrees(shot.launch.angle), shot.launch.speed, *shot.success);
+    paths.push_back({name, simulate(as_request(puzzle, shot))});
+  }
+  if (argc > 1) std::ofstream(argv[1]) << draw(puzzle.table, puzzle.ball, paths);
+}

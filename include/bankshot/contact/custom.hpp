@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// A cushion of your own: a law in double that changes the ball's motion in the frame of the cushion it meets
+// (cushion_frame.hpp): n points into the cushion, so vn > 0 before, and vn <= 0 after.
+//
+//   const CushionLawOf law([](InCushionFrame<double>& f) { f.vn *= -0.8; });  // must outlive the physics
+//   Physics physics = spin_physics();
+//   physics.cushion = CustomCushion{.law = &law, .restitution = 0.8};
+//
+// contact/conformance.hpp tries whether a law keeps what planners rely on.
+// Properties:
+//  1. Derivatives are central differences of the law, ten calls a bounce, right to about 1e-9. Where a step
+//     crosses a switch of the law, such as from sticking to sliding, they are a mean of both sides.
+//  2. The law runs in double, also inside a simulation of 50 digits.
+//  3. A law that leaves the ball moving into the cushion leaves it there: vn becomes 0. One that gives a number
+//     that is not finite throws std::domain_error.
+//  4. No allocation; the other cushions pay nothing for it.
+// JSON has no words for it: a puzzle with a custom cushion can be solved, not written.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "bankshot/contact/cushion_frame.hpp"
+#include "bankshot/contact/restitution.hpp"
+
+namespace bankshot {
+
+class CushionLaw {
+ public:
+  virtual ~CushionLaw() = default;
+  virtual void impact(InCushionFrame<double>& f) const = 0;
+};
+
+/// A law made of a function.
+template <class F>
+class CushionLawOf final : public CushionLaw {
+ public:
+  explicit CushionLawOf(F f) : f_(std::move(f)) {}
+  void impact(InCushionFrame<double>& f) const override { f_(f); }
+
+ private:
+  F f_;
+};
+
+struct CustomCushion {
+  const CushionLaw* law = nullptr;  ///< must outlive every physics it is part of
+  Restitution restitution{};  ///< about what comes back of vn: planners begin with straight lines bent by it
+
+  template <class T, class N>
+  void bounce(State<T>& s, const Vec2<N>& away) const {
+    InCushionFrame<T> f = into_frame(s, away);
+    if (!(value(f.vn) > 0)) return;
+    const Numbers<T> before{f.vn, f.vt, f.wn, f.wt, f.wz};
+    Numbers<double> plain;
+    for (std::size_t i = 0; i < plain.size(); ++i) plain[i] = static_cast<double>(value(before[i]));
+    const Numbers<double> out = after(plain);
+    Numbers<T> result;
+    for (std::size_t i = 0; i < out.size(); ++i) result[i] = T(out[i]);
+    if constexpr (has_derivatives<T>) add_derivatives(before, plain, result);
+    f = {result[0], result[1], result[2], result[3], result[4]};
+    if (value(f.vn) > 0) f.vn = T(0);
+    out_of_frame(f, away, s);
+  }
+
+ private:
+  template <class T>
+  using Numbers = std::array<T, 5>;
+
+  Numbers<double> after(const Numbers<double>& x) const {
+    InCushionFrame<double> f{x[0], x[1], x[2], x[3], x[4]};
+    law->impact(f);
+    if (!std::isfinite(f.vn + f.vt + f.wn + f.wt + f.wz)) throw std::domain_error("the law of a custom cushion gave a number that is not finite");
+    return {f.vn, f.vt, f.wn, f.wt, f.wz};
+  }
+
+  /// Adds to each result the derivatives of what went in, times those of the law.
+  template <class T>
+  void add_derivatives(const Numbers<T>& before, const Numbers<double>& at, Numbers<T>& result) const {
+    constexpr double step = 1e-5;        // of the size: truncation and rounding are alike
+    constexpr double about_radius = 0.03;  // m; only tells how much spin goes with how much speed
+    const double v = std::hypot(at[0], at[1]) + about_radius * std::hypot(at[2], at[3], at[4]);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      double h = step * (i < 2 ? v : v / about_radius);
+      if (i == 0) h = std::min(h, at[0] / 2);  // the law is asked about balls that meet the cushion only
+      Numbers<double> low = at, high = at;
+      low[i] -= h;
+      high[i] += h;
+      const Numbers<double> a = after(low), b = after(high);
+      const T change = before[i] - T(at[i]);  // 0, with derivatives
+      for (std::size_t k = 0; k < result.size(); ++k) result[k] += change * ((b[k] - a[k]) / (high[i] - low[i]));
+    }
+  }
+};
+
+}  // namespace bankshot

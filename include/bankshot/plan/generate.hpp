@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+//
+// Puzzles that have a shot. Each is made from a simulated shot, or where a sequence of cushions is
+// wished from a drawn target, with its numbers rounded to what a person would write; it is kept only when
+// `solve` finds its shot, and when the target is a fifth of the table's diagonal from the ball or more. Seeded: the same seed gives the same puzzles.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "bankshot/plan/answer.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+
+namespace bankshot {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  /// A stream of its own for each number: the puzzles of a seed do not depend on how many are asked for.
+  Random(std::uint64_t seed, std::uint64_t number);
+  double uniform(double low, double high);  ///< own arithmetic: std distributions differ by library
+  double log_uniform(double low, double high);
+  int integer(int low, int high);  ///< both ends included
+  bool chance(double p) { return uniform(0, 1) < p; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A puzzle and the launch it was made from.
+struct Question {
+  Puzzle puzzle;
+  Launch launch;
+  int bounces;
+};
+
+/// What to ask about a simulated shot with `least` to `most` bounces: the pocket it dropped into, where it
+/// came to rest, or a point it passed. None when it does not lend itself to the kind drawn.
+std::optional<Question> ask(Random& random, const ShotRequest& shot, const Trajectory& trajectory, int least, int most);
+
+/// How hard a shot is for a player with the default noise, by `success` and by the smaller side of the
+/// aim's margin. easy: at least `easy_success` and `easy_margin`. hard: below `hard_success` or
+/// `hard_margin`. medium: between.
+enum class Difficulty { easy, medium, hard };
+inline constexpr double easy_success = 0.9, hard_success = 0.4;
+inline constexpr double easy_margin = radians(0.25), hard_margin = radians(0.0625);  ///< two, half a deviation
+const char* name(Difficulty difficulty);
+/// Needs margin and success.
+Difficulty difficulty(const Shot& shot);
+
+struct Wish {
+  Table table{};
+  Physics physics{};
+  Ball ball{};              ///< radius and mass
+  CushionRule cushions{1, 3, {}};  ///< a number between min and max is drawn for each puzzle, or the sequence
+  enum class Kind { pocket, stop, pass };
+  std::optional<Kind> kind{};  ///< drop, rest at a point, pass it at a speed; else drawn
+  std::optional<Difficulty> difficulty{};
+  bool unique = false;  ///< `solve --all` finds exactly one shot
+  int tries = 2000;     ///< puzzles to solve before giving up
+};
+
+struct Generated {
+  Puzzle puzzle;
+  Answer answer;
+};
+
+/// Why tries failed, for the message when there is no puzzle.
+struct Tries {
+  long draws = 0;    ///< shots simulated; most have other bounces than wished
+  int solved = 0;    ///< puzzles given to `solve`
+  bool no_room = false;
+  int no_shot = 0, other_difficulty = 0, not_unique = 0;
+  std::string text() const;
+};
+
+/// None after `wish.tries` puzzles, or 50 times as many draws.
+std::optional<Generated> generate(const Wish& wish, Random& random, Tries* tries = nullptr);
+
+}  // namespace bankshot

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+//
+// Method: draw a ball and a launch, simulate, ask where the ball got to (or draw a target for a wished
+// sequence), round the numbers, solve. Cost: a few simulations a draw, a search a try.
+// Guarantee: what is returned was solved as it will be read.
+#include "bankshot/plan/generate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/tolerances.hpp"
+
+namespace bankshot {
+namespace {
+
+constexpr long draws_a_try = 50;
+
+/// The aim would drive the ball straight into a cushion it touches: no planner offers that unless
+/// the sequence asks for it.
+bool starts_into_cushion(const Trajectory& t) {
+  return t.events.size() > 1 && t.events[1].kind == Record::Kind::cushion && t.events[1].time < 1e-12;
+}
+
+double rounded(double x, double unit) { return std::round(x / unit) / std::round(1 / unit); }
+
+/// A thousandth of the power of ten below the diagonal: millimetres on any table one can play on.
+double unit_of(const Table& table) { return std::pow(10, std::floor(std::log10(table.diagonal())) - 3); }
+
+Vec2d rounded(const Vec2d& p, double unit) { return {rounded(p.x, unit), rounded(p.y, unit)}; }
+
+/// Clear of cushions and pockets.
+bool is_free(const Boundary& b, const Vec2d& p) {
+  if (b.clearance(p) < b.radius / 2) return false;
+  return std::all_of(b.pockets.begin(), b.pockets.end(), [&](const Circle& c) { return norm(p - c.centre) > c.radius + b.radius; });
+}
+
+std::optional<Vec2d> free_place(Random& r, const Boundary& b, const Table& table) {
+  constexpr int enough = 1000;  // a table without room for the ball must not hang
+  const Vec2d low = table.lowest(), high = table.highest();
+  for (int i = 0; i < enough; ++i) {
+    const Vec2d p = rounded({r.uniform(low.x, high.x), r.uniform(low.y, high.y)}, unit_of(table));
+    if (is_free(b, p)) return p;
+  }
+  return {};
+}
+
+/// Half of all shots are struck in the centre; tenths of natural roll else.
+LaunchSpin draw_spin(Random& r, const Physics& physics) {
+  if (is_straight(physics) || r.chance(0.5)) return {};
+  LaunchSpin s{r.integer(-5, 10) / 10.0, r.integer(-5, 5) / 10.0, 0};
+  if (r.chance(0.1)) s.masse = r.integer(-5, 5) / 10.0;
+  return s;
+}
+
+Wish::Kind kind_of(const Puzzle& p) {
+  if (std::holds_alternative<PocketTarget>(p.target)) return Wish::Kind::pocket;
+  const auto asked = arrival_range(p);
+  return asked && asked->high == 0 ? Wish::Kind::stop : Wish::Kind::pass;
+}
+
+/// Numbers as a person would write them, and defaults where they do.
+void tidy(Puzzle& p) {
+  constexpr double tenth = 0.1;
+  const bool stops = kind_of(p) == Wish::Kind::stop;
+  if (auto* point = std::get_if<PointTarget>(&p.target)) {
+    const double unit = unit_of(p.table);
+    *point = {rounded(point->at, unit), std::min(point->within, 10 * unit)};  // the default on any table one can play on
+  }
+  const auto in_tenths = [&](double v) { return std::max(tenth, rounded(v, tenth)); };
+  const Puzzle plain;
+  if (is_ideal(p.physics) || !p.speed.fixed()) p.speed = plain.speed;
+  else p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
+  if (p.arrive && !stops && std::holds_alternative<PointTarget>(p.target)) p.arrive = Range{in_tenths(p.arrive->low), in_tenths(p.arrive->low)};
+  else p.arrive.reset();
+}
+
+/// A question about a shot drawn at random; none when it has other bounces, or falls into another pocket:
+/// most drop into the middle ones.
+std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& boundary, int pocket) {
+  const auto at = free_place(r, boundary, w.table);
+  if (!at) return {};
+  ShotRequest shot{.table = w.table, .physics = w.physics, .ball = w.ball};
+  shot.ball.at = *at;
+  shot.spin = draw_spin(r, w.physics);
+  shot.launch = {r.log_uniform(0.3, 8), radians(r.uniform(0, 360))};
+  const int n = r.integer(w.cushions.min, w.cushions.max);
+  shot.until.cushions = n + 1;
+  auto asked = ask(r, shot, simulate(shot), n, n);
+  if (!asked) return {};
+  const auto* drop = std::get_if<PocketTarget>(&asked->puzzle.target);
+  if (drop && drop->pocket != pocket) return {};
+  asked->puzzle.cushions = CushionRule::exactly(n);
+  return asked->puzzle;
+}
+
+/// A ball and a target drawn at random, for a sequence that hardly any drawn shot would have.
+std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boundary) {
+  const auto at = free_place(r, boundary, w.table), target = free_place(r, boundary, w.table);
+  if (!at || !target) return {};
+  Puzzle p{.table = w.table, .physics = w.physics, .ball = w.ball};
+  p.ball.at = *at;
+  p.spin = draw_spin(r, w.physics);
+  p.cushions = w.cushions;
+  p.target = PointTarget{*target};
+  const auto pockets = static_cast<int>(w.table.pockets.size());
+  if (pockets > 0 && r.chance(0.5)) p.target = PocketTarget{r.integer(0, pockets - 1)};
+  else if (r.chance(0.5)) p.arrive = Range{0.5, 0.5};
+  return p;
+}
+
+/// Valid as it is written, and worth asking: the target is a fifth of the diagonal away or more.
+bool is_sound(const Puzzle& p) {
+  try {
+    validate(p);
+  } catch (const InvalidInput&) {
+    return false;
+  }
+  constexpr double near = 0.2;
+  const auto* point = std::get_if<PointTarget>(&p.target);
+  const Vec2d target = point ? point->at : p.table.pockets[static_cast<std::size_t>(std::get<PocketTarget>(p.target).pocket.value())].at;
+  return norm(target - p.ball.at) >= near * p.table.diagonal();
+}
+
+/// A drawn target often has no shot, and to be sure of that costs far more than to find one.
+bool has_quick_shot(Puzzle p) {
+  constexpr long quick = 2000;  // simulations
+  p.budget = std::min(p.budget, quick);
+  return solve(p, {.robustness = false, .suggest = false}).status == Status::solved;
+}
+
+}  // namespace
+
+Random::Random(std::uint64_t seed, std::uint64_t number) : engine_(0) {
+  const auto half = [](std::uint64_t x, int which) { return static_cast<std::uint32_t>(x >> (32 * which)); };
+  std::seed_seq sequence{half(seed, 0), half(seed, 1), half(number, 0), half(number, 1)};
+  engine_.seed(sequence);
+}
+
+double Random::uniform(double low, double high) {
+  return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+}
+
+double Random::log_uniform(double low, double high) {
+  return std::exp(uniform(std::log(low), std::log(high)));
+}
+
+int Random::integer(int low, int high) {
+  return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+}
+
+std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory& t, int least, int most) {
+  Question q{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};
+  Puzzle& p = q.puzzle;
+  const Record& last = t.events.back();
+  double arrival = 0;
+  if (t.legs.empty()) return {};
+  if (t.end == Trajectory::End::pocketed) {
+    p.target = PocketTarget{t.events[t.events.size() - 2].index};
+    q.bounces = t.cushions;
+    arrival = norm(last.state.velocity);
+  } else if (t.end == Trajectory::End::rest && r.chance(0.5)) {
+    p.target = PointTarget{last.state.at};
+    q.bounces = t.cushions;
+  } else {
+    const auto leg = static_cast<std::size_t>(r.integer(0, static_cast<int>(t.legs.size()) - 1));
+    const Leg& l = t.legs[leg];
+    const double time = l.duration * (r.chance(0.2) ? 1.0 : r.uniform(0.05, 1));
+    p.target = PointTarget{l.arc.position(time)};
+    q.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(), [&](const Record& e) {
+      return e.kind == Record::Kind::cushion && e.time <= l.begin;
+    }));
+    arrival = norm(l.arc.velocity_at(time));
+    if (!(arrival > 1e-3)) return {};
+  }
+  if (q.bounces < least || q.bounces > most) return {};
+  p.speed = {shot.launch.speed / 2, shot.launch.speed * 2};
+  const bool ideal = is_ideal(shot.physics), stops = !ideal && arrival == 0;
+  if (!stops && r.chance(0.5)) p.speed = {shot.launch.speed, shot.launch.speed};
+  else if (!ideal && !stops) p.arrive = Range{arrival, arrival};
+  std::vector<int> contacts = t.sequence();
+  contacts.resize(static_cast<std::size_t>(q.bounces));
+  p.cushions = starts_into_cushion(t) || r.chance(0.5) ? CushionRule::in_order(contacts) : CushionRule::exactly(q.bounces);
+  return q;
+}
+
+const char* name(Difficulty d) {
+  constexpr const char* names[] = {"easy", "medium", "hard"};
+  return names[static_cast<int>(d)];
+}
+
+Difficulty difficulty(const Shot& shot) {
+  const auto side = [](const std::optional<double>& m) { return m ? std::abs(*m) : radians(180); };
+  const double margin = std::min(side(shot.margin.value().angle[0]), side(shot.margin->angle[1])), success = shot.success.value();
+  if (success < hard_success || margin < hard_margin) return Difficulty::hard;
+  return success >= easy_success && margin >= easy_margin ? Difficulty::easy : Difficulty::medium;
+}
+
+std::string Tries::text() const {
+  if (no_room) return "the table has no free place for the ball";
+  std::string out = fmt::format("{} shots drawn, {} with the bounces and the target wished and solved for", draws, solved);
+  if (no_shot) out += fmt::format("; {} had no exact shot", no_shot);
+  if (other_difficulty) out += fmt::format("; {} had another difficulty", other_difficulty);
+  if (not_unique) out += fmt::format("; {} had more than one shot", not_unique);
+  return out;
+}
+
+std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
+  Tries own;
+  Tries& tries = counts ? *counts : own;
+  const Boundary boundary(w.table, w.ball.radius);
+  Random look(1);
+  tries.no_room = !free_place(look, boundary, w.table);
+  if (tries.no_room) return {};
+  int pocket = 0;
+  while (tries.solved < w.tries && tries.draws < draws_a_try * w.tries) {
+    constexpr long patience = 1000;  // draws for one pocket, which may have no such shot
+    if (tries.draws++ % patience == 0) pocket = r.integer(0, std::max(0, static_cast<int>(w.table.pockets.size()) - 1));
+    auto p = w.cushions.sequence ? from_target(r, w, boundary) : from_shot(r, w, boundary, pocket);
+    if (!p) continue;
+    tidy(*p);
+    if ((w.kind && kind_of(*p) != *w.kind) || !is_sound(*p)) continue;
+    ++tries.solved;
+    if (w.cushions.sequence && !has_quick_shot(*p)) {
+      ++tries.no_shot;
+      continue;
+    }
+    Answer a = solve(*p, {.suggest = false});
+    const bool exact = a.status == Status::solved && a.shots.front().miss <= tolerance::exact_miss * boundary.diagonal;
+    if (!exact) {
+      ++tries.no_shot;
+    } else if (w.difficulty && difficulty(a.shots.front()) != *w.difficulty) {
+      ++tries.other_difficulty;
+    } else if (w.unique && solve(*p, {.all = true, .robustness = false}).shots.size() != 1) {
+      ++tries.not_unique;
+    } else {
+      return Generated{std::move(*p), std::move(a)};
+    }
+  }
+  return {};
+}
+
+}  // namespace bankshot

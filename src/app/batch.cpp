@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <thread>
+
+#include "app/batch_pipeline.hpp"
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "app/interrupt.hpp"
+
+namespace bankshot::app {
+namespace {
+
+constexpr int by_signal = 128;  ///< exit codes above: ended by this signal
+
+struct Arguments {
+  std::string file, output = "-", cost;
+  SolveFlags flags;
+  int threads = 0;
+  bool resume = false, quiet = false, json = true;
+};
+
+std::string without_time(std::string line) {
+  const std::size_t begin = line.find("\"time_us\":"), end = line.find(',', begin);
+  return begin == std::string::npos || end == std::string::npos ? line : line.erase(begin, end - begin);
+}
+
+/// Whether an output without a journal is all of the answer already: as many lines, and those of the
+/// first and the last chunk are what this input and these flags give.
+bool finished(LineReader& in, const Arguments& a) {
+  LineReader out(a.output, true);
+  Lines asked, told;
+  const auto same = [&] {
+    if (asked.lines.size() != told.lines.size()) return false;
+    for (std::size_t i = 0; i < asked.lines.size(); ++i)
+      if (without_time(answer_line(asked.line(i), a.flags)) != without_time(std::string(told.line(i)))) return false;
+    return true;
+  };
+  const auto next = [](LineReader& reader, Lines& lines) {
+    Lines more;
+    if (!reader.next(more)) return false;
+    lines = std::move(more);
+    return true;
+  };
+  if (!in.next(asked) || !out.next(told) || !same()) return false;
+  while (next(in, asked)) {}
+  while (next(out, told)) {}
+  return asked.after.lines == told.after.lines && same();
+}
+
+/// How far an earlier run had come, checked and with the output cut to it.
+Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::string& path) {
+  journal.check_same();
+  const auto mark = journal.last(out.size());
+  if (!mark) {
+    journal.begin();
+    out.cut(0);
+    return {};
+  }
+  if (!in.skip(mark->read) && !interrupted())
+    throw FileError(fmt::format("{}: this batch was begun with another input: its first {} lines differ", Journal::path_for(path), mark->read.lines));
+  out.cut(mark->written);
+  journal.go_on(*mark);
+  return *mark;
+}
+
+/// A new output; the answers of a run that was cut off are not thrown away unasked.
+Journal::Mark begin(Journal& journal, Output& out) {
+  if (const auto mark = journal.last(out.size()); mark && out.size() > 0)
+    throw FileError(fmt::format("{} holds the first {} answers of a batch that was cut off: --resume goes on with it; remove it to begin again",
+                                out.name(), grouped(mark->read.lines)));
+  journal.begin();
+  out.cut(0);
+  return {};
+}
+
+void write_cost(const Arguments& a, const Cost& cost, const Journal::Mark& at, long kept, const Progress& progress) {
+  if (!a.cost.empty()) write_file(a.cost, cost_csv(cost, at.tally, kept, progress));
+}
+
+int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal, const Journal::Mark& from) {
+  const long kept = from.read.lines;
+  Progress progress(kept, in.share(), !a.quiet && isatty(STDERR_FILENO) == 1);
+  Cost cost;
+  Batch batch{in, out, journal, a.flags, a.threads, progress, from, a.cost.empty() ? nullptr : &cost};
+  const std::string how_to_go_on = journal ? "; the same command with --resume goes on" : "";
+  try {
+    run_pipeline(batch);
+    if (!interrupted()) {
+      if (out.gzip() && out.written() == 0) out.write(gzipped(""));  // an empty file is no gzip file
+      out.finish();
+    }
+  } catch (const FileError& e) {
+    progress.clear();
+    if (journal) out.cut_quietly(batch.at.written);
+    throw WriteError(fmt::format("{}; answers written: {}{}", e.what(), grouped(batch.at.read.lines), how_to_go_on));
+  }
+  progress.clear();
+  if (interrupted()) {
+    if (!a.quiet) std::cerr << fmt::format("bankshot: interrupted after {} puzzles{}\n", grouped(batch.at.read.lines), how_to_go_on);
+    return by_signal + interrupted();
+  }
+  if (journal) journal->remove();
+  if (!a.quiet) std::cerr << closing_line(batch.at.tally, kept, progress);
+  write_cost(a, cost, batch.at, kept, progress);
+  return done;
+}
+
+int run(Arguments a) {
+  if (a.flags.options.planner == "list") return list_planners();
+  check_planner(a.flags.options.planner);
+  if (a.threads == 0) a.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");
+  const Interrupts watch;
+  LineReader in(a.file, a.output.ends_with(".gz"));
+  Output out(a.output);
+  if (a.resume && !out.regular()) throw FileError(fmt::format("{}: is no file that can be gone on with", a.output));
+  if (in.same_file(out.descriptor())) throw FileError(fmt::format("{}: is the input too, and would be overwritten", a.output));
+  if (!out.regular()) return run_batch(a, in, out, nullptr, {});
+  const std::string progress_file = Journal::path_for(a.output);
+  if (a.resume && out.size() > 0 && !std::filesystem::exists(progress_file)) {
+    const bool whole = finished(in, a);
+    if (interrupted()) return by_signal + interrupted();
+    if (!whole)
+      throw FileError(fmt::format("{}: cannot be gone on with: {} is missing, and it is not all of the answer to this input with these flags",
+                                  a.output, progress_file));
+    if (!a.quiet) std::cerr << a.output << ": is whole already\n";
+    return done;
+  }
+  Journal journal(a.output, a.flags.words(), in.identity());
+  const Journal::Mark from = a.resume ? go_on(journal, in, out, a.output) : begin(journal, out);
+  return run_batch(a, in, out, &journal, from);
+}
+
+}  // namespace
+
+Run add_batch(CLI::App& app) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("batch", "Solve many puzzles, one a line");
+  command->footer(
+      "Each line is answered by one line, in order; one that is no puzzle is answered \"invalid\". While a batch runs, SHOTS.jsonl.progress\n"
+      "stands beside its output: after a kill, a full disk or Ctrl-C the same command with --resume checks the input and the flags against it\n"
+      "and goes on; a few hundred puzzles are solved again at most. A packed output is a row of gzip members of 64 lines.");
+  command->add_option("puzzles", a->file, "A puzzle in JSON on each line; - reads standard input, *.gz is unpacked")->required();
+  command->add_option("-o,--output", a->output, "Write the answers here, one a line; *.gz is packed")->capture_default_str();
+  command->add_option("-j,--threads", a->threads, "Threads; 0: one for each core")->capture_default_str()->check(CLI::Range(0, 1024));
+  command->add_flag("--resume", a->resume, "Go on where an earlier run of this command was cut off");
+  command->add_flag("--quiet", a->quiet, "Nothing on standard error but errors");
+  add_solve_flags(*command, a->flags);
+  command->add_flag("--json", a->json, "Answers are JSON with or without it");
+  command->add_option("--cost", a->cost, "Write where the time went to this file (CSV)")->check(file_name);
+  const auto no_picture = [](const std::string&) { throw CLI::ValidationError("--svg", "a batch draws no pictures; bankshot solve --svg draws one"); };
+  command->add_option_function<std::string>("--svg", no_picture)->group("");
+  return [a] { return run(*a); };
+}
+
+}  // namespace bankshot::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Lines in, answers out: chunks of lines are read one after another, worked on by several threads at
+// once, and written in the order they were read. A bounded number of chunks is under way, so memory
+// does not grow with the input.
+#pragma once
+
+#include "app/batch_journal.hpp"
+#include "app/batch_lines.hpp"
+#include "app/batch_output.hpp"
+#include "app/batch_tally.hpp"
+#include "app/solve_flags.hpp"
+
+namespace bankshot::app {
+
+struct Batch {
+  LineReader& in;
+  Output& out;
+  Journal* journal;  ///< none where the output cannot be gone on with
+  const SolveFlags& flags;
+  int threads;
+  Progress& progress;
+  Journal::Mark at;    ///< how far it has come
+  Cost* cost = nullptr;  ///< filled where given
+};
+
+/// Runs until the end of the input, an interrupt, or an error, which it throws once what was under
+/// way is written. `batch.at` then says how far the output is whole.
+void run_pipeline(Batch& batch);
+
+/// The answer to one line, as `solve --json` prints it.
+std::string answer_line(std::string_view line, const SolveFlags& flags);
+
+}  // namespace bankshot::app

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// bankshot map: from where on the table can this shot be made?
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "bankshot/draw/map.hpp"
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/plan/start_map.hpp"
+#include "bankshot/scene/json.hpp"
+
+namespace bankshot::app {
+namespace {
+
+struct Arguments {
+  std::string file;
+  std::array<int, 2> grid{};
+  std::vector<std::string> out;
+  long budget = -1;
+  bool no_robustness = false;
+};
+
+/// All of them, in their order, on all cores.
+std::vector<Answer> answers(const std::vector<Puzzle>& puzzles, const SolveOptions& options) {
+  std::vector<Answer> out(puzzles.size());
+  tbb::parallel_for(std::size_t{0}, puzzles.size(), [&](std::size_t i) { out[i] = solve(puzzles[i], options); });
+  return out;
+}
+
+StartMap map_of(const Puzzle& puzzle, const Arguments& a) {
+  StartMap map{StartGrid(puzzle, a.grid[0], a.grid[1]), {}, {}};
+  const Boundary boundary(puzzle.table, puzzle.ball.radius);
+  std::vector<Puzzle> asked;
+  for (std::size_t i = 0; i < map.grid.size(); ++i) {
+    map.starts.push_back(start_at(puzzle, boundary, map.grid.at(i)));
+    if (map.starts.back() != Start::legal) continue;
+    asked.push_back(puzzle);
+    asked.back().ball.at = map.grid.at(i);
+  }
+  std::vector<Answer> found = answers(asked, {.robustness = !a.no_robustness, .suggest = false});
+  auto next = found.begin();
+  for (const Start start : map.starts) map.answers.push_back(start == Start::legal ? std::move(*next++) : Answer{.status = Status::invalid});
+  return map;
+}
+
+std::string summary(const StartMap& map) {
+  std::array<long, 4> of_start{}, of_status{};
+  const Shot *slowest = nullptr, *safest = nullptr;
+  std::size_t slowest_at = 0, safest_at = 0;
+  for (std::size_t i = 0; i < map.starts.size(); ++i) {
+    ++of_start[static_cast<std::size_t>(map.starts[i])];
+    if (map.starts[i] != Start::legal) continue;
+    ++of_status[static_cast<std::size_t>(map.answers[i].status)];
+    if (map.answers[i].shots.empty()) continue;
+    const Shot& s = map.answers[i].shots.front();
+    if (!slowest || s.launch.speed < slowest->launch.speed) slowest = &s, slowest_at = i;
+    if (s.success && (!safest || *s.success > *safest->success)) safest = &s, safest_at = i;
+  }
+  const auto place = [&](std::size_t i) { return fmt::format("({:.3f}, {:.3f})", map.grid.at(i).x, map.grid.at(i).y); };
+  std::string out = fmt::format("{} starts: {} with a shot, {} without, {} ran out of budget; {} lie in a cushion, {} in a pocket, {} at the target\n", map.starts.size(),
+                                of_status[0], of_status[1], of_status[2], of_start[1], of_start[2], of_start[3]);
+  if (slowest) out += fmt::format("slowest: {:.4g} m/s from {}\n", slowest->launch.speed, place(slowest_at));
+  if (safest) out += fmt::format("most robust: {:.0f} % from {}\n", 100 * *safest->success, place(safest_at));
+  return out;
+}
+
+/// Told before the work.
+std::string picture_or_table(const std::string& path) {
+  if (const std::string bad = file_name(path); !bad.empty()) return bad;
+  return path.ends_with(".svg") || path.ends_with(".csv") ? "" : "\"" + path + "\" must end in .svg or .csv";
+}
+
+int run(const Arguments& a) {
+  const std::string text = read_file(a.file);
+  try {
+    Puzzle puzzle = read_puzzle(text);
+    if (a.budget >= 0) puzzle.budget = a.budget;
+    for (const std::string& path : a.out) write_file(path, "");
+    const StartMap map = map_of(puzzle, a);
+    for (const std::string& path : a.out) write_file(path, path.ends_with(".svg") ? draw(puzzle, map) : to_csv(puzzle, map));
+    print(summary(map));
+    return std::any_of(map.answers.begin(), map.answers.end(), [](const Answer& found) { return found.status == Status::solved; }) ? done : nothing_solved;
+  } catch (const InvalidInput& e) {
+    std::cerr << complaint(a.file, e) << '\n';
+    return bad_input;
+  }
+}
+
+}  // namespace
+
+Run add_map(CLI::App& app) {
+  auto a = std::make_shared<Arguments>();
+  constexpr int most = 10000;  // columns or rows: more is no map any more
+  CLI::App* command = app.add_subcommand("map", "Solve a puzzle from every start on a grid: where can this shot be made from?");
+  command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")->required();
+  command->add_option("--grid", a->grid, "Columns and rows of starts")->required()->check(CLI::Range(1, most));
+  command->add_option("-o", a->out, "Write a heat map (.svg) or a table (.csv) to this file; may be given twice")->required()->allow_extra_args(false)->check(picture_or_table);
+  command->add_option("--budget", a->budget, "Simulations to spend on a start at most")->check(whole_number);
+  command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
+  command->footer(
+      "The grid covers all places of the ball's centre; each start is the middle of a cell. Starts in a cushion,\n"
+      "in a pocket or at the target already are left out and counted. Exit 1: no start has a shot.");
+  return [a] { return run(*a); };
+}
+
+}  // namespace bankshot::app

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// Every claim of an answer, held against a replay in 50 digits.
+// What may differ: a place by `exact_miss` of the diagonal or, where that is more, by what rounding can
+// do under the shot's `condition`; a speed by `exact_speed`; a time by that place at the ball's speed.
+// With mathavan2010 the impacts of the replay are integrated 1e7 times finer than those of the solver.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bankshot/plan/answer.hpp"
+
+namespace bankshot::truth {
+
+enum class Claim {
+  id,         ///< that of the puzzle
+  form,       ///< the answer has what its status says: shots when solved, none when not
+  status,     ///< a puzzle that cannot be read is `invalid`, and no other
+  speed,      ///< launch speed inside the puzzle's bounds [m/s]
+  angle,      ///< aim inside the puzzle's bounds [rad]
+  spin,       ///< the spin asked, or one inside the ranges asked
+  rule,       ///< the cushions are as the puzzle asks
+  cushions,   ///< the ball meets the cushions named, in that order
+  target,     ///< the target is made: nothing is in the way, no other pocket takes the ball
+  centre,     ///< exactly, unless the answer says that it is beside the centre [m]
+  miss,       ///< [m]
+  place,      ///< where it arrives [m]
+  time,       ///< when [s]
+  arrival,    ///< how fast [m/s]
+  asked,      ///< as fast as the puzzle asks [m/s]
+  condition,  ///< by differences in 50 digits [relative]
+  margin,     ///< made just inside, not made just outside [number of ends that are wrong]
+  success,    ///< between 0 and 1, and as 1,000 seeded draws say
+};
+inline constexpr int claims = 18;
+
+std::string_view name(Claim claim);
+std::string_view unit(Claim claim);  ///< of `off` and `allowed`
+
+/// One claim of one shot. It holds when off <= allowed.
+struct Check {
+  Claim claim;
+  double off = 0, allowed = 0;
+  std::string what{};  ///< in words, where it does not hold
+  std::size_t shot = 0;  ///< which of the answer's; 0 is the best
+  bool holds() const { return off <= allowed; }
+};
+
+/// Checks of all shots, in their order. `puzzle` is null where it cannot be read; `id` is its JSON text.
+std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answer& answer);
+
+/// The answer says that its best shot is beside the target's centre.
+bool beside_centre(const Puzzle& puzzle, const Answer& answer);
+
+}  // namespace bankshot::truth

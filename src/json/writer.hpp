@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// JSON text from left to right, without a tree: where a million answers are written, the tree would
+// cost more than the search. Numbers as in document.hpp. Private to the writers.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace bankshot {
+
+class JsonWriter {
+ public:
+  JsonWriter() { out_.reserve(usual); }
+  void open(char bracket) { comma(), out_ += bracket; }
+  void close(char bracket) { out_ += bracket; }
+  /// What follows is the value of this key, which needs no escapes.
+  void key(std::string_view k);
+  void number(double v);  ///< null where it is not finite
+  void integer(long v);
+  void string(std::string_view text);
+  void null() { raw("null"); }
+  void raw(std::string_view json) { comma(), out_ += json; }
+  std::string take() { return std::move(out_); }
+
+  void number(std::string_view k, double v) { key(k), number(v); }
+  void integer(std::string_view k, long v) { key(k), integer(v); }
+  void string(std::string_view k, std::string_view text) { key(k), string(text); }
+
+ private:
+  static constexpr std::size_t usual = 1024;  ///< bytes of an answer with one shot, margin and success
+
+  /// Between two values of a list or two members of an object.
+  void comma() {
+    if (!out_.empty() && std::string_view("{[:").find(out_.back()) == std::string_view::npos) out_ += ',';
+  }
+  std::string out_;
+};
+
+}  // namespace bankshot

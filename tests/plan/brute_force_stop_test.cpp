@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+//
+// All shots that stop at a point against brute force that shares only the simulator with the planners. At each
+// aim a sweep of the speed finds where the ball rests abreast of the point, every change of cushions bisected;
+// where the side on which it then lies changes from one aim to the next is a shot, found by bisection; aims
+// between which other cushions are met are bisected too. By hand, at length: test_plan "[long]"
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/boundary.hpp"
+#include "bankshot/simulate/simulator.hpp"
+#include "support/catch.hpp"
+#include "support/random_puzzle.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+constexpr std::size_t most_cushions = 3;
+
+/// Where a launch comes to rest; seen from there the point lies so far ahead and to the left [m].
+struct Rest {
+  double speed;
+  std::vector<int> contacts;
+  bool rests = false;  ///< after no more cushions than are allowed
+  double ahead = 0, left = 0;
+};
+
+/// One aim: the speeds at which the ball rests abreast of the point.
+struct Aimed {
+  double angle;
+  std::vector<Rest> abreast;
+
+  std::vector<Rest> along(const std::vector<int>& contacts) const {
+    std::vector<Rest> out;
+    for (const Rest& r : abreast)
+      if (r.contacts == contacts) out.push_back(r);
+    return out;
+  }
+};
+
+struct Found {
+  std::vector<int> contacts;
+  double angle, speed;
+};
+
+/// How finely to look.
+struct Fineness {
+  int aims;           ///< around the circle
+  double speed_step;  ///< of ln speed
+  double root;        ///< rad; where the bisection of a root ends
+};
+
+class BruteForce {
+ public:
+  BruteForce(const Puzzle& p, const Fineness& fine)
+      : p_(p), boundary_(p.table, p.ball.radius), target_(std::get<PointTarget>(p.target).at), fine_(fine) {}
+
+  std::vector<Found> run() {
+    Aimed before = aim(0);
+    for (int i = 1; i <= fine_.aims; ++i) {
+      Aimed after = aim(radians(360.0) * i / fine_.aims);
+      between(before, after);
+      before = std::move(after);
+    }
+    return found_;
+  }
+
+ private:
+  Rest launch(double angle, double speed) const {
+    return with_physics(p_.physics, [&](const auto& motion, const auto& cushion) {
+      Rest out{speed, {}};
+      Simulator sim(boundary_, motion, cushion, launched(p_.ball.at, p_.ball.radius, direction(wrap_angle(angle)) * speed, p_.spin));
+      for (;;) {
+        const Event e = sim.step();
+        if (e.kind == EventKind::slide_to_roll) continue;
+        if (e.kind == EventKind::cushion) out.contacts.push_back(e.index);
+        if (out.contacts.size() > most_cushions) return out;
+        if (e.kind == EventKind::cushion) continue;
+        out.rests = e.kind == EventKind::rest;
+        const Vec2d off = target_ - sim.state().at, line = sim.arc().velocity / norm(sim.arc().velocity);
+        out.ahead = dot(line, off);
+        out.left = cross(line, off);
+        return out;
+      }
+    });
+  }
+
+  Aimed aim(double angle) const {
+    Aimed out{angle, {}};
+    const int steps = static_cast<int>(std::ceil(std::log(p_.speed.high / p_.speed.low) / fine_.speed_step));
+    Rest slow = launch(angle, p_.speed.low);
+    for (int i = 1; i <= steps; ++i) {
+      Rest fast = launch(angle, p_.speed.low * std::pow(p_.speed.high / p_.speed.low, static_cast<double>(i) / steps));
+      speeds(angle, slow, fast, out);
+      if (!slow.rests && !fast.rests) break;  // ever more cushions
+      slow = std::move(fast);
+    }
+    return out;
+  }
+
+  /// Finds a speed between two where the ball rests abreast of the point.
+  void speeds(double angle, const Rest& slow, const Rest& fast, Aimed& out) const {
+    const double finest = fine_.root;  // of the speed
+    if (slow.contacts == fast.contacts) {
+      if (!slow.rests || !fast.rests || (slow.ahead > 0) == (fast.ahead > 0)) return;
+      Rest a = slow, b = fast;
+      for (int i = 0; i < 60 && b.speed - a.speed > 1e-3 * fine_.root * b.speed; ++i) {
+        Rest m = launch(angle, (a.speed + b.speed) / 2);
+        if (m.contacts != a.contacts) return speeds(angle, m, b, out);  // other cushions in between
+        ((m.ahead > 0) == (a.ahead > 0) ? a : b) = std::move(m);
+      }
+      out.abreast.push_back(a);
+      return;
+    }
+    if ((!slow.rests && !fast.rests) || fast.speed - slow.speed < finest * fast.speed) return;
+    const Rest middle = launch(angle, (slow.speed + fast.speed) / 2);
+    speeds(angle, slow, middle, out);
+    speeds(angle, middle, fast, out);
+  }
+
+  static bool alike(const Aimed& a, const Aimed& b) {
+    return std::equal(a.abreast.begin(), a.abreast.end(), b.abreast.begin(), b.abreast.end(), [](const Rest& x, const Rest& y) { return x.contacts == y.contacts; });
+  }
+
+  void between(const Aimed& a, const Aimed& b) {
+    const double finest = 100 * fine_.root;
+    if (!alike(a, b) && b.angle - a.angle > finest) {
+      const Aimed middle = aim((a.angle + b.angle) / 2);
+      between(a, middle);
+      between(middle, b);
+      return;
+    }
+    for (std::size_t i = 0; i < a.abreast.size(); ++i) {
+      const auto& contacts = a.abreast[i].contacts;
+      if (i > 0 && a.abreast[i - 1].contacts == contacts) continue;
+      const auto from = a.along(contacts), to = b.along(contacts);
+      for (std::size_t k = 0; k < from.size() && from.size() == to.size(); ++k)
+        if ((from[k].left > 0) != (to[k].left > 0)) root(a, b, contacts, k);
+    }
+  }
+
+  void root(const Aimed& a, const Aimed& b, const std::vector<int>& contacts, std::size_t k) {
+    constexpr double jump = 1e3;  // m/rad: nothing moves faster with the aim
+    double low = a.angle, high = b.angle;
+    const bool left = a.along(contacts)[k].left > 0;
+    Rest last = a.along(contacts)[k];
+    while (high - low > fine_.root) {
+      const Aimed m = aim((low + high) / 2);
+      const auto now = m.along(contacts);
+      if (k >= now.size()) return;
+      last = now[k];
+      ((last.left > 0) == left ? low : high) = m.angle;
+    }
+    if (std::abs(last.left) < jump * fine_.root) found_.push_back({contacts, low, last.speed});  // else a jump, no root
+  }
+
+  const Puzzle& p_;
+  Boundary boundary_;
+  Vec2d target_;
+  Fineness fine_;
+  std::vector<Found> found_;
+};
+
+void compare(int puzzles, const Fineness& fine) {
+  constexpr std::uint64_t seed = 29;
+  test::Random random(seed);
+  std::size_t by_force = 0, missed = 0, all_shots = 0;
+  for (int i = 0; i < puzzles; ++i) {
+    const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1);
+    const auto place = [&] { return Vec2d{random.uniform(0.05, length - 0.05), random.uniform(0.05, width - 0.05)}; };
+    Puzzle p{.table = rectangle_table(length, width), .physics = spin_physics()};
+    p.ball.at = place();
+    p.target = PointTarget{place()};
+    p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+    p.cushions = {.min = 0, .max = static_cast<int>(most_cushions)};
+    p.speed = {0.15, 4 * std::sqrt(length)};
+    p.budget = 10000000;
+    const std::vector<Shot> all = solve(p, {.all = true, .robustness = false}).shots;
+    all_shots += all.size();
+    for (const Found& f : BruteForce(p, fine).run()) {
+      const auto same = [&](const Shot& x) {
+        const double turned = wrap_angle(x.launch.angle - f.angle + radians(180)) - radians(180);
+        return x.cushions == f.contacts && std::abs(turned) < 10 * fine.root && std::abs(x.launch.speed - f.speed) < 1000 * fine.root * f.speed;
+      };
+      ++by_force;
+      if (std::any_of(all.begin(), all.end(), same)) continue;
+      ++missed;
+      UNSCOPED_INFO("puzzle " << i << " of seed " << seed << ": " << f.contacts.size() << " cushions at " << degrees(f.angle) << " degrees, " << f.speed << " m/s");
+    }
+  }
+  INFO(missed << " of " << by_force << " shots missed, planner found " << all_shots);
+  CHECK(by_force > 10 * static_cast<std::size_t>(puzzles));
+  CHECK(missed == 0);
+  if (puzzles > 20) WARN(missed << " of " << by_force << " shots missed; the planner found " << all_shots);
+}
+
+}  // namespace
+
+TEST_CASE("all shots that stop at a point are those of brute force") { compare(20, {.aims = 360, .speed_step = 0.1, .root = 1e-6}); }
+
+TEST_CASE("all shots that stop at a point are those of brute force, at length", "[.][long]") { compare(200, {.aims = 18000, .speed_step = 0.03, .root = 1e-8}); }
