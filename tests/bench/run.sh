@@ -64,7 +64,7 @@ cp build/report/figures/*.svg examples/figures/
 for csv in build/report/*.csv; do
   case $csv in *-shots.csv | *-puzzles.csv) ;; *) cp "$csv" "$out/" ;; esac
 done
-sed -e 's| \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)||g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
+sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 {
   echo "# $(grep -m1 'model name' /proc/cpuinfo | cut -d: -f2- | xargs), $(nproc) cores, $(c++ --version | head -n1), commit $(git rev-parse --short HEAD)"
 } >"$out/machine.txt"

@@ -168,11 +168,11 @@ Section conditioning(const Settings& settings, Progress& progress) {
   s.figure.columns = 2;
   s.caption = fmt::format(
       "Decimal digits lost, of the sixteen of a double: medians of {} shots with 10–90 % bands. Parted: the events are no longer those "
-      "of 50 digits, so there is no error to measure.",
+      "of 50 digits, so there is no error to measure. A curve ends where no shot met more cushions.",
       shots);
   s.conclusion = fmt::format(
       "The error is at most {:.0f} % of what κ allows, and half of the shots keep the nine digits of an exact answer through 20 "
-      "cushions{}{}.",
+      "cushions, or as many as they meet{}{}.",
       100 * worst, weak.empty() ? " in every scene" : ", but ", weak);
   s.data = {{s.name, medians}, {s.name + "-shots", csv}};
   return s;
