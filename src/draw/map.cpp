@@ -78,7 +78,7 @@ std::string draw(const Puzzle& p, const StartMap& m) {
     const double part = i / 4.0;
     chance.push_back({fmt::format("{:.0f} %", 100 * part), colour(part)});
     // Slow is light: both maps are light where a player would like to be. Evenly in ln speed.
-    if (fastest > 0) speed.push_back({fmt::format("{:.3g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
+    if (i == 0 ? fastest > 0 : fastest > slowest) speed.push_back({fmt::format("{:.3g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
   }
   Chapter page{"", "", {}};
   if (success)

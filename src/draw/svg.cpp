@@ -235,10 +235,11 @@ std::string draw(const Puzzle& puzzle, const Answer& answer) {
 std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend, const std::string& title) {
   Canvas c(puzzle.table);
   draw_table(c);
-  c.add(R"(<g shape-rendering="crispEdges">)");  // no cloth shines through between two cells
+  constexpr double seam = 0.5;  // px more than its size: no cloth shines through between two cells
+  c.add(R"(<g shape-rendering="crispEdges">)");
   for (const Cell& cell : cells) {
     const Vec2d a = c.at({cell.low.x, cell.high.y}), b = c.at({cell.high.x, cell.low.y});
-    c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a.x, a.y, b.x - a.x, b.y - a.y, cell.fill);
+    c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a.x, a.y, b.x - a.x + seam, b.y - a.y + seam, cell.fill);
   }
   c.add("</g>");
   for (const Cell& cell : cells) {
