@@ -46,7 +46,7 @@ double least_between(Search& s, double angle, double low, double high) {
 void at_angle(Search& s, double angle) {
   const CushionRule& rule = s.puzzle.cushions;
   const auto certify_at = [&](double speed) {
-    for (int n = rule.min; n <= rule.max && !s.spent(); ++n) certify(s, {speed, angle}, n, "sweep");
+    for (int n = rule.min; n <= rule.max && !s.spent(); ++n) certify(s, {speed, angle}, n, "along");
   };
   if (s.one_unknown()) return certify_at(fixed_speed(s));
   const Range& v = s.puzzle.speed;

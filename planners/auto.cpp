@@ -22,7 +22,7 @@ bool settled(const Search& s) {
 void beside_centre(Search& s) {
   const std::vector<Search::Lead> leads = std::move(s.leads);
   s.leads.clear();
-  for (std::size_t i = 0; i < leads.size() && s.shots.empty() && !s.spent(); ++i) reach_part(s, leads[i], "sweep");
+  for (std::size_t i = 0; i < leads.size() && s.shots.empty() && !s.spent(); ++i) reach_part(s, leads[i], "part");
 }
 
 /// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets

@@ -27,7 +27,7 @@ constexpr double narrowest = 1e-4;  // rad; where the bisection between two sequ
 
 class Map {
  public:
-  Map(Search& s, const Spacing& spacing) : s_(s), cell_(spacing) {}
+  Map(Search& s, const Spacing& spacing, std::string_view planner) : s_(s), cell_(spacing), planner_(planner) {}
 
   void run() {
     const Range around = s_.puzzle.angle.value_or(Range{0, radians(360)});
@@ -107,7 +107,7 @@ class Map {
 
   void add(const LockedAim& aim, const Launch& root, std::size_t aim_point) {
     roots_.push_back({{aim.contacts.begin(), aim.contacts.end()}, aim_point, root});
-    certify_root(s_, aim, root, "sweep");
+    certify_root(s_, aim, root, planner_);
     if (s_.all) across_fold(aim, root, aim_point);
   }
 
@@ -175,6 +175,7 @@ class Map {
 
   Search& s_;
   Spacing cell_;
+  std::string_view planner_;
   Forward forward_{};
   std::vector<Root> roots_{};
   std::vector<Search::Lead> leads_{};
@@ -182,7 +183,7 @@ class Map {
 
 }  // namespace
 
-void map(Search& s, const Spacing& spacing) { Map(s, spacing).run(); }
-void fan_out(Search& s, const Spacing& spacing) { Map(s, spacing).fan_out(); }
+void map(Search& s, const Spacing& spacing) { Map(s, spacing, "sweep").run(); }
+void fan_out(Search& s, const Spacing& spacing) { Map(s, spacing, "fan").fan_out(); }
 
 }  // namespace bankshot::planning

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/batch_output.hpp"
+#include "app/batch/output.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/batch_pipeline.hpp"
+#include "app/batch/pipeline.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

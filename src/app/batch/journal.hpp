@@ -10,8 +10,8 @@
 #include <optional>
 #include <string>
 
-#include "app/batch_lines.hpp"
-#include "app/batch_tally.hpp"
+#include "app/batch/lines.hpp"
+#include "app/batch/tally.hpp"
 
 namespace bankshot::app {
 

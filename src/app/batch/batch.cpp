@@ -7,7 +7,7 @@
 #include <iostream>
 #include <thread>
 
-#include "app/batch_pipeline.hpp"
+#include "app/batch/pipeline.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/interrupt.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/batch_tally.hpp"
+#include "app/batch/tally.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/batch_lines.hpp"
+#include "app/batch/lines.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

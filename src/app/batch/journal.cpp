@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/batch_journal.hpp"
+#include "app/batch/journal.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -5,10 +5,10 @@
 // does not grow with the input.
 #pragma once
 
-#include "app/batch_journal.hpp"
-#include "app/batch_lines.hpp"
-#include "app/batch_output.hpp"
-#include "app/batch_tally.hpp"
+#include "app/batch/journal.hpp"
+#include "app/batch/lines.hpp"
+#include "app/batch/output.hpp"
+#include "app/batch/tally.hpp"
 #include "app/solve_flags.hpp"
 
 namespace bankshot::app {
