@@ -106,11 +106,14 @@ std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_vi
   if (auto* point = std::get_if<PointTarget>(&plain.target)) point->within = PointTarget{}.within;
   const Json said = question_json(p), untold = question_json(plain);
   Json j{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
+  const auto same = [](const Json& said_so, const Json& otherwise, const std::string& key) {
+    return otherwise.contains(key) && otherwise.at(key) == said_so.at(key);
+  };
   for (const auto& [key, value] : said.items())
-    if (value != untold[key] || key == "ball" || key == "target" || key == "cushions") j[key] = value;
+    if (key == "ball" || key == "target" || key == "cushions" || !same(said, untold, key)) j[key] = value;
   for (const char* key : {"ball", "target"})
-    for (const auto& [inner, value] : said[key].items())
-      if (inner != "at" && inner != "point" && inner != "pocket" && value == untold[key][inner]) j[key].erase(inner);
+    for (const auto& [inner, value] : said.at(key).items())
+      if (inner != "at" && inner != "point" && inner != "pocket" && same(said.at(key), untold.at(key), inner)) j[key].erase(inner);
   if (j["ball"].contains("spin"))
     for (const char* key : {"top", "side", "masse"})
       if (j["ball"]["spin"][key] == 0) j["ball"]["spin"].erase(key);
