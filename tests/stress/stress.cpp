@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
+#include <map>
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
@@ -28,6 +29,12 @@ struct Tally {
   double worst_miss = 0;  // of the diagonal
   double worst_speed = 0, us = 0;
 
+  std::map<std::string, long> found_by{};  ///< the step that found the best shot
+  std::string steps() const {
+    std::string out;
+    for (const auto& [step, times] : found_by) out += fmt::format("{}{} {}", out.empty() ? "" : "; ", step, times);
+    return out;
+  }
   long plain_unsolved() const { return puzzles - solved - hard_unsolved; }
   bool clean() const { return plain_unsolved() == 0 && wrong == 0 && hard_unsolved <= std::max(1L, hard / 1000); }
 };
@@ -86,6 +93,7 @@ void one(test::Random& random, test::Family family, test::Model model, int bounc
   }
   ++t.solved;
   const Shot& shot = a.shots.front();
+  ++t.found_by[std::string(shot.planner)];
   const double miss = shot.miss / made.puzzle.table.diagonal();
   if (miss > 1e-9) {
     ++t.off_centre;
@@ -129,7 +137,7 @@ int main(int argc, char** argv) {
   bool clean = true;
   if (csv)
     std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_"
-                 "diagonal,worst_speed_error,simulations_each,us_each,plain_unsolved,hard,hard_unsolved\n";
+                 "diagonal,worst_speed_error,simulations_each,us_each,plain_unsolved,hard,hard_unsolved,found_by\n";
   for (const test::Family f : test::families) {
     if (family != "all" && family != test::name(f)) continue;
     test::Random random(seed);
@@ -143,12 +151,12 @@ int main(int argc, char** argv) {
       std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved,
                                t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
                                static_cast<double>(t.simulations) / static_cast<double>(t.puzzles),
-                               t.us / static_cast<double>(t.puzzles), t.plain_unsolved(), t.hard, t.hard_unsolved);
+                               t.us / static_cast<double>(t.puzzles), t.plain_unsolved(), t.hard, t.hard_unsolved, t.steps());
     };
-    print(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{},{},{}\n"
+    print(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{},{},{},{}\n"
               : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the pocket's centre), {} unsolved through a "
                 "corner, {} wrong, worst miss {:.2g} of the "
-                "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each; {} plain ones unsolved, of {} hard ones {}\n");
+                "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each; {} plain ones unsolved, of {} hard ones {}; found by {}\n");
     std::cout << std::flush;
     clean = clean && t.clean();
   }
