@@ -27,7 +27,7 @@ measure() {
   measure --count 100000 --physics ideal
   measure --count 100000 --physics rolling
   measure --count 1000000 --physics spin
-  measure --count 4000 --physics mathavan
+  measure --count 100000 --physics mathavan
 } >"$out/stress.csv"
 "$bin/shots" --count 1000000 --seed 1 --truth 10000 --csv >"$out/shots.csv"
 header=yes
