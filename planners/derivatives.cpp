@@ -3,7 +3,6 @@
 
 #include <ceres/jet.h>
 #include <nlopt.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,18 +18,13 @@ namespace {
 
 using Jet = ::ceres::Jet<double, 2>;
 
-double now() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 /// Where the ball rests, less the target [m], as a function of aim and ln speed; counts and keeps the best.
 struct Path {
   const Search& s;
   const std::vector<int>& contacts;
   Vec2d target;
-  double begin = now();
+  double (*clock)();
+  double begin = clock();
   std::vector<Iterate> seen{};
   long simulations = 0;
 
@@ -49,7 +43,7 @@ struct Path {
 
   void note(const Vec2d& off_now) {
     const double miss = norm(off_now), least = seen.empty() ? miss : std::min(miss, seen.back().miss);
-    seen.push_back({simulations, now() - begin, least});
+    seen.push_back({simulations, clock() - begin, least});
   }
 };
 
@@ -119,14 +113,14 @@ void bobyqa_from(Path& p, const Launch& seed) {
 
 }  // namespace
 
-std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d) {
+std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*clock)()) {
   Search s(puzzle, false);
   const std::vector<int>& contacts = *puzzle.cushions.sequence;
   Unfolding images(s, true, restitution(puzzle.physics).at_rest, true);
   while (const auto c = images.next()) {
     const auto speed = speed_at(s, {s, contacts, c->target}, c->angle, c->distance);
     if (!speed) continue;
-    Path path{s, contacts, c->target};
+    Path path{s, contacts, c->target, clock};
     const Launch seed{*speed, c->angle};
     if (d == Derivatives::none)
       bobyqa_from(path, seed);

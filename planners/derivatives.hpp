@@ -16,12 +16,12 @@ enum class Derivatives { dual, forward, central, none };
 
 struct Iterate {
   long simulations;
-  double seconds;  ///< processor time since the start
+  double seconds;  ///< since the start
   double miss;     ///< m, the least so far
 };
 
 /// From the image of a puzzle that gives its sequence and asks the ball to rest at a point; empty where the image gives no
-/// seed. Ends when the miss no longer matters, or after enough steps.
-std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives derivatives);
+/// seed. Ends when the miss no longer matters, or after enough steps. `clock` tells seconds.
+std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives derivatives, double (*clock)());
 
 }  // namespace bankshot::planning

@@ -2,7 +2,6 @@
 //
 // bankshot map: from where on the table can this shot be made?
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "bankshot/draw/map.hpp"
-#include "bankshot/plan/planner.hpp"
+#include "bankshot/plan/batch.hpp"
 #include "bankshot/plan/start_map.hpp"
 #include "bankshot/scene/json.hpp"
 
@@ -27,13 +26,6 @@ struct Arguments {
   bool no_robustness = false;
 };
 
-/// All of them, in their order, on all cores.
-std::vector<Answer> answers(const std::vector<Puzzle>& puzzles, const SolveOptions& options) {
-  std::vector<Answer> out(puzzles.size());
-  tbb::parallel_for(std::size_t{0}, puzzles.size(), [&](std::size_t i) { out[i] = solve(puzzles[i], options); });
-  return out;
-}
-
 StartMap map_of(const Puzzle& puzzle, const Arguments& a) {
   StartMap map{StartGrid(puzzle, a.grid[0], a.grid[1]), {}, {}};
   const Boundary boundary(puzzle.table, puzzle.ball.radius);
@@ -44,7 +36,7 @@ StartMap map_of(const Puzzle& puzzle, const Arguments& a) {
     asked.push_back(puzzle);
     asked.back().ball.at = map.grid.at(i);
   }
-  std::vector<Answer> found = answers(asked, {.robustness = !a.no_robustness, .suggest = false});
+  std::vector<Answer> found = solve_batch(asked, {.solve = {.robustness = !a.no_robustness, .suggest = false}});
   auto next = found.begin();
   for (const Start start : map.starts)
     map.answers.push_back(start == Start::legal ? std::move(*next++) : Answer{.status = Status::invalid});

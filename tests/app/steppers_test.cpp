@@ -31,7 +31,7 @@ double error(const Timed& shot, const Scheme& scheme) {
 /// Shots that roll for a while: a slide alone is a parabola, which the higher orders integrate exactly.
 std::vector<Timed> rolling_shots() {
   constexpr std::size_t enough = 40;
-  Draw draw(11);
+  Random draw(11);
   std::vector<Timed> out;
   while (out.size() < enough) {
     const Timed shot = timed_shot(draw, dragging(), 1);

@@ -10,6 +10,7 @@
 #include <exception>
 #include <memory>
 
+#include "app/clock.hpp"
 #include "app/interrupt.hpp"
 #include "bankshot/plan/batch.hpp"
 #include "bankshot/scene/json.hpp"
@@ -28,10 +29,10 @@ using ChunkPointer = std::shared_ptr<Chunk>;
 /// Adds the CPU time since the last call; a clock that is off costs nothing.
 class Laps {
  public:
-  explicit Laps(bool on) : on_(on), last_(on ? thread_seconds() : 0) {}
+  explicit Laps(bool on) : on_(on), last_(on ? cpu_seconds() : 0) {}
   void add_to(double& part) {
     if (!on_) return;
-    const double now = thread_seconds();
+    const double now = cpu_seconds();
     part += now - std::exchange(last_, now);
   }
 

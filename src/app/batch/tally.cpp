@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
 #include "bankshot/tolerances.hpp"
 
@@ -60,12 +59,6 @@ void Cost::add(const Cost& more) {
   robustness += more.robustness;
   format += more.format;
   write += more.write;
-}
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 Progress::Progress(long kept, double share, bool shown) : kept_(kept), share_before_(std::max(0.0, share)), shown_(shown) {}

@@ -35,9 +35,6 @@ struct Cost {
   void add(const Cost& more);
 };
 
-/// CPU time of this thread, s.
-double thread_seconds();
-
 /// The line that moves: done, share of the input, rate, what is left, share solved.
 class Progress {
  public:

@@ -55,7 +55,7 @@ const Boundary& comparison_table(bool pockets) {
   return pockets ? with_pockets : plain;
 }
 
-Timed timed_shot(Draw& draw, const Physics& physics, int cushions) {
+Timed timed_shot(Random& draw, const Physics& physics, int cushions) {
   for (;;) {
     const Vec2d at{draw.uniform(radius, length - radius), draw.uniform(radius, width - radius)};
     const double speed = draw.log_uniform(1, 8), aim = draw.uniform(0, radians(360));

@@ -8,6 +8,7 @@
 
 #include "app/report/steppers.hpp"
 #include "app/report/measure.hpp"
+#include "bankshot/plan/generate.hpp"
 
 namespace bankshot::app {
 
@@ -34,7 +35,7 @@ struct Timed {
 
 /// A ball with random place, aim, speed and spin; `until` is half way between the `cushions`-th bounce and what
 /// follows.
-Timed timed_shot(Draw& draw, const Physics& physics, int cushions);
+Timed timed_shot(Random& draw, const Physics& physics, int cushions);
 
 /// Ours, in double.
 State<double> by_events(const Boundary& boundary, const Physics& physics, const Timed& shot);

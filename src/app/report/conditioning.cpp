@@ -7,6 +7,7 @@
 
 #include "app/report/sections.hpp"
 #include "app/truth/condition.hpp"
+#include "bankshot/plan/generate.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/tolerances.hpp"
 
@@ -58,7 +59,7 @@ struct Losses {
   double worst_ratio = 0;
 };
 
-State<double> random_start(Draw& draw, const Scene& scene, const Boundary& boundary) {
+State<double> random_start(Random& draw, const Scene& scene, const Boundary& boundary) {
   for (;;) {
     const Vec2d at{draw.uniform(0, 2.54), draw.uniform(0, 1.27)};
     const LaunchSpin spin{is_ideal(scene.physics) ? 0 : draw.uniform(0, 1), is_ideal(scene.physics) ? 0 : draw.uniform(-0.5, 0.5), 0};
@@ -78,7 +79,7 @@ int cushions_met(const truth::Run& run) {
 Losses measure(const Scene& scene, int shots, std::string& csv, Progress& progress) {
   const Boundary boundary(scene.table, radius);
   Losses out;
-  Draw draw(4);
+  Random draw(4);
   for (int shot = 0; shot < shots; ++shot) {
     const State<double> start = random_start(draw, scene, boundary);
     const int met = cushions_met({boundary, scene.physics, start, most_cushions});

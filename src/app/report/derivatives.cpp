@@ -31,8 +31,8 @@ struct Approach {
 Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string& csv) {
   std::vector<std::vector<planning::Iterate>> runs;
   for (const Puzzle& p : puzzles) {
-    auto run = planning::approach(p, way.derivatives);
-    const auto again = planning::approach(p, way.derivatives);
+    auto run = planning::approach(p, way.derivatives, cpu_seconds);
+    const auto again = planning::approach(p, way.derivatives, cpu_seconds);
     for (std::size_t i = 0; i < std::min(run.size(), again.size()); ++i) run[i].seconds = std::min(run[i].seconds, again[i].seconds);
     if (!run.empty()) runs.push_back(std::move(run));
   }

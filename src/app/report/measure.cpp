@@ -2,19 +2,12 @@
 #include "app/report/measure.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <cmath>
 #include <fstream>
 #include <thread>
 
 namespace bankshot::app {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 Spread spread(std::vector<double> numbers) {
   if (numbers.empty()) return {};
@@ -28,13 +21,6 @@ Spread spread(std::vector<double> numbers) {
   };
   return {at(0.1), at(0.5), at(0.9)};
 }
-
-double Draw::uniform(double low, double high) {
-  constexpr int unused_bits = 11;  // a double holds 53
-  return low + (high - low) * static_cast<double>(engine_() >> unused_bits) * 0x1p-53;
-}
-
-double Draw::log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
 
 std::string machine() {
   std::string processor = "unknown processor";

@@ -5,15 +5,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
-namespace bankshot::app {
+#include "app/clock.hpp"
 
-/// Seconds of processor time of this thread.
-double cpu_seconds();
+namespace bankshot::app {
 
 /// Seconds that one call of f takes: the least of three repeats, each as many calls as fill `enough` seconds. One
 /// repeat does for what takes `long_enough`.
@@ -42,17 +39,6 @@ struct Spread {
   double low = 0, median = 0, high = 0;  ///< 10 %, 50 %, 90 %
 };
 Spread spread(std::vector<double> numbers);
-
-/// Seeded draws, the same on every machine.
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double low, double high);
-  double log_uniform(double low, double high);
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// "Processor, cores, compiler, commit".
 std::string machine();

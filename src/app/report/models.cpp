@@ -7,6 +7,7 @@
 
 #include "app/report/compared.hpp"
 #include "app/report/sections.hpp"
+#include "bankshot/plan/generate.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
@@ -40,7 +41,7 @@ struct Question {
   std::vector<int> met;
 };
 
-Question draw_question(Draw& draw, const Physics& fullest, int cushions) {
+Question draw_question(Random& draw, const Physics& fullest, int cushions) {
   const double R = comparison_table().radius;
   for (;;) {
     ShotRequest shot{.table = rectangle_table(2.54, 1.27), .physics = fullest};
@@ -128,7 +129,7 @@ Section models(const Settings& settings, Progress& progress) {
   Panel by_cushions{"miss when played in the fullest model", {"cushions", false, Range{0.5, most_cushions + 0.5}}, {"miss [m]", true}, {}};
   Panel by_cost{"the same against what a shot costs, 1 to 5 cushions", {"processor time per shot [s]", true}, {"miss [m]", true}, {}};
   std::vector<std::vector<Question>> questions;
-  Draw draw(2);
+  Random draw(2);
   for (int n = 1; n <= most_cushions; ++n) {
     questions.emplace_back();
     for (int i = 0; i < settings.shots; ++i) questions.back().push_back(draw_question(draw, all.back().physics, n));

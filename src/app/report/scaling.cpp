@@ -8,6 +8,7 @@
 #include "app/report/compared.hpp"
 #include "app/report/sections.hpp"
 #include "app/truth/condition.hpp"
+#include "bankshot/plan/generate.hpp"
 #include "bankshot/simulate/simulator.hpp"
 
 namespace bankshot::app {
@@ -38,7 +39,7 @@ int run(const Boundary& boundary, const Physics& physics, const State<double>& s
   });
 }
 
-State<double> start_in(Draw& draw, const Boundary& boundary, double size, double speed) {
+State<double> start_in(Random& draw, const Boundary& boundary, double size, double speed) {
   for (;;) {
     const Vec2d at{draw.uniform(0, 2 * size), draw.uniform(0, 2 * size)};
     if (boundary.clearance(at) > 0)
@@ -56,7 +57,7 @@ template <class Seconds>
 Measured sweep(const char* what, const char* name, std::vector<double> xs, int shots, const Seconds& seconds) {
   Measured m{what, name, std::move(xs), {}};
   for (const double x : m.x) {
-    Draw draw(6);
+    Random draw(6);
     std::vector<double> all;
     for (int i = 0; i < shots; ++i)
       if (const double s = seconds(draw, x); s > 0) all.push_back(s);
@@ -69,7 +70,7 @@ Measured sweep(const char* what, const char* name, std::vector<double> xs, int s
 
 Measured by_cushions(const char* name, const Physics& physics, double speed, int shots) {
   const Boundary table(rectangle_table(2.54, 1.27), radius);
-  return sweep("cushions", name, {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}, shots, [&](Draw& draw, double n) {
+  return sweep("cushions", name, {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}, shots, [&](Random& draw, double n) {
     constexpr int tries = 50;
     for (int i = 0; i < tries; ++i) {
       const State<double> start = start_in(draw, table, 1.27, speed);
@@ -90,7 +91,7 @@ Table regular(int edges) {
 }
 
 Measured by_edges(const char* name, const Physics& physics, int shots) {
-  return sweep("edges", name, {3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128}, shots, [&](Draw& draw, double n) {
+  return sweep("edges", name, {3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128}, shots, [&](Random& draw, double n) {
     const Boundary table(regular(static_cast<int>(n)), radius);
     const State<double> start = start_in(draw, table, 1, 5);
     constexpr int cushions = 5;
@@ -102,7 +103,7 @@ Measured by_edges(const char* name, const Physics& physics, int shots) {
 Measured by_length(const char* name, const Physics& physics, std::optional<Scheme> scheme, int shots) {
   constexpr int cushions = 5;
   constexpr double speed = 4, ball = 0.001;
-  Measured m = sweep("length", name, {0.1, 0.3, 1, 3, 10, 30, 100}, shots, [&](Draw& draw, double size) {
+  Measured m = sweep("length", name, {0.1, 0.3, 1, 3, 10, 30, 100}, shots, [&](Random& draw, double size) {
     const Boundary table(rectangle_table(2 * size, size), ball);
     const State<double> start = start_in(draw, table, size, speed);
     truth::Run whole{table, physics, start, cushions};
@@ -117,7 +118,7 @@ Measured by_length(const char* name, const Physics& physics, std::optional<Schem
 
 Measured by_digits(const char* name, const Physics& physics, int shots) {
   const Boundary table(rectangle_table(2.54, 1.27), radius);
-  return sweep("digits", name, {16, 25, 50, 100}, shots, [&](Draw& draw, double digits) {
+  return sweep("digits", name, {16, 25, 50, 100}, shots, [&](Random& draw, double digits) {
     const State<double> start = start_in(draw, table, 1.27, 5);
     constexpr int cushions = 5;
     if (digits == 16) return seconds_of([&] { run(table, physics, start, cushions); });

@@ -9,6 +9,7 @@
 #include "app/report/sections.hpp"
 #include "app/report/troubles.hpp"
 #include "app/truth/condition.hpp"
+#include "bankshot/plan/generate.hpp"
 
 namespace bankshot::app {
 namespace {
@@ -67,7 +68,7 @@ struct Case {
 
 Case draw_case(const Kind& kind, int cushions, int count) {
   Case c{kind, cushions, {}, {}, {}};
-  Draw draw(static_cast<std::uint64_t>(cushions));
+  Random draw(static_cast<std::uint64_t>(cushions));
   for (int i = 0; i < count; ++i) {
     const Timed shot = timed_shot(draw, kind.physics, cushions);
     truth::Run run{comparison_table(), kind.physics, shot.start};

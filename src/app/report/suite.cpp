@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/report/suite.hpp"
+#include "bankshot/plan/generate.hpp"
 
 #include <cmath>
 
@@ -16,7 +17,7 @@ int cushions_of(Level level, int i) {
 }
 
 /// A shot that ends after exactly so many cushions.
-ShotRequest shot_with(Draw& draw, const Physics& physics, int cushions) {
+ShotRequest shot_with(Random& draw, const Physics& physics, int cushions) {
   for (;;) {
     ShotRequest shot{.table = rectangle_table(length, width), .physics = physics};
     shot.ball.at = {draw.uniform(radius, length - radius), draw.uniform(radius, width - radius)};
@@ -37,7 +38,7 @@ const char* name(Level level) {
 }
 
 std::vector<Puzzle> suite(const Physics& physics, Level level, int count) {
-  Draw draw(7 + static_cast<std::uint64_t>(level));
+  Random draw(7 + static_cast<std::uint64_t>(level));
   std::vector<Puzzle> out;
   for (int i = 0; i < count; ++i) {
     const int cushions = cushions_of(level, i);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "app/report/compared.hpp"
+#include "bankshot/plan/generate.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
@@ -59,7 +60,7 @@ Trouble tunnel(const std::vector<Timed>& shots, const Physics& physics) {
 
 /// A ball sent from a random place to within `beside` metres of a point, with a moment `after` seconds later than
 /// it would be there if nothing slowed it.
-Timed towards(Draw& draw, const Vec2d& point, double beside, double after) {
+Timed towards(Random& draw, const Vec2d& point, double beside, double after) {
   const Boundary& table = comparison_table();
   const Vec2d low = table.walls[0].from, high = table.walls[1].to;
   const Vec2d at{draw.uniform(low.x, high.x), draw.uniform(low.y, high.y)};
@@ -71,7 +72,7 @@ Timed towards(Draw& draw, const Vec2d& point, double beside, double after) {
 
 std::vector<Timed> into_corners(const Physics& physics, int count) {
   constexpr double beside = 0.02, after = 0.3;
-  Draw draw(1);
+  Random draw(1);
   std::vector<Timed> out;
   while (static_cast<int>(out.size()) < count) {
     const Boundary& table = comparison_table();
@@ -83,7 +84,7 @@ std::vector<Timed> into_corners(const Physics& physics, int count) {
 
 std::vector<Timed> into_pockets(const Physics& physics, int count) {
   constexpr double after = 1;
-  Draw draw(2);
+  Random draw(2);
   std::vector<Timed> out;
   while (static_cast<int>(out.size()) < count) {
     const Boundary& table = comparison_table(true);
@@ -149,7 +150,7 @@ void add_troubles(const Settings& settings, Section& section, Progress& progress
   constexpr int times_more = 10;  // these runs are short
   const int count = times_more * settings.shots;
   const Physics physics = spin_physics();
-  Draw draw(3);
+  Random draw(3);
   std::vector<Timed> ordinary;
   for (int i = 0; i < count; ++i) ordinary.push_back(timed_shot(draw, physics, 3));
   const std::vector<Timed> corners = into_corners(physics, count), pockets = into_pockets(physics, count);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// The clock of what is measured: work of others on the same machine does not count.
+#pragma once
+
+#include <time.h>
+
+namespace bankshot::app {
+
+/// Seconds of processor time of this thread.
+inline double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace bankshot::app
