@@ -19,27 +19,42 @@ bool settled(const Search& s) {
          (names && !s.shots.empty() && std::all_of(names->begin(), names->end(), [&](int c) { return c < walls; }));
 }
 
-void beside_centre(Search& s) {
-  const std::vector<Search::Lead> leads = std::move(s.leads);
+/// Parts of the targets of new leads; those without a shot are kept in `tried`.
+void beside_centre(Search& s, std::vector<Search::Lead>& tried) {
+  for (Search::Lead& lead : s.leads) {
+    if (!s.shots.empty() || s.spent()) break;
+    reach_part(s, lead, "part");
+    tried.push_back(std::move(lead));
+  }
   s.leads.clear();
-  for (std::size_t i = 0; i < leads.size() && s.shots.empty() && !s.spent(); ++i) reach_part(s, leads[i], "part");
+}
+
+/// The leads that came nearest, until this share of what is left of the budget is used.
+void thoroughly(Search& s, std::vector<Search::Lead>& tried, double share) {
+  const auto until = s.simulations + static_cast<long>(share * static_cast<double>(s.puzzle.budget - s.simulations));
+  std::sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.room < b.room; });
+  for (; !tried.empty() && s.shots.empty() && !s.spent() && s.simulations < until; tried.pop_back())
+    if (tried.back().half > 0) reach_part_thoroughly(s, tried.back(), "part");
 }
 
 /// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets
 /// whose centre something blocks: it often does at a pocket, hardly ever at a point.
 void search_with_spin(Search& s) {
   constexpr Spacing fine{radians(0.7), 0.08}, real{radians(2), 0.12, false}, finest{radians(0.8), 0.05, false};
+  std::vector<Search::Lead> tried;
   image_seeds(s, true);
   if (s.cut) return;
   if (s.shots.empty() && s.puzzle.cushions.sequence) fan_out(s, {});
   if (s.all || s.shots.empty()) sweep(s);
   if ((s.all || s.shots.empty()) && !s.cut) along_touched(s);
-  if (!s.point()) beside_centre(s);
+  if (!s.point()) beside_centre(s, tried);
+  if (!s.point()) thoroughly(s, tried, 0.2);
   if (s.shots.empty() && !s.cut) map(s, fine);
   if (s.shots.empty() && !s.cut && s.puzzle.cushions.sequence) map(s, real);
-  beside_centre(s);
+  beside_centre(s, tried);
   if (s.shots.empty() && !s.cut && !s.point()) map(s, finest);
-  beside_centre(s);
+  beside_centre(s, tried);
+  thoroughly(s, tried, 1);
   if (s.shots.empty() && !s.cut) nlopt_direct(s);
 }
 

@@ -191,20 +191,30 @@ std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<in
 
 std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, double guess) {
   if (s.one_unknown()) return guess;
-  constexpr int most_steps = 12;
-  constexpr double settled = 1e-15, largest_step = 0.5;  // of ln v
-  double speed = guess;
+  constexpr int most_steps = 30;
+  constexpr double settled = 1e-14, largest_step = 0.5;  // of ln v
+  constexpr double beyond = 1.1;                         // how much further to look for the other side of the root
+  double speed = guess, low = 0, high = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_steps; ++i) {
     const auto l = linearise(s, aim, {speed, angle});
-    if (!l) return {};
-    // To stop, the point on the line of rests nearest to the target.
-    const double step = s.stop ? -(l->r[0] * l->by_speed[0] + l->r[1] * l->by_speed[1]) / (l->by_speed[0] * l->by_speed[0] + l->by_speed[1] * l->by_speed[1])
-                               : -l->r[1] / l->by_speed[1];
-    if (!std::isfinite(step)) return {};
-    speed *= std::exp(std::clamp(step, -largest_step, largest_step));
-    if (std::abs(step) < settled * 10) return speed;
+    double next = 0;
+    if (l && s.stop) {  // the point on the line of rests nearest to the target: a minimum, no change of sign
+      const double step = -(l->r[0] * l->by_speed[0] + l->r[1] * l->by_speed[1]) / (l->by_speed[0] * l->by_speed[0] + l->by_speed[1] * l->by_speed[1]);
+      if (std::abs(step) < settled) return speed;
+      next = speed * std::exp(std::clamp(step, -largest_step, largest_step));
+    } else if (l) {
+      const double step = -l->r[1] / l->by_speed[1];
+      if (std::abs(step) < settled) return speed;
+      (l->r[1] > 0 ? high : low) = speed;
+      next = speed * std::exp(std::clamp(step, -largest_step, largest_step));
+    } else {
+      low = speed;  // it does not get there
+    }
+    if (!(next > low && next < high)) next = !(low > 0) ? high / beyond : high < std::numeric_limits<double>::infinity() ? std::sqrt(low * high) : low * beyond;
+    if (high - low < settled * high) return speed;
+    speed = next;
   }
-  return speed;
+  return {};
 }
 
 std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle, double length) {
@@ -265,6 +275,7 @@ void forward(Search& s, const Launch& launch, bool locked, Forward& out) {
       while (e.kind == EventKind::slide_to_roll) e = sim.step();
       if (e.kind != EventKind::cushion) return;
       out.contacts.push_back(e.index);
+      if (rule.sequence && e.index != (*rule.sequence)[static_cast<std::size_t>(k)]) return;
     }
   });
   s.spend(out.contacts.size());

@@ -24,6 +24,7 @@ namespace {
 constexpr double reach = 1.5;       // cells from a node to a root that it may seed
 constexpr double near = 0.05;       // cells; a Newton step this short tells which root it goes to
 constexpr double narrowest = 1e-4;  // rad; where the bisection between two sequences ends
+constexpr double narrowest_given = 1e-7;  // and between two ways to leave the one that is given
 
 class Map {
  public:
@@ -167,7 +168,7 @@ class Map {
   }
 
   void between(const Node& a, const Node& b) {
-    if ((s_.puzzle.cushions.sequence && cell_.locked) || a.contacts == b.contacts || b.angle - a.angle < narrowest || s_.spent()) return;
+    if ((s_.puzzle.cushions.sequence && cell_.locked) || a.contacts == b.contacts || b.angle - a.angle < (s_.puzzle.cushions.sequence ? narrowest_given : narrowest) || s_.spent()) return;
     const Node middle = node(a.angle + (b.angle - a.angle) / 2, a.speed);
     between(a, middle);
     between(middle, b);

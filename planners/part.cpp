@@ -79,23 +79,6 @@ class PartOfTarget {
   Certify certify_;
 };
 
-/// rad: how far the aim may turn from a root until the ball passes all of the target, its speed
-/// adapted to arrive as asked.
-double half_window(Search& s, const LockedAim& aim, const Launch& root) {
-  const auto l = linearise(s, aim, root);
-  if (!l) return 0;
-  double lateral = l->by_aim[0];  // of the diagonal, per radian
-  if (!s.one_unknown()) {
-    const double det = l->by_aim[0] * l->by_speed[1] - l->by_aim[1] * l->by_speed[0];
-    lateral = det / (s.stop ? std::hypot(l->by_speed[0], l->by_speed[1]) : l->by_speed[1]);
-  }
-  constexpr double widest = radians(10);
-  const double half = s.reach(aim.target) / (std::abs(lateral) * s.boundary.diagonal);
-  return half < widest ? half : widest;
-}
-
-constexpr int aims_across = 17;
-
 }  // namespace
 
 bool reach_part(Search& s, const Range& aims, double centre, int samples, const Goal& goal, std::string_view planner) {
@@ -104,10 +87,8 @@ bool reach_part(Search& s, const Range& aims, double centre, int samples, const 
   return PartOfTarget(s, aims, follow, certified).find(centre, samples);
 }
 
-bool reach_part(Search& s, const Search::Lead& lead, std::string_view planner) {
+bool bisect_lead(Search& s, const Search::Lead& lead, std::string_view planner) {
   const LockedAim locked{s, lead.contacts, lead.target};
-  const double half = lead.half > 0 ? lead.half : half_window(s, locked, lead.launch);
-  if (!(half > 0)) return false;
   const Goal goal = Goal::along(lead.contacts);
   const auto launch = [&](double aim) -> std::optional<Launch> {
     const auto speed = speed_near(s, locked, aim, lead.launch.speed);
@@ -122,7 +103,8 @@ bool reach_part(Search& s, const Search::Lead& lead, std::string_view planner) {
     const auto l = launch(aim);
     return l && certify(s, *l, bounces, planner, true);
   };
-  const Range aims{lead.launch.angle - half, lead.launch.angle + half};
+  constexpr int aims_across = 17;
+  const Range aims{lead.launch.angle - lead.half, lead.launch.angle + lead.half};
   return PartOfTarget(s, aims, follow, certified).find(lead.launch.angle, aims_across);
 }
 

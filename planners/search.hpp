@@ -56,6 +56,7 @@ struct Search {
     std::vector<int> contacts;
     Vec2d target;
     double half = 0;  ///< rad beside the aim to look at; 0: as far as the target is wide
+    double room = -std::numeric_limits<double>::infinity();  ///< m, the largest clearance that was found there
   };
   std::vector<Lead> leads;
   NearMiss near;

@@ -45,9 +45,9 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
         (off(a) < off(b) ? high : low) = off(a) < off(b) ? b : a;
       }
-      // The search ends where rounding hides the minimum, at half the digits; two steps of Newton's method
+      // The search ends where rounding hides the minimum, at half the digits, or at the end of its piece; steps of Newton's method
       // find the rest.
-      for (int k = 0; k < 2; ++k) {
+      for (int k = 0; k < 5; ++k) {
         const Vec2d d = l.arc.position(low) - target, v = l.arc.tangent(low);
         const double better = low - dot(d, v) / (dot(v, v) + dot(d, l.arc.acceleration));
         if (better > 0 && better < end && off(better) <= off(low) * (1 + 1e-9)) low = better;

@@ -56,9 +56,16 @@ T lift_contact(const Boundary& boundary, const Arc<T>& arc, int contact, const R
   return lift_line(arc, w.normal, w.offset, beyond && away, t);
 }
 
-template <class T, class Motion, class Cushion>
+/// For those who only ask where a locked path leads.
+struct Unwatched {
+  template <class T>
+  void operator()(const Arc<T>&, const T&) const {}
+};
+
+/// `watch` is shown each arc and how far it was followed.
+template <class T, class Motion, class Cushion, class Watch = Unwatched>
 LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
-                            std::span<const int> contacts, const State<T>& start) {
+                            std::span<const int> contacts, const State<T>& start, Watch&& watch = {}) {
   using Number = Real<T>;
   LockedPath<T> path{start, T(0)};
   for (const int contact : contacts) {
@@ -72,6 +79,7 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
         return path;
       }
       const T on = met ? lift_contact(boundary, arc, contact, t) : arc.duration;
+      watch(arc, on);
       path.time += arc.seconds(on);
       path.state = advance(motion, path.state, arc, on);
       if (met) break;
@@ -94,8 +102,8 @@ struct LockedArrival {
   bool at_rest = false;
 };
 
-template <class T, class Motion>
-LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d& target, double capture, bool stop) {
+template <class T, class Motion, class Watch = Unwatched>
+LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d& target, double capture, bool stop, Watch&& watch = {}) {
   using Number = Real<T>;
   for (;;) {
     const Arc<T> arc = motion.arc(state);
@@ -112,6 +120,7 @@ LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d
       arrived = nearest < plain.duration;
       if (arrived) t = nearest > Number(0) ? lift_closest(arc, target, nearest) : T(0);
     }
+    if (t < T(forever)) watch(arc, t);
     if (arrived || arc.end != PhaseEnd::roll) {
       const bool ends = !(t < T(forever));
       const State<T> end = ends ? state : advance(motion, state, arc, t);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// Parts of targets: the clearance that leads to them, and puzzles that have little more than a sliver.
+#include <sstream>
+
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/json.hpp"
+#include "planners/clearance.hpp"
+#include "planners/verify.hpp"
+#include "support/catch.hpp"
+#include "support/program.hpp"
+#include "support/random_puzzle.hpp"
+#include "support/replay_check.hpp"
+
+using namespace bankshot;
+
+TEST_CASE("a launch makes its shot where its clearance is positive, and drops nowhere else") {
+  using namespace planning;
+  constexpr std::uint64_t seed = 11;
+  CAPTURE(seed);
+  test::Random random(seed);
+  long made = 0, missed = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const test::Family family = test::families[i % 3];  // no reflex vertices: they may hide a cushion
+    const test::Made m = test::random_puzzle(random, family, test::Model::spin);
+    Search s(m.puzzle, false);
+    std::vector<int> contacts;
+    const Replay exact = replay(s, m.launch, Goal::exactly(s, m.bounces), &contacts);
+    if (!exact.made || s.frozen()) continue;  // a touched cushion may come first
+    const LockedAim aim{s, contacts, s.nearest_aim_point(exact.arrival.at)};
+    for (int k = 0; k < 20; ++k) {
+      const Launch launch{m.launch.speed * random.uniform(0.97, 1.03), m.launch.angle + random.uniform(-0.05, 0.05)};
+      const auto room = clearance(s, aim, launch);
+      const bool makes = replay(s, launch, Goal::along(contacts)).made;
+      CAPTURE(i, test::name(family), write_puzzle(m.puzzle), launch.speed, launch.angle, room.value_or(-1));
+      constexpr double rounding = 1e-9;  // m
+      if (room.value_or(-1) > rounding) CHECK(makes);
+      if (!s.point() && room.value_or(-1) < -rounding) CHECK_FALSE(makes);  // near a point may also be just before a cushion
+      (makes ? made : missed) += 1;
+    }
+  }
+  CHECK(made > 1000);
+  CHECK(missed > 1000);
+}
+
+TEST_CASE("narrow parts of targets are found") {
+  std::istringstream lines(test::read_repository_file("tests/plan/narrow_parts.jsonl"));
+  int puzzles = 0;
+  for (std::string line; std::getline(lines, line); ++puzzles) {
+    CAPTURE(line);
+    const Puzzle p = read_puzzle(line);
+    const Answer a = solve(p, {.robustness = false, .suggest = false});
+    INFO(a.message);
+    REQUIRE(a.status == Status::solved);
+    CHECK(test::check_shot(p, a.shots[0]).problem == "");
+  }
+  CHECK(puzzles == 21);
+}
