@@ -29,18 +29,25 @@ void beside_centre(Search& s, std::vector<Search::Lead>& tried) {
   s.leads.clear();
 }
 
-/// The leads that came nearest, until this share of what is left of the budget is used.
+/// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed, or nearly.
+bool hopeful(const Search& s, const Search::Lead& lead) {
+  constexpr double nearly = 1.3;
+  const Range& v = s.puzzle.speed;
+  return lead.half > 0 && lead.room > -s.reach(lead.target) && lead.launch.speed > v.low / nearly && lead.launch.speed < v.high * nearly;
+}
+
+/// The hopeful leads that came nearest, until this share of what is left of the budget is used.
 void thoroughly(Search& s, std::vector<Search::Lead>& tried, double share) {
   const auto until = s.simulations + static_cast<long>(share * static_cast<double>(s.puzzle.budget - s.simulations));
   std::sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.room < b.room; });
   for (; !tried.empty() && s.shots.empty() && !s.spent() && s.simulations < until; tried.pop_back())
-    if (tried.back().half > 0) reach_part_thoroughly(s, tried.back(), "part");
+    if (hopeful(s, tried.back())) reach_part_thoroughly(s, tried.back(), "part");
 }
 
 /// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets
 /// whose centre something blocks: it often does at a pocket, hardly ever at a point.
 void search_with_spin(Search& s) {
-  constexpr Spacing fine{radians(0.7), 0.08}, real{radians(2), 0.12, false}, finest{radians(0.8), 0.05, false};
+  constexpr Spacing fine{radians(0.7), 0.08, true}, real{radians(2), 0.12, true, false}, finest{radians(0.8), 0.05, true, false};
   std::vector<Search::Lead> tried;
   image_seeds(s, true);
   if (s.cut) return;

@@ -140,11 +140,22 @@ std::optional<Vec2d> newton_step(const Linear& l, bool one_unknown) {
 }
 
 std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from, const Neighbourhood& near, const Known& known) {
-  constexpr int most_steps = 12;
+  constexpr int most_steps = 40;
+  constexpr int usual_steps = 4;    // after which a step that does not come nearer jumps to and fro across a kink
+  constexpr int patience = 12;      // steps, after which each must come nearer
   constexpr double settled = 1e-7;  // of a longest step; the step after it is exact to rounding
-  Launch at = from;
+  Launch at = from, before = from;
+  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_steps; ++i) {
-    const auto l = linearise(s, aim, at);
+    auto l = linearise(s, aim, at);
+    const auto worse = [&] { return !l || (i >= usual_steps && !(l->size() < least)); };
+    if (i > 0 && worse()) {  // a shorter step; also back from beyond the edge of the map
+      at = {std::sqrt(at.speed * before.speed), (at.angle + before.angle) / 2};
+      l = linearise(s, aim, at);
+    }
+    if (i >= patience && worse()) return {};
+    before = at;
+    if (l) least = std::min(least, l->size());
     const auto step = l ? newton_step(*l, s.one_unknown()) : std::nullopt;
     if (!step) return {};
     const double size = std::max(std::abs(step->x) / near.step_aim, std::abs(step->y) / near.step_speed);
@@ -155,8 +166,7 @@ std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from
     if (size < settled) return Launch{at.speed, wrap_angle(at.angle)};
     if (std::abs(at.angle - from.angle) > near.far * near.step_aim || std::abs(std::log(at.speed / from.speed)) > near.far * near.step_speed) return {};
   }
-  const auto root = solve_locked(s, aim, from);
-  return root && known && known(*root, settled) ? std::nullopt : root;
+  return {};
 }
 
 std::optional<Launch> solve_locked(Search& s, const LockedAim& aim, const Launch& seed) {
@@ -256,7 +266,9 @@ std::optional<double> speed_at(Search& s, const LockedAim& aim, double angle, do
 
 void forward(Search& s, const Launch& launch, bool locked, Forward& out) {
   out.contacts.clear();
+  out.places.clear();
   out.passages.clear();
+  out.rests = false;
   const CushionRule& rule = s.puzzle.cushions;
   with_physics(s.rough, [&](const auto& motion, const auto& cushion) {
     const State<Jet> start = dual_start(s, launch);
@@ -264,6 +276,7 @@ void forward(Search& s, const Launch& launch, bool locked, Forward& out) {
       out.contacts = *rule.sequence;
       const auto path = follow_locked(s.boundary, motion, cushion, std::span<const int>(out.contacts), start);
       if (path.end == LockedEnd::complete) look(s, motion, path.state, out);
+      out.rests = path.end == LockedEnd::fell_short;
       return;
     }
     Simulator sim(s.boundary, motion, cushion, start);
@@ -273,8 +286,11 @@ void forward(Search& s, const Launch& launch, bool locked, Forward& out) {
       if (k == rule.max) return;
       Event e = sim.step();
       while (e.kind == EventKind::slide_to_roll) e = sim.step();
+      out.rests = e.kind == EventKind::rest;
       if (e.kind != EventKind::cushion) return;
       out.contacts.push_back(e.index);
+      const Jet along = s.boundary.is_wall(e.index) ? dot(s.boundary.wall(e.index).along, sim.state().at) : Jet(0);
+      out.places.push_back({along.a, along.v(0)});
       if (rule.sequence && e.index != (*rule.sequence)[static_cast<std::size_t>(k)]) return;
     }
   });

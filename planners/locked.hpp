@@ -8,6 +8,7 @@
 // Derivatives are exact (dual numbers); no type of the library that makes them appears here.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -29,6 +30,7 @@ struct LockedAim {
 /// Residuals and their derivatives with respect to the aim and ln speed at one launch.
 struct Linear {
   double r[2]{}, by_aim[2]{}, by_speed[2]{};
+  double size() const { return std::hypot(r[0], r[1]); }
   /// Its sign changes across a fold of the map.
   double determinant(bool one_unknown) const {
     return one_unknown ? by_aim[0] : by_aim[0] * by_speed[1] - by_aim[1] * by_speed[0];
@@ -40,7 +42,7 @@ struct Linear {
 std::optional<Vec2d> newton_step(const Linear& l, bool one_unknown);
 
 /// A root near a launch by damped Newton steps, none where it leaves the neighbourhood; where the
-/// derivatives jump it may go round in circles: then Levenberg–Marquardt. About five simulations.
+/// derivatives jump steps that do not come nearer are halved. About five simulations.
 struct Neighbourhood {
   double step_aim, step_speed;  ///< the longest step: rad, and of ln speed
   double far = 3;               ///< of such steps: how far from the start
@@ -76,9 +78,15 @@ struct Passage {
   std::size_t bounces, aim_point;
   Linear linear;
 };
+/// Where a bounce lies along its cushion [m], and how that changes with the aim [m/rad]; of a vertex nothing.
+struct BouncePlace {
+  double along = 0, by_aim = 0;
+};
 struct Forward {
   std::vector<int> contacts;
+  std::vector<BouncePlace> places;  ///< of the real path's bounces
   std::vector<Passage> passages;
+  bool rests = false;  ///< the path ends by itself before all the bounces asked
 };
 /// `locked`: a sequence that is given is followed on its locked path.
 void forward(Search& s, const Launch& launch, bool locked, Forward& out);

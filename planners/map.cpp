@@ -1,46 +1,47 @@
 // SPDX-License-Identifier: MIT
 //
 // Planner `sweep` where a path's shape depends on its speed: a forward map of aim × ln speed.
-// Method: each node simulates the real path with dual numbers; the free leg after any number of
-// bounces that is allowed has a residual and its derivatives, so the node predicts where the root of
-// its sequence lies. A prediction within reach of the node seeds Levenberg–Marquardt on the locked
-// path. Between two neighbours that meet different cushions the aim is bisected, so that narrow
-// sequences get nodes of their own. A sequence that is given is mapped on its locked path.
+// Method: each node simulates the real path with dual numbers; the free leg after any number of bounces that is
+// allowed has a residual and its derivatives, which lead to roots (roots.hpp). Of each aim only the speeds are tried
+// that may arrive as asked. Between two neighbours that meet different cushions the aim is divided near where that
+// changes, so that narrow sequences get nodes of their own. A sequence that is given is mapped on its locked path.
 // Cost: some thousands of simulations with dual numbers, a third of a microsecond a bounce each.
 // Guarantee: none; a root is missed where the map bends within a cell more than the reach allows, or
 // where a sequence is narrower than the spacing and lies between equal neighbours.
 #include <algorithm>
 #include <cmath>
 
-#include "planners/locked.hpp"
-#include "planners/planners.hpp"
 #include "planners/robustness.hpp"
+#include "planners/roots.hpp"
 #include "planners/unfold.hpp"
-#include "planners/verify.hpp"
 
 namespace bankshot::planning {
 namespace {
 
-constexpr double reach = 1.5;       // cells from a node to a root that it may seed
-constexpr double near = 0.05;       // cells; a Newton step this short tells which root it goes to
-constexpr double narrowest = 1e-4;  // rad; where the bisection between two sequences ends
+constexpr double band = 1.5;              // cells of speed from a node to launches that arrive as asked, beyond which it is left alone
+constexpr double narrowest = 1e-4;        // rad; where the division between two sequences ends
 constexpr double narrowest_given = 1e-7;  // and between two ways to leave the one that is given
 
 class Map {
  public:
-  Map(Search& s, const Spacing& spacing, std::string_view planner) : s_(s), cell_(spacing), planner_(planner) {}
+  Map(Search& s, const Spacing& spacing, std::string_view planner) : s_(s), cell_(spacing), roots_(s, spacing, planner) {}
 
   void run() {
     const Range around = s_.puzzle.angle.value_or(Range{0, radians(360)});
     const int aims = std::max(1, static_cast<int>(std::ceil((around.high - around.low) / cell_.aim)));
-    for (const double speed : speeds()) {
-      Node before = node(around.low, speed);
-      for (int i = 1; i <= aims && !done(); ++i) {
-        Node after = node(around.low + (around.high - around.low) * i / aims, speed);
-        between(before, after);
-        before = std::move(after);
+    const auto aim = [&](int i) { return around.low + (around.high - around.low) * i / aims; };
+    const std::vector<double> rows = speeds();
+    Column before = column(aim(0), rows, {});
+    for (int i = 1; i <= aims && !roots_.done(); ++i) {
+      Column after = column(aim(i), rows, before);
+      for (std::size_t k = 0; k < rows.size() && !roots_.done(); ++k) {
+        if (within(before[k]) && !after[k]) after[k] = node(aim(i), rows[k]);
+        if (within(after[k]) && !before[k]) before[k] = node(aim(i - 1), rows[k]);
+        if (before[k] && after[k]) between(*before[k], *after[k]);
       }
+      before = std::move(after);
     }
+    if (s_.all || s_.shots.empty()) roots_.seek_rest();
     if (s_.shots.empty()) s_.leads.insert(s_.leads.end(), leads_.begin(), leads_.end());
   }
 
@@ -49,7 +50,7 @@ class Map {
     Unfolding images(s_, true, restitution(s_.puzzle.physics).at_rest, true);
     while (const auto image = images.next()) {
       const std::vector<int> contacts = images.contacts(*image);
-      for (int i = 1; i <= 2 * most && !done(); ++i) {
+      for (int i = 1; i <= 2 * most && !roots_.done(); ++i) {
         const double angle = image->angle + cell_.aim * (i / 2) * (i % 2 == 0 ? 1 : -1);
         if (const auto speed = speed_at(s_, {s_, contacts, image->target}, angle, image->distance)) node(angle, *speed);
       }
@@ -57,18 +58,15 @@ class Map {
   }
 
  private:
+  /// How fast a node's launch is, against those that arrive as asked.
+  enum class Place { below, within, beyond };
   struct Node {
     double angle, speed;
     std::vector<int> contacts;
+    std::vector<BouncePlace> places;
+    Place place;
   };
-  struct Root {
-    std::vector<int> contacts;
-    std::size_t aim_point;
-    Launch launch;
-  };
-
-  /// One sequence hardly ever has two roots.
-  bool done() { return s_.spent() || s_.satisfied() || (s_.puzzle.cushions.sequence && !s_.all && !s_.shots.empty()); }
+  using Column = std::vector<std::optional<Node>>;  ///< one aim at all speeds, where it is worth while
 
   std::vector<double> speeds() const {
     const Range& v = s_.puzzle.speed;
@@ -90,66 +88,63 @@ class Map {
     return std::max(std::sqrt(energy), 1e-3 * s_.puzzle.speed.high);
   }
 
+  static bool within(const std::optional<Node>& n) { return n && n->place == Place::within; }
+
+  /// Only the speeds around those that arrive as asked matter. They change little from one aim to the next, so begin near
+  /// where they began at the neighbour, and go up until a row is too fast, down until one is too slow.
+  Column column(double angle, const std::vector<double>& rows, const Column& neighbour) {
+    constexpr std::size_t before_band = 2;
+    Column out(rows.size());
+    const auto first = static_cast<std::size_t>(std::find_if(neighbour.begin(), neighbour.end(), within) - neighbour.begin());
+    const std::size_t start = first < neighbour.size() ? std::max(first, before_band) - before_band : 0;
+    const auto place = [&](std::size_t k) {
+      out[k] = node(angle, rows[k]);
+      return out[k]->place;
+    };
+    bool too_fast = false, too_slow = false;
+    for (std::size_t k = start; k < rows.size() && !too_fast && !roots_.done(); ++k) {
+      const Place p = place(k);
+      too_fast = p == Place::beyond;
+      too_slow = too_slow || (k == start && p == Place::below);
+    }
+    for (std::size_t k = start; k-- > 0 && !too_slow && !roots_.done();) too_slow = place(k) == Place::below;
+    return out;
+  }
+
   Node node(double angle, double speed) {
     forward(s_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
-    for (const Passage& p : forward_.passages) seed(angle, speed, p);
-    return {angle, speed, forward_.contacts};
+    for (const Passage& p : forward_.passages) {
+      lead(angle, speed, p);
+      roots_.visit({s_, std::span<const int>(forward_.contacts).first(p.bounces), s_.aim_points()[p.aim_point]}, {speed, angle}, p.linear);
+    }
+    return {angle, speed, forward_.contacts, forward_.places, place()};
   }
 
-  void seed(double angle, double speed, const Passage& p) {
-    lead(angle, speed, p);
-    const auto step = newton_step(p.linear, s_.one_unknown());
-    if (!step || !(std::abs(step->x) < reach * cell_.aim && std::abs(step->y) < reach * cell_.speed)) return;
-    const Launch predicted{speed * std::exp(step->y), angle + step->x};
-    const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
-    const LockedAim aim{s_, contacts, s_.aim_points()[p.aim_point]};
-    if (const auto root = new_root(aim, predicted, p.aim_point)) add(aim, *root, p.aim_point);
-  }
-
-  void add(const LockedAim& aim, const Launch& root, std::size_t aim_point) {
-    roots_.push_back({{aim.contacts.begin(), aim.contacts.end()}, aim_point, root});
-    certify_root(s_, aim, root, planner_);
-    if (s_.all) across_fold(aim, root, aim_point);
-  }
-
-  /// Roots come in pairs on the two sides of a fold or a kink, where the determinant changes its sign; nodes
-  /// are too far apart to see both. So Newton's method also starts around a root wherever that sign is another.
-  void across_fold(const LockedAim& aim, const Launch& root, std::size_t aim_point) {
-    const auto determinant = [&](const Launch& l) {
-      const auto at = linearise(s_, aim, l);
-      return at ? at->determinant(s_.one_unknown()) : 0;
+  /// Of what was followed last.
+  Place place() const {
+    if (cell_.whole || !s_.boundary.tips.empty()) return Place::within;  // a reflex vertex sends a little less speed another way
+    if (forward_.passages.empty()) return forward_.rests ? Place::below : Place::within;
+    const auto steps = [&](const Passage& p) {  // cells of speed to where it arrives as asked
+      const Linear& l = p.linear;
+      if (s_.one_unknown()) return 0.0;
+      if (!s_.stop) return -l.r[1] / l.by_speed[1] / cell_.speed;
+      const double diagonal = s_.boundary.diagonal;
+      const double outside = -s_.boundary.clearance(s_.aim_points()[p.aim_point] - Vec2d{l.r[0], l.r[1]} * diagonal);  // a ball rests there that is too fast
+      return outside > 0 ? -outside / (diagonal * std::hypot(l.by_speed[0], l.by_speed[1])) / cell_.speed : 0;
     };
-    const double here = determinant(root);
-    constexpr int ways = 8;
-    for (const double cells : {0.02, 0.1, 0.3})
-      for (int i = 0; i < ways; ++i) {
-        const Vec2d turn = direction(radians(360) * i / ways) * cells;
-        const Launch from{root.speed * std::exp(turn.y * cell_.speed), root.angle + turn.x * cell_.aim};
-        if (!(determinant(from) * here < 0)) continue;
-        const auto other = newton(s_, aim, from, {cell_.aim, cell_.speed});
-        if (other && !known(*other, aim.contacts, aim_point, 0)) add(aim, *other, aim_point);
-      }
-  }
-
-  /// The root that a prediction leads to; none when it is known.
-  std::optional<Launch> new_root(const LockedAim& aim, const Launch& predicted, std::size_t aim_point) {
-    return newton(s_, aim, predicted, {cell_.aim, cell_.speed}, [&](const Launch& at, double size) {
-      return size < near && known(at, aim.contacts, aim_point, 2 * size);
-    });
-  }
-
-  /// A root of the same sequence and target lies within so many cells.
-  bool known(const Launch& l, std::span<const int> contacts, std::size_t aim_point, double cells) const {
-    const double least = 1e-6;  // rounding of a root where the map is steep
-    return std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) {
-      return r.aim_point == aim_point && std::abs(angle_difference(r.launch.angle, l.angle)) < std::max(least, cells) * cell_.aim &&
-             std::abs(std::log(r.launch.speed / l.speed)) < std::max(least, cells) * cell_.speed && std::ranges::equal(contacts, r.contacts);
-    });
+    bool below = true, beyond = true;
+    for (const Passage& p : forward_.passages) {
+      const double s = steps(p);
+      below = below && s > band;
+      beyond = beyond && s < -band;
+    }
+    return below ? Place::below : beyond ? Place::beyond : Place::within;
   }
 
   /// Keeps a node from which a turn within its cell may reach some part of the target, though perhaps
   /// not its centre, at the speed that arrives as asked.
   void lead(double angle, double speed, const Passage& p) {
+    if (!s_.shots.empty()) return;
     const Linear& l = p.linear;
     double lateral = l.r[0], by_aim = l.by_aim[0], step = 0;
     if (!s_.one_unknown()) {
@@ -160,7 +155,7 @@ class Map {
     }
     const Vec2d& target = s_.aim_points()[p.aim_point];
     const double wide = s_.reach(target) / s_.boundary.diagonal + std::abs(by_aim) * cell_.aim;
-    if (!(std::abs(lateral) < wide && std::abs(step) < reach * cell_.speed)) return;
+    if (!(std::abs(lateral) < wide && std::abs(step) < seed_reach * cell_.speed)) return;
     const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
     for (const Search::Lead& known : leads_)
       if (known.target == target && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 && std::ranges::equal(known.contacts, contacts)) return;
@@ -168,17 +163,42 @@ class Map {
   }
 
   void between(const Node& a, const Node& b) {
-    if ((s_.puzzle.cushions.sequence && cell_.locked) || a.contacts == b.contacts || b.angle - a.angle < (s_.puzzle.cushions.sequence ? narrowest_given : narrowest) || s_.spent()) return;
-    const Node middle = node(a.angle + (b.angle - a.angle) / 2, a.speed);
-    between(a, middle);
-    between(middle, b);
+    if (a.contacts == b.contacts || hopeless(a, b) || s_.spent()) return;
+    if (s_.puzzle.cushions.sequence && cell_.locked) return;
+    if (b.angle - a.angle < (s_.puzzle.cushions.sequence ? narrowest_given : narrowest)) return;
+    const Node other = node(change(a, b), a.speed);
+    between(a, other);
+    between(other, b);
+  }
+
+  /// A path between them is too fast as well, or ends too early to meet all the cushions.
+  bool hopeless(const Node& a, const Node& b) const {
+    if (a.place != b.place) return false;
+    const auto most = static_cast<int>(std::max(a.contacts.size(), b.contacts.size()));
+    return a.place == Place::beyond || (a.place == Place::below && most + 1 < s_.puzzle.cushions.min);
+  }
+
+  /// Just beyond where one of two neighbours stops meeting the cushion that the other does not, as far as its
+  /// derivatives tell; else half way.
+  double change(const Node& a, const Node& b) const {
+    const double half_way = a.angle + (b.angle - a.angle) / 2;
+    const auto m = static_cast<std::size_t>(std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end()).first - a.contacts.begin());
+    double best = half_way, nearest = (b.angle - a.angle) / 2;
+    for (const auto& [node, way] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
+      if (m >= node->contacts.size() || m >= node->places.size() || !s_.boundary.is_wall(node->contacts[m])) continue;
+      const Wall& wall = s_.boundary.wall(node->contacts[m]);
+      const BouncePlace& at = node->places[m];
+      const double end = dot(wall.along, at.by_aim * way > 0 ? wall.to : wall.from);
+      const double turn = std::max(narrowest / 3, 1.02 * (end - at.along) / at.by_aim * way);
+      if (turn < nearest) best = node->angle + way * turn, nearest = turn;
+    }
+    return best;
   }
 
   Search& s_;
   Spacing cell_;
-  std::string_view planner_;
+  Roots roots_;
   Forward forward_{};
-  std::vector<Root> roots_{};
   std::vector<Search::Lead> leads_{};
 };
 

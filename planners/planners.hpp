@@ -26,6 +26,7 @@ void along_touched(Search& s);  ///< along.cpp
 /// depend on the speed.
 struct Spacing {
   double aim = radians(2), speed = 0.12;
+  bool whole = false;  ///< also speeds at which neighbouring paths arrive too fast or never
   bool locked = true;  ///< follow a sequence that is given on its locked path, not where it really occurs
 };
 void map(Search& s, const Spacing& spacing);

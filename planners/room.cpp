@@ -80,7 +80,7 @@ class Widest {
   /// Beside a pocket that is grazed, the speed that arrives as asked jumps with the aim, and passes all speeds
   /// between within the jump: so follow those, each over the aims that have room.
   bool across_jumps() {
-    if (s_.one_unknown() || s_.stop) return false;
+    if (s_.one_unknown() || s_.point()) return false;
     const Row row = along_lead();
     const auto peaks = peaks_of(row);
     return std::any_of(peaks.begin(), peaks.end(), [&](std::size_t i) { return across_jump(before(row, i), row[i], after(row, i)); });

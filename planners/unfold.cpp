@@ -50,7 +50,7 @@ double Unfolding::Affine::stretch() const {
 }
 
 Unfolding::Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts)
-    : s_(s), whole_target_(whole_target), restitution_(restitution),
+    : s_(s), whole_target_(whole_target), name_contacts_(name_contacts), restitution_(restitution),
       longest_(s.puzzle.speed.high * s.puzzle.speed.high / (2 * deceleration(s.puzzle.physics))) {
   const CushionRule& rule = s.puzzle.cushions;
   const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
@@ -77,8 +77,9 @@ std::optional<Candidate> Unfolding::next() {
     visit(nodes_[nearest]);
   }
   if (candidates_.empty()) return {};
-  const Candidate c = candidates_.top();
+  Candidate c = candidates_.top();
   candidates_.pop();
+  c.angle = wrap_angle(std::atan2(c.ray.y, c.ray.x));
   return c;
 }
 
@@ -119,23 +120,28 @@ void Unfolding::propose(const Node& node, const Vec2d& target, double reach) {
   const double distance = norm(ray);
   if (!(distance > 0) || !std::isfinite(distance)) return;
   if (node.bounces > 0 && !s_.puzzle.cushions.sequence && s_.into_touched_wall(ray)) return;
+  const bool centred = !node.closed && (node.open || in_beam(node.from, node.to, ray));
+  Candidate c{0, node.bounces, std::max(0.0, distance - s_.capture(reach)), 0, 0, target, node.self, ray};
+  if (!node.closed && !(centred && name_contacts_)) find_window(node, reach, distance, c);
+  const bool only_part = whole_target_ && c.low < c.high;
+  if (centred || only_part || s_.puzzle.cushions.sequence) candidates_.push(c);
+}
+
+/// The aims beside a candidate's that are in the beam and may reach some part of the target.
+void Unfolding::find_window(const Node& node, double reach, double distance, Candidate& c) const {
   // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
   const double covers = reach * (restitution_ == 1 ? 1 : 2 * node.image.stretch()) / distance;
   const double half = covers < 1 ? std::asin(covers) : radians(180);
-  Candidate c{wrap_angle(std::atan2(ray.y, ray.x)), node.bounces, std::max(0.0, distance - s_.capture(reach)), -half, half, target, node.self};
-  const bool centred = !node.closed && (node.open || in_beam(node.from, node.to, ray));
-  if (node.closed) c.low = c.high = 0;
-  if (!node.open && !node.closed && half < radians(90)) {
-    // The centre's ray may leave the beam while part of the target is still inside.
-    const double begin = angle_between(ray, node.from), end = begin + angle_between(node.from, node.to);
-    c.low = c.high = 0;
-    for (const double turn : {0.0, radians(-360)}) {
-      const double low = std::max(-half, begin + turn), high = std::min(half, end + turn);
-      if (low < high) c.low = low, c.high = high;
-    }
+  c.low = -half;
+  c.high = half;
+  if (node.open || half >= radians(90)) return;
+  // The centre's ray may leave the beam while part of the target is still inside.
+  const double begin = angle_between(c.ray, node.from), end = begin + angle_between(node.from, node.to);
+  c.low = c.high = 0;
+  for (const double turn : {0.0, radians(-360)}) {
+    const double low = std::max(-half, begin + turn), high = std::min(half, end + turn);
+    if (low < high) c.low = low, c.high = high;
   }
-  const bool only_part = whole_target_ && c.low < c.high;
-  if (centred || only_part || s_.puzzle.cushions.sequence) candidates_.push(c);
 }
 
 Unfolding::Affine Unfolding::through(const Affine& image, int wall) const {
@@ -233,8 +239,7 @@ void Unfolding::lattice() {
     if (!(distance > 0) || (n > 0 && s_.into_touched_wall(ray))) return;
     const double reach = s_.reach(target), covers = reach / distance;
     const double half = covers < 1 ? std::asin(covers) : radians(180);
-    found.push_back({wrap_angle(std::atan2(ray.y, ray.x)), n,
-                     std::max(0.0, distance - s_.capture(reach)), -half, half, target});
+    found.push_back({0, n, std::max(0.0, distance - s_.capture(reach)), -half, half, target, -1, ray});
   };
   const CushionRule& rule = s_.puzzle.cushions;
   for (const Vec2d& target : s_.aim_points())

@@ -28,20 +28,22 @@ namespace bankshot::planning {
 
 /// An aim to try.
 struct Candidate {
-  double angle = 0;      ///< rad
+  double angle = 0;      ///< rad, of `ray`
   int bounces = 0;
   double distance = 0;   ///< m, from the ball to the image: the path's length where e = 1
   double low = 0;        ///< rad beside `angle`: the aims at which a ray that passes the cushions
   double high = 0;       ///< may reach any part of the target; low = high = 0 when none may
   Vec2d target{};        ///< the aim point
   int node = -1;         ///< where its sequence is kept; -1 in a lattice
+  Vec2d ray{};           ///< from the ball to the image
 };
 
 class Unfolding {
  public:
   /// `whole_target` also proposes images whose centre no ray reaches, but some part might be.
   /// `restitution` is what the unfolding stretches with; exact only where it is the cushions'.
-  /// `name_contacts` keeps the sequence of each candidate, which a lattice does not.
+  /// `name_contacts` keeps the sequence of each candidate, which a lattice does not, and leaves out `low` and `high` where
+  /// the centre's ray passes.
   Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts = false);
 
   /// The cushions of a candidate, in order; not kept in a lattice.
@@ -93,6 +95,7 @@ class Unfolding {
   void visit(Node node);
   void propose(const Node& node);
   void propose(const Node& node, const Vec2d& target, double reach);
+  void find_window(const Node& node, double reach, double distance, Candidate& c) const;
   std::optional<Node> child(const Node& node, int wall);
   /// The least distance between centres that touch two cushions; 0 for neighbours and for none (-1).
   double apart(int i, int j);
@@ -101,7 +104,7 @@ class Unfolding {
   Affine through(const Affine& image, int wall) const;
 
   const Search& s_;
-  bool whole_target_, whole_ = true;
+  bool whole_target_, name_contacts_, whole_ = true;
   double restitution_;
   double longest_;  ///< m, how far the fastest launch rolls
   long visited_ = 0, too_long_ = 0;

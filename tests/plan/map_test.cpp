@@ -62,3 +62,26 @@ TEST_CASE("the map misses hardly a shot with three to five cushions", "[.][long]
   compare(100, 4, 17, 0.001);
   compare(100, 5, 17, 0.001);
 }
+
+// Shots that rest soon after their last bounce, or just before a fold: sequences that nodes meet without leading to a root.
+TEST_CASE("all shots include those of sequences whose nodes lead nowhere") {
+  struct Case {
+    double length, width;
+    Vec2d ball, target;
+    LaunchSpin spin;
+    int cushions;
+    double angle;  // degrees
+  };
+  for (const Case& c : {Case{3.7004579052154587, 2.73895672384495, {1.5521153935957388, 0.6344982811096583}, {3.58630600550486, 0.32141582491370957}, {-0.7949410053802956, 0.5431207901170816, 0}, 3, 201.4456095},
+                        Case{1.4646644716653876, 0.7120685166712877, {0.08330293184657275, 0.5341971125600873}, {1.2187323900803084, 0.3422096076878597}, {-0.8477452172464544, -0.7597516024620448, 0}, 4, 339.5381693},
+                        Case{1.2382250337572553, 0.8881349433614231, {0.9038645846691813, 0.33347373243955103}, {0.03037540483166975, 0.38538413906820235}, {0.6038399985402001, -0.9050956848847891, 0}, 5, 343.4313254}}) {
+    Puzzle p{.table = rectangle_table(c.length, c.width), .physics = spin_physics()};
+    p.ball.at = c.ball;
+    p.target = PointTarget{c.target};
+    p.spin = c.spin;
+    p.cushions = CushionRule::exactly(c.cushions);
+    const std::vector<Shot> all = solve(p, {.all = true, .robustness = false}).shots;
+    CAPTURE(c.length, c.angle, all.size());
+    CHECK(std::any_of(all.begin(), all.end(), [&](const Shot& s) { return std::abs(degrees(s.launch.angle) - c.angle) < 1e-5; }));
+  }
+}
