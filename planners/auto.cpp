@@ -51,7 +51,10 @@ void search_with_spin(Search& s) {
   std::vector<Search::Lead> tried;
   image_seeds(s, true);
   if (s.cut) return;
-  if (s.shots.empty() && s.puzzle.cushions.sequence) fan_out(s, {});
+  if (s.shots.empty() && s.puzzle.cushions.sequence) {
+    fan_out(s, {});
+    if (!s.point()) beside_centre(s, tried);
+  }
   if (s.all || s.shots.empty()) sweep(s);
   if ((s.all || s.shots.empty()) && !s.cut) along_touched(s);
   if (!s.point()) beside_centre(s, tried);
