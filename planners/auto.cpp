@@ -44,28 +44,33 @@ void thoroughly(Search& s, std::vector<Search::Lead>& tried, double share) {
     if (hopeful(s, tried.back())) reach_part_thoroughly(s, tried.back(), "part");
 }
 
+bool nothing_yet(const Search& s) { return s.shots.empty() && !s.cut; }
+
 /// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets
 /// whose centre something blocks: it often does at a pocket, hardly ever at a point.
 void search_with_spin(Search& s) {
   constexpr Spacing fine{radians(0.7), 0.08, true}, real{radians(2), 0.12, true, false}, finest{radians(0.8), 0.05, true, false};
+  const bool point = s.point(), given = s.puzzle.cushions.sequence.has_value();
   std::vector<Search::Lead> tried;
   image_seeds(s, true);
   if (s.cut) return;
-  if (s.shots.empty() && s.puzzle.cushions.sequence) {
+  if (given && nothing_yet(s)) {
     fan_out(s, {});
-    if (!s.point()) beside_centre(s, tried);
+    if (!point) beside_centre(s, tried);
   }
-  if (s.all || s.shots.empty()) sweep(s);
-  if ((s.all || s.shots.empty()) && !s.cut) along_touched(s);
-  if (!s.point()) beside_centre(s, tried);
-  if (!s.point()) thoroughly(s, tried, 0.2);
-  if (s.shots.empty() && !s.cut) map(s, fine);
-  if (s.shots.empty() && !s.cut && s.puzzle.cushions.sequence) map(s, real);
+  if (s.all || nothing_yet(s)) sweep(s);
+  if ((s.all && !s.cut) || nothing_yet(s)) along_touched(s);
+  if (!point) {
+    beside_centre(s, tried);
+    thoroughly(s, tried, 0.2);
+  }
+  if (nothing_yet(s)) map(s, fine);
+  if (given && nothing_yet(s)) map(s, real);
   beside_centre(s, tried);
-  if (s.shots.empty() && !s.cut && !s.point()) map(s, finest);
+  if (!point && nothing_yet(s)) map(s, finest);
   beside_centre(s, tried);
   thoroughly(s, tried, 1);
-  if (s.shots.empty() && !s.cut) nlopt_direct(s);
+  if (nothing_yet(s)) nlopt_direct(s);
 }
 
 /// Where the end of a range of arrival speeds that is preferred is out of reach: its other end, its middle,
@@ -74,15 +79,14 @@ void with_spin(Search& s) {
   search_with_spin(s);
   if (!s.arrival || s.arrival->fixed()) return;
   const Range& arrive = *s.arrival;
-  const auto nothing_yet = [&] { return s.shots.empty() && !s.cut; };
   const double preferred = s.asked;
   for (const double asked : {arrive.low + arrive.high - preferred, (arrive.low + arrive.high) / 2}) {
-    if (!nothing_yet()) return;
+    if (!nothing_yet(s)) return;
     s.asked = asked;
     search_with_spin(s);
   }
   for (const double speed : {s.puzzle.speed.high, s.puzzle.speed.low}) {
-    if (!nothing_yet() || !(speed > 0)) return;
+    if (!nothing_yet(s) || !(speed > 0)) return;
     s.pinned = speed;
     search_with_spin(s);
   }
@@ -95,8 +99,8 @@ void automatic(Search& s) {
   if (!is_straight(s.puzzle.physics)) return with_spin(s);
   image(s);
   if (!settled(s)) sweep(s);
-  if (s.shots.empty() && !s.complete && !s.cut) ceres(s);
-  if (s.shots.empty() && !s.complete && !s.cut) nlopt_direct(s);
+  if (nothing_yet(s) && !s.complete) ceres(s);
+  if (nothing_yet(s) && !s.complete) nlopt_direct(s);
 }
 
 }  // namespace bankshot::planning

@@ -43,8 +43,9 @@ struct Tried {
 /// `Attempt`: (aim, guess of the speed) -> Tried.
 template <class Attempt>
 Tried climb(const Attempt& attempt, Tried low, Tried best, Tried high) {
-  constexpr double golden = 0.3819660112501051, finest = 1e-15;  // rad
-  constexpr double little = 0.1;                                    // of what there is or is lacking
+  constexpr double golden = 0.3819660112501051;
+  constexpr double finest = 1e-15;  // rad
+  constexpr double little = 0.1;    // of what there is or is lacking
   while (high.aim - low.aim > finest) {
     const double gain = best.room - std::min(low.room, high.room);
     if (gain < little * std::abs(best.room)) break;

@@ -37,12 +37,19 @@ std::vector<Puzzle> puzzles(int count, std::uint64_t seed, int cushions, bool se
   return out;
 }
 
+/// Time: the least of three runs, where they are short.
 Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  const Answer a = solve(p, options);
-  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+  constexpr double is_long = 1000;  // us
+  Answer a;
+  double least = 1e300;
+  for (int run = 0; run < 3 && (run == 0 || least < is_long); ++run) {
+    const auto begin = std::chrono::steady_clock::now();
+    a = solve(p, options);
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+    least = std::min(least, took.count());
+  }
   const double miss = !a.shots.empty() ? a.shots[0].miss : a.nearest ? a.nearest->shot.miss : 1;
-  return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.radius, static_cast<double>(a.simulations), took.count()};
+  return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.radius, static_cast<double>(a.simulations), least};
 }
 
 /// The best of the mirror's aims, each replayed once.
