@@ -116,4 +116,5 @@ int main(int argc, char** argv) {
   for (const PlannerInfo& planner : planners())
     if (planner.name != "image") run(std::string(planner.name), [&](const Puzzle& p) { return by_planner(p, {.planner = std::string(planner.name), .robustness = false, .suggest = false}); });
   run("auto --first", [&](const Puzzle& p) { return by_planner(p, {.first = true, .robustness = false, .suggest = false}); });
+  run("auto --all", [&](const Puzzle& p) { return by_planner(p, {.all = true, .robustness = false, .suggest = false}); });
 }
