@@ -81,7 +81,7 @@ std::optional<Launch> Roots::after_last(const LockedAim& aim, const Launch& from
 }
 
 void Roots::add(const LockedAim& aim, const Launch& root) {
-  constexpr std::ptrdiff_t most = 12;  // of one sequence: more are one root, which rounding scatters
+  constexpr std::ptrdiff_t most = 64;  // of one sequence: more are one root, which rounding scatters beside a kink
   if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >= most) return;
   roots_.push_back({{aim.contacts.begin(), aim.contacts.end()}, aim.target, root});
   const bool shot = certify_root(s_, aim, root, planner_);

@@ -8,6 +8,7 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/boundary.hpp"
+#include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
@@ -132,12 +133,12 @@ void compare(int puzzles) {
       ++by_force;
       if (std::any_of(all.begin(), all.end(), same)) continue;
       ++missed;
-      UNSCOPED_INFO("puzzle " << i << " of seed 23: " << f.contacts.size() << " cushions at " << degrees(f.angle) << " degrees");
+      UNSCOPED_INFO("puzzle " << i << " of seed 23: " << f.contacts.size() << " cushions at " << degrees(f.angle) << " degrees: " << write_puzzle(p));
     }
   }
   INFO(missed << " of " << by_force << " shots missed");
+  CHECK(missed == 0);  // first: the next assertion takes what was noted of each
   CHECK(by_force > 10 * static_cast<std::size_t>(puzzles));
-  CHECK(missed == 0);
 }
 
 }  // namespace
