@@ -208,14 +208,12 @@ std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, 
   for (int i = 0; i < most_steps; ++i) {
     const auto l = linearise(s, aim, {speed, angle});
     double next = 0;
-    if (l && s.stop) {  // the point on the line of rests nearest to the target: a minimum, no change of sign
-      const double step = -(l->r[0] * l->by_speed[0] + l->r[1] * l->by_speed[1]) / (l->by_speed[0] * l->by_speed[0] + l->by_speed[1] * l->by_speed[1]);
+    if (l) {
+      // To stop, the point on the line of rests nearest to the target: a minimum, no change of sign.
+      const double step = s.stop ? -(l->r[0] * l->by_speed[0] + l->r[1] * l->by_speed[1]) / (l->by_speed[0] * l->by_speed[0] + l->by_speed[1] * l->by_speed[1])
+                                 : -l->r[1] / l->by_speed[1];
       if (std::abs(step) < settled) return speed;
-      next = speed * std::exp(std::clamp(step, -largest_step, largest_step));
-    } else if (l) {
-      const double step = -l->r[1] / l->by_speed[1];
-      if (std::abs(step) < settled) return speed;
-      (l->r[1] > 0 ? high : low) = speed;
+      if (!s.stop) (l->r[1] > 0 ? high : low) = speed;
       next = speed * std::exp(std::clamp(step, -largest_step, largest_step));
     } else {
       low = speed;  // it does not get there
