@@ -17,7 +17,8 @@ int main() {
                       .arrive = Range{1, 1}};
   const Answer answer = solve(puzzle);
   const Shot& shot = answer.shots.at(0);
-  fmt::print("{}: aim {:.4f} degrees at {:.4f} m/s\n", name(answer.status), degrees(shot.launch.angle), shot.launch.speed);
+  fmt::print("{}: aim {:.4f} degrees at {:.4f} m/s\n", name(answer.status), degrees(shot.launch.angle),
+             shot.launch.speed);
   fmt::print("drops after {:.4f} s at {:.4f} m/s, the line of travel {} the pocket's centre\n", shot.arrival.time,
              shot.arrival.speed, shot.miss < 1e-9 ? "through" : "beside");
   fmt::print("made while the aim is off by {:+.3f} to {:+.3f} degrees\n", degrees(*shot.margin->angle[0]),

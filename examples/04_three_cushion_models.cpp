@@ -24,7 +24,11 @@ int main(int argc, char** argv) {
   std::vector<LabelledPath> paths;
   for (const auto& [name, cushion] : models) {
     physics.cushion = cushion;
-    const ShotRequest shot{.table = make_table(preset), .physics = physics, .ball = ball, .launch = {3.5, radians(35)}, .spin = {.top = 0.5, .side = 0.8}};
+    const ShotRequest shot{.table = make_table(preset),
+                           .physics = physics,
+                           .ball = ball,
+                           .launch = {3.5, radians(35)},
+                           .spin = {.top = 0.5, .side = 0.8}};
     const Trajectory path = simulate(shot);
     const Vec2d rest = path.events.back().state.at;
     fmt::print("{:<13} rests at ({:.3f}, {:.3f}) m after {:.2f} s and", name, rest.x, rest.y, path.events.back().time);

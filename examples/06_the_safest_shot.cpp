@@ -26,8 +26,8 @@ int main(int argc, char** argv) {
     const Answer answer = solve(puzzle);
     const Shot& shot = answer.shots.at(0);
     const char* name = aim == Aim::centre ? "centre" : "safest";
-    fmt::print("{}: {:.3f} degrees, {:.3f} m/s, rests {:.0f} mm beside the point, chance {:.2f}\n", name, degrees(shot.launch.angle),
-               shot.launch.speed, 1e3 * shot.miss, *shot.success);
+    fmt::print("{}: {:.3f} degrees, {:.3f} m/s, rests {:.0f} mm beside the point, chance {:.2f}\n", name,
+               degrees(shot.launch.angle), shot.launch.speed, 1e3 * shot.miss, *shot.success);
     paths.push_back({name, simulate(as_request(puzzle, shot))});
   }
   if (argc > 1) std::ofstream(argv[1]) << draw(puzzle.table, puzzle.ball, paths);

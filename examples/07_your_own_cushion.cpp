@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
   SoftRail law;
   law.radius = preset.radius;
   const CustomCushion rail{.law = &law, .restitution = 0.85};
-  for (const Promise& p : try_promises(rail, preset.radius)) fmt::print("{}: {}\n", p.kept() ? "kept" : "BROKEN", p.what);
+  for (const Promise& p : try_promises(rail, preset.radius))
+    fmt::print("{}: {}\n", p.kept() ? "kept" : "BROKEN", p.what);
   Puzzle puzzle{.table = make_table(preset),
                 .ball = {.at = {0.7, 0.4}, .radius = preset.radius, .mass = preset.mass},
                 .spin = {.side = 0.5},
@@ -54,7 +55,8 @@ int main(int argc, char** argv) {
     const Answer answer = solve(puzzle);
     const Shot& shot = answer.shots.at(0);
     const char* name = own ? "soft rail" : "han2005";
-    fmt::print("{}: {:.2f} degrees, {:.2f} m/s, chance {:.2f}\n", name, degrees(shot.launch.angle), shot.launch.speed, *shot.success);
+    fmt::print("{}: {:.2f} degrees, {:.2f} m/s, chance {:.2f}\n", name, degrees(shot.launch.angle), shot.launch.speed,
+               *shot.success);
     paths.push_back({name, simulate(as_request(puzzle, shot))});
   }
   if (argc > 1) std::ofstream(argv[1]) << draw(puzzle.table, puzzle.ball, paths);

@@ -17,7 +17,8 @@ namespace {
 using namespace bankshot;
 
 std::string cushions(const Puzzle& p) {
-  constexpr const char* numbers[] = {"Straight", "One cushion", "Two cushions", "Three cushions", "Four cushions", "Five cushions"};
+  constexpr const char* numbers[] = {"Straight",       "One cushion",   "Two cushions",
+                                     "Three cushions", "Four cushions", "Five cushions"};
   if (!p.cushions.sequence) return numbers[p.cushions.min];
   std::string names;
   for (const int c : *p.cushions.sequence) names += (names.empty() ? "By " : ", ") + contact_name(p.table, c);
@@ -28,15 +29,17 @@ std::string question(const Puzzle& p) {
   const auto arrive = arrival_range(p);
   const std::string speed = p.speed.fixed() ? fmt::format(", struck at {:.2g} m/s", p.speed.low) : "";
   if (const auto* pocket = std::get_if<PocketTarget>(&p.target))
-    return fmt::format("{} into {}{}", cushions(p), p.table.pockets[static_cast<std::size_t>(*pocket->pocket)].name, speed);
+    return fmt::format("{} into {}{}", cushions(p), p.table.pockets[static_cast<std::size_t>(*pocket->pocket)].name,
+                       speed);
   if (!arrive) return fmt::format("{} through the ring{}", cushions(p), speed);
-  return cushions(p) + (arrive->high == 0 ? ", to rest in the ring" : fmt::format(" through the ring at {:.2g} m/s", arrive->low));
+  return cushions(p) +
+         (arrive->high == 0 ? ", to rest in the ring" : fmt::format(" through the ring at {:.2g} m/s", arrive->low));
 }
 
 std::string scene(const Puzzle& p) {
   const Vec2d size = p.table.highest() - p.table.lowest();
-  std::string out =
-      p.table.is_rectangle() ? fmt::format("{:.3g} × {:.3g} m", size.x, size.y) : fmt::format("{} sides", p.table.vertices.size());
+  std::string out = p.table.is_rectangle() ? fmt::format("{:.3g} × {:.3g} m", size.x, size.y)
+                                           : fmt::format("{} sides", p.table.vertices.size());
   for (const TablePreset& t : table_presets())
     if (make_table(t).vertices == p.table.vertices) out = t.name;
   out += is_ideal(p.physics)                                       ? ", no friction"
@@ -62,12 +65,13 @@ int main(int argc, char** argv) {
     const Puzzle puzzle = read_puzzle(line);
     const Answer answer = solve(puzzle);
     const Shot& shot = answer.shots.at(0);
-    const std::string aim =
-        fmt::format("{:.2f}°, {:.2f} m/s, chance {:.0f} %", degrees(shot.launch.angle), shot.launch.speed, 100 * *shot.success);
+    const std::string aim = fmt::format("{:.2f}°, {:.2f} m/s, chance {:.0f} %", degrees(shot.launch.angle),
+                                        shot.launch.speed, 100 * *shot.success);
     fmt::print("{:3}  {:<32} {}\n", number + 1, aim, question(puzzle));
     constexpr std::size_t chapter = 30;  // puzzles; the last has 10
     book.at(number / chapter)
-        .plates.push_back({draw(puzzle, answer), fmt::format("{}", number + 1), {question(puzzle), scene(puzzle), aim}});
+        .plates.push_back(
+            {draw(puzzle, answer), fmt::format("{}", number + 1), {question(puzzle), scene(puzzle), aim}});
   }
   const PageStyle style{.columns = 5,
                         .plate = 480,

@@ -58,7 +58,8 @@ void at_angle(Search& s, double angle) {
   }
   for (std::size_t i = 0; i < errors.size() && !s.spent(); ++i) {
     const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, errors.size() - 1);
-    if (errors[i] < 1 && errors[i] <= errors[before] && errors[i] <= errors[after]) certify_at(least_between(s, angle, speeds[before], speeds[after]));
+    if (errors[i] < 1 && errors[i] <= errors[before] && errors[i] <= errors[after])
+      certify_at(least_between(s, angle, speeds[before], speeds[after]));
   }
 }
 

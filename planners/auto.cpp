@@ -33,7 +33,8 @@ void beside_centre(Search& s, std::vector<Search::Lead>& tried) {
 bool hopeful(const Search& s, const Search::Lead& lead) {
   constexpr double nearly = 1.3;
   const Range& v = s.puzzle.speed;
-  return lead.half > 0 && lead.room > -s.reach(lead.target) && lead.launch.speed > v.low / nearly && lead.launch.speed < v.high * nearly;
+  return lead.half > 0 && lead.room > -s.reach(lead.target) && lead.launch.speed > v.low / nearly &&
+         lead.launch.speed < v.high * nearly;
 }
 
 /// The hopeful leads that came nearest, until this share of what is left of the budget is used.
@@ -49,7 +50,8 @@ bool nothing_yet(const Search& s) { return s.shots.empty() && !s.cut; }
 /// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets
 /// whose centre something blocks: it often does at a pocket, hardly ever at a point.
 void search_with_spin(Search& s) {
-  constexpr Spacing fine{radians(0.7), 0.08, true}, real{radians(2), 0.12, true, false}, finest{radians(0.8), 0.05, true, false};
+  constexpr Spacing fine{radians(0.7), 0.08, true}, real{radians(2), 0.12, true, false},
+      finest{radians(0.8), 0.05, true, false};
   const bool point = s.point(), given = s.puzzle.cushions.sequence.has_value();
   std::vector<Search::Lead> tried;
   image_seeds(s, true);

@@ -31,10 +31,12 @@ std::vector<Answer> solve_batch(std::span<const Puzzle> puzzles, const BatchOpti
     for (;;) {
       const std::size_t begin = next.fetch_add(block, std::memory_order_relaxed);
       if (begin >= puzzles.size()) return;
-      for (std::size_t i = begin; i < std::min(begin + block, puzzles.size()); ++i) answers[i] = solve_one(puzzles[i], options.solve);
+      for (std::size_t i = begin; i < std::min(begin + block, puzzles.size()); ++i)
+        answers[i] = solve_one(puzzles[i], options.solve);
     }
   };
-  const std::size_t wanted = options.threads > 0 ? static_cast<std::size_t>(options.threads) : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t wanted = options.threads > 0 ? static_cast<std::size_t>(options.threads)
+                                                 : std::max(1u, std::thread::hardware_concurrency());
   const std::size_t threads = std::min(wanted, (puzzles.size() + block - 1) / block);
   std::vector<std::jthread> others;
   try {

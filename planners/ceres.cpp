@@ -18,7 +18,8 @@ namespace {
 constexpr int fan = 720;  // aims tried as seeds where no image exists: every half degree
 
 /// Refines one image along one sequence; true when it leads to a root, a shot or not.
-bool from_seed(Search& s, double angle, double length, const std::vector<int>& contacts, const Vec2d& target, bool quickly) {
+bool from_seed(Search& s, double angle, double length, const std::vector<int>& contacts, const Vec2d& target,
+               bool quickly) {
   const LockedAim aim{s, contacts, target};
   const auto speed = speed_at(s, aim, angle, length);
   if (!speed) return false;
@@ -51,7 +52,8 @@ void from_fan(Search& s) {
 
 void image_seeds(Search& s, bool quickly) {
   const bool straight = is_straight(s.puzzle.physics);
-  std::set<std::pair<std::vector<int>, std::pair<double, double>>> settled;  // a sequence with a root has hardly ever another
+  std::set<std::pair<std::vector<int>, std::pair<double, double>>>
+      settled;  // a sequence with a root has hardly ever another
   for (const double share : shares) {
     Unfolding images(s, !straight, share * restitution(s.puzzle.physics).at_rest, true);
     while (const auto c = images.next()) {

@@ -16,9 +16,12 @@ namespace {
 /// Larger is better.
 double merit(const Puzzle& p, const Shot& shot) {
   switch (p.prefer) {
-    case Prefer::soft: return -shot.launch.speed;
-    case Prefer::quick: return -shot.arrival.time;
-    case Prefer::robust: break;
+    case Prefer::soft:
+      return -shot.launch.speed;
+    case Prefer::quick:
+      return -shot.arrival.time;
+    case Prefer::robust:
+      break;
   }
   return shot.success.value_or(shot.first_order);
 }
@@ -69,7 +72,8 @@ void add_robustness(Search& s, std::vector<Shot>& shots, bool all) {
     s.add_note(fmt::format("only the {} with the largest first-order margin were compared by success", n));
   for (std::size_t i = 0; i < (by_success || all ? n : 1); ++i) find_success(s, shots[i]);
   if (by_success) {
-    std::vector<Shot> head(std::make_move_iterator(shots.begin()), std::make_move_iterator(shots.begin() + static_cast<long>(n)));
+    std::vector<Shot> head(std::make_move_iterator(shots.begin()),
+                           std::make_move_iterator(shots.begin() + static_cast<long>(n)));
     order(s.puzzle, head);
     std::move(head.begin(), head.end(), shots.begin());
   }
@@ -88,7 +92,10 @@ void make_safest(Search& s, Shot& shot) {
   constexpr int halvings = 5, most_steps = 24;
   for (int halved = 0, steps = 0; halved < halvings && steps < most_steps; ++steps) {
     const Launch& at = shot.launch;
-    const Launch around[] = {{at.speed, wrap_angle(at.angle + turn)}, {at.speed, wrap_angle(at.angle - turn)}, {at.speed + push, at.angle}, {at.speed - push, at.angle}};
+    const Launch around[] = {{at.speed, wrap_angle(at.angle + turn)},
+                             {at.speed, wrap_angle(at.angle - turn)},
+                             {at.speed + push, at.angle},
+                             {at.speed - push, at.angle}};
     std::optional<Shot> best;
     for (const Launch& to : around) {
       auto next = moved(s, shot, to);

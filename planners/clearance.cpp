@@ -40,7 +40,8 @@ class Clearance {
   void arrival(const LockedArrival<double>& a) {
     const Vec2d off = aim_.target - a.state.at;
     consider(aim_.s.reach(aim_.target) - (a.at_rest ? norm(off) : std::abs(cross(a.heading, off)) / norm(a.heading)));
-    if (aim_.capture() > 0 && !a.at_rest) consider(dot(a.state.velocity, a.state.velocity) / (2 * deceleration(aim_.s.puzzle.physics)));
+    if (aim_.capture() > 0 && !a.at_rest)
+      consider(dot(a.state.velocity, a.state.velocity) / (2 * deceleration(aim_.s.puzzle.physics)));
     consider(boundary_.clearance(a.state.at) + boundary_.touch);
   }
 
@@ -56,7 +57,8 @@ std::optional<double> clearance(Search& s, const LockedAim& aim, const Launch& l
   s.spend(aim.contacts.size());
   return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<double> {
     Clearance out(aim);
-    State<double> state = launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin);
+    State<double> state =
+        launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin);
     int before = -1;
     for (const int contact : aim.contacts) {
       Vec2d met = state.at;
@@ -71,7 +73,8 @@ std::optional<double> clearance(Search& s, const LockedAim& aim, const Launch& l
       before = contact;
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
-    const auto arrival = arrive_locked(motion, state, aim.target, aim.capture(), s.stop, [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, -1); });
+    const auto arrival = arrive_locked(motion, state, aim.target, aim.capture(), s.stop,
+                                       [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, -1); });
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);
     return out.least();

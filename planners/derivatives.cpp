@@ -33,7 +33,8 @@ struct Path {
     using std::cos, std::exp, std::sin;
     ++simulations;
     const T speed = exp(log_speed);
-    const auto start = launched(s.puzzle.ball.at, s.puzzle.ball.radius, Vec2<T>{cos(angle), sin(angle)} * speed, s.puzzle.spin);
+    const auto start =
+        launched(s.puzzle.ball.at, s.puzzle.ball.radius, Vec2<T>{cos(angle), sin(angle)} * speed, s.puzzle.spin);
     return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Vec2<T>> {
       const auto path = follow_locked(s.boundary, motion, cushion, contacts, start);
       if (path.end != LockedEnd::complete) return {};
@@ -77,13 +78,14 @@ void newton_from(Path& p, const Launch& seed, Derivatives d) {
   constexpr double step_aim = 0.3, step_speed = 0.5, settled = 1e-16;
   double angle = seed.angle, log_speed = std::log(seed.speed);
   for (int i = 0; i < most_steps; ++i) {
-    const auto l =
-        d == Derivatives::dual ? by_dual_numbers(p, angle, log_speed) : by_differences(p, angle, log_speed, d == Derivatives::central);
+    const auto l = d == Derivatives::dual ? by_dual_numbers(p, angle, log_speed)
+                                          : by_differences(p, angle, log_speed, d == Derivatives::central);
     if (!l) return;
     p.note({l->r[0], l->r[1]});
     const auto step = newton_step(*l, false);
     if (!step || !std::isfinite(step->x) || !std::isfinite(step->y)) return;
-    const double size = std::max(std::abs(step->x) / step_aim, std::abs(step->y) / step_speed), damped = size > 1 ? 1 / size : 1;
+    const double size = std::max(std::abs(step->x) / step_aim, std::abs(step->y) / step_speed),
+                 damped = size > 1 ? 1 / size : 1;
     if (size < settled) return;
     angle += damped * step->x;
     log_speed += damped * step->y;

@@ -10,8 +10,8 @@
 
 namespace bankshot::planning {
 
-/// dual: Newton's method, the Jacobian by dual numbers, one simulation a step. forward, central: by differences, three and
-/// five. none: BOBYQA on the squared distance.
+/// dual: Newton's method, the Jacobian by dual numbers, one simulation a step. forward, central: by differences, three
+/// and five. none: BOBYQA on the squared distance.
 enum class Derivatives { dual, forward, central, none };
 
 struct Iterate {
@@ -20,8 +20,8 @@ struct Iterate {
   double miss;     ///< m, the least so far
 };
 
-/// From the image of a puzzle that gives its sequence and asks the ball to rest at a point; empty where the image gives no
-/// seed. Ends when the miss no longer matters, or after enough steps. `clock` tells seconds.
+/// From the image of a puzzle that gives its sequence and asks the ball to rest at a point; empty where the image gives
+/// no seed. Ends when the miss no longer matters, or after enough steps. `clock` tells seconds.
 std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives derivatives, double (*clock)());
 
 }  // namespace bankshot::planning

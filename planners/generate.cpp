@@ -35,7 +35,8 @@ Vec2d rounded(const Vec2d& p, double unit) { return {rounded(p.x, unit), rounded
 /// Clear of cushions and pockets.
 bool is_free(const Boundary& b, const Vec2d& p) {
   if (b.clearance(p) < b.radius / 2) return false;
-  return std::all_of(b.pockets.begin(), b.pockets.end(), [&](const Circle& c) { return norm(p - c.centre) > c.radius + b.radius; });
+  return std::all_of(b.pockets.begin(), b.pockets.end(),
+                     [&](const Circle& c) { return norm(p - c.centre) > c.radius + b.radius; });
 }
 
 std::optional<Vec2d> free_place(Random& r, const Boundary& b, const Table& table) {
@@ -68,15 +69,19 @@ void tidy(Puzzle& p) {
   const bool stops = kind_of(p) == Wish::Kind::stop;
   if (auto* point = std::get_if<PointTarget>(&p.target)) {
     const double unit = unit_of(p.table);
-    *point = {rounded(point->at, unit), std::min(point->within, 10 * unit)};  // the default on any table one can play on
+    *point = {rounded(point->at, unit),
+              std::min(point->within, 10 * unit)};  // the default on any table one can play on
   }
   const auto in_tenths = [&](double v) { return std::max(tenth, rounded(v, tenth)); };
   const Puzzle plain;
-  if (is_ideal(p.physics) || !p.speed.fixed()) p.speed = plain.speed;
-  else p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
+  if (is_ideal(p.physics) || !p.speed.fixed())
+    p.speed = plain.speed;
+  else
+    p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
   if (p.arrive && !stops && std::holds_alternative<PointTarget>(p.target))
     p.arrive = Range{in_tenths(p.arrive->low), in_tenths(p.arrive->low)};
-  else p.arrive.reset();
+  else
+    p.arrive.reset();
 }
 
 /// A question about a shot drawn at random; none when it has other bounces, or falls into another pocket:
@@ -108,8 +113,10 @@ std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boun
   p.cushions = w.cushions;
   p.target = PointTarget{*target};
   const auto pockets = static_cast<int>(w.table.pockets.size());
-  if (pockets > 0 && r.chance(0.5)) p.target = PocketTarget{r.integer(0, pockets - 1)};
-  else if (r.chance(0.5)) p.arrive = Range{0.5, 0.5};
+  if (pockets > 0 && r.chance(0.5))
+    p.target = PocketTarget{r.integer(0, pockets - 1)};
+  else if (r.chance(0.5))
+    p.arrive = Range{0.5, 0.5};
   return p;
 }
 
@@ -122,7 +129,8 @@ bool is_sound(const Puzzle& p) {
   }
   constexpr double near = 0.2;
   const auto* point = std::get_if<PointTarget>(&p.target);
-  const Vec2d target = point ? point->at : p.table.pockets[static_cast<std::size_t>(std::get<PocketTarget>(p.target).pocket.value())].at;
+  const Vec2d target =
+      point ? point->at : p.table.pockets[static_cast<std::size_t>(std::get<PocketTarget>(p.target).pocket.value())].at;
   return norm(target - p.ball.at) >= near * p.table.diagonal();
 }
 
@@ -141,11 +149,15 @@ Random::Random(std::uint64_t seed, std::uint64_t number) : engine_(0) {
   engine_.seed(sequence);
 }
 
-double Random::uniform(double low, double high) { return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53); }
+double Random::uniform(double low, double high) {
+  return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+}
 
 double Random::log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
 
-int Random::integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1)); }
+int Random::integer(int low, int high) {
+  return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+}
 
 std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory& t, int least, int most) {
   Question q{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};
@@ -165,19 +177,23 @@ std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory
     const Leg& l = t.legs[leg];
     const double time = l.duration * (r.chance(0.2) ? 1.0 : r.uniform(0.05, 1));
     p.target = PointTarget{l.arc.position(time)};
-    q.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(),
-                                               [&](const Record& e) { return e.kind == Record::Kind::cushion && e.time <= l.begin; }));
+    q.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(), [&](const Record& e) {
+      return e.kind == Record::Kind::cushion && e.time <= l.begin;
+    }));
     arrival = norm(l.arc.velocity_at(time));
     if (!(arrival > 1e-3)) return {};
   }
   if (q.bounces < least || q.bounces > most) return {};
   p.speed = {shot.launch.speed / 2, shot.launch.speed * 2};
   const bool ideal = is_ideal(shot.physics), stops = !ideal && arrival == 0;
-  if (!stops && r.chance(0.5)) p.speed = {shot.launch.speed, shot.launch.speed};
-  else if (!ideal && !stops) p.arrive = Range{arrival, arrival};
+  if (!stops && r.chance(0.5))
+    p.speed = {shot.launch.speed, shot.launch.speed};
+  else if (!ideal && !stops)
+    p.arrive = Range{arrival, arrival};
   std::vector<int> contacts = t.sequence();
   contacts.resize(static_cast<std::size_t>(q.bounces));
-  p.cushions = starts_into_cushion(t) || r.chance(0.5) ? CushionRule::in_order(contacts) : CushionRule::exactly(q.bounces);
+  p.cushions =
+      starts_into_cushion(t) || r.chance(0.5) ? CushionRule::in_order(contacts) : CushionRule::exactly(q.bounces);
   return q;
 }
 
@@ -188,14 +204,16 @@ const char* name(Difficulty d) {
 
 Difficulty difficulty(const Shot& shot) {
   const auto side = [](const std::optional<double>& m) { return m ? std::abs(*m) : radians(180); };
-  const double margin = std::min(side(shot.margin.value().angle[0]), side(shot.margin->angle[1])), success = shot.success.value();
+  const double margin = std::min(side(shot.margin.value().angle[0]), side(shot.margin->angle[1])),
+               success = shot.success.value();
   if (success < hard_success || margin < hard_margin) return Difficulty::hard;
   return success >= easy_success && margin >= easy_margin ? Difficulty::easy : Difficulty::medium;
 }
 
 std::string Tries::text() const {
   if (no_room) return "the table has no free place for the ball";
-  std::string out = fmt::format("{} shots drawn, {} with the bounces and the target wished and solved for", draws, solved);
+  std::string out =
+      fmt::format("{} shots drawn, {} with the bounces and the target wished and solved for", draws, solved);
   if (no_shot) out += fmt::format("; {} had no exact shot", no_shot);
   if (other_difficulty) out += fmt::format("; {} had another difficulty", other_difficulty);
   if (not_unique) out += fmt::format("; {} had more than one shot", not_unique);

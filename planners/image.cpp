@@ -84,7 +84,8 @@ void image(Search& s) {
   const bool some_part = beside_centre(s);
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
   const bool no_obstacle = s.boundary.strictly_convex && s.boundary.pockets.empty();
-  s.proved = s.complete && (!some_part || (no_obstacle && is_ideal(s.puzzle.physics))) && !s.frozen() && !(no_obstacle && s.rounding_decided);
+  s.proved = s.complete && (!some_part || (no_obstacle && is_ideal(s.puzzle.physics))) && !s.frozen() &&
+             !(no_obstacle && s.rounding_decided);
 }
 
 }  // namespace bankshot::planning

@@ -109,9 +109,7 @@ State<Jet> dual_start(const Search& s, const Launch& launch) {
   return launched(s.puzzle.ball.at, s.puzzle.ball.radius, velocity, s.puzzle.spin);
 }
 
-Linear linear(const Jet (&r)[2]) {
-  return {{r[0].a, r[1].a}, {r[0].v[0], r[1].v[0]}, {r[0].v[1], r[1].v[1]}};
-}
+Linear linear(const Jet (&r)[2]) { return {{r[0].a, r[1].a}, {r[0].v[0], r[1].v[0]}, {r[0].v[1], r[1].v[1]}}; }
 
 /// Adds how a free leg from `state` misses each aim point.
 template <class Motion>
@@ -136,10 +134,12 @@ std::optional<Vec2d> newton_step(const Linear& l, bool one_unknown) {
   const double det = l.determinant(one_unknown);
   if (det == 0) return {};
   if (one_unknown) return Vec2d{-l.r[0] / det, 0};
-  return Vec2d{(l.by_speed[0] * l.r[1] - l.by_speed[1] * l.r[0]) / det, (l.by_aim[1] * l.r[0] - l.by_aim[0] * l.r[1]) / det};
+  return Vec2d{(l.by_speed[0] * l.r[1] - l.by_speed[1] * l.r[0]) / det,
+               (l.by_aim[1] * l.r[0] - l.by_aim[0] * l.r[1]) / det};
 }
 
-std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from, const Neighbourhood& near, const Known& known) {
+std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from, const Neighbourhood& near,
+                             const Known& known) {
   constexpr int most_steps = 40;
   constexpr int usual_steps = 4;    // after which a step that does not come nearer jumps to and fro across a kink
   constexpr int patience = 12;      // steps, after which each must come nearer
@@ -164,7 +164,9 @@ std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from
     at = {at.speed * std::exp(damped * step->y), at.angle + damped * step->x};
     if (known && known(at, size)) return {};
     if (size < settled) return Launch{at.speed, wrap_angle(at.angle)};
-    if (std::abs(at.angle - from.angle) > near.far * near.step_aim || std::abs(std::log(at.speed / from.speed)) > near.far * near.step_speed) return {};
+    if (std::abs(at.angle - from.angle) > near.far * near.step_aim ||
+        std::abs(std::log(at.speed / from.speed)) > near.far * near.step_speed)
+      return {};
   }
   return {};
 }
@@ -210,7 +212,8 @@ std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, 
     double next = 0;
     if (l) {
       // To stop, the point on the line of rests nearest to the target: a minimum, no change of sign.
-      const double step = s.stop ? -(l->r[0] * l->by_speed[0] + l->r[1] * l->by_speed[1]) / (l->by_speed[0] * l->by_speed[0] + l->by_speed[1] * l->by_speed[1])
+      const double step = s.stop ? -(l->r[0] * l->by_speed[0] + l->r[1] * l->by_speed[1]) /
+                                       (l->by_speed[0] * l->by_speed[0] + l->by_speed[1] * l->by_speed[1])
                                  : -l->r[1] / l->by_speed[1];
       if (std::abs(step) < settled) return speed;
       if (!s.stop) (l->r[1] > 0 ? high : low) = speed;
@@ -218,7 +221,10 @@ std::optional<double> speed_near(Search& s, const LockedAim& aim, double angle, 
     } else {
       low = speed;  // it does not get there
     }
-    if (!(next > low && next < high)) next = !(low > 0) ? high / beyond : high < std::numeric_limits<double>::infinity() ? std::sqrt(low * high) : low * beyond;
+    if (!(next > low && next < high))
+      next = !(low > 0)                                       ? high / beyond
+             : high < std::numeric_limits<double>::infinity() ? std::sqrt(low * high)
+                                                              : low * beyond;
     if (high - low < settled * high) return speed;
     speed = next;
   }

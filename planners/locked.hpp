@@ -49,7 +49,8 @@ struct Neighbourhood {
 };
 /// Asked before each step how long it is, in longest steps, and where it leads: true to give up.
 using Known = std::function<bool(const Launch&, double size)>;
-std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from, const Neighbourhood& near, const Known& known = {});
+std::optional<Launch> newton(Search& s, const LockedAim& aim, const Launch& from, const Neighbourhood& near,
+                             const Known& known = {});
 
 /// A launch near a root, moved onto it by Levenberg–Marquardt; none where that does not converge.
 /// About ten locked simulations.

@@ -18,13 +18,15 @@
 namespace bankshot::planning {
 namespace {
 
-constexpr double band = 1.5;              // cells of speed from a node to launches that arrive as asked, beyond which it is left alone
+constexpr double band =
+    1.5;  // cells of speed from a node to launches that arrive as asked, beyond which it is left alone
 constexpr double narrowest = 1e-4;        // rad; where the division between two sequences ends
 constexpr double narrowest_given = 1e-7;  // and between two ways to leave the one that is given
 
 class Map {
  public:
-  Map(Search& s, const Spacing& spacing, std::string_view planner) : s_(s), cell_(spacing), roots_(s, spacing, planner) {}
+  Map(Search& s, const Spacing& spacing, std::string_view planner)
+      : s_(s), cell_(spacing), roots_(s, spacing, planner) {}
 
   void run() {
     const Range around = s_.puzzle.angle.value_or(Range{0, radians(360)});
@@ -82,7 +84,8 @@ class Map {
   /// m/s. No slower launch rolls as far as the nearest aim point, nor arrives as fast as asked.
   double slowest_arrival() const {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Vec2d& p : s_.aim_points()) nearest = std::min(nearest, norm(p - s_.puzzle.ball.at) - s_.capture(s_.reach(p)));
+    for (const Vec2d& p : s_.aim_points())
+      nearest = std::min(nearest, norm(p - s_.puzzle.ball.at) - s_.capture(s_.reach(p)));
     const double asked = s_.arrival ? s_.arrival->low : 0;
     const double energy = asked * asked + 2 * deceleration(s_.puzzle.physics) * std::max(0.0, nearest);
     return std::max(std::sqrt(energy), 1e-3 * s_.puzzle.speed.high);
@@ -90,12 +93,13 @@ class Map {
 
   static bool within(const std::optional<Node>& n) { return n && n->place == Place::within; }
 
-  /// Only the speeds around those that arrive as asked matter. They change little from one aim to the next, so begin near
-  /// where they began at the neighbour, and go up until a row is too fast, down until one is too slow.
+  /// Only the speeds around those that arrive as asked matter. They change little from one aim to the next, so begin
+  /// near where they began at the neighbour, and go up until a row is too fast, down until one is too slow.
   Column column(double angle, const std::vector<double>& rows, const Column& neighbour) {
     constexpr std::size_t before_band = 2;
     Column out(rows.size());
-    const auto first = static_cast<std::size_t>(std::find_if(neighbour.begin(), neighbour.end(), within) - neighbour.begin());
+    const auto first =
+        static_cast<std::size_t>(std::find_if(neighbour.begin(), neighbour.end(), within) - neighbour.begin());
     const std::size_t start = first < neighbour.size() ? std::max(first, before_band) - before_band : 0;
     const auto place = [&](std::size_t k) {
       out[k] = node(angle, rows[k]);
@@ -115,21 +119,24 @@ class Map {
     forward(s_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
     for (const Passage& p : forward_.passages) {
       lead(angle, speed, p);
-      roots_.visit({s_, std::span<const int>(forward_.contacts).first(p.bounces), s_.aim_points()[p.aim_point]}, {speed, angle}, p.linear);
+      roots_.visit({s_, std::span<const int>(forward_.contacts).first(p.bounces), s_.aim_points()[p.aim_point]},
+                   {speed, angle}, p.linear);
     }
     return {angle, speed, forward_.contacts, forward_.places, place()};
   }
 
   /// Of what was followed last.
   Place place() const {
-    if (cell_.whole || !s_.boundary.tips.empty()) return Place::within;  // a reflex vertex sends a little less speed another way
+    if (cell_.whole || !s_.boundary.tips.empty())
+      return Place::within;  // a reflex vertex sends a little less speed another way
     if (forward_.passages.empty()) return forward_.rests ? Place::below : Place::within;
     const auto steps = [&](const Passage& p) {  // cells of speed to where it arrives as asked
       const Linear& l = p.linear;
       if (s_.one_unknown()) return 0.0;
       if (!s_.stop) return -l.r[1] / l.by_speed[1] / cell_.speed;
       const double diagonal = s_.boundary.diagonal;
-      const double outside = -s_.boundary.clearance(s_.aim_points()[p.aim_point] - Vec2d{l.r[0], l.r[1]} * diagonal);  // a ball rests there that is too fast
+      const double outside = -s_.boundary.clearance(
+          s_.aim_points()[p.aim_point] - Vec2d{l.r[0], l.r[1]} * diagonal);  // a ball rests there that is too fast
       return outside > 0 ? -outside / (diagonal * std::hypot(l.by_speed[0], l.by_speed[1])) / cell_.speed : 0;
     };
     bool below = true, beyond = true;
@@ -158,8 +165,11 @@ class Map {
     if (!(std::abs(lateral) < wide && std::abs(step) < seed_reach * cell_.speed)) return;
     const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
     for (const Search::Lead& known : leads_)
-      if (known.target == target && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 && std::ranges::equal(known.contacts, contacts)) return;
-    leads_.push_back({{speed * std::exp(step), wrap_angle(angle)}, {contacts.begin(), contacts.end()}, target, cell_.aim});
+      if (known.target == target && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
+          std::ranges::equal(known.contacts, contacts))
+        return;
+    leads_.push_back(
+        {{speed * std::exp(step), wrap_angle(angle)}, {contacts.begin(), contacts.end()}, target, cell_.aim});
   }
 
   void between(const Node& a, const Node& b) {
@@ -182,7 +192,9 @@ class Map {
   /// derivatives tell; else half way.
   double change(const Node& a, const Node& b) const {
     const double half_way = a.angle + (b.angle - a.angle) / 2;
-    const auto m = static_cast<std::size_t>(std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end()).first - a.contacts.begin());
+    const auto m = static_cast<std::size_t>(
+        std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end()).first -
+        a.contacts.begin());
     double best = half_way, nearest = (b.angle - a.angle) / 2;
     for (const auto& [node, way] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
       if (m >= node->contacts.size() || m >= node->places.size() || !s_.boundary.is_wall(node->contacts[m])) continue;

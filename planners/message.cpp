@@ -27,18 +27,25 @@ std::string explain(const Search& s, const Failure& f) {
   const Range& v = s.puzzle.speed;
   switch (f.foul) {
     case Foul::none:
-    case Foul::missed: return "passes by the target";
-    case Foul::fell_short: return "stops before the target";
-    case Foul::wrong_cushion: return fmt::format("meets cushion {} out of turn", cushion());
-    case Foul::extra_cushion: return fmt::format("meets cushion {} before the target", cushion());
+    case Foul::missed:
+      return "passes by the target";
+    case Foul::fell_short:
+      return "stops before the target";
+    case Foul::wrong_cushion:
+      return fmt::format("meets cushion {} out of turn", cushion());
+    case Foul::extra_cushion:
+      return fmt::format("meets cushion {} before the target", cushion());
     case Foul::pocketed:
       return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(f.index)].name);
-    case Foul::too_fast: return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
+    case Foul::too_fast:
+      return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
     case Foul::too_slow:
       if (s.stop && deceleration(s.puzzle.physics) == 0) return "never stops, for the rolling friction is 0";
       return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
-    case Foul::too_long: return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
-    case Foul::outside_aim: break;
+    case Foul::too_long:
+      return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
+    case Foul::outside_aim:
+      break;
   }
   return fmt::format("needs an aim outside the bounds of {}", aims(s));
 }
@@ -51,7 +58,9 @@ std::string failures(const Search& s) {
   std::string out;
   for (std::size_t i = 0; i < std::min(most_named, by_count.size()); ++i)
     out += fmt::format("{}it {} ({}×)", i ? "; " : "", explain(s, by_count[i].failure), by_count[i].times);
-  if (by_count.size() > most_named) out += fmt::format("; and {} other reason{}", by_count.size() - most_named, by_count.size() > most_named + 1 ? "s" : "");
+  if (by_count.size() > most_named)
+    out += fmt::format("; and {} other reason{}", by_count.size() - most_named,
+                       by_count.size() > most_named + 1 ? "s" : "");
   return out.empty() ? "no path has the bounces asked" : out;
 }
 
@@ -65,7 +74,9 @@ std::string asked_cushions(const CushionRule& c) {
 std::string uncertain(const Search& s, const Shot& shot) {
   const double error = tolerance::simulation_error * 0x1p-53 * shot.condition, diagonal = s.boundary.diagonal;
   if (!(error > tolerance::exact_miss * diagonal)) return "";
-  return fmt::format("; its condition leaves about {:.0f} of 16 digits: in exact numbers the arrival may be {:.1g} m off", std::max(0.0, -std::log10(error / diagonal)), error);
+  return fmt::format(
+      "; its condition leaves about {:.0f} of 16 digits: in exact numbers the arrival may be {:.1g} m off",
+      std::max(0.0, -std::log10(error / diagonal)), error);
 }
 
 /// The softest shot of a changed puzzle.
@@ -82,9 +93,12 @@ std::optional<Shot> opened(Puzzle p) {
 std::string message(const Search& s, const Answer& a, std::size_t found) {
   std::string text;
   if (a.status == Status::solved) {
-    text = s.first ? "the first shot found, there may be better ones" : found == 1 ? "one shot found" : fmt::format("{} distinct shots found", found);
+    text = s.first      ? "the first shot found, there may be better ones"
+           : found == 1 ? "one shot found"
+                        : fmt::format("{} distinct shots found", found);
     if (s.stopped && !s.first) text += "; the search stopped there, so others were not compared";
-    if (!s.centred(a.shots.front().miss)) text += "; nothing found reaches the target's centre, this reaches part of it";
+    if (!s.centred(a.shots.front().miss))
+      text += "; nothing found reaches the target's centre, this reaches part of it";
     text += uncertain(s, a.shots.front());
     if (s.cut) text += "; the budget ended the search, so there may be better ones";
     if (s.all && !s.complete && !s.cut) text += "; there may be more: shots in a narrow range of aims can be missed";
@@ -95,13 +109,15 @@ std::string message(const Search& s, const Answer& a, std::size_t found) {
   } else {
     const Range& v = s.puzzle.speed;
     text = fmt::format("searched {} and aims {} with {}: {}",
-                       v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low) : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high),
+                       v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low)
+                                 : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high),
                        aims(s), asked_cushions(s.puzzle.cushions), failures(s));
   }
   if (a.status != Status::solved && !s.puzzle.cushions.sequence && s.puzzle.cushions.max > 0 && s.frozen())
     text += "; aims straight into a cushion that the ball touches were left out";
   const PointTarget* point = s.point();
-  if (a.status != Status::solved && point && norm(point->at - s.puzzle.ball.at) <= point->within && s.puzzle.cushions.min == 0)
+  if (a.status != Status::solved && point && norm(point->at - s.puzzle.ball.at) <= point->within &&
+      s.puzzle.cushions.min == 0)
     text += "; the ball starts at its target";
   if (!s.note.empty()) text += "; " + s.note;
   return text;

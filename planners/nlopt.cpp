@@ -46,9 +46,7 @@ struct Objective {
   Launch best{};
   double least = std::numeric_limits<double>::infinity();
 
-  Launch launch(const double* x) const {
-    return {s.one_unknown() ? fixed_speed : x[1], wrap_angle(x[0])};
-  }
+  Launch launch(const double* x) const { return {s.one_unknown() ? fixed_speed : x[1], wrap_angle(x[0])}; }
 
   double operator()(const double* x) {
     if (s.spent()) {
@@ -68,9 +66,7 @@ struct Objective {
   }
 };
 
-double evaluate(unsigned, const double* x, double*, void* data) {
-  return (*static_cast<Objective*>(data))(x);
-}
+double evaluate(unsigned, const double* x, double*, void* data) { return (*static_cast<Objective*>(data))(x); }
 
 /// The squared residual of one locked sequence and its gradient, in (aim, speed).
 struct LockedObjective {

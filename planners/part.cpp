@@ -27,7 +27,8 @@ class PartOfTarget {
     if (s_.spent()) return false;
     std::vector<std::size_t> order(row.size() - 1);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::abs(row[a].aim - centre) < std::abs(row[b].aim - centre); });
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return std::abs(row[a].aim - centre) < std::abs(row[b].aim - centre); });
     for (const std::size_t i : order) {
       if (s_.spent()) return false;
       const auto made = between(row[i], row[i + 1]);
@@ -83,7 +84,9 @@ class PartOfTarget {
 
 bool reach_part(Search& s, const Range& aims, double centre, int samples, const Goal& goal, std::string_view planner) {
   const auto follow = [&](double aim) { return trace(s, wrap_angle(aim), goal).replay; };
-  const auto certified = [&](double aim, int bounces) { return certify_aim(s, wrap_angle(aim), bounces, planner, true); };
+  const auto certified = [&](double aim, int bounces) {
+    return certify_aim(s, wrap_angle(aim), bounces, planner, true);
+  };
   return PartOfTarget(s, aims, follow, certified).find(centre, samples);
 }
 

@@ -21,8 +21,8 @@ bool reach_part(Search& s, const Range& aims, double centre, int samples, const 
 /// The same around a lead, along its cushions, at the speed that each aim needs.
 bool bisect_lead(Search& s, const Search::Lead& lead, std::string_view planner);
 
-/// Certifies an off-centre shot around a lead, along its cushions, at the speed that each aim needs: where the clearance
-/// (clearance.hpp) is largest; room.cpp. `lead.room` receives that.
+/// Certifies an off-centre shot around a lead, along its cushions, at the speed that each aim needs: where the
+/// clearance (clearance.hpp) is largest; room.cpp. `lead.room` receives that.
 bool reach_part(Search& s, Search::Lead& lead, std::string_view planner);
 
 /// The same where the speed jumps with the aim, and where only the replay can tell which cushion comes first.

@@ -7,9 +7,9 @@
 
 namespace bankshot::planning {
 
-void image(Search& s);         ///< image.cpp
-void sweep(Search& s);         ///< sweep.cpp
-void ceres(Search& s);         ///< ceres.cpp
+void image(Search& s);  ///< image.cpp
+void sweep(Search& s);  ///< sweep.cpp
+void ceres(Search& s);  ///< ceres.cpp
 /// The images of `ceres` alone; `quickly` by Newton's method, which fails a little more often.
 void image_seeds(Search& s, bool quickly);
 void nlopt_bobyqa(Search& s);  ///< nlopt.cpp, and the five below
@@ -18,7 +18,7 @@ void nlopt_slsqp(Search& s);
 void nlopt_direct(Search& s);
 void nlopt_crs(Search& s);
 void nlopt_mlsl(Search& s);
-void automatic(Search& s);     ///< auto.cpp
+void automatic(Search& s);  ///< auto.cpp
 
 void along_touched(Search& s);  ///< along.cpp
 

@@ -38,9 +38,13 @@ class SequenceCheck {
 template <class Motion, class Cushion>
 class Follower {
  public:
-  Follower(const Search& s, const Motion& motion, const Cushion& cushion, const Launch& launch,
-           const Goal& goal, bool tracing)
-      : s_(s), goal_(goal), tracing_(tracing), stop_(s.stop && !tracing), check_(goal.sequence),
+  Follower(const Search& s, const Motion& motion, const Cushion& cushion, const Launch& launch, const Goal& goal,
+           bool tracing)
+      : s_(s),
+        goal_(goal),
+        tracing_(tracing),
+        stop_(s.stop && !tracing),
+        check_(goal.sequence),
         sim_(s.boundary, motion, cushion,
              launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin)),
         out_{{}, SpeedAccount(deceleration(s.puzzle.physics))} {}
@@ -58,7 +62,8 @@ class Follower {
           if (k_ == goal_.max) return fail(Foul::extra_cushion, e.index);
           if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.index);
           ++k_;
-          if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.index), sim_.state().velocity) > 0)) out_.replay.cushion_stick = true;
+          if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.index), sim_.state().velocity) > 0))
+            out_.replay.cushion_stick = true;
           if (contacts) contacts->push_back(e.index);
           break;
         case EventKind::slide_to_roll:
@@ -98,7 +103,8 @@ class Follower {
     if (miss < out_.replay.miss) {
       out_.replay.miss = miss;
       const Arc<double>& arc = sim_.arc();
-      out_.replay.arrival = {sim_.time() - arc.seconds(sim_.travelled()) + arc.seconds(t), norm(arc.velocity_at(t)), at};
+      out_.replay.arrival = {sim_.time() - arc.seconds(sim_.travelled()) + arc.seconds(t), norm(arc.velocity_at(t)),
+                             at};
     }
     return miss;
   }
@@ -138,8 +144,7 @@ class Follower {
     // Where the target was passed with the bounces asked, that is the miss; else how near the
     // ball was when it went wrong.
     if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
-      for (const Vec2d& p : s_.aim_points())
-        out_.replay.miss = std::min(out_.replay.miss, norm(sim_.state().at - p));
+      for (const Vec2d& p : s_.aim_points()) out_.replay.miss = std::min(out_.replay.miss, norm(sim_.state().at - p));
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
     } else if (foul == Foul::extra_cushion) {
       foul = Foul::missed;

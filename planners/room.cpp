@@ -39,8 +39,8 @@ struct Tried {
   static constexpr double blocked = -std::numeric_limits<double>::infinity();
 };
 
-/// The largest clearance between three aims of which the second has the most: golden sections, until little can be gained.
-/// `Attempt`: (aim, guess of the speed) -> Tried.
+/// The largest clearance between three aims of which the second has the most: golden sections, until little can be
+/// gained. `Attempt`: (aim, guess of the speed) -> Tried.
 template <class Attempt>
 Tried climb(const Attempt& attempt, Tried low, Tried best, Tried high) {
   constexpr double golden = 0.3819660112501051;
@@ -65,13 +65,15 @@ Tried climb(const Attempt& attempt, Tried low, Tried best, Tried high) {
 /// positive, a shot is likely and has the most room.
 class Widest {
  public:
-  Widest(Search& s, const LockedAim& aim, const Search::Lead& lead, std::string_view planner) : s_(s), aim_(aim), lead_(lead), planner_(planner) {}
+  Widest(Search& s, const LockedAim& aim, const Search::Lead& lead, std::string_view planner)
+      : s_(s), aim_(aim), lead_(lead), planner_(planner) {}
 
   /// The largest clearance; a shot where that is enough.
   bool find(double& room) {
     const Row row = along_lead();
     for (const std::size_t i : peaks_of(row)) {
-      const Tried best = climb([&](double aim, double guess) { return attempt(aim, guess); }, before(row, i), row[i], after(row, i));
+      const Tried best =
+          climb([&](double aim, double guess) { return attempt(aim, guess); }, before(row, i), row[i], after(row, i));
       room = std::max(room, best.room);
       if (shot(best)) return true;
     }
@@ -84,7 +86,8 @@ class Widest {
     if (s_.one_unknown() || s_.point()) return false;
     const Row row = along_lead();
     const auto peaks = peaks_of(row);
-    return std::any_of(peaks.begin(), peaks.end(), [&](std::size_t i) { return across_jump(before(row, i), row[i], after(row, i)); });
+    return std::any_of(peaks.begin(), peaks.end(),
+                       [&](std::size_t i) { return across_jump(before(row, i), row[i], after(row, i)); });
   }
 
  private:
@@ -106,7 +109,9 @@ class Widest {
   static std::vector<std::size_t> peaks_of(const Row& row) {
     std::vector<std::size_t> peaks;
     for (std::size_t i = 0; i < aims_across; ++i)
-      if (row[i].room > Tried::blocked && (i == 0 || row[i].room >= row[i - 1].room) && (i + 1 == aims_across || row[i].room > row[i + 1].room)) peaks.push_back(i);
+      if (row[i].room > Tried::blocked && (i == 0 || row[i].room >= row[i - 1].room) &&
+          (i + 1 == aims_across || row[i].room > row[i + 1].room))
+        peaks.push_back(i);
     std::sort(peaks.begin(), peaks.end(), [&](auto a, auto b) { return row[a].room > row[b].room; });
     return peaks;
   }
@@ -158,7 +163,8 @@ class Widest {
 
   std::optional<Roomy> roomy(const Range& aims, double speed) {
     Row row;
-    for (std::size_t i = 0; i < aims_across; ++i) row[i] = at_speed(aims.low + (aims.high - aims.low) * static_cast<double>(i) / (aims_across - 1), speed);
+    for (std::size_t i = 0; i < aims_across; ++i)
+      row[i] = at_speed(aims.low + (aims.high - aims.low) * static_cast<double>(i) / (aims_across - 1), speed);
     const auto same_speed = [&](double aim, double) { return at_speed(aim, speed); };
     for (const std::size_t i : peaks_of(row)) {
       const Tried best = climb(same_speed, before(row, i), row[i], after(row, i));

@@ -38,7 +38,8 @@ void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) 
 /// Neighbouring nodes have mostly the same sequence.
 Roots::Seen& Roots::seen(const LockedAim& aim) {
   if (last_seen_ < seen_.size() && belongs(seen_[last_seen_], aim)) return seen_[last_seen_];
-  last_seen_ = static_cast<std::size_t>(std::find_if(seen_.begin(), seen_.end(), [&](const Seen& x) { return belongs(x, aim); }) - seen_.begin());
+  last_seen_ = static_cast<std::size_t>(
+      std::find_if(seen_.begin(), seen_.end(), [&](const Seen& x) { return belongs(x, aim); }) - seen_.begin());
   if (last_seen_ == seen_.size()) seen_.push_back({{aim.contacts.begin(), aim.contacts.end()}, aim.target});
   return seen_[last_seen_];
 }
@@ -89,8 +90,8 @@ void Roots::add(const LockedAim& aim, const Launch& root) {
   if (s_.all || blocked) across_fold(aim, root);
 }
 
-/// Roots come in pairs on the two sides of a fold or a kink, where the determinant often changes its sign; nodes are too
-/// far apart to see both. So Newton's method also starts around a root wherever that sign is another, or where its
+/// Roots come in pairs on the two sides of a fold or a kink, where the determinant often changes its sign; nodes are
+/// too far apart to see both. So Newton's method also starts around a root wherever that sign is another, or where its
 /// first step does not lead back there.
 void Roots::across_fold(const LockedAim& aim, const Launch& root) {
   const bool one_unknown = s_.one_unknown();

@@ -30,7 +30,9 @@ class Roots {
   void seek_rest();
 
   /// Nothing more is looked for: one sequence hardly ever has two roots.
-  bool done() const { return s_.spent() || s_.satisfied() || (s_.puzzle.cushions.sequence && !s_.all && !s_.shots.empty()); }
+  bool done() const {
+    return s_.spent() || s_.satisfied() || (s_.puzzle.cushions.sequence && !s_.all && !s_.shots.empty());
+  }
 
  private:
   /// Of one sequence and target.

@@ -17,7 +17,12 @@ Physics roughly(Physics p) {
 }  // namespace
 
 Search::Search(const Puzzle& p, bool find_all, bool find_first)
-    : puzzle(p), boundary(p.table, p.ball.radius), rough(roughly(p.physics)), all(find_all), first(find_first), arrival(arrival_range(p)),
+    : puzzle(p),
+      boundary(p.table, p.ball.radius),
+      rough(roughly(p.physics)),
+      all(find_all),
+      first(find_first),
+      arrival(arrival_range(p)),
       stop(point() && arrival && arrival->high == 0) {
   if (arrival) asked = p.prefer == Prefer::soft ? arrival->low : arrival->high;
   if (const PointTarget* t = point()) {

@@ -16,7 +16,18 @@
 namespace bankshot::planning {
 
 /// Why a launch does not do what was asked.
-enum class Foul { none, missed, fell_short, wrong_cushion, extra_cushion, pocketed, too_fast, too_slow, too_long, outside_aim };
+enum class Foul {
+  none,
+  missed,
+  fell_short,
+  wrong_cushion,
+  extra_cushion,
+  pocketed,
+  too_fast,
+  too_slow,
+  too_long,
+  outside_aim
+};
 
 struct Failure {
   Foul foul = Foul::none;
@@ -37,16 +48,16 @@ struct Search {
 
   const Puzzle& puzzle;
   Boundary boundary;
-  Physics rough;  ///< the puzzle's, integrated no more finely than a seed needs
-  bool all;    ///< every shot
-  bool first;  ///< the first shot found will do
-  std::optional<Range> arrival;  ///< speed asked at the target; none: any
-  bool stop;                     ///< the ball must come to rest at the target
-  double asked = 0;              ///< m/s, of a range of arrival speeds the one to aim for; `prefer` chooses
+  Physics rough;                   ///< the puzzle's, integrated no more finely than a seed needs
+  bool all;                        ///< every shot
+  bool first;                      ///< the first shot found will do
+  std::optional<Range> arrival;    ///< speed asked at the target; none: any
+  bool stop;                       ///< the ball must come to rest at the target
+  double asked = 0;                ///< m/s, of a range of arrival speeds the one to aim for; `prefer` chooses
   std::optional<double> pinned{};  ///< m/s, a launch speed to keep to: then any arrival in the range will do
 
   long simulations = 0;
-  bool measure = false;   ///< clock the certification
+  bool measure = false;  ///< clock the certification
   double certify_us = 0;
   std::vector<Shot> shots;
   /// Launches that lead near a target along a cushion sequence but are no shots: its centre is blocked,
@@ -64,13 +75,13 @@ struct Search {
     Failure failure;  ///< of several speeds, the one nearest to the bound
     long times;
   };
-  std::vector<Counted> failures;        ///< why candidates failed, with how often
-  std::string note;                     ///< what was skipped or cut, for the message
+  std::vector<Counted> failures;  ///< why candidates failed, with how often
+  std::string note;               ///< what was skipped or cut, for the message
   void add_note(const std::string& text) { note += (note.empty() ? "" : "; ") + text; }
-  bool complete = false;                ///< every candidate there can be was tried
-  bool proved = false;                  ///< and nothing else can reach any part of the target
-  bool rounding_decided = false;        ///< some path through a corner or along a line failed by rounding, perhaps
-  bool cut = false;                     ///< the budget ended the search
+  bool complete = false;          ///< every candidate there can be was tried
+  bool proved = false;            ///< and nothing else can reach any part of the target
+  bool rounding_decided = false;  ///< some path through a corner or along a line failed by rounding, perhaps
+  bool cut = false;               ///< the budget ended the search
 
   /// Counts a failed candidate, and keeps it if it came nearest.
   void remember(const NearMiss& miss);

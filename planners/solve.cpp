@@ -21,13 +21,16 @@ struct Method {
 };
 
 constexpr std::array methods{
-    Method{{"auto", "images, refined where paths are no straight lines; then sweep; nlopt-direct last"}, planning::automatic},
+    Method{{"auto", "images, refined where paths are no straight lines; then sweep; nlopt-direct last"},
+           planning::automatic},
     Method{{"image", "exact aims by unfolding the table; complete without reflex vertices"}, planning::image},
-    Method{{"sweep", "maps every aim (with spin: every aim and speed) and bisects; finds all sequences"}, planning::sweep},
+    Method{{"sweep", "maps every aim (with spin: every aim and speed) and bisects; finds all sequences"},
+           planning::sweep},
     Method{{"ceres", "Levenberg-Marquardt with dual numbers along a locked cushion sequence"}, planning::ceres},
     Method{{"nlopt-bobyqa", "local search without derivatives from the images (NLopt BOBYQA)"}, planning::nlopt_bobyqa},
     Method{{"nlopt-sbplx", "the same by subspaces of simplices (NLopt SBPLX)"}, planning::nlopt_sbplx},
-    Method{{"nlopt-slsqp", "from the images along a locked sequence, dual-number gradient (NLopt SLSQP)"}, planning::nlopt_slsqp},
+    Method{{"nlopt-slsqp", "from the images along a locked sequence, dual-number gradient (NLopt SLSQP)"},
+           planning::nlopt_slsqp},
     Method{{"nlopt-direct", "global search over aim and speed (NLopt DIRECT-L)"}, planning::nlopt_direct},
     Method{{"nlopt-crs", "the same by controlled random search (NLopt CRS2)"}, planning::nlopt_crs},
     Method{{"nlopt-mlsl", "the same by many local searches (NLopt MLSL with BOBYQA)"}, planning::nlopt_mlsl},
@@ -46,7 +49,8 @@ std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shot
   if (!is_straight(p.physics)) out.insert(out.begin(), "sliding");
   constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010", "custom cushion"};
   out.push_back(cushions[p.physics.cushion.index()]);
-  if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.cushion_stick; })) out.push_back("cushion-stick");
+  if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.cushion_stick; }))
+    out.push_back("cushion-stick");
   if (!p.table.pockets.empty()) out.push_back("pockets");
   return out;
 }
@@ -112,7 +116,8 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     if (puzzle.spin_range) {
       one = puzzle;
       one->spin = spins[i];
-      one->budget = spent + (puzzle.budget - spent) / static_cast<long>(spins.size() - i);  // an even share of what is left
+      one->budget =
+          spent + (puzzle.budget - spent) / static_cast<long>(spins.size() - i);  // an even share of what is left
     }
     Search s(one ? *one : puzzle, options.all, options.first);
     s.simulations = spent;

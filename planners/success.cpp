@@ -21,10 +21,10 @@ namespace bankshot::planning {
 namespace {
 
 // All in standard deviations of the player.
-constexpr double widest = 3.3;   // errors beyond are taken to do as those here
-constexpr double step = 0.08;    // from where an edge is expected to the next point tried
-constexpr double narrow = 0.05;  // a bracket of an edge is bisected to this
-constexpr double finer = 0.01;   // the same on the first line, whose edges all the others inherit
+constexpr double widest = 3.3;    // errors beyond are taken to do as those here
+constexpr double step = 0.08;     // from where an edge is expected to the next point tried
+constexpr double narrow = 0.05;   // a bracket of an edge is bisected to this
+constexpr double finer = 0.01;    // the same on the first line, whose edges all the others inherit
 constexpr double finest = 0.002;  // the same where there is only one line
 constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
 constexpr double least_doubt = 2e-4;  // of chance: no further line is worth while
@@ -114,12 +114,15 @@ class Chance {
 
   /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
   bool made(Line& line, double across) {
-    const auto at = std::lower_bound(line.tries.begin(), line.tries.end(), across, [](const Line::Try& t, double v) { return t.across < v; });
+    const auto at = std::lower_bound(line.tries.begin(), line.tries.end(), across,
+                                     [](const Line::Try& t, double v) { return t.across < v; });
     if (at != line.tries.end() && at->across == across) return at->made;
     if (!left()) return line.made(across);
     ++used_;
-    const double turned = across_.x * across - across_.y * line.along, harder = across_.y * across + across_.x * line.along;
-    const double speed = shot_.launch.speed + s_.puzzle.noise.speed * harder, angle = shot_.launch.angle + s_.puzzle.noise.angle * turned;
+    const double turned = across_.x * across - across_.y * line.along,
+                 harder = across_.y * across + across_.x * line.along;
+    const double speed = shot_.launch.speed + s_.puzzle.noise.speed * harder,
+                 angle = shot_.launch.angle + s_.puzzle.noise.angle * turned;
     const bool result = speed > 0 && replay(s_, {speed, wrap_angle(angle)}, goal_).made;
     line.tries.insert(at, {across, result});
     return result;
@@ -135,7 +138,8 @@ class Chance {
     Expected e{{along}};
     e.line.edges = expected_;
     if (lines_.empty()) return e;
-    const auto after = std::lower_bound(lines_.begin(), lines_.end(), along, [](const Line& l, double v) { return l.along < v; });
+    const auto after =
+        std::lower_bound(lines_.begin(), lines_.end(), along, [](const Line& l, double v) { return l.along < v; });
     const bool between = after != lines_.begin() && after != lines_.end(), two = lines_.size() > 1;
     const Line& near = after == lines_.begin() ? *after : *(after - 1);
     const Line& far = between ? *after : !two ? near : after == lines_.begin() ? *(after + 1) : *(after - 2);
@@ -161,7 +165,8 @@ class Chance {
     }
     spread(line, e.line.edges.empty());
     settle(line, e.line.edges);
-    const auto after = std::lower_bound(lines_.begin(), lines_.end(), along, [](const Line& l, double v) { return l.along < v; });
+    const auto after =
+        std::lower_bound(lines_.begin(), lines_.end(), along, [](const Line& l, double v) { return l.along < v; });
     const auto at = lines_.insert(after, std::move(line)) - lines_.begin();
     tell(at, -1);
     tell(at, 1);
@@ -188,8 +193,12 @@ class Chance {
     constexpr std::size_t only = 100, on_first = 18, on_others = 4, without_edges = 3;
     constexpr double golden = 0.6180339887, tail = 0.0015;  // of probability
     const bool later = lines_.size() >= first_lines.size();
-    const std::size_t count = is_ideal(s_.puzzle.physics) ? only : lines_.empty() ? on_first : later && no_edges ? without_edges : on_others;
-    const double share = 1 / static_cast<double>(count), shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
+    const std::size_t count = is_ideal(s_.puzzle.physics) ? only
+                              : lines_.empty()            ? on_first
+                              : later && no_edges         ? without_edges
+                                                          : on_others;
+    const double share = 1 / static_cast<double>(count),
+                 shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
     for (std::size_t k = 0; k < count; ++k) {
       const double p = tail + (static_cast<double>(k) + shift) * share * (1 - 2 * tail);
       const auto close = [&](const Line::Try& t) { return std::abs(about_below(t.across) - p) < share / 4; };
@@ -224,7 +233,8 @@ class Chance {
         const double edge = source.edges[k];
         const auto known = [&](double e) { return std::abs(e - edge) < same; };
         if (std::abs(edge) > widest || std::any_of(line.edges.begin(), line.edges.end(), known)) continue;
-        const double low = k > 0 ? source.edges[k - 1] : -widest, high = k + 1 < source.edges.size() ? source.edges[k + 1] : widest;
+        const double low = k > 0 ? source.edges[k - 1] : -widest,
+                     high = k + 1 < source.edges.size() ? source.edges[k + 1] : widest;
         for (const double at : {std::max(edge - beside, (edge + low) / 2), std::min(edge + beside, (edge + high) / 2)})
           if (line.made(at) != source.made(at)) made(line, at);
       }
@@ -241,15 +251,18 @@ class Chance {
       const double slope = (near.chance - far.chance) / (near.along - far.along);
       return std::abs(line.chance - std::clamp(near.chance + slope * (line.along - near.along), 0.0, 1.0));
     };
-    const double before = i > 0 ? off(lines_[i - 1], a, b) : 0, after = i + 2 < lines_.size() ? off(lines_[i + 2], b, a) : 0;
-    return (normal_below(b.along) - normal_below(a.along)) * (std::max(before, after) + of_change * std::abs(b.chance - a.chance) + always);
+    const double before = i > 0 ? off(lines_[i - 1], a, b) : 0,
+                 after = i + 2 < lines_.size() ? off(lines_[i + 2], b, a) : 0;
+    return (normal_below(b.along) - normal_below(a.along)) *
+           (std::max(before, after) + of_change * std::abs(b.chance - a.chance) + always);
   }
 
   /// Slopes of the monotone cubic at the lines.
   std::vector<double> slopes() const {
     const std::size_t n = lines_.size();
     std::vector<double> steps(n - 1), slope(n);
-    for (std::size_t i = 0; i + 1 < n; ++i) steps[i] = (lines_[i + 1].chance - lines_[i].chance) / (lines_[i + 1].along - lines_[i].along);
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      steps[i] = (lines_[i + 1].chance - lines_[i].chance) / (lines_[i + 1].along - lines_[i].along);
     slope.front() = steps.front();
     slope.back() = steps.back();
     for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -266,13 +279,15 @@ class Chance {
     constexpr double weight[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
     constexpr double density_at_0 = 0.3989422804014327;
     const std::vector<double> slope = slopes();
-    double total = lines_.front().chance * normal_below(lines_.front().along) + lines_.back().chance * normal_below(-lines_.back().along);
+    double total = lines_.front().chance * normal_below(lines_.front().along) +
+                   lines_.back().chance * normal_below(-lines_.back().along);
     for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
       const Line &a = lines_[i], &b = lines_[i + 1];
       const double h = b.along - a.along;
       for (std::size_t k = 0; k < std::size(node); ++k) {
         const double x = (1 + node[k]) / 2, y = 1 - x, along = a.along + h * x;
-        const double chance = y * y * ((1 + 2 * x) * a.chance + x * h * slope[i]) + x * x * ((3 - 2 * x) * b.chance - y * h * slope[i + 1]);
+        const double chance = y * y * ((1 + 2 * x) * a.chance + x * h * slope[i]) +
+                              x * x * ((3 - 2 * x) * b.chance - y * h * slope[i + 1]);
         total += weight[k] * h / 2 * chance * density_at_0 * std::exp(-along * along / 2);
       }
     }

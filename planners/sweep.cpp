@@ -19,7 +19,7 @@ namespace bankshot::planning {
 namespace {
 
 constexpr int fan = 2048;
-constexpr double finest = 1e-14;  // rad; neighbours nearer than this differ only by rounding
+constexpr double finest = 1e-14;       // rad; neighbours nearer than this differ only by rounding
 constexpr double widest_turn = 0.995;  // cosine between a leg's directions at two neighbours
 
 /// On which side of each aim point each leg passes.
@@ -30,7 +30,7 @@ struct Sample {
     double lateral;
     bool ahead;
   };
-  std::vector<Side> sides{};       ///< leg by leg, aim point by aim point
+  std::vector<Side> sides{};        ///< leg by leg, aim point by aim point
   std::vector<Vec2d> directions{};  ///< of the legs
 };
 

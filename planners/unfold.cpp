@@ -17,12 +17,13 @@ constexpr long most_images = 500'000;
 constexpr double ray_slack = 1e-10;
 
 /// Sums of coordinates stand for lengths: no root is worth while here.
-double slack(const Vec2d& a, const Vec2d& b) { return ray_slack * (std::abs(a.x) + std::abs(a.y)) * (std::abs(b.x) + std::abs(b.y)); }
+double slack(const Vec2d& a, const Vec2d& b) {
+  return ray_slack * (std::abs(a.x) + std::abs(a.y)) * (std::abs(b.x) + std::abs(b.y));
+}
 
 /// `ray` lies in the beam from `a` anticlockwise to `b` (less than half a turn wide).
 bool in_beam(const Vec2d& a, const Vec2d& b, const Vec2d& ray) {
-  return cross(a, ray) >= -slack(a, ray) && cross(ray, b) >= -slack(b, ray) &&
-         (dot(a, ray) > 0 || dot(b, ray) > 0);
+  return cross(a, ray) >= -slack(a, ray) && cross(ray, b) >= -slack(b, ray) && (dot(a, ray) > 0 || dot(b, ray) > 0);
 }
 
 /// Anticlockwise from `a` to `b`, in (−π, π].
@@ -45,12 +46,13 @@ double distance_to(const Vec2d& a, const Vec2d& b) {
 
 }  // namespace
 
-double Unfolding::Affine::stretch() const {
-  return std::sqrt((xx * xx + xy * xy + yx * yx + yy * yy) / 2);
-}
+double Unfolding::Affine::stretch() const { return std::sqrt((xx * xx + xy * xy + yx * yx + yy * yy) / 2); }
 
 Unfolding::Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts)
-    : s_(s), whole_target_(whole_target), name_contacts_(name_contacts), restitution_(restitution),
+    : s_(s),
+      whole_target_(whole_target),
+      name_contacts_(name_contacts),
+      restitution_(restitution),
       longest_(s.puzzle.speed.high * s.puzzle.speed.high / (2 * deceleration(s.puzzle.physics))) {
   const CushionRule& rule = s.puzzle.cushions;
   const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
@@ -92,7 +94,8 @@ void Unfolding::add(const Node& node) {
 std::vector<int> Unfolding::contacts(const Candidate& c) const {
   if (s_.puzzle.cushions.sequence) return *s_.puzzle.cushions.sequence;
   std::vector<int> out;
-  for (int i = c.node; i >= 0 && nodes_[static_cast<std::size_t>(i)].last >= 0; i = nodes_[static_cast<std::size_t>(i)].parent)
+  for (int i = c.node; i >= 0 && nodes_[static_cast<std::size_t>(i)].last >= 0;
+       i = nodes_[static_cast<std::size_t>(i)].parent)
     out.push_back(nodes_[static_cast<std::size_t>(i)].last);
   std::reverse(out.begin(), out.end());
   return out;
@@ -150,8 +153,8 @@ Unfolding::Affine Unfolding::through(const Affine& image, int wall) const {
   const Vec2d n = w.normal;
   // image ∘ (x -> x − k (n·x − d) n)
   const double xx = 1 - k * n.x * n.x, xy = -k * n.x * n.y, yy = 1 - k * n.y * n.y;
-  Affine out{image.xx * xx + image.xy * xy, image.xx * xy + image.xy * yy,
-             image.yx * xx + image.yy * xy, image.yx * xy + image.yy * yy};
+  Affine out{image.xx * xx + image.xy * xy, image.xx * xy + image.xy * yy, image.yx * xx + image.yy * xy,
+             image.yx * xy + image.yy * yy};
   out.shift = image.apply(n * (k * w.offset));
   return out;
 }
@@ -175,8 +178,7 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
     // Beyond the line of the cushion just left there is no path.
     const Wall& left = s_.boundary.walls[static_cast<std::size_t>(node.last)];
     const double behind = s_.boundary.touch;
-    if (dot(left.normal, w.from) - left.offset < behind && dot(left.normal, w.to) - left.offset < behind)
-      return {};
+    if (dot(left.normal, w.from) - left.offset < behind && dot(left.normal, w.to) - left.offset < behind) return {};
   }
   const Vec2d ball = s_.puzzle.ball.at;
   Vec2d a = node.image.apply(w.from) - ball, b = node.image.apply(w.to) - ball;
@@ -194,8 +196,7 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   // Neighbouring cushions meet in a corner, so look two back as well.
   next.before = node.last;
   next.length_before = node.length;
-  next.length = std::max(node.length + apart(node.last, wall),
-                         node.length_before + apart(node.before, wall));
+  next.length = std::max(node.length + apart(node.last, wall), node.length_before + apart(node.before, wall));
   if (restitution_ == 1) next.length = std::max(next.length, next.distance);
   next.bounces = node.bounces + 1;
   next.parent = node.self;

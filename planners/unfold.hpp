@@ -28,22 +28,22 @@ namespace bankshot::planning {
 
 /// An aim to try.
 struct Candidate {
-  double angle = 0;      ///< rad, of `ray`
+  double angle = 0;  ///< rad, of `ray`
   int bounces = 0;
-  double distance = 0;   ///< m, from the ball to the image: the path's length where e = 1
-  double low = 0;        ///< rad beside `angle`: the aims at which a ray that passes the cushions
-  double high = 0;       ///< may reach any part of the target; low = high = 0 when none may
-  Vec2d target{};        ///< the aim point
-  int node = -1;         ///< where its sequence is kept; -1 in a lattice
-  Vec2d ray{};           ///< from the ball to the image
+  double distance = 0;  ///< m, from the ball to the image: the path's length where e = 1
+  double low = 0;       ///< rad beside `angle`: the aims at which a ray that passes the cushions
+  double high = 0;      ///< may reach any part of the target; low = high = 0 when none may
+  Vec2d target{};       ///< the aim point
+  int node = -1;        ///< where its sequence is kept; -1 in a lattice
+  Vec2d ray{};          ///< from the ball to the image
 };
 
 class Unfolding {
  public:
   /// `whole_target` also proposes images whose centre no ray reaches, but some part might be.
   /// `restitution` is what the unfolding stretches with; exact only where it is the cushions'.
-  /// `name_contacts` keeps the sequence of each candidate, which a lattice does not, and leaves out `low` and `high` where
-  /// the centre's ray passes.
+  /// `name_contacts` keeps the sequence of each candidate, which a lattice does not, and leaves out `low` and `high`
+  /// where the centre's ray passes.
   Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts = false);
 
   /// The cushions of a candidate, in order; not kept in a lattice.

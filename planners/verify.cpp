@@ -98,13 +98,19 @@ bool try_launch(Search& s, const Launch& proposed, int bounces, std::string_view
     return false;
   }
   for (Shot& known : s.shots) {
-    if (!same_launch(known, launch) || std::abs(known.arrival.time - r.arrival.time) * launch.speed > same_arrival(s)) continue;
+    if (!same_launch(known, launch) || std::abs(known.arrival.time - r.arrival.time) * launch.speed > same_arrival(s))
+      continue;
     if (known.cushions.size() <= contacts.size()) return true;
     std::swap(known, s.shots.back());  // the bounce at the target itself is one too many
     s.shots.pop_back();
     break;
   }
-  Shot shot{.launch = launch, .spin = s.puzzle.spin, .cushion_stick = r.cushion_stick, .cushions = std::move(contacts), .arrival = r.arrival, .miss = r.miss};
+  Shot shot{.launch = launch,
+            .spin = s.puzzle.spin,
+            .cushion_stick = r.cushion_stick,
+            .cushions = std::move(contacts),
+            .arrival = r.arrival,
+            .miss = r.miss};
   shot.planner = planner;
   shot.simulations = s.simulations;
   first_order(s, shot);

@@ -32,11 +32,11 @@ struct Goal {
 };
 
 struct Replay {
-  bool made = false;   ///< in the contract's sense: within reach, after the bounces asked
+  bool made = false;  ///< in the contract's sense: within reach, after the bounces asked
   double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
   Arrival arrival;
-  Failure failure;      ///< when it is not made
-  int bounces = 0;  ///< at arrival or at the foul
+  Failure failure;             ///< when it is not made
+  int bounces = 0;             ///< at arrival or at the foul
   bool cushion_stick = false;  ///< see Shot::cushion_stick
 };
 
@@ -75,12 +75,10 @@ std::optional<double> launch_speed(Search& s, double angle, const Trace& t, bool
 
 /// Replays, and keeps the launch as a shot when it is exact (or, `off_centre`, when it is made). Of
 /// shots that differ only by bounces at the target itself, the one with fewer is kept.
-bool certify(Search& s, const Launch& launch, int bounces, std::string_view planner,
-             bool off_centre = false);
+bool certify(Search& s, const Launch& launch, int bounces, std::string_view planner, bool off_centre = false);
 
 /// Traces an aim, finds its speed and certifies it: the last step of every planner here. Where
 /// rounding decides at a corner or on a cushion line, tries aims `tolerance::nudge` away.
-bool certify_aim(Search& s, double angle, int bounces, std::string_view planner,
-                 bool off_centre = false);
+bool certify_aim(Search& s, double angle, int bounces, std::string_view planner, bool off_centre = false);
 
 }  // namespace bankshot::planning

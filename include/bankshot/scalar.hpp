@@ -18,7 +18,7 @@ struct RealOf {
   using type = T;
 };
 template <class T>
-  requires requires { typename T::Scalar; }
+requires requires { typename T::Scalar; }
 struct RealOf<T> {
   using type = typename RealOf<typename T::Scalar>::type;
 };

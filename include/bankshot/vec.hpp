@@ -47,10 +47,8 @@ auto cross(const Vec2<A>& a, const Vec2<B>& b) {
 
 /// A vector with derivatives times a plain number.
 template <class T>
-  requires has_derivatives<T>
-Vec2<T> operator*(const Vec2<T>& a, const Real<T>& s) {
-  return {a.x * s, a.y * s};
-}
+requires has_derivatives<T> Vec2<T>
+operator*(const Vec2<T>& a, const Real<T>& s) { return {a.x * s, a.y * s}; }
 
 template <class T>
 Vec2<Real<T>> value(const Vec2<T>& a) {

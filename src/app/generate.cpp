@@ -31,7 +31,8 @@ std::string as_json(const std::string& text) { return text.starts_with('{') ? te
 
 int whole(const std::string& text) {
   constexpr std::size_t most_digits = 5;
-  const bool digits = !text.empty() && text.size() <= most_digits && text.find_first_not_of("0123456789") == std::string::npos;
+  const bool digits =
+      !text.empty() && text.size() <= most_digits && text.find_first_not_of("0123456789") == std::string::npos;
   const int n = digits ? std::stoi(text) : -1;
   return n <= max_cushions ? n : -1;
 }
@@ -50,7 +51,8 @@ CushionRule read_rule(const std::string& text, const Table& table) {
   for (std::string word; std::getline(words, word, ',');) {
     const auto it = std::find(all.begin(), all.end(), word);
     if (it == all.end())
-      throw FileError(fmt::format("--cushions: {} is neither a number, LOW-HIGH nor a cushion{}", quote(word), known_words(word, names)));
+      throw FileError(fmt::format("--cushions: {} is neither a number, LOW-HIGH nor a cushion{}", quote(word),
+                                  known_words(word, names)));
     contacts.push_back(static_cast<int>(it - all.begin()));
   }
   return CushionRule::in_order(std::move(contacts));
@@ -68,9 +70,12 @@ Wish read_wish(const Arguments& a) {
   w.cushions = read_rule(a.cushions, w.table);
   for (const Difficulty d : {Difficulty::easy, Difficulty::medium, Difficulty::hard})
     if (a.difficulty == name(d)) w.difficulty = d;
-  if (!a.target.empty()) w.kind = a.target == "pocket" ? Wish::Kind::pocket : a.target == "stop" ? Wish::Kind::stop : Wish::Kind::pass;
-  if (w.kind == Wish::Kind::pocket && w.table.pockets.empty()) throw FileError("--target pocket: this table has no pockets");
-  if (w.kind == Wish::Kind::stop && deceleration(w.physics) == 0) throw FileError("--target stop: without friction no ball comes to rest");
+  if (!a.target.empty())
+    w.kind = a.target == "pocket" ? Wish::Kind::pocket : a.target == "stop" ? Wish::Kind::stop : Wish::Kind::pass;
+  if (w.kind == Wish::Kind::pocket && w.table.pockets.empty())
+    throw FileError("--target pocket: this table has no pockets");
+  if (w.kind == Wish::Kind::stop && deceleration(w.physics) == 0)
+    throw FileError("--target stop: without friction no ball comes to rest");
   w.unique = a.unique;
   return w;
 }
@@ -99,14 +104,18 @@ int run(const Arguments& a) {
   constexpr long block = 64;
   for (long done_so_far = 0; done_so_far < a.count;) {
     std::vector<Made> made(static_cast<std::size_t>(std::min(done_so_far ? block : 1, a.count - done_so_far)));
-    tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) { made[i] = make(a, wish, done_so_far + static_cast<long>(i) + 1); });
+    tbb::parallel_for(std::size_t{0}, made.size(),
+                      [&](std::size_t i) { made[i] = make(a, wish, done_so_far + static_cast<long>(i) + 1); });
     for (const Made& m : made) {
       if (m.line.empty()) {
-        std::cerr << fmt::format("bankshot: puzzle {} of {} was not found: {}\n", done_so_far + 1, a.count, m.tries.text());
+        std::cerr << fmt::format("bankshot: puzzle {} of {} was not found: {}\n", done_so_far + 1, a.count,
+                                 m.tries.text());
         return nothing_solved;
       }
-      if (a.out == "-") print(m.line);
-      else if (!(file << m.line << std::flush)) throw WriteError(a.out + ": cannot be written");
+      if (a.out == "-")
+        print(m.line);
+      else if (!(file << m.line << std::flush))
+        throw WriteError(a.out + ": cannot be written");
       ++done_so_far;
     }
   }
@@ -135,7 +144,8 @@ Run add_generate(CLI::App& app) {
   command->add_option("--seed", a->seed, "Other seeds, other puzzles")->required()->check(whole_number);
   command->add_option("--table", a->table, "A table's name, or its JSON")->capture_default_str();
   command->add_option("--physics", a->physics, "A physics' name, or its JSON")->capture_default_str();
-  command->add_option("--cushions", a->cushions, "A number; LOW-HIGH, a number drawn for each puzzle; or names: top,left")
+  command
+      ->add_option("--cushions", a->cushions, "A number; LOW-HIGH, a number drawn for each puzzle; or names: top,left")
       ->capture_default_str();
   command->add_option("--target", a->target, "pocket, stop (rest at a point) or pass (through a point); else drawn")
       ->check(CLI::IsMember({"pocket", "stop", "pass"}));

@@ -16,10 +16,10 @@ extern "C" void note_signal(int signal) { noted.store(signal, std::memory_order_
 }  // namespace
 
 Interrupts::Interrupts() {
-  struct sigaction once{};
+  struct sigaction once {};
   once.sa_handler = note_signal;
   once.sa_flags = static_cast<int>(SA_RESETHAND);  // reads that wait are woken, and a second signal kills
-  struct sigaction before{};
+  struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
   if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &once, nullptr);  // else nohup wants it to go on
   sigaction(SIGINT, &once, nullptr);

@@ -57,9 +57,10 @@ std::string summary(const StartMap& map) {
     if (s.success && (!safest || *s.success > *safest->success)) safest = &s, safest_at = i;
   }
   const auto place = [&](std::size_t i) { return fmt::format("({:.3f}, {:.3f})", map.grid.at(i).x, map.grid.at(i).y); };
-  std::string out =
-      fmt::format("{} starts: {} with a shot, {} without, {} ran out of budget; {} lie in a cushion, {} in a pocket, {} at the target\n",
-                  map.starts.size(), of_status[0], of_status[1], of_status[2], of_start[1], of_start[2], of_start[3]);
+  std::string out = fmt::format(
+      "{} starts: {} with a shot, {} without, {} ran out of budget; {} lie in a cushion, {} in a pocket, {} at the "
+      "target\n",
+      map.starts.size(), of_status[0], of_status[1], of_status[2], of_start[1], of_start[2], of_start[3]);
   if (slowest) out += fmt::format("slowest: {:.4g} m/s from {}\n", slowest->launch.speed, place(slowest_at));
   if (safest) out += fmt::format("most robust: {:.0f} % from {}\n", 100 * *safest->success, place(safest_at));
   return out;
@@ -78,9 +79,11 @@ int run(const Arguments& a) {
     if (a.budget >= 0) puzzle.budget = a.budget;
     for (const std::string& path : a.out) write_file(path, "");
     const StartMap map = map_of(puzzle, a);
-    for (const std::string& path : a.out) write_file(path, path.ends_with(".svg") ? draw(puzzle, map) : to_csv(puzzle, map));
+    for (const std::string& path : a.out)
+      write_file(path, path.ends_with(".svg") ? draw(puzzle, map) : to_csv(puzzle, map));
     print(summary(map));
-    return std::any_of(map.answers.begin(), map.answers.end(), [](const Answer& found) { return found.status == Status::solved; })
+    return std::any_of(map.answers.begin(), map.answers.end(),
+                       [](const Answer& found) { return found.status == Status::solved; })
                ? done
                : nothing_solved;
   } catch (const InvalidInput& e) {
@@ -94,8 +97,10 @@ int run(const Arguments& a) {
 Run add_map(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   constexpr int most = 10000;  // columns or rows: more is no map any more
-  CLI::App* command = app.add_subcommand("map", "Solve a puzzle from every start on a grid: where can this shot be made from?");
-  command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")->required();
+  CLI::App* command =
+      app.add_subcommand("map", "Solve a puzzle from every start on a grid: where can this shot be made from?");
+  command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")
+      ->required();
   command->add_option("--grid", a->grid, "Columns and rows of starts")->required()->check(CLI::Range(1, most));
   command->add_option("-o", a->out, "Write a heat map (.svg) or a table (.csv) to this file; may be given twice")
       ->required()

@@ -21,13 +21,14 @@ struct Arguments {
 
 std::string event_text(const ShotRequest& r, const Record& e) {
   const auto i = static_cast<std::size_t>(e.index);
-  const std::string what = e.kind == Record::Kind::start          ? "launch"
-                           : e.kind == Record::Kind::cushion      ? "cushion " + contact_name(r.table, e.index)
-                           : e.kind == Record::Kind::pocket       ? "pocket " + r.table.pockets[i].name
-                           : e.kind == Record::Kind::roll_to_rest ? "rest"
+  const std::string what = e.kind == Record::Kind::start           ? "launch"
+                           : e.kind == Record::Kind::cushion       ? "cushion " + contact_name(r.table, e.index)
+                           : e.kind == Record::Kind::pocket        ? "pocket " + r.table.pockets[i].name
+                           : e.kind == Record::Kind::roll_to_rest  ? "rest"
                            : e.kind == Record::Kind::slide_to_roll ? "slide to roll"
-                                                                  : "end";
-  return fmt::format("{:10.4f} s  {:<22} at ({:.4f}, {:.4f}) m, {:.4f} m/s\n", e.time, what, e.state.at.x, e.state.at.y, norm(e.state.velocity));
+                                                                   : "end";
+  return fmt::format("{:10.4f} s  {:<22} at ({:.4f}, {:.4f}) m, {:.4f} m/s\n", e.time, what, e.state.at.x, e.state.at.y,
+                     norm(e.state.velocity));
 }
 
 std::string text_of(const ShotRequest& r, const Trajectory& t) {
@@ -41,7 +42,8 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
     }
     out += event_text(r, t.events[i]);
   }
-  constexpr const char* ends[] = {"comes to rest", "stopped where asked", "is pocketed", "stopped after a million events"};
+  constexpr const char* ends[] = {"comes to rest", "stopped where asked", "is pocketed",
+                                  "stopped after a million events"};
   return out + fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ends[static_cast<int>(t.end)], t.cushions,
                            t.cushions == 1 ? "" : "s", t.length);
 }
@@ -50,7 +52,8 @@ std::string csv_of(const ShotRequest& r, const Trajectory& t, double rate) {
   constexpr double most_rows = 1e7;  // about a gigabyte
   const double rows = t.events.back().time * rate;
   if (rows > most_rows)
-    throw WriteError(fmt::format("--rate {} for {:.6g} s would write {:.2g} rows, and {:.0g} is the most", rate, t.events.back().time, rows, most_rows));
+    throw WriteError(fmt::format("--rate {} for {:.6g} s would write {:.2g} rows, and {:.0g} is the most", rate,
+                                 t.events.back().time, rows, most_rows));
   return to_csv(r, t, rate);
 }
 
@@ -78,7 +81,9 @@ Run add_simulate(CLI::App& app) {
   command->add_option("shot", a->file, "A shot in JSON; - reads standard input")->capture_default_str();
   command->add_option("--svg", a->svg, "Write a picture to this file")->check(file_name);
   command->add_option("--csv", a->csv, "Write t,ball,x,y,vx,vy,wx,wy,wz to this file")->check(file_name);
-  command->add_option("--rate", a->rate, "Rows per second of the CSV")->capture_default_str()->check(CLI::Range(1e-3, 1e6));
+  command->add_option("--rate", a->rate, "Rows per second of the CSV")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e6));
   command->add_flag("--json", a->json, "One line of JSON instead of text");
   return [a] { return run(*a); };
 }

@@ -11,8 +11,8 @@
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
-#include "bankshot/scene/json.hpp"
 #include "app/truth/claims.hpp"
+#include "bankshot/scene/json.hpp"
 
 namespace bankshot::app {
 namespace {
@@ -97,8 +97,9 @@ class Tally {
   bool clean() const { return failed_ == 0; }
 
   std::string text() const {
-    std::string out = fmt::format("{} answers: {} solved, {} no-shot, {} budget, {} invalid; {} shots", answers_, of(Status::solved),
-                                  of(Status::no_shot), of(Status::budget), of(Status::invalid), shots_);
+    std::string out =
+        fmt::format("{} answers: {} solved, {} no-shot, {} budget, {} invalid; {} shots", answers_, of(Status::solved),
+                    of(Status::no_shot), of(Status::budget), of(Status::invalid), shots_);
     if (beside_) out += fmt::format("; {} say that they are beside the target's centre", beside_);
     out += fmt::format("\n\n{:<14} {:>9} {:>8}   worst, and how far off is allowed\n", "claim", "checked", "failed");
     for (int i = 0; i < truth::claims; ++i) {
@@ -106,8 +107,8 @@ class Tally {
       if (one.checked == 0) continue;
       out += fmt::format("{:<14} {:>9} {:>8}", truth::name(static_cast<Claim>(i)), one.checked, one.failed);
       if (one.worst.allowed > 0)
-        out += fmt::format("   {:.2g} of {:.2g} {} on line {}", one.worst.off, one.worst.allowed, truth::unit(one.worst.claim),
-                           one.worst_line);
+        out += fmt::format("   {:.2g} of {:.2g} {} on line {}", one.worst.off, one.worst.allowed,
+                           truth::unit(one.worst.claim), one.worst_line);
       out += "\n";
     }
     out += "not checked: whether a no-shot has a shot, the nearest miss, tip, ranks, counts, time_us\n";
@@ -138,7 +139,9 @@ std::string failure_text(const Pair& p, const std::string& file) {
     const std::string shot = p.shots > 1 ? fmt::format("shot {}, ", c.shot + 1) : "";
     out += fmt::format("{}{}{}: {}", out.empty() ? "" : "; ", shot, truth::name(c.claim), c.what);
   }
-  return one_line(fmt::format("{}:{}: {} fails: {}", file, p.line, p.id.empty() ? "an answer without an id" : p.id, out)) + "\n";
+  return one_line(
+             fmt::format("{}:{}: {} fails: {}", file, p.line, p.id.empty() ? "an answer without an id" : p.id, out)) +
+         "\n";
 }
 
 /// The next pairs of lines; fewer than `most` at the end. Throws where one file is longer.
@@ -186,9 +189,11 @@ Run add_verify(CLI::App& app) {
     std::string puzzles, answers;
   };
   auto a = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("verify", "Replay every shot of many answers in 50 digits and check what they claim");
+  CLI::App* command =
+      app.add_subcommand("verify", "Replay every shot of many answers in 50 digits and check what they claim");
   command->add_option("puzzles", a->puzzles, "Puzzles, one JSON a line; - reads standard input")->required();
-  command->add_option("shots", a->answers, "Their answers, line by line in the same order; - reads standard input")->required();
+  command->add_option("shots", a->answers, "Their answers, line by line in the same order; - reads standard input")
+      ->required();
   command->footer(
       "Checked of each shot: launch speed and aim inside their bounds, the spin, the cushions (as asked, and as\n"
       "met), the target made with nothing in the way, its miss, place, time and speed of arrival, condition,\n"

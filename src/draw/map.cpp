@@ -36,7 +36,8 @@ std::string colour(double part) {
   const auto i = std::min(static_cast<std::size_t>(x), viridis.size() - 2);
   const double t = x - static_cast<double>(i);
   std::array<int, 3> c{};
-  for (std::size_t k = 0; k < 3; ++k) c[k] = static_cast<int>(std::lround(viridis[i][k] + t * (viridis[i + 1][k] - viridis[i][k])));
+  for (std::size_t k = 0; k < 3; ++k)
+    c[k] = static_cast<int>(std::lround(viridis[i][k] + t * (viridis[i + 1][k] - viridis[i][k])));
   return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
 }
 
@@ -46,7 +47,8 @@ const Shot* shot_from(const StartMap& m, std::size_t i) {
 
 /// One table; `part` of a shot picks its colour.
 template <class Part>
-std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> legend, const std::string& title, Part&& part) {
+std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> legend, const std::string& title,
+                 Part&& part) {
   std::vector<Cell> cells;
   bool holes = false;
   for (std::size_t i = 0; i < m.starts.size(); ++i) {
@@ -54,8 +56,8 @@ std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> le
     const Vec2d half = m.grid.cell / 2.0, at = m.grid.at(i);
     const Shot* s = shot_from(m, i);
     holes = holes || !s;
-    cells.push_back({at - half, at + half, s ? colour(part(*s)) : hole, s ? std::optional(s->launch.angle) : std::nullopt,
-                     s && part(*s) > light ? "#222" : "#fff"});
+    cells.push_back({at - half, at + half, s ? colour(part(*s)) : hole,
+                     s ? std::optional(s->launch.angle) : std::nullopt, s && part(*s) > light ? "#222" : "#fff"});
   }
   if (holes) legend.push_back({"no shot", hole});
   if (cells.size() < m.starts.size()) legend.push_back({"no start", cloth});
@@ -78,7 +80,8 @@ std::string draw(const Puzzle& p, const StartMap& m) {
     const double part = i / 4.0;
     chance.push_back({fmt::format("{:.0f} %", 100 * part), colour(part)});
     // Slow is light: both maps are light where a player would like to be. Evenly in ln speed.
-    if (i == 0 ? fastest > 0 : fastest > slowest) speed.push_back({fmt::format("{:.3g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
+    if (i == 0 ? fastest > 0 : fastest > slowest)
+      speed.push_back({fmt::format("{:.3g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
   }
   Chapter page{"", "", {}};
   if (success)
@@ -86,9 +89,10 @@ std::string draw(const Puzzle& p, const StartMap& m) {
                            "How robust? The chance that the best shot from here is made",
                            {}});
   const double decades = fastest > slowest ? std::log(fastest / slowest) : 1;
-  page.plates.push_back({heat(p, m, speed, "speed", [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }),
-                         "How slow? Its launch speed",
-                         {}});
+  page.plates.push_back(
+      {heat(p, m, speed, "speed", [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }),
+       "How slow? Its launch speed",
+       {}});
   return draw_page(std::array{page}, {.letter = 20});
 }
 

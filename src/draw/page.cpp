@@ -21,8 +21,8 @@ constexpr const char* thin_lines = "<style>polyline{vector-effect:non-scaling-st
 std::string placed(const std::string& svg, double x, double y, double width, double height) {
   const std::string box_key = "viewBox=\"";
   const auto box = svg.find(box_key), end = svg.find('"', box + box_key.size()), body = svg.find('>') + 1;
-  return fmt::format(R"(<svg x="{:.0f}" y="{:.0f}" width="{:.0f}" height="{:.0f}" {} font-family="sans-serif">{})", x, y, width, height,
-                     svg.substr(box, end + 1 - box), svg.substr(body));
+  return fmt::format(R"(<svg x="{:.0f}" y="{:.0f}" width="{:.0f}" height="{:.0f}" {} font-family="sans-serif">{})", x,
+                     y, width, height, svg.substr(box, end + 1 - box), svg.substr(body));
 }
 
 /// Height over width of a picture, from its viewBox.
@@ -47,8 +47,8 @@ class Page {
     text(width_ / 2, y_, size, ink, title, "middle");
     if (!subtitle.empty()) text(width_ / 2, y_ += 0.75 * size, 0.48 * size, faint, subtitle, "middle", true);
     const double half = 0.12 * width_;
-    body_ += fmt::format(R"(<path d="M{:.0f} {:.0f}h{:.0f}" stroke="{}" stroke-width="1.5"/>)", width_ / 2 - half, y_ += 0.5 * size,
-                         2 * half, faint) +
+    body_ += fmt::format(R"(<path d="M{:.0f} {:.0f}h{:.0f}" stroke="{}" stroke-width="1.5"/>)", width_ / 2 - half,
+                         y_ += 0.5 * size, 2 * half, faint) +
              "\n";
     y_ += 0.5 * size;
   }
@@ -69,7 +69,8 @@ class Page {
         if (titled) text(x, y_ + line, 1.15 * style_.letter, ink, p.title, "start");
         body_ += placed(p.svg, x, top, style_.plate, picture);
         for (std::size_t n = 0; n < p.caption.size(); ++n)
-          text(x, top + picture + line * static_cast<double>(n + 1), style_.letter, n == 0 ? ink : faint, p.caption[n], "start");
+          text(x, top + picture + line * static_cast<double>(n + 1), style_.letter, n == 0 ? ink : faint, p.caption[n],
+               "start");
         lines = std::max(lines, p.caption.size());
       }
       y_ = top + picture + line * (static_cast<double>(lines) + 1.4);
@@ -85,9 +86,10 @@ class Page {
   }
 
  private:
-  void text(double x, double y, double size, const char* colour, const std::string& words, const char* anchor, bool italic = false) {
-    body_ += fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.1f}" fill="{}" text-anchor="{}"{}>{}</text>)", x, y, size, colour,
-                         anchor, italic ? R"( font-style="italic")" : "", escaped(words)) +
+  void text(double x, double y, double size, const char* colour, const std::string& words, const char* anchor,
+            bool italic = false) {
+    body_ += fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.1f}" fill="{}" text-anchor="{}"{}>{}</text>)", x,
+                         y, size, colour, anchor, italic ? R"( font-style="italic")" : "", escaped(words)) +
              "\n";
   }
 

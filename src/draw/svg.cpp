@@ -64,7 +64,8 @@ class Canvas {
   /// Adds an entry to the line below the table.
   void legend(const std::string& label, std::string_view colour) {
     const double y = px(size_.y) + 2 * (rail + nose) + 0.65 * legend_line, x = rail + legend_;
-    add(R"(<rect x="{:.0f}" y="{:.0f}" width="26" height="5" fill="{}" stroke="#333" stroke-width="0.5"/>)", x, y - 8, colour);
+    add(R"(<rect x="{:.0f}" y="{:.0f}" width="26" height="5" fill="{}" stroke="#333" stroke-width="0.5"/>)", x, y - 8,
+        colour);
     add(R"(<text x="{:.0f}" y="{:.0f}" font-size="18" fill="#333">{}</text>)", x + 34, y, escaped(label));
     constexpr double letter = 10;  // px, about
     legend_ += 70 + letter * static_cast<double>(label.size());
@@ -92,8 +93,14 @@ void draw_diamonds(Canvas& c) {
     for (int i = 1; i < spaces; ++i) place(length * i / spaces);
   };
   const int nx = size.x >= size.y ? 8 : 4, ny = size.x >= size.y ? 4 : 8;
-  along(size.x, nx, [&](double x) { mark({low.x + x, low.y}, {0, 1}); mark({low.x + x, high.y}, {0, -1}); });
-  along(size.y, ny, [&](double y) { mark({low.x, low.y + y}, {-1, 0}); mark({high.x, low.y + y}, {1, 0}); });
+  along(size.x, nx, [&](double x) {
+    mark({low.x + x, low.y}, {0, 1});
+    mark({low.x + x, high.y}, {0, -1});
+  });
+  along(size.y, ny, [&](double y) {
+    mark({low.x, low.y + y}, {-1, 0});
+    mark({high.x, low.y + y}, {1, 0});
+  });
 }
 
 void draw_pockets(Canvas& c) {
@@ -114,8 +121,11 @@ void draw_table(Canvas& c) {
     draw_diamonds(c);
   } else {
     // Joins are drawn with the strokes, so a polygon's rail follows its outline.
-    c.polyline(t.vertices, "polygon", fmt::format(R"(fill="none" stroke="#5b3a1e" stroke-width="{}" stroke-linejoin="round")", 2 * (nose + rail / 2)));
-    c.polyline(t.vertices, "polygon", fmt::format(R"(fill="none" stroke="#14532d" stroke-width="{}" stroke-linejoin="round")", 2 * nose));
+    c.polyline(t.vertices, "polygon",
+               fmt::format(R"(fill="none" stroke="#5b3a1e" stroke-width="{}" stroke-linejoin="round")",
+                           2 * (nose + rail / 2)));
+    c.polyline(t.vertices, "polygon",
+               fmt::format(R"(fill="none" stroke="#14532d" stroke-width="{}" stroke-linejoin="round")", 2 * nose));
     c.polyline(t.vertices, "polygon", R"(fill="#1f7a4d")");
   }
   draw_pockets(c);
@@ -143,16 +153,22 @@ std::vector<Vec2d> outline(const Trajectory& t) {
 double ball_px(const Canvas& c, const Ball& ball) { return std::max(c.px(ball.radius), 4.0); }
 
 /// `others`: how many paths more are drawn; many are drawn faintly.
-void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_view colour, bool best, std::size_t others = 0) {
+void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_view colour, bool best,
+               std::size_t others = 0) {
   const char* join = R"(stroke-linejoin="round" stroke-linecap="round")";
-  c.polyline(outline(t), "polyline",
-             fmt::format(R"(fill="none" stroke="{}" stroke-width="{}" {} stroke-opacity="{}")", colour, best ? 2.5 : 1.5, join, best ? 1.0 : others > 6 ? 0.4 : 0.75));
+  c.polyline(
+      outline(t), "polyline",
+      fmt::format(R"(fill="none" stroke="{}" stroke-width="{}" {} stroke-opacity="{}")", colour, best ? 2.5 : 1.5, join,
+                  best         ? 1.0
+                  : others > 6 ? 0.4
+                               : 0.75));
   if (!best) return;
   constexpr std::size_t most_ghosts = 60;  // more would hide the path
   const auto bounces = t.sequence().size();
   for (const Record& e : t.events)
     if (e.kind == Record::Kind::cushion && bounces <= most_ghosts)
-      c.circle(e.state.at, ball_px(c, ball), fmt::format(R"(fill="none" stroke="{}" stroke-width="1" stroke-opacity="0.7")", colour));
+      c.circle(e.state.at, ball_px(c, ball),
+               fmt::format(R"(fill="none" stroke="{}" stroke-width="1" stroke-opacity="0.7")", colour));
 }
 
 void draw_ball(Canvas& c, const Vec2d& at, const Ball& ball, std::string_view style) {
@@ -198,7 +214,8 @@ std::string draw(const ShotRequest& request, const Trajectory& trajectory) {
   draw_table(c);
   draw_path(c, trajectory, request.ball, path_colours[0], true);
   draw_ball(c, request.ball.at, request.ball, R"(fill="#ffffff")");
-  draw_ball(c, trajectory.events.back().state.at, request.ball, R"(fill="#ffffff" fill-opacity="0.6" stroke="#ef476f" stroke-width="2")");
+  draw_ball(c, trajectory.events.back().state.at, request.ball,
+            R"(fill="#ffffff" fill-opacity="0.6" stroke="#ef476f" stroke-width="2")");
   return c.document(fmt::format("{:.3f} m/s at {:.2f} degrees", request.launch.speed, degrees(request.launch.angle)));
 }
 
@@ -209,7 +226,8 @@ std::string draw(const Table& table, const Ball& ball, std::span<const LabelledP
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const char* colour = path_colours[i % std::size(path_colours)];
     draw_path(c, paths[i].trajectory, ball, colour, true);
-    draw_ball(c, paths[i].trajectory.events.back().state.at, ball, fmt::format(R"(fill="{}" fill-opacity="0.6")", colour));
+    draw_ball(c, paths[i].trajectory.events.back().state.at, ball,
+              fmt::format(R"(fill="{}" fill-opacity="0.6")", colour));
     c.legend(paths[i].label, colour);
     title += (title.empty() ? "" : ", ") + paths[i].label;
   }
@@ -223,7 +241,8 @@ std::string draw(const Puzzle& puzzle, const Answer& answer) {
   if (!answer.shots.empty() && answer.shots[0].margin) draw_fan(c, puzzle, answer.shots[0]);
   for (std::size_t i = answer.shots.size(); i-- > 0;) {
     const Shot& shot = answer.shots[i];
-    draw_path(c, simulate(as_request(puzzle, shot)), puzzle.ball, path_colours[i % std::size(path_colours)], i == 0, answer.shots.size() - 1);
+    draw_path(c, simulate(as_request(puzzle, shot)), puzzle.ball, path_colours[i % std::size(path_colours)], i == 0,
+              answer.shots.size() - 1);
   }
   if (!answer.shots.empty())
     draw_ball(c, answer.shots[0].arrival.at, puzzle.ball, R"(fill="#ffffff" fill-opacity="0.5")");
@@ -232,14 +251,16 @@ std::string draw(const Puzzle& puzzle, const Answer& answer) {
   return c.document(fmt::format("{}: {}", name(answer.status), answer.message));
 }
 
-std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend, const std::string& title) {
+std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend,
+                 const std::string& title) {
   Canvas c(puzzle.table);
   draw_table(c);
   constexpr double seam = 0.5;  // px more than its size: no cloth shines through between two cells
   c.add(R"(<g shape-rendering="crispEdges">)");
   for (const Cell& cell : cells) {
     const Vec2d a = c.at({cell.low.x, cell.high.y}), b = c.at({cell.high.x, cell.low.y});
-    c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a.x, a.y, b.x - a.x + seam, b.y - a.y + seam, cell.fill);
+    c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a.x, a.y, b.x - a.x + seam,
+          b.y - a.y + seam, cell.fill);
   }
   c.add("</g>");
   for (const Cell& cell : cells) {
@@ -247,7 +268,8 @@ std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<co
     const double tick = 0.4 * c.px(std::min(size.x, size.y));
     if (!cell.aim || tick < 3) continue;
     const Vec2d u = direction(*cell.aim) * tick;
-    c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="{}" stroke-width="1.2" stroke-opacity="0.7"/>)", middle.x, middle.y, u.x, -u.y, cell.ink);
+    c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="{}" stroke-width="1.2" stroke-opacity="0.7"/>)", middle.x,
+          middle.y, u.x, -u.y, cell.ink);
   }
   draw_pockets(c);
   draw_target(c, puzzle);

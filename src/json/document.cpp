@@ -85,8 +85,7 @@ class Builder : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& token,
-                   const nlohmann::json::exception& e) override {
+  bool parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& e) override {
     const std::size_t before = std::min(position > 0 ? position - 1 : 0, text_.size());
     const auto line = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + static_cast<long>(before), '\n'));
     if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
@@ -165,9 +164,7 @@ class IdFinder : public nlohmann::json_sax<Json> {
   bool start_array(std::size_t) override { return depth_++ > 0; }  // a list has no id
   bool end_object() override { return depth_-- > 0; }
   bool end_array() override { return depth_-- > 0; }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
-    return false;
-  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; }
   bool key(string_t& k) override {
     if (depth_ == 1) at_id_ = k == "id";
     return true;
@@ -218,7 +215,8 @@ void write(const Json& v, std::string& out) {
 Json parse_document(std::string_view text, std::string* id) {
   // To nlohmann's reader a zero byte is the end of the text, whatever follows.
   if (const auto zero = text.find('\0'); zero != std::string_view::npos)
-    throw InvalidInput("", "not JSON: there is a zero byte", 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n')));
+    throw InvalidInput("", "not JSON: there is a zero byte",
+                       1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n')));
   Builder builder(text);
   Json::sax_parse(text, &builder);
   if (id) *id = builder.take_id();

@@ -29,9 +29,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string suggestion(std::string_view wrong, std::span<const std::string_view> words) {
   constexpr std::size_t longest = 40;  // nobody mistypes a longer word, and the distance is costly
   if (wrong.size() > longest) return "";
-  const auto best = std::min_element(words.begin(), words.end(), [&](auto a, auto b) {
-    return edit_distance(wrong, a) < edit_distance(wrong, b);
-  });
+  const auto best = std::min_element(words.begin(), words.end(),
+                                     [&](auto a, auto b) { return edit_distance(wrong, a) < edit_distance(wrong, b); });
   if (best == words.end() || edit_distance(wrong, *best) > 1 + best->size() / 3) return "";
   return fmt::format("; did you mean \"{}\"?", *best);
 }
@@ -44,9 +43,7 @@ std::string known_words(std::string_view wrong, std::span<const std::string_view
   return fmt::format("; known are {}{}{}", fmt::join(shown, ", "), more, suggestion(wrong, words));
 }
 
-void Reader::fail(const std::string& rule) const {
-  throw InvalidInput(path_, quote(*value_) + " " + rule);
-}
+void Reader::fail(const std::string& rule) const { throw InvalidInput(path_, quote(*value_) + " " + rule); }
 
 double Reader::number() const {
   if (!value_->is_number()) fail("must be a number");
@@ -120,8 +117,7 @@ std::size_t Reader::word(std::string_view what, std::span<const std::string_view
 std::vector<Reader> Reader::items() const {
   if (!is_array()) fail("must be a list");
   std::vector<Reader> out;
-  for (std::size_t i = 0; i < value_->size(); ++i)
-    out.emplace_back((*value_)[i], path_ + "/" + std::to_string(i));
+  for (std::size_t i = 0; i < value_->size(); ++i) out.emplace_back((*value_)[i], path_ + "/" + std::to_string(i));
   return out;
 }
 

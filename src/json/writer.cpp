@@ -28,7 +28,7 @@ void JsonWriter::key(std::string_view k) {
 void JsonWriter::number(double v) {
   if (!std::isfinite(v)) return null();
   comma();
-  char text[32];  // 24 characters at most
+  char text[32];                                                        // 24 characters at most
   out_.append(text, fmt::format_to(text, FMT_COMPILE("{}"), v + 0.0));  // -0 + 0 is 0
 }
 

@@ -78,10 +78,14 @@ void write_head(JsonWriter& w, const Answer& a) {
 
 const char* name(Status status) {
   switch (status) {
-    case Status::solved: return "solved";
-    case Status::no_shot: return "no-shot";
-    case Status::budget: return "budget";
-    case Status::invalid: break;
+    case Status::solved:
+      return "solved";
+    case Status::no_shot:
+      return "no-shot";
+    case Status::budget:
+      return "budget";
+    case Status::invalid:
+      break;
   }
   return "invalid";
 }

@@ -39,7 +39,9 @@ std::string where_to_hit(const Puzzle& p, const LaunchSpin& spin) {
   if (up == 0 && right == 0) return "in the centre";
   std::string text;
   if (up != 0) text = fmt::format("{:.1f} mm {} the centre", std::abs(up), up > 0 ? "above" : "below");
-  if (right != 0) text += fmt::format("{}{:.1f} mm to the {}", text.empty() ? "" : ", ", std::abs(right), right > 0 ? "right" : "left");
+  if (right != 0)
+    text +=
+        fmt::format("{}{:.1f} mm to the {}", text.empty() ? "" : ", ", std::abs(right), right > 0 ? "right" : "left");
   return text;
 }
 
@@ -66,7 +68,8 @@ void describe(std::string& out, const Puzzle& p, const Shot& shot) {
     const Trajectory path = simulate(first);
     row("first at", place_on(p.table, shot.cushions[0], path.events.back().state.at));
   }
-  row("arrives", fmt::format("after {:.2f} s at {:.3f} m/s, {:.1e} m off", shot.arrival.time, shot.arrival.speed, shot.miss));
+  row("arrives",
+      fmt::format("after {:.2f} s at {:.3f} m/s, {:.1e} m off", shot.arrival.time, shot.arrival.speed, shot.miss));
   if (shot.margin) {
     row("margin", interval(shot.margin->angle, degrees(1), "degrees of aim"));
     row("", interval(shot.margin->speed, 1, "m/s of speed"));
@@ -84,8 +87,9 @@ std::string to_text(const Puzzle& p, const Answer& a) {
     describe(out, p, a.shots[i]);
   }
   if (a.nearest)
-    out += fmt::format("  nearest   {:.4f} degrees at {:.4f} m/s: {:.3g} m off; it {}\n", degrees(a.nearest->shot.launch.angle),
-                       a.nearest->shot.launch.speed, a.nearest->shot.miss, a.nearest->why);
+    out += fmt::format("  nearest   {:.4f} degrees at {:.4f} m/s: {:.3g} m off; it {}\n",
+                       degrees(a.nearest->shot.launch.angle), a.nearest->shot.launch.speed, a.nearest->shot.miss,
+                       a.nearest->why);
   return out;
 }
 

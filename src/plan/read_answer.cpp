@@ -10,7 +10,8 @@
 namespace bankshot {
 namespace {
 
-constexpr std::string_view answer_keys[] = {"id", "status", "shots", "nearest", "modelled", "simulations", "time_us", "message", "error"};
+constexpr std::string_view answer_keys[] = {"id",          "status",  "shots",   "nearest", "modelled",
+                                            "simulations", "time_us", "message", "error"};
 constexpr std::string_view shot_keys[] = {"speed",     "angle",  "spin",    "tip",     "cushions",    "miss", "arrival",
                                           "condition", "margin", "success", "planner", "simulations", "why"};
 
@@ -55,7 +56,8 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   const Reader arrival = r.need("arrival");
   s.arrival = {arrival.need("time").at_least(0), arrival.need("speed").at_least(0), arrival.need("at").point()};
   s.condition = r.need("condition").at_least(0);
-  if (const auto m = r.find("margin")) s.margin = Margin{read_bounds(m->need("angle"), radians(1)), read_bounds(m->need("speed"), 1)};
+  if (const auto m = r.find("margin"))
+    s.margin = Margin{read_bounds(m->need("angle"), radians(1)), read_bounds(m->need("speed"), 1)};
   if (const auto v = r.find("success")) s.success = v->number();
   s.planner = r.need("planner").text();
   s.simulations = r.need("simulations").count();
@@ -82,7 +84,8 @@ Answer read_answer(std::string_view text, const Puzzle* puzzle, std::set<std::st
     a.shots.push_back(read_shot(shots[i], *puzzle));
     note_unread(json["shots"][i], shot_keys, unread);
   }
-  if (const auto n = doc.find("nearest"); n && !n->is_null()) a.nearest = Answer::Nearest{read_shot(*n, *puzzle), n->need("why").text()};
+  if (const auto n = doc.find("nearest"); n && !n->is_null())
+    a.nearest = Answer::Nearest{read_shot(*n, *puzzle), n->need("why").text()};
   if (a.status == Status::invalid) return a;
   for (const Reader& m : doc.need("modelled").items()) a.modelled.push_back(m.text());
   a.simulations = doc.need("simulations").count();

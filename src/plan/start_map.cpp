@@ -10,7 +10,9 @@
 namespace bankshot {
 namespace {
 
-std::string number(const std::optional<double>& v, double unit = 1) { return v ? fmt::format("{}", *v * unit + 0.0) : ""; }
+std::string number(const std::optional<double>& v, double unit = 1) {
+  return v ? fmt::format("{}", *v * unit + 0.0) : "";
+}
 
 std::string row(const Puzzle& p, const Answer& a) {
   if (a.shots.empty()) return std::string(name(a.status)) + ",,,,,,,,,,,,";
@@ -18,9 +20,9 @@ std::string row(const Puzzle& p, const Answer& a) {
   std::string cushions;
   for (const int c : s.cushions) cushions += (cushions.empty() ? "" : " ") + contact_name(p.table, c);
   const Margin m = s.margin.value_or(Margin{});
-  return fmt::format("solved,{},{},{},{},{},{},{},{},{},{},{},{}", s.launch.speed, exact_degrees(s.launch.angle), cushions, s.arrival.time,
-                     s.arrival.speed, number(s.success), number(m.angle[0], degrees(1)), number(m.angle[1], degrees(1)), number(m.speed[0]),
-                     number(m.speed[1]), s.miss, s.condition);
+  return fmt::format("solved,{},{},{},{},{},{},{},{},{},{},{},{}", s.launch.speed, exact_degrees(s.launch.angle),
+                     cushions, s.arrival.time, s.arrival.speed, number(s.success), number(m.angle[0], degrees(1)),
+                     number(m.angle[1], degrees(1)), number(m.speed[0]), number(m.speed[1]), s.miss, s.condition);
 }
 
 }  // namespace
@@ -52,12 +54,14 @@ Start start_at(const Puzzle& p, const Boundary& boundary, const Vec2d& at) {
 
 std::string to_csv(const Puzzle& p, const StartMap& map) {
   std::string out =
-      "x_m,y_m,status,speed_m_per_s,angle_deg,cushions,time_s,arrival_speed_m_per_s,success,margin_angle_down_deg,margin_angle_up_deg,"
+      "x_m,y_m,status,speed_m_per_s,angle_deg,cushions,time_s,arrival_speed_m_per_s,success,margin_angle_down_deg,"
+      "margin_angle_up_deg,"
       "margin_speed_down_m_per_s,margin_speed_up_m_per_s,miss_m,condition_m_per_rad\n";
   for (std::size_t i = 0; i < map.starts.size(); ++i) {
     const Vec2d at = map.grid.at(i);
     const bool legal = map.starts[i] == Start::legal;
-    out += fmt::format("{},{},{}\n", at.x, at.y, legal ? row(p, map.answers[i]) : std::string(name(map.starts[i])) + ",,,,,,,,,,,,");
+    out += fmt::format("{},{},{}\n", at.x, at.y,
+                       legal ? row(p, map.answers[i]) : std::string(name(map.starts[i])) + ",,,,,,,,,,,,");
   }
   return out;
 }

@@ -26,13 +26,10 @@ bool passes_right_of(const Vec2d& a, const Vec2d& b, const Vec2d& p) {
 /// Where a ball touches both cushions of a convex vertex.
 Vec2d corner_of_centres(const Wall& a, const Wall& b) {
   const double det = cross(a.normal, b.normal);
-  return {(a.offset * b.normal.y - b.offset * a.normal.y) / det,
-          (b.offset * a.normal.x - a.offset * b.normal.x) / det};
+  return {(a.offset * b.normal.y - b.offset * a.normal.y) / det, (b.offset * a.normal.x - a.offset * b.normal.x) / det};
 }
 
-Vec2d vertex_of(const Wall& w, double radius, double s) {
-  return w.along * s + w.normal * (w.offset - radius);
-}
+Vec2d vertex_of(const Wall& w, double radius, double s) { return w.along * s + w.normal * (w.offset - radius); }
 
 }  // namespace
 
@@ -44,8 +41,8 @@ Boundary::Boundary(const Table& table, double ball_radius)
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2d a = table.vertices[i], b = table.vertices[(i + 1) % n];
     const Vec2d along = (b - a) / norm(b - a), normal = perpendicular(along);
-    walls.push_back({normal, dot(normal, a) + radius, along, dot(along, a), dot(along, b),
-                     a + normal * radius, b + normal * radius});
+    walls.push_back({normal, dot(normal, a) + radius, along, dot(along, a), dot(along, b), a + normal * radius,
+                     b + normal * radius});
   }
   for (std::size_t i = 0; i < n; ++i) {
     Wall &before = walls[(i + n - 1) % n], &after = walls[i];
@@ -55,8 +52,7 @@ Boundary::Boundary(const Table& table, double ball_radius)
       continue;
     }
     strictly_convex = false;
-    if (turn < 0 && radius > 0)
-      tips.push_back({table.vertices[i], radius, vertex_contact(static_cast<int>(i))});
+    if (turn < 0 && radius > 0) tips.push_back({table.vertices[i], radius, vertex_contact(static_cast<int>(i))});
   }
   for (std::size_t i = 0; i < table.pockets.size(); ++i) {
     const Pocket& p = table.pockets[i];
@@ -82,10 +78,8 @@ double Boundary::distance_to_centres(const Vec2d& point) const {
   if (clearance(point) >= 0) return 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Wall& w : walls)
-    if (dot(w.to - w.from, w.along) >= 0)
-      nearest = std::min(nearest, distance_to_segment(point, w.from, w.to));
-  for (const Circle& c : tips)
-    nearest = std::min(nearest, std::abs(norm(point - c.centre) - c.radius));
+    if (dot(w.to - w.from, w.along) >= 0) nearest = std::min(nearest, distance_to_segment(point, w.from, w.to));
+  for (const Circle& c : tips) nearest = std::min(nearest, std::abs(norm(point - c.centre) - c.radius));
   return nearest;
 }
 

@@ -72,7 +72,8 @@ RollingFriction read_rolling_friction(const Reader& r) {
   if (!r.is_object()) return r.at_least(0);
   r.only({"at_rest", "per_speed"});
   const RollingFriction f{r.need("at_rest").at_least(0), r.need("per_speed").at_least(0)};
-  if (f.per_speed > 0 && f.at_rest == 0) r.need("at_rest").fail("must be greater than 0 where per_speed is: else the ball never comes to rest");
+  if (f.per_speed > 0 && f.at_rest == 0)
+    r.need("at_rest").fail("must be greater than 0 where per_speed is: else the ball never comes to rest");
   return f;
 }
 
@@ -91,8 +92,11 @@ decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sli
   }
   if (which == 2) return Mirror{han.restitution};
   if (which == 1)
-    return Mathavan2010{.radius = han.radius, .height = han.height, .restitution = han.restitution,
-                        .friction = han.friction, .sliding_friction = sliding_friction};
+    return Mathavan2010{.radius = han.radius,
+                        .height = han.height,
+                        .restitution = han.restitution,
+                        .friction = han.friction,
+                        .sliding_friction = sliding_friction};
   return han;
 }
 
@@ -232,8 +236,8 @@ Puzzle read_puzzle(std::string_view text) {
   std::string id;
   const Json json = parse_document(text, &id);
   const Reader doc(json);
-  doc.only({"id", "table", "physics", "ball", "others", "target", "cushions", "arrive", "speed",
-            "angle", "prefer", "aim", "noise", "budget"});
+  doc.only({"id", "table", "physics", "ball", "others", "target", "cushions", "arrive", "speed", "angle", "prefer",
+            "aim", "noise", "budget"});
   Puzzle p;
   p.id = read_id(doc, std::move(id));
   const Reader table = doc.need("table");

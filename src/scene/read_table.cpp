@@ -74,8 +74,7 @@ Table read_table(const Reader& table, double radius) {
   if (table.is_string()) return make_table(read_preset(table));
   if (!table.is_object()) table.fail("must be the name of a table or an object");
   not_supported(table, "tilt");
-  if (const auto jaws = table.find("jaws"); jaws && jaws->boolean())
-    jaws->fail("is not supported yet");
+  if (const auto jaws = table.find("jaws"); jaws && jaws->boolean()) jaws->fail("is not supported yet");
   Table shape;
   if (table.find("vertices")) {
     table.only({"vertices", "names", "pockets", "mouth", "jaws", "tilt"});

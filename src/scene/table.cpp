@@ -32,18 +32,15 @@ Table polygon_table(std::vector<Vec2d> vertices) {
 }
 
 Table rectangle_table(double length, double width) {
-  return {{{0, 0}, {length, 0}, {length, width}, {0, width}},
-          {"bottom", "right", "top", "left"},
-          {}};
+  return {{{0, 0}, {length, 0}, {length, width}, {0, width}}, {"bottom", "right", "top", "left"}, {}};
 }
 
 std::vector<Pocket> six_pockets(const Table& rectangle, Mouth mouth) {
   const auto [x0, y0] = rectangle.lowest();
   const auto [x1, y1] = rectangle.highest();
   const double middle = x0 + (x1 - x0) / 2, corner = mouth.corner / 2, side = mouth.middle / 2;
-  return {{"bottom-left", {x0, y0}, corner},  {"bottom-middle", {middle, y0}, side},
-          {"bottom-right", {x1, y0}, corner}, {"top-left", {x0, y1}, corner},
-          {"top-middle", {middle, y1}, side}, {"top-right", {x1, y1}, corner}};
+  return {{"bottom-left", {x0, y0}, corner}, {"bottom-middle", {middle, y0}, side}, {"bottom-right", {x1, y0}, corner},
+          {"top-left", {x0, y1}, corner},    {"top-middle", {middle, y1}, side},    {"top-right", {x1, y1}, corner}};
 }
 
 const std::vector<TablePreset>& table_presets() {

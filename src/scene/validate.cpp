@@ -15,9 +15,7 @@
 namespace bankshot {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw InvalidInput(path, reason);
-}
+[[noreturn]] void fail(const std::string& path, const std::string& reason) { throw InvalidInput(path, reason); }
 
 std::string at(std::string_view list, std::size_t i) { return fmt::format("{}/{}", list, i); }
 
@@ -39,13 +37,11 @@ bool segments_meet(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
     const double s = cross(q - p, r - p);
     return (s > 0) - (s < 0);
   };
-  const auto between = [](Vec2d p, Vec2d q, Vec2d r) {
-    return dot(r - p, r - q) <= 0;
-  };
+  const auto between = [](Vec2d p, Vec2d q, Vec2d r) { return dot(r - p, r - q) <= 0; };
   const int abc = side(a, b, c), abd = side(a, b, d), cda = side(c, d, a), cdb = side(c, d, b);
   if (abc != abd && cda != cdb) return true;
-  return (abc == 0 && between(a, b, c)) || (abd == 0 && between(a, b, d)) ||
-         (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
+  return (abc == 0 && between(a, b, c)) || (abd == 0 && between(a, b, d)) || (cda == 0 && between(c, d, a)) ||
+         (cdb == 0 && between(c, d, b));
 }
 
 void check_shape(const Table& t) {
@@ -85,13 +81,15 @@ void check_names(const Table& t) {
     const std::string_view number = std::string_view(name).substr(std::min<std::size_t>(name.size(), 1));
     std::size_t vertex = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), vertex);
-    if (name.starts_with('v') && error == std::errc() && vertex < t.vertices.size() && name == "v" + std::to_string(vertex))
+    if (name.starts_with('v') && error == std::errc() && vertex < t.vertices.size() &&
+        name == "v" + std::to_string(vertex))
       fail("/table/names", fmt::format("\"v{0}\" is the name of vertex {0}", vertex));
   }
   std::vector<std::string_view> pockets{"any"};
   for (const Pocket& p : t.pockets) pockets.push_back(p.name);
   if (const auto i = second_of_a_name(pockets))
-    fail(at("/table/pockets", *i - 1) + "/name", fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", pockets[*i]));
+    fail(at("/table/pockets", *i - 1) + "/name",
+         fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", pockets[*i]));
 }
 
 void check_pockets(const Table& t, const Boundary& b) {
@@ -101,7 +99,8 @@ void check_pockets(const Table& t, const Boundary& b) {
     const double distance = b.distance_to_centres(p.at);
     const bool point = p.radius == 0 && b.radius == 0;
     if (p.radius == 0 && b.radius > 0)
-      fail(at("/table/pockets", i), fmt::format("pocket \"{}\" has radius 0: only a ball of radius 0 can fall into a point", p.name));
+      fail(at("/table/pockets", i),
+           fmt::format("pocket \"{}\" has radius 0: only a ball of radius 0 can fall into a point", p.name));
     if (point ? distance > tolerance::point_pocket * b.diagonal : distance >= p.radius)
       fail(at("/table/pockets", i),
            fmt::format("no ball can fall into pocket \"{}\": a centre comes no nearer than {:.6g} m, "
@@ -128,7 +127,8 @@ void check_physics(const Physics& physics) {
     if (!(m->radius > 0)) fail("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
     if (!(m->sliding_friction >= 0 && std::isfinite(m->sliding_friction * m->g)))
       fail("/physics/sliding_friction", "must be finite and at least 0");
-    if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law) fail("/physics/cushion", "a custom cushion needs a law");
+    if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law)
+      fail("/physics/cushion", "a custom cushion needs a law");
     const auto* c = std::get_if<Mathavan2010>(&physics.cushion);
     if (c && c->sliding_friction != m->sliding_friction)
       fail("/physics/cushion", fmt::format("the cloth's sliding friction is {} during an impact and {} between two",
@@ -155,8 +155,10 @@ Boundary check_scene(const Table& table, const Ball& ball, const Physics& physic
 
 void check_speed(double v, const std::string& path) {
   if (!(v >= 0)) fail(path, fmt::format("{} must be at least 0", v));
-  if (v > tolerance::fastest) fail(path, fmt::format("{} m/s is too fast to compute with; at most {:g}", v, tolerance::fastest));
-  if (v > 0 && v < tolerance::slowest) fail(path, fmt::format("{} m/s is too slow to compute with; at least {:g}, or 0", v, tolerance::slowest));
+  if (v > tolerance::fastest)
+    fail(path, fmt::format("{} m/s is too fast to compute with; at most {:g}", v, tolerance::fastest));
+  if (v > 0 && v < tolerance::slowest)
+    fail(path, fmt::format("{} m/s is too slow to compute with; at least {:g}, or 0", v, tolerance::slowest));
 }
 
 void check_range(const Range& r, const std::string& path) {

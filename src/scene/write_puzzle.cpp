@@ -37,7 +37,9 @@ Json table_json(const Table& t) {
 Json physics_json(const Physics& p) {
   if (is_ideal(p)) return "ideal";
   const Restitution& e = restitution(p);
-  const auto of_speed = [](const auto& f) { return f.per_speed == 0 ? Json(f.at_rest) : Json{{"at_rest", f.at_rest}, {"per_speed", f.per_speed}}; };
+  const auto of_speed = [](const auto& f) {
+    return f.per_speed == 0 ? Json(f.at_rest) : Json{{"at_rest", f.at_rest}, {"per_speed", f.per_speed}};
+  };
   const Json bounce = of_speed(e);
   if (const auto* r = std::get_if<Rolling>(&p.motion))
     return {{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
@@ -49,8 +51,12 @@ Json physics_json(const Physics& p) {
     cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};
   if (const auto* c = std::get_if<Mathavan2010>(&p.cushion))
     cushion = {{"model", "mathavan2010"}, {"restitution", bounce}, {"friction", c->friction}, {"height", c->height}};
-  return {{"model", "spin"}, {"sliding_friction", m.sliding_friction}, {"rolling_friction", of_speed(m.rolling_friction)},
-          {"spinning_friction", m.spinning_friction}, {"g", m.g}, {"cushion", std::move(cushion)}};
+  return {{"model", "spin"},
+          {"sliding_friction", m.sliding_friction},
+          {"rolling_friction", of_speed(m.rolling_friction)},
+          {"spinning_friction", m.spinning_friction},
+          {"g", m.g},
+          {"cushion", std::move(cushion)}};
 }
 
 Json target_json(const Puzzle& p) {
@@ -74,7 +80,8 @@ Json question_json(const Puzzle& p) {
   Json j = Json::object();
   j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.radius}, {"mass", p.ball.mass}};
   if (p.spin_range)
-    j["ball"]["spin"] = {{"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};
+    j["ball"]["spin"] = {
+        {"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};
   else if (!is_straight(p.physics))
     j["ball"]["spin"] = {{"top", p.spin.top}, {"side", p.spin.side}, {"masse", p.spin.masse}};
   j["target"] = target_json(p);
@@ -101,7 +108,8 @@ std::string write_puzzle(const Puzzle& p) {
 
 std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_view physics) {
   const SceneDocument scene = read_scene(table, physics);
-  Puzzle plain{.table = scene.table, .physics = scene.physics, .ball = scene.ball, .target = p.target, .cushions = p.cushions};
+  Puzzle plain{
+      .table = scene.table, .physics = scene.physics, .ball = scene.ball, .target = p.target, .cushions = p.cushions};
   plain.ball.at = p.ball.at;
   if (auto* point = std::get_if<PointTarget>(&plain.target)) point->within = PointTarget{}.within;
   const Json said = question_json(p), untold = question_json(plain);
@@ -113,7 +121,8 @@ std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_vi
     if (key == "ball" || key == "target" || key == "cushions" || !same(said, untold, key)) j[key] = value;
   for (const char* key : {"ball", "target"})
     for (const auto& [inner, value] : said.at(key).items())
-      if (inner != "at" && inner != "point" && inner != "pocket" && same(said.at(key), untold.at(key), inner)) j[key].erase(inner);
+      if (inner != "at" && inner != "point" && inner != "pocket" && same(said.at(key), untold.at(key), inner))
+        j[key].erase(inner);
   if (j["ball"].contains("spin"))
     for (const char* key : {"top", "side", "masse"})
       if (j["ball"]["spin"][key] == 0) j["ball"]["spin"].erase(key);

@@ -13,7 +13,8 @@ namespace {
 double length(const Arc<double>& arc, double t) {
   if (is_straight(arc)) return norm(arc.position(t) - arc.at);
   const double a = norm(arc.acceleration);
-  const double across = std::abs(cross(arc.acceleration, arc.velocity)) / a, along = dot(arc.acceleration, arc.velocity) / a;
+  const double across = std::abs(cross(arc.acceleration, arc.velocity)) / a,
+               along = dot(arc.acceleration, arc.velocity) / a;
   const auto antiderivative = [&](double w) {
     return w * std::hypot(w, across) + (across > 0 ? across * across * std::asinh(w / across) : 0.0);
   };
@@ -31,8 +32,7 @@ double time_to_length(const Arc<double>& arc, double metres) {
 }
 
 /// How many seconds the ball may go on before `until` stops it.
-double remaining(const ShotRequest::Until& until, double time, double length,
-                 const Arc<double>& next) {
+double remaining(const ShotRequest::Until& until, double time, double length, const Arc<double>& next) {
   double t = forever;
   if (until.time) t = std::min(t, std::max(0.0, *until.time - time));
   if (until.length) t = std::min(t, next.seconds(time_to_length(next, std::max(0.0, *until.length - length))));
@@ -44,8 +44,7 @@ Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cus
   const Boundary boundary(r.table, r.ball.radius);
   const State<double> start = start_state(r);
   ShotRequest::Until until = r.until;
-  if (std::is_same_v<Motion, Ideal> && !until.time && !until.cushions && !until.length)
-    until.cushions = ideal_cushions;
+  if (std::is_same_v<Motion, Ideal> && !until.time && !until.cushions && !until.length) until.cushions = ideal_cushions;
 
   Trajectory out;
   Simulator sim(boundary, motion, cushion, start);
@@ -72,8 +71,7 @@ Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cus
       case EventKind::cushion:
         note(Record::Kind::cushion, e.index);
         ++out.cushions;
-        if (until.cushions && out.cushions >= *until.cushions)
-          return finish(Trajectory::End::until);
+        if (until.cushions && out.cushions >= *until.cushions) return finish(Trajectory::End::until);
         break;
       case EventKind::slide_to_roll:
         note(Record::Kind::slide_to_roll);
@@ -95,9 +93,8 @@ Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cus
 
 Trajectory simulate(const ShotRequest& request) {
   validate(request);
-  return with_physics(request.physics, [&](const auto& motion, const auto& cushion) {
-    return record(request, motion, cushion);
-  });
+  return with_physics(request.physics,
+                      [&](const auto& motion, const auto& cushion) { return record(request, motion, cushion); });
 }
 
 std::vector<int> Trajectory::sequence() const {

@@ -12,22 +12,32 @@ namespace {
 
 const char* name(Record::Kind kind) {
   switch (kind) {
-    case Record::Kind::start: return "start";
-    case Record::Kind::cushion: return "cushion";
-    case Record::Kind::slide_to_roll: return "slide-to-roll";
-    case Record::Kind::roll_to_rest: return "roll-to-rest";
-    case Record::Kind::pocket: return "pocket";
-    case Record::Kind::end: break;
+    case Record::Kind::start:
+      return "start";
+    case Record::Kind::cushion:
+      return "cushion";
+    case Record::Kind::slide_to_roll:
+      return "slide-to-roll";
+    case Record::Kind::roll_to_rest:
+      return "roll-to-rest";
+    case Record::Kind::pocket:
+      return "pocket";
+    case Record::Kind::end:
+      break;
   }
   return "end";
 }
 
 const char* name(Trajectory::End end) {
   switch (end) {
-    case Trajectory::End::rest: return "rest";
-    case Trajectory::End::until: return "until";
-    case Trajectory::End::pocketed: return "pocketed";
-    case Trajectory::End::events: break;
+    case Trajectory::End::rest:
+      return "rest";
+    case Trajectory::End::until:
+      return "until";
+    case Trajectory::End::pocketed:
+      return "pocketed";
+    case Trajectory::End::events:
+      break;
   }
   return "events";
 }
@@ -58,8 +68,7 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
               {"at", {last.state.at.x, last.state.at.y}},
               {"cushions", t.cushions},
               {"length", t.length}};
-  j["energy"] = {{"start", energy(r.ball, t.events.front().state)},
-                 {"end", energy(r.ball, last.state)}};
+  j["energy"] = {{"start", energy(r.ball, t.events.front().state)}, {"end", energy(r.ball, last.state)}};
   return write_json(r.id, j);
 }
 
@@ -67,8 +76,8 @@ std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
   std::string out = "t,ball,x,y,vx,vy,wx,wy,wz\n";
   const auto row = [&](double time, const State<double>& s) {
     const Vec3<double>& w = s.spin;
-    out += fmt::format("{},cue,{},{},{},{},{},{},{}\n", time, s.at.x, s.at.y, s.velocity.x,
-                       s.velocity.y, w.x, w.y, w.z);
+    out +=
+        fmt::format("{},cue,{},{},{},{},{},{},{}\n", time, s.at.x, s.at.y, s.velocity.x, s.velocity.y, w.x, w.y, w.z);
   };
   auto event = t.events.begin();
   const auto events_until = [&](double time) {

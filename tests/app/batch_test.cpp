@@ -18,7 +18,8 @@ using Json = nlohmann::json;
 
 /// A puzzle that has one shot, and that a program would write.
 std::string line(int i) {
-  return R"({"id": )" + std::to_string(i) + R"(, "table": "seed", "physics": "rolling", "ball": {"at": [)" + std::to_string(0.5 + 0.003 * i) +
+  return R"({"id": )" + std::to_string(i) + R"(, "table": "seed", "physics": "rolling", "ball": {"at": [)" +
+         std::to_string(0.5 + 0.003 * i) +
          R"(, 0.4]}, "target": {"point": [1.5, 1.0]}, "cushions": ["top", "bottom"]})";
 }
 
@@ -30,7 +31,8 @@ std::string lines(int from, int to) {
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> out;
-  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) out.push_back(text.substr(begin, end - begin));
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+    out.push_back(text.substr(begin, end - begin));
   CHECK((text.empty() || text.back() == '\n'));
   return out;
 }
@@ -38,7 +40,9 @@ std::vector<std::string> split(const std::string& text) {
 const std::string batch = "batch --no-timing --quiet ";
 
 struct File : ScratchFile {
-  File(const std::string& name, const std::string& content) : ScratchFile(name) { std::ofstream(path, std::ios::binary) << content; }
+  File(const std::string& name, const std::string& content) : ScratchFile(name) {
+    std::ofstream(path, std::ios::binary) << content;
+  }
   explicit File(const std::string& name) : ScratchFile(name) {}
   ~File() { std::filesystem::remove(path + ".progress"); }
   std::string quoted() const { return "\"" + path + "\""; }
@@ -47,9 +51,21 @@ struct File : ScratchFile {
 }  // namespace
 
 TEST_CASE("a batch answers each line with what solve --json prints for it, and exit code 0") {
-  const std::vector<std::string> in{line(1), "", "  ", "no puzzle", R"({"id": "x", "tabel": 1})", line(2) + "\r", "\r", "[1, 2]", R"({"id": 1e3})",
-                                    "{\"id\": \"" + std::string(100000, 'x') + "\"}", line(3) + std::string(3, '\0'), R"({"id": "é)" "\xff\"}",
-                                    R"({"id": 9, "table": "pool-9ft", "physics": "rolling", "ball": {"at": [0.6, 0.4]}, "target": {"pocket": "top-right"}, "speed": [0.1, 0.2]})"};
+  const std::vector<std::string> in{
+      line(1),
+      "",
+      "  ",
+      "no puzzle",
+      R"({"id": "x", "tabel": 1})",
+      line(2) + "\r",
+      "\r",
+      "[1, 2]",
+      R"({"id": 1e3})",
+      "{\"id\": \"" + std::string(100000, 'x') + "\"}",
+      line(3) + std::string(3, '\0'),
+      R"({"id": "é)"
+      "\xff\"}",
+      R"({"id": 9, "table": "pool-9ft", "physics": "rolling", "ball": {"at": [0.6, 0.4]}, "target": {"pocket": "top-right"}, "speed": [0.1, 0.2]})"};
   std::string text;
   for (const std::string& l : in) text += l + "\n";
   const auto run = run_program(batch + "-", text);
@@ -86,7 +102,8 @@ TEST_CASE("a line that no puzzle needs is answered without being held in memory"
 }
 
 TEST_CASE("the output has the same bytes for any number of threads, packed or not") {
-  const File in("batch-in.jsonl", lines(0, 300)), packed_in("batch-in.jsonl.gz"), out("batch-out.jsonl"), packed("batch-out.jsonl.gz");
+  const File in("batch-in.jsonl", lines(0, 300)), packed_in("batch-in.jsonl.gz"), out("batch-out.jsonl"),
+      packed("batch-out.jsonl.gz");
   const std::string whole = run_program(batch + in.quoted()).out;
   CHECK(split(whole).size() == 300);
   std::string packed_bytes;
@@ -110,9 +127,11 @@ TEST_CASE("the output has the same bytes for any number of threads, packed or no
 }
 
 TEST_CASE("a batch takes the flags of solve") {
-  const std::string puzzle = R"({"table": "seed", "physics": "spin", "ball": {"at": [0.5, 0.4]}, "target": {"point": [1.5, 1]}, "cushions": 2})";
+  const std::string puzzle =
+      R"({"table": "seed", "physics": "spin", "ball": {"at": [0.5, 0.4]}, "target": {"point": [1.5, 1]}, "cushions": 2})";
   for (const std::string flags : {"--all", "--budget 3", "--planner sweep", "--no-robustness", "--json"})
-    CHECK(run_program("batch - --quiet --no-timing " + flags, puzzle).out == run_program("solve --json --no-timing " + flags, puzzle).out);
+    CHECK(run_program("batch - --quiet --no-timing " + flags, puzzle).out ==
+          run_program("solve --json --no-timing " + flags, puzzle).out);
   CHECK(Json::parse(run_program("batch --quiet -", puzzle).out).contains("time_us"));
   CHECK_THAT(run_program("batch --planner list -").out, Contains("nlopt-direct"));
 }
@@ -120,7 +139,8 @@ TEST_CASE("a batch takes the flags of solve") {
 TEST_CASE("a batch ends with a line that sums it up, and says nothing when quiet") {
   const std::string text = lines(0, 5) + "\n" + line(6);
   const auto run = run_program("batch -", text);
-  CHECK_THAT(run.err, Contains("7 puzzles in ") && Contains(" a second: 6 solved, 0 no-shot, 1 invalid (the first on line 6); worst miss "));
+  CHECK_THAT(run.err, Contains("7 puzzles in ") &&
+                          Contains(" a second: 6 solved, 0 no-shot, 1 invalid (the first on line 6); worst miss "));
   CHECK(split(run.err).size() == 1);  // no progress where no terminal is
   CHECK(run_program("batch --quiet -", text).err.empty());
 }
@@ -153,7 +173,8 @@ TEST_CASE("a batch that cannot be is refused with the reason in one line") {
 }
 
 TEST_CASE("a closed pipe ends a batch with an error, not silently") {
-  const auto run = run_shell("{ PROGRAM batch --quiet -; echo \"exit $?\" >&2; } | head -n 1", lines(0, 300) + lines(0, 300) + lines(0, 300));
+  const auto run = run_shell("{ PROGRAM batch --quiet -; echo \"exit $?\" >&2; } | head -n 1",
+                             lines(0, 300) + lines(0, 300) + lines(0, 300));
   CHECK(split(run.out).size() == 1);
   CHECK_THAT(run.err, Contains("standard output: cannot be written: Broken pipe") && Catch::EndsWith("exit 2\n"));
 }
@@ -164,7 +185,8 @@ TEST_CASE("a full disk loses nothing: a later --resume completes the output") {
   // Files may grow to 200 blocks, of 512 bytes in most shells.
   const auto stopped = run_shell("ulimit -f 200; PROGRAM " + batch + in.quoted() + " -o " + out.quoted());
   CHECK(stopped.exit == 2);
-  CHECK_THAT(stopped.err, Contains("cannot be written: File too large; answers written: ") && Contains("--resume goes on"));
+  CHECK_THAT(stopped.err,
+             Contains("cannot be written: File too large; answers written: ") && Contains("--resume goes on"));
   const std::string part = out.text();
   REQUIRE(!part.empty());
   CHECK(part.size() < whole.size());
@@ -178,7 +200,8 @@ TEST_CASE("a full disk loses nothing: a later --resume completes the output") {
   const std::string resume = " --resume -o " + out.quoted();
   const auto other_flags = run_program(batch + "--all " + in.quoted() + resume);
   CHECK(other_flags.exit == 2);
-  CHECK_THAT(other_flags.err, Contains("with other flags: --planner auto --no-timing; now they are --planner auto --all --no-timing"));
+  CHECK_THAT(other_flags.err,
+             Contains("with other flags: --planner auto --no-timing; now they are --planner auto --all --no-timing"));
   const File other("batch-other.jsonl", lines(1, 301));
   const auto other_input = run_program(batch + other.quoted() + resume);
   CHECK(other_input.exit == 2);
@@ -195,7 +218,8 @@ TEST_CASE("a full disk loses nothing: a later --resume completes the output") {
 }
 
 TEST_CASE("resume knows an output that is whole, begins where there is none, and leaves other files alone") {
-  const File in("batch-whole.jsonl", lines(0, 100)), other("batch-whole-other.jsonl", lines(1, 101)), out("batch-whole-out.jsonl");
+  const File in("batch-whole.jsonl", lines(0, 100)), other("batch-whole-other.jsonl", lines(1, 101)),
+      out("batch-whole-out.jsonl");
   const std::string resume = " --resume -o " + out.quoted();
   CHECK(run_program("batch " + in.quoted() + resume).exit == 0);  // with time_us, which no second run repeats
   const std::string whole = out.text();
@@ -207,16 +231,19 @@ TEST_CASE("resume knows an output that is whole, begins where there is none, and
   CHECK(wrong.exit == 2);
   CHECK_THAT(wrong.err, Contains(".progress is missing, and it is not all of the answer to this input"));
   CHECK((out.text() == whole));
-  CHECK(run_program("batch --quiet " + other.quoted() + " -o " + out.quoted()).exit == 0);  // without --resume it is written anew
+  CHECK(run_program("batch --quiet " + other.quoted() + " -o " + out.quoted()).exit ==
+        0);  // without --resume it is written anew
   CHECK((out.text() != whole));
 }
 
 TEST_CASE("a stream is answered as it comes") {
   // The second puzzle is only sent once the first was answered.
-  const File first("batch-first.jsonl", line(1) + "\n"), second("batch-second.jsonl", line(2) + "\n"), answers("batch-answers.jsonl");
-  const auto run = run_shell(": >" + answers.quoted() + "; { cat " + first.quoted() + "; i=0; while [ ! -s " + answers.quoted() +
-                               " ] && [ $i -lt 200 ]; do sleep 0.05; i=$((i+1)); done; [ -s " + answers.quoted() + " ] && cat " + second.quoted() + "; } | " +
-                             "PROGRAM " + batch + "- >" + answers.quoted());
+  const File first("batch-first.jsonl", line(1) + "\n"), second("batch-second.jsonl", line(2) + "\n"),
+      answers("batch-answers.jsonl");
+  const auto run =
+      run_shell(": >" + answers.quoted() + "; { cat " + first.quoted() + "; i=0; while [ ! -s " + answers.quoted() +
+                " ] && [ $i -lt 200 ]; do sleep 0.05; i=$((i+1)); done; [ -s " + answers.quoted() + " ] && cat " +
+                second.quoted() + "; } | " + "PROGRAM " + batch + "- >" + answers.quoted());
   CHECK(run.exit == 0);
   CHECK(split(answers.text()).size() == 2);
 }

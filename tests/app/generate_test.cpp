@@ -41,7 +41,9 @@ TEST_CASE("generate: the same seed gives the same bytes, a smaller count their b
 }
 
 TEST_CASE("generate: wishes are in the puzzles") {
-  const auto of = [](const std::string& wishes) { return lines(run_program("generate --count 4 --seed 2 " + wishes).out).at(3); };
+  const auto of = [](const std::string& wishes) {
+    return lines(run_program("generate --count 4 --seed 2 " + wishes).out).at(3);
+  };
   const Json named = of("--cushions top,left --table carom-10ft");
   CHECK(named["cushions"] == Json{"top", "left"});
   CHECK(named["table"] == "carom-10ft");
@@ -49,7 +51,9 @@ TEST_CASE("generate: wishes are in the puzzles") {
   CHECK(of("--cushions 2 --target pocket")["target"].contains("pocket"));
   CHECK(of("--cushions 2 --target pocket")["cushions"] == 2);
   CHECK(of("--target pass --physics rolling")["target"].contains("point"));
-  CHECK(of(R"(--table '{"length": 3, "width": 1.5}' --physics '{"model": "rolling", "friction": 0.02}')")["table"]["length"] == 3);
+  CHECK(of(R"(--table '{"length": 3, "width": 1.5}' --physics '{"model": "rolling", "friction": 0.02}')")["table"]
+                                                                                                         ["length"] ==
+        3);
   CHECK(!of("--target pocket --physics rolling").contains("arrive"));
 }
 
@@ -61,7 +65,8 @@ TEST_CASE("generate: what cannot be is refused or given up") {
       {"--count 1 --seed 1 --table '{\"length\": 1}'", 2, "--table/width: this key is required"},
       {"--count 1 --seed 1 --physics spinn", 2, "did you mean \"spin\"?"},
       {"--count 1 --seed 1 --cushions top,botom", 2,
-       "--cushions: \"botom\" is neither a number, LOW-HIGH nor a cushion; known are bottom, right, top, left; did you mean \"bottom\"?"},
+       "--cushions: \"botom\" is neither a number, LOW-HIGH nor a cushion; known are bottom, right, top, left; did you "
+       "mean \"bottom\"?"},
       {"--count 1 --seed 1 --cushions 3-1", 2, "neither a number"},
       {"--count 1 --seed 1 --difficulty impossible", 2, "--difficulty"},
       {"--count 1 --seed 1 --table seed --target pocket", 2, "this table has no pockets"},
@@ -79,5 +84,6 @@ TEST_CASE("generate: what cannot be is refused or given up") {
 }
 
 TEST_CASE("generate: its help says what the difficulties are") {
-  CHECK_THAT(run_program("generate --help").out, Contains("at least 90 % of tries, and 0.25 degrees") && Contains("less than 40 %"));
+  CHECK_THAT(run_program("generate --help").out,
+             Contains("at least 90 % of tries, and 0.25 degrees") && Contains("less than 40 %"));
 }

@@ -68,8 +68,8 @@ TEST_CASE("map: each row is the answer of solve from there") {
     CHECK(std::stod(row[9]) == Approx(s["margin"]["angle"][0].get<double>()));
   }
   CHECK((solved > 8 && solved < 18));
-  CHECK_THAT(run.out, Contains(fmt::format("18 starts: {} with a shot, {} without", solved, 18 - solved)) && Contains("slowest: ") &&
-                          Contains("most robust: "));
+  CHECK_THAT(run.out, Contains(fmt::format("18 starts: {} with a shot, {} without", solved, 18 - solved)) &&
+                          Contains("slowest: ") && Contains("most robust: "));
   // Two tables, a rectangle for each cell, a line where it is aimed.
   CHECK(count(svg.text(), "<svg ") == 3);
   CHECK(count(svg.text(), "stroke-opacity=\"0.7\"") == 2 * static_cast<std::size_t>(solved));

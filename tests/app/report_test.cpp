@@ -19,7 +19,8 @@ using bankshot::test::run_program;
 using bankshot::test::ScratchFile;
 using Catch::Contains;
 
-constexpr const char* sections[] = {"1-simulators", "2-models", "3-planners", "4-conditioning", "5-hard-cases", "6-scaling"};
+constexpr const char* sections[] = {"1-simulators",   "2-models",     "3-planners",
+                                    "4-conditioning", "5-hard-cases", "6-scaling"};
 
 /// A folder in the temporary folder that goes with its contents.
 struct ScratchFolder : ScratchFile {
@@ -43,7 +44,8 @@ void check_csv(const std::string& text) {
   std::istringstream in(text);
   const auto fields = [](const std::string& line) {
     bool quoted = false;
-    return std::count_if(line.begin(), line.end(), [&](char c) { return c == '"' ? (quoted = !quoted, false) : c == ',' && !quoted; });
+    return std::count_if(line.begin(), line.end(),
+                         [&](char c) { return c == '"' ? (quoted = !quoted, false) : c == ',' && !quoted; });
   };
   std::string header;
   std::getline(in, header);
@@ -69,17 +71,20 @@ void check_files(const ScratchFolder& folder, bool figures) {
 std::string in_browser(const ScratchFolder& folder, std::string& complaints) {
   std::string page = folder.read("index.html");
   const std::string script =
-      "<script>let n = 0; for (const f of document.querySelectorAll('figure svg')) { const b = f.getBoundingClientRect();"
-      " if (b.width > 300 && b.height > 100 && f.querySelectorAll('path').length > 20) ++n; } document.title = n + ' figures, wide ' +"
+      "<script>let n = 0; for (const f of document.querySelectorAll('figure svg')) { const b = "
+      "f.getBoundingClientRect();"
+      " if (b.width > 300 && b.height > 100 && f.querySelectorAll('path').length > 20) ++n; } document.title = n + ' "
+      "figures, wide ' +"
       " (document.documentElement.scrollWidth > window.innerWidth);</script></body>";
   page.replace(page.rfind("</body>"), 7, script);
   std::ofstream(folder.file("checked.html"), std::ios::binary) << page;
   const std::string command =
       "chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
-      "--disable-component-update --disable-sync --enable-logging=stderr --host-resolver-rules='MAP * ~NOTFOUND' --window-size=1200,900 "
+      "--disable-component-update --disable-sync --enable-logging=stderr --host-resolver-rules='MAP * ~NOTFOUND' "
+      "--window-size=1200,900 "
       "--user-data-dir=\"" +
-      folder.file("profile") + "\" --dump-dom \"file://" + folder.file("checked.html") + "\" >\"" + folder.file("dom") + "\" 2>\"" +
-      folder.file("log") + "\"";
+      folder.file("profile") + "\" --dump-dom \"file://" + folder.file("checked.html") + "\" >\"" + folder.file("dom") +
+      "\" 2>\"" + folder.file("log") + "\"";
   CHECK(std::system(command.c_str()) == 0);
   complaints = folder.read("log");
   return folder.read("dom");
@@ -132,8 +137,10 @@ TEST_CASE("report --help names its options") {
 }
 
 TEST_CASE("report refuses what it cannot do in one line") {
-  const auto [arguments, reason] = GENERATE(table<const char*, const char*>(
-      {{"report", "--output"}, {"report -o --quick", "is an option, not a file"}, {"report -o /dev/null/report", "/dev/null/report"}}));
+  const auto [arguments, reason] =
+      GENERATE(table<const char*, const char*>({{"report", "--output"},
+                                                {"report -o --quick", "is an option, not a file"},
+                                                {"report -o /dev/null/report", "/dev/null/report"}}));
   const auto run = run_program(arguments);
   CHECK(run.exit == 2);
   CHECK_THAT(run.err, Contains(reason));

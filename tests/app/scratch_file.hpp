@@ -14,7 +14,9 @@ namespace bankshot::test {
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& name)
-      : path((std::filesystem::temp_directory_path() / ("bankshot-" + std::to_string(getpid()) + "-" + name)).string()) {}
+      : path(
+            (std::filesystem::temp_directory_path() / ("bankshot-" + std::to_string(getpid()) + "-" + name)).string()) {
+  }
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
   ~ScratchFile() { std::filesystem::remove(path); }

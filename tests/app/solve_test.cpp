@@ -27,8 +27,8 @@ TEST_CASE("solve prints what a player needs") {
   const auto run = run_program("solve", bank);
   CHECK(run.exit == 0);
   CHECK(run.err.empty());
-  for (const char* part : {"solved: ", "aim", "degrees", "speed", "m/s", "top, right", "first at", "diamond",
-                           "hit", "margin", "0.1 degrees of aim moves the arrival by"})
+  for (const char* part : {"solved: ", "aim", "degrees", "speed", "m/s", "top, right", "first at", "diamond", "hit",
+                           "margin", "0.1 degrees of aim moves the arrival by"})
     CHECK_THAT(run.out, Contains(part));
 }
 
@@ -61,7 +61,8 @@ TEST_CASE("solve reads standard input with and without a dash, and files") {
 }
 
 TEST_CASE("the id comes back with its type") {
-  const std::string id = GENERATE("\"a \\\"quoted\\\" name\"", "\"\"", "17", "1.0", "1e3", "-2.5", "0", "18446744073709551615");
+  const std::string id =
+      GENERATE("\"a \\\"quoted\\\" name\"", "\"\"", "17", "1.0", "1e3", "-2.5", "0", "18446744073709551615");
   const std::string puzzle = R"({"id": )" + id + std::string(bank).substr(std::string(R"({"id": "bank")").size());
   CHECK_THAT(run_program("solve --json", puzzle).out, Catch::StartsWith("{\"id\":" + id + ","));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The stepping simulators that `report` compares with, on motion that none of them integrates exactly: spin, and rolling
-// friction that grows with the speed. With events located their errors fall with the first, first, fourth and fifth power
-// of the step, and all of them come to the place of the event-driven simulator; without, with the first.
+// The stepping simulators that `report` compares with, on motion that none of them integrates exactly: spin, and
+// rolling friction that grows with the speed. With events located their errors fall with the first, first, fourth and
+// fifth power of the step, and all of them come to the place of the event-driven simulator; without, with the first.
 #include "app/report/steppers.hpp"
 
 #include <cmath>
@@ -25,7 +25,8 @@ Physics dragging() {
 
 double error(const Timed& shot, const Scheme& scheme) {
   const Boundary& table = comparison_table();
-  return norm(step_through(table, dragging(), shot.start, shot.until, scheme).state.at - by_events(table, dragging(), shot).at);
+  return norm(step_through(table, dragging(), shot.start, shot.until, scheme).state.at -
+              by_events(table, dragging(), shot).at);
 }
 
 /// Shots that roll for a while: a slide alone is a parabola, which the higher orders integrate exactly.
@@ -61,8 +62,10 @@ double order(Scheme scheme, double largest, int steps) {
 
 TEST_CASE("with events located the steppers converge with the order of their method") {
   using Method = Scheme::Method;
-  const auto [method, largest, expected] = GENERATE(table<Method, double, double>(
-      {{Method::euler, 0.01, 1}, {Method::semi_implicit, 0.01, 1}, {Method::rk4, 0.15, 4}, {Method::dormand_prince, 0.2, 5}}));
+  const auto [method, largest, expected] = GENERATE(table<Method, double, double>({{Method::euler, 0.01, 1},
+                                                                                   {Method::semi_implicit, 0.01, 1},
+                                                                                   {Method::rk4, 0.15, 4},
+                                                                                   {Method::dormand_prince, 0.2, 5}}));
   const double found = order({method, true}, largest, 10);
   std::printf("order of method %d with events located: %.2f\n", static_cast<int>(method), found);
   CHECK(std::abs(found - expected) <= 0.2);

@@ -36,10 +36,10 @@ std::string answer_to(const std::string& puzzle, bool all = false) {
 const std::string bank =
     R"({"id":"bank","table":"pool-9ft","ball":{"at":[0.635,0.4],"spin":{"top":0.5,"side":[0,0.4]}},"target":)"
     R"({"pocket":"bottom-middle"},"cushions":["top","right"],"angle":[0,90],"speed":[0.1,9]})";
-const std::string stop = R"({"id":7,"table":"carom-10ft","ball":{"at":[0.7,0.5]},"target":{"point":[2.1,0.9]},"cushions":2})";
-const std::string pass =
-    R"({"id":"pass","table":"seed","physics":"rolling","ball":{"at":[0.7,0.5]},"target":)"
-    R"({"point":[2.1,0.9]},"cushions":1,"arrive":{"speed":1.2}})";
+const std::string stop =
+    R"({"id":7,"table":"carom-10ft","ball":{"at":[0.7,0.5]},"target":{"point":[2.1,0.9]},"cushions":2})";
+const std::string pass = R"({"id":"pass","table":"seed","physics":"rolling","ball":{"at":[0.7,0.5]},"target":)"
+                         R"({"point":[2.1,0.9]},"cushions":1,"arrive":{"speed":1.2}})";
 
 }  // namespace
 
@@ -60,26 +60,29 @@ TEST_CASE("verify: honest answers of every kind hold") {
     answers += answer_to(p);
   }
   const std::string far = R"({"table":{"length":2,"width":1},"physics":"ideal","ball":{"at":[0.3,0.4]},"target":)"
-      R"({"point":[1.5,0.7]},"cushions":200})";
+                          R"({"point":[1.5,0.7]},"cushions":200})";
   puzzles += far + "\n";
   answers += answer_to(far);
   puzzles += stop + "\n" + weak + "\n\n{\"id\":3,\"tabel\":1}\n";
   answers += answer_to(stop, true) + answer_to(weak);
   answers += R"({"status":"invalid","shots":[],"nearest":null,"error":{"path":"","reason":"empty"},"message":"empty"})"
              "\n";
-  answers += R"({"id":3,"status":"invalid","shots":[],"nearest":null,"error":{"path":"/tabel","reason":"unknown"},"message":"unknown"})"
-             "\n";
+  answers +=
+      R"({"id":3,"status":"invalid","shots":[],"nearest":null,"error":{"path":"/tabel","reason":"unknown"},"message":"unknown"})"
+      "\n";
   const Run run = verify(puzzles, answers);
   INFO(run.out);
   CHECK(run.exit == 0);
   CHECK(run.err.empty());
-  CHECK_THAT(run.out, Contains("79 answers: 76 solved, 1 no-shot, 0 budget, 2 invalid") && Contains("every claim holds"));
+  CHECK_THAT(run.out,
+             Contains("79 answers: 76 solved, 1 no-shot, 0 budget, 2 invalid") && Contains("every claim holds"));
   CHECK_THAT(run.out, !Contains("fails:"));
 }
 
 TEST_CASE("verify: mathavan2010 is replayed with finer impacts") {
   test::Random random(5);
-  const std::string p = write_puzzle(test::random_puzzle(random, test::Family::uniform, test::Model::mathavan, 1).puzzle);
+  const std::string p =
+      write_puzzle(test::random_puzzle(random, test::Family::uniform, test::Model::mathavan, 1).puzzle);
   const Puzzle puzzle = read_puzzle(p);
   const Run run = verify(p + "\n", to_json(puzzle, solve(puzzle, {.robustness = false}), false) + "\n");
   INFO(run.out);
@@ -135,8 +138,10 @@ TEST_CASE("verify: each claim that is altered by a little is named") {
     Json a = Json::parse(answer_to(lie.puzzle));
     Json& claim = a.at(Pointer(lie.where));
     REQUIRE(claim != lie.value);
-    if (lie.value.is_number()) claim = claim.get<double>() + lie.value.get<double>();
-    else claim = lie.value;
+    if (lie.value.is_number())
+      claim = claim.get<double>() + lie.value.get<double>();
+    else
+      claim = lie.value;
     puzzles += lie.puzzle + "\n";
     answers += a.dump() + "\n";
   }
@@ -150,8 +155,8 @@ TEST_CASE("verify: each claim that is altered by a little is named") {
     std::getline(lines, line);
     INFO(lie.where << " " << lie.value << ": " << line);
     ++number;
-    CHECK_THAT(line, Contains(":" + std::to_string(number) + ": " + (number == 1 ? "\"bank\"" : Json::parse(lie.puzzle)["id"].dump()) +
-                              " fails: "));
+    CHECK_THAT(line, Contains(":" + std::to_string(number) + ": " +
+                              (number == 1 ? "\"bank\"" : Json::parse(lie.puzzle)["id"].dump()) + " fails: "));
     CHECK_THAT(line, Contains(lie.named));
   }
   CHECK_THAT(run.out, Contains(std::to_string(lies.size()) + " of " + std::to_string(lies.size()) + " answers fail"));
@@ -174,7 +179,8 @@ TEST_CASE("verify: a shot of several is named by its number, and keys it does no
   a["shots"][2]["colour"] = "red";
   const Run run = verify(stop + "\n", a.dump() + "\n");
   CHECK(run.exit == 1);
-  CHECK_THAT(run.out, Contains("7 fails: shot 2, miss: says 1e-06 m") && Contains("not known here, so not checked: colour"));
+  CHECK_THAT(run.out,
+             Contains("7 fails: shot 2, miss: says 1e-06 m") && Contains("not known here, so not checked: colour"));
 }
 
 TEST_CASE("verify: bad files are told with their line") {

@@ -59,9 +59,11 @@ int main(int argc, char** argv) {
     const ShotRequest s = shot_that_stops(random, spin, spin ? 3 : random.integer(1, 3), end, sequence);
     std::string names;
     for (const int c : sequence) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", contact_name(s.table, c));
-    std::cout << fmt::format("{{\"id\": {}, \"table\": \"{}\", \"physics\": \"{}\", \"ball\": {{\"at\": [{}, {}]}}, \"target\": {{\"point\": [{}, {}]}}, \"cushions\": {}}}\n",
-                             i + 1, spin ? "carom-10ft" : "seed", set, s.ball.at.x, s.ball.at.y, end.x, end.y,
-                             spin ? "3" : "[" + names + "]");
+    std::cout << fmt::format(
+        "{{\"id\": {}, \"table\": \"{}\", \"physics\": \"{}\", \"ball\": {{\"at\": [{}, {}]}}, \"target\": "
+        "{{\"point\": [{}, {}]}}, \"cushions\": {}}}\n",
+        i + 1, spin ? "carom-10ft" : "seed", set, s.ball.at.x, s.ball.at.y, end.x, end.y,
+        spin ? "3" : "[" + names + "]");
   }
   return std::cout.flush() ? 0 : 1;
 }

@@ -49,7 +49,8 @@ Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
     least = std::min(least, took.count());
   }
   const double miss = !a.shots.empty() ? a.shots[0].miss : a.nearest ? a.nearest->shot.miss : 1;
-  return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.radius, static_cast<double>(a.simulations), least};
+  return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.radius,
+          static_cast<double>(a.simulations), least};
 }
 
 /// The best of the mirror's aims, each replayed once.
@@ -85,8 +86,9 @@ void print(const std::string& name, int cushions, bool sequence, const std::vect
     near += o.near;
   }
   const double n = static_cast<double>(all.size());
-  std::cout << fmt::format("{},{},{},{},{:.4f},{:.4f},{:.0f},{:.0f},{:.1f},{:.1f}\n", name, cushions, sequence ? "sequence" : "count", all.size(), exact / n,
-                           near / n, part(simulations, 0.5), part(simulations, 0.99), part(us, 0.5), part(us, 0.99));
+  std::cout << fmt::format("{},{},{},{},{:.4f},{:.4f},{:.0f},{:.0f},{:.1f},{:.1f}\n", name, cushions,
+                           sequence ? "sequence" : "count", all.size(), exact / n, near / n, part(simulations, 0.5),
+                           part(simulations, 0.99), part(us, 0.5), part(us, 0.99));
 }
 
 }  // namespace
@@ -105,7 +107,9 @@ int main(int argc, char** argv) {
   app.add_flag("--header", header);
   CLI11_PARSE(app, argc, argv);
   const std::vector<Puzzle> set = puzzles(count, seed, cushions, sequence);
-  if (header) std::cout << "planner,cushions,given,puzzles,exact,within_ball_radius,simulations_median,simulations_p99,us_median,us_p99\n";
+  if (header)
+    std::cout << "planner,cushions,given,puzzles,exact,within_ball_radius,simulations_median,simulations_p99,us_median,"
+                 "us_p99\n";
   const auto run = [&](const std::string& name, auto&& solve_one) {
     if (!only.empty() && only != name) return;
     std::vector<Outcome> all;
@@ -114,7 +118,12 @@ int main(int argc, char** argv) {
   };
   run("mirror", by_mirror);
   for (const PlannerInfo& planner : planners())
-    if (planner.name != "image") run(std::string(planner.name), [&](const Puzzle& p) { return by_planner(p, {.planner = std::string(planner.name), .robustness = false, .suggest = false}); });
-  run("auto --first", [&](const Puzzle& p) { return by_planner(p, {.first = true, .robustness = false, .suggest = false}); });
-  run("auto --all", [&](const Puzzle& p) { return by_planner(p, {.all = true, .robustness = false, .suggest = false}); });
+    if (planner.name != "image")
+      run(std::string(planner.name), [&](const Puzzle& p) {
+        return by_planner(p, {.planner = std::string(planner.name), .robustness = false, .suggest = false});
+      });
+  run("auto --first",
+      [&](const Puzzle& p) { return by_planner(p, {.first = true, .robustness = false, .suggest = false}); });
+  run("auto --all",
+      [&](const Puzzle& p) { return by_planner(p, {.all = true, .robustness = false, .suggest = false}); });
 }

@@ -24,7 +24,8 @@ void simulate(benchmark::State& state, const Motion& motion, bool pockets) {
   test::Random random(1);
   std::vector<State<double>> starts;
   while (starts.size() < shots) {
-    const State<double> s{{random.uniform(0.1, 2.4), random.uniform(0.1, 1.1)}, direction(random.uniform(0, 6.28)) * 4.0};
+    const State<double> s{{random.uniform(0.1, 2.4), random.uniform(0.1, 1.1)},
+                          direction(random.uniform(0, 6.28)) * 4.0};
     starts.push_back(s);
   }
   long events = 0, n = 0;

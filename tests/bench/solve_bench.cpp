@@ -20,7 +20,8 @@ std::vector<Puzzle> draw(int bounces, bool ideal, bool sequence) {
   test::Random random(1);
   std::vector<Puzzle> out;
   while (out.size() < puzzles) {
-    Puzzle p = test::random_puzzle(random, test::Family::uniform, ideal ? test::Model::ideal : test::Model::rolling).puzzle;
+    Puzzle p =
+        test::random_puzzle(random, test::Family::uniform, ideal ? test::Model::ideal : test::Model::rolling).puzzle;
     if (p.cushions.max != bounces || p.cushions.sequence.has_value() != sequence || !p.table.pockets.empty()) continue;
     out.push_back(std::move(p));
   }
@@ -36,7 +37,8 @@ void solve_set(benchmark::State& state, bool ideal, bool sequence, const SolveOp
     simulations += a.simulations;
     benchmark::DoNotOptimize(a.shots.data());
   }
-  state.counters["simulations"] = benchmark::Counter(static_cast<double>(simulations), benchmark::Counter::kAvgIterations);
+  state.counters["simulations"] =
+      benchmark::Counter(static_cast<double>(simulations), benchmark::Counter::kAvgIterations);
 }
 
 void rolling_sequence(benchmark::State& s) { solve_set(s, false, true, {.robustness = false}); }
@@ -46,8 +48,12 @@ void ideal_sequence(benchmark::State& s) { solve_set(s, true, true, {.robustness
 void ideal_count(benchmark::State& s) { solve_set(s, true, false, {.robustness = false}); }
 void rolling_ceres(benchmark::State& s) { solve_set(s, false, true, {.planner = "ceres", .robustness = false}); }
 void rolling_sweep(benchmark::State& s) { solve_set(s, false, false, {.planner = "sweep", .robustness = false}); }
-void rolling_bobyqa(benchmark::State& s) { solve_set(s, false, true, {.planner = "nlopt-bobyqa", .robustness = false}); }
-void rolling_direct(benchmark::State& s) { solve_set(s, false, false, {.planner = "nlopt-direct", .robustness = false}); }
+void rolling_bobyqa(benchmark::State& s) {
+  solve_set(s, false, true, {.planner = "nlopt-bobyqa", .robustness = false});
+}
+void rolling_direct(benchmark::State& s) {
+  solve_set(s, false, false, {.planner = "nlopt-direct", .robustness = false});
+}
 
 BENCHMARK(rolling_sequence)->Arg(1)->Arg(3)->Arg(5);
 BENCHMARK(rolling_count)->Arg(1)->Arg(3)->Arg(5);

@@ -62,7 +62,11 @@ const std::vector<Case>& cases() {
     std::vector<Case> out;
     test::Random r(1);
     while (out.size() < 1024) {
-      Case c{{r.uniform(0.1, 2.4), r.uniform(0.1, 1.1)}, 4, r.uniform(0, 6.28), {r.uniform(-1, 1), r.uniform(-1, 1), 0}, {}};
+      Case c{{r.uniform(0.1, 2.4), r.uniform(0.1, 1.1)},
+             4,
+             r.uniform(0, 6.28),
+             {r.uniform(-1, 1), r.uniform(-1, 1), 0},
+             {}};
       Simulator sim(boundary(), SlideRoll{}, Han2005{}, start_of<double>(c));
       for (Event e = sim.step(); !e.final() && c.contacts.size() < 3; e = sim.step())
         if (e.kind == EventKind::cushion) c.contacts.push_back(e.index);

@@ -52,7 +52,8 @@ TEMPLATE_LIST_TEST_CASE("a bounce is the same in a mirror, turned, and twice as 
     const double angle = r.uniform(0, 6.28), scale = scale_of(s);
     INFO("draw " << i << " of seed " << seed);
     REQUIRE(difference(bounced(cushion, mirrored(s)), mirrored(e)) <= 1e-14 * scale);
-    REQUIRE(difference(bounced(cushion, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle)) <= 2e-14 * scale);
+    REQUIRE(difference(bounced(cushion, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle)) <=
+            2e-14 * scale);
     REQUIRE(difference(bounced(cushion, times(s, 2)), times(e, 2)) == 0);
   }
 }
@@ -125,14 +126,16 @@ TEST_CASE("han2005 without friction is a mirror of its own: e cos^2 - sin^2 of t
 
 TEST_CASE("han2005 with a sticking contact and a nose at the centre: 2/7 of the slip is taken") {
   // θ → 0, all friction: the contact point of the cushion comes to rest along it, s = vt + R ωz → vt' = vt − 2/7 s.
-  const Han2005 h{.radius = ball_radius, .height = ball_radius * (1 + 1e-12), .restitution = Restitution{1}, .friction = 1e6};
+  const Han2005 h{
+      .radius = ball_radius, .height = ball_radius * (1 + 1e-12), .restitution = Restitution{1}, .friction = 1e6};
   Random r(seed);
   for (int i = 0; i < draws; ++i) {
     const State<double> s = draw_state(r);
     State<double> in = s;
     in.velocity.y = -std::abs(s.velocity.y) - 1e-3 * scale_of(s);
     const State<double> e = bounced(h, in);
-    // The cushion lies at y = 0 below the ball: its contact point moves along +x with vx + R ωz... seen from the ball, −R ŷ.
+    // The cushion lies at y = 0 below the ball: its contact point moves along +x with vx + R ωz... seen from the ball,
+    // −R ŷ.
     const double slip = in.velocity.x + ball_radius * in.spin.z;
     CHECK(e.velocity.x == Approx(in.velocity.x - 2.0 / 7 * slip).margin(1e-9 * scale_of(in)));
     CHECK(e.velocity.x + ball_radius * e.spin.z == Approx(0).margin(1e-9 * scale_of(in)));
@@ -152,7 +155,8 @@ TEST_CASE("a cushion's promises are kept by ours, and a broken one is told") {
   CHECK(broken(draw<Han2005>(r)).empty());
   CHECK(broken(draw<CustomCushion>(r)).empty());
   using Frame = InCushionFrame<double>;
-  const std::vector<std::string> energy{"energy after over energy before"}, mirror{"difference in a mirror, of the whole"};
+  const std::vector<std::string> energy{"energy after over energy before"},
+      mirror{"difference in a mirror, of the whole"};
   const CushionLawOf gains([](Frame& f) { f.vn *= -1.1; });
   const CushionLawOf drifts([](Frame& f) { f.vn *= -0.5, f.vt *= f.vt > 0 ? 0.9 : 0.8; });
   CHECK(broken(CustomCushion{&gains}) == energy);

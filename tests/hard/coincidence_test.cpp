@@ -3,8 +3,8 @@
 // A phase that ends in the instant of a bounce. Why hard: slide-to-roll and bounce, or rest and bounce, in an order
 // that rounding decides. Conditioning: both orders lead to one path (the states agree where the times do),
 // so κ is small; at rest against a cushion the speed is 0 and nothing can differ but a bounce of no size.
-// Asserted: for wall distances within ±20 units in the last place of the coincidence, one path, as far as the moved start says, and
-// the bound where the order agrees with that of 50 digits.
+// Asserted: for wall distances within ±20 units in the last place of the coincidence, one path, as far as the moved
+// start says, and the bound where the order agrees with that of 50 digits.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 

@@ -4,7 +4,8 @@
 // found again and one that must; and a parabola that just touches a line is a double root, found or
 // missed by rounding. Conditioning of the touch: with a vertex d beyond the line the time of the hit is
 // t* − √(2d/a), so κ about 1/√d; at d = 0 infinite, and hit and miss differ by a jump. Asserted: by
-// hand, the return after 2 vn/a; hit or miss as the sign of d says down to d = 1e-14 of vn²/2a; the bound on both sides.
+// hand, the return after 2 vn/a; hit or miss as the sign of d says down to d = 1e-14 of vn²/2a; the bound on both
+// sides.
 #include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
@@ -17,9 +18,7 @@ namespace {
 constexpr double R = 0.028575;
 
 /// Velocity v with the spin whose slip points along `slip`: the acceleration is −μs g slip/|slip|.
-State<double> with_slip(Vec2d at, Vec2d v, Vec2d slip) {
-  return {at, v, {(slip.y - v.y) / R, (v.x - slip.x) / R, 0}};
-}
+State<double> with_slip(Vec2d at, Vec2d v, Vec2d slip) { return {at, v, {(slip.y - v.y) / R, (v.x - slip.x) / R, 0}}; }
 
 }  // namespace
 

@@ -13,7 +13,8 @@ using namespace bankshot::test;
 
 TEST_CASE("a ball with spin that grazes a cushion stays within the bound") {
   Worst worst("grazing");
-  for (const HardCase& c : hard_cases("grazing")) {  // the place of the bounce, and of rest, where the error is small again
+  for (const HardCase& c :
+       hard_cases("grazing")) {  // the place of the bounce, and of rest, where the error is small again
     INFO(c.what);
     CHECK(worst.within_bound(compare_with_truth(c)));
     const Boundary boundary(c.table, c.radius);

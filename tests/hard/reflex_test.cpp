@@ -18,7 +18,8 @@ const Table& ell() {
 }
 
 ShotRequest towards(Vec2d from, Vec2d at, double off, Physics physics) {
-  ShotRequest shot{.table = ell(), .physics = std::move(physics), .ball = {from, 0.0285, 0.17}, .launch = {3, 0}, .spin = {}};
+  ShotRequest shot{
+      .table = ell(), .physics = std::move(physics), .ball = {from, 0.0285, 0.17}, .launch = {3, 0}, .spin = {}};
   const Vec2d d = at - from;
   shot.launch.angle = wrap_angle(std::atan2(d.y, d.x) + off);
   return shot;
@@ -32,7 +33,8 @@ TEST_CASE("aims across a reflex vertex keep the bound and the table") {
     INFO(c.what);
     CHECK(worst.within_bound(compare_with_truth(c)));
     const Boundary boundary(c.table, c.radius);
-    for (const TruthEvent& e : run_double({boundary, c.physics, c.start}).events) CHECK(boundary.clearance(e.state.at) >= -boundary.touch);
+    for (const TruthEvent& e : run_double({boundary, c.physics, c.start}).events)
+      CHECK(boundary.clearance(e.state.at) >= -boundary.touch);
   }
 }
 

@@ -2,7 +2,8 @@
 //
 // Slip → 0. Why hard: the direction of a slip that is rounding noise is noise, and so is whether there is a
 // slide at all. Conditioning: benign: the slide lasts 2u/(7 μs g) and changes the velocity by 2u/7, so a slip
-// of δ v moves the place of rest by about 4/7 δ of the length of the path. Asserted: that, for δ = 1e-16 … 1e-3, and the bound.
+// of δ v moves the place of rest by about 4/7 δ of the length of the path. Asserted: that, for δ = 1e-16 … 1e-3, and
+// the bound.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 
@@ -11,7 +12,9 @@ using namespace bankshot::test;
 
 TEST_CASE("topspin near natural roll gives nearly the path of natural roll") {
   Worst worst("slip near 0");
-  const auto rest = [](double top) { return simulate(spin_shot({0.3, 0.4}, 0.5, 10, {.top = top})).events.back().state.at; };
+  const auto rest = [](double top) {
+    return simulate(spin_shot({0.3, 0.4}, 0.5, 10, {.top = top})).events.back().state.at;
+  };
   const Vec2d rolling = rest(1);
   const double length = norm(rolling - Vec2d{0.3, 0.4});
   for (const double delta : {1e-16, 2e-16, 5e-16, 1e-15, 2e-15, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3})

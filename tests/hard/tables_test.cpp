@@ -14,7 +14,8 @@ namespace {
 
 ShotRequest scaled(double s, Vec2d shift = {0, 0}) {
   constexpr double R = 0.03125;
-  Table table = polygon_table({Vec2d{0, 0} * s + shift, Vec2d{2, 0} * s + shift, Vec2d{2.25, 1} * s + shift, Vec2d{0, 1.125} * s + shift});
+  Table table = polygon_table(
+      {Vec2d{0, 0} * s + shift, Vec2d{2, 0} * s + shift, Vec2d{2.25, 1} * s + shift, Vec2d{0, 1.125} * s + shift});
   Physics physics = spin_physics(R * s);
   std::get<Han2005>(physics.cushion).height = 1.25 * R * s;
   std::get<SlideRoll>(physics.motion).spinning_friction = 0.015;

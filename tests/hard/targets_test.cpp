@@ -4,8 +4,8 @@
 // can reach, so half of the aims around the root bounce first, and rounding may put the root behind the line; at the
 // start point a shot of length 0 must not count. Conditioning: benign, but one-sided. Asserted: an answer whose
 // replay by a separate check passes (miss ≤ 1e-9 of the diagonal).
-#include "bankshot/plan/planner.hpp"
 #include "app/truth/hard_cases.hpp"
+#include "bankshot/plan/planner.hpp"
 #include "support/catch.hpp"
 #include "support/replay_check.hpp"
 #include "support/truth.hpp"
@@ -33,6 +33,8 @@ void check_solved(std::string_view hard) {
 
 }  // namespace
 
-TEST_CASE("targets on a cushion line and in a corner are reached, passing and at rest") { check_solved("targets on cushions"); }
+TEST_CASE("targets on a cushion line and in a corner are reached, passing and at rest") {
+  check_solved("targets on cushions");
+}
 
 TEST_CASE("the start point is reached again by way of cushions") { check_solved("target at the start"); }

@@ -62,7 +62,8 @@ TEST_CASE("without friction and with loss a ball comes to rest before its speed 
     Simulator sim(boundary, Rolling{.friction = 0}, Mirror{e}, State<double>{{0.7, 0.4}, {1, 0.37}});
     Event event = sim.step();
     long events = 1;
-    for (; !event.final() && events < 20000; ++events, event = sim.step()) CHECK(boundary.clearance(sim.state().at) >= -boundary.touch);
+    for (; !event.final() && events < 20000; ++events, event = sim.step())
+      CHECK(boundary.clearance(sim.state().at) >= -boundary.touch);
     CHECK(event.kind == EventKind::rest);
   }
 }

@@ -63,7 +63,8 @@ TEMPLATE_LIST_TEST_CASE("a motion is the same in a mirror, turned and moved", ""
     const auto motion = draw<TestType>(r);
     const State<double> s = whole(motion, draw_state(r));
     const double t = some_time(r, motion.arc(s)), angle = r.uniform(0, 6.28), room = norm(s.at) + norm(s.velocity) * t;
-    const State<double> end = after(motion, s, t), in_mirror = after(motion, mirrored(s), t), in_turn = after(motion, turned(s, angle), t);
+    const State<double> end = after(motion, s, t), in_mirror = after(motion, mirrored(s), t),
+                        in_turn = after(motion, turned(s, angle), t);
     State<double> moved = s;
     moved.at += {3, -5};
     const State<double> away = after(motion, moved, t);

@@ -58,8 +58,10 @@ TEST_CASE("no digit is lost where the growth of friction vanishes") {
     const Drag<Digits50> exact{a, b};
     const double s = d.length(v0, 0.0) * random.uniform(0, 1);
     const Digits50 v = exact.speed_after(Digits50(v0), Digits50(s));
-    const double of_speed = std::abs(static_cast<double>(d.speed_after(v0, s) * Digits50(d.speed_after(v0, s)) - v * v)) / (v0 * v0);
-    const double of_rest = std::abs(static_cast<double>(d.length(v0, 0.0) / exact.length(Digits50(v0), Digits50(0)) - 1));
+    const double of_speed =
+        std::abs(static_cast<double>(d.speed_after(v0, s) * Digits50(d.speed_after(v0, s)) - v * v)) / (v0 * v0);
+    const double of_rest =
+        std::abs(static_cast<double>(d.length(v0, 0.0) / exact.length(Digits50(v0), Digits50(0)) - 1));
     worst = std::max({worst, of_speed, of_rest});
     CHECK(of_speed < 1e-13);
     CHECK(of_rest < 1e-13);
@@ -87,6 +89,8 @@ TEST_CASE("an arc with drag ends at rest, and its derivatives are those of its n
   const Drag<Jet::Scalar> drag = arc.drag;
   const Jet v0(2.0, 0);
   const double s = 3, h = 1e-5;
-  CHECK(drag.speed_after(v0, Jet(s)).v[0] == Approx((drag.speed_after(2 + h, s) - drag.speed_after(2 - h, s)) / (2 * h)).epsilon(1e-8));
-  CHECK(drag.length(v0, Jet(0.0)).v[0] == Approx((drag.length(2 + h, 0.0) - drag.length(2 - h, 0.0)) / (2 * h)).epsilon(1e-8));
+  CHECK(drag.speed_after(v0, Jet(s)).v[0] ==
+        Approx((drag.speed_after(2 + h, s) - drag.speed_after(2 - h, s)) / (2 * h)).epsilon(1e-8));
+  CHECK(drag.length(v0, Jet(0.0)).v[0] ==
+        Approx((drag.length(2 + h, 0.0) - drag.length(2 - h, 0.0)) / (2 * h)).epsilon(1e-8));
 }

@@ -12,7 +12,11 @@ using namespace bankshot;
 namespace {
 
 Puzzle plain(Physics physics) {
-  return {.table = rectangle_table(2, 1), .physics = physics, .ball = {.at = {0.4, 0.3}}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1)};
+  return {.table = rectangle_table(2, 1),
+          .physics = physics,
+          .ball = {.at = {0.4, 0.3}},
+          .target = PointTarget{{1.5, 0.7}},
+          .cushions = CushionRule::exactly(1)};
 }
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -20,7 +24,8 @@ bool says(const std::string& text, const std::string& part) { return text.find(p
 /// Whether a stop at the point is made: rests within reach after the same cushions.
 bool made(const Puzzle& p, const Shot& shot, double speed, double angle) {
   const auto& target = std::get<PointTarget>(p.target);
-  const Trajectory t = simulate(ShotRequest{.table = p.table, .physics = p.physics, .ball = p.ball, .launch = {speed, wrap_angle(angle)}});
+  const Trajectory t = simulate(
+      ShotRequest{.table = p.table, .physics = p.physics, .ball = p.ball, .launch = {speed, wrap_angle(angle)}});
   return t.sequence() == shot.cushions && norm(t.events.back().state.at - target.at) <= target.within;
 }
 
@@ -51,7 +56,11 @@ TEST_CASE("a bound that binds is named with the number that would open it") {
 }
 
 TEST_CASE("a pocket in the way is named") {
-  Puzzle p{.table = rectangle_table(2, 1), .physics = ideal_physics(), .ball = {.at = {0.4, 0.5}}, .target = PointTarget{{1.6, 0.5}}, .cushions = CushionRule::exactly(0)};
+  Puzzle p{.table = rectangle_table(2, 1),
+           .physics = ideal_physics(),
+           .ball = {.at = {0.4, 0.5}},
+           .target = PointTarget{{1.6, 0.5}},
+           .cushions = CushionRule::exactly(0)};
   p.table.pockets = {{"hole", {1, 0.5}, 0.1}};
   const Answer a = solve(p);
   CHECK(a.status == Status::no_shot);
@@ -59,7 +68,11 @@ TEST_CASE("a pocket in the way is named") {
 }
 
 TEST_CASE("where no line reaches a pocket's centre the shot is beside it and says so") {
-  Puzzle p{.table = make_table(*find_table_preset("pool-9ft")), .physics = rolling_physics(), .ball = {.at = {0.635, 0.4}}, .target = PocketTarget{5}, .cushions = CushionRule::exactly(0)};
+  Puzzle p{.table = make_table(*find_table_preset("pool-9ft")),
+           .physics = rolling_physics(),
+           .ball = {.at = {0.635, 0.4}},
+           .target = PocketTarget{5},
+           .cushions = CushionRule::exactly(0)};
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].miss > 1e-3);
@@ -82,7 +95,8 @@ TEST_CASE("a margin is where the shot stops being made") {
       INFO("side " << side << ", puzzle " << checked << " of seed 21");
       REQUIRE(s.margin->angle[static_cast<std::size_t>(side)]);
       REQUIRE(s.margin->speed[static_cast<std::size_t>(side)]);
-      const double angle = *s.margin->angle[static_cast<std::size_t>(side)], speed = *s.margin->speed[static_cast<std::size_t>(side)];
+      const double angle = *s.margin->angle[static_cast<std::size_t>(side)],
+                   speed = *s.margin->speed[static_cast<std::size_t>(side)];
       CHECK(made(p, s, s.launch.speed, s.launch.angle + angle * (1 - 1e-5)));
       CHECK(!made(p, s, s.launch.speed, s.launch.angle + angle * (1 + 1e-5)));
       CHECK(made(p, s, s.launch.speed + speed * (1 - 1e-5), s.launch.angle));
@@ -101,11 +115,16 @@ TEST_CASE("the condition is the derivative of the arrival") {
     REQUIRE(a.status == Status::solved);
     const Shot& s = a.shots[0];
     const auto rest = [&](double speed, double angle) {
-      return simulate(ShotRequest{.table = p.table, .physics = p.physics, .ball = p.ball, .launch = {speed, wrap_angle(angle)}}).events.back().state.at;
+      return simulate(ShotRequest{
+                          .table = p.table, .physics = p.physics, .ball = p.ball, .launch = {speed, wrap_angle(angle)}})
+          .events.back()
+          .state.at;
     };
     const double h = 1e-7;
-    const double by_aim = norm(rest(s.launch.speed, s.launch.angle + h) - rest(s.launch.speed, s.launch.angle - h)) / (2 * h);
-    const double by_speed = norm(rest(s.launch.speed * (1 + h), s.launch.angle) - rest(s.launch.speed * (1 - h), s.launch.angle)) / (2 * h);
+    const double by_aim =
+        norm(rest(s.launch.speed, s.launch.angle + h) - rest(s.launch.speed, s.launch.angle - h)) / (2 * h);
+    const double by_speed =
+        norm(rest(s.launch.speed * (1 + h), s.launch.angle) - rest(s.launch.speed * (1 - h), s.launch.angle)) / (2 * h);
     CHECK(s.condition == Approx(std::max(by_aim, by_speed)).epsilon(1e-4));
   }
 }
@@ -128,7 +147,11 @@ TEST_CASE("preferences choose: the softest is slowest, the quickest soonest") {
 }
 
 TEST_CASE("an aim into a cushion that the ball touches is offered only when asked for") {
-  Puzzle p{.table = rectangle_table(2, 1), .physics = ideal_physics(), .ball = {.at = {0.4, 0.1}, .radius = 0.1}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1)};
+  Puzzle p{.table = rectangle_table(2, 1),
+           .physics = ideal_physics(),
+           .ball = {.at = {0.4, 0.1}, .radius = 0.1},
+           .target = PointTarget{{1.5, 0.7}},
+           .cushions = CushionRule::exactly(1)};
   for (const Shot& s : solve(p, {.all = true}).shots) CHECK(s.launch.angle < radians(180));
   p.cushions = CushionRule::in_order({0});
   const Answer a = solve(p);

@@ -14,7 +14,8 @@ std::vector<Puzzle> some_puzzles() {
   test::Random random(11);
   std::vector<Puzzle> out;
   for (int i = 0; i < 60; ++i) {
-    out.push_back(test::random_puzzle(random, test::families[i % 4], i % 3 ? test::Model::rolling : test::Model::spin).puzzle);
+    out.push_back(
+        test::random_puzzle(random, test::families[i % 4], i % 3 ? test::Model::rolling : test::Model::spin).puzzle);
     out.back().id = std::to_string(i);
   }
   out[20].ball.at = {1e3, 0};

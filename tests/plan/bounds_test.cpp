@@ -10,7 +10,11 @@ using namespace bankshot;
 namespace {
 
 Puzzle rolling_puzzle(PointTarget target) {
-  return {.table = rectangle_table(2.5, 1.25), .physics = rolling_physics(), .ball = {.at = {1, 0.5}}, .target = target, .cushions = CushionRule::exactly(0)};
+  return {.table = rectangle_table(2.5, 1.25),
+          .physics = rolling_physics(),
+          .ball = {.at = {1, 0.5}},
+          .target = target,
+          .cushions = CushionRule::exactly(0)};
 }
 
 void check_beside_centre(const Puzzle& p) {
@@ -36,19 +40,33 @@ TEST_CASE("where the aim's bounds leave out the centre, part of the target still
   p.angle = Range{0, radians(1)};
   check_beside_centre(p);
   const TablePreset& nine = *find_table_preset("pool-9ft");
-  Puzzle pocket{.table = make_table(nine), .physics = ideal_physics(), .ball = {.at = {1, 0.5}}, .target = PocketTarget{5}, .cushions = CushionRule::exactly(0)};
+  Puzzle pocket{.table = make_table(nine),
+                .physics = ideal_physics(),
+                .ball = {.at = {1, 0.5}},
+                .target = PocketTarget{5},
+                .cushions = CushionRule::exactly(0)};
   pocket.angle = Range{0, radians(25.9)};
   check_beside_centre(pocket);
 }
 
 TEST_CASE("an arrival speed of 0 at a pocket has a miss, and it is a number") {
-  Puzzle p{.table = make_table(*find_table_preset("pool-9ft")), .physics = rolling_physics(), .ball = {.at = {1.9, 0.5}}, .target = PocketTarget{5}, .cushions = CushionRule::exactly(0), .arrive = Range{0, 0}};
+  Puzzle p{.table = make_table(*find_table_preset("pool-9ft")),
+           .physics = rolling_physics(),
+           .ball = {.at = {1.9, 0.5}},
+           .target = PocketTarget{5},
+           .cushions = CushionRule::exactly(0),
+           .arrive = Range{0, 0}};
   for (const Shot& shot : solve(p).shots) CHECK(shot.miss <= 0.1);
 }
 
 TEST_CASE("a beside-the-centre shot keeps the arrival speed that was asked") {
   // The corner's centre line is blocked by the bound; at capture the ball must still have 0.8 m/s.
-  Puzzle p{.table = make_table(*find_table_preset("pool-9ft")), .physics = rolling_physics(), .ball = {.at = {1, 0.5}}, .target = PocketTarget{5}, .cushions = CushionRule::exactly(0), .arrive = Range{0.8, 0.8}};
+  Puzzle p{.table = make_table(*find_table_preset("pool-9ft")),
+           .physics = rolling_physics(),
+           .ball = {.at = {1, 0.5}},
+           .target = PocketTarget{5},
+           .cushions = CushionRule::exactly(0),
+           .arrive = Range{0.8, 0.8}};
   p.angle = Range{0, radians(25.9)};
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
@@ -69,14 +87,22 @@ TEST_CASE("a proof claims no more than was tried") {
 }
 
 TEST_CASE("a target on a cushion line is one shot, not one for each way to count the bounce there") {
-  Puzzle p{.table = rectangle_table(2, 1), .physics = ideal_physics(), .ball = {.at = {0.5, 0.3}, .radius = 0}, .target = PointTarget{{2, 0.4}}, .cushions = {.min = 0, .max = 1}};
+  Puzzle p{.table = rectangle_table(2, 1),
+           .physics = ideal_physics(),
+           .ball = {.at = {0.5, 0.3}, .radius = 0},
+           .target = PointTarget{{2, 0.4}},
+           .cushions = {.min = 0, .max = 1}};
   const Answer a = solve(p, {.all = true, .robustness = false});
   for (std::size_t i = 0; i < a.shots.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) CHECK(std::abs(a.shots[i].launch.angle - a.shots[j].launch.angle) > 1e-6);
 }
 
 TEST_CASE("a long path counts as several simulations, so that the budget bounds the work") {
-  Puzzle p{.table = polygon_table({{0, 0}, {2, 0}, {1, 1.5}}), .physics = ideal_physics(), .ball = {.at = {1, 0.5}}, .target = PointTarget{{0.9, 0.6}}, .cushions = CushionRule::exactly(20000)};
+  Puzzle p{.table = polygon_table({{0, 0}, {2, 0}, {1, 1.5}}),
+           .physics = ideal_physics(),
+           .ball = {.at = {1, 0.5}},
+           .target = PointTarget{{0.9, 0.6}},
+           .cushions = CushionRule::exactly(20000)};
   p.budget = 1000;
   const Answer a = solve(p, {.robustness = false});
   CHECK(a.status != Status::no_shot);

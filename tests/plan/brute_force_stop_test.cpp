@@ -71,7 +71,8 @@ class BruteForce {
   Rest launch(double angle, double speed) const {
     return with_physics(p_.physics, [&](const auto& motion, const auto& cushion) {
       Rest out{speed, {}};
-      Simulator sim(boundary_, motion, cushion, launched(p_.ball.at, p_.ball.radius, direction(wrap_angle(angle)) * speed, p_.spin));
+      Simulator sim(boundary_, motion, cushion,
+                    launched(p_.ball.at, p_.ball.radius, direction(wrap_angle(angle)) * speed, p_.spin));
       for (;;) {
         const Event e = sim.step();
         if (e.kind == EventKind::slide_to_roll) continue;
@@ -121,7 +122,8 @@ class BruteForce {
   }
 
   static bool alike(const Aimed& a, const Aimed& b) {
-    return std::equal(a.abreast.begin(), a.abreast.end(), b.abreast.begin(), b.abreast.end(), [](const Rest& x, const Rest& y) { return x.contacts == y.contacts; });
+    return std::equal(a.abreast.begin(), a.abreast.end(), b.abreast.begin(), b.abreast.end(),
+                      [](const Rest& x, const Rest& y) { return x.contacts == y.contacts; });
   }
 
   void between(const Aimed& a, const Aimed& b) {
@@ -182,12 +184,14 @@ void compare(int puzzles, const Fineness& fine) {
     for (const Found& f : BruteForce(p, fine).run()) {
       const auto same = [&](const Shot& x) {
         const double turned = wrap_angle(x.launch.angle - f.angle + radians(180)) - radians(180);
-        return x.cushions == f.contacts && std::abs(turned) < 10 * fine.root && std::abs(x.launch.speed - f.speed) < 1000 * fine.root * f.speed;
+        return x.cushions == f.contacts && std::abs(turned) < 10 * fine.root &&
+               std::abs(x.launch.speed - f.speed) < 1000 * fine.root * f.speed;
       };
       ++by_force;
       if (std::any_of(all.begin(), all.end(), same)) continue;
       ++missed;
-      UNSCOPED_INFO("puzzle " << i << " of seed " << seed << ": " << f.contacts.size() << " cushions at " << degrees(f.angle) << " degrees, " << f.speed << " m/s");
+      UNSCOPED_INFO("puzzle " << i << " of seed " << seed << ": " << f.contacts.size() << " cushions at "
+                              << degrees(f.angle) << " degrees, " << f.speed << " m/s");
     }
   }
   INFO(missed << " of " << by_force << " shots missed, planner found " << all_shots);
@@ -198,6 +202,10 @@ void compare(int puzzles, const Fineness& fine) {
 
 }  // namespace
 
-TEST_CASE("all shots that stop at a point are those of brute force") { compare(20, {.aims = 360, .speed_step = 0.1, .root = 1e-6}); }
+TEST_CASE("all shots that stop at a point are those of brute force") {
+  compare(20, {.aims = 360, .speed_step = 0.1, .root = 1e-6});
+}
 
-TEST_CASE("all shots that stop at a point are those of brute force, at length", "[.][long]") { compare(200, {.aims = 18000, .speed_step = 0.03, .root = 1e-8}); }
+TEST_CASE("all shots that stop at a point are those of brute force, at length", "[.][long]") {
+  compare(200, {.aims = 18000, .speed_step = 0.03, .root = 1e-8});
+}

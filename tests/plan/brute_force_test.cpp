@@ -50,7 +50,8 @@ class BruteForce {
   Aimed aim(double angle) {
     return with_physics(p_.physics, [&](const auto& motion, const auto& cushion) {
       Aimed out{angle, {}, {}};
-      Simulator sim(boundary_, motion, cushion, launched(p_.ball.at, p_.ball.radius, direction(wrap_angle(angle)) * p_.speed.low, p_.spin));
+      Simulator sim(boundary_, motion, cushion,
+                    launched(p_.ball.at, p_.ball.radius, direction(wrap_angle(angle)) * p_.speed.low, p_.spin));
       double nearest = 1e300;
       for (;;) {
         const Event e = sim.step();
@@ -69,7 +70,9 @@ class BruteForce {
   }
 
   static std::size_t agree(const Aimed& a, const Aimed& b) {
-    return static_cast<std::size_t>(std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end()).first - a.contacts.begin());
+    return static_cast<std::size_t>(
+        std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end()).first -
+        a.contacts.begin());
   }
 
   void between(const Aimed& a, const Aimed& b) {
@@ -100,7 +103,8 @@ class BruteForce {
     const std::vector<int> contacts(a.contacts.begin(), a.contacts.begin() + static_cast<long>(k));
     for (int i = 0; i < 40; ++i) {
       const Aimed m = aim((a.angle + b.angle) / 2);
-      if (m.contacts.size() < k || !std::equal(contacts.begin(), contacts.end(), m.contacts.begin()) || !m.side[k]) return;
+      if (m.contacts.size() < k || !std::equal(contacts.begin(), contacts.end(), m.contacts.begin()) || !m.side[k])
+        return;
       ((*m.side[k] > 0) == (*a.side[k] > 0) ? a : b) = m;
     }
     found_.push_back({contacts, a.angle});
@@ -116,7 +120,8 @@ void compare(int puzzles) {
   test::Random random(23);
   std::size_t by_force = 0, missed = 0;
   for (int i = 0; i < puzzles; ++i) {
-    const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1), speed = random.uniform(1, 3) * std::sqrt(length);
+    const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1),
+                 speed = random.uniform(1, 3) * std::sqrt(length);
     const auto place = [&] { return Vec2d{random.uniform(0.05, length - 0.05), random.uniform(0.05, width - 0.05)}; };
     Puzzle p{.table = rectangle_table(length, width), .physics = spin_physics()};
     p.ball.at = place();
@@ -128,12 +133,14 @@ void compare(int puzzles) {
     const std::vector<Shot> all = solve(p, {.all = true, .robustness = false}).shots;
     for (const Found& f : BruteForce(p).run()) {
       const auto same = [&](const Shot& x) {
-        return x.cushions == f.contacts && std::abs(wrap_angle(x.launch.angle - f.angle + radians(180)) - radians(180)) < 1e-7;
+        return x.cushions == f.contacts &&
+               std::abs(wrap_angle(x.launch.angle - f.angle + radians(180)) - radians(180)) < 1e-7;
       };
       ++by_force;
       if (std::any_of(all.begin(), all.end(), same)) continue;
       ++missed;
-      UNSCOPED_INFO("puzzle " << i << " of seed 23: " << f.contacts.size() << " cushions at " << degrees(f.angle) << " degrees: " << write_puzzle(p));
+      UNSCOPED_INFO("puzzle " << i << " of seed 23: " << f.contacts.size() << " cushions at " << degrees(f.angle)
+                              << " degrees: " << write_puzzle(p));
     }
   }
   INFO(missed << " of " << by_force << " shots missed");

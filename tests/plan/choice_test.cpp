@@ -18,7 +18,8 @@ Puzzle read(const std::string& more) {
 }  // namespace
 
 TEST_CASE("of a range of spin the least that works is used") {
-  const Puzzle free = read(R"(, "spin": {"top": [0, 1], "side": [-1, 1]}}, "target": {"point": [1.9, 0.9]}, "cushions": 1})");
+  const Puzzle free =
+      read(R"(, "spin": {"top": [0, 1], "side": [-1, 1]}}, "target": {"point": [1.9, 0.9]}, "cushions": 1})");
   const Answer a = solve(free, {.robustness = false});
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].spin.top == 0);
@@ -28,7 +29,8 @@ TEST_CASE("of a range of spin the least that works is used") {
 
 TEST_CASE("spin is used where nothing works without") {
   // Straight at the cushion and back: to come off it at an angle takes side spin.
-  Puzzle p = read(R"(, "spin": {"side": [-1, 1]}}, "target": {"point": [0.75, 0.635], "within": 0.001}, "cushions": ["top"],
+  Puzzle p =
+      read(R"(, "spin": {"side": [-1, 1]}}, "target": {"point": [0.75, 0.635], "within": 0.001}, "cushions": ["top"],
                   "arrive": {"speed": [0.2, 5]}, "angle": [89.9, 90.1]})");
   const Answer a = solve(p, {.robustness = false});
   INFO(a.message);
@@ -41,7 +43,10 @@ TEST_CASE("spin is used where nothing works without") {
 TEST_CASE("of a range of arrival speeds one that can be reached is found") {
   // No launch up to 3 m/s arrives at 6 m/s, nor any that gets there at 5.
   for (const char* prefer : {"robust", "soft", "quick"}) {
-    const Puzzle p = read(std::string(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 1, "speed": [2, 3], "arrive": {"speed": [0.5, 6]}, "prefer": ")") + prefer + "\"}");
+    const Puzzle p = read(
+        std::string(
+            R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 1, "speed": [2, 3], "arrive": {"speed": [0.5, 6]}, "prefer": ")") +
+        prefer + "\"}");
     const Answer a = solve(p, {.robustness = false});
     INFO(a.message);
     REQUIRE(a.status == Status::solved);
@@ -68,9 +73,12 @@ TEST_CASE("a no-shot says what would open it") {
     CHECK(a.status == Status::no_shot);
     return a.message;
   };
-  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 2, "speed": [0.1, 0.5]})"), Catch::Contains("m/s would do it"));
-  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 0, "angle": [90, 100]})"), Catch::Contains("an aim of"));
-  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": ["top", "top", "top", "top"]})"), Catch::Contains("there is a shot with"));
+  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 2, "speed": [0.1, 0.5]})"),
+             Catch::Contains("m/s would do it"));
+  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": 0, "angle": [90, 100]})"),
+             Catch::Contains("an aim of"));
+  CHECK_THAT(hint(R"(}, "target": {"point": [1.9, 0.9]}, "cushions": ["top", "top", "top", "top"]})"),
+             Catch::Contains("there is a shot with"));
 }
 
 TEST_CASE("puzzles with friction that grows with speed are solved") {

@@ -17,10 +17,27 @@ std::vector<Puzzle> easy_set() {
   const Table plain = rectangle_table(2, 1);
   const Ball ball{.at = {0.4, 0.3}};
   std::vector<Puzzle> set;
-  set.push_back({.table = plain, .physics = ideal_physics(), .ball = ball, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1)});
-  set.push_back({.table = plain, .physics = rolling_physics(), .ball = ball, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(0)});
-  set.push_back({.table = plain, .physics = rolling_physics(), .ball = ball, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1), .arrive = Range{0.4, 0.4}});
-  set.push_back({.table = make_table(*find_table_preset("pool-9ft")), .physics = rolling_physics(), .ball = {.at = {1.9, 0.5}}, .target = PocketTarget{5}, .cushions = CushionRule::exactly(0)});
+  set.push_back({.table = plain,
+                 .physics = ideal_physics(),
+                 .ball = ball,
+                 .target = PointTarget{{1.5, 0.7}},
+                 .cushions = CushionRule::exactly(1)});
+  set.push_back({.table = plain,
+                 .physics = rolling_physics(),
+                 .ball = ball,
+                 .target = PointTarget{{1.5, 0.7}},
+                 .cushions = CushionRule::exactly(0)});
+  set.push_back({.table = plain,
+                 .physics = rolling_physics(),
+                 .ball = ball,
+                 .target = PointTarget{{1.5, 0.7}},
+                 .cushions = CushionRule::exactly(1),
+                 .arrive = Range{0.4, 0.4}});
+  set.push_back({.table = make_table(*find_table_preset("pool-9ft")),
+                 .physics = rolling_physics(),
+                 .ball = {.at = {1.9, 0.5}},
+                 .target = PocketTarget{5},
+                 .cushions = CushionRule::exactly(0)});
   return set;
 }
 
@@ -50,9 +67,14 @@ TEST_CASE("the first shot is a shot, and costs no more than the best") {
   INFO(planner);
   std::vector<Puzzle> set = easy_set();
   if (planner != "image")
-    set.push_back({.table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {.at = {0.4, 0.3}}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(3)});
+    set.push_back({.table = rectangle_table(2, 1),
+                   .physics = spin_physics(),
+                   .ball = {.at = {0.4, 0.3}},
+                   .target = PointTarget{{1.5, 0.7}},
+                   .cushions = CushionRule::exactly(3)});
   for (const Puzzle& p : set) {
-    const Answer best = solve(p, {.planner = planner, .robustness = false}), first = solve(p, {.planner = planner, .first = true, .robustness = false});
+    const Answer best = solve(p, {.planner = planner, .robustness = false}),
+                 first = solve(p, {.planner = planner, .first = true, .robustness = false});
     REQUIRE(first.status == Status::solved);
     CHECK(first.shots.size() == 1);
     CHECK(test::check_shot(p, first.shots[0]).problem == "");
@@ -60,7 +82,8 @@ TEST_CASE("the first shot is a shot, and costs no more than the best") {
     CHECK(first.message.find("the first shot found") == 0);
     if (planner == "auto" && p.cushions.max == 3) CHECK(first.simulations * 5 < best.simulations);
   }
-  CHECK_THROWS_WITH(solve(set[0], {.planner = planner, .all = true, .first = true}), Catch::Contains("either all shots"));
+  CHECK_THROWS_WITH(solve(set[0], {.planner = planner, .all = true, .first = true}),
+                    Catch::Contains("either all shots"));
 }
 
 TEST_CASE("what a planner returns survives a replay in 50 digits") {
@@ -69,8 +92,17 @@ TEST_CASE("what a planner returns survives a replay in 50 digits") {
   std::vector<Puzzle> set = easy_set();
   const Table plain = rectangle_table(2, 1);
   if (planner != "image") {
-    set.push_back({.table = plain, .physics = spin_physics(), .ball = {.at = {0.4, 0.3}}, .spin = {.side = 0.3}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(1)});
-    set.push_back({.table = plain, .physics = spin_physics(), .ball = {.at = {0.4, 0.3}}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::exactly(2)});
+    set.push_back({.table = plain,
+                   .physics = spin_physics(),
+                   .ball = {.at = {0.4, 0.3}},
+                   .spin = {.side = 0.3},
+                   .target = PointTarget{{1.5, 0.7}},
+                   .cushions = CushionRule::exactly(1)});
+    set.push_back({.table = plain,
+                   .physics = spin_physics(),
+                   .ball = {.at = {0.4, 0.3}},
+                   .target = PointTarget{{1.5, 0.7}},
+                   .cushions = CushionRule::exactly(2)});
   }
   for (const Puzzle& p : set) {
     const auto* point = std::get_if<PointTarget>(&p.target);
@@ -129,7 +161,11 @@ TEST_CASE("bounds on speed and aim are kept") {
 TEST_CASE("infeasible puzzles are never solved") {
   const std::string planner = GENERATE(from_range(planner_names));
   INFO(planner);
-  Puzzle same_twice{.table = rectangle_table(2, 1), .physics = ideal_physics(), .ball = {.at = {0.4, 0.3}}, .target = PointTarget{{1.5, 0.7}}, .cushions = CushionRule::in_order({0, 0})};
+  Puzzle same_twice{.table = rectangle_table(2, 1),
+                    .physics = ideal_physics(),
+                    .ball = {.at = {0.4, 0.3}},
+                    .target = PointTarget{{1.5, 0.7}},
+                    .cushions = CushionRule::in_order({0, 0})};
   CHECK(solve(same_twice, {.planner = planner}).status == Status::no_shot);
   Puzzle too_slow = easy_set()[1];
   too_slow.speed = {0.01, 0.02};

@@ -32,7 +32,10 @@ TEST_CASE("a custom cushion with Han's law leads to Han's shots") {
 
 TEST_CASE("a custom cushion needs a law and motion with spin, and has no JSON") {
   const test::HanLaw law;
-  Puzzle p{.table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {.at = {0.5, 0.5}}, .target = PointTarget{{1.5, 0.5}}};
+  Puzzle p{.table = rectangle_table(2, 1),
+           .physics = spin_physics(),
+           .ball = {.at = {0.5, 0.5}},
+           .target = PointTarget{{1.5, 0.5}}};
   p.physics.cushion = CustomCushion{&law};
   CHECK_THROWS_WITH(write_puzzle(p), Catch::Contains("a custom cushion is a function"));
   p.physics.cushion = CustomCushion{};

@@ -39,7 +39,9 @@ void compare(int puzzles, int cushions, std::uint64_t seed, double most_missed) 
     const Puzzle p = three_or_more(random, cushions);
     const std::vector<Shot> all = solve(p, {.planner = "sweep", .all = true, .robustness = false}).shots;
     for (const Shot& shot : mapped(p, fine)) {
-      const auto same = [&](const Shot& x) { return x.cushions == shot.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-6; };
+      const auto same = [&](const Shot& x) {
+        return x.cushions == shot.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-6;
+      };
       ++found;
       missed += std::none_of(all.begin(), all.end(), same);
     }
@@ -63,7 +65,8 @@ TEST_CASE("the map misses hardly a shot with three to five cushions", "[.][long]
   for (const std::uint64_t seed : {17, 8, 108, 208}) compare(100, 5, seed, 0.001);
 }
 
-// Shots that rest soon after their last bounce, or just before a fold: sequences that nodes meet without leading to a root.
+// Shots that rest soon after their last bounce, or just before a fold: sequences that nodes meet without leading to a
+// root.
 TEST_CASE("all shots include those of sequences whose nodes lead nowhere") {
   struct Case {
     double length, width;
@@ -72,9 +75,27 @@ TEST_CASE("all shots include those of sequences whose nodes lead nowhere") {
     int cushions;
     double angle;  // degrees
   };
-  for (const Case& c : {Case{3.7004579052154587, 2.73895672384495, {1.5521153935957388, 0.6344982811096583}, {3.58630600550486, 0.32141582491370957}, {-0.7949410053802956, 0.5431207901170816, 0}, 3, 201.4456095},
-                        Case{1.4646644716653876, 0.7120685166712877, {0.08330293184657275, 0.5341971125600873}, {1.2187323900803084, 0.3422096076878597}, {-0.8477452172464544, -0.7597516024620448, 0}, 4, 339.5381693},
-                        Case{1.2382250337572553, 0.8881349433614231, {0.9038645846691813, 0.33347373243955103}, {0.03037540483166975, 0.38538413906820235}, {0.6038399985402001, -0.9050956848847891, 0}, 5, 343.4313254}}) {
+  for (const Case& c : {Case{3.7004579052154587,
+                             2.73895672384495,
+                             {1.5521153935957388, 0.6344982811096583},
+                             {3.58630600550486, 0.32141582491370957},
+                             {-0.7949410053802956, 0.5431207901170816, 0},
+                             3,
+                             201.4456095},
+                        Case{1.4646644716653876,
+                             0.7120685166712877,
+                             {0.08330293184657275, 0.5341971125600873},
+                             {1.2187323900803084, 0.3422096076878597},
+                             {-0.8477452172464544, -0.7597516024620448, 0},
+                             4,
+                             339.5381693},
+                        Case{1.2382250337572553,
+                             0.8881349433614231,
+                             {0.9038645846691813, 0.33347373243955103},
+                             {0.03037540483166975, 0.38538413906820235},
+                             {0.6038399985402001, -0.9050956848847891, 0},
+                             5,
+                             343.4313254}}) {
     Puzzle p{.table = rectangle_table(c.length, c.width), .physics = spin_physics()};
     p.ball.at = c.ball;
     p.target = PointTarget{c.target};
@@ -82,6 +103,7 @@ TEST_CASE("all shots include those of sequences whose nodes lead nowhere") {
     p.cushions = CushionRule::exactly(c.cushions);
     const std::vector<Shot> all = solve(p, {.all = true, .robustness = false}).shots;
     CAPTURE(c.length, c.angle, all.size());
-    CHECK(std::any_of(all.begin(), all.end(), [&](const Shot& s) { return std::abs(degrees(s.launch.angle) - c.angle) < 1e-5; }));
+    CHECK(std::any_of(all.begin(), all.end(),
+                      [&](const Shot& s) { return std::abs(degrees(s.launch.angle) - c.angle) < 1e-5; }));
   }
 }

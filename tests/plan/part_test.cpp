@@ -35,7 +35,8 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
       CAPTURE(i, test::name(family), write_puzzle(m.puzzle), launch.speed, launch.angle, room.value_or(-1));
       constexpr double rounding = 1e-9;  // m
       if (room.value_or(-1) > rounding) CHECK(makes);
-      if (!s.point() && room.value_or(-1) < -rounding) CHECK_FALSE(makes);  // near a point may also be just before a cushion
+      if (!s.point() && room.value_or(-1) < -rounding)
+        CHECK_FALSE(makes);  // near a point may also be just before a cushion
       (makes ? made : missed) += 1;
     }
   }

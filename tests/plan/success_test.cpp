@@ -20,7 +20,8 @@ double by_draws(const Puzzle& p, const Shot& shot, test::Random& random, int dra
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double r = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))), turn = random.uniform(0, radians(360));
-    const Launch l{shot.launch.speed + p.noise.speed * r * std::cos(turn), wrap_angle(shot.launch.angle + p.noise.angle * r * std::sin(turn))};
+    const Launch l{shot.launch.speed + p.noise.speed * r * std::cos(turn),
+                   wrap_angle(shot.launch.angle + p.noise.angle * r * std::sin(turn))};
     made += l.speed > 0 && planning::replay(s, l, goal).made;
   }
   return static_cast<double>(made) / draws;
@@ -40,7 +41,8 @@ void compare(int puzzles, int draws, double bound, std::uint64_t seed) {
       worst = std::max(worst, error);
       sum += error * error;
       ++n;
-      INFO("puzzle " << i << " of seed " << seed << ", model " << static_cast<int>(model) << ": success " << *a.shots[0].success << " is off by " << error);
+      INFO("puzzle " << i << " of seed " << seed << ", model " << static_cast<int>(model) << ": success "
+                     << *a.shots[0].success << " is off by " << error);
       CHECK(error < bound);
     }
   }

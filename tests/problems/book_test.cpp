@@ -22,14 +22,20 @@ TEST_CASE("the book: 30 easy, 30 medium, 30 hard and 10 unique puzzles, each par
   for (std::string line; std::getline(lines, line); ++number) {
     INFO(line);
     const Puzzle p = read_puzzle(line);
-    CHECK(p.id == "\"book-" + std::string(number < 9 ? "00" : number < 99 ? "0" : "") + std::to_string(number + 1) + "\"");
+    CHECK(p.id == "\"book-" +
+                      std::string(number < 9    ? "00"
+                                  : number < 99 ? "0"
+                                                : "") +
+                      std::to_string(number + 1) + "\"");
     CHECK(questions.insert(line.substr(line.find("\"table\""))).second);
     const bool unique = number >= 3 * part;
     const Answer a = solve(p, {.all = unique});
     REQUIRE(a.status == Status::solved);
     CHECK(a.shots[0].miss <= 1e-9 * p.table.diagonal());
-    if (unique) CHECK(a.shots.size() == 1);
-    else CHECK(difficulty(a.shots[0]) == static_cast<Difficulty>(number / part));
+    if (unique)
+      CHECK(a.shots.size() == 1);
+    else
+      CHECK(difficulty(a.shots[0]) == static_cast<Difficulty>(number / part));
     if (number % part == 0) before = 1;
     CHECK(*a.shots[0].success <= before);
     before = *a.shots[0].success;

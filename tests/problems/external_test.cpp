@@ -74,18 +74,26 @@ TEST_CASE("published puzzles come out as published") {
   for (std::string line; std::getline(lines, line); ++cases) {
     const json c = json::parse(line);
     INFO(c["source"]);
-    if (c.contains("simulate")) bounce_counts(c);
-    else if (c["expect"].contains("among_all")) among_all(c);
-    else if (c["expect"].contains("all")) every_one(c);
-    else best_angle(c);
+    if (c.contains("simulate"))
+      bounce_counts(c);
+    else if (c["expect"].contains("among_all"))
+      among_all(c);
+    else if (c["expect"].contains("all"))
+      every_one(c);
+    else
+      best_angle(c);
   }
   CHECK(cases == 6);
 }
 
 TEST_CASE("thousands of cushions are answered, exactly") {
   for (const int n : {2056, 10005}) {
-    const json puzzle{{"table", {{"length", 2.54}, {"width", 1.27}}}, {"physics", "ideal"},
-                      {"ball", {{"at", {0.6, 0.4}}}}, {"target", {{"point", {1.9, 0.7}}}}, {"cushions", n}, {"prefer", "quick"}};
+    const json puzzle{{"table", {{"length", 2.54}, {"width", 1.27}}},
+                      {"physics", "ideal"},
+                      {"ball", {{"at", {0.6, 0.4}}}},
+                      {"target", {{"point", {1.9, 0.7}}}},
+                      {"cushions", n},
+                      {"prefer", "quick"}};
     const json answer = run("solve --no-robustness", puzzle), &shot = answer["shots"][0];
     CHECK(shot["cushions"].size() == static_cast<std::size_t>(n));
     CHECK(shot["miss"].get<double>() <= 1e-9 * std::hypot(2.54, 1.27));

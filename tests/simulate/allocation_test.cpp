@@ -25,8 +25,12 @@ void* counted(std::size_t size) {
 
 void* operator new(std::size_t size) { return counted(size); }
 void* operator new[](std::size_t size) { return counted(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return ++allocations, std::malloc(size ? size : 1); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return ++allocations, std::malloc(size ? size : 1); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return ++allocations, std::malloc(size ? size : 1);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return ++allocations, std::malloc(size ? size : 1);
+}
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
@@ -60,7 +64,8 @@ TEST_CASE("a simulation does not allocate, plain or with derivatives, on any tab
   using Jet = ceres::Jet<double, 2>;
   Table pocketed = rectangle_table(2, 1);
   pocketed.pockets = {{"far", {2, 1}, 0.06}};
-  for (const Table& table : {rectangle_table(2, 1), pocketed, polygon_table({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}})}) {
+  for (const Table& table :
+       {rectangle_table(2, 1), pocketed, polygon_table({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}})}) {
     const Boundary boundary(table, 0.028575);
     check_shot<double>(boundary, SlideRoll{}, Han2005{});
     check_shot<double>(boundary, SlideRoll{}, Mirror{});

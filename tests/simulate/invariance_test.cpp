@@ -11,7 +11,8 @@ using namespace bankshot;
 namespace {
 
 ShotRequest request_of(const test::Made& made) {
-  ShotRequest r{.table = made.puzzle.table, .physics = made.puzzle.physics, .ball = made.puzzle.ball, .launch = made.launch};
+  ShotRequest r{
+      .table = made.puzzle.table, .physics = made.puzzle.physics, .ball = made.puzzle.ball, .launch = made.launch};
   r.until.cushions = 12;
   return r;
 }
@@ -23,7 +24,8 @@ TEST_CASE("a ball never leaves the table and never gains energy") {
     for (const bool ideal : {true, false}) {
       test::Random random(5);
       for (int i = 0; i < 1000; ++i) {
-        const ShotRequest shot = request_of(test::random_puzzle(random, family, ideal ? test::Model::ideal : test::Model::rolling));
+        const ShotRequest shot =
+            request_of(test::random_puzzle(random, family, ideal ? test::Model::ideal : test::Model::rolling));
         const Boundary boundary(shot.table, shot.ball.radius);
         const Trajectory t = simulate(shot);
         double before = energy(shot.ball, t.events.front().state);
@@ -41,7 +43,8 @@ TEST_CASE("a ball never leaves the table and never gains energy") {
 TEST_CASE("turning and moving the table turns and moves the path") {
   test::Random random(6);
   for (int i = 0; i < 500; ++i) {
-    ShotRequest a = request_of(test::random_puzzle(random, test::Family::convex, i % 2 == 0 ? test::Model::ideal : test::Model::rolling));
+    ShotRequest a = request_of(
+        test::random_puzzle(random, test::Family::convex, i % 2 == 0 ? test::Model::ideal : test::Model::rolling));
     a.until.cushions = 4;
     const double turn = random.uniform(0, 6), c = std::cos(turn), s = std::sin(turn);
     const auto move = [&](const Vec2d& p) { return Vec2d{c * p.x - s * p.y + 3, s * p.x + c * p.y - 7}; };

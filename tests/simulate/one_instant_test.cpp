@@ -13,7 +13,10 @@ using namespace bankshot;
 namespace {
 
 ShotRequest on(Table table, Vec2d at, double angle, double radius = 0, double speed = 1) {
-  return {.table = std::move(table), .physics = ideal_physics(), .ball = {at, radius, 0.17}, .launch = {speed, radians(angle)}};
+  return {.table = std::move(table),
+          .physics = ideal_physics(),
+          .ball = {at, radius, 0.17},
+          .launch = {speed, radians(angle)}};
 }
 
 std::vector<std::string> names(const ShotRequest& shot, const Trajectory& t) {

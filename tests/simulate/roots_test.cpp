@@ -29,10 +29,10 @@ TEST_CASE("a tiny gap keeps its digits") {
 TEST_CASE("a circle is entered once, from outside") {
   const Arc<double> along{{0, 0}, {2, 0}, {0, 0}, forever};
   CHECK(first_entry(along, {3, 0}, 1, forever) == 1.0);
-  CHECK(first_entry(along, {-3, 0}, 1, forever) == forever);  // behind
-  CHECK(first_entry(along, {3, 1.5}, 1, forever) == forever); // passes by
-  CHECK(first_entry(along, {0.5, 0}, 1, forever) == forever); // starts inside
-  CHECK(first_entry(along, {1, 0}, 1, forever) == 0.0);       // starts on the rim
+  CHECK(first_entry(along, {-3, 0}, 1, forever) == forever);   // behind
+  CHECK(first_entry(along, {3, 1.5}, 1, forever) == forever);  // passes by
+  CHECK(first_entry(along, {0.5, 0}, 1, forever) == forever);  // starts inside
+  CHECK(first_entry(along, {1, 0}, 1, forever) == 0.0);        // starts on the rim
 }
 
 TEST_CASE("on a slowing arc the circle is entered later, or not at all") {

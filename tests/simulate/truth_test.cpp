@@ -54,7 +54,8 @@ TEST_CASE("derivatives through every event agree with differences in 50 digits")
       INFO(name(family) << " number " << i << " of seed " << seed << ", kappa " << c.kappa << ": " << write_shot(shot));
       for (int out = 0; out < 2; ++out)
         for (int in = 0; in < (R > 0 ? 7 : 4); ++in) {
-          const double off = std::abs(dual.jacobian[out][in] - exact.d[out][in]) * unit[in] / (boundary.extent * c.kappa);
+          const double off =
+              std::abs(dual.jacobian[out][in] - exact.d[out][in]) * unit[in] / (boundary.extent * c.kappa);
           worst = std::max(worst, off);
           CHECK(off <= 1e-9);
         }
@@ -71,7 +72,8 @@ TEST_CASE("two dual numbers give the columns that seven give") {
   const Boundary boundary(shot.table, shot.ball.radius);
   const State<double> s = start_state(shot);
   const Condition c = condition({boundary, shot.physics, s, 3});
-  State<Jet> dual{to<Jet>(s.at), {Jet(s.velocity.x, 0), Jet(s.velocity.y, 1)}, {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
+  State<Jet> dual{
+      to<Jet>(s.at), {Jet(s.velocity.x, 0), Jet(s.velocity.y, 1)}, {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
   Simulator sim(boundary, std::get<SlideRoll>(shot.physics.motion), std::get<Han2005>(shot.physics.cushion), dual);
   for (int cushions = 0; cushions < 3;) cushions += sim.step().kind == EventKind::cushion;
   for (int k = 0; k < 2; ++k) {

@@ -42,7 +42,9 @@ std::string text_of(const fs::path& path) {
 std::string puzzles(Random& r, int count) {
   std::string out;
   for (int i = 0; i < count; ++i) {
-    bankshot::Puzzle p = random_puzzle(r, bankshot::test::families[i % 4], i % 8 < 6 ? bankshot::test::Model::rolling : bankshot::test::Model::spin).puzzle;
+    bankshot::Puzzle p = random_puzzle(r, bankshot::test::families[i % 4],
+                                       i % 8 < 6 ? bankshot::test::Model::rolling : bankshot::test::Model::spin)
+                             .puzzle;
     p.id = std::to_string(i);
     out += i % 50 == 49 ? "no puzzle\n" : write_puzzle(p) + "\n";
   }
@@ -66,7 +68,8 @@ pid_t start(const std::vector<std::string>& words, const fs::path& complaints, l
 }
 
 /// Runs until it ends by itself or the output has so many bytes; true when it was done.
-bool run(const std::vector<std::string>& words, const fs::path& output, std::optional<End> end, long bytes, Tally& tally) {
+bool run(const std::vector<std::string>& words, const fs::path& output, std::optional<End> end, long bytes,
+         Tally& tally) {
   const fs::path complaints = output.parent_path() / "stderr";
   const pid_t child = start(words, complaints, end == End::full ? bytes : 0);
   int status = 0;
@@ -74,7 +77,8 @@ bool run(const std::vector<std::string>& words, const fs::path& output, std::opt
   std::error_code none;
   bool alive = true;
   if (end == End::kill || end == End::interrupt)
-    while ((alive = running()) && static_cast<long>(fs::file_size(output, none)) < bytes) std::this_thread::sleep_for(std::chrono::microseconds(50));
+    while ((alive = running()) && static_cast<long>(fs::file_size(output, none)) < bytes)
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
   if (alive) {
     if (end == End::kill) kill(child, SIGKILL);
     if (end == End::interrupt) kill(child, SIGINT);
@@ -83,7 +87,8 @@ bool run(const std::vector<std::string>& words, const fs::path& output, std::opt
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
   if (end == End::kill && WIFSIGNALED(status)) return ++tally.kills, false;
   if (end == End::interrupt && WIFSIGNALED(status)) return ++tally.kills, false;  // it had not begun to listen
-  if (end == End::interrupt && WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT) return ++tally.interrupts, false;
+  if (end == End::interrupt && WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT)
+    return ++tally.interrupts, false;
   if (end == End::full && WIFEXITED(status) && WEXITSTATUS(status) == 2) return ++tally.full, false;
   throw std::runtime_error(fmt::format("the program ended with status {:#x}: {}", status, text_of(complaints)));
 }
@@ -109,7 +114,8 @@ int main(int argc, char** argv) {
   for (const char* suffix : {".jsonl", ".jsonl.gz"}) {
     const fs::path whole = folder / (std::string("whole") + suffix), output = folder / (std::string("out") + suffix);
     const auto command = [&](const fs::path& to, int threads) {
-      return std::vector<std::string>{program, "batch", input, "-o", to, "-j", std::to_string(threads), "--no-timing", "--quiet", "--resume"};
+      return std::vector<std::string>{program,       "batch",   input,     "-o", to, "-j", std::to_string(threads),
+                                      "--no-timing", "--quiet", "--resume"};
     };
     run(command(whole, 1), whole, {}, 0, tally);
     const std::string expected = text_of(whole);
@@ -120,15 +126,19 @@ int main(int argc, char** argv) {
         const auto bytes = static_cast<long>(random.uniform(0, static_cast<double>(expected.size())));
         done = run(command(output, random.integer(1, 3)), output, static_cast<End>(random.integer(0, 2)), bytes, tally);
       }
-      if (!done) run(command(output, 2), output, {}, 0, tally);
-      else ++tally.in_time;
+      if (!done)
+        run(command(output, 2), output, {}, 0, tally);
+      else
+        ++tally.in_time;
       const bool same = text_of(output) == expected && !fs::exists(output.string() + ".progress");
       if (!same) std::cout << fmt::format("FAILED round {} {}: the output differs\n", i, suffix);
       tally.different += !same;
     }
   }
   fs::remove_all(folder);
-  std::cout << fmt::format("kills seed {}: {} rounds, {} kills, {} interrupts, {} files at their limit, {} rounds done before they were ended, {} different\n",
-                           seed, rounds, tally.kills, tally.interrupts, tally.full, tally.in_time, tally.different);
+  std::cout << fmt::format(
+      "kills seed {}: {} rounds, {} kills, {} interrupts, {} files at their limit, {} rounds done before they were "
+      "ended, {} different\n",
+      seed, rounds, tally.kills, tally.interrupts, tally.full, tally.in_time, tally.different);
   return tally.different == 0 ? 0 : 1;
 }

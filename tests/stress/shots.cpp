@@ -20,9 +20,9 @@ namespace {
 
 using namespace bankshot;
 
-constexpr long endless = 20000;          // events; 200 cushions and their phases are far fewer
+constexpr long endless = 20000;            // events; 200 cushions and their phases are far fewer
 constexpr double energy_rounding = 1e-13;  // relative, a step
-constexpr double hard = 1e6;             // κ above which a shot is counted, not judged
+constexpr double hard = 1e6;               // κ above which a shot is counted, not judged
 
 struct Tally {
   long shots = 0, events = 0, failed = 0;
@@ -70,7 +70,8 @@ std::string check(const ShotRequest& shot, const Boundary& boundary, Tally& t) {
       const Event e = sim.step();
       ++t.events;
       if (!finite(sim.state()) || !std::isfinite(sim.time())) return "a number is not finite";
-      const double out = std::max(outside(boundary, sim.state().at), outside_along(boundary, sim.arc(), sim.travelled()));
+      const double out =
+          std::max(outside(boundary, sim.state().at), outside_along(boundary, sim.arc(), sim.travelled()));
       t.outside = std::max(t.outside, out);
       if (out > 1) return fmt::format("outside by {:.3g} touch", out);
       const double now = energy_now();
@@ -94,7 +95,8 @@ std::string check_truth(const ShotRequest& shot, const Boundary& boundary, int c
   if (c.order == test::Compared::Order::wrong) {
     if (!judged) return "";
     ++t.wrong;
-    return fmt::format("events differ from those of 50 digits within {} cushions (condition {:.3g})", cushions, c.kappa);
+    return fmt::format("events differ from those of 50 digits within {} cushions (condition {:.3g})", cushions,
+                       c.kappa);
   }
   if (c.order == test::Compared::Order::tie) return "";
   if (!judged) {
@@ -110,16 +112,20 @@ std::string check_truth(const ShotRequest& shot, const Boundary& boundary, int c
 }
 
 constexpr const char* header =
-    "family,seed,shots,events,failed,outside_in_touch,energy_gain,truth,worst_error_over_unit,bound,worst_error_over_extent,ties,wrong_order,"
+    "family,seed,shots,events,failed,outside_in_touch,energy_gain,truth,worst_error_over_unit,bound,worst_error_over_"
+    "extent,ties,wrong_order,"
     "condition,ill_conditioned,ill_conditioned_beyond\n";
 
 std::string row(test::ShotFamily f, std::uint64_t seed, const Tally& t, bool csv) {
   constexpr const char* as_csv = "{},{},{},{},{},{:.2g},{:.1g},{},{:.3g},{},{:.2g},{},{},{:.1g},{},{}\n";
   constexpr const char* as_text =
-      "{:8} seed {}: {} shots, {} events, {} failed; outside by {:.2g} touch, energy gain {:.1g}; {} against 50 digits: worst error {:.2g} of the "
-      "bound's unit (C = {}), {:.2g} of the extent, {} at ties, {} in wrong order; condition up to {:.1g}, {} above 1e6 ({} beyond the bound)\n";
-  return fmt::format(fmt::runtime(csv ? as_csv : as_text), test::name(f), seed, t.shots, t.events, t.failed, t.outside, t.gain, t.truth, t.ratio,
-                     tolerance::simulation_error, t.miss, t.ties, t.wrong, t.kappa, t.conditioned, t.beyond);
+      "{:8} seed {}: {} shots, {} events, {} failed; outside by {:.2g} touch, energy gain {:.1g}; {} against 50 "
+      "digits: worst error {:.2g} of the "
+      "bound's unit (C = {}), {:.2g} of the extent, {} at ties, {} in wrong order; condition up to {:.1g}, {} above "
+      "1e6 ({} beyond the bound)\n";
+  return fmt::format(fmt::runtime(csv ? as_csv : as_text), test::name(f), seed, t.shots, t.events, t.failed, t.outside,
+                     t.gain, t.truth, t.ratio, tolerance::simulation_error, t.miss, t.ties, t.wrong, t.kappa,
+                     t.conditioned, t.beyond);
 }
 
 /// All shots of a family; each failure prints as JSON that `bankshot simulate` replays.
@@ -135,7 +141,8 @@ Tally run(test::ShotFamily f, std::uint64_t seed, long count, long truth) {
     if (problem.empty() && i < truth) problem = check_truth(shot, boundary, cushions, t);
     ++t.shots;
     if (problem.empty() || ++t.failed > most_printed) continue;
-    std::cout << fmt::format("FAILED {} number {} of seed {}: {}\n{}\n", test::name(f), i, seed, problem, test::write_shot(shot));
+    std::cout << fmt::format("FAILED {} number {} of seed {}: {}\n{}\n", test::name(f), i, seed, problem,
+                             test::write_shot(shot));
   }
   return t;
 }
@@ -173,7 +180,7 @@ int main(int argc, char** argv) {
     all.ties += t.ties;
   }
   if (!csv)
-    std::cout << fmt::format("{} shots, {} events, {} failed; {} against 50 digits, {} at ties, worst {:.3g} units\n", all.shots, all.events, all.failed,
-                             all.truth, all.ties, all.ratio);
+    std::cout << fmt::format("{} shots, {} events, {} failed; {} against 50 digits, {} at ties, worst {:.3g} units\n",
+                             all.shots, all.events, all.failed, all.truth, all.ties, all.ratio);
   return all.failed == 0 ? 0 : 1;
 }

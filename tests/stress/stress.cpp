@@ -4,8 +4,8 @@
 //   stress --count 100000 --seed 1 --physics rolling --family all [--planner auto] [--csv] [--progress]
 // Prints a line a family (--csv: comma-separated); each failure prints as JSON that `bankshot solve` replays.
 // Puzzles are plain or hard: plain where the shot it was made from has κ < 1e6 (simulate/simulator.hpp, property 6) and
-// keeps its cushions when the aim turns by 1e-9 rad. Exit 1 if a plain one is not solved, more than one in a thousand of
-// the hard ones, or any answer is wrong.
+// keeps its cushions when the aim turns by 1e-9 rad. Exit 1 if a plain one is not solved, more than one in a thousand
+// of the hard ones, or any answer is wrong.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -61,8 +61,10 @@ bool through_corner(const test::Made& made, double beside) {
 double kappa(const test::Made& made) {
   const Puzzle& p = made.puzzle;
   const Boundary boundary(p.table, p.ball.radius);
-  const State<double> start = launched(p.ball.at, p.ball.radius, direction(made.launch.angle) * made.launch.speed, p.spin);
-  return test::condition({.boundary = boundary, .physics = p.physics, .start = start, .cushions = made.bounces + 1}).kappa;
+  const State<double> start =
+      launched(p.ball.at, p.ball.radius, direction(made.launch.angle) * made.launch.speed, p.spin);
+  return test::condition({.boundary = boundary, .physics = p.physics, .start = start, .cushions = made.bounces + 1})
+      .kappa;
 }
 
 bool is_hard(const test::Made& made) {
@@ -73,7 +75,8 @@ bool is_hard(const test::Made& made) {
 /// Rad: what counts as a path through a corner, twice the margin.
 constexpr double beside_corner = 2e-9;
 
-void one(test::Random& random, test::Family family, test::Model model, int bounces, const SolveOptions& options, Tally& t) {
+void one(test::Random& random, test::Family family, test::Model model, int bounces, const SolveOptions& options,
+         Tally& t) {
   const test::Made made = test::random_puzzle(random, family, model, bounces);
   const auto begin = std::chrono::steady_clock::now();
   const Answer a = solve(made.puzzle, options);
@@ -83,8 +86,10 @@ void one(test::Random& random, test::Family family, test::Model model, int bounc
   t.hard += hard;
   t.simulations += a.simulations;
   const auto report = [&](const std::string& what) {
-    std::cout << fmt::format("FAILED {} {}: {} (made from {} m/s at {} degrees, {} bounces)\n{}\n", test::name(family), hard ? "(hard)" : "(plain)", what,
-                             made.launch.speed, degrees(made.launch.angle), made.bounces, write_puzzle(made.puzzle)) << std::flush;
+    std::cout << fmt::format("FAILED {} {}: {} (made from {} m/s at {} degrees, {} bounces)\n{}\n", test::name(family),
+                             hard ? "(hard)" : "(plain)", what, made.launch.speed, degrees(made.launch.angle),
+                             made.bounces, write_puzzle(made.puzzle))
+              << std::flush;
   };
   if (a.status != Status::solved) {
     t.hard_unsolved += hard;
@@ -120,8 +125,12 @@ int main(int argc, char** argv) {
   SolveOptions options{.robustness = false, .suggest = false};
   app.add_option("--count", count)->capture_default_str();
   app.add_option("--seed", seed)->capture_default_str();
-  app.add_option("--physics", physics)->check(CLI::IsMember({"ideal", "rolling", "spin", "mathavan"}))->capture_default_str();
-  app.add_option("--family", family)->check(CLI::IsMember({"all", "uniform", "discrete", "convex", "reflex"}))->capture_default_str();
+  app.add_option("--physics", physics)
+      ->check(CLI::IsMember({"ideal", "rolling", "spin", "mathavan"}))
+      ->capture_default_str();
+  app.add_option("--family", family)
+      ->check(CLI::IsMember({"all", "uniform", "discrete", "convex", "reflex"}))
+      ->capture_default_str();
   int bounces = -1;
   app.add_option("--cushions", bounces, "Exactly so many cushions; -1: up to 5")->capture_default_str();
   bool csv = false, progress = false;
@@ -145,18 +154,21 @@ int main(int argc, char** argv) {
     const long most = family == "all" ? count / 4 : count;
     for (long i = 0; i < most; ++i) {
       one(random, f, model, bounces, options, t);
-      if (progress && (i + 1) % std::max(1L, most / 100) == 0) std::cerr << fmt::format("{}: {} of {}, {} unsolved\n", test::name(f), i + 1, most, t.puzzles - t.solved);
+      if (progress && (i + 1) % std::max(1L, most / 100) == 0)
+        std::cerr << fmt::format("{}: {} of {}, {} unsolved\n", test::name(f), i + 1, most, t.puzzles - t.solved);
     }
     const auto print = [&](auto format) {
       std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved,
                                t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
                                static_cast<double>(t.simulations) / static_cast<double>(t.puzzles),
-                               t.us / static_cast<double>(t.puzzles), t.plain_unsolved(), t.hard, t.hard_unsolved, t.steps());
+                               t.us / static_cast<double>(t.puzzles), t.plain_unsolved(), t.hard, t.hard_unsolved,
+                               t.steps());
     };
     print(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{},{},{},{}\n"
               : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the pocket's centre), {} unsolved through a "
                 "corner, {} wrong, worst miss {:.2g} of the "
-                "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each; {} plain ones unsolved, of {} hard ones {}; found by {}\n");
+                "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each; {} plain ones unsolved, "
+                "of {} hard ones {}; found by {}\n");
     std::cout << std::flush;
     clean = clean && t.clean();
   }

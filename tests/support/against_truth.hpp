@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <string>
 
+#include "app/truth/hard_cases.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/simulate/trajectory.hpp"
-#include "app/truth/hard_cases.hpp"
 #include "support/truth.hpp"
 
 namespace bankshot::test {

@@ -80,7 +80,9 @@ inline State<double> draw_state(Random& r) {
 
 inline double energy_of(const State<double>& s) { return bankshot::energy_of(s, ball_radius); }
 inline double scale_of(const State<double>& s) { return bankshot::scale_of(s, ball_radius); }
-inline double difference(const State<double>& a, const State<double>& b) { return bankshot::difference(a, b, ball_radius); }
+inline double difference(const State<double>& a, const State<double>& b) {
+  return bankshot::difference(a, b, ball_radius);
+}
 
 inline State<double> times(const State<double>& s, double k) {
   return {s.at, s.velocity * k, {s.spin.x * k, s.spin.y * k, s.spin.z * k}};
@@ -109,7 +111,8 @@ Slope ridders(const F& f, double step) {
     double factor = shrink * shrink;
     for (int j = 1; j <= i; ++j, factor *= shrink * shrink) {
       table[j][i] = (table[j - 1][i] * factor - table[j - 1][i - 1]) / (factor - 1);
-      const double error = std::max(std::abs(table[j][i] - table[j - 1][i]), std::abs(table[j][i] - table[j - 1][i - 1]));
+      const double error =
+          std::max(std::abs(table[j][i] - table[j - 1][i]), std::abs(table[j][i] - table[j - 1][i - 1]));
       if (error <= best.error) best = {table[j][i], error};
     }
   }

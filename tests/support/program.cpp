@@ -35,16 +35,20 @@ class Scratch {
 
 Run run_shell(std::string commands, const std::string& input) {
   const std::string word = "PROGRAM";
-  for (std::size_t at = 0; (at = commands.find(word, at)) != std::string::npos;) commands.replace(at, word.size(), "\"" BANKSHOT_PROGRAM "\"");
+  for (std::size_t at = 0; (at = commands.find(word, at)) != std::string::npos;)
+    commands.replace(at, word.size(), "\"" BANKSHOT_PROGRAM "\"");
   const Scratch scratch;
   const auto file = [&](const char* name) { return (scratch.path / name).string(); };
   std::ofstream(file("in"), std::ios::binary) << input;
-  const std::string command = "{ " + commands + "\n} <\"" + file("in") + "\" >\"" + file("out") + "\" 2>\"" + file("err") + "\"";
+  const std::string command =
+      "{ " + commands + "\n} <\"" + file("in") + "\" >\"" + file("out") + "\" 2>\"" + file("err") + "\"";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(file("out")), slurp(file("err"))};
 }
 
-Run run_program(const std::string& arguments, const std::string& input) { return run_shell("PROGRAM " + arguments, input); }
+Run run_program(const std::string& arguments, const std::string& input) {
+  return run_shell("PROGRAM " + arguments, input);
+}
 
 std::string read_repository_file(const std::string& path) {
   return slurp(std::filesystem::path(BANKSHOT_REPOSITORY) / path);

@@ -26,7 +26,8 @@ Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) 
     if (family == Family::discrete) {
       // Eighths of the room the centre has, its corners and edges included.
       const double R = b.radius;
-      p = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8, low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
+      p = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8,
+           low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
     }
     if (b.clearance(p) >= -1e-13 * b.diagonal) return p;
   }
@@ -35,7 +36,8 @@ Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) 
 Physics random_physics(Random& r, Model model, Family family, double radius) {
   if (model == Model::ideal) return ideal_physics();
   if (model == Model::spin) return spin_physics(radius);
-  if (model == Model::mathavan) return {spin_physics(radius).motion, Mathavan2010{.radius = radius, .height = 1.28 * radius}};
+  if (model == Model::mathavan)
+    return {spin_physics(radius).motion, Mathavan2010{.radius = radius, .height = 1.28 * radius}};
   if (family == Family::discrete) return {Rolling{.friction = 0.01}, Mirror{r.chance(0.5) ? 1.0 : 0.75}};
   const double friction = r.log_uniform(0.005, 0.05);
   return {Rolling{.friction = friction}, Mirror{r.uniform(0.5, 1)}};

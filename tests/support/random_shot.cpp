@@ -56,7 +56,8 @@ Physics random_physics(Random& r, ShotFamily f, double radius) {
 }
 
 LaunchSpin random_spin(Random& r, ShotFamily f) {
-  if (f == ShotFamily::discrete) return {0.5 * r.integer(-2, 2), 0.5 * r.integer(-2, 2), r.chance(0.8) ? 0 : 0.5 * r.integer(-2, 2)};
+  if (f == ShotFamily::discrete)
+    return {0.5 * r.integer(-2, 2), 0.5 * r.integer(-2, 2), r.chance(0.8) ? 0 : 0.5 * r.integer(-2, 2)};
   if (f == ShotFamily::masse) return {r.uniform(-3, 1), r.uniform(-2, 2), r.uniform(-3, 3)};
   LaunchSpin s{r.uniform(-1, 1.3), r.uniform(-1, 1), r.chance(0.2) ? r.uniform(-1, 1) : 0};
   if (r.chance(0.1)) s.top = 1;
@@ -76,7 +77,8 @@ bool place(Random& r, ShotFamily f, const Boundary& b, const Table& t, Vec2d& at
   const Vec2d on = w.from + (w.to - w.from) * r.uniform(0, 1);
   if (f == ShotFamily::discrete) {
     const double R = b.radius;
-    at = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8, low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
+    at = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8,
+          low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
     aim = radians(15.0 * r.integer(0, 23));
   } else if (f == ShotFamily::frozen) {
     at = on + w.normal * std::abs(near_zero(r, 1e-16, 1e-9));
@@ -129,7 +131,11 @@ ShotRequest random_shot(Random& r, ShotFamily f) {
 
 std::string write_shot(const ShotRequest& shot) {
   using nlohmann::json;
-  Puzzle p{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin, .target = PointTarget{shot.ball.at}};
+  Puzzle p{.table = shot.table,
+           .physics = shot.physics,
+           .ball = shot.ball,
+           .spin = shot.spin,
+           .target = PointTarget{shot.ball.at}};
   json j = json::parse(write_puzzle(p));
   for (const char* key : {"target", "cushions", "speed", "prefer", "noise", "budget"}) j.erase(key);
   j["shot"] = {{"speed", shot.launch.speed}, {"angle", exact_degrees(shot.launch.angle)}};

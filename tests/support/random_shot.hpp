@@ -16,10 +16,24 @@ namespace bankshot::test {
 /// to within 0 ... 1e-3 rad. grazing: 1e-12 ... 1e-2 rad to a cushion. masse: curves back to the cushion
 /// it lies at or leaves. speeds: 1e-6 ... 30 m/s. dead: restitution 0 ... 0.4. slick: some friction is
 /// 0 or nearly. convex, reflex: polygons. moved: a table of 1e-3 ... 1e3 m, up to 1e4 m from the origin.
-enum class ShotFamily { uniform, discrete, frozen, corners, grazing, masse, speeds, dead, slick, convex, reflex, moved };
-inline constexpr ShotFamily shot_families[] = {
-    ShotFamily::uniform, ShotFamily::discrete, ShotFamily::frozen, ShotFamily::corners, ShotFamily::grazing, ShotFamily::masse,
-    ShotFamily::speeds,  ShotFamily::dead,     ShotFamily::slick,  ShotFamily::convex,  ShotFamily::reflex,  ShotFamily::moved};
+enum class ShotFamily {
+  uniform,
+  discrete,
+  frozen,
+  corners,
+  grazing,
+  masse,
+  speeds,
+  dead,
+  slick,
+  convex,
+  reflex,
+  moved
+};
+inline constexpr ShotFamily shot_families[] = {ShotFamily::uniform, ShotFamily::discrete, ShotFamily::frozen,
+                                               ShotFamily::corners, ShotFamily::grazing,  ShotFamily::masse,
+                                               ShotFamily::speeds,  ShotFamily::dead,     ShotFamily::slick,
+                                               ShotFamily::convex,  ShotFamily::reflex,   ShotFamily::moved};
 std::string name(ShotFamily family);
 
 /// Always valid. Stops at 200 cushions at the latest.

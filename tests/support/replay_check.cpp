@@ -45,8 +45,8 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
         (off(a) < off(b) ? high : low) = off(a) < off(b) ? b : a;
       }
-      // The search ends where rounding hides the minimum, at half the digits, or at the end of its piece; steps of Newton's method
-      // find the rest.
+      // The search ends where rounding hides the minimum, at half the digits, or at the end of its piece; steps of
+      // Newton's method find the rest.
       for (int k = 0; k < 5; ++k) {
         const Vec2d d = l.arc.position(low) - target, v = l.arc.tangent(low);
         const double better = low - dot(d, v) / (dot(v, v) + dot(d, l.arc.acceleration));
@@ -80,7 +80,8 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   if (const auto* point = std::get_if<PointTarget>(&p.target)) {
     const auto asked = arrival_range(p);
     if (asked && asked->high == 0) {
-      if (t.end != Trajectory::End::rest || static_cast<std::size_t>(t.cushions) != n) c.problem = "does not rest after its bounces";
+      if (t.end != Trajectory::End::rest || static_cast<std::size_t>(t.cushions) != n)
+        c.problem = "does not rest after its bounces";
       miss = norm(t.events.back().state.at - point->at);
     } else {
       miss = distance_to_path(t, point->at, n, speed);

@@ -14,7 +14,8 @@ namespace {
 
 /// The least a puzzle needs, with changes merged in.
 std::string minimal(const Json& change = Json::object()) {
-  Json p{{"table", "pool-9ft"}, {"physics", "rolling"}, {"ball", {{"at", {0.6, 0.4}}}}, {"target", {{"point", {1, 0.6}}}}};
+  Json p{
+      {"table", "pool-9ft"}, {"physics", "rolling"}, {"ball", {{"at", {0.6, 0.4}}}}, {"target", {{"point", {1, 0.6}}}}};
   p.merge_patch(change);
   return p.dump();
 }
@@ -89,9 +90,15 @@ TEST_CASE("what is left out takes its default") {
 }
 
 TEST_CASE("an angle range may wrap through 0 and be written with negative degrees") {
-  const auto [from, to, low, high] = GENERATE(table<double, double, double, double>(
-      {{350, 10, 350, 370}, {-10, 10, 350, 370}, {0, 360, 0, 360}, {90, 90, 90, 90}, {360, 10, 0, 10}, {200, 100, 200, 460},
-       {-360, 0, 0, 360}, {-1e-20, 10, 0, 10}, {-10.1, 349.9, 349.9, 709.9}}));
+  const auto [from, to, low, high] = GENERATE(table<double, double, double, double>({{350, 10, 350, 370},
+                                                                                     {-10, 10, 350, 370},
+                                                                                     {0, 360, 0, 360},
+                                                                                     {90, 90, 90, 90},
+                                                                                     {360, 10, 0, 10},
+                                                                                     {200, 100, 200, 460},
+                                                                                     {-360, 0, 0, 360},
+                                                                                     {-1e-20, 10, 0, 10},
+                                                                                     {-10.1, 349.9, 349.9, 709.9}}));
   const Puzzle p = read_puzzle(minimal({{"angle", {from, to}}}));
   CHECK(p.angle->low == Approx(radians(low)).margin(1e-15));
   CHECK(p.angle->high == Approx(radians(high)));
@@ -142,8 +149,9 @@ TEST_CASE("writing and reading a puzzle gives the same text") {
       CHECK(write_puzzle(read_puzzle(written)) == written);
     }
   for (int i = 0; i < 1000; ++i) {
-    const std::string written = write_puzzle(read_puzzle(minimal(
-        {{"angle", {random.uniform(-360, 360), random.uniform(0, 0.1)}}, {"noise", {{"angle", random.uniform(0, 9)}}}})));
+    const std::string written =
+        write_puzzle(read_puzzle(minimal({{"angle", {random.uniform(-360, 360), random.uniform(0, 0.1)}},
+                                          {"noise", {{"angle", random.uniform(0, 9)}}}})));
     CHECK(write_puzzle(read_puzzle(written)) == written);
   }
 }

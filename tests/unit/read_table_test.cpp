@@ -48,8 +48,9 @@ TEST_CASE("presets have the published sizes, balls and mouths") {
 
 TEST_CASE("six pockets stand in the corners and in the middle of the long cushions") {
   const Table t = with_table({{"length", 2}, {"width", 1}, {"pockets", "six"}}).table;
-  const std::vector<std::pair<std::string, Vec2d>> places{{"bottom-left", {0, 0}}, {"bottom-middle", {1, 0}}, {"bottom-right", {2, 0}},
-                                                          {"top-left", {0, 1}},    {"top-middle", {1, 1}},    {"top-right", {2, 1}}};
+  const std::vector<std::pair<std::string, Vec2d>> places{{"bottom-left", {0, 0}},  {"bottom-middle", {1, 0}},
+                                                          {"bottom-right", {2, 0}}, {"top-left", {0, 1}},
+                                                          {"top-middle", {1, 1}},   {"top-right", {2, 1}}};
   REQUIRE(t.pockets.size() == places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     CHECK(t.pockets[i].name == places[i].first);
@@ -81,13 +82,15 @@ TEST_CASE("a point ball makes the six pockets points") {
 TEST_CASE("tables have no pockets unless asked, and no jaws means no jaws") {
   CHECK(with_table({{"length", 2}, {"width", 1}}).table.pockets.empty());
   CHECK(with_table({{"length", 2}, {"width", 1}, {"pockets", "none"}, {"jaws", false}}).table.pockets.empty());
-  CHECK(with_table({{"length", 2}, {"width", 1}}).table.cushions == std::vector<std::string>{"bottom", "right", "top", "left"});
+  CHECK(with_table({{"length", 2}, {"width", 1}}).table.cushions ==
+        std::vector<std::string>{"bottom", "right", "top", "left"});
 }
 
 TEST_CASE("a polygon names its edges c0, c1, ... unless told otherwise") {
   const Json vertices{{0, 0}, {2, 0}, {0, 2}};
   CHECK(with_table({{"vertices", vertices}}).table.cushions == std::vector<std::string>{"c0", "c1", "c2"});
-  CHECK(with_table({{"vertices", vertices}, {"names", {"a", "b", "c"}}}).table.cushions == std::vector<std::string>{"a", "b", "c"});
+  CHECK(with_table({{"vertices", vertices}, {"names", {"a", "b", "c"}}}).table.cushions ==
+        std::vector<std::string>{"a", "b", "c"});
 }
 
 TEST_CASE("a mouth is checked also where no pockets use it") {

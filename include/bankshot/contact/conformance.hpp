@@ -29,7 +29,8 @@ inline double scale_of(const State<double>& s, double radius) {
 
 /// Difference of velocity and R · spin [m/s].
 inline double difference(const State<double>& a, const State<double>& b, double radius) {
-  return norm(a.velocity - b.velocity) + radius * std::hypot(a.spin.x - b.spin.x, a.spin.y - b.spin.y, a.spin.z - b.spin.z);
+  return norm(a.velocity - b.velocity) +
+         radius * std::hypot(a.spin.x - b.spin.x, a.spin.y - b.spin.y, a.spin.z - b.spin.z);
 }
 
 /// Seen in a mirror that stands along y, across a cushion that runs along x: spin is an axial vector.
@@ -71,15 +72,21 @@ std::array<Promise, 5> try_promises(const Cushion& cushion, double radius, int i
                               {"difference in a mirror, of the whole", rounding},
                               {"difference on a turned cushion, of the whole", rounding}}};
   std::mt19937_64 engine(seed);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * (static_cast<double>(engine() >> 11) * 0x1p-53); };
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine() >> 11) * 0x1p-53);
+  };
   for (int i = 0; i < impacts; ++i) {
-    const double v = std::pow(10, uniform(-3, 1)), w = v / radius, full = 2 * std::acos(-1.0), heading = uniform(full / 2, full);
-    const State<double> s{{uniform(-1, 1), uniform(-1, 1)}, {v * std::cos(heading), v * std::sin(heading)}, {w * uniform(-2, 2), w * uniform(-2, 2), w * uniform(-2, 2)}};
+    const double v = std::pow(10, uniform(-3, 1)), w = v / radius, full = 2 * std::acos(-1.0),
+                 heading = uniform(full / 2, full);
+    const State<double> s{{uniform(-1, 1), uniform(-1, 1)},
+                          {v * std::cos(heading), v * std::sin(heading)},
+                          {w * uniform(-2, 2), w * uniform(-2, 2), w * uniform(-2, 2)}};
     const State<double> e = bounced(cushion, s);
     const double angle = uniform(0, full), scale = scale_of(s, radius);
-    const double found[] = {energy_of(e, radius) / energy_of(s, radius), std::max(0.0, -e.velocity.y) / scale, norm(e.at - s.at),
-                            difference(bounced(cushion, mirrored(s)), mirrored(e), radius) / scale,
-                            difference(bounced(cushion, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle), radius) / scale};
+    const double found[] = {
+        energy_of(e, radius) / energy_of(s, radius), std::max(0.0, -e.velocity.y) / scale, norm(e.at - s.at),
+        difference(bounced(cushion, mirrored(s)), mirrored(e), radius) / scale,
+        difference(bounced(cushion, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle), radius) / scale};
     for (std::size_t k = 0; k < all.size(); ++k)
       if (!(found[k] <= all[k].worst)) all[k].worst = found[k], all[k].impact = s;
   }

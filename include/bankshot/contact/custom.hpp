@@ -48,7 +48,7 @@ class CushionLawOf final : public CushionLaw {
 
 struct CustomCushion {
   const CushionLaw* law = nullptr;  ///< must outlive every physics it is part of
-  Restitution restitution{};  ///< about what comes back of vn: planners begin with straight lines bent by it
+  Restitution restitution{};        ///< about what comes back of vn: planners begin with straight lines bent by it
 
   template <class T, class N>
   void bounce(State<T>& s, const Vec2<N>& away) const {
@@ -73,14 +73,15 @@ struct CustomCushion {
   Numbers<double> after(const Numbers<double>& x) const {
     InCushionFrame<double> f{x[0], x[1], x[2], x[3], x[4]};
     law->impact(f);
-    if (!std::isfinite(f.vn + f.vt + f.wn + f.wt + f.wz)) throw std::domain_error("the law of a custom cushion gave a number that is not finite");
+    if (!std::isfinite(f.vn + f.vt + f.wn + f.wt + f.wz))
+      throw std::domain_error("the law of a custom cushion gave a number that is not finite");
     return {f.vn, f.vt, f.wn, f.wt, f.wz};
   }
 
   /// Adds to each result the derivatives of what went in, times those of the law.
   template <class T>
   void add_derivatives(const Numbers<T>& before, const Numbers<double>& at, Numbers<T>& result) const {
-    constexpr double step = 1e-5;        // of the size: truncation and rounding are alike
+    constexpr double step = 1e-5;          // of the size: truncation and rounding are alike
     constexpr double about_radius = 0.03;  // m; only tells how much spin goes with how much speed
     const double v = std::hypot(at[0], at[1]) + about_radius * std::hypot(at[2], at[3], at[4]);
     for (std::size_t i = 0; i < at.size(); ++i) {

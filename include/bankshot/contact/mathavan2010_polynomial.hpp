@@ -33,7 +33,7 @@ double magnitude(const T& x) {
 
 /// Tolerances below the rounding of double need more terms than it, or a dual number, can use.
 template <class T>
-inline constexpr int max_order = requires(T x) { x.a; } || std::is_same_v<T, double> ? 28 : 48;
+inline constexpr int max_order = has_derivatives<T> || std::is_same_v<T, double> ? 28 : 48;
 
 template <class T>
 using Series = std::array<T, max_order<T> + 1>;

@@ -62,8 +62,8 @@ struct Start {
       }
       return sum;
     };
-    const Forces<T> f = mathavan::forces<T>(nose, sliding(), one, {w.fx[n], w.fy[n]}, {c.fx[n], c.fy[n]}, c.fy[0],
-                                            known, times_load);
+    const Forces<T> f =
+        mathavan::forces<T>(nose, sliding(), one, {w.fx[n], w.fy[n]}, {c.fx[n], c.fy[n]}, c.fy[0], known, times_load);
     q[n] = f.load;
     w.ix[n] = f.cushion.x;
     w.iy[n] = f.cushion.y;

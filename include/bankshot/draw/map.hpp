@@ -22,7 +22,8 @@ struct LegendEntry {
 };
 
 /// The puzzle's table and target under coloured cells.
-std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend, const std::string& title);
+std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend,
+                 const std::string& title);
 
 /// Two tables one above the other: how likely the best shot from each start is made, and how slow it is.
 /// Without success the second alone. Cells without a shot are holes; where no ball can start the cloth is seen.

@@ -39,8 +39,7 @@ struct SlideRoll {
     const Vec2<T> u = slip(s);
     const T slip2 = dot(u, u);
     constexpr double still = tolerance::slip * tolerance::slip;
-    if (!(value(slip2) > still * squared_scale(s, radius)))
-      return rolling_arc(s.at, s.velocity, rolling_friction, g);
+    if (!(value(slip2) > still * squared_scale(s, radius))) return rolling_arc(s.at, s.velocity, rolling_friction, g);
     if (sliding_friction == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
     const Number a = Number(sliding_friction) * g;
     const T size = sqrt(slip2);

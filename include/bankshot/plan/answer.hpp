@@ -33,7 +33,7 @@ struct Answer {
   struct Cost {
     double certify_us = 0;     ///< of time_us, what the replays of candidates took
     double robustness_us = 0;  ///< margin and success, beside time_us
-  } cost{};  ///< where SolveOptions::measure asked for it
+  } cost{};                    ///< where SolveOptions::measure asked for it
   std::string message{};
   struct Error {
     std::string path, reason;

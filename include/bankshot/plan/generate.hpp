@@ -2,8 +2,8 @@
 //
 // Puzzles that have a shot. Each is made from a simulated shot, or where a sequence of cushions is
 // wished from a drawn target, with its numbers rounded to what a person would write; it is kept only when
-// `solve` finds its shot, and when the target is a fifth of the table's diagonal from the ball or more. Seeded: the same seed gives the
-// same puzzles.
+// `solve` finds its shot, and when the target is a fifth of the table's diagonal from the ball or more. Seeded: the
+// same seed gives the same puzzles.
 #pragma once
 
 #include <cstdint>

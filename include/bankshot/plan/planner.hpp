@@ -15,11 +15,11 @@ namespace bankshot {
 
 struct SolveOptions {
   std::string planner = "auto";
-  bool all = false;         ///< every distinct shot, not only the best
-  bool first = false;       ///< the first shot found, not the best; not with `all`
-  bool robustness = true;   ///< margin and success; without, `robust` ranks by first-order margin
-  bool suggest = true;      ///< where there is no shot, look for what would make one possible
-  bool measure = false;     ///< fill Answer::cost, at the price of a clock beside each replay
+  bool all = false;        ///< every distinct shot, not only the best
+  bool first = false;      ///< the first shot found, not the best; not with `all`
+  bool robustness = true;  ///< margin and success; without, `robust` ranks by first-order margin
+  bool suggest = true;     ///< where there is no shot, look for what would make one possible
+  bool measure = false;    ///< fill Answer::cost, at the price of a clock beside each replay
 };
 
 /// Never throws for a puzzle that is merely hard: invalid puzzles and unknown planners throw

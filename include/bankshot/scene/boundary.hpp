@@ -35,8 +35,8 @@ struct Boundary {
   std::vector<Circle> pockets;
   double radius = 0;
   double diagonal = 0;
-  double extent = 0;  ///< m; diagonal or largest coordinate: what positions are rounded in units of
-  double touch = 0;   ///< m; a centre this far beyond a cushion line still touches it
+  double extent = 0;            ///< m; diagonal or largest coordinate: what positions are rounded in units of
+  double touch = 0;             ///< m; a centre this far beyond a cushion line still touches it
   bool strictly_convex = true;  ///< every line of a wall bounds the whole table
 
   Boundary(const Table& table, double radius);

@@ -69,12 +69,12 @@ struct Puzzle {
   Table table{};
   Physics physics = rolling_physics();
   Ball ball{};
-  LaunchSpin spin{};                       ///< at launch, where `spin_range` is not given
-  std::optional<SpinRange> spin_range{};   ///< then the least spin that works is chosen
+  LaunchSpin spin{};                      ///< at launch, where `spin_range` is not given
+  std::optional<SpinRange> spin_range{};  ///< then the least spin that works is chosen
   Target target{};
   CushionRule cushions{};
   std::optional<Range> arrive{};  ///< speed at the target [m/s]; the default depends on the target
-  Range speed{0.1, 10};         ///< launch speed [m/s]
+  Range speed{0.1, 10};           ///< launch speed [m/s]
   std::optional<Range> angle{};   ///< rad, from low anticlockwise to high; high may exceed 2π
   Prefer prefer = Prefer::robust;
   Aim aim = Aim::centre;

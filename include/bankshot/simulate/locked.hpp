@@ -98,12 +98,13 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
 template <class T>
 struct LockedArrival {
   State<T> state;
-  Vec2<T> heading;      ///< of the last arc, also where the ball rests; not a unit vector
+  Vec2<T> heading;  ///< of the last arc, also where the ball rests; not a unit vector
   bool at_rest = false;
 };
 
 template <class T, class Motion, class Watch = Unwatched>
-LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d& target, double capture, bool stop, Watch&& watch = {}) {
+LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d& target, double capture, bool stop,
+                               Watch&& watch = {}) {
   using Number = Real<T>;
   for (;;) {
     const Arc<T> arc = motion.arc(state);

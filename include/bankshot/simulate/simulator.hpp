@@ -62,12 +62,11 @@ class Simulator {
     state_ = advance(motion_, before_, arc_, travelled_);
     if (next.event.kind == EventKind::cushion) return first_of_instant(next);
     if (next.time > Number(0)) cushions_.leave();
-    if (next.event.kind == EventKind::rest || next.event.kind == EventKind::slide_to_roll)
-      motion_.finish(state_, arc_);
+    if (next.event.kind == EventKind::rest || next.event.kind == EventKind::slide_to_roll) motion_.finish(state_, arc_);
     return next.event;
   }
 
-  const State<T>& state() const { return state_; }   ///< right after the last event
+  const State<T>& state() const { return state_; }    ///< right after the last event
   const State<T>& before() const { return before_; }  ///< where the last arc began
   const T& time() const { return time_; }             ///< seconds since the launch
   const Arc<T>& arc() const { return arc_; }          ///< the arc that led to the last event

@@ -37,7 +37,8 @@ bool finished(LineReader& in, const Arguments& a) {
   const auto same = [&](bool from_the_end) {
     const std::size_t n = asked.lines.size(), m = told.lines.size(), both = std::min(n, m);
     for (std::size_t i = 0; i < both; ++i) {
-      const std::string_view question = asked.line(from_the_end ? n - 1 - i : i), answer = told.line(from_the_end ? m - 1 - i : i);
+      const std::string_view question = asked.line(from_the_end ? n - 1 - i : i),
+                             answer = told.line(from_the_end ? m - 1 - i : i);
       if (without_time(answer_line(question, a.flags)) != without_time(std::string(answer))) return false;
     }
     return true;
@@ -49,8 +50,10 @@ bool finished(LineReader& in, const Arguments& a) {
     return true;
   };
   if (!in.next(asked) || !out.next(told) || !same(false)) return false;
-  while (next(in, asked)) {}
-  while (next(out, told)) {}
+  while (next(in, asked)) {
+  }
+  while (next(out, told)) {
+  }
   return asked.after.lines == told.after.lines && same(true);
 }
 
@@ -64,7 +67,8 @@ Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::st
     return {};
   }
   if (!in.skip(mark->read) && !interrupted())
-    throw FileError(fmt::format("{}: this batch was begun with another input: its first {} lines differ", Journal::path_for(path), mark->read.lines));
+    throw FileError(fmt::format("{}: this batch was begun with another input: its first {} lines differ",
+                                Journal::path_for(path), mark->read.lines));
   out.cut(mark->written);
   journal.go_on(*mark);
   return *mark;
@@ -73,8 +77,9 @@ Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::st
 /// A new output; the answers of a run that was cut off are not thrown away unasked.
 Journal::Mark begin(Journal& journal, Output& out) {
   if (const auto mark = journal.last(out.size()); mark && out.size() > 0)
-    throw FileError(fmt::format("{} holds the first {} answers of a batch that was cut off: --resume goes on with it; remove it to begin again",
-                                out.name(), grouped(mark->read.lines)));
+    throw FileError(fmt::format(
+        "{} holds the first {} answers of a batch that was cut off: --resume goes on with it; remove it to begin again",
+        out.name(), grouped(mark->read.lines)));
   journal.begin();
   out.cut(0);
   return {};
@@ -103,7 +108,9 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
   }
   progress.clear();
   if (interrupted()) {
-    if (!a.quiet) std::cerr << fmt::format("bankshot: interrupted after {} puzzles{}\n", grouped(batch.at.read.lines), how_to_go_on);
+    if (!a.quiet)
+      std::cerr << fmt::format("bankshot: interrupted after {} puzzles{}\n", grouped(batch.at.read.lines),
+                               how_to_go_on);
     return by_signal + interrupted();
   }
   if (journal) journal->remove();
@@ -121,15 +128,17 @@ int run(Arguments a) {
   LineReader in(a.file, a.output.ends_with(".gz"));
   Output out(a.output);
   if (a.resume && !out.regular()) throw FileError(fmt::format("{}: is no file that can be gone on with", a.output));
-  if (in.same_file(out.descriptor())) throw FileError(fmt::format("{}: is the input too, and would be overwritten", a.output));
+  if (in.same_file(out.descriptor()))
+    throw FileError(fmt::format("{}: is the input too, and would be overwritten", a.output));
   if (!out.regular()) return run_batch(a, in, out, nullptr, {});
   const std::string progress_file = Journal::path_for(a.output);
   if (a.resume && out.size() > 0 && !std::filesystem::exists(progress_file)) {
     const bool whole = finished(in, a);
     if (interrupted()) return by_signal + interrupted();
     if (!whole)
-      throw FileError(fmt::format("{}: cannot be gone on with: {} is missing, and it is not all of the answer to this input with these flags",
-                                  a.output, progress_file));
+      throw FileError(fmt::format(
+          "{}: cannot be gone on with: {} is missing, and it is not all of the answer to this input with these flags",
+          a.output, progress_file));
     if (!a.quiet) std::cerr << a.output << ": is whole already\n";
     return done;
   }
@@ -144,18 +153,27 @@ Run add_batch(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("batch", "Solve many puzzles, one a line");
   command->footer(
-      "Each line is answered by one line, in order; one that is no puzzle is answered \"invalid\". While a batch runs, SHOTS.jsonl.progress\n"
-      "stands beside its output: after a kill, a full disk or Ctrl-C the same command with --resume checks the input and the flags against it\n"
-      "and goes on; a few hundred puzzles are solved again at most. A packed output is a row of gzip members of 64 lines.");
-  command->add_option("puzzles", a->file, "A puzzle in JSON on each line; - reads standard input, *.gz is unpacked")->required();
-  command->add_option("-o,--output", a->output, "Write the answers here, one a line; *.gz is packed")->capture_default_str();
-  command->add_option("-j,--threads", a->threads, "Threads; 0: one for each core")->capture_default_str()->check(CLI::Range(0, 1024));
+      "Each line is answered by one line, in order; one that is no puzzle is answered \"invalid\". While a batch runs, "
+      "SHOTS.jsonl.progress\n"
+      "stands beside its output: after a kill, a full disk or Ctrl-C the same command with --resume checks the input "
+      "and the flags against it\n"
+      "and goes on; a few hundred puzzles are solved again at most. A packed output is a row of gzip members of 64 "
+      "lines.");
+  command->add_option("puzzles", a->file, "A puzzle in JSON on each line; - reads standard input, *.gz is unpacked")
+      ->required();
+  command->add_option("-o,--output", a->output, "Write the answers here, one a line; *.gz is packed")
+      ->capture_default_str();
+  command->add_option("-j,--threads", a->threads, "Threads; 0: one for each core")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
   command->add_flag("--resume", a->resume, "Go on where an earlier run of this command was cut off");
   command->add_flag("--quiet", a->quiet, "Nothing on standard error but errors");
   add_solve_flags(*command, a->flags);
   command->add_flag("--json", a->json, "Answers are JSON with or without it");
   command->add_option("--cost", a->cost, "Write where the time went to this file (CSV)")->check(file_name);
-  const auto no_picture = [](const std::string&) { throw CLI::ValidationError("--svg", "a batch draws no pictures; bankshot solve --svg draws one"); };
+  const auto no_picture = [](const std::string&) {
+    throw CLI::ValidationError("--svg", "a batch draws no pictures; bankshot solve --svg draws one");
+  };
   command->add_option_function<std::string>("--svg", no_picture)->group("");
   return [a] { return run(*a); };
 }

@@ -18,15 +18,16 @@ namespace {
 
 std::string text_of(const Journal::Mark& m) {
   const Tally& t = m.tally;
-  return fmt::format("{} {} {:08x} {} {} {} {} {} {} {} {} {}\n", m.read.lines, m.read.bytes, m.read.crc, m.written, t.solved, t.no_shot,
-                     t.budget, t.invalid, t.first_invalid, t.beside, t.simulations, t.worst_miss);
+  return fmt::format("{} {} {:08x} {} {} {} {} {} {} {} {} {}\n", m.read.lines, m.read.bytes, m.read.crc, m.written,
+                     t.solved, t.no_shot, t.budget, t.invalid, t.first_invalid, t.beside, t.simulations, t.worst_miss);
 }
 
 std::optional<Journal::Mark> mark_of(const std::string& line) {
   Journal::Mark m;
   Tally& t = m.tally;
-  const int n = std::sscanf(line.c_str(), "%ld %ld %" SCNx32 " %ld %ld %ld %ld %ld %ld %ld %ld %lf", &m.read.lines, &m.read.bytes, &m.read.crc,
-                            &m.written, &t.solved, &t.no_shot, &t.budget, &t.invalid, &t.first_invalid, &t.beside, &t.simulations, &t.worst_miss);
+  const int n = std::sscanf(line.c_str(), "%ld %ld %" SCNx32 " %ld %ld %ld %ld %ld %ld %ld %ld %lf", &m.read.lines,
+                            &m.read.bytes, &m.read.crc, &m.written, &t.solved, &t.no_shot, &t.budget, &t.invalid,
+                            &t.first_invalid, &t.beside, &t.simulations, &t.worst_miss);
   constexpr int numbers = 12;
   return n == numbers ? std::optional(m) : std::nullopt;
 }
@@ -35,8 +36,9 @@ std::optional<Journal::Mark> mark_of(const std::string& line) {
 
 Journal::Journal(const std::string& output, const std::string& flags, const std::string& input)
     : path_(path_for(output)),
-      header_{"bankshot " BANKSHOT_VERSION " is not done with the file beside this one; the same command with --resume goes on", "flags: " + flags,
-              "input: " + input} {
+      header_{"bankshot " BANKSHOT_VERSION
+              " is not done with the file beside this one; the same command with --resume goes on",
+              "flags: " + flags, "input: " + input} {
   constexpr mode_t everybody = 0666;  // less the umask
   fd_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everybody);
   if (fd_ < 0) throw WriteError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
@@ -55,7 +57,8 @@ Journal::~Journal() {
 void Journal::read() {
   std::string text;
   char piece[1 << 16];
-  for (ssize_t n = 0; (n = pread(fd_, piece, sizeof piece, static_cast<off_t>(text.size()))) > 0;) text.append(piece, static_cast<std::size_t>(n));
+  for (ssize_t n = 0; (n = pread(fd_, piece, sizeof piece, static_cast<off_t>(text.size()))) > 0;)
+    text.append(piece, static_cast<std::size_t>(n));
   std::size_t begin = 0, row = 0;
   for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1, ++row) {
     const std::string line = text.substr(begin, end - begin);
@@ -80,23 +83,30 @@ void Journal::check_same() const {
   if (!header_read_) return;
   const auto value = [](const std::string& line) { return line.substr(std::min(line.size(), line.find(' ') + 1)); };
   const auto refuse = [&](const std::string& what) {
-    throw FileError(fmt::format("{}: {}; without --resume, and with this file removed, the batch begins again", path_, what));
+    throw FileError(
+        fmt::format("{}: {}; without --resume, and with this file removed, the batch begins again", path_, what));
   };
   if (found_[0] != header_[0]) refuse("another version of bankshot began this batch");
-  if (found_[1] != header_[1]) refuse(fmt::format("this batch was begun with other flags: {}; now they are {}", value(found_[1]), value(header_[1])));
+  if (found_[1] != header_[1])
+    refuse(
+        fmt::format("this batch was begun with other flags: {}; now they are {}", value(found_[1]), value(header_[1])));
   const bool both_known = !value(found_[2]).empty() && !value(header_[2]).empty();
-  if (both_known && found_[2] != header_[2]) refuse(fmt::format("this batch was begun with another input: {}; now it has {}", value(found_[2]), value(header_[2])));
+  if (both_known && found_[2] != header_[2])
+    refuse(
+        fmt::format("this batch was begun with another input: {}; now it has {}", value(found_[2]), value(header_[2])));
 }
 
 void Journal::begin() {
   marks_.clear();
-  if (ftruncate(fd_, 0) != 0 || lseek(fd_, 0, SEEK_SET) != 0) throw WriteError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+  if (ftruncate(fd_, 0) != 0 || lseek(fd_, 0, SEEK_SET) != 0)
+    throw WriteError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
   append(header_[0] + "\n" + header_[1] + "\n" + header_[2] + "\n");
 }
 
 void Journal::go_on(const Mark& m) {
   for (const auto& [end, mark] : marks_)
-    if (mark.read.bytes == m.read.bytes && mark.written == m.written && (ftruncate(fd_, end) != 0 || lseek(fd_, end, SEEK_SET) != end))
+    if (mark.read.bytes == m.read.bytes && mark.written == m.written &&
+        (ftruncate(fd_, end) != 0 || lseek(fd_, end, SEEK_SET) != end))
       throw WriteError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
 }
 

@@ -29,7 +29,7 @@ LineReader::LineReader(const std::string& path, bool whole_chunks)
     : name_(path == "-" ? "standard input" : path), whole_chunks_(whole_chunks), buffer_(buffer_size, '\0') {
   fd_ = path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd_ < 0) throw FileError(fmt::format("{}: cannot be read: {}", name_, std::strerror(errno)));
-  struct stat s{};
+  struct stat s {};
   if (fstat(fd_, &s) == 0 && S_ISREG(s.st_mode)) size_ = s.st_size;
   if (!path.ends_with(".gz")) return;
   gz_ = gzdopen(dup(fd_), "rb");
@@ -116,7 +116,9 @@ bool LineReader::fill() {
     const char* reason = gzerror(gz_, &code);
     if (n <= 0 && code != Z_OK)
       throw FileError(fmt::format("{}: cannot be read: {}", name_,
-                                  code == Z_BUF_ERROR ? "the compressed data end too early" : code == Z_ERRNO ? std::strerror(errno) : reason));
+                                  code == Z_BUF_ERROR ? "the compressed data end too early"
+                                  : code == Z_ERRNO   ? std::strerror(errno)
+                                                      : reason));
     end_ = n > 0 ? static_cast<std::size_t>(n) : 0;
     return n > 0;
   }
@@ -158,12 +160,15 @@ std::string LineReader::identity() const {
   constexpr long tail = 1 << 16;  // bytes
   std::string end(static_cast<std::size_t>(std::min(size_, tail)), '\0');
   const ssize_t n = pread(fd_, end.data(), end.size(), size_ - static_cast<long>(end.size()));
-  return fmt::format("{} bytes, the end with CRC {:08x}", size_, n > 0 ? checksum(0, end.data(), static_cast<std::size_t>(n)) : 0);
+  return fmt::format("{} bytes, the end with CRC {:08x}", size_,
+                     n > 0 ? checksum(0, end.data(), static_cast<std::size_t>(n)) : 0);
 }
 
 bool LineReader::same_file(int descriptor) const {
-  struct stat a{}, b{};
-  return size_ >= 0 && fstat(fd_, &a) == 0 && fstat(descriptor, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+  struct stat a {
+  }, b{};
+  return size_ >= 0 && fstat(fd_, &a) == 0 && fstat(descriptor, &b) == 0 && a.st_dev == b.st_dev &&
+         a.st_ino == b.st_ino;
 }
 
 }  // namespace bankshot::app

@@ -35,8 +35,8 @@ struct Lines {
 class LineReader {
  public:
   static constexpr std::size_t lines_a_chunk = 64;       ///< a kill loses the chunks under way
-  static constexpr std::size_t bytes_a_chunk = 1 << 20;   ///< long lines make shorter chunks
-  static constexpr std::size_t longest_line = 4 << 20;    ///< bytes; more is no puzzle, and memory is to stay flat
+  static constexpr std::size_t bytes_a_chunk = 1 << 20;  ///< long lines make shorter chunks
+  static constexpr std::size_t longest_line = 4 << 20;   ///< bytes; more is no puzzle, and memory is to stay flat
 
   /// `whole_chunks`: wait for them also where the input comes in slowly. Else what is there is handed
   /// out at once, so that a program can send a puzzle and wait for its answer.

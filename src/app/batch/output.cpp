@@ -19,7 +19,7 @@ Output::Output(const std::string& path) : name_(path == "-" ? "standard output" 
   constexpr mode_t everybody = 0666;  // less the umask
   fd_ = path == "-" ? STDOUT_FILENO : open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, everybody);
   if (fd_ < 0) fail();
-  struct stat s{};
+  struct stat s {};
   regular_ = path != "-" && fstat(fd_, &s) == 0 && S_ISREG(s.st_mode);
 }
 
@@ -27,12 +27,10 @@ Output::~Output() {
   if (fd_ > STDERR_FILENO) close(fd_);
 }
 
-void Output::fail() const {
-  throw WriteError(fmt::format("{}: cannot be written: {}", name_, std::strerror(errno)));
-}
+void Output::fail() const { throw WriteError(fmt::format("{}: cannot be written: {}", name_, std::strerror(errno))); }
 
 long Output::size() const {
-  struct stat s{};
+  struct stat s {};
   return fstat(fd_, &s) == 0 ? s.st_size : 0;
 }
 

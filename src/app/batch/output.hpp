@@ -23,12 +23,12 @@ class Output {
   int descriptor() const { return fd_; }
   const std::string& name() const { return name_; }
 
-  long size() const;          ///< of the file as it is now
-  void cut(long size);        ///< to its first bytes, and go on behind them
+  long size() const;                     ///< of the file as it is now
+  void cut(long size);                   ///< to its first bytes, and go on behind them
   void cut_quietly(long size) noexcept;  ///< what came after them is not whole; the file may be beyond reach
   void write(std::string_view bytes);
   long written() const { return at_; }  ///< bytes, those before a cut included
-  void finish();              ///< closes; what the system could not write is an error here
+  void finish();                        ///< closes; what the system could not write is an error here
 
  private:
   [[noreturn]] void fail() const;

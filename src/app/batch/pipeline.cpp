@@ -47,7 +47,9 @@ struct Parsed {
   std::vector<std::string> bad;  ///< a text for each line; empty where the line is a puzzle
 };
 
-std::string answer_to_bad(std::string_view line, const InvalidInput& e) { return to_json(invalid_answer(read_id(line), e)); }
+std::string answer_to_bad(std::string_view line, const InvalidInput& e) {
+  return to_json(invalid_answer(read_id(line), e));
+}
 
 Parsed parse(const Lines& lines, const SolveFlags& flags) {
   Parsed p;
@@ -57,7 +59,8 @@ Parsed parse(const Lines& lines, const SolveFlags& flags) {
     const std::string_view line = lines.line(i);
     try {
       if (lines.lines[i].too_long)
-        throw InvalidInput("", fmt::format("this line is longer than {} bytes, and no puzzle needs as many", LineReader::longest_line));
+        throw InvalidInput("", fmt::format("this line is longer than {} bytes, and no puzzle needs as many",
+                                           LineReader::longest_line));
       p.puzzles.push_back(flags.read(line));
     } catch (const InvalidInput& e) {
       p.bad[i] = answer_to_bad(line, e);
@@ -158,9 +161,10 @@ void run_pipeline(Batch& b) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena(b.threads).execute([&] {
     using Mode = tbb::filter_mode;
-    tbb::parallel_pipeline(chunks_a_thread * threads, tbb::make_filter<void, ChunkPointer>(Mode::serial_in_order, read) &
-                                                          tbb::make_filter<ChunkPointer, ChunkPointer>(Mode::parallel, solve) &
-                                                          tbb::make_filter<ChunkPointer, void>(Mode::serial_in_order, write_chunk));
+    tbb::parallel_pipeline(chunks_a_thread * threads,
+                           tbb::make_filter<void, ChunkPointer>(Mode::serial_in_order, read) &
+                               tbb::make_filter<ChunkPointer, ChunkPointer>(Mode::parallel, solve) &
+                               tbb::make_filter<ChunkPointer, void>(Mode::serial_in_order, write_chunk));
   });
   if (error) std::rethrow_exception(error);
   if (read_error) std::rethrow_exception(read_error);

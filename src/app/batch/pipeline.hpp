@@ -20,7 +20,7 @@ struct Batch {
   const SolveFlags& flags;
   int threads;
   Progress& progress;
-  Journal::Mark at;    ///< how far it has come
+  Journal::Mark at;      ///< how far it has come
   Cost* cost = nullptr;  ///< filled where given
 };
 

@@ -61,11 +61,14 @@ void Cost::add(const Cost& more) {
   write += more.write;
 }
 
-Progress::Progress(long kept, double share, bool shown) : kept_(kept), share_before_(std::max(0.0, share)), shown_(shown) {}
+Progress::Progress(long kept, double share, bool shown)
+    : kept_(kept), share_before_(std::max(0.0, share)), shown_(shown) {}
 
 double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
-double Progress::rate(const Tally& tally) const { return static_cast<double>(tally.lines() - kept_) / std::max(seconds(), 1e-6); }
+double Progress::rate(const Tally& tally) const {
+  return static_cast<double>(tally.lines() - kept_) / std::max(seconds(), 1e-6);
+}
 
 void Progress::show(const Tally& tally, double share) {
   if (!shown_ || Clock::now() < next_) return;
@@ -94,7 +97,8 @@ std::string grouped(long n) {
 std::string closing_line(const Tally& t, long kept, const Progress& progress) {
   std::string text = fmt::format("{} puzzle{}", grouped(t.lines()), t.lines() == 1 ? "" : "s");
   if (kept > 0) text += fmt::format(", {} of them kept,", grouped(kept));
-  text += fmt::format(" in {:.3g} s, {} a second: {} solved", progress.seconds(), grouped(static_cast<long>(progress.rate(t))), grouped(t.solved));
+  text += fmt::format(" in {:.3g} s, {} a second: {} solved", progress.seconds(),
+                      grouped(static_cast<long>(progress.rate(t))), grouped(t.solved));
   text += fmt::format(", {} no-shot", grouped(t.no_shot));
   if (t.budget > 0) text += fmt::format(", {} out of budget", grouped(t.budget));
   text += fmt::format(", {} invalid", grouped(t.invalid));
@@ -109,11 +113,13 @@ std::string cost_csv(const Cost& c, const Tally& t, long kept, const Progress& p
   rusage use{};
   getrusage(RUSAGE_SELF, &use);
   return fmt::format(
-      "puzzles,solved,seconds,puzzles_per_second,simulations,cpu_us_each,read_us,parse_us,search_us,certify_us,robustness_us,format_us,write_us,peak_mb\n"
+      "puzzles,solved,seconds,puzzles_per_second,simulations,cpu_us_each,read_us,parse_us,search_us,certify_us,"
+      "robustness_us,format_us,write_us,peak_mb\n"
       "{},{},{:.3f},{:.0f},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.1f}\n",
       t.lines() - kept, t.solved, progress.seconds(), progress.rate(t), t.simulations,
-      each * (c.read + c.parse + c.search + c.certify + c.robustness + c.format + c.write), each * c.read, each * c.parse, each * c.search,
-      each * c.certify, each * c.robustness, each * c.format, each * c.write, static_cast<double>(use.ru_maxrss) / 1024);
+      each * (c.read + c.parse + c.search + c.certify + c.robustness + c.format + c.write), each * c.read,
+      each * c.parse, each * c.search, each * c.certify, each * c.robustness, each * c.format, each * c.write,
+      static_cast<double>(use.ru_maxrss) / 1024);
 }
 
 }  // namespace bankshot::app

@@ -25,8 +25,8 @@ struct Tally {
 
 /// Where the time of a batch went: seconds of CPU, over all threads.
 struct Cost {
-  double read = 0;        ///< bytes to lines
-  double parse = 0;       ///< lines to puzzles
+  double read = 0;   ///< bytes to lines
+  double parse = 0;  ///< lines to puzzles
   double search = 0;
   double certify = 0;     ///< replays of what the search proposed
   double robustness = 0;  ///< margin and success

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/report/steppers.hpp"
 #include "app/report/measure.hpp"
+#include "app/report/steppers.hpp"
 #include "bankshot/plan/generate.hpp"
 
 namespace bankshot::app {

@@ -62,9 +62,10 @@ struct Losses {
 State<double> random_start(Random& draw, const Scene& scene, const Boundary& boundary) {
   for (;;) {
     const Vec2d at{draw.uniform(0, 2.54), draw.uniform(0, 1.27)};
-    const LaunchSpin spin{is_ideal(scene.physics) ? 0 : draw.uniform(0, 1), is_ideal(scene.physics) ? 0 : draw.uniform(-0.5, 0.5), 0};
-    const Vec2d velocity =
-        direction(draw.uniform(0, radians(360))) * (scene.low == scene.high ? scene.low : draw.uniform(scene.low, scene.high));
+    const LaunchSpin spin{is_ideal(scene.physics) ? 0 : draw.uniform(0, 1),
+                          is_ideal(scene.physics) ? 0 : draw.uniform(-0.5, 0.5), 0};
+    const Vec2d velocity = direction(draw.uniform(0, radians(360))) *
+                           (scene.low == scene.high ? scene.low : draw.uniform(scene.low, scene.high));
     if (boundary.clearance(at) > 0) return launched(at, radius, velocity, spin);
   }
 }
@@ -117,17 +118,21 @@ Panel panel(const Scene& scene, const Losses& l, double most) {
     lost.points.push_back({static_cast<double>(n), a.median, a.low, a.high});
     allowed.points.push_back({static_cast<double>(n), b.median, b.low, b.high});
   }
-  p.curves = {
-      lost,
-      allowed,
-      {"1e-9 of the diagonal needs the rest", {{0, most, most, most}, {most_cushions + 1.0, most, most, most}}, Curve::Style::dashes}};
+  p.curves = {lost,
+              allowed,
+              {"1e-9 of the diagonal needs the rest",
+               {{0, most, most, most}, {most_cushions + 1.0, most, most, most}},
+               Curve::Style::dashes}};
   return p;
 }
 
 constexpr const char* about =
-    "The place of the n-th bounce in double against 50 digits, and the digits that the bound 4 · 2⁻⁵³ · size · κ allows to be lost. "
-    "Between straight cushions κ grows like a power of the number of bounces; each reflex vertex, which the ball meets as an arc of its "
-    "own radius, multiplies it. An answer is asked for to 1e-9 of the diagonal, so about seven of the sixteen digits may go; where a "
+    "The place of the n-th bounce in double against 50 digits, and the digits that the bound 4 · 2⁻⁵³ · size · κ "
+    "allows to be lost. "
+    "Between straight cushions κ grows like a power of the number of bounces; each reflex vertex, which the ball meets "
+    "as an arc of its "
+    "own radius, multiplies it. An answer is asked for to 1e-9 of the diagonal, so about seven of the sixteen digits "
+    "may go; where a "
     "shot's condition leaves fewer, the answer's message says how many.";
 
 }  // namespace
@@ -137,8 +142,8 @@ Section conditioning(const Settings& settings, Progress& progress) {
   const int shots = 2 * settings.shots;
   progress.begin("conditioning", all.size() * static_cast<std::size_t>(shots));
   Section s{.name = "4-conditioning", .title = "Conditioning", .about = about};
-  s.table = {{"table and physics", "after 5", "10", "15", "20 cushions", "allowed after 20", "parted by 20", "worst of the bound",
-              "too few digits from"},
+  s.table = {{"table and physics", "after 5", "10", "15", "20 cushions", "allowed after 20", "parted by 20",
+              "worst of the bound", "too few digits from"},
              {}};
   std::string csv = "scene,shot,cushions,error_m,kappa\n",
               medians = "scene,cushions,shots,parted,lost_low_10,lost_median,lost_high_90,allowed_median\n", weak;
@@ -150,8 +155,8 @@ Section conditioning(const Settings& settings, Progress& progress) {
     const int last = too_many(l.lost, most);
     for (int n = 1; n <= most_cushions; ++n) {
       const Spread lost = spread(l.lost[n]);
-      medians += fmt::format("\"{}\",{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", scene.name, n, l.lost[n].size(), l.parted[n], lost.low,
-                             lost.median, lost.high, spread(l.allowed[n]).median);
+      medians += fmt::format("\"{}\",{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", scene.name, n, l.lost[n].size(),
+                             l.parted[n], lost.low, lost.median, lost.high, spread(l.allowed[n]).median);
     }
     std::vector<std::string> row{scene.name};
     for (const std::size_t n : {5u, 10u, 15u, 20u})
@@ -163,16 +168,19 @@ Section conditioning(const Settings& settings, Progress& progress) {
     s.table.rows.push_back(row);
     s.figure.panels.push_back(panel(scene, l, most));
     worst = std::max(worst, l.worst_ratio);
-    if (last) weak += fmt::format("{}in the scene “{}” only through {}", weak.empty() ? "" : ", ", scene.name, last - 1);
+    if (last)
+      weak += fmt::format("{}in the scene “{}” only through {}", weak.empty() ? "" : ", ", scene.name, last - 1);
   }
   share_y(s.figure.panels);
   s.figure.columns = 2;
   s.caption = fmt::format(
-      "Decimal digits lost, of the sixteen of a double: medians of {} shots with 10–90 % bands. Parted: the events are no longer those "
+      "Decimal digits lost, of the sixteen of a double: medians of {} shots with 10–90 % bands. Parted: the events are "
+      "no longer those "
       "of 50 digits, so there is no error to measure. A curve ends where no shot met more cushions.",
       shots);
   s.conclusion = fmt::format(
-      "The error is at most {:.0f} % of what κ allows, and half of the shots keep the nine digits of an exact answer through 20 "
+      "The error is at most {:.0f} % of what κ allows, and half of the shots keep the nine digits of an exact answer "
+      "through 20 "
       "cushions, or as many as they meet{}{}.",
       100 * worst, weak.empty() ? " in every scene" : ", but ", weak);
   s.data = {{s.name, medians}, {s.name + "-shots", csv}};

@@ -33,7 +33,8 @@ Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string
   for (const Puzzle& p : puzzles) {
     auto run = planning::approach(p, way.derivatives, cpu_seconds);
     const auto again = planning::approach(p, way.derivatives, cpu_seconds);
-    for (std::size_t i = 0; i < std::min(run.size(), again.size()); ++i) run[i].seconds = std::min(run[i].seconds, again[i].seconds);
+    for (std::size_t i = 0; i < std::min(run.size(), again.size()); ++i)
+      run[i].seconds = std::min(run[i].seconds, again[i].seconds);
     if (!run.empty()) runs.push_back(std::move(run));
   }
   Approach out{way.name, {}, {}, {}};
@@ -50,8 +51,9 @@ Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string
     out.miss.push_back(spread(miss));
     out.simulations.push_back(spread(simulations).median);
     out.seconds.push_back(spread(seconds).median);
-    csv += fmt::format("\"{}\",{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}\n", way.name, runs.size(), k, out.simulations.back(),
-                       out.seconds.back(), out.miss.back().low, out.miss.back().median, out.miss.back().high);
+    csv += fmt::format("\"{}\",{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}\n", way.name, runs.size(), k,
+                       out.simulations.back(), out.seconds.back(), out.miss.back().low, out.miss.back().median,
+                       out.miss.back().high);
   }
   return out;
 }
@@ -83,9 +85,9 @@ std::string add_derivatives(const Settings& settings, Section& s, Progress& prog
     time.curves.push_back(by_time);
     simulations.curves.push_back(by_simulations);
     const double *n = first_exact(a, a.simulations), *t = first_exact(a, a.seconds);
-    text += fmt::format(
-        "{}{}", text.empty() ? "" : ", ",
-        n ? fmt::format("{} simulations ({}) with {}", *n, short_time(*t), way.name) : fmt::format("not at all with {}", way.name));
+    text += fmt::format("{}{}", text.empty() ? "" : ", ",
+                        n ? fmt::format("{} simulations ({}) with {}", *n, short_time(*t), way.name)
+                          : fmt::format("not at all with {}", way.name));
     progress.step();
   }
   Panel legend;

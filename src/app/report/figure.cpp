@@ -89,7 +89,8 @@ std::string set_axis(char name, const Axis& axis, const Range& range) {
   } else if (axis.logarithmic) {
     constexpr double most_ticks = 6;
     const double decades = std::log10(range.high / range.low), step = std::max(1.0, std::ceil(decades / most_ticks));
-    out += fmt::format("set {}tics {:.0e}\nset m{}tics {}\n", name, std::pow(10, step), name, step > 1 ? static_cast<int>(step) : 1);
+    out += fmt::format("set {}tics {:.0e}\nset m{}tics {}\n", name, std::pow(10, step), name,
+                       step > 1 ? static_cast<int>(step) : 1);
   } else {
     out += fmt::format("set {0}tics autofreq\nset m{0}tics 1\n", name);
   }
@@ -122,8 +123,8 @@ std::string style(const Names& names, const std::string& name, Curve::Style kind
   if (kind == Curve::Style::dashes) return fmt::format("with lines dashtype 2 linewidth 1.2 linecolor \"{}\"", colour);
   const double size = kind == Curve::Style::points || i == 0 ? 0.65 : 0.5;
   return fmt::format("with {} linewidth {} pointtype {} pointsize {} linecolor \"{}\"",
-                     kind == Curve::Style::points ? "points" : "linespoints", i == 0 ? 2.2 : 1.4, marks[i % std::size(marks)], size,
-                     colour);
+                     kind == Curve::Style::points ? "points" : "linespoints", i == 0 ? 2.2 : 1.4,
+                     marks[i % std::size(marks)], size, colour);
 }
 
 /// Entries for a plot that shows nothing but its key.
@@ -134,7 +135,8 @@ std::string key_of(const Figure& f, const Names& names, const std::vector<std::s
     for (const Panel& p : f.panels)
       for (const Curve& c : p.curves)
         if (c.name == name) kind = c.style;
-    out += fmt::format("{}NaN {} title \"{}\"", out.empty() ? "plot " : ", \\\n     ", style(names, name, kind), plain(name));
+    out += fmt::format("{}NaN {} title \"{}\"", out.empty() ? "plot " : ", \\\n     ", style(names, name, kind),
+                       plain(name));
   }
   return out + "\n";
 }
@@ -143,11 +145,12 @@ constexpr const char* with_axes =
     "set border 3 linecolor \"#555555\" linewidth 0.8\nset tics nomirror textcolor \"#333333\" scale 0.6,0.3\n"
     "set grid linecolor \"#e4e4e4\" linewidth 0.6, linecolor \"#e4e4e4\" linewidth 0.6\n";
 constexpr const char* without_axes =
-    "unset border\nunset tics\nunset xlabel\nunset ylabel\nunset title\nunset logscale\nunset grid\nset xrange [0:1]\nset yrange [0:1]\n";
+    "unset border\nunset tics\nunset xlabel\nunset ylabel\nunset title\nunset logscale\nunset grid\nset xrange "
+    "[0:1]\nset yrange [0:1]\n";
 
 std::string draw_legend_panel(const Figure& f, const Panel& p, const Names& names) {
-  return std::string(without_axes) + "set key center left vertical Left reverse maxcols 1 samplen 2.2\n" + key_of(f, names, p.legend) +
-         "set key off\n" + with_axes;
+  return std::string(without_axes) + "set key center left vertical Left reverse maxcols 1 samplen 2.2\n" +
+         key_of(f, names, p.legend) + "set key off\n" + with_axes;
 }
 
 std::string draw_panel(const Panel& p, const Names& names, int number) {
@@ -169,22 +172,25 @@ std::string draw_panel(const Panel& p, const Names& names, int number) {
     if (!any) continue;
     const std::size_t i = names.number(c.name);
     if (band)
-      add(fmt::format("{} using 1:3:4 with filledcurves fillstyle transparent solid 0.12 noborder fillcolor \"{}\" notitle", name,
-                      colours[i % std::size(colours)]));
+      add(fmt::format(
+          "{} using 1:3:4 with filledcurves fillstyle transparent solid 0.12 noborder fillcolor \"{}\" notitle", name,
+          colours[i % std::size(colours)]));
     lines.push_back(fmt::format("{} using 1:2 {} notitle", name, style(names, c.name, c.style)));
   }
   for (auto line = lines.rbegin(); line != lines.rend(); ++line) add(*line);  // the first on top
   if (plots.empty()) plots = "plot NaN notitle";
-  const Range x = p.x.range.value_or(extent({&p, 1}, &Panel::x, &Point::x)), y = p.y.range.value_or(extent({&p, 1}, &Panel::y, &Point::y));
-  return data + fmt::format("set title \"{}\" offset 0,-0.6\n", plain(p.title)) + set_axis('x', p.x, x) + set_axis('y', p.y, y) + plots +
-         "\n";
+  const Range x = p.x.range.value_or(extent({&p, 1}, &Panel::x, &Point::x)),
+              y = p.y.range.value_or(extent({&p, 1}, &Panel::y, &Point::y));
+  return data + fmt::format("set title \"{}\" offset 0,-0.6\n", plain(p.title)) + set_axis('x', p.x, x) +
+         set_axis('y', p.y, y) + plots + "\n";
 }
 
 /// A strip below all panels that holds their common legend.
 std::string draw_legend(const Figure& f, const Names& names, int height, int strip) {
   return without_axes +
          fmt::format(
-             "set lmargin at screen 0.02\nset rmargin at screen 0.98\nset tmargin at screen {:.5f}\nset bmargin at screen 0.0\n"
+             "set lmargin at screen 0.02\nset rmargin at screen 0.98\nset tmargin at screen {:.5f}\nset bmargin at "
+             "screen 0.0\n"
              "set key center center horizontal Left reverse maxcols {} samplen 2.2 width 1\n",
              static_cast<double>(strip) / height, legend_columns) +
          key_of(f, names, names.common);
@@ -206,10 +212,13 @@ std::string gnuplot_script(const Figure& f, const std::string& svg) {
   const Names names(f);
   const int panels = static_cast<int>(f.panels.size()), rows = (panels + f.columns - 1) / f.columns;
   const int strip =
-      names.common.empty() ? 4 : 10 + legend_row * ((static_cast<int>(names.common.size()) + legend_columns - 1) / legend_columns);
+      names.common.empty()
+          ? 4
+          : 10 + legend_row * ((static_cast<int>(names.common.size()) + legend_columns - 1) / legend_columns);
   const int height = rows * f.row_height + strip;
   std::string out = fmt::format(
-      "set terminal svg size {},{} fixed enhanced font \"sans-serif,12\" background \"#ffffff\"\nset output {}\nset encoding utf8\nset "
+      "set terminal svg size {},{} fixed enhanced font \"sans-serif,12\" background \"#ffffff\"\nset output {}\nset "
+      "encoding utf8\nset "
       "multiplot\nset key off\n"
       "{}set xlabel offset 0,0.4\nset ylabel offset 0.6,0\n",
       width, height, quoted(svg), with_axes);
@@ -219,7 +228,8 @@ std::string gnuplot_script(const Figure& f, const std::string& svg) {
     const auto x = [&](double pixel) { return (column * across + pixel) / width; };
     const auto y = [&](double pixel) { return 1 - (row * f.row_height + pixel) / height; };
     out += fmt::format(
-        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at "
+        "screen {:.5f}\n",
         x(f.left), x(across - right), y(top), y(f.row_height - bottom));
     const Panel& p = f.panels[static_cast<std::size_t>(i)];
     out += p.legend.empty() ? draw_panel(p, names, i) : draw_legend_panel(f, p, names);
@@ -255,7 +265,8 @@ void find_gnuplot() {
 }
 
 void run_gnuplot(const std::string& script) {
-  if (run_with(script, true) != 0) throw DrawingError(fmt::format("gnuplot (package gnuplot-nox) cannot draw {}", script));
+  if (run_with(script, true) != 0)
+    throw DrawingError(fmt::format("gnuplot (package gnuplot-nox) cannot draw {}", script));
 }
 
 }  // namespace bankshot::app

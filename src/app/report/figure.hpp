@@ -44,8 +44,8 @@ struct Panel {
 struct Figure {
   std::vector<Panel> panels;
   int columns = 1;
-  int row_height = 250;  ///< of 960 pixels across
-  int left = 72;         ///< pixels for labels and ticks of y
+  int row_height = 250;              ///< of 960 pixels across
+  int left = 72;                     ///< pixels for labels and ticks of y
   std::vector<std::string> names{};  ///< of curves, in the legend's order; others follow
 };
 

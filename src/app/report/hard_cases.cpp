@@ -68,9 +68,12 @@ Curve as_points(const std::string& name, const std::vector<Tally>& all, std::siz
 }
 
 constexpr const char* about =
-    "The scenes of tests/hard, each of which aims at one way in which numbers break. A simulated shot is held against 50 digits and its "
-    "bound, 4 · 2⁻⁵³ · size · κ, where κ is measured with the dual numbers of the run itself; a puzzle is held to a miss of 1e-9 of the "
-    "table's diagonal, replayed. A tie is a pair of events nearer to each other than the bound: then either order is right, and the "
+    "The scenes of tests/hard, each of which aims at one way in which numbers break. A simulated shot is held against "
+    "50 digits and its "
+    "bound, 4 · 2⁻⁵³ · size · κ, where κ is measured with the dual numbers of the run itself; a puzzle is held to a "
+    "miss of 1e-9 of the "
+    "table's diagonal, replayed. A tie is a pair of events nearer to each other than the bound: then either order is "
+    "right, and the "
     "paths may part.";
 
 }  // namespace
@@ -83,7 +86,8 @@ Section hard_cases(const Settings&, Progress& progress) {
   for (const auto name : classes) all.push_back(simulated(name)), progress.step();
   for (const auto name : puzzles) all.push_back(planned(name)), progress.step();
 
-  s.table = {{"class", "cases", "ties", "beyond the bound", "worst error", "κ up to", "of the bound, median", "worst"}, {}};
+  s.table = {{"class", "cases", "ties", "beyond the bound", "worst error", "κ up to", "of the bound, median", "worst"},
+             {}};
   std::string csv = "class,kind,cases,ties,beyond,worst_error_m,kappa,median_of_bound,worst_of_bound\n";
   Panel p{"share of the bound that is used", {"error / bound", true}, {"", false}, {}};
   int cases = 0, ties = 0, beyond = 0;
@@ -92,9 +96,10 @@ Section hard_cases(const Settings&, Progress& progress) {
     const Tally& t = all[i];
     const double median = spread(t.shares).median;
     s.table.rows.push_back({t.name, fmt::format("{}", t.cases), fmt::format("{}", t.ties), fmt::format("{}", t.beyond),
-                            short_length(t.error), short_number(t.kappa), short_number(median), short_number(t.worst())});
-    csv += fmt::format("{},{},{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", t.name, i < classes.size() ? "shots" : "puzzles", t.cases, t.ties,
-                       t.beyond, t.error, t.kappa, median, t.worst());
+                            short_length(t.error), short_number(t.kappa), short_number(median),
+                            short_number(t.worst())});
+    csv += fmt::format("{},{},{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", t.name, i < classes.size() ? "shots" : "puzzles",
+                       t.cases, t.ties, t.beyond, t.error, t.kappa, median, t.worst());
     p.y.names.push_back(t.name);
     cases += t.cases;
     ties += t.ties;
@@ -110,11 +115,13 @@ Section hard_cases(const Settings&, Progress& progress) {
   s.figure.row_height = 430;
   s.figure.left = 190;
   s.caption = "Largest and median error of each class over its bound; an error of exactly 0 is drawn at 1e-9.";
-  s.conclusion = beyond == 0
-                     ? fmt::format("All {} hard cases keep their bound, {} of them at ties; the nearest comes to {:.0f} % of it ({}).",
-                                   cases, ties, 100 * worst->worst(), worst->name)
-                     : fmt::format("{} of {} hard cases break their bound; the worst is {:.2g} times it ({}).", beyond, cases,
-                                   worst->worst(), worst->name);
+  s.conclusion =
+      beyond == 0
+          ? fmt::format(
+                "All {} hard cases keep their bound, {} of them at ties; the nearest comes to {:.0f} % of it ({}).",
+                cases, ties, 100 * worst->worst(), worst->name)
+          : fmt::format("{} of {} hard cases break their bound; the worst is {:.2g} times it ({}).", beyond, cases,
+                        worst->worst(), worst->name);
   s.data.push_back({s.name, csv});
   return s;
 }

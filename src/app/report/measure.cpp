@@ -31,7 +31,8 @@ std::string machine() {
       break;
     }
   const unsigned cores = std::thread::hardware_concurrency();
-  return fmt::format("{}, {} core{}; {}; commit {}", processor, cores, cores == 1 ? "" : "s", BANKSHOT_COMPILER, BANKSHOT_COMMIT);
+  return fmt::format("{}, {} core{}; {}; commit {}", processor, cores, cores == 1 ? "" : "s", BANKSHOT_COMPILER,
+                     BANKSHOT_COMMIT);
 }
 
 std::string short_number(double x) {

@@ -111,10 +111,14 @@ Result measure(const Model& m, const std::vector<Question>& questions, int cushi
 }
 
 constexpr const char* about =
-    "Random shots of a rolling ball that rests after 1 to 5 cushions in the fullest model, spin with mathavan2010. Each simpler model is "
-    "asked for the launch to the same place by the same cushions, and its answer is played in the fullest; the miss is where the ball "
-    "then rests. The model ideal knows no friction and is given the right speed. All cushions have the restitution 0.85. Air is in none "
-    "of them: at 5 m/s its drag is about 0.10 m/s², as much as rolling friction, and the Magnus force about 0.07 m/s², 8 mm over 2.5 m; "
+    "Random shots of a rolling ball that rests after 1 to 5 cushions in the fullest model, spin with mathavan2010. "
+    "Each simpler model is "
+    "asked for the launch to the same place by the same cushions, and its answer is played in the fullest; the miss is "
+    "where the ball "
+    "then rests. The model ideal knows no friction and is given the right speed. All cushions have the restitution "
+    "0.85. Air is in none "
+    "of them: at 5 m/s its drag is about 0.10 m/s², as much as rolling friction, and the Magnus force about 0.07 m/s², "
+    "8 mm over 2.5 m; "
     "below 2 m/s both are negligible.";
 
 }  // namespace
@@ -123,11 +127,19 @@ Section models(const Settings& settings, Progress& progress) {
   const std::vector<Model> all = models_in_order();
   progress.begin("models", all.size() * most_cushions);
   Section s{.name = "2-models", .title = "Models", .about = about};
-  s.table = {{"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
+  s.table = {
+      {"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
   std::string csv = "model,cushions,miss_m,seconds_a_shot,seconds_an_answer\n";
-  std::string medians = "model,cushions,shots,answered,miss_low_10,miss_median,miss_high_90,seconds_a_shot,seconds_an_answer\n";
-  Panel by_cushions{"miss when played in the fullest model", {"cushions", false, Range{0.5, most_cushions + 0.5}}, {"miss [m]", true}, {}};
-  Panel by_cost{"the same against what a shot costs, 1 to 5 cushions", {"processor time per shot [s]", true}, {"miss [m]", true}, {}};
+  std::string medians =
+      "model,cushions,shots,answered,miss_low_10,miss_median,miss_high_90,seconds_a_shot,seconds_an_answer\n";
+  Panel by_cushions{"miss when played in the fullest model",
+                    {"cushions", false, Range{0.5, most_cushions + 0.5}},
+                    {"miss [m]", true},
+                    {}};
+  Panel by_cost{"the same against what a shot costs, 1 to 5 cushions",
+                {"processor time per shot [s]", true},
+                {"miss [m]", true},
+                {}};
   std::vector<std::vector<Question>> questions;
   Random draw(2);
   for (int n = 1; n <= most_cushions; ++n) {
@@ -139,11 +151,12 @@ Section models(const Settings& settings, Progress& progress) {
     Curve misses{m.name, {}}, costs{m.name, {}};
     for (int n = 1; n <= most_cushions; ++n) {
       const Result r = measure(m, questions[static_cast<std::size_t>(n - 1)], n, csv);
-      s.table.rows.push_back({m.name, fmt::format("{}", n), short_time(r.seconds.median), short_time(r.solve_seconds.median),
-                              fmt::format("{} of {}", r.solved, settings.shots), short_length(r.miss.low), short_length(r.miss.median),
-                              short_length(r.miss.high)});
-      medians += fmt::format("\"{}\",{},{},{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}\n", m.name, n, settings.shots, r.solved, r.miss.low,
-                             r.miss.median, r.miss.high, r.seconds.median, r.solve_seconds.median);
+      s.table.rows.push_back({m.name, fmt::format("{}", n), short_time(r.seconds.median),
+                              short_time(r.solve_seconds.median), fmt::format("{} of {}", r.solved, settings.shots),
+                              short_length(r.miss.low), short_length(r.miss.median), short_length(r.miss.high)});
+      medians +=
+          fmt::format("\"{}\",{},{},{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}\n", m.name, n, settings.shots, r.solved,
+                      r.miss.low, r.miss.median, r.miss.high, r.seconds.median, r.solve_seconds.median);
       if (n == 3) at_three.push_back(r);
       misses.points.push_back({static_cast<double>(n), r.miss.median, r.miss.low, r.miss.high});
       costs.points.push_back({r.seconds.median, r.miss.median, r.miss.median, r.miss.median});
@@ -160,9 +173,10 @@ Section models(const Settings& settings, Progress& progress) {
   s.caption = fmt::format("Medians of {} shots a point, with 10–90 % bands on the left.", settings.shots);
   s.conclusion = "After three cushions ";
   for (std::size_t k = 0; k + 1 < all.size(); ++k)
-    s.conclusion += fmt::format("{}{} misses by {} at {} a shot", k ? ", " : "", all[k].name, short_length(at_three[k].miss.median),
-                                short_time(at_three[k].seconds.median));
-  s.conclusion += fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
+    s.conclusion += fmt::format("{}{} misses by {} at {} a shot", k ? ", " : "", all[k].name,
+                                short_length(at_three[k].miss.median), short_time(at_three[k].seconds.median));
+  s.conclusion +=
+      fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
   s.data = {{s.name, medians}, {s.name + "-shots", csv}};
   return s;
 }

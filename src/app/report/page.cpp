@@ -8,8 +8,10 @@ namespace {
 
 constexpr const char* title = "Speed against error";
 constexpr const char* question =
-    "How fast are the simulators and planners of bankshot, how wrong are they, and where do their numbers stop being good enough? Every "
-    "error is measured against a reference that does not use the method it judges; every time is processor time of one thread.";
+    "How fast are the simulators and planners of bankshot, how wrong are they, and where do their numbers stop being "
+    "good enough? Every "
+    "error is measured against a reference that does not use the method it judges; every time is processor time of one "
+    "thread.";
 
 constexpr const char* styles = R"(
 :root { color-scheme: light; --ink: #1a1a1a; --soft: #5c5c5c; --line: #d8d8d8; --accent: #0b5d3b; }
@@ -71,7 +73,8 @@ std::string inlined(std::string svg, const Section& s) {
     const std::string from = name;
     for (const char* quote : {"id='", "id=\"", "'#", "\"#"}) replace_all(svg, quote + from, quote + s.name + from);
   }
-  replace_all(svg, "id=\"gnuplot_canvas\"", fmt::format("id=\"{}-canvas\" role=\"img\" aria-label=\"{}\"", s.name, escaped(s.title)));
+  replace_all(svg, "id=\"gnuplot_canvas\"",
+              fmt::format("id=\"{}-canvas\" role=\"img\" aria-label=\"{}\"", s.name, escaped(s.title)));
   return svg;
 }
 
@@ -87,7 +90,8 @@ std::string table_html(const Numbers& t) {
     // Where the first column changes and holds groups, a line.
     const bool begins = t.text_columns > 1 && row[0] != group;
     out += begins ? "<tr class=\"group\">" : "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) out += cell("td", i, i == 0 && t.text_columns > 1 && !begins ? "" : row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out += cell("td", i, i == 0 && t.text_columns > 1 && !begins ? "" : row[i]);
     group = row[0];
     out += "</tr>\n";
   }
@@ -95,10 +99,11 @@ std::string table_html(const Numbers& t) {
 }
 
 std::string section_html(const Section& s, std::size_t number, const std::string& figure) {
-  std::string out =
-      fmt::format("<section id=\"{}\">\n<h2><span class=\"number\">{}</span>{}</h2>\n<p class=\"conclusion\">{}</p>\n<p>{}</p>\n", s.name,
-                  number, escaped(s.title), escaped(s.conclusion), escaped(s.about));
-  if (!figure.empty()) out += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", inlined(figure, s), escaped(s.caption));
+  std::string out = fmt::format(
+      "<section id=\"{}\">\n<h2><span class=\"number\">{}</span>{}</h2>\n<p class=\"conclusion\">{}</p>\n<p>{}</p>\n",
+      s.name, number, escaped(s.title), escaped(s.conclusion), escaped(s.about));
+  if (!figure.empty())
+    out += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", inlined(figure, s), escaped(s.caption));
   out += table_html(s.table) + "<p class=\"data\">Raw data:";
   for (const Csv& c : s.data) out += fmt::format(" <a href=\"{0}.csv\">{0}.csv</a>", c.name);
   return out + "</p>\n</section>\n";
@@ -128,20 +133,23 @@ std::string table_markdown(const Numbers& t) {
 
 std::string to_html(const Page& page, const std::vector<std::string>& figures) {
   std::string out = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width, "
       "initial-scale=1\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>bankshot: {}</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p "
+      "<link rel=\"icon\" href=\"data:,\">\n<title>bankshot: "
+      "{}</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p "
       "class=\"lead\">{}</p>\n"
       "<p class=\"machine\">{}</p>\n<nav><ol>\n",
       escaped(title), styles, escaped(title), escaped(question), escaped(page.caption));
   for (std::size_t i = 0; i < page.sections.size(); ++i)
-    out += fmt::format("<li><a href=\"#{}\">{}&ensp;{}</a></li>\n", page.sections[i].name, i + 1, escaped(page.sections[i].title));
+    out += fmt::format("<li><a href=\"#{}\">{}&ensp;{}</a></li>\n", page.sections[i].name, i + 1,
+                       escaped(page.sections[i].title));
   out += "</ol></nav>\n</header>\n<main>\n";
   for (std::size_t i = 0; i < page.sections.size(); ++i) out += section_html(page.sections[i], i + 1, figures[i]);
-  return out +
-         fmt::format(
-             "</main>\n<footer>{}. Made by <code>bankshot report</code>, which measures all of it again.</footer>\n</body>\n</html>\n",
-             escaped(page.caption));
+  return out + fmt::format(
+                   "</main>\n<footer>{}. Made by <code>bankshot report</code>, which measures all of it "
+                   "again.</footer>\n</body>\n</html>\n",
+                   escaped(page.caption));
 }
 
 std::string to_markdown(const Page& page, const std::vector<std::string>& figures) {

@@ -23,9 +23,9 @@ struct Csv {
 };
 
 struct Section {
-  std::string name{};        ///< of its files
+  std::string name{};  ///< of its files
   std::string title{};
-  std::string about{};       ///< what was measured, and how
+  std::string about{};  ///< what was measured, and how
   Figure figure{};
   std::string caption{};
   Numbers table{};

@@ -56,9 +56,11 @@ Outcome attempt(Puzzle p, const std::string& planner, long budget) {
     least = std::min(least, cpu_seconds() - begin);
   }
   const double diagonal = p.table.diagonal();
-  double miss = a.nearest ? std::min(a.nearest->shot.miss, diagonal) : diagonal;  // nothing at all counts as the whole table
+  double miss =
+      a.nearest ? std::min(a.nearest->shot.miss, diagonal) : diagonal;  // nothing at all counts as the whole table
   for (const Shot& s : a.shots) miss = std::min(miss, s.miss);
-  return {miss, static_cast<double>(a.simulations), least, miss <= tolerance::exact_miss * diagonal, a.status == Status::budget};
+  return {miss, static_cast<double>(a.simulations), least, miss <= tolerance::exact_miss * diagonal,
+          a.status == Status::budget};
 }
 
 /// All outcomes of a planner on a set with one budget.
@@ -90,17 +92,19 @@ struct Curves {
 struct Tables {
   std::string puzzles = "physics,planner,level,puzzle,budget,miss_m,simulations,seconds,solved\n";
   std::string settings =
-      "physics,planner,level,puzzles,budget,solved_percent,miss_median,miss_high_90,simulations_median,simulations_high_90,seconds_median,"
+      "physics,planner,level,puzzles,budget,solved_percent,miss_median,miss_high_90,simulations_median,simulations_"
+      "high_90,seconds_median,"
       "seconds_high_90\n";
 
   void add(const Kind& kind, const std::string& planner, const char* level, std::size_t count, const Setting& s) {
-    settings +=
-        fmt::format("\"{}\",{},{},{},{},{:.1f},{:.3g},{:.3g},{:.0f},{:.0f},{:.3g},{:.3g}\n", kind.name, planner, level, count, s.budget,
-                    s.solved, s.miss.median, s.miss.high, s.simulations.median, s.simulations.high, s.seconds.median, s.seconds.high);
+    settings += fmt::format("\"{}\",{},{},{},{},{:.1f},{:.3g},{:.3g},{:.0f},{:.0f},{:.3g},{:.3g}\n", kind.name, planner,
+                            level, count, s.budget, s.solved, s.miss.median, s.miss.high, s.simulations.median,
+                            s.simulations.high, s.seconds.median, s.seconds.high);
   }
 };
 
-Curves measure(const Kind& kind, const std::string& planner, const std::array<std::vector<Puzzle>, levels.size()>& sets, Tables& csv) {
+Curves measure(const Kind& kind, const std::string& planner, const std::array<std::vector<Puzzle>, levels.size()>& sets,
+               Tables& csv) {
   Curves c{planner, {}, {}};
   std::array<std::vector<Outcome>, levels.size()> before;
   for (const long budget : budgets(kind.budget)) {
@@ -111,8 +115,8 @@ Curves measure(const Kind& kind, const std::string& planner, const std::array<st
         // A search that ended by itself is the same with a larger budget.
         now.push_back(!before[l].empty() && !before[l][i].cut ? before[l][i] : attempt(sets[l][i], planner, budget));
         const Outcome& o = now.back();
-        csv.puzzles += fmt::format("\"{}\",{},{},{},{},{:.4g},{:.0f},{:.4g},{}\n", kind.name, planner, name(levels[l]), i, budget, o.miss,
-                                   o.simulations, o.seconds, o.solved ? 1 : 0);
+        csv.puzzles += fmt::format("\"{}\",{},{},{},{},{:.4g},{:.0f},{:.4g},{}\n", kind.name, planner, name(levels[l]),
+                                   i, budget, o.miss, o.simulations, o.seconds, o.solved ? 1 : 0);
       }
       all.insert(all.end(), now.begin(), now.end());
       c.last[l] = summed(budget, now);
@@ -149,19 +153,24 @@ void add_rows(const std::string& kind, const std::vector<Curves>& all, Numbers& 
     std::vector<std::string> row{kind, c.planner};
     for (const Setting& s : c.last) row.push_back(fmt::format("{:.0f} %", s.solved));
     const Setting& s = c.settings.back();
-    row.insert(row.end(), {short_length(s.miss.median <= floor_of_figure ? 0 : s.miss.median), short_length(s.miss.high),
-                           short_count(s.simulations.median), short_count(s.simulations.high), short_time(s.seconds.median),
-                           short_time(s.seconds.high)});
+    row.insert(row.end(), {short_length(s.miss.median <= floor_of_figure ? 0 : s.miss.median),
+                           short_length(s.miss.high), short_count(s.simulations.median),
+                           short_count(s.simulations.high), short_time(s.seconds.median), short_time(s.seconds.high)});
     table.rows.push_back(row);
   }
 }
 
 constexpr const char* about =
-    "A fixed suite of puzzles made from random shots on a 9-foot table: a ball must rest at a point (pass through it in ideal) after 1 "
-    "or 2 cushions (easy), 3 (medium), 4 or 5 (hard), the sequence given in every other one. Every planner gets every budget of "
-    "simulations; the miss is that of the best shot a replay confirmed, or of the nearest one when there is none, and the whole table "
-    "when there is not even that, so failures stay in the medians. Solved: a miss of at most 1e-9 of the diagonal. Curves: medians over "
-    "all levels, one point a budget. Last row: one root along one sequence from the seed of its image, with derivatives by dual numbers, "
+    "A fixed suite of puzzles made from random shots on a 9-foot table: a ball must rest at a point (pass through it "
+    "in ideal) after 1 "
+    "or 2 cushions (easy), 3 (medium), 4 or 5 (hard), the sequence given in every other one. Every planner gets every "
+    "budget of "
+    "simulations; the miss is that of the best shot a replay confirmed, or of the nearest one when there is none, and "
+    "the whole table "
+    "when there is not even that, so failures stay in the medians. Solved: a miss of at most 1e-9 of the diagonal. "
+    "Curves: medians over "
+    "all levels, one point a budget. Last row: one root along one sequence from the seed of its image, with "
+    "derivatives by dual numbers, "
     "by differences, and without any.";
 
 }  // namespace
@@ -170,16 +179,17 @@ Section planners(const Settings& settings, Progress& progress) {
   const std::vector<Kind> all = kinds(settings);
   progress.begin("planners", all.size() * bankshot::planners().size() + derivatives_steps);
   Section s{.name = "3-planners", .title = "Planners", .about = about};
-  s.table = {
-      {"physics", "planner", "easy", "medium", "hard", "miss, median", "90 %", "simulations, median", "90 %", "time, median", "90 %"},
-      {},
-      2};
+  s.table = {{"physics", "planner", "easy", "medium", "hard", "miss, median", "90 %", "simulations, median", "90 %",
+              "time, median", "90 %"},
+             {},
+             2};
   Tables csv;
   Setting ours, best;
   std::string best_name;
   for (const Kind& kind : all) {
     std::array<std::vector<Puzzle>, levels.size()> sets;
-    for (std::size_t l = 0; l < levels.size(); ++l) sets[l] = suite(kind.physics, levels[l], std::max(1, settings.shots / kind.share));
+    for (std::size_t l = 0; l < levels.size(); ++l)
+      sets[l] = suite(kind.physics, levels[l], std::max(1, settings.shots / kind.share));
     std::vector<Curves> curves;
     for (const PlannerInfo& planner : bankshot::planners()) {
       progress.step();
@@ -189,7 +199,8 @@ Section planners(const Settings& settings, Progress& progress) {
       if (std::string_view(kind.name) != "spin, han2005") continue;
       if (planner.name == "auto")
         ours = last;
-      else if (best_name.empty() || last.solved > best.solved || (last.solved == best.solved && last.seconds.median < best.seconds.median))
+      else if (best_name.empty() || last.solved > best.solved ||
+               (last.solved == best.solved && last.seconds.median < best.seconds.median))
         best = last, best_name = planner.name;
     }
     add_panels(kind.name, curves, s.figure.panels);
@@ -199,11 +210,13 @@ Section planners(const Settings& settings, Progress& progress) {
   const std::string derivatives = add_derivatives(settings, s, progress);
   s.figure.columns = 3;
   s.caption = fmt::format(
-      "{} puzzles a level ({} with mathavan2010). Left and middle: median miss; right: share solved, at the median number of simulations "
+      "{} puzzles a level ({} with mathavan2010). Left and middle: median miss; right: share solved, at the median "
+      "number of simulations "
       "spent.",
       settings.shots, std::max(1, settings.shots / all.back().share));
   s.conclusion = fmt::format(
-      "With spin auto solves {:.0f} % in {} and {} simulations (medians), the next best, {}, {:.0f} % in {} and {}; the median root is "
+      "With spin auto solves {:.0f} % in {} and {} simulations (medians), the next best, {}, {:.0f} % in {} and {}; "
+      "the median root is "
       "exact after {}.",
       ours.solved, short_time(ours.seconds.median), short_count(ours.simulations.median), best_name, best.solved,
       short_time(best.seconds.median), short_count(best.simulations.median), derivatives);

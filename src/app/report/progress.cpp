@@ -38,7 +38,8 @@ void Progress::show() {
   const int percent = static_cast<int>(100 * all), filled = static_cast<int>(width * all);
   if (percent == shown_) return;
   shown_ = percent;
-  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
+  const std::string bar =
+      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
   fmt::print(stderr, "\r\033[K[{}] {:3} %  {} of {}: {}", bar, percent, part_, parts_, name_);
   std::fflush(stderr);
 }

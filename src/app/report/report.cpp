@@ -48,7 +48,8 @@ bool has_gnuplot() {
     find_gnuplot();
     return true;
   } catch (const DrawingError& e) {
-    std::cerr << "bankshot: " << one_line(e.what()) << ": there will be report.md and CSV files, but no figures and no index.html\n";
+    std::cerr << "bankshot: " << one_line(e.what())
+              << ": there will be report.md and CSV files, but no figures and no index.html\n";
     return false;
   }
 }

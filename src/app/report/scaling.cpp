@@ -75,7 +75,8 @@ Measured by_cushions(const char* name, const Physics& physics, double speed, int
     for (int i = 0; i < tries; ++i) {
       const State<double> start = start_in(draw, table, 1.27, speed);
       const int cushions = static_cast<int>(n);
-      if (run(table, physics, start, cushions) == cushions) return seconds_of([&] { run(table, physics, start, cushions); });
+      if (run(table, physics, start, cushions) == cushions)
+        return seconds_of([&] { run(table, physics, start, cushions); });
     }
     return 0.0;
   });
@@ -136,16 +137,20 @@ Panel panel(const char* title, const char* axis, std::vector<Measured> curves) {
   Panel p{title, {axis, true}, {"processor time per shot [s]", true}, {}};
   for (const Measured& m : curves) {
     Curve c{m.name, {}};
-    for (std::size_t i = 0; i < m.x.size(); ++i) c.points.push_back({m.x[i], m.seconds[i].median, m.seconds[i].low, m.seconds[i].high});
+    for (std::size_t i = 0; i < m.x.size(); ++i)
+      c.points.push_back({m.x[i], m.seconds[i].median, m.seconds[i].low, m.seconds[i].high});
     p.curves.push_back(c);
   }
   return p;
 }
 
 constexpr const char* about =
-    "One shot, with everything held but one thing: the number of cushions on a rectangle, the edges of a regular polygon (5 cushions), "
-    "the size of the table (5 cushions, so the path is longer, a ball of 1 mm, and friction that hardly slows it), the digits of the "
-    "arithmetic (5 cushions). For the length two stepping simulators are shown as well. Growth is the exponent p of time ~ xᵖ over the "
+    "One shot, with everything held but one thing: the number of cushions on a rectangle, the edges of a regular "
+    "polygon (5 cushions), "
+    "the size of the table (5 cushions, so the path is longer, a ball of 1 mm, and friction that hardly slows it), the "
+    "digits of the "
+    "arithmetic (5 cushions). For the length two stepping simulators are shown as well. Growth is the exponent p of "
+    "time ~ xᵖ over the "
     "upper half of the range.";
 
 }  // namespace
@@ -160,26 +165,28 @@ Section scaling(const Settings& settings, Progress& progress) {
   progress.step();
   all.push_back({by_edges(ideal, ideal_physics(), shots), by_edges(spin, lively_spin(), shots)});
   progress.step();
-  all.push_back({by_length("rolling", free_rolling, {}, shots),
-                 by_length("Euler, step 1 ms", free_rolling, Scheme{Scheme::Method::euler, false, 1e-3}, shots),
-                 by_length("Runge–Kutta 4, located, step 10 ms", free_rolling, Scheme{Scheme::Method::rk4, true, 1e-2}, shots)});
+  all.push_back(
+      {by_length("rolling", free_rolling, {}, shots),
+       by_length("Euler, step 1 ms", free_rolling, Scheme{Scheme::Method::euler, false, 1e-3}, shots),
+       by_length("Runge–Kutta 4, located, step 10 ms", free_rolling, Scheme{Scheme::Method::rk4, true, 1e-2}, shots)});
   progress.step();
   all.push_back({by_digits(ideal, ideal_physics(), shots), by_digits(spin, spin_physics(), shots)});
   progress.step();
 
   Section s{.name = "6-scaling", .title = "Scaling", .about = about};
-  constexpr const char* titles[] = {"cushions", "edges of the table, 5 cushions", "length of the path, 5 cushions", "digits, 5 cushions"};
+  constexpr const char* titles[] = {"cushions", "edges of the table, 5 cushions", "length of the path, 5 cushions",
+                                    "digits, 5 cushions"};
   constexpr const char* axes[] = {"cushions", "edges", "length [m], about", "decimal digits"};
   s.table = {{"grows", "simulator", "from", "time", "to", "time", "growth"}, {}, 2};
   std::string csv = "what,simulator,x,low_10_s,median_s,high_90_s\n";
   for (std::size_t k = 0; k < all.size(); ++k) {
     s.figure.panels.push_back(panel(titles[k], axes[k], all[k]));
     for (const Measured& m : all[k]) {
-      s.table.rows.push_back({m.what, m.name, short_number(m.x.front()), short_time(m.seconds.front().median), short_number(m.x.back()),
-                              short_time(m.seconds.back().median), short_power(growth(m))});
+      s.table.rows.push_back({m.what, m.name, short_number(m.x.front()), short_time(m.seconds.front().median),
+                              short_number(m.x.back()), short_time(m.seconds.back().median), short_power(growth(m))});
       for (std::size_t i = 0; i < m.x.size(); ++i)
-        csv += fmt::format("{},\"{}\",{:.4g},{:.4g},{:.4g},{:.4g}\n", m.what, m.name, m.x[i], m.seconds[i].low, m.seconds[i].median,
-                           m.seconds[i].high);
+        csv += fmt::format("{},\"{}\",{:.4g},{:.4g},{:.4g},{:.4g}\n", m.what, m.name, m.x[i], m.seconds[i].low,
+                           m.seconds[i].median, m.seconds[i].high);
     }
   }
   s.figure.columns = 2;
@@ -187,10 +194,11 @@ Section scaling(const Settings& settings, Progress& progress) {
   const double thousand = all[0][1].seconds.back().median / all[0][1].x.back(),
                digits = all[3][1].seconds[2].median / all[3][1].seconds[0].median;
   s.conclusion = fmt::format(
-      "A shot's cost grows with cushions to the power {} ({} each with spin) and with edges to the power {}, not with the length of the "
+      "A shot's cost grows with cushions to the power {} ({} each with spin) and with edges to the power {}, not with "
+      "the length of the "
       "path (power {}, where stepping has {}); 50 digits cost {:.0f} times a double.",
-      short_power(growth(all[0][1])), short_time(thousand), short_power(growth(all[1][1])), short_power(growth(all[2][0])),
-      short_power(growth(all[2][1])), digits);
+      short_power(growth(all[0][1])), short_time(thousand), short_power(growth(all[1][1])),
+      short_power(growth(all[2][0])), short_power(growth(all[2][1])), digits);
   s.data.push_back({s.name, csv});
   return s;
 }

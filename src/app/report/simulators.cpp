@@ -85,7 +85,8 @@ Case draw_case(const Kind& kind, int cushions, int count) {
 struct Tables {
   std::string shots = "physics,cushions,method,step_or_tolerance,shot,error_m,seconds\n";
   std::string settings =
-      "physics,cushions,method,step_or_tolerance,shots,error_low_10,error_median,error_high_90,seconds_low_10,seconds_median,seconds_high_"
+      "physics,cushions,method,step_or_tolerance,shots,error_low_10,error_median,error_high_90,seconds_low_10,seconds_"
+      "median,seconds_high_"
       "90\n";
 };
 
@@ -97,27 +98,29 @@ Setting measure(const Case& c, const std::string& name, double step, Tables& csv
     Vec2d at{};
     seconds.push_back(seconds_of([&] { at = run(c.shots[i]); }));
     errors.push_back(norm((at - c.truth[i]) - c.rest[i]));
-    csv.shots +=
-        fmt::format("{},{},\"{}\",{:.3g},{},{:.4g},{:.4g}\n", c.kind.name, c.cushions, name, step, i, errors.back(), seconds.back());
+    csv.shots += fmt::format("{},{},\"{}\",{:.3g},{},{:.4g},{:.4g}\n", c.kind.name, c.cushions, name, step, i,
+                             errors.back(), seconds.back());
   }
   const Spread e = spread(errors), t = spread(seconds);
-  csv.settings += fmt::format("{},{},\"{}\",{:.3g},{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}\n", c.kind.name, c.cushions, name, step,
-                              errors.size(), e.low, e.median, e.high, t.low, t.median, t.high);
+  csv.settings += fmt::format("{},{},\"{}\",{:.3g},{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}\n", c.kind.name,
+                              c.cushions, name, step, errors.size(), e.low, e.median, e.high, t.low, t.median, t.high);
   return {step, e, t};
 }
 
 std::vector<Measured> measure_case(const Case& c, double least_step, Tables& csv, Progress& progress) {
   const Boundary& table = comparison_table();
-  std::vector<Measured> out{
-      {event_driven, {measure(c, event_driven, 0, csv, [&](const Timed& t) { return by_events(table, c.kind.physics, t).at; })}}};
+  std::vector<Measured> out{{event_driven, {measure(c, event_driven, 0, csv, [&](const Timed& t) {
+                               return by_events(table, c.kind.physics, t).at;
+                             })}}};
   progress.step();
   for (const Series& series : stepping_series(least_step)) {
     Measured m{series.name, {}};
     for (const double step : series.steps) {
       Scheme scheme = series.scheme;
       scheme.step = step;
-      m.settings.push_back(measure(c, series.name, step, csv,
-                                   [&](const Timed& t) { return step_through(table, c.kind.physics, t.start, t.until, scheme).state.at; }));
+      m.settings.push_back(measure(c, series.name, step, csv, [&](const Timed& t) {
+        return step_through(table, c.kind.physics, t.start, t.until, scheme).state.at;
+      }));
     }
     out.push_back(m);
     progress.step();
@@ -171,20 +174,28 @@ void judge(const Case& c, const std::vector<Measured>& all, Numbers& table, Verd
 std::string conclude(const Verdict (&verdicts)[2], double worst) {
   const Verdict &plain = verdicts[0], &located = verdicts[1];
   return fmt::format(
-      "With a median error of at most {} the event-driven simulator is, at 1 µm, at least {} times faster than stepping without event "
-      "location (100 times or more in {} of {} cases), but only {} to {} times faster than methods that locate events ({} of {}; least: "
+      "With a median error of at most {} the event-driven simulator is, at 1 µm, at least {} times faster than "
+      "stepping without event "
+      "location (100 times or more in {} of {} cases), but only {} to {} times faster than methods that locate events "
+      "({} of {}; least: "
       "{}), for between events they integrate a smooth motion exactly or nearly so.",
-      short_length(worst), short_count(plain.least), plain.dominated, plain.cases, short_count(located.least), short_count(located.most),
-      located.dominated, located.cases, located.where);
+      short_length(worst), short_count(plain.least), plain.dominated, plain.cases, short_count(located.least),
+      short_count(located.most), located.dominated, located.cases, located.where);
 }
 
 constexpr const char* about =
-    "Random shots on a 9-foot table without pockets, stopped at a moment after 1, 3 or 5 cushions. The truth is the event-driven "
-    "simulator in 50 digits from the same start, so for the methods that step it is independent of what is judged; for ours its own "
-    "arithmetic is judged, and that its events and forces are the right ones is tested elsewhere (events derived by hand, published "
-    "paths, and the convergence of every stepper below to the same place). All methods use the same forces and the same cushions: mirror "
-    "for rolling, Han (2005) else. Where all forces are constant a fourth-order method with events located has no error but rounding, at "
-    "any step. Last row: the troubles that the seed article describes, counted over shots against the length of the step.";
+    "Random shots on a 9-foot table without pockets, stopped at a moment after 1, 3 or 5 cushions. The truth is the "
+    "event-driven "
+    "simulator in 50 digits from the same start, so for the methods that step it is independent of what is judged; for "
+    "ours its own "
+    "arithmetic is judged, and that its events and forces are the right ones is tested elsewhere (events derived by "
+    "hand, published "
+    "paths, and the convergence of every stepper below to the same place). All methods use the same forces and the "
+    "same cushions: mirror "
+    "for rolling, Han (2005) else. Where all forces are constant a fourth-order method with events located has no "
+    "error but rounding, at "
+    "any step. Last row: the troubles that the seed article describes, counted over shots against the length of the "
+    "step.";
 
 }  // namespace
 
@@ -194,8 +205,8 @@ Section simulators(const Settings& settings, Progress& progress) {
   constexpr int cushions[] = {1, 3, 5};
   progress.begin("simulators", all.size() * std::size(cushions) * (stepping_series(1).size() + 1) + troubles_steps);
   Section s{.name = "1-simulators", .title = "Simulators", .about = about};
-  s.table = {{"physics", "cushions", "our time", "our error", "Euler", "semi-implicit Euler", "Runge–Kutta 4", "Runge–Kutta 4, located",
-              "Dormand–Prince, located"},
+  s.table = {{"physics", "cushions", "our time", "our error", "Euler", "semi-implicit Euler", "Runge–Kutta 4",
+              "Runge–Kutta 4, located", "Dormand–Prince, located"},
              {},
              2};
   Tables csv;
@@ -214,8 +225,10 @@ Section simulators(const Settings& settings, Progress& progress) {
   s.figure.columns = static_cast<int>(std::size(cushions));
   s.conclusion = conclude(verdicts, worst);
   s.caption = fmt::format(
-      "Error against 50 digits and time per shot, medians of {} shots with 10–90 % bands; steps of 0.1 s to {}, tolerances of 1e-3 to "
-      "1e-12. Table: how many times longer each method takes than ours to keep 1 µm; “>”: it does not, in the longest time measured.",
+      "Error against 50 digits and time per shot, medians of {} shots with 10–90 % bands; steps of 0.1 s to {}, "
+      "tolerances of 1e-3 to "
+      "1e-12. Table: how many times longer each method takes than ours to keep 1 µm; “>”: it does not, in the longest "
+      "time measured.",
       settings.shots, short_time(least_step));
   s.data = {{s.name, csv.settings}, {s.name + "-shots", csv.shots}};
   add_troubles(settings, s, progress);

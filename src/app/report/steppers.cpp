@@ -113,7 +113,9 @@ class Run {
   double left(const Numbers& y) const { return dot(phase_ == Phase::slide ? slip(y) : velocity_of(y), along_); }
 
   double value(const Crossing& c, const Numbers& y) const {
-    return c.kind == Crossing::Kind::wall ? gap(c.index, y) : c.kind == Crossing::Kind::pocket ? beyond(c.index, y) : left(y);
+    return c.kind == Crossing::Kind::wall     ? gap(c.index, y)
+           : c.kind == Crossing::Kind::pocket ? beyond(c.index, y)
+                                              : left(y);
   }
 
   void bounce(std::size_t wall) {
@@ -176,7 +178,8 @@ class Run {
     const double f_to = f(to);
     if (f_to == 0) return to;
     std::uintmax_t iterations = 100;
-    const auto [a, b] = boost::math::tools::toms748_solve(f, low, to, f_low, f_to, boost::math::tools::eps_tolerance<double>(), iterations);
+    const auto [a, b] = boost::math::tools::toms748_solve(f, low, to, f_low, f_to,
+                                                          boost::math::tools::eps_tolerance<double>(), iterations);
     return std::abs(f(a)) < std::abs(f(b)) ? a : b;
   }
 
@@ -209,7 +212,8 @@ class Run {
   void smooth_piece() {
     namespace odeint = boost::numeric::odeint;
     const Forces f = forces();
-    auto stepper = odeint::make_dense_output(scheme_.step, scheme_.step, scheme_.longest, odeint::runge_kutta_dopri5<Numbers>());
+    auto stepper =
+        odeint::make_dense_output(scheme_.step, scheme_.step, scheme_.longest, odeint::runge_kutta_dopri5<Numbers>());
     const double remains = until_ - out_.time;
     stepper.initialize(y_, 0.0, first_step_ > 0 ? first_step_ : scheme_.longest > 0 ? scheme_.longest : default_step);
     const auto at = [&](double t) {
@@ -249,7 +253,8 @@ class Run {
 
 }  // namespace
 
-Stepped step_through(const Boundary& boundary, const Physics& physics, const State<double>& start, double until, const Scheme& scheme) {
+Stepped step_through(const Boundary& boundary, const Physics& physics, const State<double>& start, double until,
+                     const Scheme& scheme) {
   return with_physics(physics, [&](const auto& motion, const auto& cushion) -> Stepped {
     if constexpr (std::is_same_v<std::decay_t<decltype(motion)>, Ideal>)
       return {start};  // a stepper has nothing to integrate there

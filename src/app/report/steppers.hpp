@@ -23,19 +23,20 @@ namespace bankshot::app {
 struct Scheme {
   enum class Method { euler, semi_implicit, rk4, dormand_prince } method;
   bool locate = false;
-  double step = 1e-3;       ///< s; of dormand_prince the tolerance, absolute and relative
-  double longest = 0;       ///< s; of dormand_prince, 0: any
+  double step = 1e-3;  ///< s; of dormand_prince the tolerance, absolute and relative
+  double longest = 0;  ///< s; of dormand_prince, 0: any
 };
 
 struct Stepped {
   State<double> state;
-  double time = 0;     ///< s; less than asked when the ball rests or is pocketed
+  double time = 0;  ///< s; less than asked when the ball rests or is pocketed
   long steps = 0;
   int cushions = 0;
   bool pocketed = false, rests = false;
 };
 
 /// Steps until `until` seconds, rest or a pocket. `physics` must be `rolling` or `spin`.
-Stepped step_through(const Boundary& boundary, const Physics& physics, const State<double>& start, double until, const Scheme& scheme);
+Stepped step_through(const Boundary& boundary, const Physics& physics, const State<double>& start, double until,
+                     const Scheme& scheme);
 
 }  // namespace bankshot::app

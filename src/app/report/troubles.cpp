@@ -67,7 +67,8 @@ Timed towards(Random& draw, const Vec2d& point, double beside, double after) {
   const Vec2d way = point - at, d = way / norm(way);
   const Vec2d aim = way + perpendicular(d) * draw.uniform(-beside, beside);
   const double speed = draw.log_uniform(1, 8);
-  return {launched(at, table.radius, aim / norm(aim) * speed, LaunchSpin{.top = draw.uniform(-0.5, 1)}), norm(way) / speed + after};
+  return {launched(at, table.radius, aim / norm(aim) * speed, LaunchSpin{.top = draw.uniform(-0.5, 1)}),
+          norm(way) / speed + after};
 }
 
 std::vector<Timed> into_corners(const Physics& physics, int count) {
@@ -120,7 +121,8 @@ Panel panel(const Question& q, std::string& csv) {
       const double percent = 100 * sum / static_cast<double>(q.shots);
       const Spread s = q.share ? Spread{percent, percent, percent} : spread(found);
       curve.points.push_back({step, s.median, s.low, s.high});
-      csv += fmt::format("{},\"{}\",{:.3g},{},{:.4g},{:.4g},{:.4g}\n", q.name, series.name, step, q.shots, s.low, s.median, s.high);
+      csv += fmt::format("{},\"{}\",{:.3g},{},{:.4g},{:.4g},{:.4g}\n", q.name, series.name, step, q.shots, s.low,
+                         s.median, s.high);
     }
     p.curves.push_back(curve);
   }
@@ -137,11 +139,12 @@ std::string in_words(std::span<const Panel> panels) {
   };
   constexpr double large = 0.1, small = 1e-3;
   const auto say = [&](double step) {
-    return fmt::format("{:.2g} % of the energy, wrong bounces in {:.2g} % of the corners and {:.2g} % of the pockets passed over",
-                       100 * at(0, step), at(1, step), at(2, step));
+    return fmt::format(
+        "{:.2g} % of the energy, wrong bounces in {:.2g} % of the corners and {:.2g} % of the pockets passed over",
+        100 * at(0, step), at(1, step), at(2, step));
   };
-  return fmt::format(" Last row: the seed article's Euler method is wrong by {} with steps of {}, and by {} with {}.", say(large),
-                     short_time(large), say(small), short_time(small));
+  return fmt::format(" Last row: the seed article's Euler method is wrong by {} with steps of {}, and by {} with {}.",
+                     say(large), short_time(large), say(small), short_time(small));
 }
 
 }  // namespace
@@ -154,10 +157,12 @@ void add_troubles(const Settings& settings, Section& section, Progress& progress
   std::vector<Timed> ordinary;
   for (int i = 0; i < count; ++i) ordinary.push_back(timed_shot(draw, physics, 3));
   const std::vector<Timed> corners = into_corners(physics, count), pockets = into_pockets(physics, count);
-  const Question questions[] = {
-      {"energy_drift", "energy after 3 cushions, spin", "off by a share of", energy_drift(ordinary, physics), ordinary.size(), false},
-      {"corner", "stuck or lost in a corner, spin", "wrong bounces [% of shots]", corner(corners, physics), corners.size(), true},
-      {"tunnel", "passes over its pocket, spin", "not pocketed [% of shots]", tunnel(pockets, physics), pockets.size(), true}};
+  const Question questions[] = {{"energy_drift", "energy after 3 cushions, spin", "off by a share of",
+                                 energy_drift(ordinary, physics), ordinary.size(), false},
+                                {"corner", "stuck or lost in a corner, spin", "wrong bounces [% of shots]",
+                                 corner(corners, physics), corners.size(), true},
+                                {"tunnel", "passes over its pocket, spin", "not pocketed [% of shots]",
+                                 tunnel(pockets, physics), pockets.size(), true}};
   std::string csv = "trouble,method,step,shots,low_10,median_or_percent,high_90\n";
   for (const Question& q : questions) {
     section.figure.panels.push_back(panel(q, csv));

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "bankshot/tolerances.hpp"
 #include "app/truth/follow.hpp"
+#include "bankshot/tolerances.hpp"
 
 namespace bankshot::truth {
 namespace {
@@ -29,8 +29,8 @@ bool same_order(const std::vector<int>& asked, const std::vector<const TruthEven
   if (asked.size() != met.size()) return false;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     if (met[i]->index == asked[i]) continue;
-    const bool swapped = i + 1 < asked.size() && met[i + 1]->time - met[i]->time <= one_instant && met[i]->index == asked[i + 1] &&
-                         met[i + 1]->index == asked[i];
+    const bool swapped = i + 1 < asked.size() && met[i + 1]->time - met[i]->time <= one_instant &&
+                         met[i]->index == asked[i + 1] && met[i + 1]->index == asked[i];
     if (!swapped) return false;
     ++i;
   }
@@ -53,7 +53,9 @@ bool same_events(const Path& a, const Path& b, std::size_t last) {
 /// The event whose arc arrives: after n bounces, the nearest to the time claimed.
 std::size_t arriving(const Path& path, int n, double time, bool stops) {
   std::optional<std::size_t> best;
-  const auto late = [&](std::size_t i) { return std::abs((stops ? path.events[i].time : path.events[i].passing.time) - time); };
+  const auto late = [&](std::size_t i) {
+    return std::abs((stops ? path.events[i].time : path.events[i].passing.time) - time);
+  };
   int bounces = 0;
   for (std::size_t i = 0; i < path.events.size(); ++i) {
     if (bounces == n && (!best || late(i) < late(*best))) best = i;
@@ -83,8 +85,8 @@ Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.radius), phy
 }
 
 Run Scene::run(const Launch& launch, const LaunchSpin& spin, int cushions) const {
-  Run r{boundary, physics_, launched(puzzle.ball.at, puzzle.ball.radius, direction(launch.angle) * launch.speed, spin), cushions + 1,
-        4L * cushions + 100};
+  Run r{boundary, physics_, launched(puzzle.ball.at, puzzle.ball.radius, direction(launch.angle) * launch.speed, spin),
+        cushions + 1, 4L * cushions + 100};
   if (const auto* point = std::get_if<PointTarget>(&puzzle.target)) r.target = point->at;
   return r;
 }
@@ -130,11 +132,13 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
         out.cushions.push_back(e.index);
         update();
         break;
-      case EventKind::slide_to_roll: break;
+      case EventKind::slide_to_roll:
+        break;
       case EventKind::pocket: {
         const auto* pocket = std::get_if<PocketTarget>(&puzzle.target);
         if (!pocket || (pocket->pocket && *pocket->pocket != e.index) || !counts())
-          return fails(fmt::format("falls into pocket {}", puzzle.table.pockets[static_cast<std::size_t>(e.index)].name));
+          return fails(
+              fmt::format("falls into pocket {}", puzzle.table.pockets[static_cast<std::size_t>(e.index)].name));
         return at_pocket(std::move(out), e);
       }
       case EventKind::rest: {
@@ -143,7 +147,8 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
         if (miss > within) return fails(fmt::format("stops {:.6g} m from the target", miss));
         return at_point(std::move(out), {.time = e.time, .speed = 0, .at = e.state.at, .miss = miss});
       }
-      case EventKind::horizon: return fails("passes by the target");
+      case EventKind::horizon:
+        return fails("passes by the target");
     }
   }
   return fails("passes by the target");

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "app/truth/run.hpp"
 #include "bankshot/plan/shot.hpp"
 #include "bankshot/scene/boundary.hpp"
-#include "app/truth/run.hpp"
 
 namespace bankshot::truth {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/truth/arrival.hpp"
 #include "bankshot/scene/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "bankshot/tolerances.hpp"
-#include "app/truth/arrival.hpp"
 
 namespace bankshot::truth {
 namespace {
@@ -19,7 +19,8 @@ constexpr double unit_roundoff = 0x1p-53;
 /// The checks of one shot.
 class ShotCheck {
  public:
-  ShotCheck(const Puzzle& p, const Answer& a, const Shot& shot) : p_(p), answer_(a), shot_(shot), scene_(p), place_(place_tolerance()) {}
+  ShotCheck(const Puzzle& p, const Answer& a, const Shot& shot)
+      : p_(p), answer_(a), shot_(shot), scene_(p), place_(place_tolerance()) {}
 
   std::vector<Check> run() {
     bounds();
@@ -48,7 +49,8 @@ class ShotCheck {
   void compare(Claim c, double off, double allowed, std::string words) {
     if (!(off >= 0)) off = std::isnan(off) ? HUGE_VAL : 0;
     out_.push_back(
-        {c, off, allowed, off <= allowed ? "" : fmt::format("{}: off by {:.3g} {}, allowed {:.3g}", words, off, unit(c), allowed)});
+        {c, off, allowed,
+         off <= allowed ? "" : fmt::format("{}: off by {:.3g} {}, allowed {:.3g}", words, off, unit(c), allowed)});
   }
 
   std::string names(const std::vector<int>& contacts) const {
@@ -70,7 +72,8 @@ class ShotCheck {
     const bool integrated = std::holds_alternative<Mathavan2010>(p_.physics.cushion);
     const double rounding = integrated ? tolerance::impact : tolerance::simulation_error * unit_roundoff;
     const double steps = 1 + static_cast<double>(shot_.cushions.size());
-    return std::max(tolerance::exact_miss * scene_.boundary.diagonal, rounding * steps * (scene_.boundary.extent + shot_.condition));
+    return std::max(tolerance::exact_miss * scene_.boundary.diagonal,
+                    rounding * steps * (scene_.boundary.extent + shot_.condition));
   }
 
   void bounds() {
@@ -89,16 +92,19 @@ class ShotCheck {
     const SpinRange& r = p_.spin_range ? *p_.spin_range : exactly;
     const LaunchSpin& s = shot_.spin;
     const double off = std::max({outside(s.top, r.top), outside(s.side, r.side), outside(s.masse, r.masse)});
-    compare(Claim::spin, off, 0, fmt::format("top {}, side {}, masse {} is not the spin asked", s.top, s.side, s.masse));
+    compare(Claim::spin, off, 0,
+            fmt::format("top {}, side {}, masse {} is not the spin asked", s.top, s.side, s.masse));
   }
 
   void asked_cushions() {
     const CushionRule& rule = p_.cushions;
     const int n = static_cast<int>(shot_.cushions.size());
-    if (n < rule.min || n > rule.max) fails(Claim::rule, fmt::format("{} cushions, and {} to {} are asked", n, rule.min, rule.max));
+    if (n < rule.min || n > rule.max)
+      fails(Claim::rule, fmt::format("{} cushions, and {} to {} are asked", n, rule.min, rule.max));
     else if (rule.sequence && !scene_.replay(shot_.launch, named(*rule.sequence), place_).in_order)
       fails(Claim::rule, fmt::format("{}, and {} is asked", names(shot_.cushions), names(*rule.sequence)));
-    else holds(Claim::rule);
+    else
+      holds(Claim::rule);
   }
 
   /// A place at the speed of the ball [s]. One that rests is slower than at its launch only in the end, unless
@@ -114,10 +120,12 @@ class ShotCheck {
     const double place = place_ / there.incidence;
     compare(Claim::miss, std::abs(there.miss - shot_.miss), place_,
             fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, there.miss));
-    if (!beside_centre(p_, answer_)) compare(Claim::centre, there.miss, place_, "does not reach the centre and does not say so");
+    if (!beside_centre(p_, answer_))
+      compare(Claim::centre, there.miss, place_, "does not reach the centre and does not say so");
     compare(Claim::place, norm(said.at - there.at), place,
             fmt::format("says ({}, {}) and arrives at ({}, {})", said.at.x, said.at.y, there.at.x, there.at.y));
-    compare(Claim::time, std::abs(said.time - there.time), time_tolerance(there, place) + tolerance::exact_speed * there.time,
+    compare(Claim::time, std::abs(said.time - there.time),
+            time_tolerance(there, place) + tolerance::exact_speed * there.time,
             fmt::format("says {} s and arrives after {} s", said.time, there.time));
     compare(Claim::arrival, std::abs(said.speed - there.speed), tolerance::exact_speed * std::max(1.0, there.speed),
             fmt::format("says {} m/s and arrives at {} m/s", said.speed, there.speed));
@@ -146,7 +154,8 @@ class ShotCheck {
       if (!m) return;
       const auto made = [&](double k) {
         const double by = *m * k + std::copysign(least, turned + pushed) * (k > 1);
-        const Launch l{shot_.launch.speed + std::abs(pushed) * by, wrap_angle(shot_.launch.angle + std::abs(turned) * by)};
+        const Launch l{shot_.launch.speed + std::abs(pushed) * by,
+                       wrap_angle(shot_.launch.angle + std::abs(turned) * by)};
         return l.speed > 0 && scene_.replay(l, shot_, 0).made();
       };
       if (made(1 - beside) && !made(1 + beside)) return;
@@ -192,9 +201,9 @@ std::string form(const Answer& a) {
 }  // namespace
 
 std::string_view name(Claim c) {
-  constexpr std::string_view names[claims] = {"id",   "form",          "status",      "launch speed", "aim",    "spin",
-                                              "rule", "cushions",      "target",      "centre",       "miss",   "place",
-                                              "time", "arrival speed", "speed asked", "condition",    "margin", "success"};
+  constexpr std::string_view names[claims] = {
+      "id",     "form", "status", "launch speed", "aim",           "spin",        "rule",      "cushions", "target",
+      "centre", "miss", "place",  "time",         "arrival speed", "speed asked", "condition", "margin",   "success"};
   return names[static_cast<int>(c)];
 }
 
@@ -211,15 +220,17 @@ bool beside_centre(const Puzzle& p, const Answer& a) {
 std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answer& a) {
   std::vector<Check> out;
   const auto text = [](const std::string& s) { return s.empty() ? std::string("none") : s; };
-  out.push_back(
-      {Claim::id, id == a.id ? 0.0 : 1.0, 0, id == a.id ? "" : fmt::format("the answer's is {}, the puzzle's {}", text(a.id), text(id))});
+  out.push_back({Claim::id, id == a.id ? 0.0 : 1.0, 0,
+                 id == a.id ? "" : fmt::format("the answer's is {}, the puzzle's {}", text(a.id), text(id))});
   const std::string missing = form(a);
   out.push_back({Claim::form, missing.empty() ? 0.0 : 1.0, 0, missing});
   const bool invalid = a.status == Status::invalid;
   if (invalid == (puzzle != nullptr))
     out.push_back({Claim::status, 1, 0,
-                   invalid ? "is invalid, and the puzzle can be read" : "the puzzle cannot be read, and the answer is not `invalid`"});
-  else out.push_back({Claim::status});
+                   invalid ? "is invalid, and the puzzle can be read"
+                           : "the puzzle cannot be read, and the answer is not `invalid`"});
+  else
+    out.push_back({Claim::status});
   if (!puzzle) return out;
   for (std::size_t i = 0; i < a.shots.size(); ++i)
     for (Check& c : ShotCheck(*puzzle, a, a.shots[i]).run()) {

@@ -27,8 +27,8 @@ State<Jet> seeded(State<Jet> s) {
 
 Step jacobian_of(const State<Jet>& s) {
   Step j;
-  j << s.at.x.v.transpose(), s.at.y.v.transpose(), s.velocity.x.v.transpose(), s.velocity.y.v.transpose(), s.spin.x.v.transpose(),
-      s.spin.y.v.transpose(), s.spin.z.v.transpose();
+  j << s.at.x.v.transpose(), s.at.y.v.transpose(), s.velocity.x.v.transpose(), s.velocity.y.v.transpose(),
+      s.spin.x.v.transpose(), s.spin.y.v.transpose(), s.spin.z.v.transpose();
   return j;
 }
 
@@ -65,9 +65,12 @@ bool nearby_start(const Run& run, const Path& rough) {
     for (int k = 0; k < 7; ++k) {
       State<double> s = run.start;
       const double by = sign * step;
-      if (k < 2) (k == 0 ? s.at.x : s.at.y) += by * run.boundary.extent;
-      else if (k < 4) s.velocity += k == 2 ? s.velocity * by : perpendicular(s.velocity) * by;
-      else (k == 4 ? s.spin.x : k == 5 ? s.spin.y : s.spin.z) += by * w;
+      if (k < 2)
+        (k == 0 ? s.at.x : s.at.y) += by * run.boundary.extent;
+      else if (k < 4)
+        s.velocity += k == 2 ? s.velocity * by : perpendicular(s.velocity) * by;
+      else
+        (k == 4 ? s.spin.x : k == 5 ? s.spin.y : s.spin.z) += by * w;
       Run near = run;
       near.start = s;
       if (same(rough, run_truth(near))) return true;
@@ -122,7 +125,8 @@ Compared compare_with_truth(const Run& run) {
     const std::size_t i = agree(rough, exact);
     c.order = Compared::Order::wrong;
     if (i < std::min(rough.events.size(), exact.events.size())) {
-      const double speed = norm(exact.events[i].state.velocity), apart = std::abs(rough.events[i].time - exact.events[i].time);
+      const double speed = norm(exact.events[i].state.velocity),
+                   apart = std::abs(rough.events[i].time - exact.events[i].time);
       if (apart * speed <= tolerance::simulation_error * c.unit) c.order = Compared::Order::tie;
     }
     if (c.order == Compared::Order::wrong && nearby_start(run, rough)) c.order = Compared::Order::tie;

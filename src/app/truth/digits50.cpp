@@ -7,7 +7,8 @@ namespace bankshot::truth {
 namespace {
 
 template <unsigned digits>
-using Digits = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<digits>, boost::multiprecision::et_off>;
+using Digits =
+    boost::multiprecision::number<boost::multiprecision::cpp_dec_float<digits>, boost::multiprecision::et_off>;
 using Digits50 = Digits<50>;
 
 }  // namespace

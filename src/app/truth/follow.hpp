@@ -3,9 +3,9 @@
 // Runs the simulator in a scalar T and notes what happened, for run.hpp and the tests.
 #pragma once
 
+#include "app/truth/run.hpp"
 #include "bankshot/simulate/roots.hpp"
 #include "bankshot/simulate/simulator.hpp"
-#include "app/truth/run.hpp"
 
 namespace bankshot::truth {
 
@@ -45,7 +45,8 @@ Passing passing(const Sim& sim, const T& t, const Vec2d& target) {
   const T speed = norm(v), time = sim.time() - arc.seconds(sim.travelled()) + arc.seconds(t);
   const T lateral = speed > T(0) ? T(cross(v, off) / speed) : T(0);
   const double side = rounded(lateral);
-  return {rounded(time), rounded(speed), {rounded(at.x), rounded(at.y)}, rounded(T(norm(off))), side, rounded(T(lateral - side))};
+  return {rounded(time),         rounded(speed), {rounded(at.x), rounded(at.y)},
+          rounded(T(norm(off))), side,           rounded(T(lateral - side))};
 }
 
 template <class T, class Sim>
@@ -92,7 +93,8 @@ bool follow(const Run& run, const State<T>& start, See&& see) {
 template <class T>
 Path recorded(const Run& run) {
   Path path;
-  path.ended = follow<T>(run, start_of<T>(run), [&](const Event& e, const auto& sim) { path.events.push_back(note<T>(run, e, sim)); });
+  path.ended = follow<T>(run, start_of<T>(run),
+                         [&](const Event& e, const auto& sim) { path.events.push_back(note<T>(run, e, sim)); });
   return path;
 }
 

@@ -21,9 +21,10 @@ HardCase hard(std::string what, const ShotRequest& shot) {
 /// Sent from the middle to the end of the second cushion, `off` radians beside it.
 Cases corners() {
   Cases out;
-  for (const Table& table :
-       {rectangle_table(2, 1), polygon_table({{0, 0}, {2, 0}, {2.3, 1.1}, {0, 1}}), polygon_table({{0, 0}, {2, 0}, {1.7, 1}, {0, 1}})})
-    for (const double off : {0.0, 1e-16, -1e-16, 1e-15, -1e-15, 1e-13, -1e-13, 1e-10, -1e-10, 1e-6, -1e-6, 1e-3, -1e-3}) {
+  for (const Table& table : {rectangle_table(2, 1), polygon_table({{0, 0}, {2, 0}, {2.3, 1.1}, {0, 1}}),
+                             polygon_table({{0, 0}, {2, 0}, {1.7, 1}, {0, 1}})})
+    for (const double off :
+         {0.0, 1e-16, -1e-16, 1e-15, -1e-15, 1e-13, -1e-13, 1e-10, -1e-10, 1e-6, -1e-6, 1e-3, -1e-3}) {
       ShotRequest shot = spin_shot({1, 0.5}, 2, 0);
       shot.table = table;
       const Vec2d d = Boundary(table, R).walls[1].to - shot.ball.at;
@@ -38,11 +39,13 @@ Cases coincidence() {
   Cases out;
   const double v = 2, slide = 12 * v * v / (49 * 0.2 * 9.81);
   for (int ulps = -20; ulps <= 20; ++ulps)
-    out.push_back(hard(fmt::format("{} units before the cushion", ulps), spin_shot({2 - R - slide + ulps * 0x1p-52, 0.5}, v, 0)));
+    out.push_back(
+        hard(fmt::format("{} units before the cushion", ulps), spin_shot({2 - R - slide + ulps * 0x1p-52, 0.5}, v, 0)));
   return out;
 }
 
-/// Falls towards the bottom while friction pushes away; the vertex of the parabola lies just beyond the line, or before it.
+/// Falls towards the bottom while friction pushes away; the vertex of the parabola lies just beyond the line, or before
+/// it.
 Cases curving() {
   Cases out;
   const SlideRoll motion;
@@ -51,8 +54,12 @@ Cases curving() {
     for (const double sign : {1.0, -1.0}) {
       const Vec2d v{0.2, -vn}, slip{0, -8};
       const State<double> start{{1, R + turn * (1 - sign * depth)}, v, {(slip.y - v.y) / R, (v.x - slip.x) / R, 0}};
-      out.push_back(
-          {fmt::format("vertex {} of vn^2/2a beyond the line", sign * depth), rectangle_table(2, 1), R, {motion, Mirror{0.9}}, start, 3});
+      out.push_back({fmt::format("vertex {} of vn^2/2a beyond the line", sign * depth),
+                     rectangle_table(2, 1),
+                     R,
+                     {motion, Mirror{0.9}},
+                     start,
+                     3});
     }
   return out;
 }
@@ -61,10 +68,10 @@ Cases frozen() {
   Cases out;
   for (const double gap : {0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 2e-12, 1e-11, 1e-10, 1e-9})
     for (const double aim : {0.0, 1e-9, 0.5, 60.0, 90.0, 180.0, 200.0, 270.0, 359.9, 360 - 1e-6})
-      for (const LaunchSpin& s :
-           {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1.5, .side = 1}, LaunchSpin{.masse = 2}, LaunchSpin{.masse = -2}})
-        out.push_back(
-            hard(fmt::format("gap {}, aim {}, spin {} {} {}", gap, aim, s.top, s.side, s.masse), spin_shot({0.7, R + gap}, 1.5, aim, s)));
+      for (const LaunchSpin& s : {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1.5, .side = 1},
+                                  LaunchSpin{.masse = 2}, LaunchSpin{.masse = -2}})
+        out.push_back(hard(fmt::format("gap {}, aim {}, spin {} {} {}", gap, aim, s.top, s.side, s.masse),
+                           spin_shot({0.7, R + gap}, 1.5, aim, s)));
   return out;
 }
 
@@ -87,8 +94,10 @@ Cases grazing() {
 Cases many_bounces() {
   Cases out;
   for (const int n : {20, 200, 2000, 20000}) {
-    const ShotRequest shot{
-        .table = rectangle_table(2.54, 1.27), .physics = ideal_physics(), .ball = {{0.635, 0.4}, R, 0.17}, .launch = {1, radians(53.1)}};
+    const ShotRequest shot{.table = rectangle_table(2.54, 1.27),
+                           .physics = ideal_physics(),
+                           .ball = {{0.635, 0.4}, R, 0.17},
+                           .launch = {1, radians(53.1)}};
     HardCase c = hard(fmt::format("{} bounces", n), shot);
     c.cushions = n;
     c.events = 1000000;
@@ -121,7 +130,8 @@ ShotRequest towards_vertex(Vec2d from, double off, const Physics& physics) {
 Cases reflex() {
   Cases out;
   for (int i = -40; i <= 40; ++i)
-    for (const LaunchSpin& spin : {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1, .side = 0.5, .masse = 0.5}}) {
+    for (const LaunchSpin& spin :
+         {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1, .side = 0.5, .masse = 0.5}}) {
       ShotRequest shot = towards_vertex({1.7, 0.2}, i * 1e-3, spin_physics(R_ell));
       shot.spin = spin;
       out.push_back(hard(fmt::format("aim {} mrad beside the vertex", i), shot));
@@ -137,7 +147,8 @@ Cases grazing_vertex() {
     for (const double sign : {1.0, -1.0}) {
       const Vec2d from{0.2, 0.2};
       const double beside = std::asin(R_ell * (1 + sign * delta) / norm(Vec2d{1, 1} - from));
-      out.push_back(hard(fmt::format("passes at R (1 + {})", sign * delta), towards_vertex(from, -beside, {Rolling{}, Mirror{0.9}})));
+      out.push_back(hard(fmt::format("passes at R (1 + {})", sign * delta),
+                         towards_vertex(from, -beside, {Rolling{}, Mirror{0.9}})));
       out.back().cushions = 2;
     }
   return out;
@@ -147,7 +158,8 @@ Cases slip() {
   Cases out;
   for (const double delta : {1e-16, 2e-16, 5e-16, 1e-15, 2e-15, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3})
     for (const double by : {delta, -delta}) {
-      out.push_back(hard(fmt::format("topspin 1 + {}", by), spin_shot({0.3, 0.4}, 3, 10, {.top = 1 + by, .side = 0.5})));
+      out.push_back(
+          hard(fmt::format("topspin 1 + {}", by), spin_shot({0.3, 0.4}, 3, 10, {.top = 1 + by, .side = 0.5})));
       out.push_back(hard(fmt::format("masse {}", by), spin_shot({0.3, 0.4}, 3, 10, {.top = 1, .masse = by})));
     }
   return out;
@@ -157,7 +169,8 @@ Cases speeds() {
   Cases out;
   for (double v = 1e-6; v <= 30; v *= 3.1)
     for (const double aim : {3.0, 77.0, 211.0})
-      for (const LaunchSpin& spin : {LaunchSpin{}, LaunchSpin{.top = 1.2, .side = -0.8}, LaunchSpin{.top = -1, .masse = 0.5}})
+      for (const LaunchSpin& spin :
+           {LaunchSpin{}, LaunchSpin{.top = 1.2, .side = -0.8}, LaunchSpin{.top = -1, .masse = 0.5}})
         out.push_back(hard(fmt::format("{} m/s, aim {}", v, aim), spin_shot({0.5, 0.3}, v, aim, spin)));
   return out;
 }
@@ -172,12 +185,12 @@ Cases tables() {
       Physics physics = spin_physics(radius * s);
       std::get<Han2005>(physics.cushion).height = 1.25 * radius * s;
       std::get<SlideRoll>(physics.motion).spinning_friction = 0.015;
-      const ShotRequest shot{
-          .table = polygon_table({Vec2d{0, 0} * s + by, Vec2d{2, 0} * s + by, Vec2d{2.25, 1} * s + by, Vec2d{0, 1.125} * s + by}),
-          .physics = physics,
-          .ball = {Vec2d{0.5, 0.375} * s + by, radius * s, 0.17},
-          .launch = {3 * std::sqrt(s), radians(33)},
-          .spin = {.top = -0.5, .side = 0.75, .masse = 0.25}};
+      const ShotRequest shot{.table = polygon_table({Vec2d{0, 0} * s + by, Vec2d{2, 0} * s + by,
+                                                     Vec2d{2.25, 1} * s + by, Vec2d{0, 1.125} * s + by}),
+                             .physics = physics,
+                             .ball = {Vec2d{0.5, 0.375} * s + by, radius * s, 0.17},
+                             .launch = {3 * std::sqrt(s), radians(33)},
+                             .spin = {.top = -0.5, .side = 0.75, .masse = 0.25}};
       out.push_back(hard(fmt::format("size {}, at {} {}", s, by.x, by.y), shot));
     }
   return out;
@@ -216,8 +229,11 @@ constexpr Class classes[] = {{"grazing", grazing},
 }  // namespace
 
 ShotRequest spin_shot(Vec2d at, double speed, double degrees_, LaunchSpin spin) {
-  return {
-      .table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {at, R, 0.17}, .launch = {speed, radians(degrees_)}, .spin = spin};
+  return {.table = rectangle_table(2, 1),
+          .physics = spin_physics(),
+          .ball = {at, R, 0.17},
+          .launch = {speed, radians(degrees_)},
+          .spin = spin};
 }
 
 std::vector<std::string_view> hard_classes() {

@@ -30,7 +30,8 @@ Puzzles on_cushions() {
       for (const int cushions : {0, 1}) out.push_back(to_point(target, cushions, physics, {0.3, 0.3}));
   for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}, Vec2d{2 - R, 1 - R}})
     out.push_back(to_point(target, 0, rolling_physics(), {0, 0}));
-  for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}}) out.push_back(to_point(target, 0, spin_physics(R), {0, 0}));
+  for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}})
+    out.push_back(to_point(target, 0, spin_physics(R), {0, 0}));
   return out;
 }
 
@@ -47,8 +48,8 @@ Puzzles at_the_speed_bound() {
   const double v = 0.4;
   for (const Physics& physics : {rolling_physics(), spin_physics(R)})
     for (const double share : {1.0, 1 - 1e-15, 1 - 1e-12, 0.5}) {
-      const double reach =
-          is_straight(physics) ? v * v / (2 * 0.01 * 9.81) : 12 * v * v / (49 * 0.2 * 9.81) + 25 * v * v / 49 / (2 * 0.01 * 9.81);
+      const double reach = is_straight(physics) ? v * v / (2 * 0.01 * 9.81)
+                                                : 12 * v * v / (49 * 0.2 * 9.81) + 25 * v * v / 49 / (2 * 0.01 * 9.81);
       const Vec2d from{0.3, 0.3}, direction_{0.8, 0.6};
       out.push_back({.table = rectangle_table(2, 1),
                      .physics = physics,
@@ -112,7 +113,8 @@ bool find_fold(const Fold& c, double& aim) {
   return false;
 }
 
-/// Places of rest where d(rest)/d(aim, speed) is singular, found by bisection of its determinant along a line of launches.
+/// Places of rest where d(rest)/d(aim, speed) is singular, found by bisection of its determinant along a line of
+/// launches.
 Puzzles folds() {
   Puzzles out;
   for (const Fold& c : {Fold{0, 0.5, 1.6, 345, 352},

@@ -20,7 +20,7 @@ struct Passing {
   double speed = 0;  ///< m/s
   Vec2d at{};
   double miss = std::numeric_limits<double>::infinity();  ///< m
-  double lateral = 0, lateral_rest = 0;                   ///< m, signed, across the line of travel: their sum has about 32 digits
+  double lateral = 0, lateral_rest = 0;  ///< m, signed, across the line of travel: their sum has about 32 digits
 };
 
 /// An event; in 50 digits `rest` keeps what the doubles lose.
