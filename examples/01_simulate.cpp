@@ -5,7 +5,7 @@
 // (0.2, 0.2) with 5 m/s at 45 degrees.
 #include <fmt/format.h>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
 int main() {

@@ -4,8 +4,8 @@
 // choose between. One new idea: options.
 #include <fmt/format.h>
 
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/boundary.hpp"
 
 int main() {
   using namespace bankshot;

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "bankshot/draw/svg.hpp"
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
 int main(int argc, char** argv) {

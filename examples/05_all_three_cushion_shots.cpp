@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "bankshot/draw/svg.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/boundary.hpp"
 
 int main(int argc, char** argv) {
   using namespace bankshot;

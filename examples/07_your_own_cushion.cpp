@@ -7,10 +7,10 @@
 #include <cmath>
 #include <fstream>
 
-#include "bankshot/contact/conformance.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "bankshot/testing/cushion_promises.hpp"
 
 namespace {
 

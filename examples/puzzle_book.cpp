@@ -8,8 +8,8 @@
 
 #include "bankshot/draw/page.hpp"
 #include "bankshot/draw/svg.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/boundary.hpp"
 #include "bankshot/scene/json.hpp"
 
 namespace {

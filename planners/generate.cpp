@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/boundary.hpp"
-#include "bankshot/tolerances.hpp"
 
 namespace bankshot {
 namespace {
@@ -142,22 +142,6 @@ bool has_quick_shot(Puzzle p) {
 }
 
 }  // namespace
-
-Random::Random(std::uint64_t seed, std::uint64_t number) : engine_(0) {
-  const auto half = [](std::uint64_t x, int which) { return static_cast<std::uint32_t>(x >> (32 * which)); };
-  std::seed_seq sequence{half(seed, 0), half(seed, 1), half(number, 0), half(number, 1)};
-  engine_.seed(sequence);
-}
-
-double Random::uniform(double low, double high) {
-  return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-}
-
-double Random::log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-
-int Random::integer(int low, int high) {
-  return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-}
 
 std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory& t, int least, int most) {
   Question q{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/boundary.hpp"
-#include "bankshot/tolerances.hpp"
-#include "planners/verify.hpp"
+#include "planners/proof/prove.hpp"
 
 namespace bankshot::planning {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bankshot/tolerances.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot::planning {
 

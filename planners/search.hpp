@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
-#include "bankshot/scene/boundary.hpp"
 #include "bankshot/scene/puzzle.hpp"
 
 namespace bankshot::planning {

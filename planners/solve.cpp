@@ -6,9 +6,9 @@
 #include <chrono>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/choose.hpp"
+#include "planners/merit/rank.hpp"
 #include "planners/message.hpp"
-#include "planners/planners.hpp"
+#include "planners/methods/methods.hpp"
 
 namespace bankshot {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bankshot/draw/map.hpp"
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "draw/escape.hpp"
 
 namespace bankshot {

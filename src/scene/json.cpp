@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "json/reader.hpp"
 #include "scene/read_table.hpp"
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <set>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/puzzle.hpp"
-#include "bankshot/tolerances.hpp"
 
 namespace bankshot {
 namespace {

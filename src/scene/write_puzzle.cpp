@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/json.hpp"
 #include "json/document.hpp"
 

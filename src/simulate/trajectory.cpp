@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/simulator.hpp"
 
 namespace bankshot {

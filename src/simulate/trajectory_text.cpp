@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "json/document.hpp"
 

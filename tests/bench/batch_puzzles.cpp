@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/random_puzzle.hpp"
 

@@ -12,9 +12,9 @@
 #include <iostream>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/locked.hpp"
-#include "planners/unfold.hpp"
-#include "planners/verify.hpp"
+#include "planners/images/unfold.hpp"
+#include "planners/locked/residual.hpp"
+#include "planners/proof/prove.hpp"
 #include "support/random_puzzle.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/random_puzzle.hpp"
 

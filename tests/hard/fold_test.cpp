@@ -5,11 +5,11 @@
 // instead of squaring it, and an error δ of the place is √δ of the launch: half of the digits. Asserted: at the fold
 // and just inside it an answer is found and replays to 1e-9 of the diagonal. The fold is found here by bisection of the
 // determinant of dual numbers along a line of launches.
-#include "app/truth/hard_cases.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "support/catch.hpp"
 #include "support/replay_check.hpp"
 #include "support/truth.hpp"
+#include "truth/hard_cases.hpp"
 
 using namespace bankshot;
 using namespace bankshot::test;

@@ -4,11 +4,11 @@
 // rounding decides whether it is inside, and a search inside the bounds approaches it from one side only.
 // Conditioning: d(distance)/d(speed) = 2 distance/speed, benign. By hand: a rolling ball goes v²/(2 μr g), a ball
 // struck in the centre 12 v²/(49 μs g) + (5v/7)²/(2 μr g). Asserted: solved at the edge, no shot a millionth beyond it.
-#include "app/truth/hard_cases.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "support/catch.hpp"
 #include "support/replay_check.hpp"
 #include "support/truth.hpp"
+#include "truth/hard_cases.hpp"
 
 using namespace bankshot;
 

@@ -4,11 +4,11 @@
 // can reach, so half of the aims around the root bounce first, and rounding may put the root behind the line; at the
 // start point a shot of length 0 must not count. Conditioning: benign, but one-sided. Asserted: an answer whose
 // replay by a separate check passes (miss ≤ 1e-9 of the diagonal).
-#include "app/truth/hard_cases.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "support/catch.hpp"
 #include "support/replay_check.hpp"
 #include "support/truth.hpp"
+#include "truth/hard_cases.hpp"
 
 using namespace bankshot;
 

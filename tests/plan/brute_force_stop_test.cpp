@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/boundary.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"

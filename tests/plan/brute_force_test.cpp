@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/boundary.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"

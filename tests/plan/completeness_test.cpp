@@ -3,8 +3,8 @@
 // All answers: counts that are known, and two methods that share nothing but the simulator.
 #include <algorithm>
 
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/boundary.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 

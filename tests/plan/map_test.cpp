@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/planners.hpp"
+#include "planners/methods/methods.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 

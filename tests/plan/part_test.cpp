@@ -5,8 +5,8 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
-#include "planners/clearance.hpp"
-#include "planners/verify.hpp"
+#include "planners/locked/clearance.hpp"
+#include "planners/proof/prove.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
 #include "support/random_puzzle.hpp"

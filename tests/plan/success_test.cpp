@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/robustness.hpp"
-#include "planners/verify.hpp"
+#include "planners/merit/robustness.hpp"
+#include "planners/proof/prove.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Random shots on random tables: never outside, never faster, and the same shot on a moved table.
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"

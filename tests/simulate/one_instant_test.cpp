@@ -3,7 +3,7 @@
 // What happens when two things happen at once, and where a ball starts that touches something.
 #include <array>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/catch.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bankshot/simulate/roots.hpp"
+#include "bankshot/detail/roots/roots.hpp"
 
 #include "support/catch.hpp"
 

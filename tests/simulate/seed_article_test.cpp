@@ -5,7 +5,7 @@
 // metres, and has travelled s metres after t = (v0 − √(v0² − 2 a s)) / a seconds, a = 0.05 · 9.81.
 #include <algorithm>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/catch.hpp"
 

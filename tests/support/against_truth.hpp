@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <string>
 
-#include "app/truth/hard_cases.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/truth.hpp"
+#include "truth/hard_cases.hpp"
 
 namespace bankshot::test {
 

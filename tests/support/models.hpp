@@ -6,13 +6,13 @@
 
 #include <tuple>
 
-#include "bankshot/contact/conformance.hpp"
 #include "bankshot/contact/custom.hpp"
 #include "bankshot/contact/han2005.hpp"
 #include "bankshot/contact/mirror.hpp"
 #include "bankshot/motion/ideal.hpp"
 #include "bankshot/motion/rolling.hpp"
 #include "bankshot/motion/slide_roll.hpp"
+#include "bankshot/testing/cushion_promises.hpp"
 #include "support/random_puzzle.hpp"
 
 namespace bankshot::test {

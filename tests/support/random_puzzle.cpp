@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
 namespace bankshot::test {

@@ -3,7 +3,7 @@
 // The 50 digits of the program, under the name the tests know them by.
 #pragma once
 
-#include "app/truth/condition.hpp"
+#include "truth/condition.hpp"
 
 namespace bankshot::test {
 using namespace bankshot::truth;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Where a centre can be, as the simulator sees it; and directions that a double angle cannot hold.
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 
 #include <cmath>
 #include <limits>

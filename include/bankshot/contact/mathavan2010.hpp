@@ -14,9 +14,9 @@
 #pragma once
 
 #include "bankshot/contact/cushion_frame.hpp"
-#include "bankshot/contact/mathavan2010_impact.hpp"
 #include "bankshot/contact/restitution.hpp"
-#include "bankshot/tolerances.hpp"
+#include "bankshot/detail/mathavan2010/impact.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot {
 

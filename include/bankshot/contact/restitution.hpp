@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bankshot/scalar.hpp"
+#include "bankshot/numbers/scalar.hpp"
 
 namespace bankshot {
 

@@ -17,8 +17,8 @@
 
 #include <limits>
 
-#include "bankshot/motion/drag.hpp"
-#include "bankshot/vec.hpp"
+#include "bankshot/detail/drag.hpp"
+#include "bankshot/numbers/vec.hpp"
 
 namespace bankshot {
 

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "bankshot/motion/rolling.hpp"
-#include "bankshot/tolerances.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot {
 

@@ -8,27 +8,13 @@
 
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
 
+#include "bankshot/numbers/random.hpp"
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
 namespace bankshot {
-
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  /// A stream of its own for each number: the puzzles of a seed do not depend on how many are asked for.
-  Random(std::uint64_t seed, std::uint64_t number);
-  double uniform(double low, double high);  ///< own arithmetic: std distributions differ by library
-  double log_uniform(double low, double high);
-  int integer(int low, int high);  ///< both ends included
-  bool chance(double p) { return uniform(0, 1) < p; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// A puzzle and the launch it was made from.
 struct Question {

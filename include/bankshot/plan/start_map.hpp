@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
-#include "bankshot/scene/boundary.hpp"
 
 namespace bankshot {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bankshot/vec.hpp"
+#include "bankshot/numbers/vec.hpp"
 
 namespace bankshot {
 

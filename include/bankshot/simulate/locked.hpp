@@ -9,9 +9,9 @@
 
 #include <span>
 
+#include "bankshot/detail/roots/roots.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/motion/arc.hpp"
-#include "bankshot/scene/boundary.hpp"
-#include "bankshot/simulate/roots.hpp"
 
 namespace bankshot {
 

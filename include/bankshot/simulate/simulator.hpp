@@ -24,7 +24,7 @@
 
 #include <utility>
 
-#include "bankshot/simulate/next_event.hpp"
+#include "bankshot/detail/next_event.hpp"
 
 namespace bankshot {
 

@@ -9,7 +9,7 @@
 #include "app/batch/lines.hpp"
 #include "app/batch/output.hpp"
 #include "app/batch/tally.hpp"
-#include "app/solve_flags.hpp"
+#include "app/solve/solve_flags.hpp"
 
 namespace bankshot::app {
 

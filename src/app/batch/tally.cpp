@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "bankshot/tolerances.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot::app {
 namespace {

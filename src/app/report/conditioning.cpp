@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "app/report/sections.hpp"
-#include "app/truth/condition.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/generate.hpp"
 #include "bankshot/scene/ball.hpp"
-#include "bankshot/tolerances.hpp"
+#include "truth/condition.hpp"
 
 namespace bankshot::app {
 namespace {

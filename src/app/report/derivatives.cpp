@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "app/report/one_root.hpp"
 #include "app/report/suite.hpp"
-#include "bankshot/tolerances.hpp"
-#include "planners/derivatives.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot::app {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "app/report/sections.hpp"
-#include "app/truth/hard_cases.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/tolerances.hpp"
+#include "truth/hard_cases.hpp"
 
 namespace bankshot::app {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/report/derivatives.hpp"
 #include "app/report/sections.hpp"
 #include "app/report/suite.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/tolerances.hpp"
 
 namespace bankshot::app {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "app/report/compared.hpp"
 #include "app/report/sections.hpp"
-#include "app/truth/condition.hpp"
 #include "bankshot/plan/generate.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "truth/condition.hpp"
 
 namespace bankshot::app {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/report/compared.hpp"
 #include "app/report/sections.hpp"
 #include "app/report/troubles.hpp"
-#include "app/truth/condition.hpp"
 #include "bankshot/plan/generate.hpp"
+#include "truth/condition.hpp"
 
 namespace bankshot::app {
 namespace {

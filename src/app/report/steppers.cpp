@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/report/forces.hpp"
-#include "bankshot/tolerances.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot::app {
 namespace {

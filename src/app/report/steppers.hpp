@@ -15,7 +15,7 @@
 // 1, 1, 4, 5; else 1. An event that begins and ends inside one step is not seen.
 #pragma once
 
-#include "bankshot/scene/boundary.hpp"
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/physics.hpp"
 
 namespace bankshot::app {

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+//
+// State of the cushion impact of mathavan2010 and the switches between sticking and sliding in it.
+//   stick → slide where the force that keeps a slip at 0 leaves its cone
+//   load          where q, the load on the cloth, changes sign
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bankshot/detail/mathavan2010/start.hpp"
+
+namespace bankshot::mathavan {
+
+/// Which contacts slide (bits 0 cushion, 1 cloth), whether the cloth carries nothing (bit 2) and
+/// whether the ball is on its way back (bit 3).
+using Mode = unsigned char;
+
+struct Course {
+  bool jams = false;  ///< vy' >= 0 before the ball had stopped, or too many steps
+  int steps = 0;
+  int modes = 0;
+  std::array<Mode, 16> mode{};  ///< the first sixteen, in order
+};
+
+template <class T>
+class Switches {
+ protected:
+  using Contact = mathavan::Contact<T>;
+
+  Switches(const Nose<T>& nose, double tolerance) : tolerance_(tolerance), e_(nose) {}
+
+  static Vec2<T> slip(const Contact& k) { return k.slip == Slip::slides ? k.direction * k.size : Vec2<T>{T(0), T(0)}; }
+
+  static void set_slip(Contact& k, const Vec2<T>& slip, double zero) {
+    using std::sqrt;
+    k.slip = Slip::sticks;
+    const T square = dot(slip, slip);
+    if (!(value(square) > zero * zero)) return;
+    k.slip = Slip::slides;
+    k.size = sqrt(square);
+    k.direction = slip / k.size;
+  }
+
+  T margin(const Contact& k, const T& ix, const T& iy, const T& q) const {
+    T limit = e_.nose.mu_w;
+    if (&k == &e_.cloth) limit = q > T(0) ? T(e_.nose.mu_s * q) : T(0);
+    return ix * ix + iy * iy - limit * limit;
+  }
+  T margin(const Contact& k) const { return margin(k, k.ix[0], k.iy[0], e_.q[0]); }
+
+  void note() {
+    const auto bits =
+        (e_.cushion.moves() ? 1u : 0u) | (e_.cloth.moves() ? 2u : 0u) | (e_.lifted ? 4u : 0u) | (sign_ < 0 ? 8u : 0u);
+    if (course_.modes < static_cast<int>(course_.mode.size()))
+      course_.mode[static_cast<std::size_t>(course_.modes)] = static_cast<Mode>(bits);
+    ++course_.modes;
+  }
+
+  /// Decides for every contact at 0 whether it sticks or starts, and where to.
+  void settle() {
+    for (Contact* k : {&e_.cushion, &e_.cloth})
+      if (k->slip == Slip::starts) k->slip = Slip::sticks;
+    load();
+    if (!e_.cushion.moves() && !e_.cloth.moves())
+      settle_both();
+    else
+      for (Contact* k : {&e_.cushion, &e_.cloth})
+        if (!k->moves()) {
+          e_.begin();
+          if (value(margin(*k)) > rounding()) start(*k);
+        }
+    load();
+    note();
+  }
+
+  void load() {
+    e_.lifted = false;
+    if (!e_.cushion.moves()) return;
+    e_.lifted = value(e_.nose.sine + e_.nose.mu_w * e_.nose.cosine * e_.cushion.direction.y) < 0;
+  }
+
+  /// From no slip at all (only where vy = 0, in the plane of a head-on shot): the motion stays in that
+  /// plane, so the directions are ±y and the first consistent pair is taken.
+  void settle_both() {
+    Contact &w = e_.cushion, &c = e_.cloth;
+    for (const int cloth : {-1, 1, 0})
+      for (const int cushion : {0, 1, -1}) {
+        if (cloth == 0 && cushion == 0) continue;
+        w.slip = cushion == 0 ? Slip::sticks : Slip::starts;
+        c.slip = cloth == 0 ? Slip::sticks : Slip::starts;
+        w.direction = {T(0), T(cushion)};
+        c.direction = {T(0), T(cloth)};
+        load();
+        e_.begin();
+        const bool fits_w = w.moves() ? value(e_.cushion.along[0]) > 0 : value(margin(w)) <= 0;
+        const bool fits_c = c.moves() ? value(e_.cloth.along[0]) > 0 : value(margin(c)) <= 0;
+        if (fits_w && fits_c) return;
+      }
+    course_.jams = true;
+  }
+
+  /// Direction in which contact k leaves 0: T = 0. The force that would keep it there is the first
+  /// guess, exact where the contact's inverse mass is isotropic; then Newton.
+  void start(Contact& k) {
+    using std::sqrt;
+    const T size = sqrt(k.ix[0] * k.ix[0] + k.iy[0] * k.iy[0]);
+    k.direction = {k.ix[0] / size, k.iy[0] / size};
+    k.slip = Slip::starts;
+    bool last = false;
+    constexpr int most = 50;
+    for (int i = 0; i < most; ++i) {
+      load();
+      e_.begin();
+      const T kappa = e_.stiffness(k);
+      if (!(std::abs(value(kappa)) > 0)) return;
+      T turn = k.across[0] / kappa;
+      constexpr double far = 0.5;
+      if (std::abs(value(turn)) > far) turn = T(value(turn) > 0 ? far : -far);
+      const Vec2<T> d = k.direction + perpendicular(k.direction) * turn;
+      k.direction = d / norm(d);
+      if (last) return;
+      last = value(turn) * value(turn) <= tolerance_;
+    }
+  }
+
+  /// Forces are recomputed after a switch that was located on them: rounding must not decide.
+  double rounding() const { return 1e-14 * value(e_.nose.mu_w * e_.nose.mu_w); }
+
+  double tolerance_;
+  T vy_{}, work_{0}, target_{0};
+  int sign_ = 1;  ///< 1 in compression, −1 in restitution
+  Start<T> e_;
+  Course course_;
+};
+
+}  // namespace bankshot::mathavan

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// The first thing an arc meets: a cushion, a vertex, a pocket, its own end or the horizon. Found and
+// ordered on values; `lift_event` then gives the time of the one that happens its derivatives.
+// Property, numbered as in simulator.hpp:
+//  2. One instant: a pocket captures before a cushion bounces; two cushions both bounce, larger
+//     approach speed first, ties in the order of edges. Same instant means equal computed times.
+#pragma once
+
+#include "bankshot/detail/on_cushions.hpp"
+#include "bankshot/detail/roots/roots.hpp"
+#include "bankshot/simulate/event.hpp"
+
+namespace bankshot {
+
+template <class N>
+struct NextEvent {
+  N time;  ///< the arc's parameter
+  Event event;
+  int second = -1;  ///< another cushion met at the same time
+};
+
+/// `straight`: no arc of the motion bends.
+template <bool straight, class N>
+struct EventFinder {
+  const Boundary& boundary;
+  const OnCushions<N>& cushions;
+  const Arc<N>& arc;
+
+  NextEvent<N> next(const N& horizon) const {
+    constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest};
+    NextEvent<N> first{arc.duration, {ends[static_cast<int>(arc.end)]}};
+    if (horizon < first.time) first = {horizon, {EventKind::horizon}};
+    const auto walls = static_cast<int>(boundary.walls.size());
+    for (int i = 0; i < walls; ++i) consider(first, i, wall_hit(i, first.time));
+    if (!boundary.tips.empty() || !boundary.pockets.empty()) consider_circles(first);
+    return first;
+  }
+
+ private:
+  /// Apart from the walls, so that a table without vertices to hit and without pockets does not pay for them.
+  void consider_circles(NextEvent<N>& first) const {
+    for (const Circle& c : boundary.tips)
+      if (!cushions.held(c.contact) && !passes_tangent(c.contact))
+        consider(first, c.contact, first_entry(arc, c.centre, c.radius, first.time, cushions.on(c.contact)));
+    for (const Circle& c : boundary.pockets) {
+      const N t = first_entry(arc, c.centre, c.radius, first.time);
+      if (t <= first.time && t < N(forever)) first = {t, {EventKind::pocket, c.contact}};
+    }
+  }
+
+  static void consider(NextEvent<N>& first, int contact, const N& t) {
+    if (t < first.time)
+      first = {t, {EventKind::cushion, contact}};
+    else if (t == first.time && first.event.kind == EventKind::cushion && first.second < 0)
+      first.second = contact;
+  }
+
+  /// When the arc meets wall i, if not after `limit`.
+  N wall_hit(int i, const N& limit) const {
+    const Wall& w = boundary.wall(i);
+    const N speed = dot(w.normal, arc.velocity);
+    if (straight && !(speed < N(0))) return N(forever);
+    N gap = dot(w.normal, arc.at) - N(w.offset);
+    const N acceleration = dot(w.normal, arc.acceleration);
+    // The gap of an arc that bends towards the wall, or not at all, is least at an end.
+    if (gap > N(0) && !(acceleration > N(0)) && limit < N(forever) &&
+        gap + (speed + acceleration * (limit * 0.5)) * limit > N(boundary.touch))
+      return N(forever);
+    if (cushions.held(i)) return N(forever);
+    if (cushions.on(i)) {
+      gap = N(0);
+      if (cushions.is_rounding(speed * speed)) return N(forever);
+    } else if (gap < N(boundary.touch) && gap > N(-boundary.touch)) {
+      if (gap < N(0)) gap = N(0);
+      if (runs_parallel(speed, acceleration)) return N(forever);
+    }
+    const N t = first_descent(gap, speed, acceleration);
+    if (boundary.strictly_convex || !(t <= limit)) return t;
+    const N s = dot(w.along, arc.position(t));
+    const double slack = tolerance::edge_end * boundary.extent;
+    return s >= N(w.begin - slack) && s <= N(w.end + slack) ? t : N(forever);
+  }
+
+  /// Speed to and from a line, now and when the arc ends, is the rounding of the velocity.
+  bool runs_parallel(const N& speed, const N& acceleration) const {
+    const N noise2 = dot(arc.velocity, arc.velocity) * (tolerance::along * tolerance::along);
+    if (!(speed * speed < noise2)) return false;
+    const N gained = acceleration == 0 ? N(0) : N(acceleration * arc.duration);
+    return gained * gained < noise2;
+  }
+
+  /// The ball runs along a cushion that ends at this vertex: the line touches the tip's arc there, exactly.
+  bool passes_tangent(int contact) const {
+    const int walls = static_cast<int>(boundary.walls.size()), vertex = contact - walls;
+    for (const int i : {vertex, (vertex + walls - 1) % walls}) {
+      if (cushions.held(i)) return true;
+      const N speed = dot(boundary.wall(i).normal, arc.velocity);
+      if (cushions.on(i) && cushions.is_rounding(speed * speed)) return true;
+    }
+    return false;
+  }
+};
+
+/// The time of an event that was found, with the derivatives of the arc. `on`: its cushion's line is where
+/// the arc starts, exactly.
+template <class T>
+T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc<T>& arc, bool on, const T& horizon) {
+  const int i = next.event.index;
+  switch (next.event.kind) {
+    case EventKind::cushion:
+      return boundary.is_wall(i) ? lift_line(arc, boundary.wall(i).normal, boundary.wall(i).offset, on, next.time)
+                                 : lift_circle(arc, boundary.tip(i)->centre, next.time);
+    case EventKind::pocket:
+      return lift_circle(arc, boundary.pockets[static_cast<std::size_t>(i)].centre, next.time);
+    case EventKind::horizon:
+      return horizon;
+    default:
+      return arc.duration;
+  }
+}
+
+}  // namespace bankshot

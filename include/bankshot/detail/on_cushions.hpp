@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// The contacts that the centre is exactly on, and those of them that hold it. Two at most: a corner.
+// Properties, numbered as in simulator.hpp:
+//  4. A bounce puts the centre exactly on the cushion's line, and the gap to a cushion just left
+//     is exactly 0, so the same bounce is never found twice.
+//  5. A ball at a cushion, with no speed away from it, that friction drives into it is held there:
+//     its normal motion stops, its tangential motion goes on until the acceleration leaves. That is
+//     no bounce; it ends the bouncing without end of a ball that returns slower each time. A ball that
+//     starts within Boundary::touch of a cushion is put on its line. Limitation: at a reflex vertex the ball
+//     goes on along the tangent, where friction might take it round. A ball slower than
+//     tolerance::still of its launch after a bounce rests.
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/motion/arc.hpp"
+#include "bankshot/numbers/tolerances.hpp"
+
+namespace bankshot {
+
+/// Decides on numbers N without derivatives; what it moves may have some.
+template <class N>
+class OnCushions {
+ public:
+  /// `launch2`: squared_scale of the launch.
+  explicit OnCushions(const N& launch2)
+      : bounced2_(launch2),
+        resting2_(launch2 * (tolerance::resting * tolerance::resting)),
+        still2_(launch2 * (tolerance::still * tolerance::still)) {}
+
+  /// The centre is exactly on the contact.
+  bool on(int contact) const { return contact == on_[0] || contact == on_[1]; }
+  /// Friction drives the ball into the contact, which holds it.
+  bool held(int contact) const { return contact == held_[0] || contact == held_[1]; }
+
+  /// Says that a ball of this squared_scale is about to bounce.
+  void bounces(const N& scale2) { bounced2_ = scale2; }
+
+  /// A squared speed that is no more than the rounding of the last bounce.
+  bool is_rounding(const N& speed2) const { return speed2 < bounced2_ * (tolerance::along * tolerance::along); }
+
+  /// A ball of this squared_scale, after a bounce, rests.
+  bool is_still(const N& scale2) const { return scale2 < still2_; }
+
+  /// The ball has moved: it is at no cushion but those that hold it.
+  void leave() {
+    on_[0] = held_[0];
+    on_[1] = held_[1];
+  }
+
+  /// Remembers that the centre is on the contact.
+  void meet(int contact) {
+    if (contact != on_[0]) on_[1] = std::exchange(on_[0], contact);
+  }
+
+  /// Puts the centre exactly on the contact.
+  template <class T>
+  void settle(const Boundary& boundary, int contact, Vec2<T>& at) {
+    if (boundary.is_wall(contact)) {
+      const Wall& w = boundary.wall(contact);
+      const T gap = dot(w.normal, at) - N(w.offset);
+      at -= {gap * w.normal.x, gap * w.normal.y};
+    }
+    meet(contact);
+  }
+
+  /// A ball may start at rest against a cushion: then it is put on the line, and the gap is 0.
+  template <class T>
+  void settle_at_start(const Boundary& boundary, Vec2<T>& centre) {
+    using std::abs;
+    const N near(boundary.touch);
+    const Vec2<N> at = value(centre);
+    int found = 0;
+    for (int i = 0; boundary.is_wall(i) && found < 2; ++i) {
+      const Wall& w = boundary.wall(i);
+      const N s = dot(w.along, at), gap = dot(w.normal, at) - N(w.offset);
+      if (!(abs(gap) <= near && s >= w.begin - near && s <= w.end + near)) continue;
+      settle(boundary, i, centre);
+      ++found;
+    }
+  }
+
+  /// Where the ball rests on a cushion and friction drives it in: no normal motion on this arc. Between
+  /// two cushions it may be held by one, along which the other lets it go, or by both: then it stays.
+  template <class T>
+  void hold(const Boundary& boundary, Arc<T>& arc) {
+    held_[0] = held_[1] = -1;
+    if (on_[0] < 0) return;
+    const Arc<N>& plain = value(arc);
+    const int corner = corner_to_crawl_in(boundary, plain);
+    const int at[] = {on_[0], corner >= 0 ? corner : on_[1]};
+    const auto is_slow = [&](int contact) { return corner >= 0 || rests_at(boundary, contact, plain); };
+    const bool slow[] = {is_slow(at[0]), is_slow(at[1])};
+    if (!slow[0] && !slow[1]) return;
+    const Vec2<N> a = plain.acceleration;
+    bool pressed = false;
+    for (int k = 0; k < 2; ++k) {
+      if (!slow[k]) continue;
+      const Vec2<N> n = boundary.normal(at[k], plain.at);
+      const N into = dot(n, a);
+      if (!brings_back(into, dot(n, plain.velocity), plain.duration)) continue;
+      pressed = true;
+      const Vec2<N> along{a.x - into * n.x, a.y - into * n.y};
+      if (slow[1 - k] && dot(boundary.normal(at[1 - k], plain.at), along) < 0) continue;
+      held_[k] = on_[k] = at[k];
+      stop_along(n, arc.velocity);
+      stop_along(n, arc.acceleration);
+      return;
+    }
+    if (!pressed) return;
+    for (int k = 0; k < 2; ++k) held_[k] = on_[k] = at[k];
+    arc.velocity = arc.acceleration = {T(0), T(0)};
+  }
+
+ private:
+  /// The arc ends with a speed towards the cushion. Otherwise the ball is not pressed to it, and an acceleration
+  /// along the cushion, whose normal part has the sign of rounding, decides nothing. A ball that rolls away
+  /// ends with speed 0, up to rounding: a hundredth more tells them apart.
+  static bool brings_back(const N& acceleration, const N& speed, const N& duration) {
+    using std::abs;
+    return acceleration < 0 && -acceleration * duration > 1.01 * abs(speed);
+  }
+
+  /// Where the ball is at a cushion in a corner and hardly moves: the other cushion, else -1. Friction into
+  /// the corner and spin at the cushions may feed ever the same tiny bounces from one to the other.
+  int corner_to_crawl_in(const Boundary& boundary, const Arc<N>& arc) const {
+    using std::abs;
+    constexpr double more = tolerance::crawling / tolerance::resting;
+    if (dot(arc.velocity, arc.velocity) > resting2_ * (more * more) || !boundary.is_wall(on_[0])) return -1;
+    for (int i = 0; boundary.is_wall(i); ++i) {
+      const Wall& w = boundary.wall(i);
+      if (i != on_[0] && abs(N(dot(w.normal, arc.at) - N(w.offset))) <= N(boundary.touch)) return i;
+    }
+    return -1;
+  }
+
+  /// The ball is at this contact without speed from or towards it, to speak of.
+  bool rests_at(const Boundary& boundary, int contact, const Arc<N>& arc) const {
+    if (contact < 0) return false;
+    const N speed = dot(boundary.normal(contact, arc.at), arc.velocity);
+    return speed * speed <= resting2_;
+  }
+
+  template <class T>
+  static void stop_along(const Vec2<N>& n, Vec2<T>& v) {
+    const T part = dot(n, v);
+    v -= {part * n.x, part * n.y};
+  }
+
+  // Squares of speeds [m²/s²]:
+  N bounced2_;              ///< before the last bounce; its roundings are in proportion
+  N resting2_;              ///< a ball that leaves a cushion slower than this may be held
+  N still2_;                ///< a ball slower than this after a bounce rests
+  int on_[2] = {-1, -1};    ///< contacts the centre is exactly on
+  int held_[2] = {-1, -1};  ///< of those, the ones friction drives it into
+};
+
+}  // namespace bankshot

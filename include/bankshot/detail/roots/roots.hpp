@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+//
+// First times at which an arc meets a line or enters a circle. Every root is a *descent*: the
+// gap falls through zero, so a ball that leaves is never caught and one inside a circle must
+// first come out. Branches are cancellation-free; a gap of exactly 0 gives exactly 0.
+// Error: a few units in the last place of t, times the root's conditioning |∂t/∂gap|·|gap|/t.
+// Limitation: a double root (the arc just touches) is found or missed by rounding.
+#pragma once
+
+#include <cmath>
+
+#include "bankshot/detail/roots/polynomial.hpp"
+#include "bankshot/motion/arc.hpp"
+
+namespace bankshot {
+
+/// First t >= 0 at which gap + speed t + acceleration t²/2 falls through 0; `forever` if never.
+template <class T>
+T first_descent(const T& gap, const T& speed, const T& acceleration) {
+  using std::sqrt;
+  if (acceleration == T(0)) return speed < T(0) && !(gap < T(0)) ? T(gap / -speed) : T(forever);
+  const T discriminant = speed * speed - T(2) * acceleration * gap;
+  if (speed < T(0)) {
+    if (gap < T(0) || discriminant < T(0)) return T(forever);
+    return T(2) * gap / (sqrt(discriminant) - speed);
+  }
+  if (acceleration < T(0) && discriminant > T(0)) return (speed + sqrt(discriminant)) / -acceleration;
+  return gap == T(0) && speed == T(0) && acceleration < T(0) ? T(0) : T(forever);
+}
+
+/// Time after which a ball on a *straight* arc has moved by `length` metres. The acceleration is
+/// taken along the velocity: its norm would have no derivative where it is 0.
+template <class T>
+T time_at_length(const Arc<T>& arc, const T& length) {
+  const T speed = norm(arc.velocity);
+  return first_descent(length, T(-speed), T(-dot(arc.velocity, arc.acceleration) / speed));
+}
+
+/// First time at which a *straight* arc (acceleration along the velocity) enters the circle.
+template <class T>
+T first_entry_straight(const Arc<T>& arc, const Vec2d& centre, double radius) {
+  using std::sqrt;
+  const Vec2<T> d = to<T>(centre) - arc.at;
+  const T closing = dot(d, arc.velocity);
+  if (!(closing > T(0))) return T(forever);  // at or past the closest approach
+  const T speed2 = dot(arc.velocity, arc.velocity);
+  const T moment = cross(arc.velocity, d);
+  const T chord2 = T(T(radius) * radius) * speed2 - moment * moment;
+  if (!(chord2 > T(0))) return T(forever);
+  const T outside = dot(d, d) - T(T(radius) * radius);
+  if (!(outside >= T(0))) return T(forever);  // inside: must come out first
+  // The nearer intersection, as a length: (|d|² − r²) / (d·û + √(r² − lateral²)).
+  const T length = outside * sqrt(speed2) / (closing + sqrt(chord2));
+  return time_at_length(arc, length);
+}
+
+/// When, within `duration`, a *straight* arc is closest to `point`.
+template <class T>
+T closest_time_straight(const Arc<T>& arc, const T& duration, const Vec2d& point) {
+  const T speed = norm(arc.velocity);
+  if (!(speed > T(0))) return T(0);
+  const T ahead = dot(arc.velocity, to<T>(point) - arc.at) / speed;
+  if (!(ahead > T(0))) return T(0);
+  const T t = time_at_length(arc, ahead);
+  return t < duration ? t : duration;
+}
+
+/// The arc does not bend: its acceleration is along its velocity, or none.
+template <class T>
+bool is_straight(const Arc<T>& arc) {
+  return arc.end != PhaseEnd::roll;
+}
+
+/// The time `t` at which an arc meets the line of a wall, with the derivatives of the arc: one step of
+/// Newton's method, which does not move the value (implicit function theorem). `on`: the arc starts
+/// on the line, exactly. Without a crossing (a double root) there is no derivative, and none is given.
+template <class T>
+T lift_line(const Arc<T>& arc, const Vec2d& normal, double offset, bool on, const Real<T>& t) {
+  if constexpr (!has_derivatives<T>) {
+    return t;
+  } else {
+    const T speed = dot(normal, arc.velocity), a = dot(normal, arc.acceleration);
+    const T moved = (speed + a * Real<T>(t * 0.5)) * t;
+    const T f = on ? moved : T(dot(normal, arc.at) - Real<T>(offset) + moved);
+    const Real<T> slope = value(speed) + value(a) * t;
+    return slope == 0 ? T(t) : T(T(t) - (f - value(f)) / slope);
+  }
+}
+
+/// The same for the rim of a circle.
+template <class T>
+T lift_circle(const Arc<T>& arc, const Vec2d& centre, const Real<T>& t) {
+  if constexpr (!has_derivatives<T>) {
+    return t;
+  } else {
+    const Vec2<T> d = arc.position(t) - to<T>(centre);
+    const T f = dot(d, d) * 0.5;
+    const Real<T> slope = dot(value(d), value(arc).tangent(t));
+    return slope == 0 ? T(t) : T(T(t) - (f - value(f)) / slope);
+  }
+}
+
+/// The same for the closest approach to a point, where the arc runs across the line to it.
+template <class T>
+T lift_closest(const Arc<T>& arc, const Vec2d& point, const Real<T>& t) {
+  if constexpr (!has_derivatives<T>) {
+    return t;
+  } else {
+    const Vec2<T> d = arc.position(t) - to<T>(point), v = arc.tangent(t);
+    const T f = dot(d, v);
+    const Real<T> slope = dot(value(v), value(v)) + dot(value(d), value(arc.acceleration));
+    return slope == 0 ? T(t) : T(T(t) - (f - value(f)) / slope);
+  }
+}
+
+/// A step of Newton's method on the distance itself. The quartic's coefficients are squares of the whole
+/// distance to the circle, so its roots are off by that over the radius.
+template <class T>
+T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& t, const T& limit) {
+  const Vec2<T> d = arc.position(t) - to<T>(centre);
+  const T slope = dot(d, arc.tangent(t));
+  if (!(slope < T(0))) return t;
+  const T better = t - (dot(d, d) - T(T(radius) * radius)) / (T(2) * slope);
+  return better > T(0) && better <= limit ? better : t;
+}
+
+/// First time within `limit` at which an arc enters the circle. `left`: it starts on the circle,
+/// just left; then the gap there is exactly 0.
+template <class T>
+T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& limit, bool left = false) {
+  if (is_straight(arc)) return left ? T(forever) : first_entry_straight(arc, centre, radius);
+  const Vec2<T> d = arc.at - to<T>(centre), v = arc.velocity, a = arc.acceleration;
+  const T until = limit < arc.duration ? limit : arc.duration;
+  // Nothing further away than the ball can get by then needs a quartic.
+  const T reach = T(radius) + (norm(v) + norm(a) * (until / T(2))) * until;
+  const T distance2 = dot(d, d);
+  if (distance2 > reach * reach) return T(forever);
+  const T gap = left ? T(0) : T(distance2 - T(T(radius) * radius));
+  const Polynomial<T, 4> outside{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)};
+  const T t = first_descent_of(outside, until);
+  return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
+}
+
+/// When, within `duration`, an arc is closest to `point`.
+template <class T>
+T closest_time(const Arc<T>& arc, const T& duration, const Vec2d& point) {
+  if (is_straight(arc)) return closest_time_straight(arc, duration, point);
+  const Vec2<T> d = arc.at - to<T>(point), v = arc.velocity, a = arc.acceleration;
+  // Half the derivative of the squared distance.
+  const Polynomial<T, 3> slope{dot(d, v), dot(v, v) + dot(d, a), T(1.5) * dot(v, a), dot(a, a) / T(2)};
+  T best = T(0), least = dot(d, d);
+  const auto consider = [&](const T& t) {
+    const Vec2<T> off = arc.position(t) - to<T>(point);
+    const T square = dot(off, off);
+    if (square < least) least = square, best = t;
+  };
+  consider(duration);
+  for (const T& t : roots_between(slope, T(0), duration)) consider(t);
+  return best;
+}
+
+}  // namespace bankshot

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "planners/images/unfold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/numbers/tolerances.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// Sequences the tree may visit: about 150 MB and a second. That there are more is said in the answer.
+constexpr long most_visited = 500'000;
+/// Images a lattice may list at once.
+constexpr long most_images = 500'000;
+/// Rays that miss a window's end by this share of a radian, or twice that, still pass: rounding of the images.
+constexpr double ray_slack = 1e-10;
+
+/// Sums of coordinates stand for lengths: no root is worth while here.
+double slack(const Vec2d& a, const Vec2d& b) {
+  return ray_slack * (std::abs(a.x) + std::abs(a.y)) * (std::abs(b.x) + std::abs(b.y));
+}
+
+/// `ray` lies in the beam from `a` anticlockwise to `b` (less than half a turn wide).
+bool in_beam(const Vec2d& a, const Vec2d& b, const Vec2d& ray) {
+  return cross(a, ray) >= -slack(a, ray) && cross(ray, b) >= -slack(b, ray) && (dot(a, ray) > 0 || dot(b, ray) > 0);
+}
+
+/// Anticlockwise from `a` to `b`, in (−π, π].
+double angle_between(const Vec2d& a, const Vec2d& b) { return std::atan2(cross(a, b), dot(a, b)); }
+
+double walls_apart(const Boundary& b, int i, int j) {
+  const Wall &p = b.walls[static_cast<std::size_t>(i)], &q = b.walls[static_cast<std::size_t>(j)];
+  const auto apart = [](const Vec2d& at, const Wall& w) {
+    const Vec2d d = w.to - w.from;
+    return norm(at - w.from - d * std::clamp(dot(at - w.from, d) / dot(d, d), 0.0, 1.0));
+  };
+  return std::min({apart(p.from, q), apart(p.to, q), apart(q.from, p), apart(q.to, p)});
+}
+
+double distance_to(const Vec2d& a, const Vec2d& b) {
+  const Vec2d d = b - a;
+  const double length2 = dot(d, d);
+  return norm(a + d * (length2 > 0 ? std::clamp(-dot(a, d) / length2, 0.0, 1.0) : 0.0));
+}
+
+}  // namespace
+
+double Unfolding::Affine::stretch() const { return std::sqrt((xx * xx + xy * xy + yx * yx + yy * yy) / 2); }
+
+Unfolding::Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts)
+    : s_(s),
+      whole_target_(whole_target),
+      name_contacts_(name_contacts),
+      restitution_(restitution),
+      longest_(s.puzzle.speed.high * s.puzzle.speed.high / (2 * deceleration(s.puzzle.physics))) {
+  const CushionRule& rule = s.puzzle.cushions;
+  const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
+  if (rule.sequence)
+    follow_sequence();
+  else if (s.puzzle.table.is_rectangle() && restitution_ == 1 && !name_contacts && images <= most_images)
+    lattice();
+  else {
+    constexpr std::size_t usual = 64;
+    nodes_.reserve(usual);
+    add({});
+  }
+}
+
+std::optional<Candidate> Unfolding::next() {
+  while (!turns_.empty() && (candidates_.empty() || turns_.top().distance < candidates_.top().distance)) {
+    const std::size_t nearest = turns_.top().node;
+    turns_.pop();
+    if (++visited_ > most_visited) {
+      whole_ = false;
+      turns_ = {};
+      break;
+    }
+    visit(nodes_[nearest]);
+  }
+  if (candidates_.empty()) return {};
+  Candidate c = candidates_.top();
+  candidates_.pop();
+  c.angle = wrap_angle(std::atan2(c.ray.y, c.ray.x));
+  return c;
+}
+
+void Unfolding::add(const Node& node) {
+  nodes_.push_back(node);
+  nodes_.back().self = static_cast<int>(nodes_.size()) - 1;
+  turns_.push({node.distance, nodes_.size() - 1});
+}
+
+std::vector<int> Unfolding::contacts(const Candidate& c) const {
+  if (s_.puzzle.cushions.sequence) return *s_.puzzle.cushions.sequence;
+  std::vector<int> out;
+  for (int i = c.node; i >= 0 && nodes_[static_cast<std::size_t>(i)].last >= 0;
+       i = nodes_[static_cast<std::size_t>(i)].parent)
+    out.push_back(nodes_[static_cast<std::size_t>(i)].last);
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+void Unfolding::visit(Node node) {
+  const CushionRule& rule = s_.puzzle.cushions;
+  if (node.bounces >= rule.min) propose(node);
+  if (node.bounces == rule.max || restitution_ == 0) return;
+  for (int wall = 0; wall < static_cast<int>(s_.boundary.walls.size()); ++wall)
+    if (auto next = child(node, wall)) {
+      if (next->length <= longest_)
+        add(*next);
+      else
+        ++too_long_;
+    }
+}
+
+void Unfolding::propose(const Node& node) {
+  for (const Vec2d& target : s_.aim_points()) propose(node, target, s_.reach(target));
+}
+
+void Unfolding::propose(const Node& node, const Vec2d& target, double reach) {
+  const Vec2d ray = node.image.apply(target) - s_.puzzle.ball.at;
+  const double distance = norm(ray);
+  if (!(distance > 0) || !std::isfinite(distance)) return;
+  if (node.bounces > 0 && !s_.puzzle.cushions.sequence && s_.into_touched_wall(ray)) return;
+  const bool centred = !node.closed && (node.open || in_beam(node.from, node.to, ray));
+  Candidate c{0, node.bounces, std::max(0.0, distance - s_.capture(reach)), 0, 0, target, node.self, ray};
+  if (!node.closed && !(centred && name_contacts_)) find_window(node, reach, distance, c);
+  const bool only_part = whole_target_ && c.low < c.high;
+  if (centred || only_part || s_.puzzle.cushions.sequence) candidates_.push(c);
+}
+
+/// The aims beside a candidate's that are in the beam and may reach some part of the target.
+void Unfolding::find_window(const Node& node, double reach, double distance, Candidate& c) const {
+  // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
+  const double covers = reach * (restitution_ == 1 ? 1 : 2 * node.image.stretch()) / distance;
+  const double half = covers < 1 ? std::asin(covers) : radians(180);
+  c.low = -half;
+  c.high = half;
+  if (node.open || half >= radians(90)) return;
+  // The centre's ray may leave the beam while part of the target is still inside.
+  const double begin = angle_between(c.ray, node.from), end = begin + angle_between(node.from, node.to);
+  c.low = c.high = 0;
+  for (const double turn : {0.0, radians(-360)}) {
+    const double low = std::max(-half, begin + turn), high = std::min(half, end + turn);
+    if (low < high) c.low = low, c.high = high;
+  }
+}
+
+Unfolding::Affine Unfolding::through(const Affine& image, int wall) const {
+  const Wall& w = s_.boundary.walls[static_cast<std::size_t>(wall)];
+  const double k = 1 + 1 / restitution_;
+  const Vec2d n = w.normal;
+  // image ∘ (x -> x − k (n·x − d) n)
+  const double xx = 1 - k * n.x * n.x, xy = -k * n.x * n.y, yy = 1 - k * n.y * n.y;
+  Affine out{image.xx * xx + image.xy * xy, image.xx * xy + image.xy * yy, image.yx * xx + image.yy * xy,
+             image.yx * xy + image.yy * yy};
+  out.shift = image.apply(n * (k * w.offset));
+  return out;
+}
+
+double Unfolding::apart(int i, int j) {
+  if (i < 0 || i == j) return 0;
+  constexpr std::size_t most_kept = 64;  // walls: beyond, a table of all pairs would cost more than it saves
+  const std::size_t walls = s_.boundary.walls.size();
+  if (walls > most_kept) return walls_apart(s_.boundary, i, j);
+  if (apart_.empty()) apart_.assign(walls * walls, -1);
+  double& known = apart_[static_cast<std::size_t>(i) * walls + static_cast<std::size_t>(j)];
+  if (known < 0) known = walls_apart(s_.boundary, i, j);
+  return known;
+}
+
+std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
+  if (wall == node.last) return {};
+  const Wall& w = s_.boundary.walls[static_cast<std::size_t>(wall)];
+  if (dot(w.to - w.from, w.along) < 0) return {};  // no ball fits there
+  if (node.last >= 0) {
+    // Beyond the line of the cushion just left there is no path.
+    const Wall& left = s_.boundary.walls[static_cast<std::size_t>(node.last)];
+    const double behind = s_.boundary.touch;
+    if (dot(left.normal, w.from) - left.offset < behind && dot(left.normal, w.to) - left.offset < behind) return {};
+  }
+  const Vec2d ball = s_.puzzle.ball.at;
+  Vec2d a = node.image.apply(w.from) - ball, b = node.image.apply(w.to) - ball;
+  if (node.flipped) std::swap(a, b);
+  if (!(cross(a, b) > 0)) return {};  // seen from behind, or edge-on
+  Vec2d from = a, to = b;
+  if (!node.open) {
+    if (in_beam(a, b, node.from)) from = node.from;
+    if (in_beam(a, b, node.to)) to = node.to;
+    if (!in_beam(node.from, node.to, from) || !in_beam(node.from, node.to, to)) return {};
+  }
+  Node next{through(node.image, wall), from, to};
+  next.open = false;
+  next.distance = std::max(node.distance, distance_to(a, b));
+  // Neighbouring cushions meet in a corner, so look two back as well.
+  next.before = node.last;
+  next.length_before = node.length;
+  next.length = std::max(node.length + apart(node.last, wall), node.length_before + apart(node.before, wall));
+  if (restitution_ == 1) next.length = std::max(next.length, next.distance);
+  next.bounces = node.bounces + 1;
+  next.parent = node.self;
+  next.last = wall;
+  next.flipped = !node.flipped;
+  return next;
+}
+
+void Unfolding::follow_sequence() {
+  Node node;
+  for (const int contact : *s_.puzzle.cushions.sequence) {
+    if (contact >= static_cast<int>(s_.boundary.walls.size()) || restitution_ == 0) return;
+    // Cushions touched at the start bound nothing: the ball bounces off them before it moves.
+    const bool at_start = node.open && !node.closed && s_.touches(contact);
+    std::optional<Node> next;
+    if (!node.closed && !at_start) next = child(node, contact);
+    if (!next) {
+      next = node;
+      next->image = through(node.image, contact);
+      next->flipped = !node.flipped;
+      next->closed = !at_start;
+      next->last = contact;
+      ++next->bounces;
+    }
+    node = *next;
+  }
+  propose(node);
+}
+
+void Unfolding::lattice() {
+  const auto& walls = s_.boundary.walls;
+  const double x0 = walls[3].from.x, y0 = walls[0].from.y;
+  const double width = walls[1].from.x - x0, height = walls[2].from.y - y0;
+  const auto cell = [](int i, double size, double x) { return i % 2 == 0 ? i * size + x : (i + 1) * size - x; };
+  std::vector<Candidate> found;
+  const auto add = [&](int i, int j, const Vec2d& target) {
+    const Vec2d image{x0 + cell(i, width, target.x - x0), y0 + cell(j, height, target.y - y0)};
+    const Vec2d ray = image - s_.puzzle.ball.at;
+    const double distance = norm(ray);
+    const int n = std::abs(i) + std::abs(j);
+    if (!(distance > 0) || (n > 0 && s_.into_touched_wall(ray))) return;
+    const double reach = s_.reach(target), covers = reach / distance;
+    const double half = covers < 1 ? std::asin(covers) : radians(180);
+    found.push_back({0, n, std::max(0.0, distance - s_.capture(reach)), -half, half, target, -1, ray});
+  };
+  const CushionRule& rule = s_.puzzle.cushions;
+  for (const Vec2d& target : s_.aim_points())
+    for (int n = rule.min; n <= rule.max; ++n)
+      for (int i = -n; i <= n; ++i) {
+        const int j = n - std::abs(i);
+        add(i, j, target);
+        if (j != 0) add(i, -j, target);
+      }
+  candidates_ = decltype(candidates_){Farther{}, std::move(found)};
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// How far a locked path is from being a shot: one number that is positive where every bounce lies on its
+// cushion, no pocket is in the way and the target is reached, and that grows continuously towards such
+// launches from beside them. Where it is positive a launch is nearly certainly a shot; the replay decides.
+// Cost: one simulation.
+#pragma once
+
+#include <optional>
+
+#include "planners/locked/residual.hpp"
+
+namespace bankshot::planning {
+
+/// m, the least of: how far each bounce is inside its cushion's ends, how far each leg keeps from the pockets
+/// and the vertices that it should not meet, how far inside the target the ball passes, how far inside the table it
+/// arrives, and how far it would roll on into a pocket. None where the path never gets to its last leg.
+std::optional<double> clearance(Search& s, const LockedAim& aim, const Launch& launch);
+
+}  // namespace bankshot::planning

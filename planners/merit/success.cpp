@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+//
+// `success`: the chance that the target is made, by any allowed cushions, under the player's normal errors.
+// Method: counted in the player's deviations the errors of aim and speed are equally likely in every
+// direction, so their plane may be turned: `across` is the direction that moves the arrival most, to first
+// order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a line
+// across it the edges are bisected, and the chance on that line follows from them. Lines begin evenly
+// spaced; more are laid where the chance changes other than its neighbours say. Between lines it is a
+// monotone cubic (Fritsch & Butland 1984), summed with the normal density by Gauss's rule.
+// Edges are looked for where the neighbouring lines have them and between some points spread over
+// the line, so that a band which nobody expects is met too; then the neighbours are looked at again.
+// Cost: success_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "planners/merit/robustness.hpp"
+#include "planners/proof/prove.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+// All in standard deviations of the player.
+constexpr double widest = 3.3;    // errors beyond are taken to do as those here
+constexpr double step = 0.08;     // from where an edge is expected to the next point tried
+constexpr double narrow = 0.05;   // a bracket of an edge is bisected to this
+constexpr double finer = 0.01;    // the same on the first line, whose edges all the others inherit
+constexpr double finest = 0.002;  // the same where there is only one line
+constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
+constexpr double least_doubt = 2e-4;  // of chance: no further line is worth while
+
+double normal_below(double z) { return std::erfc(-z / std::sqrt(2.0)) / 2; }
+
+/// The logistic distribution, near enough to the normal one to spread points by, and its inverse.
+constexpr double logistic = 1.702;
+double about_below(double z) { return 1 / (1 + std::exp(-logistic * z)); }
+double about_at(double p) { return std::log(p / (1 - p)) / logistic; }
+
+/// The errors that have one size along the band.
+struct Line {
+  struct Try {
+    double across;
+    bool made;
+  };
+  double along;
+  std::vector<Try> tries{};     ///< in order of `across`
+  std::vector<double> edges{};  ///< where being made begins or ends, in order
+  bool open = false;            ///< made before the first edge
+  double chance = 0;            ///< of all errors on this line
+
+  bool made(double across) const {
+    const auto before = std::lower_bound(edges.begin(), edges.end(), across) - edges.begin();
+    return open != (before % 2 == 1);
+  }
+
+  /// Edges and chance from the tries; an edge expected inside its bracket is taken to lie there.
+  void read_off(const std::vector<double>& expected) {
+    edges.clear();
+    open = !tries.empty() && tries.front().made;
+    chance = !tries.empty() && tries.back().made ? 1 : 0;
+    for (std::size_t i = 0; i + 1 < tries.size(); ++i) {
+      const double low = tries[i].across, high = tries[i + 1].across;
+      if (tries[i].made == tries[i + 1].made) continue;
+      const auto inside = std::find_if(expected.begin(), expected.end(), [&](double e) { return low < e && e < high; });
+      edges.push_back(inside != expected.end() ? *inside : (low + high) / 2);
+      chance += (tries[i].made ? 1 : -1) * normal_below(edges.back());
+    }
+  }
+};
+
+class Chance {
+ public:
+  Chance(Search& s, const Shot& shot) : s_(s), shot_(shot), goal_(Goal::of(s)) { turn(); }
+
+  double run() {
+    if (is_ideal(s_.puzzle.physics)) {  // any speed will do that is one: one line is all
+      add(0);
+      const double noise = s_.puzzle.noise.speed;
+      return lines_.front().chance * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
+    }
+    // A band that ends within reach is met by as many lines, and one on either side looks beyond it.
+    constexpr double outermost = 2.5;
+    const double scale = std::min(1.0, 1.1 * length_ / outermost);
+    for (const double along : first_lines) add(scale * along);
+    if (scale < 1)
+      for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
+    constexpr std::size_t cheapest_line = 5;
+    while (used_ + cheapest_line <= success_samples) {
+      std::size_t at = 0;
+      double most = least_doubt;
+      for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
+        if (const double d = doubt(i); d > most) most = d, at = i + 1;
+      if (at == 0) break;
+      add((lines_[at - 1].along + lines_[at].along) / 2);
+    }
+    return sum();
+  }
+
+ private:
+  /// Turns the plane of errors, and sees what the derivatives say of the band.
+  void turn() {
+    const Vec2d by_angle = shot_.by_angle * s_.puzzle.noise.angle, by_speed = shot_.by_speed * s_.puzzle.noise.speed;
+    across_ = direction(std::atan2(2 * dot(by_angle, by_speed), dot(by_angle, by_angle) - dot(by_speed, by_speed)) / 2);
+    if (is_ideal(s_.puzzle.physics)) across_ = {1, 0};
+    const Vec2d most = by_angle * across_.x + by_speed * across_.y, least = by_speed * across_.x - by_angle * across_.y;
+    const double reach = s_.nearest_reach(shot_.arrival.at), moved = norm(most);
+    if (s_.stop && norm(least) > 0) length_ = reach / norm(least);
+    if (!(moved > 0)) return;
+    const double middle = -dot(shot_.arrival.at - s_.nearest_aim_point(shot_.arrival.at), most) / (moved * moved);
+    expected_ = {middle - reach / moved, middle + reach / moved};
+  }
+
+  bool left() const { return used_ < success_samples; }
+
+  /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
+  bool made(Line& line, double across) {
+    const auto at = std::lower_bound(line.tries.begin(), line.tries.end(), across,
+                                     [](const Line::Try& t, double v) { return t.across < v; });
+    if (at != line.tries.end() && at->across == across) return at->made;
+    if (!left()) return line.made(across);
+    ++used_;
+    const double turned = across_.x * across - across_.y * line.along,
+                 harder = across_.y * across + across_.x * line.along;
+    const double speed = shot_.launch.speed + s_.puzzle.noise.speed * harder,
+                 angle = shot_.launch.angle + s_.puzzle.noise.angle * turned;
+    const bool result = speed > 0 && replay(s_, {speed, wrap_angle(angle)}, goal_).made;
+    line.tries.insert(at, {across, result});
+    return result;
+  }
+
+  struct Expected {
+    Line line;
+    bool sure = true;  ///< the neighbours agree how many edges there are
+  };
+
+  /// Edges in line with those of the two nearest lines.
+  Expected expect(double along) const {
+    Expected e{{along}};
+    e.line.edges = expected_;
+    if (lines_.empty()) return e;
+    const auto after =
+        std::lower_bound(lines_.begin(), lines_.end(), along, [](const Line& l, double v) { return l.along < v; });
+    const bool between = after != lines_.begin() && after != lines_.end(), two = lines_.size() > 1;
+    const Line& near = after == lines_.begin() ? *after : *(after - 1);
+    const Line& far = between ? *after : !two ? near : after == lines_.begin() ? *(after + 1) : *(after - 2);
+    e.sure = near.edges.size() == far.edges.size() && near.open == far.open;
+    const Line& like = !e.sure && between && far.edges.size() > near.edges.size() ? far : near;
+    e.line.edges = like.edges;
+    e.line.open = like.open;
+    if (!e.sure || &near == &far) return e;
+    const double share = (along - near.along) / (far.along - near.along);
+    for (std::size_t i = 0; i < near.edges.size(); ++i) e.line.edges[i] += share * (far.edges[i] - near.edges[i]);
+    std::sort(e.line.edges.begin(), e.line.edges.end());
+    return e;
+  }
+
+  void add(double along) {
+    Line line{along};
+    const Expected e = expect(along);
+    for (std::size_t k = 0; k <= e.line.edges.size(); ++k) {
+      const double low = k > 0 ? std::max(e.line.edges[k - 1], -widest) : -widest;
+      const double high = k < e.line.edges.size() ? std::min(e.line.edges[k], widest) : widest;
+      const bool in = e.line.open != (k % 2 == 1);
+      if (in && low < high && (e.sure || made(line, (low + high) / 2))) follow(line, low, high);
+    }
+    spread(line, e.line.edges.empty());
+    settle(line, e.line.edges);
+    const auto after =
+        std::lower_bound(lines_.begin(), lines_.end(), along, [](const Line& l, double v) { return l.along < v; });
+    const auto at = lines_.insert(after, std::move(line)) - lines_.begin();
+    tell(at, -1);
+    tell(at, 1);
+  }
+
+  /// Brackets both ends of what is expected to be made, by steps that double.
+  void follow(Line& line, double low, double high) {
+    constexpr int most_steps = 6;
+    for (const bool upper : {false, true}) {
+      const double edge = upper ? high : low;
+      if (std::abs(edge) >= widest) continue;
+      const bool in = made(line, edge);
+      double by = in == upper ? step : -step, at = edge;
+      for (int i = 0; i < most_steps; ++i, by *= 2) {
+        at += by;
+        const bool outside = std::abs(at) > widest || (!in && (at < low || at > high));
+        if (outside || made(line, at) != in) break;
+      }
+    }
+  }
+
+  /// Points at even steps of probability, shifted from line to line.
+  void spread(Line& line, bool no_edges) {
+    constexpr std::size_t only = 100, on_first = 18, on_others = 4, without_edges = 3;
+    constexpr double golden = 0.6180339887, tail = 0.0015;  // of probability
+    const bool later = lines_.size() >= first_lines.size();
+    const std::size_t count = is_ideal(s_.puzzle.physics) ? only
+                              : lines_.empty()            ? on_first
+                              : later && no_edges         ? without_edges
+                                                          : on_others;
+    const double share = 1 / static_cast<double>(count),
+                 shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double p = tail + (static_cast<double>(k) + shift) * share * (1 - 2 * tail);
+      const auto close = [&](const Line::Try& t) { return std::abs(about_below(t.across) - p) < share / 4; };
+      if (std::none_of(line.tries.begin(), line.tries.end(), close)) made(line, about_at(p));
+    }
+  }
+
+  /// Bisects every change between two tries, the widest first, and reads off the edges.
+  void settle(Line& line, const std::vector<double>& expected) {
+    const double enough = (is_ideal(s_.puzzle.physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
+    while (left()) {
+      double most = enough, at = 0;
+      for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
+        const Line::Try &a = line.tries[i], &b = line.tries[i + 1];
+        if (a.made != b.made && b.across - a.across > most) most = b.across - a.across, at = (a.across + b.across) / 2;
+      }
+      if (most == enough) break;
+      made(line, at);
+    }
+    line.read_off(expected);
+  }
+
+  /// Neighbours that lack an edge which this line has are tried beside it, and so on outwards.
+  void tell(std::ptrdiff_t from, std::ptrdiff_t way) {
+    constexpr double same = 0.3, beside = 0.5;
+    for (std::ptrdiff_t i = from + way; i >= 0 && i < std::ssize(lines_); i += way) {
+      const Line& source = lines_[static_cast<std::size_t>(i - way)];
+      Line& line = lines_[static_cast<std::size_t>(i)];
+      const std::size_t before = line.edges.size();
+      if (before >= source.edges.size() || !left()) return;
+      for (std::size_t k = 0; k < source.edges.size(); ++k) {
+        const double edge = source.edges[k];
+        const auto known = [&](double e) { return std::abs(e - edge) < same; };
+        if (std::abs(edge) > widest || std::any_of(line.edges.begin(), line.edges.end(), known)) continue;
+        const double low = k > 0 ? source.edges[k - 1] : -widest,
+                     high = k + 1 < source.edges.size() ? source.edges[k + 1] : widest;
+        for (const double at : {std::max(edge - beside, (edge + low) / 2), std::min(edge + beside, (edge + high) / 2)})
+          if (line.made(at) != source.made(at)) made(line, at);
+      }
+      settle(line, source.edges);
+      if (line.edges.size() <= before) return;
+    }
+  }
+
+  /// What chance may be wrong between two lines: how far each is from where its neighbours point.
+  double doubt(std::size_t i) const {
+    constexpr double of_change = 0.15, always = 0.01;
+    const Line &a = lines_[i], &b = lines_[i + 1];
+    const auto off = [](const Line& far, const Line& near, const Line& line) {
+      const double slope = (near.chance - far.chance) / (near.along - far.along);
+      return std::abs(line.chance - std::clamp(near.chance + slope * (line.along - near.along), 0.0, 1.0));
+    };
+    const double before = i > 0 ? off(lines_[i - 1], a, b) : 0,
+                 after = i + 2 < lines_.size() ? off(lines_[i + 2], b, a) : 0;
+    return (normal_below(b.along) - normal_below(a.along)) *
+           (std::max(before, after) + of_change * std::abs(b.chance - a.chance) + always);
+  }
+
+  /// Slopes of the monotone cubic at the lines.
+  std::vector<double> slopes() const {
+    const std::size_t n = lines_.size();
+    std::vector<double> steps(n - 1), slope(n);
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      steps[i] = (lines_[i + 1].chance - lines_[i].chance) / (lines_[i + 1].along - lines_[i].along);
+    slope.front() = steps.front();
+    slope.back() = steps.back();
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const double before = lines_[i].along - lines_[i - 1].along, after = lines_[i + 1].along - lines_[i].along;
+      const double u = 2 * after + before, v = after + 2 * before;
+      slope[i] = steps[i - 1] * steps[i] > 0 ? (u + v) / (u / steps[i - 1] + v / steps[i]) : 0;
+    }
+    return slope;
+  }
+
+  /// The chance of all lines together.
+  double sum() const {
+    constexpr double node[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+    constexpr double weight[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+    constexpr double density_at_0 = 0.3989422804014327;
+    const std::vector<double> slope = slopes();
+    double total = lines_.front().chance * normal_below(lines_.front().along) +
+                   lines_.back().chance * normal_below(-lines_.back().along);
+    for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
+      const Line &a = lines_[i], &b = lines_[i + 1];
+      const double h = b.along - a.along;
+      for (std::size_t k = 0; k < std::size(node); ++k) {
+        const double x = (1 + node[k]) / 2, y = 1 - x, along = a.along + h * x;
+        const double chance = y * y * ((1 + 2 * x) * a.chance + x * h * slope[i]) +
+                              x * x * ((3 - 2 * x) * b.chance - y * h * slope[i + 1]);
+        total += weight[k] * h / 2 * chance * density_at_0 * std::exp(-along * along / 2);
+      }
+    }
+    return std::clamp(total, 0.0, 1.0);
+  }
+
+  Search& s_;
+  const Shot& shot_;
+  Goal goal_;
+  Vec2d across_{};
+  double length_ = std::numeric_limits<double>::infinity();
+  std::vector<double> expected_{};
+  std::size_t used_ = 0;
+  std::vector<Line> lines_{};
+};
+
+}  // namespace
+
+void find_success(Search& s, Shot& shot) { shot.success = Chance(s, shot).run(); }
+
+}  // namespace bankshot::planning

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+//
+// The replay of verify.hpp: the plain simulator, followed leg by leg against a goal.
+#include <cmath>
+#include <utility>
+
+#include "bankshot/simulate/simulator.hpp"
+#include "planners/proof/prove.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// Follows the bounces against a requested sequence; two at one instant match in either order.
+class SequenceCheck {
+ public:
+  explicit SequenceCheck(const std::vector<int>* wanted) : wanted_(wanted) {}
+
+  bool accepts(int k, const Event& e) {
+    if (!wanted_) return true;
+    const auto at = [&](int i) { return (*wanted_)[static_cast<std::size_t>(i)]; };
+    if (swapped_ >= 0) return e.same_instant && std::exchange(swapped_, -1) == e.index;
+    if (at(k) == e.index) return true;
+    if (k + 1 < static_cast<int>(wanted_->size()) && at(k + 1) == e.index) {
+      swapped_ = at(k);
+      return true;
+    }
+    return false;
+  }
+  /// A swap still waits for its second bounce.
+  bool open() const { return swapped_ >= 0; }
+
+ private:
+  const std::vector<int>* wanted_;
+  int swapped_ = -1;
+};
+
+/// A simulation against a goal, leg by leg.
+template <class Motion, class Cushion>
+class Follower {
+ public:
+  Follower(const Search& s, const Motion& motion, const Cushion& cushion, const Launch& launch, const Goal& goal,
+           bool tracing)
+      : s_(s),
+        goal_(goal),
+        tracing_(tracing),
+        stop_(s.stop && !tracing),
+        check_(goal.sequence),
+        sim_(s.boundary, motion, cushion,
+             launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin)),
+        out_{{}, SpeedAccount(deceleration(s.puzzle.physics))} {}
+
+  Trace run(std::vector<int>* contacts) {
+    for (;;) {
+      const Event e = sim_.step();
+      if (look_along_arc(e)) return out_;
+      if (tracing_) {
+        out_.account.add(sim_.arc(), sim_.travelled());
+        if (out_.account.beyond(s_.puzzle.speed.high)) return fail(Foul::too_long, -1);
+      }
+      switch (e.kind) {
+        case EventKind::cushion:
+          if (k_ == goal_.max) return fail(Foul::extra_cushion, e.index);
+          if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.index);
+          ++k_;
+          if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.index), sim_.state().velocity) > 0))
+            out_.replay.cushion_stick = true;
+          if (contacts) contacts->push_back(e.index);
+          break;
+        case EventKind::slide_to_roll:
+          break;
+        case EventKind::pocket:
+          return pocketed(e.index);
+        case EventKind::rest:
+          return rest();
+        case EventKind::horizon:
+          return fail(Foul::missed, -1);
+      }
+    }
+  }
+
+ private:
+  bool counts() const { return k_ >= goal_.min && !check_.open(); }
+
+  /// Closest approach to the target on the arc just travelled; true when a point is made there.
+  bool look_along_arc(const Event& e) {
+    const PointTarget* target = s_.point();
+    if (stop_ || !counts()) return false;
+    if (target) {
+      const bool near = look_at(target->at) <= target->within;
+      // A ball that still comes nearer when its slide ends is closest on the next arc.
+      return near && (closest_ < sim_.travelled() || e.kind != EventKind::slide_to_roll) && arrive_at_point();
+    }
+    if (tracing_)
+      for (const Vec2d& centre : s_.aim_points()) look_at(centre);
+    return false;
+  }
+
+  double look_at(const Vec2d& target) {
+    const double t = closest_time(sim_.arc(), sim_.travelled(), target);
+    const Vec2d at = sim_.arc().position(t);
+    const double miss = norm(at - target);
+    closest_ = t;
+    if (miss < out_.replay.miss) {
+      out_.replay.miss = miss;
+      const Arc<double>& arc = sim_.arc();
+      out_.replay.arrival = {sim_.time() - arc.seconds(sim_.travelled()) + arc.seconds(t), norm(arc.velocity_at(t)),
+                             at};
+    }
+    return miss;
+  }
+
+  bool arrive_at_point() {
+    if (tracing_) out_.account.add(sim_.arc(), closest_);
+    out_.replay.made = true;
+    out_.replay.bounces = k_;
+    return true;
+  }
+
+  Trace pocketed(int pocket) {
+    if (s_.point() || !s_.wanted(pocket) || !counts()) return fail(Foul::pocketed, pocket);
+    const State<double>& now = sim_.state();
+    const Vec2d to_centre = s_.boundary.pockets[static_cast<std::size_t>(pocket)].centre - now.at;
+    out_.replay.made = true;
+    out_.replay.bounces = k_;
+    // A ball that stops on the circle still has the line of its last arc.
+    const Vec2d heading = norm(now.velocity) > 0 ? now.velocity : sim_.arc().velocity;
+    out_.replay.miss = std::abs(cross(heading, to_centre)) / norm(heading);
+    out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
+    return out_;
+  }
+
+  Trace rest() {
+    const PointTarget* target = s_.point();
+    if (!target || !stop_ || !counts()) return fail(Foul::fell_short, -1);
+    out_.replay.miss = norm(sim_.state().at - target->at);
+    out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
+    out_.replay.bounces = k_;
+    out_.replay.made = out_.replay.miss <= target->within;
+    if (!out_.replay.made) out_.replay.failure = {Foul::missed};
+    return out_;
+  }
+
+  Trace fail(Foul foul, int index) {
+    // Where the target was passed with the bounces asked, that is the miss; else how near the
+    // ball was when it went wrong.
+    if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
+      for (const Vec2d& p : s_.aim_points()) out_.replay.miss = std::min(out_.replay.miss, norm(sim_.state().at - p));
+      out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
+    } else if (foul == Foul::extra_cushion) {
+      foul = Foul::missed;
+      index = -1;
+    }
+    out_.replay.failure = {foul, index};
+    out_.replay.bounces = k_;
+    return out_;
+  }
+
+  const Search& s_;
+  const Goal& goal_;
+  bool tracing_;  ///< only the shape matters: pass the target, and keep account of the speed
+  bool stop_;
+  SequenceCheck check_;
+  Simulator<double, Motion, Cushion> sim_;
+  int k_ = 0;
+  double closest_ = 0;  ///< s into the arc
+  Trace out_;
+};
+
+}  // namespace
+
+void SpeedAccount::add(const Arc<double>& arc, double t) {
+  const double now2 = dot(arc.velocity, arc.velocity);
+  gain *= now2 / before2_;
+  loss *= now2 / before2_;
+  before2_ = now2;
+  if (t > 0) loss += 2 * deceleration_ * norm(arc.position(t) - arc.at);
+}
+
+Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts) {
+  const Replay r = with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    return Follower(s, motion, cushion, launch, goal, false).run(contacts).replay;
+  });
+  s.spend(static_cast<std::size_t>(r.bounces));
+  return r;
+}
+
+Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts) {
+  const Mirror mirror{restitution(s.puzzle.physics)};
+  const Trace t = Follower(s, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
+  s.spend(static_cast<std::size_t>(t.replay.bounces));
+  return t;
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/plan/answer.hpp"
+#include "json/writer.hpp"
+
+namespace bankshot {
+namespace {
+
+void write_bounds(JsonWriter& w, std::string_view key, const std::array<std::optional<double>, 2>& b, double unit) {
+  w.key(key);
+  w.open('[');
+  for (const auto& v : b) v ? w.number(*v * unit) : w.null();
+  w.close(']');
+}
+
+void write_path(JsonWriter& w, const Puzzle& p, const Shot& shot) {
+  w.key("cushions");
+  w.open('[');
+  for (const int c : shot.cushions) w.string(contact_name(p.table, c));
+  w.close(']');
+  w.number("miss", shot.miss);
+  w.key("arrival");
+  w.open('{');
+  w.number("time", shot.arrival.time);
+  w.number("speed", shot.arrival.speed);
+  w.key("at");
+  w.open('[');
+  w.number(shot.arrival.at.x);
+  w.number(shot.arrival.at.y);
+  w.close(']');
+  w.close('}');
+}
+
+/// `why` is the reason of a nearest miss; none for a shot.
+void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, const std::string* why = nullptr) {
+  // Without the physics `spin` the ball rolls from the start: natural roll, hit 2/5 R above centre.
+  const LaunchSpin spin = is_straight(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
+  w.open('{');
+  w.number("speed", shot.launch.speed);
+  w.number("angle", exact_degrees(shot.launch.angle));
+  w.key("spin");
+  w.open('{');
+  w.number("top", spin.top);
+  w.number("side", spin.side);
+  if (spin.masse != 0) w.number("masse", spin.masse);
+  w.close('}');
+  w.key("tip");
+  w.open('{');
+  w.number("right", 0.4 * p.ball.radius * spin.side);
+  w.number("up", 0.4 * p.ball.radius * spin.top);
+  w.close('}');
+  write_path(w, p, shot);
+  w.number("condition", shot.condition);
+  if (shot.margin) {
+    w.key("margin");
+    w.open('{');
+    write_bounds(w, "angle", shot.margin->angle, degrees(1));
+    write_bounds(w, "speed", shot.margin->speed, 1);
+    w.close('}');
+  }
+  if (shot.success) w.number("success", *shot.success);
+  w.string("planner", shot.planner);
+  w.integer("simulations", shot.simulations);
+  if (why) w.string("why", *why);
+  w.close('}');
+}
+
+/// Up to the list of shots, which is left open.
+void write_head(JsonWriter& w, const Answer& a) {
+  w.open('{');
+  if (!a.id.empty()) w.key("id"), w.raw(a.id);
+  w.string("status", name(a.status));
+  w.key("shots");
+  w.open('[');
+}
+
+}  // namespace
+
+const char* name(Status status) {
+  switch (status) {
+    case Status::solved:
+      return "solved";
+    case Status::no_shot:
+      return "no-shot";
+    case Status::budget:
+      return "budget";
+    case Status::invalid:
+      break;
+  }
+  return "invalid";
+}
+
+Answer invalid_answer(std::string id, const InvalidInput& error) {
+  Answer a{.id = std::move(id), .status = Status::invalid};
+  a.error = {error.path, error.line ? "line " + std::to_string(error.line) + ": " + error.what() : error.what()};
+  a.message = a.error->path.empty() ? a.error->reason : a.error->path + ": " + a.error->reason;
+  return a;
+}
+
+std::string to_json(const Puzzle& puzzle, const Answer& a, bool timing) {
+  JsonWriter w;
+  write_head(w, a);
+  for (const Shot& s : a.shots) write_shot(w, puzzle, s);
+  w.close(']');
+  w.key("nearest");
+  a.nearest ? write_shot(w, puzzle, a.nearest->shot, &a.nearest->why) : w.null();
+  w.key("modelled");
+  w.open('[');
+  for (const std::string& m : a.modelled) w.string(m);
+  w.close(']');
+  w.integer("simulations", a.simulations);
+  if (timing) w.number("time_us", a.time_us);
+  w.string("message", a.message);
+  w.close('}');
+  return w.take();
+}
+
+std::string to_json(const Answer& a) {
+  JsonWriter w;
+  write_head(w, a);
+  w.close(']');
+  w.key("nearest");
+  w.null();
+  if (a.error) {
+    w.key("error");
+    w.open('{');
+    w.string("path", a.error->path);
+    w.string("reason", a.error->reason);
+    w.close('}');
+  }
+  w.string("message", a.message);
+  w.close('}');
+  return w.take();
+}
+
+ShotRequest as_request(const Puzzle& p, const Shot& shot) {
+  ShotRequest r{p.id, p.table, p.physics, p.ball, shot.launch, shot.spin, {}};
+  r.until.time = shot.arrival.time;
+  return r;
+}
+
+}  // namespace bankshot

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/plan/answer.hpp"
+#include "bankshot/scene/json.hpp"
+#include "json/reader.hpp"
+
+namespace bankshot {
+namespace {
+
+constexpr std::string_view answer_keys[] = {"id",          "status",  "shots",   "nearest", "modelled",
+                                            "simulations", "time_us", "message", "error"};
+constexpr std::string_view shot_keys[] = {"speed",     "angle",  "spin",    "tip",     "cushions",    "miss", "arrival",
+                                          "condition", "margin", "success", "planner", "simulations", "why"};
+
+void note_unread(const Json& object, std::span<const std::string_view> known, std::set<std::string>* unread) {
+  if (!unread) return;
+  for (const auto& [key, value] : object.items())
+    if (std::find(known.begin(), known.end(), key) == known.end()) unread->insert(key);
+}
+
+std::vector<int> read_contacts(const Reader& r, const Table& table) {
+  std::vector<std::string> all;
+  for (int i = 0; i < 2 * static_cast<int>(table.cushions.size()); ++i) all.push_back(contact_name(table, i));
+  const std::vector<std::string_view> names(all.begin(), all.end());
+  std::vector<int> contacts;
+  for (const Reader& item : r.items()) contacts.push_back(static_cast<int>(item.word("cushion", names)));
+  return contacts;
+}
+
+/// In `ideal` and `rolling` the natural roll is printed, which is no spin of the launch's own.
+LaunchSpin read_spin(const Reader& r, const Puzzle& p) {
+  LaunchSpin spin{r.need("top").number(), r.need("side").number(), 0};
+  if (const auto v = r.find("masse")) spin.masse = v->number();
+  if (is_straight(p.physics)) spin.top -= 1;
+  return spin;
+}
+
+std::array<std::optional<double>, 2> read_bounds(const Reader& r, double unit) {
+  if (!r.is_array() || r.size() != 2) r.fail("must be a pair [down, up]");
+  std::array<std::optional<double>, 2> out;
+  const auto ends = r.items();
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!ends[i].is_null()) out[i] = ends[i].number() * unit;
+  return out;
+}
+
+Shot read_shot(const Reader& r, const Puzzle& p) {
+  Shot s;
+  s.launch = {r.need("speed").positive(), wrap_angle(radians(r.need("angle").number()))};
+  s.spin = read_spin(r.need("spin"), p);
+  s.cushions = read_contacts(r.need("cushions"), p.table);
+  s.miss = r.need("miss").at_least(0);
+  const Reader arrival = r.need("arrival");
+  s.arrival = {arrival.need("time").at_least(0), arrival.need("speed").at_least(0), arrival.need("at").point()};
+  s.condition = r.need("condition").at_least(0);
+  if (const auto m = r.find("margin"))
+    s.margin = Margin{read_bounds(m->need("angle"), radians(1)), read_bounds(m->need("speed"), 1)};
+  if (const auto v = r.find("success")) s.success = v->number();
+  s.planner = r.need("planner").text();
+  s.simulations = r.need("simulations").count();
+  return s;
+}
+
+Status read_status(const Reader& r) {
+  constexpr std::array<std::string_view, 4> words{"solved", "no-shot", "budget", "invalid"};
+  return static_cast<Status>(r.word("status", words));
+}
+
+}  // namespace
+
+Answer read_answer(std::string_view text, const Puzzle* puzzle, std::set<std::string>* unread) {
+  const Json json = parse_document(text);
+  const Reader doc(json);
+  Answer a{.id = read_id(text), .status = read_status(doc.need("status"))};
+  note_unread(json, answer_keys, unread);
+  const auto shots = doc.need("shots").items();
+  a.message = doc.need("message").text();
+  if (const auto e = doc.find("error")) a.error = {e->need("path").text(), e->need("reason").text()};
+  if (!puzzle) return a;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    a.shots.push_back(read_shot(shots[i], *puzzle));
+    note_unread(json["shots"][i], shot_keys, unread);
+  }
+  if (const auto n = doc.find("nearest"); n && !n->is_null())
+    a.nearest = Answer::Nearest{read_shot(*n, *puzzle), n->need("why").text()};
+  if (a.status == Status::invalid) return a;
+  for (const Reader& m : doc.need("modelled").items()) a.modelled.push_back(m.text());
+  a.simulations = doc.need("simulations").count();
+  if (const auto t = doc.find("time_us")) a.time_us = t->at_least(0);
+  return a;
+}
+
+}  // namespace bankshot

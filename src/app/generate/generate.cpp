@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+//
+// bankshot generate: seeded puzzles that have a shot, one JSON a line.
+#include "bankshot/plan/generate.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/json.hpp"
+#include "json/reader.hpp"
+
+namespace bankshot::app {
+namespace {
+
+struct Arguments {
+  std::uint64_t seed = 0;
+  long count = 0;
+  std::string table = "pool-9ft", physics = "spin", cushions = "1-3", difficulty, target, out = "-";
+  bool unique = false;
+};
+
+/// A name, or the JSON of an object, as JSON.
+std::string as_json(const std::string& text) { return text.starts_with('{') ? text : write_json(Json(text)); }
+
+int whole(const std::string& text) {
+  constexpr std::size_t most_digits = 5;
+  const bool digits =
+      !text.empty() && text.size() <= most_digits && text.find_first_not_of("0123456789") == std::string::npos;
+  const int n = digits ? std::stoi(text) : -1;
+  return n <= max_cushions ? n : -1;
+}
+
+/// "2", "1-3" or "top,left".
+CushionRule read_rule(const std::string& text, const Table& table) {
+  if (const int n = whole(text); n >= 0) return CushionRule::exactly(n);
+  const auto dash = text.find('-');
+  const int low = whole(text.substr(0, dash)), high = dash == std::string::npos ? -1 : whole(text.substr(dash + 1));
+  if (low >= 0 && high >= low) return {low, high, {}};
+  std::vector<std::string> all;
+  for (int i = 0; i < static_cast<int>(table.cushions.size()); ++i) all.push_back(contact_name(table, i));
+  const std::vector<std::string_view> names(all.begin(), all.end());
+  std::vector<int> contacts;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto it = std::find(all.begin(), all.end(), word);
+    if (it == all.end())
+      throw FileError(fmt::format("--cushions: {} is neither a number, LOW-HIGH nor a cushion{}", quote(word),
+                                  known_words(word, names)));
+    contacts.push_back(static_cast<int>(it - all.begin()));
+  }
+  return CushionRule::in_order(std::move(contacts));
+}
+
+Wish read_wish(const Arguments& a) {
+  Wish w;
+  try {
+    const SceneDocument scene = read_scene(as_json(a.table), as_json(a.physics));
+    w.table = scene.table, w.physics = scene.physics, w.ball = scene.ball;
+  } catch (const InvalidInput& e) {
+    throw FileError(e.path.empty() ? fmt::format("--table or --physics: {}", e.what())
+                                   : fmt::format("--{}: {}", e.path.substr(1), e.what()));
+  }
+  w.cushions = read_rule(a.cushions, w.table);
+  for (const Difficulty d : {Difficulty::easy, Difficulty::medium, Difficulty::hard})
+    if (a.difficulty == name(d)) w.difficulty = d;
+  if (!a.target.empty())
+    w.kind = a.target == "pocket" ? Wish::Kind::pocket : a.target == "stop" ? Wish::Kind::stop : Wish::Kind::pass;
+  if (w.kind == Wish::Kind::pocket && w.table.pockets.empty())
+    throw FileError("--target pocket: this table has no pockets");
+  if (w.kind == Wish::Kind::stop && deceleration(w.physics) == 0)
+    throw FileError("--target stop: without friction no ball comes to rest");
+  w.unique = a.unique;
+  return w;
+}
+
+/// One puzzle as text, or why there is none.
+struct Made {
+  std::string line;
+  Tries tries;
+};
+
+Made make(const Arguments& a, const Wish& w, long number) {
+  Made made;
+  Random random(a.seed, static_cast<std::uint64_t>(number));
+  auto g = generate(w, random, &made.tries);
+  if (!g) return made;
+  g->puzzle.id = fmt::format("\"{}-{}\"", a.seed, number);
+  made.line = write_puzzle(g->puzzle, as_json(a.table), as_json(a.physics)) + "\n";
+  return made;
+}
+
+int run(const Arguments& a) {
+  const Wish wish = read_wish(a);
+  if (a.out != "-") write_file(a.out, "");  // a name that cannot be written is told before the work
+  std::ofstream file(a.out == "-" ? "" : a.out, std::ios::binary);
+  // The first alone: an impossible wish is told after one puzzle's tries.
+  constexpr long block = 64;
+  for (long done_so_far = 0; done_so_far < a.count;) {
+    std::vector<Made> made(static_cast<std::size_t>(std::min(done_so_far ? block : 1, a.count - done_so_far)));
+    tbb::parallel_for(std::size_t{0}, made.size(),
+                      [&](std::size_t i) { made[i] = make(a, wish, done_so_far + static_cast<long>(i) + 1); });
+    for (const Made& m : made) {
+      if (m.line.empty()) {
+        std::cerr << fmt::format("bankshot: puzzle {} of {} was not found: {}\n", done_so_far + 1, a.count,
+                                 m.tries.text());
+        return nothing_solved;
+      }
+      if (a.out == "-")
+        print(m.line);
+      else if (!(file << m.line << std::flush))
+        throw WriteError(a.out + ": cannot be written");
+      ++done_so_far;
+    }
+  }
+  return done;
+}
+
+std::string help() {
+  return fmt::format(
+      "Every puzzle was solved before it is printed, by `solve`, at its target's centre. The same seed and wishes\n"
+      "give the same puzzles; a larger --count goes on where a smaller one ends. Difficulty, of the best shot and\n"
+      "a player with the default noise (0.125 degrees, 0.075 m/s):\n"
+      "  easy    made in at least {:.0f} % of tries, and {:.2g} degrees of aim to both sides still make it\n"
+      "  hard    made in less than {:.0f} % of tries, or less than {:.3g} degrees to one side\n"
+      "  medium  between\n"
+      "--unique: `solve --all` finds exactly one shot. With spin its completeness is measured, not proved.\n"
+      "Exit 1 where a puzzle is not found in {} tries; standard error says what became of them.",
+      100 * easy_success, degrees(easy_margin), 100 * hard_success, degrees(hard_margin), Wish{}.tries);
+}
+
+}  // namespace
+
+Run add_generate(CLI::App& app) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("generate", "Make puzzles that have a shot");
+  command->add_option("--count", a->count, "How many")->required()->check(whole_number);
+  command->add_option("--seed", a->seed, "Other seeds, other puzzles")->required()->check(whole_number);
+  command->add_option("--table", a->table, "A table's name, or its JSON")->capture_default_str();
+  command->add_option("--physics", a->physics, "A physics' name, or its JSON")->capture_default_str();
+  command
+      ->add_option("--cushions", a->cushions, "A number; LOW-HIGH, a number drawn for each puzzle; or names: top,left")
+      ->capture_default_str();
+  command->add_option("--target", a->target, "pocket, stop (rest at a point) or pass (through a point); else drawn")
+      ->check(CLI::IsMember({"pocket", "stop", "pass"}));
+  command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; else any")
+      ->check(CLI::IsMember({"easy", "medium", "hard"}));
+  command->add_flag("--unique", a->unique, "Puzzles with exactly one shot");
+  command->add_option("-o", a->out, "Write to this file; - is standard output")->capture_default_str();
+  command->footer(help());
+  return [a] { return run(*a); };
+}
+
+}  // namespace bankshot::app

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "app/report/one_root.hpp"
+
+#include <ceres/jet.h>
+#include <nlopt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "bankshot/simulate/locked.hpp"
+#include "planners/images/unfold.hpp"
+#include "planners/locked/residual.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+using Jet = ::ceres::Jet<double, 2>;
+
+/// Where the ball rests, less the target [m], as a function of aim and ln speed; counts and keeps the best.
+struct Path {
+  const Search& s;
+  const std::vector<int>& contacts;
+  Vec2d target;
+  double (*clock)();
+  double begin = clock();
+  std::vector<Iterate> seen{};
+  long simulations = 0;
+
+  template <class T>
+  std::optional<Vec2<T>> off(const T& angle, const T& log_speed) {
+    using std::cos, std::exp, std::sin;
+    ++simulations;
+    const T speed = exp(log_speed);
+    const auto start =
+        launched(s.puzzle.ball.at, s.puzzle.ball.radius, Vec2<T>{cos(angle), sin(angle)} * speed, s.puzzle.spin);
+    return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Vec2<T>> {
+      const auto path = follow_locked(s.boundary, motion, cushion, contacts, start);
+      if (path.end != LockedEnd::complete) return {};
+      return arrive_locked(motion, path.state, target, 0, true).state.at - to<T>(target);
+    });
+  }
+
+  void note(const Vec2d& off_now) {
+    const double miss = norm(off_now), least = seen.empty() ? miss : std::min(miss, seen.back().miss);
+    seen.push_back({simulations, clock() - begin, least});
+  }
+};
+
+std::optional<Linear> by_dual_numbers(Path& p, double angle, double log_speed) {
+  const auto r = p.off(Jet(angle, 0), Jet(log_speed, 1));
+  if (!r) return {};
+  return Linear{{r->x.a, r->y.a}, {r->x.v[0], r->y.v[0]}, {r->x.v[1], r->y.v[1]}};
+}
+
+/// Steps near the best compromise of rounding and curvature: the square root and the cube root of 2⁻⁵².
+std::optional<Linear> by_differences(Path& p, double angle, double log_speed, bool central) {
+  const double h = central ? 6e-6 : 1.5e-8;
+  const auto r = p.off(angle, log_speed);
+  if (!r) return {};
+  Linear l{{r->x, r->y}, {}, {}};
+  for (int k = 0; k < 2; ++k) {
+    const double by_angle = k == 0 ? h : 0, by_speed = k == 1 ? h : 0;
+    const auto after = p.off(angle + by_angle, log_speed + by_speed);
+    const auto before = central ? p.off(angle - by_angle, log_speed - by_speed) : r;
+    if (!after || !before) return {};
+    const Vec2d slope = (*after - *before) / (central ? 2 * h : h);
+    (k == 0 ? l.by_aim : l.by_speed)[0] = slope.x;
+    (k == 0 ? l.by_aim : l.by_speed)[1] = slope.y;
+  }
+  return l;
+}
+
+/// Newton's method, no step longer than those of the planners.
+void newton_from(Path& p, const Launch& seed, Derivatives d) {
+  constexpr int most_steps = 15;
+  constexpr double step_aim = 0.3, step_speed = 0.5, settled = 1e-16;
+  double angle = seed.angle, log_speed = std::log(seed.speed);
+  for (int i = 0; i < most_steps; ++i) {
+    const auto l = d == Derivatives::dual ? by_dual_numbers(p, angle, log_speed)
+                                          : by_differences(p, angle, log_speed, d == Derivatives::central);
+    if (!l) return;
+    p.note({l->r[0], l->r[1]});
+    const auto step = newton_step(*l, false);
+    if (!step || !std::isfinite(step->x) || !std::isfinite(step->y)) return;
+    const double size = std::max(std::abs(step->x) / step_aim, std::abs(step->y) / step_speed),
+                 damped = size > 1 ? 1 / size : 1;
+    if (size < settled) return;
+    angle += damped * step->x;
+    log_speed += damped * step->y;
+  }
+}
+
+double squared_distance(unsigned, const double* x, double*, void* data) {
+  Path& p = *static_cast<Path*>(data);
+  const auto off = p.off(x[0], x[1]);
+  p.note(off.value_or(Vec2d{p.s.boundary.diagonal, 0}));
+  const double r = norm(off.value_or(Vec2d{p.s.boundary.diagonal, 0}));
+  return r * r;
+}
+
+void bobyqa_from(Path& p, const Launch& seed) {
+  constexpr int evaluations = 200;
+  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> opt(nlopt_create(NLOPT_LN_BOBYQA, 2), &nlopt_destroy);
+  const double first[2] = {0.02, 0.05};
+  double x[2] = {seed.angle, std::log(seed.speed)}, value = 0;
+  nlopt_set_maxeval(opt.get(), evaluations);
+  nlopt_set_stopval(opt.get(), 1e-28);
+  nlopt_set_xtol_rel(opt.get(), 1e-15);
+  nlopt_set_initial_step(opt.get(), first);
+  nlopt_set_min_objective(opt.get(), squared_distance, &p);
+  nlopt_optimize(opt.get(), x, &value);
+}
+
+}  // namespace
+
+std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*clock)()) {
+  Search s(puzzle, false);
+  const std::vector<int>& contacts = *puzzle.cushions.sequence;
+  Unfolding images(s, true, restitution(puzzle.physics).at_rest, true);
+  while (const auto c = images.next()) {
+    const auto speed = speed_at(s, {s, contacts, c->target}, c->angle, c->distance);
+    if (!speed) continue;
+    Path path{s, contacts, c->target, clock};
+    const Launch seed{*speed, c->angle};
+    if (d == Derivatives::none)
+      bobyqa_from(path, seed);
+    else
+      newton_from(path, seed, d);
+    return path.seen;
+  }
+  return {};
+}
+
+}  // namespace bankshot::planning

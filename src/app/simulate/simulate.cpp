@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "bankshot/draw/svg.hpp"
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/plan/answer.hpp"
+#include "bankshot/scene/json.hpp"
+
+namespace bankshot::app {
+namespace {
+
+struct Arguments {
+  std::string file = "-", svg, csv;
+  double rate = 60;
+  bool json = false;
+};
+
+std::string event_text(const ShotRequest& r, const Record& e) {
+  const auto i = static_cast<std::size_t>(e.index);
+  const std::string what = e.kind == Record::Kind::start           ? "launch"
+                           : e.kind == Record::Kind::cushion       ? "cushion " + contact_name(r.table, e.index)
+                           : e.kind == Record::Kind::pocket        ? "pocket " + r.table.pockets[i].name
+                           : e.kind == Record::Kind::roll_to_rest  ? "rest"
+                           : e.kind == Record::Kind::slide_to_roll ? "slide to roll"
+                                                                   : "end";
+  return fmt::format("{:10.4f} s  {:<22} at ({:.4f}, {:.4f}) m, {:.4f} m/s\n", e.time, what, e.state.at.x, e.state.at.y,
+                     norm(e.state.velocity));
+}
+
+std::string text_of(const ShotRequest& r, const Trajectory& t) {
+  constexpr std::size_t most_lines = 60;  // a longer list is for --json
+  std::string out;
+  const std::size_t skipped = t.events.size() > most_lines ? t.events.size() - most_lines : 0;
+  for (std::size_t i = 0; i < t.events.size(); ++i) {
+    if (skipped && i == most_lines / 2) {
+      out += fmt::format("  ... {} events not shown; --json has them all\n", skipped);
+      i += skipped;
+    }
+    out += event_text(r, t.events[i]);
+  }
+  constexpr const char* ends[] = {"comes to rest", "stopped where asked", "is pocketed",
+                                  "stopped after a million events"};
+  return out + fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ends[static_cast<int>(t.end)], t.cushions,
+                           t.cushions == 1 ? "" : "s", t.length);
+}
+
+std::string csv_of(const ShotRequest& r, const Trajectory& t, double rate) {
+  constexpr double most_rows = 1e7;  // about a gigabyte
+  const double rows = t.events.back().time * rate;
+  if (rows > most_rows)
+    throw WriteError(fmt::format("--rate {} for {:.6g} s would write {:.2g} rows, and {:.0g} is the most", rate,
+                                 t.events.back().time, rows, most_rows));
+  return to_csv(r, t, rate);
+}
+
+int run(const Arguments& a) {
+  const std::string text = read_file(a.file);
+  try {
+    const ShotRequest request = read_shot(text);
+    const Trajectory t = simulate(request);
+    print(a.json ? to_json(request, t) + "\n" : text_of(request, t));
+    if (!a.svg.empty()) write_file(a.svg, draw(request, t));
+    if (!a.csv.empty()) write_file(a.csv, csv_of(request, t, a.rate));
+    return done;
+  } catch (const InvalidInput& e) {
+    std::cerr << complaint(a.file, e) << '\n';
+    if (a.json) print(to_json(invalid_answer(read_id(text), e)) + "\n");
+    return bad_input;
+  }
+}
+
+}  // namespace
+
+Run add_simulate(CLI::App& app) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("simulate", "Simulate one shot and list its events");
+  command->add_option("shot", a->file, "A shot in JSON; - reads standard input")->capture_default_str();
+  command->add_option("--svg", a->svg, "Write a picture to this file")->check(file_name);
+  command->add_option("--csv", a->csv, "Write t,ball,x,y,vx,vy,wx,wy,wz to this file")->check(file_name);
+  command->add_option("--rate", a->rate, "Rows per second of the CSV")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e6));
+  command->add_flag("--json", a->json, "One line of JSON instead of text");
+  return [a] { return run(*a); };
+}
+
+}  // namespace bankshot::app

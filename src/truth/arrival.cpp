@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "truth/arrival.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "bankshot/numbers/tolerances.hpp"
+#include "truth/follow.hpp"
+
+namespace bankshot::truth {
+namespace {
+
+/// Of an impact that is integrated, in 50 digits.
+constexpr double fine_impact = 1e-20;
+
+/// Two bounces less apart than this are one instant to a run in double [s].
+constexpr double one_instant = 1e-12;
+
+Physics refined(Physics p) {
+  if (auto* m = std::get_if<Mathavan2010>(&p.cushion)) m->tolerance = fine_impact;
+  return p;
+}
+
+/// Two at one instant match in either order.
+bool same_order(const std::vector<int>& asked, const std::vector<const TruthEvent*>& met) {
+  if (asked.size() != met.size()) return false;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (met[i]->index == asked[i]) continue;
+    const bool swapped = i + 1 < asked.size() && met[i + 1]->time - met[i]->time <= one_instant &&
+                         met[i]->index == asked[i + 1] && met[i + 1]->index == asked[i];
+    if (!swapped) return false;
+    ++i;
+  }
+  return true;
+}
+
+Path beside(Run run, double turned, double pushed) {
+  run.turned = turned, run.pushed = pushed;
+  return run_truth(run);
+}
+
+/// Up to and with event `last`.
+bool same_events(const Path& a, const Path& b, std::size_t last) {
+  if (a.events.size() <= last || b.events.size() <= last) return false;
+  for (std::size_t i = 0; i <= last; ++i)
+    if (a.events[i].kind != b.events[i].kind || a.events[i].index != b.events[i].index) return false;
+  return true;
+}
+
+/// The event whose arc arrives: after n bounces, the nearest to the time claimed.
+std::size_t arriving(const Path& path, int n, double time, bool stops) {
+  std::optional<std::size_t> best;
+  const auto late = [&](std::size_t i) {
+    return std::abs((stops ? path.events[i].time : path.events[i].passing.time) - time);
+  };
+  int bounces = 0;
+  for (std::size_t i = 0; i < path.events.size(); ++i) {
+    if (bounces == n && (!best || late(i) < late(*best))) best = i;
+    bounces += path.events[i].kind == EventKind::cushion;
+  }
+  return best.value_or(path.events.size());
+}
+
+/// Metres between two arrivals: of where the ball rests, or across the line of travel.
+double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
+  if (stops) return norm((a.state.at - b.state.at) + (a.at_rest - b.at_rest));
+  return std::abs((a.passing.lateral - b.passing.lateral) + (a.passing.lateral_rest - b.passing.lateral_rest));
+}
+
+}  // namespace
+
+struct Scene::Goal {
+  int min, max;
+  const std::vector<int>* sequence;
+  double time;       ///< s, when the arrival is claimed; of several passes the nearest to it counts
+  double slack = 0;  ///< m, beyond `within`
+};
+
+Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.radius), physics_(refined(p.physics)) {
+  const auto asked = arrival_range(p);
+  stops_ = std::holds_alternative<PointTarget>(p.target) && asked && asked->high == 0;
+}
+
+Run Scene::run(const Launch& launch, const LaunchSpin& spin, int cushions) const {
+  Run r{boundary, physics_, launched(puzzle.ball.at, puzzle.ball.radius, direction(launch.angle) * launch.speed, spin),
+        cushions + 1, 4L * cushions + 100};
+  if (const auto* point = std::get_if<PointTarget>(&puzzle.target)) r.target = point->at;
+  return r;
+}
+
+Arrived Scene::at_point(Arrived a, const Passing& p) const {
+  a.why = "";
+  a.time = p.time, a.speed = p.speed, a.miss = p.miss, a.at = p.at;
+  return a;
+}
+
+Arrived Scene::at_pocket(Arrived a, const TruthEvent& e) const {
+  a.why = "";
+  a.time = e.time, a.speed = norm(e.state.velocity), a.miss = e.passing.miss, a.at = e.state.at;
+  const Circle& rim = boundary.pockets[static_cast<std::size_t>(e.index)];
+  if (rim.radius > 0) a.incidence = std::sqrt(std::max(1 - std::pow(a.miss / rim.radius, 2), 1e-12));
+  return a;
+}
+
+Arrived Scene::judge(const Path& path, const Goal& goal) const {
+  const auto* point = std::get_if<PointTarget>(&puzzle.target);
+  const double within = point ? point->within + goal.slack : 0;
+  Arrived out;
+  std::vector<const TruthEvent*> met;
+  const auto counts = [&] { return static_cast<int>(met.size()) >= goal.min && out.in_order; };
+  const auto update = [&] { out.in_order = !goal.sequence || same_order(*goal.sequence, met); };
+  update();
+  bool found = false;
+  const auto fails = [&](std::string why) {
+    if (!found) out.why = std::move(why);
+    return out;
+  };
+  for (const TruthEvent& e : path.events) {
+    if (point && !stops_ && counts() && e.passing.miss <= within &&
+        (!found || std::abs(e.passing.time - goal.time) < std::abs(out.time - goal.time))) {
+      out = at_point(std::move(out), e.passing);
+      found = true;
+    }
+    switch (e.kind) {
+      case EventKind::cushion:
+        if (static_cast<int>(met.size()) == goal.max || found)
+          return fails(fmt::format("meets {} before the target", contact_name(puzzle.table, e.index)));
+        met.push_back(&e);
+        out.cushions.push_back(e.index);
+        update();
+        break;
+      case EventKind::slide_to_roll:
+        break;
+      case EventKind::pocket: {
+        const auto* pocket = std::get_if<PocketTarget>(&puzzle.target);
+        if (!pocket || (pocket->pocket && *pocket->pocket != e.index) || !counts())
+          return fails(
+              fmt::format("falls into pocket {}", puzzle.table.pockets[static_cast<std::size_t>(e.index)].name));
+        return at_pocket(std::move(out), e);
+      }
+      case EventKind::rest: {
+        if (!stops_ || !counts()) return fails("stops before the target");
+        const double miss = norm((e.state.at - point->at) + e.at_rest);
+        if (miss > within) return fails(fmt::format("stops {:.6g} m from the target", miss));
+        return at_point(std::move(out), {.time = e.time, .speed = 0, .at = e.state.at, .miss = miss});
+      }
+      case EventKind::horizon:
+        return fails("passes by the target");
+    }
+  }
+  return fails("passes by the target");
+}
+
+Arrived Scene::replay(const Launch& launch, const Shot& claim, double slack) const {
+  const int n = static_cast<int>(claim.cushions.size());
+  return judge(run_truth(run(launch, claim.spin, n)), {n, n, &claim.cushions, claim.arrival.time, slack});
+}
+
+std::optional<double> Scene::condition(const Shot& shot) const {
+  constexpr double step = 1e-14;  // what is left out is of this size; the values have 32 digits
+  const int n = static_cast<int>(shot.cushions.size());
+  Run base = run(shot.launch, shot.spin, n);
+  if (!stops_) base.target = shot.arrival.at;
+  const Path path = run_truth(base);
+  const std::size_t arrives = arriving(path, n, shot.arrival.time, stops_);
+  const auto moved = [&](double turned, double pushed) -> std::optional<double> {
+    // On one side of the shot its path may meet other cushions.
+    for (const double side : {step, -step}) {
+      const Path other = beside(base, side * turned, side * pushed);
+      if (same_events(other, path, arrives)) return apart(other.events[arrives], path.events[arrives], stops_) / step;
+    }
+    return {};
+  };
+  const auto by_aim = moved(1, 0), by_speed = moved(0, 1);
+  if (!by_aim || !by_speed) return {};
+  return std::max(*by_aim, *by_speed);
+}
+
+double Scene::chance(const Shot& shot, int draws) const {
+  std::mt19937_64 engine(static_cast<std::uint64_t>(draws));
+  const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
+  const CushionRule& rule = puzzle.cushions;
+  const Goal goal{rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr, shot.arrival.time};
+  int made = 0;
+  for (int i = 0; i < draws; ++i) {
+    const double size = std::sqrt(-2 * std::log(uniform())), turn = radians(360) * uniform();  // Box and Muller
+    const Launch l{shot.launch.speed + puzzle.noise.speed * size * std::cos(turn),
+                   wrap_angle(shot.launch.angle + puzzle.noise.angle * size * std::sin(turn))};
+    if (!(l.speed > 0)) continue;
+    Run r = run(l, shot.spin, rule.max);
+    const Run rough{boundary, puzzle.physics, r.start, r.cushions, r.events, r.target};
+    made += judge(recorded<double>(rough), goal).made();
+  }
+  return static_cast<double>(made) / draws;
+}
+
+}  // namespace bankshot::truth

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// How a launch of a puzzle ends, replayed in 50 digits: does it make the target, when, where, how fast?
+// Written from the definition of "made" and the recorded events alone; no code is shared with the planners'
+// own verification.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/plan/shot.hpp"
+#include "truth/run.hpp"
+
+namespace bankshot::truth {
+
+struct Arrived {
+  std::string why{};            ///< it is not made; empty when it is
+  std::vector<int> cushions{};  ///< met before it arrived, or failed to
+  bool in_order = false;        ///< those are the ones named; two met in one instant may come in either order
+  double time = 0, speed = 0, miss = 0;
+  Vec2d at{};
+  double incidence = 1;  ///< sine of the angle between the path and the pocket's rim
+  bool made() const { return why.empty() && in_order; }
+};
+
+class Scene {
+ public:
+  explicit Scene(const Puzzle& puzzle);
+
+  /// Of a launch along the cushions of `claim`; of several passes by a point the one nearest in time to the claim's.
+  /// `slack` [m] more than `within` still counts as made.
+  Arrived replay(const Launch& launch, const Shot& claim, double slack) const;
+  /// By differences in 50 digits; none where no launch beside this one meets the same events.
+  std::optional<double> condition(const Shot& shot) const;
+  /// The share of seeded draws from the player's errors that makes the target by any cushions allowed,
+  /// in double: a sample has no use for more digits.
+  double chance(const Shot& shot, int draws) const;
+
+  const Puzzle& puzzle;
+  const Boundary boundary;
+
+ private:
+  struct Goal;
+  Run run(const Launch& launch, const LaunchSpin& spin, int cushions) const;
+  Arrived judge(const Path& path, const Goal& goal) const;
+  Arrived at_point(Arrived a, const Passing& p) const;
+  Arrived at_pocket(Arrived a, const TruthEvent& e) const;
+
+  Physics physics_;  ///< integrated impacts far finer than the solver's
+  bool stops_;
+};
+
+}  // namespace bankshot::truth

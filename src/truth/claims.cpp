@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "truth/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+#include "truth/arrival.hpp"
+
+namespace bankshot::truth {
+namespace {
+
+constexpr double unit_roundoff = 0x1p-53;
+
+/// The checks of one shot.
+class ShotCheck {
+ public:
+  ShotCheck(const Puzzle& p, const Answer& a, const Shot& shot)
+      : p_(p), answer_(a), shot_(shot), scene_(p), place_(place_tolerance()) {}
+
+  std::vector<Check> run() {
+    bounds();
+    asked_cushions();
+    const Arrived there = scene_.replay(shot_.launch, shot_, place_);
+    const bool all = there.cushions.size() == shot_.cushions.size();
+    if (all && !there.in_order)
+      return fails(Claim::cushions, fmt::format("meets {}, not {}", names(there.cushions), names(shot_.cushions)));
+    if (!there.why.empty()) return fails(Claim::target, fmt::format("{} after {}", there.why, names(there.cushions)));
+    holds(Claim::cushions);
+    holds(Claim::target);
+    arrives(there);
+    condition();
+    if (shot_.margin) margin();
+    if (shot_.success) success();
+    return std::move(out_);
+  }
+
+ private:
+  void holds(Claim c) { out_.push_back({c}); }
+  std::vector<Check>& fails(Claim c, std::string what) {
+    out_.push_back({c, 1, 0, std::move(what)});
+    return out_;
+  }
+  /// `words` describe the claim and the truth.
+  void compare(Claim c, double off, double allowed, std::string words) {
+    if (!(off >= 0)) off = std::isnan(off) ? HUGE_VAL : 0;
+    out_.push_back(
+        {c, off, allowed,
+         off <= allowed ? "" : fmt::format("{}: off by {:.3g} {}, allowed {:.3g}", words, off, unit(c), allowed)});
+  }
+
+  std::string names(const std::vector<int>& contacts) const {
+    std::string out;
+    for (const int c : contacts) out += (out.empty() ? "" : ", ") + contact_name(p_.table, c);
+    return out.empty() ? "no cushion" : out;
+  }
+
+  /// The shot, as if it named other cushions.
+  Shot named(const std::vector<int>& cushions) const {
+    Shot other = shot_;
+    other.cushions = cushions;
+    return other;
+  }
+
+  /// The solver runs in double: 2^-53 at each bounce, times what the shot makes of it. An impact that is
+  /// integrated has its own tolerance.
+  double place_tolerance() const {
+    const bool integrated = std::holds_alternative<Mathavan2010>(p_.physics.cushion);
+    const double rounding = integrated ? tolerance::impact : tolerance::simulation_error * unit_roundoff;
+    const double steps = 1 + static_cast<double>(shot_.cushions.size());
+    return std::max(tolerance::exact_miss * scene_.boundary.diagonal,
+                    rounding * steps * (scene_.boundary.extent + shot_.condition));
+  }
+
+  void bounds() {
+    const double v = shot_.launch.speed;
+    const auto outside = [](double x, const Range& r) { return std::max({0.0, r.low - x, x - r.high}); };
+    compare(Claim::speed, outside(v, p_.speed), tolerance::bound * std::max(1.0, p_.speed.high),
+            fmt::format("{} m/s is outside {} to {}", v, p_.speed.low, p_.speed.high));
+    if (p_.angle) {
+      constexpr double turn = radians(360);
+      const double a = shot_.launch.angle,
+                   off = std::min({outside(a, *p_.angle), outside(a + turn, *p_.angle), outside(a - turn, *p_.angle)});
+      compare(Claim::angle, off, tolerance::bound * turn,
+              fmt::format("{}° is outside {}° to {}°", degrees(a), degrees(p_.angle->low), degrees(p_.angle->high)));
+    }
+    const SpinRange exactly{{p_.spin.top, p_.spin.top}, {p_.spin.side, p_.spin.side}, {p_.spin.masse, p_.spin.masse}};
+    const SpinRange& r = p_.spin_range ? *p_.spin_range : exactly;
+    const LaunchSpin& s = shot_.spin;
+    const double off = std::max({outside(s.top, r.top), outside(s.side, r.side), outside(s.masse, r.masse)});
+    compare(Claim::spin, off, 0,
+            fmt::format("top {}, side {}, masse {} is not the spin asked", s.top, s.side, s.masse));
+  }
+
+  void asked_cushions() {
+    const CushionRule& rule = p_.cushions;
+    const int n = static_cast<int>(shot_.cushions.size());
+    if (n < rule.min || n > rule.max)
+      fails(Claim::rule, fmt::format("{} cushions, and {} to {} are asked", n, rule.min, rule.max));
+    else if (rule.sequence && !scene_.replay(shot_.launch, named(*rule.sequence), place_).in_order)
+      fails(Claim::rule, fmt::format("{}, and {} is asked", names(shot_.cushions), names(*rule.sequence)));
+    else
+      holds(Claim::rule);
+  }
+
+  /// A place at the speed of the ball [s]. One that rests is slower than at its launch only in the end, unless
+  /// it rests on a cushion: whether it bounces off at a crawl first is up to rounding.
+  double time_tolerance(const Arrived& there, double place) const {
+    if (there.speed > 0) return place / there.speed;
+    const bool on_cushion = scene_.boundary.clearance(there.at) <= place;
+    return place / shot_.launch.speed + (on_cushion ? std::sqrt(2 * place / deceleration(p_.physics)) : 0);
+  }
+
+  void arrives(const Arrived& there) {
+    const Arrival& said = shot_.arrival;
+    const double place = place_ / there.incidence;
+    compare(Claim::miss, std::abs(there.miss - shot_.miss), place_,
+            fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, there.miss));
+    if (!beside_centre(p_, answer_))
+      compare(Claim::centre, there.miss, place_, "does not reach the centre and does not say so");
+    compare(Claim::place, norm(said.at - there.at), place,
+            fmt::format("says ({}, {}) and arrives at ({}, {})", said.at.x, said.at.y, there.at.x, there.at.y));
+    compare(Claim::time, std::abs(said.time - there.time),
+            time_tolerance(there, place) + tolerance::exact_speed * there.time,
+            fmt::format("says {} s and arrives after {} s", said.time, there.time));
+    compare(Claim::arrival, std::abs(said.speed - there.speed), tolerance::exact_speed * std::max(1.0, there.speed),
+            fmt::format("says {} m/s and arrives at {} m/s", said.speed, there.speed));
+    // The safest launch need not arrive at the speed asked: what counts as made does not speak of it.
+    if (const auto asked = arrival_range(p_); asked && p_.aim == Aim::centre)
+      compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high),
+              tolerance::exact_speed * std::max(1.0, asked->high),
+              fmt::format("arrives at {} m/s, and {} to {} is asked", there.speed, asked->low, asked->high));
+  }
+
+  void condition() {
+    const auto truth = scene_.condition(shot_);
+    if (!truth) return;
+    const double scale = std::max(*truth, scene_.boundary.extent);
+    constexpr double digits = 1e-6;  // what a player or a program may build on
+    compare(Claim::condition, std::abs(*truth - shot_.condition) / scale, digits,
+            fmt::format("says {} m and it is {} m", shot_.condition, *truth));
+  }
+
+  /// Both sides of each end, a little more than the bisection's tolerance away.
+  void margin() {
+    constexpr double beside = 3 * tolerance::margin, least = tolerance::same_aim;
+    double wrong = 0;
+    std::string what;
+    const auto end = [&](std::optional<double> m, double turned, double pushed, const char* which) {
+      if (!m) return;
+      const auto made = [&](double k) {
+        const double by = *m * k + std::copysign(least, turned + pushed) * (k > 1);
+        const Launch l{shot_.launch.speed + std::abs(pushed) * by,
+                       wrap_angle(shot_.launch.angle + std::abs(turned) * by)};
+        return l.speed > 0 && scene_.replay(l, shot_, 0).made();
+      };
+      if (made(1 - beside) && !made(1 + beside)) return;
+      wrong += 1;
+      what += fmt::format("{}{} of {:.6g} {}", what.empty() ? "" : "; ", which, turned != 0 ? degrees(*m) : *m,
+                          made(1 - beside) ? "does not break it" : "is not made");
+    };
+    end(shot_.margin->angle[0], -1, 0, "angle");
+    end(shot_.margin->angle[1], 1, 0, "angle");
+    end(shot_.margin->speed[0], 0, -1, "speed");
+    end(shot_.margin->speed[1], 0, 1, "speed");
+    compare(Claim::margin, wrong, 0, what);
+  }
+
+  void success() {
+    constexpr int draws = 1000;
+    // The lattice of the solver is off by 0.016 at worst; five deviations of these draws on top.
+    constexpr double lattice = 0.016, deviations = 5;
+    const double p = *shot_.success, seen = scene_.chance(shot_, draws);
+    const double spread = std::sqrt(std::max(seen * (1 - seen), 1.0 / draws) / draws);
+    const bool possible = p >= 0 && p <= 1;
+    compare(Claim::success, possible ? std::abs(p - seen) : HUGE_VAL, lattice + deviations * spread,
+            fmt::format("says {:.4g} and {} draws make {:.4g}", p, draws, seen));
+  }
+
+  const Puzzle& p_;
+  const Answer& answer_;
+  const Shot& shot_;
+  Scene scene_;
+  double place_;  ///< m
+  std::vector<Check> out_;
+};
+
+std::string form(const Answer& a) {
+  if (a.status == Status::solved && a.shots.empty()) return "is solved and has no shot";
+  if (a.status != Status::solved && !a.shots.empty()) return "has a shot and is not solved";
+  if (a.status != Status::no_shot && a.nearest) return "has a nearest miss and is no `no-shot`";
+  if (a.message.empty()) return "has no message";
+  if (a.status == Status::invalid && (!a.error || a.error->reason.empty())) return "is invalid and gives no reason";
+  return "";
+}
+
+}  // namespace
+
+std::string_view name(Claim c) {
+  constexpr std::string_view names[claims] = {
+      "id",     "form", "status", "launch speed", "aim",           "spin",        "rule",      "cushions", "target",
+      "centre", "miss", "place",  "time",         "arrival speed", "speed asked", "condition", "margin",   "success"};
+  return names[static_cast<int>(c)];
+}
+
+std::string_view unit(Claim c) {
+  constexpr std::string_view units[claims] = {"",  "",  "",  "m/s", "rad", "",    "",      "",     "",
+                                              "m", "m", "m", "s",   "m/s", "m/s", "of it", "ends", ""};
+  return units[static_cast<int>(c)];
+}
+
+bool beside_centre(const Puzzle& p, const Answer& a) {
+  return p.aim == Aim::safest || a.message.find("reaches part of it") != std::string::npos;
+}
+
+std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answer& a) {
+  std::vector<Check> out;
+  const auto text = [](const std::string& s) { return s.empty() ? std::string("none") : s; };
+  out.push_back({Claim::id, id == a.id ? 0.0 : 1.0, 0,
+                 id == a.id ? "" : fmt::format("the answer's is {}, the puzzle's {}", text(a.id), text(id))});
+  const std::string missing = form(a);
+  out.push_back({Claim::form, missing.empty() ? 0.0 : 1.0, 0, missing});
+  const bool invalid = a.status == Status::invalid;
+  if (invalid == (puzzle != nullptr))
+    out.push_back({Claim::status, 1, 0,
+                   invalid ? "is invalid, and the puzzle can be read"
+                           : "the puzzle cannot be read, and the answer is not `invalid`"});
+  else
+    out.push_back({Claim::status});
+  if (!puzzle) return out;
+  for (std::size_t i = 0; i < a.shots.size(); ++i)
+    for (Check& c : ShotCheck(*puzzle, a, a.shots[i]).run()) {
+      c.shot = i;
+      out.push_back(std::move(c));
+    }
+  return out;
+}
+
+}  // namespace bankshot::truth
