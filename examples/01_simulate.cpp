@@ -17,7 +17,7 @@ int main() {
   const Trajectory path = simulate(shot);
   for (const Record& e : path.events)
     if (e.kind == Record::Kind::cushion)
-      fmt::print("{:8.5f} s  {:<6}  ({:.5f}, {:.5f})\n", e.time, contact_name(shot.table, e.index), e.state.at.x,
+      fmt::print("{:8.5f} s  {:<6}  ({:.5f}, {:.5f})\n", e.time, contact_name(shot.table, e.contact), e.state.at.x,
                  e.state.at.y);
   const Record& rest = path.events.back();
   fmt::print("rests at ({:.5f}, {:.5f}) after {:.5f} s and {:.5f} m\n", rest.state.at.x, rest.state.at.y, rest.time,

@@ -19,7 +19,7 @@ int main() {
   for (const Shot& shot : answer.shots) {
     fmt::print("{:8.4f} degrees  {:.4f} m/s  chance {:.2f} ", degrees(shot.launch.angle), shot.launch.speed,
                *shot.success);
-    for (const int cushion : shot.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
+    for (const Contact cushion : shot.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
     fmt::print("\n");
   }
 }

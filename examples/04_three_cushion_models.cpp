@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     const Trajectory path = simulate(shot);
     const Vec2d rest = path.events.back().state.at;
     fmt::print("{:<13} rests at ({:.3f}, {:.3f}) m after {:.2f} s and", name, rest.x, rest.y, path.events.back().time);
-    for (const int cushion_met : path.sequence()) fmt::print(" {}", contact_name(shot.table, cushion_met));
+    for (const Contact cushion_met : path.sequence()) fmt::print(" {}", contact_name(shot.table, cushion_met));
     fmt::print("\n");
     paths.push_back({name, path});
   }

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   for (const Shot& shot : answer.shots) {
     fmt::print("{:8.3f} degrees  {:.3f} m/s  chance {:.2f} ", degrees(shot.launch.angle), shot.launch.speed,
                *shot.success);
-    for (const int cushion : shot.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
+    for (const Contact cushion : shot.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
     fmt::print("\n");
   }
   if (argc > 1) std::ofstream(argv[1]) << draw(puzzle, answer);

@@ -21,7 +21,7 @@ std::string cushions(const Puzzle& p) {
                                      "Three cushions", "Four cushions", "Five cushions"};
   if (!p.cushions.sequence) return numbers[p.cushions.min];
   std::string names;
-  for (const int c : *p.cushions.sequence) names += (names.empty() ? "By " : ", ") + contact_name(p.table, c);
+  for (const Contact c : *p.cushions.sequence) names += (names.empty() ? "By " : ", ") + contact_name(p.table, c);
   return names;
 }
 

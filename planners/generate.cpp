@@ -150,7 +150,7 @@ std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory
   double arrival = 0;
   if (t.legs.empty()) return {};
   if (t.end == Trajectory::End::pocketed) {
-    p.target = PocketTarget{t.events[t.events.size() - 2].index};
+    p.target = PocketTarget{t.events[t.events.size() - 2].contact.index};
     q.bounces = t.cushions;
     arrival = norm(last.state.velocity);
   } else if (t.end == Trajectory::End::rest && r.chance(0.5)) {
@@ -174,7 +174,7 @@ std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory
     p.speed = {shot.launch.speed, shot.launch.speed};
   else if (!ideal && !stops)
     p.arrive = Range{arrival, arrival};
-  std::vector<int> contacts = t.sequence();
+  std::vector<Contact> contacts = t.sequence();
   contacts.resize(static_cast<std::size_t>(q.bounces));
   p.cushions =
       starts_into_cushion(t) || r.chance(0.5) ? CushionRule::in_order(contacts) : CushionRule::exactly(q.bounces);

@@ -23,7 +23,7 @@ std::string aims(const Search& s) {
 
 /// What went wrong, as the end of a sentence that begins with "it".
 std::string explain(const Search& s, const Failure& f) {
-  const auto cushion = [&] { return contact_name(s.puzzle.table, f.index); };
+  const auto cushion = [&] { return contact_name(s.puzzle.table, f.contact); };
   const Range& v = s.puzzle.speed;
   switch (f.foul) {
     case Foul::none:
@@ -36,7 +36,7 @@ std::string explain(const Search& s, const Failure& f) {
     case Foul::extra_cushion:
       return fmt::format("meets cushion {} before the target", cushion());
     case Foul::pocketed:
-      return fmt::format("falls into pocket {} first", s.puzzle.table.pockets[static_cast<std::size_t>(f.index)].name);
+      return fmt::format("falls into pocket {} first", cushion());
     case Foul::too_fast:
       return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
     case Foul::too_slow:
@@ -151,7 +151,7 @@ std::string what_would_open(const Puzzle& puzzle) {
   if (const auto shot = opened(p)) {
     const std::size_t n = shot->cushions.size();
     std::string names;
-    for (const int c : shot->cushions) names += (names.empty() ? " (" : ", ") + contact_name(p.table, c);
+    for (const Contact c : shot->cushions) names += (names.empty() ? " (" : ", ") + contact_name(p.table, c);
     return fmt::format("there is a shot with {} cushion{}{}", n, n == 1 ? "" : "s", names.empty() ? "" : names + ")");
   }
   if (is_straight(puzzle.physics) || puzzle.spin_range) return "";

@@ -30,7 +30,7 @@ Search::Search(const Puzzle& p, bool find_all, bool find_first)
     return;
   }
   for (const Circle& pocket : boundary.pockets)
-    if (wanted(pocket.contact)) aim_points_.push_back(pocket.centre);
+    if (wanted(pocket.contact.index)) aim_points_.push_back(pocket.centre);
 }
 
 double Search::reach(const Vec2d& aim_point) const {
@@ -59,31 +59,26 @@ void Search::remember(const NearMiss& m) {
   failures.push_back({m.failure, 1});
 }
 
-bool Search::touches(int contact) const {
+bool Search::touches(Contact contact) const {
   const double slack = boundary.touch;
-  const auto walls = static_cast<int>(boundary.walls.size());
-  if (contact < walls) {
-    const Wall& w = boundary.walls[static_cast<std::size_t>(contact)];
-    const double s = dot(w.along, puzzle.ball.at);
-    return dot(w.normal, puzzle.ball.at) - w.offset <= slack && s >= w.begin - slack && s <= w.end + slack;
+  if (const Wall* const w = boundary.line(contact)) {
+    const double s = dot(w->along, puzzle.ball.at);
+    return dot(w->normal, puzzle.ball.at) - w->offset <= slack && s >= w->begin - slack && s <= w->end + slack;
   }
-  for (const Circle& tip : boundary.tips)
-    if (tip.contact == contact) return norm(puzzle.ball.at - tip.centre) - tip.radius <= slack;
-  return false;
+  const Circle* const rim = boundary.rim(contact);
+  return rim && norm(puzzle.ball.at - rim->centre) - rim->radius <= slack;
 }
 
 bool Search::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }
 
 bool Search::frozen() const {
-  const auto contacts = 2 * static_cast<int>(boundary.walls.size());
-  for (int i = 0; i < contacts; ++i)
-    if (touches(i)) return true;
-  return false;
+  const auto touched = [&](const auto& obstacle) { return touches(obstacle.contact); };
+  return std::ranges::any_of(boundary.walls, touched) || std::ranges::any_of(boundary.tips, touched);
 }
 
 bool Search::into_touched_wall(const Vec2d& direction) const {
-  for (std::size_t i = 0; i < boundary.walls.size(); ++i)
-    if (dot(boundary.walls[i].normal, direction) < 0 && touches(static_cast<int>(i))) return true;
+  for (const Wall& w : boundary.walls)
+    if (dot(w.normal, direction) < 0 && touches(w.contact)) return true;
   for (const Circle& tip : boundary.tips)
     if (dot(puzzle.ball.at - tip.centre, direction) < 0 && touches(tip.contact)) return true;
   return false;

@@ -31,9 +31,9 @@ enum class Foul {
 
 struct Failure {
   Foul foul = Foul::none;
-  int index = -1;    ///< the contact or pocket that stood in the way
-  double speed = 0;  ///< m/s, what a bound on the speed forbids (too_fast, too_slow)
-  bool like(const Failure& o) const { return foul == o.foul && index == o.index; }
+  Contact contact{};  ///< the cushion, vertex or pocket that stood in the way
+  double speed = 0;   ///< m/s, what a bound on the speed forbids (too_fast, too_slow)
+  bool like(const Failure& o) const { return foul == o.foul && contact == o.contact; }
 };
 
 struct NearMiss {
@@ -64,7 +64,7 @@ struct Search {
   /// or no aim reaches it. Parts of the target may be reached beside them.
   struct Lead {
     Launch launch;
-    std::vector<int> contacts;
+    std::vector<Contact> contacts;
     Vec2d target;
     double half = 0;  ///< rad beside the aim to look at; 0: as far as the target is wide
     double room = -std::numeric_limits<double>::infinity();  ///< m, the largest clearance that was found there
@@ -122,7 +122,7 @@ struct Search {
   /// A miss this small is one of the target's centre.
   bool centred(double miss) const;
   /// The ball touches this contact at the start; any at all.
-  bool touches(int contact) const;
+  bool touches(Contact contact) const;
   bool frozen() const;
   /// The launch would drive the ball into a cushion that it touches: a bounce before it moves.
   bool into_touched_wall(const Vec2d& direction) const;

@@ -91,12 +91,12 @@ void Unfolding::add(const Node& node) {
   turns_.push({node.distance, nodes_.size() - 1});
 }
 
-std::vector<int> Unfolding::contacts(const Candidate& c) const {
+std::vector<Contact> Unfolding::contacts(const Candidate& c) const {
   if (s_.puzzle.cushions.sequence) return *s_.puzzle.cushions.sequence;
-  std::vector<int> out;
+  std::vector<Contact> out;
   for (int i = c.node; i >= 0 && nodes_[static_cast<std::size_t>(i)].last >= 0;
        i = nodes_[static_cast<std::size_t>(i)].parent)
-    out.push_back(nodes_[static_cast<std::size_t>(i)].last);
+    out.push_back(s_.boundary.walls[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(i)].last)].contact);
   std::reverse(out.begin(), out.end());
   return out;
 }
@@ -207,18 +207,20 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
 
 void Unfolding::follow_sequence() {
   Node node;
-  for (const int contact : *s_.puzzle.cushions.sequence) {
-    if (contact >= static_cast<int>(s_.boundary.walls.size()) || restitution_ == 0) return;
+  for (const Contact contact : *s_.puzzle.cushions.sequence) {
+    const Wall* const line = s_.boundary.line(contact);
+    if (!line || restitution_ == 0) return;
+    const auto wall = static_cast<int>(line - s_.boundary.walls.data());
     // Cushions touched at the start bound nothing: the ball bounces off them before it moves.
     const bool at_start = node.open && !node.closed && s_.touches(contact);
     std::optional<Node> next;
-    if (!node.closed && !at_start) next = child(node, contact);
+    if (!node.closed && !at_start) next = child(node, wall);
     if (!next) {
       next = node;
-      next->image = through(node.image, contact);
+      next->image = through(node.image, wall);
       next->flipped = !node.flipped;
       next->closed = !at_start;
-      next->last = contact;
+      next->last = wall;
       ++next->bounces;
     }
     node = *next;

@@ -47,7 +47,7 @@ class Unfolding {
   Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts = false);
 
   /// The cushions of a candidate, in order; not kept in a lattice.
-  std::vector<int> contacts(const Candidate& c) const;
+  std::vector<Contact> contacts(const Candidate& c) const;
 
   /// The next candidate, nearest first; none when all were given.
   std::optional<Candidate> next();

@@ -17,24 +17,24 @@ class Clearance {
   double least() const { return least_; }
   void consider(double metres) { least_ = std::min(least_, metres); }
 
-  /// An arc on the way to the bounce `next`, or on the last leg (-1).
-  void arc(const Arc<double>& arc, double t, int before, int next) {
+  /// An arc on the way to the bounce `next`, none on the last leg.
+  void arc(const Arc<double>& arc, double t, Contact before, Contact next) {
     if (!(t > 0)) return;
     const auto keeps_from = [&](const Circle& c) {
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
       if (!inside) consider(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
     for (const Circle& pocket : boundary_.pockets)
-      if (next >= 0 || !(pocket.centre == aim_.target)) keeps_from(pocket);
+      if (next || !(pocket.centre == aim_.target)) keeps_from(pocket);
     for (const Circle& tip : boundary_.tips)
       if (tip.contact != before && tip.contact != next) keeps_from(tip);
   }
 
-  void bounce(int contact, const Vec2d& at) {
-    if (!boundary_.is_wall(contact)) return;
-    const Wall& w = boundary_.wall(contact);
-    const double along = dot(w.along, at);
-    consider(std::min(along - dot(w.along, w.from), dot(w.along, w.to) - along) + boundary_.touch);
+  void bounce(Contact contact, const Vec2d& at) {
+    const Wall* const w = boundary_.line(contact);
+    if (!w) return;
+    const double along = dot(w->along, at);
+    consider(std::min(along - dot(w->along, w->from), dot(w->along, w->to) - along) + boundary_.touch);
   }
 
   void arrival(const LockedArrival<double>& a) {
@@ -59,14 +59,14 @@ std::optional<double> clearance(Search& s, const LockedAim& aim, const Launch& l
     Clearance out(aim);
     State<double> state =
         launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin);
-    int before = -1;
-    for (const int contact : aim.contacts) {
+    Contact before;
+    for (const Contact contact : aim.contacts) {
       Vec2d met = state.at;
       const auto watch = [&](const Arc<double>& arc, double t) {
         out.arc(arc, t, before, contact);
         met = arc.position(t);
       };
-      const auto path = follow_locked(s.boundary, motion, cushion, std::span<const int>(&contact, 1), state, watch);
+      const auto path = follow_locked(s.boundary, motion, cushion, std::span<const Contact>(&contact, 1), state, watch);
       if (path.end != LockedEnd::complete) return {};
       out.bounce(contact, met);
       state = path.state;
@@ -74,7 +74,7 @@ std::optional<double> clearance(Search& s, const LockedAim& aim, const Launch& l
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
     const auto arrival = arrive_locked(motion, state, aim.target, aim.capture(), s.stop,
-                                       [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, -1); });
+                                       [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, {}); });
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);
     return out.least();

@@ -189,7 +189,7 @@ bool certify_root(Search& s, const LockedAim& aim, const Launch& root, std::stri
   return false;
 }
 
-std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<int>& contacts) {
+std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<Contact>& contacts) {
   std::optional<Launch> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Vec2d& target : s.aim_points()) {
@@ -278,7 +278,7 @@ void forward(Search& s, const Launch& launch, bool locked, Forward& out) {
     const State<Jet> start = dual_start(s, launch);
     if (rule.sequence && locked) {
       out.contacts = *rule.sequence;
-      const auto path = follow_locked(s.boundary, motion, cushion, std::span<const int>(out.contacts), start);
+      const auto path = follow_locked(s.boundary, motion, cushion, std::span<const Contact>(out.contacts), start);
       if (path.end == LockedEnd::complete) look(s, motion, path.state, out);
       out.rests = path.end == LockedEnd::fell_short;
       return;
@@ -292,10 +292,11 @@ void forward(Search& s, const Launch& launch, bool locked, Forward& out) {
       while (e.kind == EventKind::slide_to_roll) e = sim.step();
       out.rests = e.kind == EventKind::rest;
       if (e.kind != EventKind::cushion) return;
-      out.contacts.push_back(e.index);
-      const Jet along = s.boundary.is_wall(e.index) ? dot(s.boundary.wall(e.index).along, sim.state().at) : Jet(0);
+      out.contacts.push_back(e.contact);
+      const Wall* const wall = s.boundary.line(e.contact);
+      const Jet along = wall ? dot(wall->along, sim.state().at) : Jet(0);
       out.places.push_back({along.a, along.v(0)});
-      if (rule.sequence && e.index != (*rule.sequence)[static_cast<std::size_t>(k)]) return;
+      if (rule.sequence && e.contact != (*rule.sequence)[static_cast<std::size_t>(k)]) return;
     }
   });
   s.spend(out.contacts.size());
@@ -305,7 +306,7 @@ void first_order(const Search& s, Shot& shot) {
   const Vec2d& target = shot.arrival.at;
   const State<Jet> start = dual_start(s, shot.launch);
   const Vec2<Jet> end = with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    const auto path = follow_locked(s.boundary, motion, cushion, std::span<const int>(shot.cushions), start);
+    const auto path = follow_locked(s.boundary, motion, cushion, std::span<const Contact>(shot.cushions), start);
     const auto arrival = arrive_locked(motion, path.state, target, 0, s.stop);
     if (s.stop) return arrival.state.at;
     // Along the line of travel nothing is missed: only the lateral part counts.

@@ -21,7 +21,7 @@ namespace bankshot::planning {
 
 struct LockedAim {
   const Search& s;
-  std::span<const int> contacts;
+  std::span<const Contact> contacts;
   Vec2d target;
 
   double capture() const { return s.capture(s.reach(target)); }
@@ -63,7 +63,7 @@ std::optional<Linear> linearise(Search& s, const LockedAim& aim, const Launch& l
 bool certify_root(Search& s, const LockedAim& aim, const Launch& root, std::string_view planner);
 
 /// The root nearest in aim to the seed over all aim points.
-std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<int>& contacts);
+std::optional<Launch> refine(Search& s, const Launch& seed, const std::vector<Contact>& contacts);
 
 /// The launch speed with which the locked path at this angle, some `length` metres long, arrives about as
 /// fast as asked: secants in the square of the speed, bracketed, to some 2 %; falling short counts as too
@@ -84,7 +84,7 @@ struct BouncePlace {
   double along = 0, by_aim = 0;
 };
 struct Forward {
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   std::vector<BouncePlace> places;  ///< of the real path's bounces
   std::vector<Passage> passages;
   bool rests = false;  ///< the path ends by itself before all the bounces asked

@@ -62,9 +62,8 @@ void Roots::seek_rest() {
 
 bool Roots::beside_last(const LockedAim& aim) const {
   constexpr double beside = 0.2;  // of the diagonal
-  if (aim.contacts.empty() || !s_.boundary.is_wall(aim.contacts.back())) return false;
-  const Wall& last = s_.boundary.wall(aim.contacts.back());
-  return dot(last.normal, aim.target) - last.offset < beside * s_.boundary.diagonal;
+  const Wall* const last = aim.contacts.empty() ? nullptr : s_.boundary.line(aim.contacts.back());
+  return last && dot(last->normal, aim.target) - last->offset < beside * s_.boundary.diagonal;
 }
 
 /// A ball that rests soon after its last bounce was hardly fast enough to get there: from a little above the slowest

@@ -37,7 +37,7 @@ class Roots {
  private:
   /// Of one sequence and target.
   struct Root {
-    std::vector<int> contacts;
+    std::vector<Contact> contacts;
     Vec2d target;
     Launch launch;
   };
@@ -48,7 +48,7 @@ class Roots {
   };
   /// A sequence and target that were visited, and the nodes that came nearest.
   struct Seen {
-    std::vector<int> contacts;
+    std::vector<Contact> contacts;
     Vec2d target;
     std::array<Nearest, 3> nearest{};
   };

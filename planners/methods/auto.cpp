@@ -14,9 +14,9 @@ namespace {
 /// A sequence of straight cushions unfolds to one line, so its image is its only shot.
 bool settled(const Search& s) {
   const auto& names = s.puzzle.cushions.sequence;
-  const auto walls = static_cast<int>(s.boundary.walls.size());
   return s.complete || s.cut || s.satisfied() ||
-         (names && !s.shots.empty() && std::all_of(names->begin(), names->end(), [&](int c) { return c < walls; }));
+         (names && !s.shots.empty() &&
+          std::all_of(names->begin(), names->end(), [&](Contact c) { return s.boundary.line(c) != nullptr; }));
 }
 
 /// Parts of the targets of new leads; those without a shot are kept in `tried`.

@@ -18,7 +18,7 @@ namespace {
 constexpr int fan = 720;  // aims tried as seeds where no image exists: every half degree
 
 /// Refines one image along one sequence; true when it leads to a root, a shot or not.
-bool from_seed(Search& s, double angle, double length, const std::vector<int>& contacts, const Vec2d& target,
+bool from_seed(Search& s, double angle, double length, const std::vector<Contact>& contacts, const Vec2d& target,
                bool quickly) {
   const LockedAim aim{s, contacts, target};
   const auto speed = speed_at(s, aim, angle, length);
@@ -40,7 +40,7 @@ void from_fan(Search& s) {
     for (int n = rule.min; n <= rule.max; ++n) {
       if (s.enough()) return;
       const double angle = radians(360.0 / fan) * i;
-      std::vector<int> contacts;
+      std::vector<Contact> contacts;
       trace(s, angle, Goal::exactly(s, n), &contacts);
       if (s.puzzle.cushions.sequence) contacts = *s.puzzle.cushions.sequence;
       if (static_cast<int>(contacts.size()) == n)
@@ -52,7 +52,7 @@ void from_fan(Search& s) {
 
 void image_seeds(Search& s, bool quickly) {
   const bool straight = is_straight(s.puzzle.physics);
-  std::set<std::pair<std::vector<int>, std::pair<double, double>>>
+  std::set<std::pair<std::vector<Contact>, std::pair<double, double>>>
       settled;  // a sequence with a root has hardly ever another
   for (const double share : shares) {
     Unfolding images(s, !straight, share * restitution(s.puzzle.physics).at_rest, true);

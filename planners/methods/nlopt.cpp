@@ -125,7 +125,7 @@ void run(Search& s, const Method& m, const Range& angles, const Launch& start) {
   double x[2];
   minimise(s, opt.get(), angles, start, x);
   if (!std::isfinite(objective.least)) return;
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   const Replay r = replay(s, objective.best, Goal::of(s), &contacts);
   contacts.resize(std::min(contacts.size(), static_cast<std::size_t>(std::max(0, r.bounces))));
   const auto root = refine(s, objective.best, contacts);
@@ -157,7 +157,7 @@ void from_images(Search& s, const Method& m) {
     if (s.enough()) return;
     const double angle = c->angle < angles.low ? c->angle + radians(360) : c->angle;
     if (locked) {
-      const std::vector<int> contacts = images.contacts(*c);
+      const std::vector<Contact> contacts = images.contacts(*c);
       const LockedAim aim{s, contacts, c->target};
       if (const auto speed = speed_at(s, aim, c->angle, c->distance)) run_locked(s, m, angles, {*speed, angle}, aim);
       continue;

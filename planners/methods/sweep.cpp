@@ -25,7 +25,7 @@ constexpr double widest_turn = 0.995;  // cosine between a leg's directions at t
 /// On which side of each aim point each leg passes.
 struct Sample {
   double angle;
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   struct Side {
     double lateral;
     bool ahead;
@@ -73,7 +73,7 @@ class Sweep {
       const Event e = sim.step();
       account.add(sim.arc(), sim.travelled());
       if (e.final() || account.beyond(s_.puzzle.speed.high)) break;
-      out.contacts.push_back(e.index);
+      out.contacts.push_back(e.contact);
     }
     s_.spend(out.contacts.size());
     return out;

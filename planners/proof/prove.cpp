@@ -65,7 +65,7 @@ std::optional<double> launch_speed(Search& s, double angle, const Trace& t, bool
     low = speed_for(s.arrival->low);
     high = speed_for(s.arrival->high);
     const auto refuse = [&](Foul foul, double needed, double bound) {
-      s.remember({{bound, angle}, n, t.replay.miss, {foul, -1, needed}});
+      s.remember({{bound, angle}, n, t.replay.miss, {foul, {}, needed}});
       return std::nullopt;
     };
     // Resting beside the target's centre may still be resting within it.
@@ -91,7 +91,7 @@ bool try_launch(Search& s, const Launch& proposed, int bounces, std::string_view
     return false;
   }
   if (!inside(launch.speed, s.puzzle.speed)) return false;
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   const Replay r = replay(s, launch, Goal::exactly(s, bounces), &contacts);
   if (!r.made || !fast_as_asked(s, r) || !(off_centre || s.centred(r.miss))) {
     s.remember({launch, bounces, r.miss, r.failure});

@@ -15,7 +15,7 @@ namespace bankshot::planning {
 /// Bounces a replay must have at its target.
 struct Goal {
   int min, max;
-  const std::vector<int>* sequence = nullptr;
+  const std::vector<Contact>* sequence = nullptr;
   static Goal of(const Search& s) {
     const CushionRule& c = s.puzzle.cushions;
     return {c.min, c.max, c.sequence ? &*c.sequence : nullptr};
@@ -25,7 +25,7 @@ struct Goal {
     g.min = g.max = bounces;
     return g;
   }
-  static Goal along(const std::vector<int>& contacts) {
+  static Goal along(const std::vector<Contact>& contacts) {
     const int n = static_cast<int>(contacts.size());
     return {n, n, &contacts};
   }
@@ -41,7 +41,7 @@ struct Replay {
 };
 
 /// Simulates a launch against the goal; `contacts`, if given, receives the bounces.
-Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts = nullptr);
+Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<Contact>* contacts = nullptr);
 
 /// What a path costs in speed, where its shape does not depend on the speed: after the arcs added so
 /// far, v² = gain·v0² − loss. The arcs are those of a launch at unit speed without friction.
@@ -63,7 +63,7 @@ struct Trace {
   Replay replay;
   SpeedAccount account;
 };
-Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts = nullptr);
+Trace trace(Search& s, double angle, const Goal& goal, std::vector<Contact>* contacts = nullptr);
 
 /// The launch speed where only the aim is unknown: the fixed one, in `ideal` 1 m/s brought inside the bounds.
 double fixed_speed(const Search& s);

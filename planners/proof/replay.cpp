@@ -13,25 +13,25 @@ namespace {
 /// Follows the bounces against a requested sequence; two at one instant match in either order.
 class SequenceCheck {
  public:
-  explicit SequenceCheck(const std::vector<int>* wanted) : wanted_(wanted) {}
+  explicit SequenceCheck(const std::vector<Contact>* wanted) : wanted_(wanted) {}
 
   bool accepts(int k, const Event& e) {
     if (!wanted_) return true;
     const auto at = [&](int i) { return (*wanted_)[static_cast<std::size_t>(i)]; };
-    if (swapped_ >= 0) return e.same_instant && std::exchange(swapped_, -1) == e.index;
-    if (at(k) == e.index) return true;
-    if (k + 1 < static_cast<int>(wanted_->size()) && at(k + 1) == e.index) {
+    if (swapped_) return e.same_instant && std::exchange(swapped_, {}) == e.contact;
+    if (at(k) == e.contact) return true;
+    if (k + 1 < static_cast<int>(wanted_->size()) && at(k + 1) == e.contact) {
       swapped_ = at(k);
       return true;
     }
     return false;
   }
   /// A swap still waits for its second bounce.
-  bool open() const { return swapped_ >= 0; }
+  bool open() const { return bool(swapped_); }
 
  private:
-  const std::vector<int>* wanted_;
-  int swapped_ = -1;
+  const std::vector<Contact>* wanted_;
+  Contact swapped_;
 };
 
 /// A simulation against a goal, leg by leg.
@@ -49,31 +49,31 @@ class Follower {
              launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin)),
         out_{{}, SpeedAccount(deceleration(s.puzzle.physics))} {}
 
-  Trace run(std::vector<int>* contacts) {
+  Trace run(std::vector<Contact>* contacts) {
     for (;;) {
       const Event e = sim_.step();
       if (look_along_arc(e)) return out_;
       if (tracing_) {
         out_.account.add(sim_.arc(), sim_.travelled());
-        if (out_.account.beyond(s_.puzzle.speed.high)) return fail(Foul::too_long, -1);
+        if (out_.account.beyond(s_.puzzle.speed.high)) return fail(Foul::too_long);
       }
       switch (e.kind) {
         case EventKind::cushion:
-          if (k_ == goal_.max) return fail(Foul::extra_cushion, e.index);
-          if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.index);
+          if (k_ == goal_.max) return fail(Foul::extra_cushion, e.contact);
+          if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.contact);
           ++k_;
-          if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.index), sim_.state().velocity) > 0))
+          if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.contact), sim_.state().velocity) > 0))
             out_.replay.cushion_stick = true;
-          if (contacts) contacts->push_back(e.index);
+          if (contacts) contacts->push_back(e.contact);
           break;
         case EventKind::slide_to_roll:
           break;
         case EventKind::pocket:
-          return pocketed(e.index);
+          return pocketed(e.contact);
         case EventKind::rest:
           return rest();
         case EventKind::horizon:
-          return fail(Foul::missed, -1);
+          return fail(Foul::missed);
       }
     }
   }
@@ -116,10 +116,10 @@ class Follower {
     return true;
   }
 
-  Trace pocketed(int pocket) {
-    if (s_.point() || !s_.wanted(pocket) || !counts()) return fail(Foul::pocketed, pocket);
+  Trace pocketed(Contact pocket) {
+    if (s_.point() || !s_.wanted(pocket.index) || !counts()) return fail(Foul::pocketed, pocket);
     const State<double>& now = sim_.state();
-    const Vec2d to_centre = s_.boundary.pockets[static_cast<std::size_t>(pocket)].centre - now.at;
+    const Vec2d to_centre = s_.boundary.rim(pocket)->centre - now.at;
     out_.replay.made = true;
     out_.replay.bounces = k_;
     // A ball that stops on the circle still has the line of its last arc.
@@ -131,7 +131,7 @@ class Follower {
 
   Trace rest() {
     const PointTarget* target = s_.point();
-    if (!target || !stop_ || !counts()) return fail(Foul::fell_short, -1);
+    if (!target || !stop_ || !counts()) return fail(Foul::fell_short);
     out_.replay.miss = norm(sim_.state().at - target->at);
     out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
     out_.replay.bounces = k_;
@@ -140,7 +140,7 @@ class Follower {
     return out_;
   }
 
-  Trace fail(Foul foul, int index) {
+  Trace fail(Foul foul, Contact contact = {}) {
     // Where the target was passed with the bounces asked, that is the miss; else how near the
     // ball was when it went wrong.
     if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
@@ -148,9 +148,9 @@ class Follower {
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
     } else if (foul == Foul::extra_cushion) {
       foul = Foul::missed;
-      index = -1;
+      contact = {};
     }
-    out_.replay.failure = {foul, index};
+    out_.replay.failure = {foul, contact};
     out_.replay.bounces = k_;
     return out_;
   }
@@ -176,7 +176,7 @@ void SpeedAccount::add(const Arc<double>& arc, double t) {
   if (t > 0) loss += 2 * deceleration_ * norm(arc.position(t) - arc.at);
 }
 
-Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int>* contacts) {
+Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<Contact>* contacts) {
   const Replay r = with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
     return Follower(s, motion, cushion, launch, goal, false).run(contacts).replay;
   });
@@ -184,7 +184,7 @@ Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<int
   return r;
 }
 
-Trace trace(Search& s, double angle, const Goal& goal, std::vector<int>* contacts) {
+Trace trace(Search& s, double angle, const Goal& goal, std::vector<Contact>* contacts) {
   const Mirror mirror{restitution(s.puzzle.physics)};
   const Trace t = Follower(s, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
   s.spend(static_cast<std::size_t>(t.replay.bounces));

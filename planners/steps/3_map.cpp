@@ -51,7 +51,7 @@ class Map {
     const int most = static_cast<int>(std::ceil(radians(180) / cell_.aim));
     Unfolding images(s_, true, restitution(s_.puzzle.physics).at_rest, true);
     while (const auto image = images.next()) {
-      const std::vector<int> contacts = images.contacts(*image);
+      const std::vector<Contact> contacts = images.contacts(*image);
       for (int i = 1; i <= 2 * most && !roots_.done(); ++i) {
         const double angle = image->angle + cell_.aim * (i / 2) * (i % 2 == 0 ? 1 : -1);
         if (const auto speed = speed_at(s_, {s_, contacts, image->target}, angle, image->distance)) node(angle, *speed);
@@ -64,7 +64,7 @@ class Map {
   enum class Place { below, within, beyond };
   struct Node {
     double angle, speed;
-    std::vector<int> contacts;
+    std::vector<Contact> contacts;
     std::vector<BouncePlace> places;
     Place place;
   };
@@ -119,7 +119,7 @@ class Map {
     forward(s_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
     for (const Passage& p : forward_.passages) {
       lead(angle, speed, p);
-      roots_.visit({s_, std::span<const int>(forward_.contacts).first(p.bounces), s_.aim_points()[p.aim_point]},
+      roots_.visit({s_, std::span<const Contact>(forward_.contacts).first(p.bounces), s_.aim_points()[p.aim_point]},
                    {speed, angle}, p.linear);
     }
     return {angle, speed, forward_.contacts, forward_.places, place()};
@@ -163,7 +163,7 @@ class Map {
     const Vec2d& target = s_.aim_points()[p.aim_point];
     const double wide = s_.reach(target) / s_.boundary.diagonal + std::abs(by_aim) * cell_.aim;
     if (!(std::abs(lateral) < wide && std::abs(step) < seed_reach * cell_.speed)) return;
-    const std::span<const int> contacts(forward_.contacts.data(), p.bounces);
+    const std::span<const Contact> contacts(forward_.contacts.data(), p.bounces);
     for (const Search::Lead& known : leads_)
       if (known.target == target && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
           std::ranges::equal(known.contacts, contacts))
@@ -197,10 +197,11 @@ class Map {
         a.contacts.begin());
     double best = half_way, nearest = (b.angle - a.angle) / 2;
     for (const auto& [node, way] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
-      if (m >= node->contacts.size() || m >= node->places.size() || !s_.boundary.is_wall(node->contacts[m])) continue;
-      const Wall& wall = s_.boundary.wall(node->contacts[m]);
+      if (m >= node->contacts.size() || m >= node->places.size()) continue;
+      const Wall* const wall = s_.boundary.line(node->contacts[m]);
+      if (!wall) continue;
       const BouncePlace& at = node->places[m];
-      const double end = dot(wall.along, at.by_aim * way > 0 ? wall.to : wall.from);
+      const double end = dot(wall->along, at.by_aim * way > 0 ? wall->to : wall->from);
       const double turn = std::max(narrowest / 3, 1.02 * (end - at.along) / at.by_aim * way);
       if (turn < nearest) best = node->angle + way * turn, nearest = turn;
     }

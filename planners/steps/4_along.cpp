@@ -66,10 +66,9 @@ void at_angle(Search& s, double angle) {
 }  // namespace
 
 void along_touched(Search& s) {
-  for (std::size_t i = 0; i < s.boundary.walls.size(); ++i) {
-    if (!s.touches(static_cast<int>(i))) continue;
-    const Vec2d& along = s.boundary.walls[i].along;
-    for (const Vec2d& way : {along, -along})
+  for (const Wall& w : s.boundary.walls) {
+    if (!s.touches(w.contact)) continue;
+    for (const Vec2d& way : {w.along, -w.along})
       if (!s.spent() && !s.satisfied()) at_angle(s, wrap_angle(std::atan2(way.y + 0.0, way.x)));  // + 0: -0 is no angle
   }
 }

@@ -16,7 +16,7 @@ void write_bounds(JsonWriter& w, std::string_view key, const std::array<std::opt
 void write_path(JsonWriter& w, const Puzzle& p, const Shot& shot) {
   w.key("cushions");
   w.open('[');
-  for (const int c : shot.cushions) w.string(contact_name(p.table, c));
+  for (const Contact c : shot.cushions) w.string(contact_name(p.table, c));
   w.close(']');
   w.number("miss", shot.miss);
   w.key("arrival");

@@ -11,9 +11,9 @@ namespace bankshot {
 namespace {
 
 /// Where on a cushion, in words: on a rectangle in diamonds (8 spaces on long rails, 4 on short).
-std::string place_on(const Table& table, int contact, const Vec2d& at) {
-  const auto i = static_cast<std::size_t>(contact);
-  if (i >= table.cushions.size()) return "the corner";
+std::string place_on(const Table& table, Contact contact, const Vec2d& at) {
+  if (contact.kind != ContactKind::rail) return "the corner";
+  const auto i = static_cast<std::size_t>(contact.index);
   const Vec2d a = table.vertices[i], b = table.vertices[(i + 1) % table.vertices.size()];
   if (!table.is_rectangle())
     return fmt::format("{:.0f} % along from vertex {}", 100 * dot(at - a, b - a) / dot(b - a, b - a), i);

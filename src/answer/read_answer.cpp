@@ -21,12 +21,19 @@ void note_unread(const Json& object, std::span<const std::string_view> known, st
     if (std::find(known.begin(), known.end(), key) == known.end()) unread->insert(key);
 }
 
-std::vector<int> read_contacts(const Reader& r, const Table& table) {
-  std::vector<std::string> all;
-  for (int i = 0; i < 2 * static_cast<int>(table.cushions.size()); ++i) all.push_back(contact_name(table, i));
-  const std::vector<std::string_view> names(all.begin(), all.end());
-  std::vector<int> contacts;
-  for (const Reader& item : r.items()) contacts.push_back(static_cast<int>(item.word("cushion", names)));
+std::vector<Contact> read_contacts(const Reader& r, const Table& table) {
+  std::vector<Contact> contacts;
+  for (const Reader& item : r.items()) {
+    if (const auto found = find_cushion(table, item.text())) {
+      contacts.push_back(*found);
+      continue;
+    }
+    std::vector<std::string> all = table.cushions;
+    for (int i = 0; i < static_cast<int>(table.vertices.size()); ++i)
+      all.push_back(contact_name(table, Contact::vertex(i)));
+    const std::vector<std::string_view> names(all.begin(), all.end());
+    item.word("cushion", names);  // fails
+  }
   return contacts;
 }
 

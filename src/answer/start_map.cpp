@@ -18,7 +18,7 @@ std::string row(const Puzzle& p, const Answer& a) {
   if (a.shots.empty()) return std::string(name(a.status)) + ",,,,,,,,,,,,";
   const Shot& s = a.shots.front();
   std::string cushions;
-  for (const int c : s.cushions) cushions += (cushions.empty() ? "" : " ") + contact_name(p.table, c);
+  for (const Contact c : s.cushions) cushions += (cushions.empty() ? "" : " ") + contact_name(p.table, c);
   const Margin m = s.margin.value_or(Margin{});
   return fmt::format("solved,{},{},{},{},{},{},{},{},{},{},{},{}", s.launch.speed, exact_degrees(s.launch.angle),
                      cushions, s.arrival.time, s.arrival.speed, number(s.success), number(m.angle[0], degrees(1)),

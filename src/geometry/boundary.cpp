@@ -42,7 +42,7 @@ Boundary::Boundary(const Table& table, double ball_radius)
     const Vec2d a = table.vertices[i], b = table.vertices[(i + 1) % n];
     const Vec2d along = (b - a) / norm(b - a), normal = perpendicular(along);
     walls.push_back({normal, dot(normal, a) + radius, along, dot(along, a), dot(along, b), a + normal * radius,
-                     b + normal * radius});
+                     b + normal * radius, Contact::rail(static_cast<int>(i))});
   }
   for (std::size_t i = 0; i < n; ++i) {
     Wall &before = walls[(i + n - 1) % n], &after = walls[i];
@@ -52,12 +52,12 @@ Boundary::Boundary(const Table& table, double ball_radius)
       continue;
     }
     strictly_convex = false;
-    if (turn < 0 && radius > 0) tips.push_back({table.vertices[i], radius, vertex_contact(static_cast<int>(i))});
+    if (turn < 0 && radius > 0) tips.push_back({table.vertices[i], radius, Contact::vertex(static_cast<int>(i))});
   }
   for (std::size_t i = 0; i < table.pockets.size(); ++i) {
     const Pocket& p = table.pockets[i];
     const double r = p.radius > 0 ? p.radius : tolerance::point_pocket * diagonal;
-    pockets.push_back({p.at, r, static_cast<int>(i)});
+    pockets.push_back({p.at, r, Contact::pocket(static_cast<int>(i))});
   }
 }
 
@@ -81,12 +81,6 @@ double Boundary::distance_to_centres(const Vec2d& point) const {
     if (dot(w.to - w.from, w.along) >= 0) nearest = std::min(nearest, distance_to_segment(point, w.from, w.to));
   for (const Circle& c : tips) nearest = std::min(nearest, std::abs(norm(point - c.centre) - c.radius));
   return nearest;
-}
-
-std::string contact_name(const Table& table, int contact) {
-  const auto i = static_cast<std::size_t>(contact);
-  if (i < table.cushions.size()) return table.cushions[i];
-  return "v" + std::to_string(i - table.cushions.size());
 }
 
 }  // namespace bankshot

@@ -177,13 +177,10 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
   if (!r.is_array()) r.fail("must be a number, a list of cushions or {\"min\":, \"max\":}");
   if (r.size() > static_cast<std::size_t>(max_cushions)) r.fail("must have at most 20000 cushions");
   const std::vector<std::string_view> names(table.cushions.begin(), table.cushions.end());
-  const auto edges = static_cast<int>(names.size());
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   for (const Reader& item : r.items()) {
-    const std::string name = item.text();
-    int contact = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
-    while (contact >= edges && contact < 2 * edges && contact_name(table, contact) != name) ++contact;
-    contacts.push_back(contact < 2 * edges ? contact : static_cast<int>(item.word("cushion", names)));
+    const auto found = find_cushion(table, item.text());
+    contacts.push_back(found ? *found : Contact::rail(static_cast<int>(item.word("cushion", names))));
   }
   return CushionRule::in_order(std::move(contacts));
 }

@@ -184,9 +184,12 @@ void check_cushions(const CushionRule& c, const Boundary& boundary) {
   if (c.min < 0 || c.max < c.min || c.max > max_cushions)
     fail("/cushions", fmt::format("{} to {} must be within 0 and {}", c.min, c.max, max_cushions));
   if (!c.sequence) return;
-  for (std::size_t i = 0; i < c.sequence->size(); ++i)
-    if ((*c.sequence)[i] < 0 || (*c.sequence)[i] >= 2 * static_cast<int>(boundary.walls.size()))
-      fail(at("/cushions", i), fmt::format("there is no cushion number {}", (*c.sequence)[i]));
+  for (std::size_t i = 0; i < c.sequence->size(); ++i) {
+    const auto [kind, number] = (*c.sequence)[i];
+    const bool bounces = kind == ContactKind::rail || kind == ContactKind::vertex;
+    if (!bounces || number < 0 || number >= static_cast<int>(boundary.walls.size()))
+      fail(at("/cushions", i), fmt::format("there is no cushion number {}", number));
+  }
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ Json cushions_json(const Puzzle& p) {
   const CushionRule& c = p.cushions;
   if (!c.sequence) return c.min == c.max ? Json(c.min) : Json{{"min", c.min}, {"max", c.max}};
   Json names = Json::array();
-  for (const int contact : *c.sequence) names.push_back(contact_name(p.table, contact));
+  for (const Contact contact : *c.sequence) names.push_back(contact_name(p.table, contact));
   return names;
 }
 

@@ -48,10 +48,10 @@ Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cus
 
   Trajectory out;
   Simulator sim(boundary, motion, cushion, start);
-  const auto note = [&](Record::Kind kind, int index = -1) {
+  const auto note = [&](Record::Kind kind, Contact contact = {}) {
     State<double> now = sim.state();
     now.spin = motion.spin(now);
-    out.events.push_back({kind, sim.time(), now, index});
+    out.events.push_back({kind, sim.time(), now, contact});
   };
   const auto finish = [&](Trajectory::End end) {
     out.end = end;
@@ -69,7 +69,7 @@ Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cus
     }
     switch (e.kind) {
       case EventKind::cushion:
-        note(Record::Kind::cushion, e.index);
+        note(Record::Kind::cushion, e.contact);
         ++out.cushions;
         if (until.cushions && out.cushions >= *until.cushions) return finish(Trajectory::End::until);
         break;
@@ -77,7 +77,7 @@ Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cus
         note(Record::Kind::slide_to_roll);
         break;
       case EventKind::pocket:
-        note(Record::Kind::pocket, e.index);
+        note(Record::Kind::pocket, e.contact);
         return finish(Trajectory::End::pocketed);
       case EventKind::rest:
         note(Record::Kind::roll_to_rest);
@@ -97,10 +97,10 @@ Trajectory simulate(const ShotRequest& request) {
                       [&](const auto& motion, const auto& cushion) { return record(request, motion, cushion); });
 }
 
-std::vector<int> Trajectory::sequence() const {
-  std::vector<int> out;
+std::vector<Contact> Trajectory::sequence() const {
+  std::vector<Contact> out;
   for (const Record& e : events)
-    if (e.kind == Record::Kind::cushion) out.push_back(e.index);
+    if (e.kind == Record::Kind::cushion) out.push_back(e.contact);
   return out;
 }
 

@@ -50,9 +50,8 @@ Json event_json(const ShotRequest& r, const Record& e) {
          {"at", {e.state.at.x, e.state.at.y}},
          {"velocity", {e.state.velocity.x, e.state.velocity.y}},
          {"spin", {w.x, w.y, w.z}}};
-  const auto i = static_cast<std::size_t>(e.index);
-  if (e.kind == Record::Kind::cushion) j["cushion"] = contact_name(r.table, e.index);
-  if (e.kind == Record::Kind::pocket) j["pocket"] = r.table.pockets[i].name;
+  if (e.kind == Record::Kind::cushion) j["cushion"] = contact_name(r.table, e.contact);
+  if (e.kind == Record::Kind::pocket) j["pocket"] = contact_name(r.table, e.contact);
   return j;
 }
 

@@ -25,12 +25,12 @@ Physics refined(Physics p) {
 }
 
 /// Two at one instant match in either order.
-bool same_order(const std::vector<int>& asked, const std::vector<const TruthEvent*>& met) {
+bool same_order(const std::vector<Contact>& asked, const std::vector<const TruthEvent*>& met) {
   if (asked.size() != met.size()) return false;
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    if (met[i]->index == asked[i]) continue;
+    if (met[i]->contact == asked[i]) continue;
     const bool swapped = i + 1 < asked.size() && met[i + 1]->time - met[i]->time <= one_instant &&
-                         met[i]->index == asked[i + 1] && met[i + 1]->index == asked[i];
+                         met[i]->contact == asked[i + 1] && met[i + 1]->contact == asked[i];
     if (!swapped) return false;
     ++i;
   }
@@ -46,7 +46,7 @@ Path beside(Run run, double turned, double pushed) {
 bool same_events(const Path& a, const Path& b, std::size_t last) {
   if (a.events.size() <= last || b.events.size() <= last) return false;
   for (std::size_t i = 0; i <= last; ++i)
-    if (a.events[i].kind != b.events[i].kind || a.events[i].index != b.events[i].index) return false;
+    if (a.events[i].kind != b.events[i].kind || a.events[i].contact != b.events[i].contact) return false;
   return true;
 }
 
@@ -74,7 +74,7 @@ double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
 
 struct Scene::Goal {
   int min, max;
-  const std::vector<int>* sequence;
+  const std::vector<Contact>* sequence;
   double time;       ///< s, when the arrival is claimed; of several passes the nearest to it counts
   double slack = 0;  ///< m, beyond `within`
 };
@@ -100,7 +100,7 @@ Arrived Scene::at_point(Arrived a, const Passing& p) const {
 Arrived Scene::at_pocket(Arrived a, const TruthEvent& e) const {
   a.why = "";
   a.time = e.time, a.speed = norm(e.state.velocity), a.miss = e.passing.miss, a.at = e.state.at;
-  const Circle& rim = boundary.pockets[static_cast<std::size_t>(e.index)];
+  const Circle& rim = *boundary.rim(e.contact);
   if (rim.radius > 0) a.incidence = std::sqrt(std::max(1 - std::pow(a.miss / rim.radius, 2), 1e-12));
   return a;
 }
@@ -127,18 +127,17 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
     switch (e.kind) {
       case EventKind::cushion:
         if (static_cast<int>(met.size()) == goal.max || found)
-          return fails(fmt::format("meets {} before the target", contact_name(puzzle.table, e.index)));
+          return fails(fmt::format("meets {} before the target", contact_name(puzzle.table, e.contact)));
         met.push_back(&e);
-        out.cushions.push_back(e.index);
+        out.cushions.push_back(e.contact);
         update();
         break;
       case EventKind::slide_to_roll:
         break;
       case EventKind::pocket: {
         const auto* pocket = std::get_if<PocketTarget>(&puzzle.target);
-        if (!pocket || (pocket->pocket && *pocket->pocket != e.index) || !counts())
-          return fails(
-              fmt::format("falls into pocket {}", puzzle.table.pockets[static_cast<std::size_t>(e.index)].name));
+        if (!pocket || (pocket->pocket && Contact::pocket(*pocket->pocket) != e.contact) || !counts())
+          return fails(fmt::format("falls into pocket {}", contact_name(puzzle.table, e.contact)));
         return at_pocket(std::move(out), e);
       }
       case EventKind::rest: {

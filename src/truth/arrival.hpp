@@ -16,9 +16,9 @@
 namespace bankshot::truth {
 
 struct Arrived {
-  std::string why{};            ///< it is not made; empty when it is
-  std::vector<int> cushions{};  ///< met before it arrived, or failed to
-  bool in_order = false;        ///< those are the ones named; two met in one instant may come in either order
+  std::string why{};                ///< it is not made; empty when it is
+  std::vector<Contact> cushions{};  ///< met before it arrived, or failed to
+  bool in_order = false;            ///< those are the ones named; two met in one instant may come in either order
   double time = 0, speed = 0, miss = 0;
   Vec2d at{};
   double incidence = 1;  ///< sine of the angle between the path and the pocket's rim

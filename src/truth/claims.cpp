@@ -53,14 +53,14 @@ class ShotCheck {
          off <= allowed ? "" : fmt::format("{}: off by {:.3g} {}, allowed {:.3g}", words, off, unit(c), allowed)});
   }
 
-  std::string names(const std::vector<int>& contacts) const {
+  std::string names(const std::vector<Contact>& contacts) const {
     std::string out;
-    for (const int c : contacts) out += (out.empty() ? "" : ", ") + contact_name(p_.table, c);
+    for (const Contact c : contacts) out += (out.empty() ? "" : ", ") + contact_name(p_.table, c);
     return out.empty() ? "no cushion" : out;
   }
 
   /// The shot, as if it named other cushions.
-  Shot named(const std::vector<int>& cushions) const {
+  Shot named(const std::vector<Contact>& cushions) const {
     Shot other = shot_;
     other.cushions = cushions;
     return other;

@@ -40,7 +40,7 @@ double speed_scale(const State<Jet>& s, double radius) {
 std::size_t agree(const Path& a, const Path& b) {
   const std::size_t n = std::min(a.events.size(), b.events.size());
   for (std::size_t i = 0; i < n; ++i)
-    if (a.events[i].kind != b.events[i].kind || a.events[i].index != b.events[i].index) return i;
+    if (a.events[i].kind != b.events[i].kind || a.events[i].contact != b.events[i].contact) return i;
   return n;
 }
 
@@ -88,7 +88,7 @@ Condition condition(const Run& run) {
   std::vector<Step> steps;
   std::vector<double> scales{speed_scale(lift<Jet>(run.start), R)};
   follow<Jet>(run, seeded(lift<Jet>(run.start)), [&](const Event& e, auto& sim) {
-    c.events.insert(c.events.end(), {static_cast<int>(e.kind), e.index});
+    c.events.push_back({e.kind, e.contact});
     steps.push_back(jacobian_of(sim.state()));
     scales.push_back(speed_scale(sim.before(), R));
     sim.resume(seeded(sim.state()));
@@ -132,8 +132,8 @@ Compared compare_with_truth(const Run& run) {
     if (c.order == Compared::Order::wrong && nearby_start(run, rough)) c.order = Compared::Order::tie;
     return c;
   }
-  std::vector<int> events;
-  for (const TruthEvent& e : plain) events.insert(events.end(), {static_cast<int>(e.kind), e.index});
+  std::vector<std::pair<EventKind, Contact>> events;
+  for (const TruthEvent& e : plain) events.push_back({e.kind, e.contact});
   if (events != condition_of_run.events) {
     c.order = Compared::Order::tie;
     return c;

@@ -3,6 +3,7 @@
 // How far a run in double may be from the truth, and how far it is (simulate/simulator.hpp, property 6).
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "truth/run.hpp"
@@ -16,7 +17,7 @@ Path run_double(const Run& run);
 struct Condition {
   double kappa = 1, of_start = 1;
   double jacobian[2][7] = {};
-  std::vector<int> events;  ///< kind and index of each: where they are not those of the run in double, it is at a tie
+  std::vector<std::pair<EventKind, Contact>> events;  ///< where not those of the run in double, it is at a tie
 };
 Condition condition(const Run& run);
 

@@ -54,7 +54,7 @@ Passing passing_of(const Run& run, const Event& e, const Sim& sim) {
   if (e.kind == EventKind::horizon) return {};
   if (run.target) return passing<T>(sim, closest_time(sim.arc(), sim.travelled(), *run.target), *run.target);
   if (e.kind != EventKind::pocket) return {};
-  Passing p = passing<T>(sim, sim.travelled(), run.boundary.pockets[static_cast<std::size_t>(e.index)].centre);
+  Passing p = passing<T>(sim, sim.travelled(), run.boundary.rim(e.contact)->centre);
   p.miss = std::abs(p.lateral);
   return p;
 }
@@ -66,7 +66,7 @@ TruthEvent note(const Run& run, const Event& e, const Sim& sim) {
   const double t = rounded(time), x = rounded(s.at.x), y = rounded(s.at.y);
   const Vec2d v{rounded(s.velocity.x), rounded(s.velocity.y)};
   return {e.kind,
-          e.index,
+          e.contact,
           t,
           rounded(T(time - t)),
           {{x, y}, v, {rounded(s.spin.x), rounded(s.spin.y), rounded(s.spin.z)}},

@@ -76,7 +76,7 @@ ShotRequest launch(const Fold& c, double degrees_) {
 struct Rest {
   Vec2d at;
   double determinant;  ///< of d(rest)/d(aim, ln speed)
-  std::vector<int> met;
+  std::vector<Contact> met;
 };
 
 Rest rest_of(const ShotRequest& shot) {

@@ -26,7 +26,7 @@ struct Passing {
 /// An event; in 50 digits `rest` keeps what the doubles lose.
 struct TruthEvent {
   EventKind kind;
-  int index;
+  Contact contact;
   double time, time_rest;  ///< s: their sum has about 32 digits
   State<double> state;     ///< right after it
   Vec2d at_rest;           ///< m: state.at + at_rest has about 32 digits

@@ -18,7 +18,7 @@ namespace {
 using namespace bankshot;
 
 /// A random shot on a preset table that stops after `bounces` cushions without dropping.
-ShotRequest shot_that_stops(test::Random& r, bool spin, int bounces, Vec2d& end, std::vector<int>& sequence) {
+ShotRequest shot_that_stops(test::Random& r, bool spin, int bounces, Vec2d& end, std::vector<Contact>& sequence) {
   const TablePreset& preset = *find_table_preset(spin ? "carom-10ft" : "seed");
   for (;;) {
     ShotRequest s;
@@ -55,10 +55,11 @@ int main(int argc, char** argv) {
   const bool spin = set == "spin";
   for (long i = 0; i < count; ++i) {
     Vec2d end{};
-    std::vector<int> sequence;
+    std::vector<Contact> sequence;
     const ShotRequest s = shot_that_stops(random, spin, spin ? 3 : random.integer(1, 3), end, sequence);
     std::string names;
-    for (const int c : sequence) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", contact_name(s.table, c));
+    for (const Contact c : sequence)
+      names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", contact_name(s.table, c));
     std::cout << fmt::format(
         "{{\"id\": {}, \"table\": \"{}\", \"physics\": \"{}\", \"ball\": {{\"at\": [{}, {}]}}, \"target\": "
         "{{\"point\": [{}, {}]}}, \"cushions\": {}}}\n",

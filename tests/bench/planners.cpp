@@ -61,7 +61,7 @@ Outcome by_mirror(const Puzzle& p) {
   Unfolding images(s, true, 1.0, true);
   double least = 1;
   while (const auto c = images.next()) {
-    const std::vector<int> contacts = images.contacts(*c);
+    const std::vector<Contact> contacts = images.contacts(*c);
     const LockedAim aim{s, contacts, c->target};
     auto speed = speed_at(s, aim, c->angle, c->distance);
     if (speed) speed = speed_near(s, aim, c->angle, *speed);

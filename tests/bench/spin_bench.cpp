@@ -21,7 +21,7 @@ struct Case {
   Vec2d at;
   double speed, angle;
   LaunchSpin spin;
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
 };
 
 const Boundary& boundary() {
@@ -69,7 +69,7 @@ const std::vector<Case>& cases() {
              {}};
       Simulator sim(boundary(), SlideRoll{}, Han2005{}, start_of<double>(c));
       for (Event e = sim.step(); !e.final() && c.contacts.size() < 3; e = sim.step())
-        if (e.kind == EventKind::cushion) c.contacts.push_back(e.index);
+        if (e.kind == EventKind::cushion) c.contacts.push_back(e.contact);
       if (c.contacts.size() == 3) out.push_back(c);
     }
     return out;

@@ -31,7 +31,7 @@ TEST_CASE("a ball that leaves a cushion and curves back returns after 2 vn/a") {
     Simulator sim(boundary, motion, Mirror{0.8}, with_slip({1, R}, {0.1, vn}, {0, 8}));
     const Event e = sim.step();
     REQUIRE(e.kind == EventKind::cushion);
-    CHECK(e.index == 0);
+    CHECK(e.contact == Contact::rail(0));
     CHECK(sim.time() == Approx(2 * vn / a).epsilon(4e-16));
     CHECK(sim.state().at.y == Approx(R).epsilon(1e-16));
     CHECK(sim.state().velocity.y == Approx(0.8 * vn).epsilon(1e-15));
@@ -48,7 +48,7 @@ TEST_CASE("a parabola that nearly touches a cushion line hits or misses as its v
     INFO(c.what);
     Simulator sim(boundary, motion, Mirror{0.9}, c.start);
     const Event first = sim.step();
-    CHECK((first.kind == EventKind::cushion && first.index == 0) == (depth > 0));
+    CHECK((first.kind == EventKind::cushion && first.contact == Contact::rail(0)) == (depth > 0));
     // The gap was rounded to a unit in the last place of R, which the square root of a small depth multiplies.
     if (depth > 1e-7) CHECK(sim.time() == Approx(vn / a * (1 - std::sqrt(depth))).epsilon(1e-8));
     CHECK(worst.within_bound(compare_with_truth(c)));

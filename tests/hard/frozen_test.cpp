@@ -34,9 +34,9 @@ TEST_CASE("a frozen ball bounces at once when driven in, and not when sent along
     CHECK(in.events[1].time <= gap / (1.5 * 0.86) * (1 + 1e-12));
     const Trajectory along = simulate(spin_shot({0.2, R + gap}, 1, 0, {.top = 1}));
     REQUIRE(along.cushions > 0);
-    CHECK(along.sequence().front() == 1);
+    CHECK(along.sequence().front() == Contact::rail(1));
     const Trajectory away = simulate(spin_shot({0.7, R + gap}, 0.5, 90));
-    CHECK(away.sequence() == std::vector<int>{});
+    CHECK(away.sequence() == std::vector<Contact>{});
   }
 }
 

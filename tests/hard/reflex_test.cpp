@@ -44,7 +44,8 @@ TEST_CASE("grazing the arc of a vertex is a hit or a miss, and true") {
   for (const HardCase& c : hard_cases("grazing a reflex vertex")) {
     INFO(c.what);
     const Boundary boundary(c.table, c.radius);
-    CHECK((run_double({boundary, c.physics, c.start, 1}).events.front().index == 6 + 4) == std::exchange(hits, !hits));
+    CHECK((run_double({boundary, c.physics, c.start, 1}).events.front().contact == Contact::vertex(4)) ==
+          std::exchange(hits, !hits));
     CHECK(worst.within_bound(compare_with_truth(c)));
   }
   CHECK(worst.kappa > 1e5);

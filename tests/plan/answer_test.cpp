@@ -33,7 +33,7 @@ bool made(const Puzzle& p, const Shot& shot, double speed, double angle) {
 
 TEST_CASE("a no-shot on a convex table without obstacles is proved, and says what failed") {
   Puzzle p = plain(ideal_physics());
-  p.cushions = CushionRule::in_order({0, 2, 0, 0});
+  p.cushions = CushionRule::in_order({Contact::rail(0), Contact::rail(2), Contact::rail(0), Contact::rail(0)});
   const Answer a = solve(p);
   CHECK(a.status == Status::no_shot);
   CHECK(says(a.message, "proved"));
@@ -153,7 +153,7 @@ TEST_CASE("an aim into a cushion that the ball touches is offered only when aske
            .target = PointTarget{{1.5, 0.7}},
            .cushions = CushionRule::exactly(1)};
   for (const Shot& s : solve(p, {.all = true}).shots) CHECK(s.launch.angle < radians(180));
-  p.cushions = CushionRule::in_order({0});
+  p.cushions = CushionRule::in_order({Contact::rail(0)});
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].launch.angle > radians(180));

@@ -22,7 +22,7 @@ constexpr std::size_t most_cushions = 3;
 /// Where a launch comes to rest; seen from there the point lies so far ahead and to the left [m].
 struct Rest {
   double speed;
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   bool rests = false;  ///< after no more cushions than are allowed
   double ahead = 0, left = 0;
 };
@@ -32,7 +32,7 @@ struct Aimed {
   double angle;
   std::vector<Rest> abreast;
 
-  std::vector<Rest> along(const std::vector<int>& contacts) const {
+  std::vector<Rest> along(const std::vector<Contact>& contacts) const {
     std::vector<Rest> out;
     for (const Rest& r : abreast)
       if (r.contacts == contacts) out.push_back(r);
@@ -41,7 +41,7 @@ struct Aimed {
 };
 
 struct Found {
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   double angle, speed;
 };
 
@@ -76,7 +76,7 @@ class BruteForce {
       for (;;) {
         const Event e = sim.step();
         if (e.kind == EventKind::slide_to_roll) continue;
-        if (e.kind == EventKind::cushion) out.contacts.push_back(e.index);
+        if (e.kind == EventKind::cushion) out.contacts.push_back(e.contact);
         if (out.contacts.size() > most_cushions) return out;
         if (e.kind == EventKind::cushion) continue;
         out.rests = e.kind == EventKind::rest;
@@ -143,7 +143,7 @@ class BruteForce {
     }
   }
 
-  void root(const Aimed& a, const Aimed& b, const std::vector<int>& contacts, std::size_t k) {
+  void root(const Aimed& a, const Aimed& b, const std::vector<Contact>& contacts, std::size_t k) {
     constexpr double jump = 1e3;  // m/rad: nothing moves faster with the aim
     double low = a.angle, high = b.angle;
     const bool left = a.along(contacts)[k].left > 0;

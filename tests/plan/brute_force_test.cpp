@@ -22,12 +22,12 @@ constexpr int most_cushions = 3;
 /// On which side of the target each leg passes it, where it does pass.
 struct Aimed {
   double angle;
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   std::array<std::optional<double>, most_cushions + 1> side;
 };
 
 struct Found {
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   double angle;
 };
 
@@ -63,7 +63,7 @@ class BruteForce {
         }
         if (e.kind == EventKind::slide_to_roll) continue;
         if (e.final() || out.contacts.size() == most_cushions) return out;
-        out.contacts.push_back(e.index);
+        out.contacts.push_back(e.contact);
         nearest = 1e300;
       }
     });
@@ -100,7 +100,7 @@ class BruteForce {
   }
 
   void root(Aimed a, Aimed b, std::size_t k) {
-    const std::vector<int> contacts(a.contacts.begin(), a.contacts.begin() + static_cast<long>(k));
+    const std::vector<Contact> contacts(a.contacts.begin(), a.contacts.begin() + static_cast<long>(k));
     for (int i = 0; i < 40; ++i) {
       const Aimed m = aim((a.angle + b.angle) / 2);
       if (m.contacts.size() < k || !std::equal(contacts.begin(), contacts.end(), m.contacts.begin()) || !m.side[k])

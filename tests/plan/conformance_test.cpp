@@ -111,9 +111,9 @@ TEST_CASE("what a planner returns survives a replay in 50 digits") {
     REQUIRE(a.status == Status::solved);
     const Boundary boundary(p.table, p.ball.radius);
     const test::Path path = test::run_truth({boundary, p.physics, start_state(as_request(p, a.shots[0]))});
-    std::vector<int> sequence;
+    std::vector<Contact> sequence;
     for (const test::TruthEvent& e : path.events)
-      if (e.kind == EventKind::cushion) sequence.push_back(e.index);
+      if (e.kind == EventKind::cushion) sequence.push_back(e.contact);
     CHECK(sequence == a.shots[0].cushions);
     CHECK(norm(path.events.back().state.at - point->at) <= 1e-9 * p.table.diagonal());
   }
@@ -165,7 +165,7 @@ TEST_CASE("infeasible puzzles are never solved") {
                     .physics = ideal_physics(),
                     .ball = {.at = {0.4, 0.3}},
                     .target = PointTarget{{1.5, 0.7}},
-                    .cushions = CushionRule::in_order({0, 0})};
+                    .cushions = CushionRule::in_order({Contact::rail(0), Contact::rail(0)})};
   CHECK(solve(same_twice, {.planner = planner}).status == Status::no_shot);
   Puzzle too_slow = easy_set()[1];
   too_slow.speed = {0.01, 0.02};

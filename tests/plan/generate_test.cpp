@@ -71,8 +71,10 @@ TEST_CASE("generate: kinds, sequences, difficulties and unique shots as wished")
   w.kind = Wish::Kind::pass;
   for (const Generated& g : made(w, 3)) CHECK(g.answer.shots[0].arrival.speed > 0.05);
   w.kind.reset();
-  w.cushions = CushionRule::in_order({2, 1, 0, 3});
-  for (const Generated& g : made(w, 3)) CHECK(g.answer.shots[0].cushions == std::vector<int>{2, 1, 0, 3});
+  w.cushions = CushionRule::in_order({Contact::rail(2), Contact::rail(1), Contact::rail(0), Contact::rail(3)});
+  for (const Generated& g : made(w, 3))
+    CHECK(g.answer.shots[0].cushions ==
+          std::vector<Contact>{Contact::rail(2), Contact::rail(1), Contact::rail(0), Contact::rail(3)});
   w.cushions = {2, 2, {}};
   w.unique = true;
   for (const Generated& g : made(w, 3)) CHECK(solve(g.puzzle, {.all = true}).shots.size() == 1);

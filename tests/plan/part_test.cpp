@@ -24,7 +24,7 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
     const test::Family family = test::families[i % 3];  // no reflex vertices: they may hide a cushion
     const test::Made m = test::random_puzzle(random, family, test::Model::spin);
     Search s(m.puzzle, false);
-    std::vector<int> contacts;
+    std::vector<Contact> contacts;
     const Replay exact = replay(s, m.launch, Goal::exactly(s, m.bounces), &contacts);
     if (!exact.made || s.frozen()) continue;  // a touched cushion may come first
     const LockedAim aim{s, contacts, s.nearest_aim_point(exact.arrival.at)};

@@ -29,7 +29,7 @@ void compare(json line, Worst& worst) {
   const ShotRequest shot = read_shot(line.dump());
   const Trajectory t = simulate(shot);
   std::vector<std::string> names;
-  for (const int c : t.sequence()) names.push_back(contact_name(shot.table, c));
+  for (const Contact c : t.sequence()) names.push_back(contact_name(shot.table, c));
   INFO(line["id"]);
   REQUIRE(names == expect["cushions"].get<std::vector<std::string>>());
   worst.rest = std::max(worst.rest, distance(t.events.back().state.at, expect["at"]));

@@ -21,7 +21,7 @@ ShotRequest on(Table table, Vec2d at, double angle, double radius = 0, double sp
 
 std::vector<std::string> names(const ShotRequest& shot, const Trajectory& t) {
   std::vector<std::string> out;
-  for (const int c : t.sequence()) out.push_back(contact_name(shot.table, c));
+  for (const Contact c : t.sequence()) out.push_back(contact_name(shot.table, c));
   return out;
 }
 
@@ -42,8 +42,8 @@ std::array<Event, 2> first_two(const Table& table, const State<double>& start, S
 TEST_CASE("in a corner both cushions bounce, in the order of edges when equally fast") {
   State<double> end{};
   const auto [first, second] = first_two(rectangle_table(2, 1), {{1.5, 0.5}, {1, 1}}, &end);
-  CHECK(first.index == 1);
-  CHECK(second.index == 2);
+  CHECK(first.contact == Contact::rail(1));
+  CHECK(second.contact == Contact::rail(2));
   CHECK(second.same_instant);
   CHECK(end.at == Vec2d{2, 1});
   CHECK(end.velocity == Vec2d{-1, -1});
@@ -51,11 +51,11 @@ TEST_CASE("in a corner both cushions bounce, in the order of edges when equally 
 
 TEST_CASE("in a corner the larger approach speed bounces first") {
   const auto wide = first_two(rectangle_table(2, 1), {{0, 0}, {2, 1}});
-  CHECK(wide[0].index == 1);
-  CHECK(wide[1].index == 2);
+  CHECK(wide[0].contact == Contact::rail(1));
+  CHECK(wide[1].contact == Contact::rail(2));
   const auto tall = first_two(rectangle_table(1, 2), {{0, 0}, {1, 2}});
-  CHECK(tall[0].index == 2);
-  CHECK(tall[1].index == 1);
+  CHECK(tall[0].contact == Contact::rail(2));
+  CHECK(tall[1].contact == Contact::rail(1));
 }
 
 TEST_CASE("a pocket captures before a cushion bounces") {

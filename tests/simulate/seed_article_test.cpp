@@ -54,7 +54,7 @@ TEST_CASE("the seed article's example agrees with the events derived by hand") {
   REQUIRE(expected.size() == 22);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const Record& e = t.events[i + 1];
-    CHECK(contact_name(shot.table, e.index) == expected[i].cushion);
+    CHECK(contact_name(shot.table, e.contact) == expected[i].cushion);
     CHECK(e.time == Approx((v0 - std::sqrt(v0 * v0 - 2 * a * expected[i].path)) / a).epsilon(1e-12));
   }
   CHECK(t.end == Trajectory::End::rest);

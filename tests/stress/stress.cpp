@@ -50,7 +50,7 @@ bool through_corner(const test::Made& made, double beside) {
                   .spin = made.puzzle.spin};
     r.launch.angle = wrap_angle(r.launch.angle + turned);
     r.until.cushions = made.bounces + 1;
-    std::vector<int> s = simulate(r).sequence();
+    std::vector<Contact> s = simulate(r).sequence();
     s.resize(std::min(s.size(), static_cast<std::size_t>(made.bounces)));
     return s;
   };

@@ -12,15 +12,15 @@ namespace bankshot::test {
 namespace {
 
 /// Same cushions, where two met in one instant may have swapped.
-bool same_sequence(const std::vector<int>& asked, const Trajectory& t, std::size_t bounces) {
+bool same_sequence(const std::vector<Contact>& asked, const Trajectory& t, std::size_t bounces) {
   std::vector<const Record*> hits;
   for (const Record& e : t.events)
     if (e.kind == Record::Kind::cushion) hits.push_back(&e);
   if (hits.size() < bounces) return false;
   for (std::size_t i = 0; i < bounces; ++i) {
-    if (hits[i]->index == asked[i]) continue;
-    const bool swapped = i + 1 < bounces && hits[i]->time == hits[i + 1]->time && hits[i]->index == asked[i + 1] &&
-                         hits[i + 1]->index == asked[i];
+    if (hits[i]->contact == asked[i]) continue;
+    const bool swapped = i + 1 < bounces && hits[i]->time == hits[i + 1]->time && hits[i]->contact == asked[i + 1] &&
+                         hits[i + 1]->contact == asked[i];
     if (!swapped) return false;
     ++i;
   }
@@ -89,8 +89,9 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   } else {
     const Record& drop = t.events.size() > 1 ? t.events[t.events.size() - 2] : t.events.back();
     const auto& wanted = std::get<PocketTarget>(p.target).pocket;
-    if (t.end != Trajectory::End::pocketed || (wanted && drop.index != *wanted)) return {"is not pocketed as asked", 0};
-    const Vec2d d = p.table.pockets[static_cast<std::size_t>(drop.index)].at - drop.state.at;
+    if (t.end != Trajectory::End::pocketed || (wanted && drop.contact != Contact::pocket(*wanted)))
+      return {"is not pocketed as asked", 0};
+    const Vec2d d = p.table.pockets[static_cast<std::size_t>(drop.contact.index)].at - drop.state.at;
     speed = norm(drop.state.velocity);
     miss = std::abs(cross(drop.state.velocity, d)) / speed;
   }

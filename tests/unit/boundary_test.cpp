@@ -53,9 +53,9 @@ TEST_CASE("only a ball with a radius meets a tip, and only at reflex vertices") 
   REQUIRE(ball.tips.size() == 1);
   CHECK(ball.tips[0].centre == Vec2d{1, 1});
   CHECK(ball.tips[0].radius == 0.1);
-  CHECK(ball.tips[0].contact == ball.vertex_contact(3));
+  CHECK(ball.tips[0].contact == Contact::vertex(3));
   CHECK(contact_name(l_shape(), ball.tips[0].contact) == "v3");
-  CHECK(contact_name(l_shape(), 2) == "c2");
+  CHECK(contact_name(l_shape(), Contact::rail(2)) == "c2");
   CHECK(point.tips.empty());
   CHECK(Boundary(rectangle_table(2, 1), 0.1).tips.empty());
 }
@@ -95,7 +95,7 @@ TEST_CASE("pockets of radius 0 become points of the tolerance") {
   REQUIRE(b.pockets.size() == 2);
   CHECK(b.pockets[0].radius == Approx(5e-9));
   CHECK(b.pockets[1].radius == 0.25);
-  CHECK(b.pockets[1].contact == 1);
+  CHECK(b.pockets[1].contact == Contact::pocket(1));
 }
 
 TEST_CASE("directions at multiples of 90 degrees are exact") {

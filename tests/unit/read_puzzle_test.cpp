@@ -47,7 +47,7 @@ TEST_CASE("every key of a puzzle arrives in its field") {
   CHECK(p.ball.radius == 0.03);
   CHECK(p.ball.mass == 0.2);
   CHECK(std::get<PocketTarget>(p.target).pocket == 0);
-  CHECK(p.cushions.sequence == std::vector<int>{0, 1, 4 + 3});
+  CHECK(p.cushions.sequence == std::vector<Contact>{Contact::rail(0), Contact::rail(1), Contact::vertex(3)});
   CHECK(p.cushions.min == 3);
   CHECK(p.cushions.max == 3);
   CHECK(p.arrive->low == 0.25);

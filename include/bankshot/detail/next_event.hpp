@@ -17,7 +17,7 @@ template <class N>
 struct NextEvent {
   N time;  ///< the arc's parameter
   Event event;
-  int second = -1;  ///< another cushion met at the same time
+  Contact second{};  ///< another cushion met at the same time
 };
 
 /// `straight`: no arc of the motion bends.
@@ -31,8 +31,7 @@ struct EventFinder {
     constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest};
     NextEvent<N> first{arc.duration, {ends[static_cast<int>(arc.end)]}};
     if (horizon < first.time) first = {horizon, {EventKind::horizon}};
-    const auto walls = static_cast<int>(boundary.walls.size());
-    for (int i = 0; i < walls; ++i) consider(first, i, wall_hit(i, first.time));
+    for (const Wall& w : boundary.walls) consider(first, w.contact, wall_hit(w, first.time));
     if (!boundary.tips.empty() || !boundary.pockets.empty()) consider_circles(first);
     return first;
   }
@@ -49,16 +48,15 @@ struct EventFinder {
     }
   }
 
-  static void consider(NextEvent<N>& first, int contact, const N& t) {
+  static void consider(NextEvent<N>& first, Contact contact, const N& t) {
     if (t < first.time)
       first = {t, {EventKind::cushion, contact}};
-    else if (t == first.time && first.event.kind == EventKind::cushion && first.second < 0)
+    else if (t == first.time && first.event.kind == EventKind::cushion && !first.second)
       first.second = contact;
   }
 
-  /// When the arc meets wall i, if not after `limit`.
-  N wall_hit(int i, const N& limit) const {
-    const Wall& w = boundary.wall(i);
+  /// When the arc meets a wall, if not after `limit`.
+  N wall_hit(const Wall& w, const N& limit) const {
     const N speed = dot(w.normal, arc.velocity);
     if (straight && !(speed < N(0))) return N(forever);
     N gap = dot(w.normal, arc.at) - N(w.offset);
@@ -67,8 +65,8 @@ struct EventFinder {
     if (gap > N(0) && !(acceleration > N(0)) && limit < N(forever) &&
         gap + (speed + acceleration * (limit * 0.5)) * limit > N(boundary.touch))
       return N(forever);
-    if (cushions.held(i)) return N(forever);
-    if (cushions.on(i)) {
+    if (cushions.held(w.contact)) return N(forever);
+    if (cushions.on(w.contact)) {
       gap = N(0);
       if (cushions.is_rounding(speed * speed)) return N(forever);
     } else if (gap < N(boundary.touch) && gap > N(-boundary.touch)) {
@@ -91,12 +89,12 @@ struct EventFinder {
   }
 
   /// The ball runs along a cushion that ends at this vertex: the line touches the tip's arc there, exactly.
-  bool passes_tangent(int contact) const {
-    const int walls = static_cast<int>(boundary.walls.size()), vertex = contact - walls;
-    for (const int i : {vertex, (vertex + walls - 1) % walls}) {
-      if (cushions.held(i)) return true;
-      const N speed = dot(boundary.wall(i).normal, arc.velocity);
-      if (cushions.on(i) && cushions.is_rounding(speed * speed)) return true;
+  bool passes_tangent(Contact vertex) const {
+    const std::size_t walls = boundary.walls.size(), i = static_cast<std::size_t>(vertex.index);
+    for (const Wall* const w : {&boundary.walls[i], &boundary.walls[(i + walls - 1) % walls]}) {
+      if (cushions.held(w->contact)) return true;
+      const N speed = dot(w->normal, arc.velocity);
+      if (cushions.on(w->contact) && cushions.is_rounding(speed * speed)) return true;
     }
     return false;
   }
@@ -106,13 +104,13 @@ struct EventFinder {
 /// the arc starts, exactly.
 template <class T>
 T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc<T>& arc, bool on, const T& horizon) {
-  const int i = next.event.index;
+  const Contact contact = next.event.contact;
   switch (next.event.kind) {
     case EventKind::cushion:
-      return boundary.is_wall(i) ? lift_line(arc, boundary.wall(i).normal, boundary.wall(i).offset, on, next.time)
-                                 : lift_circle(arc, boundary.tip(i)->centre, next.time);
+      if (const Wall* const w = boundary.line(contact)) return lift_line(arc, w->normal, w->offset, on, next.time);
+      return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::pocket:
-      return lift_circle(arc, boundary.pockets[static_cast<std::size_t>(i)].centre, next.time);
+      return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::horizon:
       return horizon;
     default:

@@ -32,9 +32,9 @@ class OnCushions {
         still2_(launch2 * (tolerance::still * tolerance::still)) {}
 
   /// The centre is exactly on the contact.
-  bool on(int contact) const { return contact == on_[0] || contact == on_[1]; }
+  bool on(Contact contact) const { return contact == on_[0] || contact == on_[1]; }
   /// Friction drives the ball into the contact, which holds it.
-  bool held(int contact) const { return contact == held_[0] || contact == held_[1]; }
+  bool held(Contact contact) const { return contact == held_[0] || contact == held_[1]; }
 
   /// Says that a ball of this squared_scale is about to bounce.
   void bounces(const N& scale2) { bounced2_ = scale2; }
@@ -52,17 +52,16 @@ class OnCushions {
   }
 
   /// Remembers that the centre is on the contact.
-  void meet(int contact) {
+  void meet(Contact contact) {
     if (contact != on_[0]) on_[1] = std::exchange(on_[0], contact);
   }
 
   /// Puts the centre exactly on the contact.
   template <class T>
-  void settle(const Boundary& boundary, int contact, Vec2<T>& at) {
-    if (boundary.is_wall(contact)) {
-      const Wall& w = boundary.wall(contact);
-      const T gap = dot(w.normal, at) - N(w.offset);
-      at -= {gap * w.normal.x, gap * w.normal.y};
+  void settle(const Boundary& boundary, Contact contact, Vec2<T>& at) {
+    if (const Wall* const w = boundary.line(contact)) {
+      const T gap = dot(w->normal, at) - N(w->offset);
+      at -= {gap * w->normal.x, gap * w->normal.y};
     }
     meet(contact);
   }
@@ -74,11 +73,11 @@ class OnCushions {
     const N near(boundary.touch);
     const Vec2<N> at = value(centre);
     int found = 0;
-    for (int i = 0; boundary.is_wall(i) && found < 2; ++i) {
-      const Wall& w = boundary.wall(i);
+    for (const Wall& w : boundary.walls) {
+      if (found == 2) return;
       const N s = dot(w.along, at), gap = dot(w.normal, at) - N(w.offset);
       if (!(abs(gap) <= near && s >= w.begin - near && s <= w.end + near)) continue;
-      settle(boundary, i, centre);
+      settle(boundary, w.contact, centre);
       ++found;
     }
   }
@@ -87,12 +86,12 @@ class OnCushions {
   /// two cushions it may be held by one, along which the other lets it go, or by both: then it stays.
   template <class T>
   void hold(const Boundary& boundary, Arc<T>& arc) {
-    held_[0] = held_[1] = -1;
-    if (on_[0] < 0) return;
+    held_[0] = held_[1] = {};
+    if (!on_[0]) return;
     const Arc<N>& plain = value(arc);
-    const int corner = corner_to_crawl_in(boundary, plain);
-    const int at[] = {on_[0], corner >= 0 ? corner : on_[1]};
-    const auto is_slow = [&](int contact) { return corner >= 0 || rests_at(boundary, contact, plain); };
+    const Contact corner = corner_to_crawl_in(boundary, plain);
+    const Contact at[] = {on_[0], corner ? corner : on_[1]};
+    const auto is_slow = [&](Contact contact) { return corner || rests_at(boundary, contact, plain); };
     const bool slow[] = {is_slow(at[0]), is_slow(at[1])};
     if (!slow[0] && !slow[1]) return;
     const Vec2<N> a = plain.acceleration;
@@ -124,22 +123,20 @@ class OnCushions {
     return acceleration < 0 && -acceleration * duration > 1.01 * abs(speed);
   }
 
-  /// Where the ball is at a cushion in a corner and hardly moves: the other cushion, else -1. Friction into
+  /// Where the ball is at a cushion in a corner and hardly moves: the other cushion, else none. Friction into
   /// the corner and spin at the cushions may feed ever the same tiny bounces from one to the other.
-  int corner_to_crawl_in(const Boundary& boundary, const Arc<N>& arc) const {
+  Contact corner_to_crawl_in(const Boundary& boundary, const Arc<N>& arc) const {
     using std::abs;
     constexpr double more = tolerance::crawling / tolerance::resting;
-    if (dot(arc.velocity, arc.velocity) > resting2_ * (more * more) || !boundary.is_wall(on_[0])) return -1;
-    for (int i = 0; boundary.is_wall(i); ++i) {
-      const Wall& w = boundary.wall(i);
-      if (i != on_[0] && abs(N(dot(w.normal, arc.at) - N(w.offset))) <= N(boundary.touch)) return i;
-    }
-    return -1;
+    if (dot(arc.velocity, arc.velocity) > resting2_ * (more * more) || !boundary.line(on_[0])) return {};
+    for (const Wall& w : boundary.walls)
+      if (w.contact != on_[0] && abs(N(dot(w.normal, arc.at) - N(w.offset))) <= N(boundary.touch)) return w.contact;
+    return {};
   }
 
   /// The ball is at this contact without speed from or towards it, to speak of.
-  bool rests_at(const Boundary& boundary, int contact, const Arc<N>& arc) const {
-    if (contact < 0) return false;
+  bool rests_at(const Boundary& boundary, Contact contact, const Arc<N>& arc) const {
+    if (!contact) return false;
     const N speed = dot(boundary.normal(contact, arc.at), arc.velocity);
     return speed * speed <= resting2_;
   }
@@ -151,11 +148,11 @@ class OnCushions {
   }
 
   // Squares of speeds [m²/s²]:
-  N bounced2_;              ///< before the last bounce; its roundings are in proportion
-  N resting2_;              ///< a ball that leaves a cushion slower than this may be held
-  N still2_;                ///< a ball slower than this after a bounce rests
-  int on_[2] = {-1, -1};    ///< contacts the centre is exactly on
-  int held_[2] = {-1, -1};  ///< of those, the ones friction drives it into
+  N bounced2_;       ///< before the last bounce; its roundings are in proportion
+  N resting2_;       ///< a ball that leaves a cushion slower than this may be held
+  N still2_;         ///< a ball slower than this after a bounce rests
+  Contact on_[2];    ///< contacts the centre is exactly on
+  Contact held_[2];  ///< of those, the ones friction drives it into
 };
 
 }  // namespace bankshot

@@ -4,12 +4,12 @@
 //   walls    each cushion moved inwards by R: n·r >= offset
 //   tips     reflex vertices, which a ball meets as an arc of radius R
 //   pockets  capture circles
-// A *contact* is a number: i < walls.size() is cushion i, walls.size() + i is vertex i.
+// Each knows which contact it is (contact.hpp).
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "bankshot/geometry/contact.hpp"
 #include "bankshot/scene/table.hpp"
 
 namespace bankshot {
@@ -21,12 +21,13 @@ struct Wall {
   double begin;   ///< along·r of the cushion's two ends
   double end;
   Vec2d from, to;  ///< the ends of the line of centres that touch; reversed if none can
+  Contact contact{};
 };
 
 struct Circle {
   Vec2d centre;
   double radius;
-  int contact;  ///< the contact's number (tips), the pocket's number (pockets)
+  Contact contact{};
 };
 
 struct Boundary {
@@ -41,20 +42,22 @@ struct Boundary {
 
   Boundary(const Table& table, double radius);
 
-  int vertex_contact(int vertex) const { return static_cast<int>(walls.size()) + vertex; }
-  bool is_wall(int contact) const { return contact < static_cast<int>(walls.size()); }
-  const Wall& wall(int contact) const { return walls[static_cast<std::size_t>(contact)]; }
-  /// The arc of a vertex; null where the vertex is not reflex.
-  const Circle* tip(int contact) const {
+  /// The line of a contact; null where it has none.
+  const Wall* line(Contact contact) const {
+    return contact.kind == ContactKind::rail ? &walls[static_cast<std::size_t>(contact.index)] : nullptr;
+  }
+  /// The rim of a contact that is round; null where it is not, or is no corner that points into the table.
+  const Circle* rim(Contact contact) const {
+    if (contact.kind == ContactKind::pocket) return &pockets[static_cast<std::size_t>(contact.index)];
     for (const Circle& c : tips)
       if (c.contact == contact) return &c;
     return nullptr;
   }
   /// Unit vector away from a contact, into the table, for a centre at `at`; 0 where there is no such contact.
   template <class T>
-  Vec2<T> normal(int contact, const Vec2<T>& at) const {
-    if (is_wall(contact)) return to<T>(wall(contact).normal);
-    const Circle* const c = tip(contact);
+  Vec2<T> normal(Contact contact, const Vec2<T>& at) const {
+    if (const Wall* const w = line(contact)) return to<T>(w->normal);
+    const Circle* const c = rim(contact);
     if (!c) return {T(0), T(0)};
     const Vec2<T> out = at - to<T>(c->centre);
     return out / norm(out);
@@ -64,8 +67,5 @@ struct Boundary {
   /// Distance from `point` to the nearest place where the centre can be.
   double distance_to_centres(const Vec2d& point) const;
 };
-
-/// The name of a contact in puzzles and answers: the cushion's, or v<i>.
-std::string contact_name(const Table& table, int contact);
 
 }  // namespace bankshot

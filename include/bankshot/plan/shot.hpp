@@ -29,8 +29,8 @@ struct Margin {
 struct Shot {
   Launch launch{};
   LaunchSpin spin{};
-  bool cushion_stick = false;   ///< some cushion's law left the ball moving into it: it stayed there
-  std::vector<int> cushions{};  ///< contacts in order
+  bool cushion_stick = false;       ///< some cushion's law left the ball moving into it: it stayed there
+  std::vector<Contact> cushions{};  ///< contacts in order
   Arrival arrival{};
   double miss = 0;       ///< m, from the replay
   double condition = 0;  ///< m of arrival per rad of aim or per unit of relative speed, the larger

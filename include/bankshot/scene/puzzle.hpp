@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "bankshot/geometry/contact.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/physics.hpp"
 #include "bankshot/scene/table.hpp"
@@ -38,10 +39,10 @@ using Target = std::variant<PointTarget, PocketTarget>;
 /// Bounces before the target: a count between min and max, or exactly `sequence` (contacts).
 struct CushionRule {
   int min = 0, max = 3;
-  std::optional<std::vector<int>> sequence{};
+  std::optional<std::vector<Contact>> sequence{};
 
   static CushionRule exactly(int n) { return {n, n, {}}; }
-  static CushionRule in_order(std::vector<int> contacts) {
+  static CushionRule in_order(std::vector<Contact> contacts) {
     const int n = static_cast<int>(contacts.size());
     return {n, n, std::move(contacts)};
   }

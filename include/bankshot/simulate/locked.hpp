@@ -40,20 +40,20 @@ N time_to_line(const Arc<N>& arc, const Wall& w) {
 }
 
 template <class N>
-N time_to_contact(const Boundary& boundary, const Arc<N>& arc, int contact) {
-  if (boundary.is_wall(contact)) return time_to_line(arc, boundary.wall(contact));
-  const Circle* const tip = boundary.tip(contact);
-  return tip ? first_entry(arc, tip->centre, tip->radius, arc.duration) : N(forever);
+N time_to_contact(const Boundary& boundary, const Arc<N>& arc, Contact contact) {
+  if (const Wall* const w = boundary.line(contact)) return time_to_line(arc, *w);
+  const Circle* const rim = boundary.rim(contact);
+  return rim ? first_entry(arc, rim->centre, rim->radius, arc.duration) : N(forever);
 }
 
 /// The time at which a contact is met, with the derivatives of the arc; of a gap that counted as 0, none.
 template <class T>
-T lift_contact(const Boundary& boundary, const Arc<T>& arc, int contact, const Real<T>& t) {
-  if (!boundary.is_wall(contact)) return lift_circle(arc, boundary.tip(contact)->centre, t);
-  const Wall& w = boundary.wall(contact);
-  const bool beyond = !(dot(w.normal, value(arc.at)) - Real<T>(w.offset) > 0);
-  const bool away = !(dot(w.normal, value(arc.velocity)) < 0);
-  return lift_line(arc, w.normal, w.offset, beyond && away, t);
+T lift_contact(const Boundary& boundary, const Arc<T>& arc, Contact contact, const Real<T>& t) {
+  const Wall* const w = boundary.line(contact);
+  if (!w) return lift_circle(arc, boundary.rim(contact)->centre, t);
+  const bool beyond = !(dot(w->normal, value(arc.at)) - Real<T>(w->offset) > 0);
+  const bool away = !(dot(w->normal, value(arc.velocity)) < 0);
+  return lift_line(arc, w->normal, w->offset, beyond && away, t);
 }
 
 /// For those who only ask where a locked path leads.
@@ -65,10 +65,10 @@ struct Unwatched {
 /// `watch` is shown each arc and how far it was followed.
 template <class T, class Motion, class Cushion, class Watch = Unwatched>
 LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
-                            std::span<const int> contacts, const State<T>& start, Watch&& watch = {}) {
+                            std::span<const Contact> contacts, const State<T>& start, Watch&& watch = {}) {
   using Number = Real<T>;
   LockedPath<T> path{start, T(0)};
-  for (const int contact : contacts) {
+  for (const Contact contact : contacts) {
     for (;;) {
       const Arc<T> arc = motion.arc(path.state);
       const Number t = time_to_contact(boundary, value(arc), contact);
@@ -85,8 +85,8 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
       if (met) break;
       motion.finish(path.state, arc);
     }
-    if (boundary.is_wall(contact))
-      cushion.bounce(path.state, boundary.wall(contact).normal);
+    if (const Wall* const w = boundary.line(contact))
+      cushion.bounce(path.state, w->normal);
     else
       cushion.bounce(path.state, boundary.normal(contact, path.state.at));
   }

@@ -44,8 +44,8 @@ class Simulator {
 
   /// Moves to the next event, or `horizon` seconds on if that comes first.
   Event step(const T& horizon = T(forever)) {
-    if (pending_ >= 0) {
-      const int second = std::exchange(pending_, -1);
+    if (pending_) {
+      const Contact second = std::exchange(pending_, {});
       if (approach(second) > Number(0)) return second_of_instant(second);
     }
     before_ = state_;
@@ -57,7 +57,7 @@ class Simulator {
       travelled_ = T(0);
       return {EventKind::horizon};
     }
-    travelled_ = lift_event(*boundary_, next, arc_, cushions_.on(next.event.index), end);
+    travelled_ = lift_event(*boundary_, next, arc_, cushions_.on(next.event.contact), end);
     time_ += arc_.seconds(travelled_);
     state_ = advance(motion_, before_, arc_, travelled_);
     if (next.event.kind == EventKind::cushion) return first_of_instant(next);
@@ -73,7 +73,7 @@ class Simulator {
   const T& travelled() const { return travelled_; }   ///< how far on that arc: its parameter, seconds on most
 
   /// Unit vector away from a contact, into the table, for the ball where it is now.
-  Vec2<T> normal(int contact) const { return boundary_->normal(contact, state_.at); }
+  Vec2<T> normal(Contact contact) const { return boundary_->normal(contact, state_.at); }
 
   /// Goes on from another state at the same event, such as the same with fresh derivatives.
   void resume(const State<T>& state) { state_ = state; }
@@ -82,28 +82,27 @@ class Simulator {
   using Number = Real<T>;
   using Next = NextEvent<Number>;
 
-  Number approach(int contact) const {
+  Number approach(Contact contact) const {
     return -dot(boundary_->normal(contact, value(state_.at)), value(state_.velocity));
   }
 
   Event first_of_instant(const Next& next) {
-    int first = next.event.index, second = next.second;
-    if (second >= 0 && approach(second) > approach(first)) std::swap(first, second);
+    Contact first = next.event.contact, second = next.second;
+    if (second && approach(second) > approach(first)) std::swap(first, second);
     cushions_.leave();
-    if (second >= 0) cushions_.meet(second);
+    if (second) cushions_.meet(second);
     bounce(first);
     pending_ = second;
     return {EventKind::cushion, first};
   }
 
   /// No time passes, but the instant of the second bounce has derivatives of its own.
-  Event second_of_instant(int contact) {
+  Event second_of_instant(Contact contact) {
     before_ = state_;
     arc_ = motion_.arc(state_);
     travelled_ = T(0);
-    if (has_derivatives<T> && boundary_->is_wall(contact)) {
-      const Wall& w = boundary_->wall(contact);
-      travelled_ = lift_line(arc_, w.normal, w.offset, false, Number(0));
+    if (const Wall* const w = boundary_->line(contact); has_derivatives<T> && w) {
+      travelled_ = lift_line(arc_, w->normal, w->offset, false, Number(0));
       time_ += travelled_;
       state_ = advance(motion_, before_, arc_, travelled_);
     }
@@ -111,11 +110,11 @@ class Simulator {
     return {EventKind::cushion, contact, true};
   }
 
-  void bounce(int contact) {
+  void bounce(Contact contact) {
     cushions_.settle(*boundary_, contact, state_.at);
     cushions_.bounces(squared_scale(state_, boundary_->radius));
-    if (boundary_->is_wall(contact))
-      cushion_.bounce(state_, boundary_->wall(contact).normal);
+    if (const Wall* const w = boundary_->line(contact))
+      cushion_.bounce(state_, w->normal);
     else
       cushion_.bounce(state_, normal(contact));
     const Vec2<Number> v = value(state_.velocity);
@@ -135,7 +134,7 @@ class Simulator {
   Arc<T> arc_{};
   T travelled_{0};
   OnCushions<Number> cushions_;
-  int pending_ = -1;  ///< the second cushion of a corner, still to bounce
+  Contact pending_{};  ///< the second cushion of a corner, still to bounce
 };
 
 }  // namespace bankshot

@@ -11,13 +11,13 @@
 
 namespace bankshot {
 
-/// The state right after an event. `index` is the contact or the pocket.
+/// The state right after an event. `contact` is the cushion, the vertex or the pocket.
 struct Record {
   enum class Kind { start, cushion, slide_to_roll, roll_to_rest, pocket, end };
   Kind kind;
   double time;  ///< s
   State<double> state;
-  int index = -1;
+  Contact contact{};
 };
 
 /// The arc between two events.
@@ -36,7 +36,7 @@ struct Trajectory {
   double length = 0;  ///< m, of the path
   int cushions = 0;
 
-  std::vector<int> sequence() const;  ///< the contacts in order
+  std::vector<Contact> sequence() const;  ///< the contacts in order
 };
 
 inline constexpr long max_events = 1000000;

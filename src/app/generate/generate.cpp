@@ -43,17 +43,16 @@ CushionRule read_rule(const std::string& text, const Table& table) {
   const auto dash = text.find('-');
   const int low = whole(text.substr(0, dash)), high = dash == std::string::npos ? -1 : whole(text.substr(dash + 1));
   if (low >= 0 && high >= low) return {low, high, {}};
-  std::vector<std::string> all;
-  for (int i = 0; i < static_cast<int>(table.cushions.size()); ++i) all.push_back(contact_name(table, i));
+  const std::vector<std::string>& all = table.cushions;
   const std::vector<std::string_view> names(all.begin(), all.end());
-  std::vector<int> contacts;
+  std::vector<Contact> contacts;
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
     const auto it = std::find(all.begin(), all.end(), word);
     if (it == all.end())
       throw FileError(fmt::format("--cushions: {} is neither a number, LOW-HIGH nor a cushion{}", quote(word),
                                   known_words(word, names)));
-    contacts.push_back(static_cast<int>(it - all.begin()));
+    contacts.push_back(Contact::rail(static_cast<int>(it - all.begin())));
   }
   return CushionRule::in_order(std::move(contacts));
 }

@@ -38,7 +38,7 @@ std::vector<Model> models_in_order() {
 struct Question {
   ShotRequest shot;
   Vec2d rest;
-  std::vector<int> met;
+  std::vector<Contact> met;
 };
 
 Question draw_question(Random& draw, const Physics& fullest, int cushions) {

@@ -21,7 +21,7 @@ using Jet = ::ceres::Jet<double, 2>;
 /// Where the ball rests, less the target [m], as a function of aim and ln speed; counts and keeps the best.
 struct Path {
   const Search& s;
-  const std::vector<int>& contacts;
+  const std::vector<Contact>& contacts;
   Vec2d target;
   double (*clock)();
   double begin = clock();
@@ -117,7 +117,7 @@ void bobyqa_from(Path& p, const Launch& seed) {
 
 std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*clock)()) {
   Search s(puzzle, false);
-  const std::vector<int>& contacts = *puzzle.cushions.sequence;
+  const std::vector<Contact>& contacts = *puzzle.cushions.sequence;
   Unfolding images(s, true, restitution(puzzle.physics).at_rest, true);
   while (const auto c = images.next()) {
     const auto speed = speed_at(s, {s, contacts, c->target}, c->angle, c->distance);

@@ -20,10 +20,9 @@ struct Arguments {
 };
 
 std::string event_text(const ShotRequest& r, const Record& e) {
-  const auto i = static_cast<std::size_t>(e.index);
   const std::string what = e.kind == Record::Kind::start           ? "launch"
-                           : e.kind == Record::Kind::cushion       ? "cushion " + contact_name(r.table, e.index)
-                           : e.kind == Record::Kind::pocket        ? "pocket " + r.table.pockets[i].name
+                           : e.kind == Record::Kind::cushion       ? "cushion " + contact_name(r.table, e.contact)
+                           : e.kind == Record::Kind::pocket        ? "pocket " + contact_name(r.table, e.contact)
                            : e.kind == Record::Kind::roll_to_rest  ? "rest"
                            : e.kind == Record::Kind::slide_to_roll ? "slide to roll"
                                                                    : "end";

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// What a ball can meet, as a value: which kind of thing, and which of them. It bounces off a rail along the
+// rail's line and off a vertex that points into the table; a pocket takes it. What shape a contact has, the
+// Boundary says (boundary.hpp): ask that for its line or its rim rather than a contact for its kind.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace bankshot {
+
+struct Table;
+
+/// In the order of lists of contacts.
+enum class ContactKind : std::uint8_t { none, rail, vertex, pocket };
+
+struct Contact {
+  ContactKind kind = ContactKind::none;
+  int index = -1;  ///< among the table's cushions, vertices or pockets
+
+  static constexpr Contact rail(int i) { return {ContactKind::rail, i}; }
+  static constexpr Contact vertex(int i) { return {ContactKind::vertex, i}; }
+  static constexpr Contact pocket(int i) { return {ContactKind::pocket, i}; }
+
+  /// False of none.
+  constexpr explicit operator bool() const { return kind != ContactKind::none; }
+  friend constexpr auto operator<=>(const Contact&, const Contact&) = default;
+};
+
+/// The name of a contact in puzzles and answers: the cushion's, v<i>, the pocket's; "none" of none.
+std::string contact_name(const Table& table, Contact contact);
+
+/// The cushion or vertex with this name; none where there is none.
+std::optional<Contact> find_cushion(const Table& table, std::string_view name);
+
+}  // namespace bankshot
