@@ -69,7 +69,7 @@ void image_seeds(Search& s, bool quickly) {
 
 void ceres(Search& s) {
   image_seeds(s, false);
-  if (!s.boundary.tips.empty()) from_fan(s);
+  if (!s.boundary.unfolds()) from_fan(s);
 }
 
 }  // namespace bankshot::planning

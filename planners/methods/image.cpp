@@ -78,8 +78,8 @@ bool beside_centre(Search& s) {
 void image(Search& s) {
   if (!is_straight(s.puzzle.physics)) return;  // a seed for ceres, no answer
   const bool whole = centred(s);
-  const bool reflex = !s.boundary.tips.empty(), dead = restitution(s.puzzle.physics).at_rest == 0;
-  s.complete = whole && !reflex && !dead;
+  const bool bends = !s.boundary.unfolds(), dead = restitution(s.puzzle.physics).at_rest == 0;
+  s.complete = whole && !bends && !dead;
   if (!s.shots.empty() || s.cut || !whole) return;
   const bool some_part = beside_centre(s);
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.

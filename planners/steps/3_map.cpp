@@ -127,7 +127,7 @@ class Map {
 
   /// Of what was followed last.
   Place place() const {
-    if (cell_.whole || !s_.boundary.tips.empty())
+    if (cell_.whole || !s_.boundary.unfolds())
       return Place::within;  // a reflex vertex sends a little less speed another way
     if (forward_.passages.empty()) return forward_.rests ? Place::below : Place::within;
     const auto steps = [&](const Passage& p) {  // cells of speed to where it arrives as asked
