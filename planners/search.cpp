@@ -18,7 +18,7 @@ Physics roughly(Physics p) {
 
 Search::Search(const Puzzle& p, bool find_all, bool find_first)
     : puzzle(p),
-      boundary(p.table, p.ball.radius),
+      boundary(p.table, p.ball.body),
       rough(roughly(p.physics)),
       all(find_all),
       first(find_first),

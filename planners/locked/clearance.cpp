@@ -58,7 +58,7 @@ std::optional<double> clearance(Search& s, const LockedAim& aim, const Launch& l
   return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<double> {
     Clearance out(aim);
     State<double> state =
-        launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin);
+        launched(s.puzzle.ball.at, s.puzzle.ball.body.radius, direction(launch.angle) * launch.speed, s.puzzle.spin);
     Contact before;
     for (const Contact contact : aim.contacts) {
       Vec2d met = state.at;
@@ -73,7 +73,7 @@ std::optional<double> clearance(Search& s, const LockedAim& aim, const Launch& l
       before = contact;
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
-    const auto arrival = arrive_locked(motion, state, aim.target, aim.capture(), s.stop,
+    const auto arrival = arrive_locked(motion, s.boundary.body, state, aim.target, aim.capture(), s.stop,
                                        [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, {}); });
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);

@@ -26,7 +26,7 @@ constexpr double behind = 0.05;
 template <class T>
 State<T> start_of(const Search& s, const T& angle, const T& speed) {
   using std::cos, std::sin;
-  return launched(s.puzzle.ball.at, s.puzzle.ball.radius, Vec2<T>{cos(angle), sin(angle)} * speed, s.puzzle.spin);
+  return launched(s.puzzle.ball.at, s.puzzle.ball.body.radius, Vec2<T>{cos(angle), sin(angle)} * speed, s.puzzle.spin);
 }
 
 /// Where the locked path from `start` arrives; none when it never gets to its last leg.
@@ -35,7 +35,7 @@ std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& s
   return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
     const auto path = follow_locked(a.s.boundary, motion, cushion, a.contacts, start);
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
-    return arrive_locked(motion, path.state, a.target, a.capture(), a.s.stop);
+    return arrive_locked(motion, a.s.boundary.body, path.state, a.target, a.capture(), a.s.stop);
   });
 }
 
@@ -106,7 +106,7 @@ State<Jet> dual_start(const Search& s, const Launch& launch) {
   Vec2<Jet> velocity{Jet(v.x), Jet(v.y)};
   velocity.x.v = {turned.x, v.x};
   velocity.y.v = {turned.y, v.y};
-  return launched(s.puzzle.ball.at, s.puzzle.ball.radius, velocity, s.puzzle.spin);
+  return launched(s.puzzle.ball.at, s.puzzle.ball.body.radius, velocity, s.puzzle.spin);
 }
 
 Linear linear(const Jet (&r)[2]) { return {{r[0].a, r[1].a}, {r[0].v[0], r[1].v[0]}, {r[0].v[1], r[1].v[1]}}; }
@@ -118,7 +118,7 @@ void look(Search& s, const Motion& motion, const State<Jet>& state, Forward& out
   const auto& points = s.aim_points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const LockedAim aim{s, out.contacts, points[i]};
-    const LockedArrival<Jet> arrival = arrive_locked(motion, state, aim.target, aim.capture(), s.stop);
+    const LockedArrival<Jet> arrival = arrive_locked(motion, s.boundary.body, state, aim.target, aim.capture(), s.stop);
     Jet r[2] = {Jet(0), Jet(0)};
     if (!residuals_of(aim, arrival, r, !s.one_unknown())) continue;
     const Vec2<Jet> off = to<Jet>(aim.target) - arrival.state.at;
@@ -307,7 +307,7 @@ void first_order(const Search& s, Shot& shot) {
   const State<Jet> start = dual_start(s, shot.launch);
   const Vec2<Jet> end = with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
     const auto path = follow_locked(s.boundary, motion, cushion, std::span<const Contact>(shot.cushions), start);
-    const auto arrival = arrive_locked(motion, path.state, target, 0, s.stop);
+    const auto arrival = arrive_locked(motion, s.boundary.body, path.state, target, 0, s.stop);
     if (s.stop) return arrival.state.at;
     // Along the line of travel nothing is missed: only the lateral part counts.
     const Vec2<Jet> u = arrival.heading / norm(arrival.heading);

@@ -46,7 +46,8 @@ class Follower {
         stop_(s.stop && !tracing),
         check_(goal.sequence),
         sim_(s.boundary, motion, cushion,
-             launched(s.puzzle.ball.at, s.puzzle.ball.radius, direction(launch.angle) * launch.speed, s.puzzle.spin)),
+             launched(s.puzzle.ball.at, s.puzzle.ball.body.radius, direction(launch.angle) * launch.speed,
+                      s.puzzle.spin)),
         out_{{}, SpeedAccount(deceleration(s.puzzle.physics))} {}
 
   Trace run(std::vector<Contact>* contacts) {

@@ -150,7 +150,7 @@ std::vector<Vec2d> outline(const Trajectory& t) {
   return points;
 }
 
-double ball_px(const Canvas& c, const Ball& ball) { return std::max(c.px(ball.radius), 4.0); }
+double ball_px(const Canvas& c, const Ball& ball) { return std::max(c.px(ball.body.radius), 4.0); }
 
 /// `others`: how many paths more are drawn; many are drawn faintly.
 void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_view colour, bool best,

@@ -66,7 +66,7 @@ TEST_CASE("a simulation does not allocate, plain or with derivatives, on any tab
   pocketed.pockets = {{"far", {2, 1}, 0.06}};
   for (const Table& table :
        {rectangle_table(2, 1), pocketed, polygon_table({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}})}) {
-    const Boundary boundary(table, 0.028575);
+    const Boundary boundary(table, {0.028575});
     check_shot<double>(boundary, SlideRoll{}, Han2005{});
     check_shot<double>(boundary, SlideRoll{}, Mirror{});
     check_shot<double>(boundary, Rolling{}, Mirror{});
@@ -76,7 +76,7 @@ TEST_CASE("a simulation does not allocate, plain or with derivatives, on any tab
 }
 
 TEST_CASE("a locked path does not allocate") {
-  const Boundary boundary(rectangle_table(2, 1), 0.028575);
+  const Boundary boundary(rectangle_table(2, 1), {0.028575});
   constexpr std::array contacts{Contact::rail(1), Contact::rail(2), Contact::rail(3)};
   const long before = allocations;
   const auto path = follow_locked(boundary, SlideRoll{}, Han2005{}, contacts, start<ceres::Jet<double, 2>>());

@@ -41,8 +41,8 @@ Physics random_physics(Random& r, ShotFamily f, double radius) {
   const auto friction = [&](double low, double high) {
     return r.chance(0.3 * slick) ? 0 : r.log_uniform(slick > 0 ? low * 1e-6 : low, high);
   };
-  if (r.chance(0.15)) return {Rolling{.friction = friction(0.005, 0.05), .radius = radius}, Mirror{e.at_rest}};
-  Physics p = spin_physics(radius);
+  if (r.chance(0.15)) return {Rolling{.friction = friction(0.005, 0.05)}, Mirror{e.at_rest}};
+  Physics p = spin_physics({radius});
   SlideRoll& m = std::get<SlideRoll>(p.motion);
   m.sliding_friction = friction(0.1, 0.4);
   m.rolling_friction = friction(0.003, 0.03);
@@ -76,7 +76,7 @@ bool place(Random& r, ShotFamily f, const Boundary& b, const Table& t, Vec2d& at
   if (dot(w.to - w.from, w.along) <= 0) return false;
   const Vec2d on = w.from + (w.to - w.from) * r.uniform(0, 1);
   if (f == ShotFamily::discrete) {
-    const double R = b.radius;
+    const double R = b.body.radius;
     at = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8,
           low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
     aim = radians(15.0 * r.integer(0, 23));
@@ -106,15 +106,14 @@ ShotRequest random_shot(Random& r, ShotFamily f) {
   for (;;) {
     ShotRequest shot;
     shot.table = random_table(r, f);
-    shot.ball.radius = f == ShotFamily::discrete ? 0.0625
-                       : f == ShotFamily::moved  ? shot.table.diagonal() * r.uniform(0.005, 0.05)
-                                                 : 0.0285;
-    shot.physics = random_physics(r, f, shot.ball.radius);
+    shot.ball.body.radius = f == ShotFamily::discrete ? 0.0625
+                            : f == ShotFamily::moved  ? shot.table.diagonal() * r.uniform(0.005, 0.05)
+                                                      : 0.0285;
+    shot.physics = random_physics(r, f, shot.ball.body.radius);
     if (is_straight(shot.physics) && r.chance(0.2)) {
-      shot.ball.radius = 0;
-      std::get<Rolling>(shot.physics.motion).radius = 0;
+      shot.ball.body.radius = 0;
     }
-    const Boundary boundary(shot.table, shot.ball.radius);
+    const Boundary boundary(shot.table, shot.ball.body);
     double aim = 0;
     if (!place(r, f, boundary, shot.table, shot.ball.at, aim)) continue;
     // Through degrees, as a document says it, so that the document replays the same bits.

@@ -34,11 +34,11 @@ struct Path {
     ++simulations;
     const T speed = exp(log_speed);
     const auto start =
-        launched(s.puzzle.ball.at, s.puzzle.ball.radius, Vec2<T>{cos(angle), sin(angle)} * speed, s.puzzle.spin);
+        launched(s.puzzle.ball.at, s.puzzle.ball.body.radius, Vec2<T>{cos(angle), sin(angle)} * speed, s.puzzle.spin);
     return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Vec2<T>> {
       const auto path = follow_locked(s.boundary, motion, cushion, contacts, start);
       if (path.end != LockedEnd::complete) return {};
-      return arrive_locked(motion, path.state, target, 0, true).state.at - to<T>(target);
+      return arrive_locked(motion, s.boundary.body, path.state, target, 0, true).state.at - to<T>(target);
     });
   }
 
