@@ -73,7 +73,7 @@ class Follower {
           return pocketed(e.contact);
         case EventKind::rest:
           return rest();
-        case EventKind::horizon:
+        default:
           return fail(Foul::missed);
       }
     }
