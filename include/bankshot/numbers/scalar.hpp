@@ -11,6 +11,8 @@
 
 #include <type_traits>
 
+#include "bankshot/numbers/contraction.hpp"
+
 namespace bankshot {
 
 /// T without its derivatives. A dual number says what it is made of by the member type Scalar.
