@@ -53,6 +53,8 @@ struct Boundary {
       if (c.contact == contact) return &c;
     return nullptr;
   }
+  /// All that balls bounce off in the open is straight: paths can be unfolded.
+  bool unfolds() const { return tips.empty(); }
   /// Unit vector away from a contact, into the table, for a centre at `at`; 0 where there is no such contact.
   template <class T>
   Vec2<T> normal(Contact contact, const Vec2<T>& at) const {
