@@ -10,7 +10,7 @@
 #include "bankshot/plan/planner.hpp"
 #include "truth/hard_cases.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 struct Tally {
@@ -41,7 +41,7 @@ Tally simulated(std::string_view name) {
 Tally planned(std::string_view name) {
   Tally t{.name = std::string(name)};
   for (const Puzzle& p : truth::hard_puzzles(name)) {
-    const Answer a = solve(p, {.robustness = false, .suggest = false});
+    const Answer a = bankshot::solve(p, {.robustness = false, .suggest = false});
     ++t.cases;
     if (a.shots.empty()) {
       ++t.beyond;
@@ -126,4 +126,4 @@ Section hard_cases(const Settings&, Progress& progress) {
   return s;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

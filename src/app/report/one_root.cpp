@@ -13,8 +13,10 @@
 #include "planners/images/unfold.hpp"
 #include "planners/locked/residual.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::app::report {
 namespace {
+
+using namespace planning;
 
 using Jet = ::ceres::Jet<double, 2>;
 
@@ -133,4 +135,4 @@ std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*cloc
   return {};
 }
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::app::report
