@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <span>
 
 #include "bankshot/plan/planner.hpp"
 #include "planners/merit/rank.hpp"
@@ -20,8 +21,9 @@ struct Method {
   void (*plan)(Search&);
 };
 
-constexpr std::array methods{
-    Method{{"auto", "images, refined where paths are no straight lines; then sweep; nlopt-direct last"},
+constexpr std::array all_methods{
+    Method{{"auto", BANKSHOT_NLOPT ? "images, refined where paths are no straight lines; then sweep; nlopt-direct last"
+                                   : "images, refined where paths are no straight lines; then sweep"},
            planning::automatic},
     Method{{"image", "exact aims by unfolding the table; complete without reflex vertices"}, planning::image},
     Method{{"sweep", "maps every aim (with spin: every aim and speed) and bisects; finds all sequences"},
@@ -35,6 +37,8 @@ constexpr std::array methods{
     Method{{"nlopt-crs", "the same by controlled random search (NLopt CRS2)"}, planning::nlopt_crs},
     Method{{"nlopt-mlsl", "the same by many local searches (NLopt MLSL with BOBYQA)"}, planning::nlopt_mlsl},
 };
+/// Without NLopt the six of it are not there.
+constexpr std::span<const Method> methods(all_methods.data(), all_methods.size() - (BANKSHOT_NLOPT ? 0 : 6));
 
 const Method& find_method(const std::string& name) {
   const auto it = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.info.name == name; });

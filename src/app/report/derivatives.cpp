@@ -20,7 +20,9 @@ constexpr Way ways[] = {
     {"Newton, dual numbers", Derivatives::dual},
     {"Newton, forward differences", Derivatives::forward},
     {"Newton, central differences", Derivatives::central},
+#if BANKSHOT_NLOPT
     {"BOBYQA, no derivatives", Derivatives::none},
+#endif
 };
 
 /// Median of the least miss after n simulations, over the puzzles; a run that has ended stays as it is.

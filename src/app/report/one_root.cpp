@@ -2,7 +2,9 @@
 #include "app/report/one_root.hpp"
 
 #include <ceres/jet.h>
+#if BANKSHOT_NLOPT
 #include <nlopt.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +96,7 @@ void newton_from(Path& p, const Launch& seed, Derivatives d) {
   }
 }
 
+#if BANKSHOT_NLOPT
 double squared_distance(unsigned, const double* x, double*, void* data) {
   Path& p = *static_cast<Path*>(data);
   const auto off = p.off(x[0], x[1]);
@@ -114,6 +117,9 @@ void bobyqa_from(Path& p, const Launch& seed) {
   nlopt_set_min_objective(opt.get(), squared_distance, &p);
   nlopt_optimize(opt.get(), x, &value);
 }
+#else
+void bobyqa_from(Path&, const Launch&) {}  // derivatives.cpp does not ask for it
+#endif
 
 }  // namespace
 
