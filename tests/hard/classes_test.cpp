@@ -22,7 +22,9 @@ TEST_CASE("the classes of hard cases hold what their tests speak of") {
                                                       {"many bounces", 4},
                                                       {"many bounces with spin", 3},
                                                       {"reflex vertices", 243},
-                                                      {"grazing a reflex vertex", 24}};
+                                                      {"grazing a reflex vertex", 24},
+                                                      {"friction by speed", 60},
+                                                      {"integrated impacts", 112}};
   CHECK(truth::hard_classes().size() == shots.size());
   for (const auto& [name, count] : shots) {
     INFO(name);

@@ -70,7 +70,8 @@ Curve as_points(const std::string& name, const std::vector<Tally>& all, std::siz
 constexpr const char* about =
     "The scenes of tests/hard, each of which aims at one way in which numbers break. A simulated shot is held against "
     "50 digits and its "
-    "bound, 4 · 2⁻⁵³ · size · κ, where κ is measured with the dual numbers of the run itself; a puzzle is held to a "
+    "bound, 4 · 2⁻⁵³ · size · κ, where κ is measured with the dual numbers of the run itself and an impact that is "
+    "integrated puts its tolerance in place of 2⁻⁵³; a puzzle is held to a "
     "miss of 1e-9 of the "
     "table's diagonal, replayed. A tie is a pair of events nearer to each other than the bound: then either order is "
     "right, and the "
