@@ -5,7 +5,8 @@
 // cushion sequence that occurs is tried, so finding nothing is a proof as far as the target's
 // centre goes; parts of the target beside its centre are then searched on a grid of aims.
 // Fails: restitution 0 (the unfolding is singular) and bounces on reflex vertices (not straight).
-// Source: the image method, with each image stretched by what the cushion takes from the normal speed (unfold.hpp).
+// Source: the method of images: on a table unfolded at each cushion it meets, a path that bounces is one straight line;
+// restitution below 1 stretches the image (unfold.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -5,28 +5,34 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include "planners/methods/nlopt.hpp"
 
 namespace bankshot::planning::methods {
 namespace {
 
-constexpr std::array list{
-    Method{{"auto", "images, refined where paths are no straight lines; then sweep; nlopt-direct last"}, automatic},
+constexpr std::array own{
+    Method{{"auto", "the cheapest sure step first: images, then maps of aim and speed, a global search last"},
+           automatic},
     Method{{"image", "exact aims by unfolding the table; complete without reflex vertices"}, image},
     Method{{"sweep", "maps every aim (with spin: every aim and speed) and bisects; finds all sequences"}, sweep},
     Method{{"ceres", "Levenberg-Marquardt with dual numbers along a locked cushion sequence"}, ceres},
-    Method{{"nlopt-bobyqa", "local search without derivatives from the images (NLopt BOBYQA)"}, nlopt_bobyqa},
-    Method{{"nlopt-sbplx", "the same by subspaces of simplices (NLopt SBPLX)"}, nlopt_sbplx},
-    Method{{"nlopt-slsqp", "from the images along a locked sequence, dual-number gradient (NLopt SLSQP)"}, nlopt_slsqp},
-    Method{{"nlopt-direct", "global search over aim and speed (NLopt DIRECT-L)"}, nlopt_direct},
-    Method{{"nlopt-crs", "the same by controlled random search (NLopt CRS2)"}, nlopt_crs},
-    Method{{"nlopt-mlsl", "the same by many local searches (NLopt MLSL with BOBYQA)"}, nlopt_mlsl},
 };
 
 }  // namespace
 
-std::span<const Method> all() { return list; }
+std::span<const Method> all() {
+  static const std::vector<Method> list = [] {
+    std::vector<Method> both(own.begin(), own.end());
+    both.insert(both.end(), nlopt_methods().begin(), nlopt_methods().end());
+    return both;
+  }();
+  return list;
+}
 
 const Method& find(const std::string& name) {
+  const std::span<const Method> list = all();
   const auto it = std::find_if(list.begin(), list.end(), [&](const Method& m) { return m.info.name == name; });
   if (it != list.end()) return *it;
   std::string known;

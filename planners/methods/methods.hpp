@@ -16,12 +16,6 @@ void automatic(const Question& q, Ledger& ledger, Findings& found);  ///< auto.c
 void image(const Question& q, Ledger& ledger, Findings& found);
 void sweep(const Question& q, Ledger& ledger, Findings& found);
 void ceres(const Question& q, Ledger& ledger, Findings& found);
-void nlopt_bobyqa(const Question& q, Ledger& ledger, Findings& found);  ///< nlopt.cpp, and the five below
-void nlopt_sbplx(const Question& q, Ledger& ledger, Findings& found);
-void nlopt_slsqp(const Question& q, Ledger& ledger, Findings& found);
-void nlopt_direct(const Question& q, Ledger& ledger, Findings& found);
-void nlopt_crs(const Question& q, Ledger& ledger, Findings& found);
-void nlopt_mlsl(const Question& q, Ledger& ledger, Findings& found);
 
 struct Method {
   PlannerInfo info;

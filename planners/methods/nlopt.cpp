@@ -10,6 +10,7 @@
 #include <nlopt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -191,27 +192,28 @@ class Planner {
   Range angles_ = q_.puzzle.angle.value_or(whole_turn);
 };
 
+template <const Optimisation& method>
+void plan(const Question& q, Ledger& ledger, Findings& found) {
+  Planner planner(q, ledger, found, method, method.name);
+  method.scope == Scope::global ? planner.anywhere() : planner.from_images();
+}
+
 }  // namespace
 
 void search_box(const Question& q, Ledger& ledger, Findings& found, std::string_view step) {
   Planner(q, ledger, found, direct, step).anywhere();
 }
 
-void nlopt_bobyqa(const Question& q, Ledger& ledger, Findings& found) {
-  Planner(q, ledger, found, bobyqa, bobyqa.name).from_images();
-}
-void nlopt_sbplx(const Question& q, Ledger& ledger, Findings& found) {
-  Planner(q, ledger, found, sbplx, sbplx.name).from_images();
-}
-void nlopt_slsqp(const Question& q, Ledger& ledger, Findings& found) {
-  Planner(q, ledger, found, slsqp, slsqp.name).from_images();
-}
-void nlopt_direct(const Question& q, Ledger& ledger, Findings& found) { search_box(q, ledger, found, direct.name); }
-void nlopt_crs(const Question& q, Ledger& ledger, Findings& found) {
-  Planner(q, ledger, found, crs, crs.name).anywhere();
-}
-void nlopt_mlsl(const Question& q, Ledger& ledger, Findings& found) {
-  Planner(q, ledger, found, mlsl, mlsl.name).anywhere();
+std::span<const Method> nlopt_methods() {
+  static constexpr std::array list{
+      Method{{bobyqa.name, "local search without derivatives from the images (NLopt BOBYQA)"}, plan<bobyqa>},
+      Method{{sbplx.name, "the same by subspaces of simplices (NLopt SBPLX)"}, plan<sbplx>},
+      Method{{slsqp.name, "from the images along a locked sequence, dual-number gradient (NLopt SLSQP)"}, plan<slsqp>},
+      Method{{direct.name, "global search over aim and speed (NLopt DIRECT-L)"}, plan<direct>},
+      Method{{crs.name, "the same by controlled random search (NLopt CRS2)"}, plan<crs>},
+      Method{{mlsl.name, "the same by many local searches (NLopt MLSL with BOBYQA)"}, plan<mlsl>},
+  };
+  return list;
 }
 
 }  // namespace bankshot::planning::methods

@@ -170,12 +170,11 @@ class ShotCheck {
 
   void success() {
     constexpr int draws = 1000;
-    // The lattice of the solver is off by 0.016 at worst; five deviations of these draws on top.
-    constexpr double lattice = 0.016, deviations = 5;
+    constexpr double deviations = 5;  // of the share that these draws make
     const double p = *shot_.success, seen = scene_.chance(shot_, draws);
     const double spread = std::sqrt(std::max(seen * (1 - seen), 1.0 / draws) / draws);
     const bool possible = p >= 0 && p <= 1;
-    compare(Claim::success, possible ? std::abs(p - seen) : HUGE_VAL, lattice + deviations * spread,
+    compare(Claim::success, possible ? std::abs(p - seen) : HUGE_VAL, tolerance::success + deviations * spread,
             fmt::format("says {:.4g} and {} draws make {:.4g}", p, draws, seen));
   }
 

@@ -19,7 +19,7 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
   constexpr std::uint64_t seed = 11;
   CAPTURE(seed);
   test::Random random(seed);
-  long made = 0, missed = 0;
+  long made = 0, missed = 0, inside = 0, outside = 0;
   for (int i = 0; i < 1500; ++i) {
     const test::Family family = test::families[i % 3];  // no reflex vertices: they may hide a cushion
     const test::Made m = test::random_puzzle(random, family, test::Model::spin);
@@ -36,14 +36,21 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
       const bool makes = replay(q, ledger, launch, Goal::along(contacts)).made;
       CAPTURE(i, test::name(family), write_puzzle(m.puzzle), launch.speed, launch.angle, room.value_or(-1));
       constexpr double rounding = 1e-9;  // m
-      if (room.value_or(-1) > rounding) CHECK(makes);
-      if (aim.mark.captures() && room.value_or(-1) < -rounding)
+      if (room.value_or(-1) > rounding) {
+        CHECK(makes);
+        ++inside;
+      }
+      if (aim.mark.captures() && room.value_or(-1) < -rounding) {
         CHECK_FALSE(makes);  // near a point may also be just before a cushion
+        ++outside;
+      }
       (makes ? made : missed) += 1;
     }
   }
   CHECK(made > 1000);
   CHECK(missed > 1000);
+  CHECK(inside > 1000);
+  CHECK(outside > 900);
 }
 
 TEST_CASE("narrow parts of targets are found") {

@@ -7,7 +7,7 @@
 //   Physics physics = spin_physics();
 //   physics.cushion = CustomCushion{.law = &law, .restitution = 0.8};
 //
-// contact/conformance.hpp tries whether a law keeps what planners rely on.
+// testing/cushion_promises.hpp tries whether a law keeps what planners rely on.
 // Properties:
 //  1. Derivatives are central differences of the law, ten calls a bounce, right to about 1e-9. Where a step
 //     crosses a switch of the law, such as from sticking to sliding, they are a mean of both sides.

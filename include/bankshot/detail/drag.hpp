@@ -64,7 +64,7 @@ struct Drag {
   }
 
   /// Speed after s metres: Newton's method in v², of which s is nearly linear, inside a bracket; the last
-  /// step carries the derivatives.
+  /// step carries the derivatives. Where rounding keeps it from settling, the bracket does the rest.
   template <class T>
   T speed_after(const T& v0, const T& s) const {
     using std::abs;
@@ -75,16 +75,21 @@ struct Drag {
     const Number start2 = value(v0) * value(v0), slowing = value(v0) * linear + constant;
     Number low(0), high = value(s) > 0 ? start2 : Number(2 * (start2 - value(s) * slowing));
     constexpr int enough = 200;
-    for (int i = 0; i < enough; ++i) {
+    bool settled = false;
+    for (int i = 0; i < enough && !settled; ++i) {
       const T v = root_of(square), beyond = length(v0, v) - s;
       (value(beyond) > 0 ? low : high) = value(square);
       const T step = beyond * (v * linear + constant) * 2.0;
       const T next = square + step;
       const bool inside = value(next) > low && value(next) < high;
-      const bool settled = !(abs(value(step)) > 4 * std::numeric_limits<Number>::epsilon() * value(square));
+      settled = !(abs(value(step)) > 4 * std::numeric_limits<Number>::epsilon() * value(square));
       square = inside || settled ? next : T((low + high) / 2);
-      if (settled) break;
     }
+    if constexpr (has_derivatives<T>)
+      if (!settled) {
+        const T v = root_of(T(value(square))), step = (length(v0, v) - s) * (v * linear + constant) * 2.0;
+        square = T(value(square)) + (step - T(value(step)));
+      }
     return root_of(square);
   }
 

@@ -2,7 +2,9 @@
 #include "app/report/one_root.hpp"
 
 #include <ceres/jet.h>
+#if BANKSHOT_NLOPT
 #include <nlopt.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +16,10 @@
 #include "planners/locked/newton.hpp"
 #include "planners/locked/speed.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::app::report {
 namespace {
+
+using namespace planning;
 
 using Jet = ::ceres::Jet<double, 2>;
 
@@ -88,6 +92,7 @@ void newton_from(Path& p, const Launch& seed, Derivatives d) {
   }
 }
 
+#if BANKSHOT_NLOPT
 double squared_distance(unsigned, const double* x, double*, void* data) {
   Path& p = *static_cast<Path*>(data);
   const auto off = p.off(x[0], x[1]);
@@ -108,6 +113,9 @@ void bobyqa_from(Path& p, const Launch& seed) {
   nlopt_set_min_objective(opt.get(), squared_distance, &p);
   nlopt_optimize(opt.get(), x, &value);
 }
+#else
+void bobyqa_from(Path&, const Launch&) {}  // derivatives.cpp does not ask for it
+#endif
 
 }  // namespace
 
@@ -130,4 +138,4 @@ std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*cloc
   return {};
 }
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::app::report

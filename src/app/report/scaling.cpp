@@ -11,7 +11,7 @@
 #include "bankshot/simulate/simulator.hpp"
 #include "truth/condition.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr double radius = 0.028575;
@@ -203,4 +203,4 @@ Section scaling(const Settings& settings, Progress& progress) {
   return s;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

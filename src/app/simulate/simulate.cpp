@@ -10,7 +10,7 @@
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/json.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::simulate {
 namespace {
 
 struct Arguments {
@@ -60,7 +60,7 @@ int run(const Arguments& a) {
   const std::string text = read_file(a.file);
   try {
     const ShotRequest request = read_shot(text);
-    const Trajectory t = simulate(request);
+    const Trajectory t = bankshot::simulate(request);
     print(a.json ? to_json(request, t) + "\n" : text_of(request, t));
     if (!a.svg.empty()) write_file(a.svg, draw(request, t));
     if (!a.csv.empty()) write_file(a.csv, csv_of(request, t, a.rate));
@@ -74,7 +74,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run add_simulate(CLI::App& app) {
+Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("simulate", "Simulate one shot and list its events");
   command->add_option("shot", a->file, "A shot in JSON; - reads standard input")->capture_default_str();
@@ -87,4 +87,4 @@ Run add_simulate(CLI::App& app) {
   return [a] { return run(*a); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::simulate

@@ -14,7 +14,7 @@
 #include "bankshot/scene/json.hpp"
 #include "truth/claims.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::verify {
 namespace {
 
 using truth::Check;
@@ -184,7 +184,7 @@ int run(const std::string& puzzle_file, const std::string& answer_file) {
 
 }  // namespace
 
-Run add_verify(CLI::App& app) {
+Run add(CLI::App& app) {
   struct Arguments {
     std::string puzzles, answers;
   };
@@ -203,4 +203,4 @@ Run add_verify(CLI::App& app) {
   return [a] { return run(a->puzzles, a->answers); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::verify
