@@ -34,6 +34,7 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   Proof proof;
   Launch& launch = proof.shot.launch;
   launch = {proposed.speed, wrap_angle(radians(degrees(proposed.angle)))};
+  proof.shot.spin = q.puzzle.spin;
   const CushionRule& rule = q.cushions();
   const auto refused = [&](Foul foul) { return proof.failure.foul = foul, proof; };
   if (goal.max < rule.min || goal.min > rule.max) return refused(Foul::other_bounces);
@@ -42,7 +43,6 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   if (ledger.spent()) return refused(Foul::no_budget);
   const Replay r = replay(q, ledger, launch, goal, &proof.shot.cushions);
   proof.replayed = true;
-  proof.shot.spin = q.puzzle.spin;
   proof.shot.cushion_stick = r.cushion_stick;
   proof.shot.arrival = r.arrival;
   proof.shot.miss = r.miss;
