@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "planners/methods/methods.hpp"
+#include "planners/methods/nlopt.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::methods {
@@ -45,7 +46,7 @@ void with_spin(const Question& q, Ledger& ledger, Findings& found) {
   if (pocket && nothing_yet()) steps::map(q, ledger, found, finest);
   parts.climb(q, ledger, found);
   parts.bisect(q, ledger, found, 1);
-  if (nothing_yet()) steps::global(q, ledger, found);
+  if (nothing_yet()) search_box(q, ledger, found, steps::word::global);
 }
 
 /// Where the end of a range of arrival speeds that is preferred is out of reach: its other end, its middle,
@@ -71,7 +72,7 @@ void automatic(const Question& q, Ledger& ledger, Findings& found) {
   image(q, ledger, found);
   if (!settled(q, ledger, found)) sweep(q, ledger, found);
   if (stop::nothing_yet(ledger, found) && !found.complete) ceres(q, ledger, found);
-  if (stop::nothing_yet(ledger, found) && !found.complete) steps::global(q, ledger, found);
+  if (stop::nothing_yet(ledger, found) && !found.complete) search_box(q, ledger, found, steps::word::global);
 }
 
 }  // namespace bankshot::planning::methods

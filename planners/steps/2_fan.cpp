@@ -7,6 +7,7 @@
 #include "planners/images/unfold.hpp"
 #include "planners/locked/speed.hpp"
 #include "planners/settings.hpp"
+#include "planners/steps/forward_map.hpp"
 #include "planners/steps/steps.hpp"
 
 namespace bankshot::planning::steps {

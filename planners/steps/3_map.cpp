@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "planners/settings.hpp"
+#include "planners/steps/forward_map.hpp"
 #include "planners/steps/steps.hpp"
 
 namespace bankshot::planning::steps {

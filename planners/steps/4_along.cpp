@@ -13,6 +13,7 @@
 #include "planners/line_search.hpp"
 #include "planners/settings.hpp"
 #include "planners/steps/steps.hpp"
+#include "planners/stop.hpp"
 
 namespace bankshot::planning::steps {
 namespace {

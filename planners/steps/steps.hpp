@@ -4,10 +4,13 @@
 // A step reads the question, charges the ledger, and adds to the findings; its number is in the name of its file.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "planners/findings.hpp"
 #include "planners/ledger.hpp"
-#include "planners/locked/forward_map.hpp"
 #include "planners/question.hpp"
+#include "planners/settings.hpp"
 
 namespace bankshot::planning::steps {
 
@@ -23,8 +26,7 @@ void images(const Question& q, Ledger& ledger, Findings& found);  ///< stretched
 void fan(const Question& q, Ledger& ledger, Findings& found);     ///< a given route, outward from its image
 /// All aims and speeds, in cells of this size.
 void map(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing);
-void along(const Question& q, Ledger& ledger, Findings& found);   ///< exactly along a cushion that the ball touches
-void global(const Question& q, Ledger& ledger, Findings& found);  ///< over the whole box of bounds
+void along(const Question& q, Ledger& ledger, Findings& found);  ///< exactly along a cushion that the ball touches
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
 Spacing usual_spacing(const Question& q);

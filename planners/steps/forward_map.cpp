@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planners/locked/forward_map.hpp"
+#include "planners/steps/forward_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "planners/settings.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::planning::steps {
 
 using namespace settings::forward_map;
 
@@ -163,4 +163,4 @@ double ForwardMap::change(const Node& a, const Node& b) const {
   return best;
 }
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::planning::steps

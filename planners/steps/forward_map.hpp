@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "planners/locked/forward.hpp"
-#include "planners/locked/roots.hpp"
+#include "planners/steps/roots.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::planning::steps {
 
 class ForwardMap {
  public:
@@ -72,4 +72,4 @@ class ForwardMap {
   std::vector<Lead> leads_{};
 };
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::planning::steps

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planners/locked/roots.hpp"
+#include "planners/steps/roots.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "planners/line_search.hpp"
 #include "planners/settings.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::planning::steps {
 
 using namespace settings::roots;
 
@@ -123,4 +123,4 @@ bool Roots::known(const LockedAim& aim, const Launch& l, double cells) const {
   });
 }
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::planning::steps

@@ -16,7 +16,7 @@
 #include "planners/locked/newton.hpp"
 #include "planners/stop.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::planning::steps {
 
 class Roots {
  public:
@@ -77,4 +77,4 @@ class Roots {
   std::size_t last_seen_ = 0;
 };
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::planning::steps
