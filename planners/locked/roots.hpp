@@ -1,44 +1,43 @@
 // SPDX-License-Identifier: MIT
 //
-// The roots that a map finds, sequence by sequence. A node of the map predicts where the root of its sequence lies;
+// The roots that a map finds, route by route. A node of the map predicts where the root of its route lies;
 // a prediction within reach seeds Newton's method on the locked path, unless that leads to a root that is known.
 // Each root becomes a shot, or a lead. What one seed cannot see is sought besides: the other root of a pair across a
-// fold or a kink, and roots of sequences that were seen but gave none.
+// fold or a kink, and roots of routes that were seen but gave none.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <string_view>
 #include <vector>
 
-#include "planners/locked/residual.hpp"
-#include "planners/methods/methods.hpp"
+#include "planners/findings.hpp"
+#include "planners/locked/newton.hpp"
+#include "planners/stop.hpp"
 
 namespace bankshot::planning {
 
-/// Cells from a node to a root that it may seed.
-inline constexpr double seed_reach = 1.5;
-
 class Roots {
  public:
-  Roots(Search& s, const Spacing& cell, std::string_view planner) : s_(s), cell_(cell), planner_(planner) {}
+  /// `cell`: how far apart nodes are, rad of aim and of ln speed.
+  Roots(const Question& q, Ledger& ledger, Findings& found, const Neighbourhood& cell, std::string_view step)
+      : q_(q), ledger_(ledger), found_(found), cell_(cell), step_(step) {}
 
-  /// A node that meets these cushions, and how it misses the target.
+  /// A node that meets these cushions, and how it misses the mark.
   void visit(const LockedAim& aim, const Launch& node, const Linear& linear);
 
-  /// Sequences that were visited and have no root yet: from the nodes that came nearest.
+  /// Routes that were visited and have no root yet: from the nodes that came nearest.
   void seek_rest();
 
-  /// Nothing more is looked for: one sequence hardly ever has two roots.
-  bool done() const {
-    return s_.spent() || s_.satisfied() || (s_.puzzle.cushions.sequence && !s_.all && !s_.shots.empty());
-  }
+  /// Nothing more is looked for.
+  bool done() const { return stop::over(q_, ledger_, found_) || stop::route_settled(q_, found_); }
 
  private:
-  /// Of one sequence and target.
+  /// Of one route and mark.
   struct Root {
-    std::vector<Contact> contacts;
-    Vec2d target;
+    Route route;
+    Vec2d mark;
     Launch launch;
   };
   static constexpr double none = std::numeric_limits<double>::infinity();
@@ -46,15 +45,17 @@ class Roots {
     Launch launch{};
     double miss = none;  ///< of the residual
   };
-  /// A sequence and target that were visited, and the nodes that came nearest.
+  /// A route and mark that were visited, and the nodes that came nearest.
   struct Seen {
-    std::vector<Contact> contacts;
-    Vec2d target;
+    Route route;
+    Mark mark;
     std::array<Nearest, 3> nearest{};
   };
-  template <class Of>
-  static bool belongs(const Of& x, const LockedAim& aim) {
-    return x.target == aim.target && std::ranges::equal(x.contacts, aim.contacts);
+  static bool belongs(const Root& x, const LockedAim& aim) {
+    return x.mark == aim.mark.at && std::ranges::equal(x.route, aim.route);
+  }
+  static bool belongs(const Seen& x, const LockedAim& aim) {
+    return x.mark.at == aim.mark.at && std::ranges::equal(x.route, aim.route);
   }
 
   Seen& seen(const LockedAim& aim);
@@ -62,12 +63,15 @@ class Roots {
   bool known(const LockedAim& aim, const Launch& l, double cells) const;
   void add(const LockedAim& aim, const Launch& root);
   void across_fold(const LockedAim& aim, const Launch& root);
+  void from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn, double cells);
   bool beside_last(const LockedAim& aim) const;
-  std::optional<Launch> after_last(const LockedAim& aim, const Launch& from);
+  NewtonResult after_last(const LockedAim& aim, const Launch& from);
 
-  Search& s_;
-  Spacing cell_;
-  std::string_view planner_;
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+  Neighbourhood cell_;
+  std::string_view step_;
   std::vector<Root> roots_{};
   std::vector<Seen> seen_{};
   std::size_t last_seen_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bankshot/numbers/tolerances.hpp"
 
@@ -29,7 +30,29 @@ Vec2d corner_of_centres(const Wall& a, const Wall& b) {
   return {(a.offset * b.normal.y - b.offset * a.normal.y) / det, (b.offset * a.normal.x - a.offset * b.normal.x) / det};
 }
 
-Vec2d vertex_of(const Wall& w, double radius, double s) { return w.along * s + w.normal * (w.offset - radius); }
+/// A segment as the centre of a ball meets it.
+Wall moved(const Segment& s, double radius) {
+  const Vec2d along = (s.to - s.from) / norm(s.to - s.from), normal = perpendicular(along);
+  return {.normal = normal,
+          .offset = dot(normal, s.from) + radius,
+          .along = along,
+          .begin = dot(along, s.from),
+          .end = dot(along, s.to),
+          .from = s.from + normal * radius,
+          .to = s.to + normal * radius,
+          .contact = s.contact};
+}
+
+/// A bend as the centre of a ball meets it. Its extent grows by half of what it lacks to a whole circle, 45° or
+/// more to either side: at the ends rounding must not decide between the bend and the wall that touches it there. No
+/// ball gets to what is added, for there its centre would be 0.7 R outside the table; one hardly larger than what
+/// counts as touching could, so the circle is whole for that.
+Circle moved(const Bend& b, double radius, double touch) {
+  constexpr double hardly_larger = 16;
+  Circle c{b.centre, b.radius + radius, b.contact, b.before, b.after};
+  if (c.radius > hardly_larger * touch) c.middle = b.middle, c.least = -std::sin(b.half / 2);
+  return c;
+}
 
 }  // namespace
 
@@ -37,22 +60,20 @@ Boundary::Boundary(const Table& table, double ball_radius)
     : radius(ball_radius), diagonal(table.diagonal()), extent(diagonal) {
   for (const Vec2d& v : table.vertices) extent = std::max({extent, std::abs(v.x), std::abs(v.y)});
   touch = std::max(tolerance::touch * diagonal, tolerance::coordinate * extent);
-  const std::size_t n = table.vertices.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2d a = table.vertices[i], b = table.vertices[(i + 1) % n];
-    const Vec2d along = (b - a) / norm(b - a), normal = perpendicular(along);
-    walls.push_back({normal, dot(normal, a) + radius, along, dot(along, a), dot(along, b), a + normal * radius,
-                     b + normal * radius, Contact::rail(static_cast<int>(i))});
-  }
-  for (std::size_t i = 0; i < n; ++i) {
+  Obstacles there = obstacles(table);
+  for (const Segment& s : there.segments) walls.push_back(moved(s, radius));
+  segments_ = std::move(there.segments);
+  for (std::size_t i = 0, n = walls.size(); i < n; ++i) {
     Wall &before = walls[(i + n - 1) % n], &after = walls[i];
-    const double turn = cross(before.along, after.along);
-    if (turn > 0) {
+    if (cross(before.along, after.along) > 0)
       before.to = after.from = corner_of_centres(before, after);
-      continue;
-    }
-    strictly_convex = false;
-    if (turn < 0 && radius > 0) tips.push_back({table.vertices[i], radius, Contact::vertex(static_cast<int>(i))});
+    else
+      strictly_convex = false;
+  }
+  for (const Bend& b : there.bends) {
+    if (!(b.radius + radius > 0)) continue;  // two segments end there: a point has no side to meet
+    tips.push_back(moved(b, radius, touch));
+    if (b.contact.kind == ContactKind::vertex) unfolds_ = false;  // what else bends stands at a pocket's mouth
   }
   for (std::size_t i = 0; i < table.pockets.size(); ++i) {
     const Pocket& p = table.pockets[i];
@@ -64,12 +85,9 @@ Boundary::Boundary(const Table& table, double ball_radius)
 double Boundary::clearance(const Vec2d& at) const {
   double nearest = std::numeric_limits<double>::infinity();
   bool inside = false;
-  Vec2d before = vertex_of(walls.back(), radius, walls.back().begin);
-  for (const Wall& w : walls) {
-    const Vec2d vertex = vertex_of(w, radius, w.begin);
-    nearest = std::min(nearest, distance_to_segment(at, vertex, vertex_of(w, radius, w.end)));
-    inside = inside != passes_right_of(vertex, before, at);
-    before = vertex;
+  for (const Segment& s : segments_) {
+    nearest = std::min(nearest, distance_to_segment(at, s.from, s.to));
+    inside = inside != passes_right_of(s.to, s.from, at);
   }
   return (inside ? nearest : -nearest) - radius;
 }

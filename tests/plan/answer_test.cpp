@@ -167,9 +167,11 @@ TEST_CASE("an aim into a cushion that the ball touches is offered only when aske
 
 TEST_CASE("an answer warns when its condition leaves fewer digits than an exact shot needs") {
   const Puzzle p = plain(ideal_physics());
-  const planning::Search s(p, false);
+  const planning::Question q(p);
+  const planning::Ledger ledger(p.budget);
+  const planning::Findings found;
   Answer a{.status = Status::solved, .shots = {Shot{.condition = 1e3}}};
-  CHECK(!says(planning::message(s, a, 1), "digits"));
+  CHECK(!says(planning::message(q, ledger, found, a, 1), "digits"));
   a.shots[0].condition = 1e8;
-  CHECK(says(planning::message(s, a, 1), "leaves about 8 of 16 digits"));
+  CHECK(says(planning::message(q, ledger, found, a, 1), "leaves about 8 of 16 digits"));
 }

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/methods/methods.hpp"
+#include "planners/steps/steps.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 
@@ -26,9 +26,11 @@ Puzzle three_or_more(test::Random& random, int cushions) {
 }
 
 std::vector<Shot> mapped(const Puzzle& p, const planning::Spacing& spacing) {
-  planning::Search s(p, true);
-  planning::map(s, spacing);
-  return s.shots;
+  const planning::Question q(p, planning::Wanted::all);
+  planning::Ledger ledger(p.budget);
+  planning::Findings found;
+  planning::steps::map(q, ledger, found, spacing);
+  return found.shots;
 }
 
 void compare(int puzzles, int cushions, std::uint64_t seed, double most_missed) {

@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/merit/robustness.hpp"
-#include "planners/proof/prove.hpp"
+#include "planners/merit/success.hpp"
+#include "planners/proof/replay.hpp"
+#include "planners/settings.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 
@@ -15,14 +16,15 @@ namespace {
 
 /// The share of `draws` normal errors that is made.
 double by_draws(const Puzzle& p, const Shot& shot, test::Random& random, int draws) {
-  planning::Search s(p, false);
-  const planning::Goal goal = planning::Goal::of(s);
+  const planning::Question q(p);
+  planning::Ledger ledger(draws + 1);
+  const planning::Goal goal = planning::Goal::of(q);
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double r = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))), turn = random.uniform(0, radians(360));
     const Launch l{shot.launch.speed + p.noise.speed * r * std::cos(turn),
                    wrap_angle(shot.launch.angle + p.noise.angle * r * std::sin(turn))};
-    made += l.speed > 0 && planning::replay(s, l, goal).made;
+    made += l.speed > 0 && planning::replay(q, ledger, l, goal).made;
   }
   return static_cast<double>(made) / draws;
 }
@@ -87,10 +89,11 @@ TEST_CASE("the chance of success takes no more simulations than are promised") {
       p.noise = {.angle = random.log_uniform(1e-4, 0.1), .speed = random.log_uniform(1e-3, 1)};
       const Answer a = solve(p, {.robustness = false});
       if (a.shots.empty()) continue;
-      planning::Search s(p, false);
+      const planning::Question q(p);
+      planning::Ledger ledger(p.budget);
       Shot shot = a.shots[0];
-      planning::find_success(s, shot);
-      CHECK(s.simulations <= static_cast<long>(planning::success_samples));
+      planning::find_success(q, ledger, shot);
+      CHECK(ledger.simulations() <= static_cast<long>(planning::settings::success::most_samples));
       CHECK(*shot.success >= 0);
       CHECK(*shot.success <= 1);
       ++counted;

@@ -90,10 +90,10 @@ TEST_CASE("a simulation does not allocate, plain or with derivatives, on any tab
 
 TEST_CASE("a locked path does not allocate") {
   const Boundary boundary(rectangle_table(2, 1), 0.028575);
-  constexpr std::array contacts{Contact::rail(1), Contact::rail(2), Contact::rail(3)};
+  constexpr std::array route{Meeting{0, Contact::rail(1)}, Meeting{0, Contact::rail(2)}, Meeting{0, Contact::rail(3)}};
   const auto check = [&](const auto& motion, const auto& cushion) {
     const long before = allocations;
-    const auto path = follow_locked(boundary, motion, cushion, contacts, start<ceres::Jet<double, 2>>());
+    const auto path = follow_locked(boundary, motion, cushion, route, start<ceres::Jet<double, 2>>());
     const long spent = allocations - before;
     CHECK(spent == 0);
     CHECK(path.end == LockedEnd::complete);

@@ -58,6 +58,40 @@ TEST_CASE("only a ball with a radius meets a tip, and only at reflex vertices") 
   CHECK(contact_name(l_shape(), Contact::rail(2)) == "c2");
   CHECK(point.tips.empty());
   CHECK(Boundary(rectangle_table(2, 1), 0.1).tips.empty());
+  CHECK(!ball.unfolds());
+  CHECK(point.unfolds());
+}
+
+TEST_CASE("obstacles are where the table's cushions are, a reflex vertex is a bend between two of them") {
+  const Obstacles there = obstacles(l_shape());
+  REQUIRE(there.segments.size() == 6);
+  CHECK(there.segments[3].from == Vec2d{1, 1});
+  CHECK(there.segments[3].contact == Contact::rail(3));
+  REQUIRE(there.bends.size() == 1);
+  const Bend& b = there.bends[0];
+  CHECK(b.centre == Vec2d{1, 1});
+  CHECK(b.radius == 0);
+  CHECK(norm(b.middle - Vec2d{-1, -1} / std::sqrt(2)) < 1e-15);
+  CHECK(b.half == Approx(radians(45)));
+  CHECK(b.before == Contact::rail(2));
+  CHECK(b.after == Contact::rail(3));
+  // However sharp the corner is, or flat, its extent is half the turn to either side.
+  for (const double turn : {1e-9, 0.3, 2.0, 3.1}) {
+    const Vec2d on = direction(radians(90) - turn);
+    const auto bends = obstacles(polygon_table({{0, 0}, {0, 1}, Vec2d{0, 1} + on, {-5, 1}})).bends;
+    REQUIRE(!bends.empty());
+    CHECK(bends[0].half == Approx(turn / 2));
+    CHECK(norm(bends[0].middle - perpendicular(direction(radians(90) - turn / 2))) < 1e-14);
+  }
+}
+
+TEST_CASE("the extent of a tip holds all places where a ball can touch it, and ends behind the cushions") {
+  const Circle tip = Boundary(l_shape(), 0.1).tips.at(0);
+  const auto covers = [&](double degrees) { return tip.covers(tip.centre + direction(radians(degrees)) * tip.radius); };
+  for (const double at : {180.0, 225.0, 270.0, 180.0 - 60, 270.0 + 60}) CHECK(covers(at));
+  for (const double at : {0.0, 45.0, 90.0}) CHECK(!covers(at));
+  const Circle tiny = Boundary(l_shape(), 1e-12).tips.at(0);
+  CHECK(tiny.covers(tiny.centre + Vec2d{1e-12, 1e-12}));  // rounding may carry a centre round a ball this small
 }
 
 TEST_CASE("a collinear vertex is no tip, and its table is not strictly convex") {

@@ -40,8 +40,10 @@ struct EventFinder {
   /// Apart from the walls, so that a table without vertices to hit and without pockets does not pay for them.
   void consider_circles(NextEvent<N>& first) const {
     for (const Circle& c : boundary.tips)
-      if (!cushions.held(c.contact) && !passes_tangent(c.contact))
-        consider(first, c.contact, first_entry(arc, c.centre, c.radius, first.time, cushions.on(c.contact)));
+      if (!cushions.held(c.contact) && !passes_tangent(c)) {
+        const N t = first_entry(arc, c.centre, c.radius, first.time, cushions.on(c.contact));
+        if (t < N(forever) && c.covers(arc.position(t))) consider(first, c.contact, t);
+      }
     for (const Circle& c : boundary.pockets) {
       const N t = first_entry(arc, c.centre, c.radius, first.time);
       if (t <= first.time && t < N(forever)) first = {t, {EventKind::pocket, c.contact}};
@@ -88,13 +90,13 @@ struct EventFinder {
     return gained * gained < noise2;
   }
 
-  /// The ball runs along a cushion that ends at this vertex: the line touches the tip's arc there, exactly.
-  bool passes_tangent(Contact vertex) const {
-    const std::size_t walls = boundary.walls.size(), i = static_cast<std::size_t>(vertex.index);
-    for (const Wall* const w : {&boundary.walls[i], &boundary.walls[(i + walls - 1) % walls]}) {
-      if (cushions.held(w->contact)) return true;
-      const N speed = dot(w->normal, arc.velocity);
-      if (cushions.on(w->contact) && cushions.is_rounding(speed * speed)) return true;
+  /// The ball runs along a cushion that ends at this tip: the line touches the tip's arc there, exactly.
+  bool passes_tangent(const Circle& tip) const {
+    for (const Contact beside : {tip.before, tip.after}) {
+      if (cushions.held(beside)) return true;
+      if (!cushions.on(beside)) continue;
+      const N speed = dot(boundary.normal(beside, arc.at), arc.velocity);
+      if (cushions.is_rounding(speed * speed)) return true;
     }
     return false;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Where the centre of a ball of radius R can be: the table seen by that ball, made once a scene.
-//   walls    each cushion moved inwards by R: n·r >= offset
-//   tips     reflex vertices, which a ball meets as an arc of radius R
+//   walls    each segment moved inwards by R: n·r >= offset
+//   tips     each bend with R added to its radius: a corner that points into the table is one
 //   pockets  capture circles
 // Each knows which contact it is (contact.hpp).
 #pragma once
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bankshot/geometry/contact.hpp"
-#include "bankshot/scene/table.hpp"
+#include "bankshot/geometry/obstacle.hpp"
 
 namespace bankshot {
 
@@ -28,6 +28,15 @@ struct Circle {
   Vec2d centre;
   double radius;
   Contact contact{};
+  Contact before{}, after{};  ///< of a tip: the walls that it joins, tangent to both
+  Vec2d middle{};             ///< of its extent; 0 where it is whole
+  double least = -1;          ///< cosine of half its extent
+
+  /// Whether a centre on the circle touches the part that is there.
+  template <class N>
+  bool covers(const Vec2<N>& at) const {
+    return !(dot(middle, at - to<N>(centre)) < N(least) * radius);
+  }
 };
 
 struct Boundary {
@@ -41,6 +50,9 @@ struct Boundary {
   bool strictly_convex = true;  ///< every line of a wall bounds the whole table
 
   Boundary(const Table& table, double radius);
+
+  /// All that balls bounce off and that lies in the open is straight: aims follow from images.
+  bool unfolds() const { return unfolds_; }
 
   /// The line of a contact; null where it has none.
   const Wall* line(Contact contact) const {
@@ -66,6 +78,10 @@ struct Boundary {
   double clearance(const Vec2d& at) const;
   /// Distance from `point` to the nearest place where the centre can be.
   double distance_to_centres(const Vec2d& point) const;
+
+ private:
+  std::vector<Segment> segments_;  ///< where they are, not moved
+  bool unfolds_ = true;
 };
 
 }  // namespace bankshot

@@ -15,8 +15,8 @@ namespace bankshot {
 
 struct Table;
 
-/// In the order of lists of contacts.
-enum class ContactKind : std::uint8_t { none, rail, vertex, pocket };
+/// In the order of lists of contacts. As wide as the index: a contact is copied and compared in registers.
+enum class ContactKind : std::int32_t { none, rail, vertex, pocket };
 
 struct Contact {
   ContactKind kind = ContactKind::none;
