@@ -9,6 +9,7 @@
 #include "planners/settings.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
+#include "support/seed.hpp"
 
 using namespace bankshot;
 
