@@ -30,6 +30,8 @@ if(BANKSHOT_NLOPT)
     endif()
     add_library(NLopt::nlopt ALIAS PkgConfig::nlopt)
   endif()
+else()
+  message(STATUS "bankshot: no planners nlopt-*; tests, benchmarks and the report leave them out (BANKSHOT_NLOPT is off)")
 endif()
 # The program; of Boost headers only, for 50 digits and for the integrators that `report` compares with.
 if(BANKSHOT_PROGRAM)

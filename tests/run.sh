@@ -15,5 +15,5 @@ if [ $# = 0 ]; then
 else
   build "$preset" -DBANKSHOT_TESTS=ON -- $(printf 'test_%s ' "$@")
   folders=$(IFS='|' && echo "$*")
-  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -R "^($folders): "
+  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -R "^($folders):"
 fi

@@ -5,7 +5,9 @@
 #include "planners/locked/levenberg_marquardt.hpp"
 
 // The compiler cannot see that TinySolver sets its cost before it reads it.
+#ifndef __clang__  // which knows no such warning
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <ceres/tiny_solver.h>
 #include <ceres/tiny_solver_autodiff_function.h>
 

@@ -68,7 +68,7 @@ std::string summary(const StartMap& map) {
 
 /// Told before the work.
 std::string picture_or_table(const std::string& path) {
-  if (const std::string bad = file_name(path); !bad.empty()) return bad;
+  if (std::string bad = file_name(path); !bad.empty()) return bad;
   return path.ends_with(".svg") || path.ends_with(".csv") ? "" : "\"" + path + "\" must end in .svg or .csv";
 }
 
