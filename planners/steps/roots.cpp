@@ -23,13 +23,14 @@ void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear
 }
 
 void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) {
-  Nearest* to_replace = nullptr;
-  for (Nearest& n : seen(aim).nearest) {
+  auto& kept = seen(aim).nearest;
+  Nearest* to_replace = &kept.front();
+  for (Nearest& n : kept) {
     if (n.miss < none && std::abs(n.launch.angle - node.angle) < cell_.step_aim / 2) {
       if (miss < n.miss) n = {node, miss};
       return;
     }
-    if (!to_replace || n.miss > to_replace->miss) to_replace = &n;
+    if (n.miss > to_replace->miss) to_replace = &n;
   }
   if (miss < to_replace->miss) *to_replace = {node, miss};
 }
