@@ -34,9 +34,9 @@ Vec2d rounded(const Vec2d& p, double unit) { return {rounded(p.x, unit), rounded
 
 /// Clear of cushions and pockets.
 bool is_free(const Boundary& b, const Vec2d& p) {
-  if (b.clearance(p) < b.radius / 2) return false;
+  if (b.clearance(p) < b.body.radius / 2) return false;
   return std::all_of(b.pockets.begin(), b.pockets.end(),
-                     [&](const Circle& c) { return norm(p - c.centre) > c.radius + b.radius; });
+                     [&](const Circle& c) { return norm(p - c.centre) > c.radius + b.body.radius; });
 }
 
 std::optional<Vec2d> free_place(Random& r, const Boundary& b, const Table& table) {
@@ -128,7 +128,7 @@ bool is_sound(const Puzzle& p) {
     return false;
   }
   constexpr double near = 0.2;
-  const Boundary boundary(p.table, p.ball.radius);
+  const Boundary boundary(p.table, p.ball.body);
   const Mark mark = marks_of(p.target, boundary).front();
   return norm(mark.at - p.ball.at) >= near * boundary.diagonal;
 }
@@ -206,7 +206,7 @@ std::string Tries::text() const {
 std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
   Tries own;
   Tries& tries = counts ? *counts : own;
-  const Boundary boundary(w.table, w.ball.radius);
+  const Boundary boundary(w.table, w.ball.body);
   Random look(1);
   tries.no_room = !free_place(look, boundary, w.table);
   if (tries.no_room) return {};

@@ -67,7 +67,7 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
               {"at", {last.state.at.x, last.state.at.y}},
               {"cushions", t.cushions},
               {"length", t.length}};
-  j["energy"] = {{"start", energy(r.ball, t.events.front().state)}, {"end", energy(r.ball, last.state)}};
+  j["energy"] = {{"start", energy(r.ball.body, t.events.front().state)}, {"end", energy(r.ball.body, last.state)}};
   return write_json(r.id, j);
 }
 
@@ -87,7 +87,7 @@ std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
     events_until(leg.begin);
     const double end = leg.begin + leg.arc.seconds(leg.duration);
     for (double s = static_cast<double>(sample) / rate; s < end; s = static_cast<double>(++sample) / rate)
-      if (s > leg.begin) row(s, state_at(r.physics, leg, s - leg.begin));
+      if (s > leg.begin) row(s, state_at(r, leg, s - leg.begin));
   }
   events_until(forever);
   return out;

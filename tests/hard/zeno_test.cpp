@@ -58,7 +58,7 @@ TEST_CASE("no ball bounces for ever") {
 
 TEST_CASE("without friction and with loss a ball comes to rest before its speed underflows") {
   for (const double e : {0.0, 0.1, 0.5, 0.9}) {
-    const Boundary boundary(rectangle_table(2, 1), 0.03);
+    const Boundary boundary(rectangle_table(2, 1), {0.03});
     Simulator sim(boundary, Rolling{.friction = 0}, Mirror{e}, State<double>{{0.7, 0.4}, {1, 0.37}});
     Event event = sim.step();
     long events = 1;

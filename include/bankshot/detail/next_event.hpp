@@ -17,7 +17,8 @@ template <class N>
 struct NextEvent {
   N time;  ///< the arc's parameter
   Event event;
-  Contact second{};  ///< another cushion met at the same time
+  Contact second{};    ///< another cushion met at the same time
+  bool piece = false;  ///< no event: the arc is a piece that ends, and the motion goes on
 };
 
 /// `straight`: no arc of the motion bends.
@@ -28,8 +29,8 @@ struct EventFinder {
   const Arc<N>& arc;
 
   NextEvent<N> next(const N& horizon) const {
-    constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest};
-    NextEvent<N> first{arc.duration, {ends[static_cast<int>(arc.end)]}};
+    constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest, EventKind::horizon};
+    NextEvent<N> first{arc.duration, {ends[static_cast<int>(arc.end)]}, {}, arc.end == PhaseEnd::piece};
     if (horizon < first.time) first = {horizon, {EventKind::horizon}};
     for (const Wall& w : boundary.walls) consider(first, w.contact, wall_hit(w, first.time));
     if (!boundary.tips.empty() || !boundary.pockets.empty()) consider_circles(first);
@@ -114,7 +115,7 @@ T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc
     case EventKind::pocket:
       return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::horizon:
-      return horizon;
+      return next.piece ? arc.duration : horizon;
     default:
       return arc.duration;
   }

@@ -46,10 +46,10 @@ inline constexpr int ideal_cushions = 100;  ///< where an `ideal` shot without `
 Trajectory simulate(const ShotRequest& request);
 
 /// ½ m v² + ⅕ m R² ω² [J].
-double energy(const Ball& ball, const State<double>& state);
+double energy(const Body& body, const State<double>& state);
 
 /// The state `t` seconds into a leg.
-State<double> state_at(const Physics& physics, const Leg& leg, double t);
+State<double> state_at(const ShotRequest& request, const Leg& leg, double t);
 
 /// The state right after the launch.
 State<double> start_state(const ShotRequest& request);
