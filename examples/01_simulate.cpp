@@ -16,7 +16,7 @@ int main() {
                          .launch = {.speed = 5, .angle = radians(45)}};
   const Trajectory path = simulate(shot);
   for (const Record& e : path.events)
-    if (e.kind == Record::Kind::cushion)
+    if (e.kind == EventKind::cushion)
       fmt::print("{:8.5f} s  {:<6}  ({:.5f}, {:.5f})\n", e.time, contact_name(shot.table, e.contact), e.state.at.x,
                  e.state.at.y);
   const Record& rest = path.events.back();

@@ -22,7 +22,7 @@ constexpr long draws_a_try = 50;
 /// The aim would drive the ball straight into a cushion it touches: no planner offers that unless
 /// the sequence asks for it.
 bool starts_into_cushion(const Trajectory& t) {
-  return t.events.size() > 1 && t.events[1].kind == Record::Kind::cushion && t.events[1].time < 1e-12;
+  return t.events.size() > 1 && t.events[1].kind == EventKind::cushion && t.events[1].time < 1e-12;
 }
 
 double rounded(double x, double unit) { return std::round(x / unit) / std::round(1 / unit); }
@@ -148,11 +148,11 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
   const Record& last = t.events.back();
   double arrival = 0;
   if (t.legs.empty()) return {};
-  if (t.end == Trajectory::End::pocketed) {
+  if (t.end == EventKind::pocket) {
     p.target = PocketTarget{t.events[t.events.size() - 2].contact.index};
     q.bounces = t.cushions;
     arrival = norm(last.state.velocity);
-  } else if (t.end == Trajectory::End::rest && r.chance(0.5)) {
+  } else if (t.end == EventKind::rest && r.chance(0.5)) {
     p.target = PointTarget{last.state.at};
     q.bounces = t.cushions;
   } else {
@@ -161,7 +161,7 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
     const double time = l.duration * (r.chance(0.2) ? 1.0 : r.uniform(0.05, 1));
     p.target = PointTarget{l.arc.position(time)};
     q.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(), [&](const Record& e) {
-      return e.kind == Record::Kind::cushion && e.time <= l.begin;
+      return e.kind == EventKind::cushion && e.time <= l.begin;
     }));
     arrival = norm(l.arc.velocity_at(time));
     if (!(arrival > 1e-3)) return {};

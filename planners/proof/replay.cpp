@@ -74,7 +74,7 @@ class Follower {
           return pocketed(e.contact);
         case EventKind::rest:
           return rest();
-        case EventKind::horizon:
+        default:
           return fail(Foul::missed);
       }
     }

@@ -166,7 +166,7 @@ void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_vie
   constexpr std::size_t most_ghosts = 60;  // more would hide the path
   const auto bounces = t.sequence().size();
   for (const Record& e : t.events)
-    if (e.kind == Record::Kind::cushion && bounces <= most_ghosts)
+    if (e.kind == EventKind::cushion && bounces <= most_ghosts)
       c.circle(e.state.at, ball_px(c, ball),
                fmt::format(R"(fill="none" stroke="{}" stroke-width="1" stroke-opacity="0.7")", colour));
 }

@@ -48,45 +48,42 @@ Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cus
 
   Trajectory out;
   Simulator sim(boundary, motion, cushion, start);
-  const auto note = [&](Record::Kind kind, Contact contact = {}) {
+  const auto note = [&](EventKind kind, Contact contact = {}) {
     State<double> now = sim.state();
     now.spin = motion.spin(r.ball.body, now);
     out.events.push_back({kind, sim.time(), now, contact});
   };
-  const auto finish = [&](Trajectory::End end) {
+  const auto finish = [&](EventKind end) {
     out.end = end;
-    note(Record::Kind::end);
+    note(EventKind::end);
     return out;
   };
-  note(Record::Kind::start);
-  if (r.launch.speed == 0) return finish(Trajectory::End::rest);
+  note(EventKind::start);
+  if (r.launch.speed == 0) return finish(EventKind::rest);
   for (long events = 0; events < max_events; ++events) {
-    const double begin = sim.time();
-    const Event e = sim.step(remaining(until, begin, out.length, motion.arc(r.ball.body, sim.state())));
-    if (sim.travelled() > 0) {
-      out.legs.push_back({begin, sim.travelled(), sim.arc(), sim.before()});
-      out.length += length(sim.arc(), sim.travelled());
-    }
+    double begin = sim.time();
+    const auto leg = [&](const Arc<double>& arc, double parameter) {
+      if (!(parameter > 0)) return;
+      out.legs.push_back({begin, parameter, arc, sim.before()});
+      out.length += length(arc, parameter);
+      begin += arc.seconds(parameter);
+    };
+    const Event e = sim.step(remaining(until, begin, out.length, motion.arc(r.ball.body, sim.state())), leg);
+    leg(sim.arc(), sim.travelled());
     switch (e.kind) {
       case EventKind::cushion:
-        note(Record::Kind::cushion, e.contact);
+        note(EventKind::cushion, e.contact);
         ++out.cushions;
-        if (until.cushions && out.cushions >= *until.cushions) return finish(Trajectory::End::until);
+        if (until.cushions && out.cushions >= *until.cushions) return finish(EventKind::horizon);
         break;
-      case EventKind::slide_to_roll:
-        note(Record::Kind::slide_to_roll);
-        break;
-      case EventKind::pocket:
-        note(Record::Kind::pocket, e.contact);
-        return finish(Trajectory::End::pocketed);
-      case EventKind::rest:
-        note(Record::Kind::roll_to_rest);
-        return finish(Trajectory::End::rest);
       case EventKind::horizon:
-        return finish(Trajectory::End::until);
+        return finish(EventKind::horizon);
+      default:
+        note(e.kind, e.contact);
+        if (e.final()) return finish(e.kind);
     }
   }
-  return finish(Trajectory::End::events);
+  return finish(EventKind::end);
 }
 
 }  // namespace
@@ -100,7 +97,7 @@ Trajectory simulate(const ShotRequest& request) {
 std::vector<Contact> Trajectory::sequence() const {
   std::vector<Contact> out;
   for (const Record& e : events)
-    if (e.kind == Record::Kind::cushion) out.push_back(e.contact);
+    if (e.kind == EventKind::cushion) out.push_back(e.contact);
   return out;
 }
 

@@ -139,7 +139,7 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
         if (miss > within) return fails(fmt::format("stops {:.6g} m from the target", miss));
         return at_point(std::move(out), {.time = e.time, .speed = 0, .at = e.state.at, .miss = miss});
       }
-      case EventKind::horizon:
+      default:
         return fails("passes by the target");
     }
   }

@@ -32,7 +32,7 @@ ShotRequest shot_that_stops(test::Random& r, bool spin, int bounces, Vec2d& end,
     s.physics = spin ? spin_physics(s.ball.body, preset.nose_height) : rolling_physics();
     s.launch = {r.log_uniform(0.5, 6), radians(r.uniform(0, 360))};
     const Trajectory t = simulate(s);
-    if (t.end != Trajectory::End::rest || t.cushions != bounces) continue;
+    if (t.end != EventKind::rest || t.cushions != bounces) continue;
     end = t.events.back().state.at;
     sequence = t.sequence();
     return s;

@@ -57,7 +57,7 @@ TEST_CASE("a ball driven into a corner it touches stays there until its spin is 
     shot.launch = {1e-3, wrap_angle(std::atan2(-b.walls[0].from.y, -b.walls[0].from.x))};
     shot.spin = {.top = 1000};
     const Trajectory t = simulate(shot);
-    REQUIRE(t.end == Trajectory::End::rest);
+    REQUIRE(t.end == EventKind::rest);
     CHECK(t.events.size() < 400);
     for (const Record& e : t.events) CHECK(b.clearance(e.state.at) >= -b.touch);
   }

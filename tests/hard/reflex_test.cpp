@@ -57,6 +57,6 @@ TEST_CASE("a slow ball pressed against a vertex comes to rest") {
   shot.launch.speed = 0.5;
   shot.spin = {.top = 1.3};
   const Trajectory t = simulate(shot);
-  CHECK(t.end == Trajectory::End::rest);
+  CHECK(t.end == EventKind::rest);
   CHECK(t.events.size() < 200);
 }

@@ -58,7 +58,7 @@ TEST_CASE("a ball frozen to a cushion far from the origin is accepted and stays 
     shot.table = table;
     const Boundary b(table, {0.028575});
     const Trajectory t = simulate(shot);
-    CHECK(t.end == Trajectory::End::rest);
+    CHECK(t.end == EventKind::rest);
     for (const Record& e : t.events) CHECK(b.clearance(e.state.at) >= -b.touch);
   }
 }

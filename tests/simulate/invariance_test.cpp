@@ -68,7 +68,7 @@ TEST_CASE("the shape of a rolling path does not depend on the speed") {
     fast.launch.speed = 9;
     const Trajectory t = simulate(slow), u = simulate(fast);
     REQUIRE(u.cushions >= t.cushions);
-    for (std::size_t k = 1; k + 1 < t.events.size() && t.events[k].kind == Record::Kind::cushion; ++k)
+    for (std::size_t k = 1; k + 1 < t.events.size() && t.events[k].kind == EventKind::cushion; ++k)
       CHECK(norm(t.events[k].state.at - u.events[k].state.at) < 1e-11);
   }
 }

@@ -73,9 +73,9 @@ TEST_CASE("a ball that starts inside a capture circle drops only after it has le
   table.pockets = {{"p", {0.5, 0.5}, 0.2}};
   ShotRequest away = on(table, {0.5, 0.55}, 0);
   away.until.cushions = 1;
-  CHECK(simulate(away).end == Trajectory::End::until);
+  CHECK(simulate(away).end == EventKind::horizon);
   const Trajectory back = simulate(on(table, {0.5, 0.5}, 0));
-  CHECK(back.end == Trajectory::End::pocketed);  // straight out, off the cushion, and back
+  CHECK(back.end == EventKind::pocket);  // straight out, off the cushion, and back
   CHECK(back.cushions == 1);
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("a dead cushion leaves the ball rolling along it") {
   ShotRequest shot = on(polygon_table({{0, 0}, {2, 0.3}, {1.8, 1.4}, {-0.2, 1.1}}), {1, 0.7}, 260, 0.05);
   shot.physics = {Rolling{}, Mirror{0}};
   const Trajectory t = simulate(shot);
-  CHECK(t.end == Trajectory::End::rest);
+  CHECK(t.end == EventKind::rest);
   CHECK(t.cushions <= 4);
 }
 

@@ -45,20 +45,19 @@ class Simulator {
       const Contact second = std::exchange(pending_, {});
       if (track_.approach(second) > Number(0)) return second_of_instant(second);
     }
-    Next next = track_.next(motion_, horizon);
-    for (T left = horizon; next.piece; next = track_.next(motion_, left)) {
-      go_to(next);
+    for (T left = horizon;;) {
+      const Next next = track_.next(motion_, left);
+      if (!(next.time < Number(forever))) {
+        track_.stay();
+        return {EventKind::horizon};
+      }
+      track_.go(motion_, track_.when(next));
+      const T lasted = track_.arc().seconds(track_.travelled());
+      time_ += lasted;
+      if (!next.piece) return happens(next);
       watch(track_.arc(), track_.travelled());
-      left -= track_.arc().seconds(track_.travelled());
+      left -= lasted;
     }
-    if (!(next.time < Number(forever))) {
-      track_.stay();
-      return {EventKind::horizon};
-    }
-    go_to(next);
-    if (next.event.kind == EventKind::cushion) return first_of_instant(next);
-    if (next.event.kind == EventKind::rest || next.event.kind == EventKind::slide_to_roll) track_.finish(motion_);
-    return next.event;
   }
 
   const State<T>& state() const { return track_.state(); }    ///< right after the last event
@@ -77,9 +76,10 @@ class Simulator {
   using Number = Real<T>;
   using Next = NextEvent<Number>;
 
-  void go_to(const Next& next) {
-    track_.go(motion_, track_.when(next));
-    time_ += track_.arc().seconds(track_.travelled());
+  Event happens(const Next& next) {
+    if (next.event.kind == EventKind::cushion) return first_of_instant(next);
+    if (next.event.kind == EventKind::rest || next.event.kind == EventKind::slide_to_roll) track_.finish(motion_);
+    return next.event;
   }
 
   Event first_of_instant(const Next& next) {

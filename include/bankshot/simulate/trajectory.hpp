@@ -8,13 +8,13 @@
 
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/scene/puzzle.hpp"
+#include "bankshot/simulate/event.hpp"
 
 namespace bankshot {
 
 /// The state right after an event. `contact` is the cushion, the vertex or the pocket.
 struct Record {
-  enum class Kind { start, cushion, slide_to_roll, roll_to_rest, pocket, end };
-  Kind kind;
+  EventKind kind;
   double time;  ///< s
   State<double> state;
   Contact contact{};
@@ -29,11 +29,10 @@ struct Leg {
 };
 
 struct Trajectory {
-  enum class End { rest, until, pocketed, events };
   std::vector<Record> events;
-  std::vector<Leg> legs;  ///< without those of no duration
-  End end = End::rest;
-  double length = 0;  ///< m, of the path
+  std::vector<Leg> legs;            ///< without those of no duration
+  EventKind end = EventKind::rest;  ///< rest, pocket, horizon (what was asked), or end: too many events
+  double length = 0;                ///< m, of the path
   int cushions = 0;
 
   std::vector<Contact> sequence() const;  ///< the contacts in order
