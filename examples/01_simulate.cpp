@@ -12,11 +12,11 @@ int main() {
   using namespace bankshot;
   const ShotRequest shot{.table = make_table(*find_table_preset("seed")),
                          .physics = {Rolling{.friction = 0.05}, Mirror{.restitution = 1}},
-                         .ball = {.at = {0.2, 0.2}, .radius = 0.0285, .mass = 0.17},
+                         .ball = {.at = {0.2, 0.2}, .body = {.radius = 0.0285, .mass = 0.17}},
                          .launch = {.speed = 5, .angle = radians(45)}};
   const Trajectory path = simulate(shot);
   for (const Record& e : path.events)
-    if (e.kind == Record::Kind::cushion)
+    if (e.kind == EventKind::cushion)
       fmt::print("{:8.5f} s  {:<6}  ({:.5f}, {:.5f})\n", e.time, contact_name(shot.table, e.contact), e.state.at.x,
                  e.state.at.y);
   const Record& rest = path.events.back();

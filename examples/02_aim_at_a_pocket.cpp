@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/scene.hpp"
 
 int main() {
   using namespace bankshot;
-  const TablePreset& preset = *find_table_preset("pool-9ft");
-  const Puzzle puzzle{.table = make_table(preset),
-                      .physics = rolling_physics(),
-                      .ball = {.at = {1.9, 0.5}, .radius = preset.radius, .mass = preset.mass},
+  const Scene scene = preset_scene("pool-9ft", "rolling");
+  const Puzzle puzzle{.table = scene.table,
+                      .physics = scene.physics,
+                      .ball = {.at = {1.9, 0.5}, .body = scene.ball.body},
                       .target = PocketTarget{5},  // top-right
                       .cushions = CushionRule::exactly(0),
                       .arrive = Range{1, 1}};

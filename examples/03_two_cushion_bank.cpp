@@ -11,7 +11,7 @@ int main() {
   using namespace bankshot;
   const Puzzle puzzle{.table = make_table(*find_table_preset("carom-10ft")),
                       .physics = rolling_physics(),
-                      .ball = {.at = {0.6, 0.5}, .radius = 0.03075, .mass = 0.21},
+                      .ball = {.at = {0.6, 0.5}, .body = {.radius = 0.03075, .mass = 0.21}},
                       .target = PointTarget{.at = {2.1, 1.0}, .within = 0.03},
                       .cushions = CushionRule::exactly(2),
                       .prefer = Prefer::soft};

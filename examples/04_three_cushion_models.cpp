@@ -8,25 +8,25 @@
 
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
 int main(int argc, char** argv) {
   using namespace bankshot;
-  const TablePreset& preset = *find_table_preset("carom-10ft");
-  const Ball ball{.at = {0.5, 0.4}, .radius = preset.radius, .mass = preset.mass};
-  Physics physics = spin_physics(ball.radius);
-  const Han2005 han = std::get<Han2005>(physics.cushion);
-  const std::pair<const char*, decltype(physics.cushion)> models[] = {
+  Scene scene = preset_scene("carom-10ft");
+  scene.ball.at = {0.5, 0.4};
+  const Han2005 han = std::get<Han2005>(scene.physics.cushion);
+  const std::pair<const char*, decltype(Physics::cushion)> models[] = {
       {"mirror", Mirror{han.restitution}},
       {"han2005", han},
-      {"mathavan2010", Mathavan2010{.radius = ball.radius, .height = han.height, .restitution = han.restitution}},
+      {"mathavan2010", Mathavan2010{.height = han.height, .restitution = han.restitution}},
   };
   std::vector<LabelledPath> paths;
   for (const auto& [name, cushion] : models) {
-    physics.cushion = cushion;
-    const ShotRequest shot{.table = make_table(preset),
-                           .physics = physics,
-                           .ball = ball,
+    scene.physics.cushion = cushion;
+    const ShotRequest shot{.table = scene.table,
+                           .physics = scene.physics,
+                           .ball = scene.ball,
                            .launch = {3.5, radians(35)},
                            .spin = {.top = 0.5, .side = 0.8}};
     const Trajectory path = simulate(shot);
@@ -36,5 +36,5 @@ int main(int argc, char** argv) {
     fmt::print("\n");
     paths.push_back({name, path});
   }
-  if (argc > 1) std::ofstream(argv[1]) << draw(make_table(preset), ball, paths);
+  if (argc > 1) std::ofstream(argv[1]) << draw(scene.table, scene.ball, paths);
 }

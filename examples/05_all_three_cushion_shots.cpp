@@ -8,13 +8,14 @@
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/scene.hpp"
 
 int main(int argc, char** argv) {
   using namespace bankshot;
-  const TablePreset& preset = *find_table_preset("carom-10ft");
-  const Puzzle puzzle{.table = make_table(preset),
-                      .physics = spin_physics(preset.radius),
-                      .ball = {.at = {0.7, 0.5}, .radius = preset.radius, .mass = preset.mass},
+  const Scene scene = preset_scene("carom-10ft");
+  const Puzzle puzzle{.table = scene.table,
+                      .physics = scene.physics,
+                      .ball = {.at = {0.7, 0.5}, .body = scene.ball.body},
                       .spin = {.top = 0.5, .side = 0.5},
                       .target = PointTarget{.at = {2.1, 0.9}, .within = 0.03},
                       .cushions = CushionRule::exactly(3),

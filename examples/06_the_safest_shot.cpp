@@ -9,14 +9,15 @@
 
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
 int main(int argc, char** argv) {
   using namespace bankshot;
-  const TablePreset& preset = *find_table_preset("pool-9ft");
-  Puzzle puzzle{.table = make_table(preset),
-                .physics = spin_physics(preset.radius),
-                .ball = {.at = {0.8, 0.9}, .radius = preset.radius, .mass = preset.mass},
+  const Scene scene = preset_scene("pool-9ft");
+  Puzzle puzzle{.table = scene.table,
+                .physics = scene.physics,
+                .ball = {.at = {0.8, 0.9}, .body = scene.ball.body},
                 .target = PointTarget{.at = {2.47, 0.07}, .within = 0.1},
                 .cushions = CushionRule::exactly(0),
                 .noise = {.angle = radians(0.125), .speed = 0.02}};

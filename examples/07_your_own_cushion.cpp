@@ -9,6 +9,7 @@
 
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "bankshot/testing/cushion_promises.hpp"
 
@@ -19,30 +20,27 @@ using namespace bankshot;
 /// A soft rail that is met at the height of the ball's centre: it gives back less of a hard hit, and grips the
 /// ball along the rail until the contact point stops sliding or friction has given all it can.
 struct SoftRail final : CushionLaw {
-  double radius = 0;  // of the ball [m]
-
-  void impact(InCushionFrame<double>& f) const override {
+  void impact(const Body& ball, InCushionFrame<double>& f) const override {
     constexpr double friction = 0.14, stick = 2.0 / 7, turns = 5.0 / 2;  // of a solid ball
     const double restitution = 0.9 / (1 + 0.05 * f.vn), impulse = (1 + restitution) * f.vn;
-    const double slip = f.vt + radius * f.wz;  // of the contact point along the rail
+    const double slip = f.vt + ball.radius * f.wz;  // of the contact point along the rail
     const double grip = -std::copysign(std::min(stick * std::abs(slip), friction * impulse), slip);
     f.vn -= impulse;
     f.vt += grip;
-    f.wz += turns * grip / radius;
+    f.wz += turns * grip / ball.radius;
   }
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const TablePreset& preset = *find_table_preset("carom-10ft");
-  SoftRail law;
-  law.radius = preset.radius;
+  const Scene scene = preset_scene("carom-10ft");
+  const SoftRail law;
   const CustomCushion rail{.law = &law, .restitution = 0.85};
-  for (const Promise& p : try_promises(rail, preset.radius))
+  for (const Promise& p : try_promises(rail, scene.ball.body))
     fmt::print("{}: {}\n", p.kept() ? "kept" : "BROKEN", p.what);
-  Puzzle puzzle{.table = make_table(preset),
-                .ball = {.at = {0.7, 0.4}, .radius = preset.radius, .mass = preset.mass},
+  Puzzle puzzle{.table = scene.table,
+                .ball = {.at = {0.7, 0.4}, .body = scene.ball.body},
                 .spin = {.side = 0.5},
                 .target = PointTarget{.at = {2.2, 0.5}, .within = 0.06},
                 .cushions = CushionRule::exactly(3),
@@ -50,7 +48,7 @@ int main(int argc, char** argv) {
                 .prefer = Prefer::soft};
   std::vector<LabelledPath> paths;
   for (const bool own : {false, true}) {
-    puzzle.physics = spin_physics(preset.radius);
+    puzzle.physics = scene.physics;
     if (own) puzzle.physics.cushion = rail;
     const Answer answer = solve(puzzle);
     const Shot& shot = answer.shots.at(0);

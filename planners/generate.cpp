@@ -22,7 +22,7 @@ constexpr long draws_a_try = 50;
 /// The aim would drive the ball straight into a cushion it touches: no planner offers that unless
 /// the sequence asks for it.
 bool starts_into_cushion(const Trajectory& t) {
-  return t.events.size() > 1 && t.events[1].kind == Record::Kind::cushion && t.events[1].time < 1e-12;
+  return t.events.size() > 1 && t.events[1].kind == EventKind::cushion && t.events[1].time < 1e-12;
 }
 
 double rounded(double x, double unit) { return std::round(x / unit) / std::round(1 / unit); }
@@ -34,9 +34,9 @@ Vec2d rounded(const Vec2d& p, double unit) { return {rounded(p.x, unit), rounded
 
 /// Clear of cushions and pockets.
 bool is_free(const Boundary& b, const Vec2d& p) {
-  if (b.clearance(p) < b.radius / 2) return false;
+  if (b.clearance(p) < b.body.radius / 2) return false;
   return std::all_of(b.pockets.begin(), b.pockets.end(),
-                     [&](const Circle& c) { return norm(p - c.centre) > c.radius + b.radius; });
+                     [&](const Circle& c) { return norm(p - c.centre) > c.radius + b.body.radius; });
 }
 
 std::optional<Vec2d> free_place(Random& r, const Boundary& b, const Table& table) {
@@ -128,7 +128,7 @@ bool is_sound(const Puzzle& p) {
     return false;
   }
   constexpr double near = 0.2;
-  const Boundary boundary(p.table, p.ball.radius);
+  const Boundary boundary(p.table, p.ball.body);
   const Mark mark = marks_of(p.target, boundary).front();
   return norm(mark.at - p.ball.at) >= near * boundary.diagonal;
 }
@@ -148,11 +148,11 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
   const Record& last = t.events.back();
   double arrival = 0;
   if (t.legs.empty()) return {};
-  if (t.end == Trajectory::End::pocketed) {
+  if (t.end == EventKind::pocket) {
     p.target = PocketTarget{t.events[t.events.size() - 2].contact.index};
     q.bounces = t.cushions;
     arrival = norm(last.state.velocity);
-  } else if (t.end == Trajectory::End::rest && r.chance(0.5)) {
+  } else if (t.end == EventKind::rest && r.chance(0.5)) {
     p.target = PointTarget{last.state.at};
     q.bounces = t.cushions;
   } else {
@@ -161,7 +161,7 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
     const double time = l.duration * (r.chance(0.2) ? 1.0 : r.uniform(0.05, 1));
     p.target = PointTarget{l.arc.position(time)};
     q.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(), [&](const Record& e) {
-      return e.kind == Record::Kind::cushion && e.time <= l.begin;
+      return e.kind == EventKind::cushion && e.time <= l.begin;
     }));
     arrival = norm(l.arc.velocity_at(time));
     if (!(arrival > 1e-3)) return {};
@@ -206,7 +206,7 @@ std::string Tries::text() const {
 std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
   Tries own;
   Tries& tries = counts ? *counts : own;
-  const Boundary boundary(w.table, w.ball.radius);
+  const Boundary boundary(w.table, w.ball.body);
   Random look(1);
   tries.no_room = !free_place(look, boundary, w.table);
   if (tries.no_room) return {};

@@ -17,7 +17,7 @@ Physics roughly(Physics p) {
 
 Question::Question(const Puzzle& p, Wanted w)
     : puzzle(p),
-      boundary(p.table, p.ball.radius),
+      boundary(p.table, p.ball.body),
       rough(roughly(p.physics)),
       wanted(w),
       marks(marks_of(p.target, boundary)),

@@ -16,7 +16,7 @@ std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& s
   return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
     const auto path = follow_locked(a.q.boundary, motion, cushion, a.route, start);
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
-    return arrive_locked(motion, path.state, a.mark.at, a.mark.capture(), a.q.stop);
+    return arrive_locked(motion, a.q.boundary.body, path.state, a.mark.at, a.mark.capture(), a.q.stop);
   });
 }
 

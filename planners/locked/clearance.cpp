@@ -74,7 +74,7 @@ std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Laun
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
     const auto watch = [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, {}); };
-    const auto arrival = arrive_locked(motion, state, aim.mark.at, aim.mark.capture(), q.stop, watch);
+    const auto arrival = arrive_locked(motion, q.boundary.body, state, aim.mark.at, aim.mark.capture(), q.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);
     return out.least();

@@ -52,7 +52,8 @@ class Follower {
     if (!(dot(state.velocity, state.velocity).a > 0)) return;
     for (std::size_t i = 0; i < q_.marks.size(); ++i) {
       const LockedAim aim{q_, out_.route, q_.marks[i]};
-      const LockedArrival<Dual> arrival = arrive_locked(motion, state, aim.mark.at, aim.mark.capture(), q_.stop);
+      const LockedArrival<Dual> arrival =
+          arrive_locked(motion, q_.boundary.body, state, aim.mark.at, aim.mark.capture(), q_.stop);
       Dual r[2] = {Dual(0), Dual(0)};
       if (!(q_.one_unknown() ? residuals_of<1>(aim, arrival, r) : residuals_of<2>(aim, arrival, r))) continue;
       const Vec2<Dual> off = to<Dual>(aim.mark.at) - arrival.state.at;

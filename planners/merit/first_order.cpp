@@ -18,7 +18,7 @@ void add_first_order(const Question& q, Shot& shot) {
   const Route route = route_by(shot.cushions);
   const Vec2<Dual> end = with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
     const auto path = follow_locked(q.boundary, motion, cushion, route, start);
-    const auto arrival = arrive_locked(motion, path.state, target, 0, q.stop);
+    const auto arrival = arrive_locked(motion, q.boundary.body, path.state, target, 0, q.stop);
     if (q.stop) return arrival.state.at;
     // Along the line of travel nothing is missed: only the lateral part counts.
     const Vec2<Dual> u = arrival.heading / norm(arrival.heading);

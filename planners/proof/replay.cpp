@@ -47,7 +47,8 @@ class Follower {
         stop_(q.stop && !tracing),
         check_(goal.sequence),
         sim_(q.boundary, motion, cushion,
-             launched(q.puzzle.ball.at, q.puzzle.ball.radius, direction(launch.angle) * launch.speed, q.puzzle.spin)),
+             launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, direction(launch.angle) * launch.speed,
+                      q.puzzle.spin)),
         out_{{}, SpeedAccount(deceleration(q.puzzle.physics))} {}
 
   Trace run(std::vector<Contact>* contacts) {
@@ -73,7 +74,7 @@ class Follower {
           return pocketed(e.contact);
         case EventKind::rest:
           return rest();
-        case EventKind::horizon:
+        default:
           return fail(Foul::missed);
       }
     }

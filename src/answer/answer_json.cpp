@@ -46,8 +46,8 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, const std::str
   w.close('}');
   w.key("tip");
   w.open('{');
-  w.number("right", 0.4 * p.ball.radius * spin.side);
-  w.number("up", 0.4 * p.ball.radius * spin.top);
+  w.number("right", 0.4 * p.ball.body.radius * spin.side);
+  w.number("up", 0.4 * p.ball.body.radius * spin.top);
   w.close('}');
   write_path(w, p, shot);
   if (shot.off_centre && !why) w.boolean("off_centre", true);

@@ -35,7 +35,7 @@ std::string interval(const std::array<std::optional<double>, 2>& m, double unit,
 
 /// The cue's tip on the ball: 2/5 R for each unit of spin.
 std::string where_to_hit(const Puzzle& p, const LaunchSpin& spin) {
-  const double up = 400 * p.ball.radius * spin.top, right = 400 * p.ball.radius * spin.side;
+  const double up = 400 * p.ball.body.radius * spin.top, right = 400 * p.ball.body.radius * spin.side;
   if (up == 0 && right == 0) return "in the centre";
   std::string text;
   if (up != 0) text = fmt::format("{:.1f} mm {} the centre", std::abs(up), up > 0 ? "above" : "below");
@@ -51,8 +51,8 @@ void describe(std::string& out, const Puzzle& p, const Shot& shot) {
   };
   row("aim", fmt::format("{:.4f} degrees", degrees(shot.launch.angle)));
   row("speed", fmt::format("{:.4f} m/s", shot.launch.speed));
-  if (is_straight(p.physics) && p.ball.radius > 0)
-    row("hit", fmt::format("{:.1f} mm above the centre, so that it rolls from the start", 400 * p.ball.radius));
+  if (is_straight(p.physics) && p.ball.body.radius > 0)
+    row("hit", fmt::format("{:.1f} mm above the centre, so that it rolls from the start", 400 * p.ball.body.radius));
   if (!is_straight(p.physics)) row("hit", where_to_hit(p, shot.spin));
   if (shot.cushions.empty()) {
     row("cushions", "none");

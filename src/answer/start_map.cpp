@@ -33,7 +33,7 @@ const char* name(Start start) {
 }
 
 StartGrid::StartGrid(const Puzzle& p, int nx, int ny) : columns(nx), rows(ny) {
-  const Vec2d R{p.ball.radius, p.ball.radius};
+  const Vec2d R{p.ball.body.radius, p.ball.body.radius};
   low = p.table.lowest() + R;
   const Vec2d size = p.table.highest() - R - low;
   cell = {size.x / nx, size.y / ny};

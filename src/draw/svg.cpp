@@ -150,7 +150,7 @@ std::vector<Vec2d> outline(const Trajectory& t) {
   return points;
 }
 
-double ball_px(const Canvas& c, const Ball& ball) { return std::max(c.px(ball.radius), 4.0); }
+double ball_px(const Canvas& c, const Ball& ball) { return std::max(c.px(ball.body.radius), 4.0); }
 
 /// `others`: how many paths more are drawn; many are drawn faintly.
 void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_view colour, bool best,
@@ -166,7 +166,7 @@ void draw_path(Canvas& c, const Trajectory& t, const Ball& ball, std::string_vie
   constexpr std::size_t most_ghosts = 60;  // more would hide the path
   const auto bounces = t.sequence().size();
   for (const Record& e : t.events)
-    if (e.kind == Record::Kind::cushion && bounces <= most_ghosts)
+    if (e.kind == EventKind::cushion && bounces <= most_ghosts)
       c.circle(e.state.at, ball_px(c, ball),
                fmt::format(R"(fill="none" stroke="{}" stroke-width="1" stroke-opacity="0.7")", colour));
 }
@@ -196,7 +196,7 @@ void draw_fan(Canvas& c, const Puzzle& p, const Shot& shot) {
 
 void draw_target(Canvas& c, const Puzzle& p) {
   const char* ring = R"(fill="none" stroke="#ef476f" stroke-width="2.5")";
-  for (const Mark& mark : marks_of(p.target, Boundary(p.table, p.ball.radius))) {
+  for (const Mark& mark : marks_of(p.target, Boundary(p.table, p.ball.body))) {
     c.circle(mark.at, std::max(c.px(mark.reach), mark.captures() ? 6.0 : 7.0), ring);
     if (!mark.captures()) c.circle(mark.at, 2.5, R"(fill="#ef476f")");
   }

@@ -56,8 +56,8 @@ Circle moved(const Bend& b, double radius, double touch) {
 
 }  // namespace
 
-Boundary::Boundary(const Table& table, double ball_radius)
-    : radius(ball_radius), diagonal(table.diagonal()), extent(diagonal) {
+Boundary::Boundary(const Table& table, const Body& of) : body(of), diagonal(table.diagonal()), extent(diagonal) {
+  const double radius = body.radius;
   for (const Vec2d& v : table.vertices) extent = std::max({extent, std::abs(v.x), std::abs(v.y)});
   touch = std::max(tolerance::touch * diagonal, tolerance::coordinate * extent);
   Obstacles there = obstacles(table);
@@ -89,7 +89,7 @@ double Boundary::clearance(const Vec2d& at) const {
     nearest = std::min(nearest, distance_to_segment(at, s.from, s.to));
     inside = inside != passes_right_of(s.to, s.from, at);
   }
-  return (inside ? nearest : -nearest) - radius;
+  return (inside ? nearest : -nearest) - body.radius;
 }
 
 double Boundary::distance_to_centres(const Vec2d& point) const {

@@ -18,8 +18,8 @@ Ball read_ball(const Reader& scene, Ball ball) {
   const Reader r = scene.need("ball");
   r.only({"at", "radius", "mass", "spin"});
   ball.at = r.need("at").point();
-  if (const auto v = r.find("radius")) ball.radius = v->at_least(0);
-  if (const auto v = r.find("mass")) ball.mass = v->positive();
+  if (const auto v = r.find("radius")) ball.body.radius = v->at_least(0);
+  if (const auto v = r.find("mass")) ball.body.mass = v->positive();
   return ball;
 }
 
@@ -78,7 +78,7 @@ RollingFriction read_rolling_friction(const Reader& r) {
 }
 
 /// `sliding_friction` of the cloth acts in mathavan2010 also during the impact.
-decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
+decltype(Physics::cushion) read_cushion(const Reader& r, const Body& body, Han2005 han, double sliding_friction) {
   constexpr std::array<std::string_view, 3> models{"han2005", "mathavan2010", "mirror"};
   r.only({"model", "restitution", "friction", "height"});
   std::size_t which = 0;
@@ -86,26 +86,25 @@ decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sli
   if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
   if (const auto v = r.find("friction")) han.friction = v->at_least(0);
   if (const auto v = r.find("height")) han.height = v->number();
-  if (!(han.height > han.radius && han.height < 2 * han.radius)) {
+  const double R = body.radius;
+  if (!(han.height > R && han.height < 2 * R)) {
     const Reader where = r.find("height").value_or(r);
-    where.fail(fmt::format("must lie between the ball's radius {} and its diameter {}", han.radius, 2 * han.radius));
+    where.fail(fmt::format("must lie between the ball's radius {} and its diameter {}", R, 2 * R));
   }
   if (which == 2) return Mirror{han.restitution};
   if (which == 1)
-    return Mathavan2010{.radius = han.radius,
-                        .height = han.height,
+    return Mathavan2010{.height = han.height,
                         .restitution = han.restitution,
                         .friction = han.friction,
                         .sliding_friction = sliding_friction};
   return han;
 }
 
-Physics read_spin_physics(const Reader* r, const Reader& table, const Ball& ball) {
-  Physics p = spin_physics(ball.radius);
+Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body) {
+  const TablePreset* preset = table.is_string() ? find_table_preset(table.text()) : nullptr;
+  Physics p = spin_physics(body, preset ? preset->nose_height : std::nullopt);
   SlideRoll& motion = std::get<SlideRoll>(p.motion);
   Han2005& cushion = std::get<Han2005>(p.cushion);
-  const TablePreset* preset = table.is_string() ? find_table_preset(table.text()) : nullptr;
-  if (preset && preset->nose_height > 0) cushion.height = preset->nose_height;
   if (!r) return p;
   r->only({"model", "sliding_friction", "rolling_friction", "spinning_friction", "cushion", "ball_ball", "g"});
   if (const auto v = r->find("ball_ball")) v->fail("is not supported yet");
@@ -113,7 +112,7 @@ Physics read_spin_physics(const Reader* r, const Reader& table, const Ball& ball
   if (const auto v = r->find("rolling_friction")) motion.rolling_friction = read_rolling_friction(*v);
   if (const auto v = r->find("spinning_friction")) motion.spinning_friction = v->at_least(0);
   if (const auto v = r->find("g")) motion.g = v->positive();
-  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion, motion.sliding_friction);
+  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, body, cushion, motion.sliding_friction);
   return p;
 }
 
@@ -126,15 +125,15 @@ Physics read_physics(const Reader& scene, const Ball& ball) {
   const Reader model = !r ? scene : r->is_string() ? *r : r->need("model");
   const std::size_t which = r ? model.word("physics", presets) : 2;
   if (which == 2) {
-    if (ball.radius == 0)
+    if (ball.body.radius == 0)
       throw InvalidInput("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
-    return read_spin_physics(overrides, table, ball);
+    return read_spin_physics(overrides, table, ball.body);
   }
   if (which == 0) {
     if (overrides) r->only({"model"});
-    return {Ideal{ball.radius}, Mirror{1.0}};
+    return {Ideal{}, Mirror{1.0}};
   }
-  Rolling rolling{.radius = ball.radius};
+  Rolling rolling;
   Mirror mirror;
   if (overrides) {
     r->only({"model", "friction", "restitution", "g"});
@@ -239,7 +238,7 @@ Puzzle read_puzzle(std::string_view text) {
   p.id = read_id(doc, std::move(id));
   const Reader table = doc.need("table");
   p.ball = read_ball(doc, default_ball(table));
-  p.table = read_table(table, p.ball.radius);
+  p.table = read_table(table, p.ball.body.radius);
   p.physics = read_physics(doc, p.ball);
   if (const auto v = doc.need("ball").find("spin")) {
     if (!is_straight(p.physics)) p.spin_range = read_spin_range(*v);
@@ -268,7 +267,7 @@ ShotRequest read_shot(std::string_view text) {
   s.id = read_id(doc, std::move(id));
   const Reader table = doc.need("table");
   s.ball = read_ball(doc, default_ball(table));
-  s.table = read_table(table, s.ball.radius);
+  s.table = read_table(table, s.ball.body.radius);
   s.physics = read_physics(doc, s.ball);
   if (const auto v = doc.need("ball").find("spin")) s.spin = read_spin(*v, s.physics, false);
   if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
@@ -286,12 +285,12 @@ ShotRequest read_shot(std::string_view text) {
   return s;
 }
 
-SceneDocument read_scene(std::string_view table, std::string_view physics) {
+Scene read_scene(std::string_view table, std::string_view physics) {
   const Json json{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
   const Reader doc(json);
-  SceneDocument s;
+  Scene s;
   s.ball = default_ball(doc.need("table"));
-  s.table = read_table(doc.need("table"), s.ball.radius);
+  s.table = read_table(doc.need("table"), s.ball.body.radius);
   s.physics = read_physics(doc, s.ball);
   return s;
 }

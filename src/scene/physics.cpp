@@ -3,9 +3,9 @@
 
 namespace bankshot {
 
-Physics spin_physics(double radius) {
-  return {SlideRoll{.radius = radius, .spinning_friction = 4.0 / 9 * radius},
-          Han2005{.radius = radius, .height = 1.28 * radius}};
+Physics spin_physics(const Body& body, std::optional<double> nose_height) {
+  return {SlideRoll{.spinning_friction = 4.0 / 9 * body.radius},
+          Han2005{.height = nose_height.value_or(1.28 * body.radius)}};
 }
 
 }  // namespace bankshot

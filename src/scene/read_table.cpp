@@ -17,7 +17,7 @@ void not_supported(const Reader& table, const std::string& key) {
 }
 
 Mouth read_mouth(const Reader& table, double radius) {
-  const double scale = radius / Ball{}.radius;
+  const double scale = radius / Body{}.radius;
   Mouth m{pool_7ft_mouth.corner * scale, pool_7ft_mouth.middle * scale};
   const auto r = table.find("mouth");
   if (!r) return m;
@@ -65,8 +65,7 @@ Ball default_ball(const Reader& table) {
   Ball ball{};
   if (!table.is_string()) return ball;
   const TablePreset& p = read_preset(table);
-  ball.radius = p.radius;
-  ball.mass = p.mass;
+  ball.body = p.body;
   return ball;
 }
 

@@ -45,12 +45,12 @@ std::vector<Pocket> six_pockets(const Table& rectangle, Mouth mouth) {
 
 const std::vector<TablePreset>& table_presets() {
   static const std::vector<TablePreset> presets{
-      {"pool-7ft", 1.9812, 0.9906, 0.028575, 0.170097, pool_7ft_mouth, 0},
-      {"pool-8ft", 2.2352, 1.1176, 0.028575, 0.170097, pool_7ft_mouth, 0},
-      {"pool-9ft", 2.54, 1.27, 0.028575, 0.170097, Mouth{0.116, 0.129}, 0},
-      {"snooker-12ft", 3.569, 1.778, 0.02625, 0.1406, Mouth{0.083, 0.087}, 0.03675},
-      {"carom-10ft", 2.84, 1.42, 0.03075, 0.21, {}, 0.037},
-      {"seed", 2.5, 1.25, 0.0285, 0.17, {}, 0},
+      {"pool-7ft", 1.9812, 0.9906, {0.028575, 0.170097}, pool_7ft_mouth},
+      {"pool-8ft", 2.2352, 1.1176, {0.028575, 0.170097}, pool_7ft_mouth},
+      {"pool-9ft", 2.54, 1.27, {0.028575, 0.170097}, Mouth{0.116, 0.129}},
+      {"snooker-12ft", 3.569, 1.778, {0.02625, 0.1406}, Mouth{0.083, 0.087}, 0.03675},
+      {"carom-10ft", 2.84, 1.42, {0.03075, 0.21}, {}, 0.037},
+      {"seed", 2.5, 1.25, {0.0285, 0.17}, {}},
   };
   return presets;
 }

@@ -97,8 +97,8 @@ void check_pockets(const Table& t, const Boundary& b) {
     const Pocket& p = t.pockets[i];
     need_finite(p.at, [&] { return at("/table/pockets", i) + "/at"; });
     const double distance = b.distance_to_centres(p.at);
-    const bool point = p.radius == 0 && b.radius == 0;
-    if (p.radius == 0 && b.radius > 0)
+    const bool point = p.radius == 0 && b.body.radius == 0;
+    if (p.radius == 0 && b.body.radius > 0)
       fail(at("/table/pockets", i),
            fmt::format("pocket \"{}\" has radius 0: only a ball of radius 0 can fall into a point", p.name));
     if (point ? distance > tolerance::point_pocket * b.diagonal : distance >= p.radius)
@@ -115,16 +115,16 @@ void check_inside(const Boundary& b, const Vec2d& p, const std::string& path, st
   if (clearance < -b.touch)
     fail(path, fmt::format("{}: {} must be inside the table, at least the ball's radius {} m from "
                            "each cushion; it is {:.6g} m too far out",
-                           show(p), what, b.radius, -clearance));
+                           show(p), what, b.body.radius, -clearance));
 }
 
-void check_physics(const Physics& physics) {
+void check_physics(const Physics& physics, const Body& body) {
   const double e = restitution(physics).at_rest;
   if (!(e >= 0 && e <= 1)) fail("/physics/restitution", fmt::format("{} must be between 0 and 1", e));
   if (is_straight(physics) && !(std::holds_alternative<Mirror>(physics.cushion) && restitution(physics).constant()))
     fail("/physics/cushion", "without spin a cushion is a mirror of constant restitution");
   if (const auto* m = std::get_if<SlideRoll>(&physics.motion)) {
-    if (!(m->radius > 0)) fail("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
+    if (!(body.radius > 0)) fail("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
     if (!(m->sliding_friction >= 0 && std::isfinite(m->sliding_friction * m->g)))
       fail("/physics/sliding_friction", "must be finite and at least 0");
     if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law)
@@ -142,12 +142,12 @@ void check_physics(const Physics& physics) {
 Boundary check_scene(const Table& table, const Ball& ball, const Physics& physics) {
   check_shape(table);
   check_names(table);
-  if (!(ball.radius >= 0 && std::isfinite(ball.radius)))
-    fail("/ball/radius", fmt::format("{} must be at least 0", ball.radius));
-  if (!(ball.mass > 0 && std::isfinite(ball.mass)))
-    fail("/ball/mass", fmt::format("{} must be greater than 0", ball.mass));
-  check_physics(physics);
-  Boundary boundary(table, ball.radius);
+  if (!(ball.body.radius >= 0 && std::isfinite(ball.body.radius)))
+    fail("/ball/radius", fmt::format("{} must be at least 0", ball.body.radius));
+  if (!(ball.body.mass > 0 && std::isfinite(ball.body.mass)))
+    fail("/ball/mass", fmt::format("{} must be greater than 0", ball.body.mass));
+  check_physics(physics, ball.body);
+  Boundary boundary(table, ball.body);
   check_inside(boundary, ball.at, "/ball/at", "the centre of the ball");
   check_pockets(table, boundary);
   return boundary;

@@ -78,7 +78,7 @@ Json cushions_json(const Puzzle& p) {
 Json question_json(const Puzzle& p) {
   constexpr const char* preferences[] = {"robust", "soft", "quick"};
   Json j = Json::object();
-  j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.radius}, {"mass", p.ball.mass}};
+  j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.body.radius}, {"mass", p.ball.body.mass}};
   if (p.spin_range)
     j["ball"]["spin"] = {
         {"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};
@@ -107,7 +107,7 @@ std::string write_puzzle(const Puzzle& p) {
 }
 
 std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_view physics) {
-  const SceneDocument scene = read_scene(table, physics);
+  const Scene scene = read_scene(table, physics);
   Puzzle plain{
       .table = scene.table, .physics = scene.physics, .ball = scene.ball, .target = p.target, .cushions = p.cushions};
   plain.ball.at = p.ball.at;

@@ -11,7 +11,7 @@ namespace {
 
 /// Metres that a ball covers in t seconds of an arc: ∫|v + a t| dt, split along and across a.
 double length(const Arc<double>& arc, double t) {
-  if (is_straight(arc)) return norm(arc.position(t) - arc.at);
+  if (!arc.bends) return norm(arc.position(t) - arc.at);
   const double a = norm(arc.acceleration);
   const double across = std::abs(cross(arc.acceleration, arc.velocity)) / a,
                along = dot(arc.acceleration, arc.velocity) / a;
@@ -23,7 +23,7 @@ double length(const Arc<double>& arc, double t) {
 
 /// When a ball on this arc has covered `metres`; may lie beyond the arc's end.
 double time_to_length(const Arc<double>& arc, double metres) {
-  if (is_straight(arc)) return time_at_length(arc, metres);
+  if (!arc.bends) return time_at_length(arc, metres);
   double low = 0, high = arc.duration;
   if (!(length(arc, high) > metres)) return forever;
   for (double t = low + (high - low) / 2; t > low && t < high; t = low + (high - low) / 2)
@@ -41,52 +41,49 @@ double remaining(const ShotRequest::Until& until, double time, double length, co
 
 template <class Motion, class Cushion>
 Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cushion) {
-  const Boundary boundary(r.table, r.ball.radius);
+  const Boundary boundary(r.table, r.ball.body);
   const State<double> start = start_state(r);
   ShotRequest::Until until = r.until;
   if (std::is_same_v<Motion, Ideal> && !until.time && !until.cushions && !until.length) until.cushions = ideal_cushions;
 
   Trajectory out;
   Simulator sim(boundary, motion, cushion, start);
-  const auto note = [&](Record::Kind kind, Contact contact = {}) {
+  const auto note = [&](EventKind kind, Contact contact = {}) {
     State<double> now = sim.state();
-    now.spin = motion.spin(now);
+    now.spin = motion.spin(r.ball.body, now);
     out.events.push_back({kind, sim.time(), now, contact});
   };
-  const auto finish = [&](Trajectory::End end) {
+  const auto finish = [&](EventKind end) {
     out.end = end;
-    note(Record::Kind::end);
+    note(EventKind::end);
     return out;
   };
-  note(Record::Kind::start);
-  if (r.launch.speed == 0) return finish(Trajectory::End::rest);
+  note(EventKind::start);
+  if (r.launch.speed == 0) return finish(EventKind::rest);
   for (long events = 0; events < max_events; ++events) {
-    const double begin = sim.time();
-    const Event e = sim.step(remaining(until, begin, out.length, motion.arc(sim.state())));
-    if (sim.travelled() > 0) {
-      out.legs.push_back({begin, sim.travelled(), sim.arc(), sim.before()});
-      out.length += length(sim.arc(), sim.travelled());
-    }
+    double begin = sim.time();
+    const auto leg = [&](const Arc<double>& arc, double parameter) {
+      if (!(parameter > 0)) return;
+      out.legs.push_back({begin, parameter, arc, sim.before()});
+      out.length += length(arc, parameter);
+      begin += arc.seconds(parameter);
+    };
+    const Event e = sim.step(remaining(until, begin, out.length, motion.arc(r.ball.body, sim.state())), leg);
+    leg(sim.arc(), sim.travelled());
     switch (e.kind) {
       case EventKind::cushion:
-        note(Record::Kind::cushion, e.contact);
+        note(EventKind::cushion, e.contact);
         ++out.cushions;
-        if (until.cushions && out.cushions >= *until.cushions) return finish(Trajectory::End::until);
+        if (until.cushions && out.cushions >= *until.cushions) return finish(EventKind::horizon);
         break;
-      case EventKind::slide_to_roll:
-        note(Record::Kind::slide_to_roll);
-        break;
-      case EventKind::pocket:
-        note(Record::Kind::pocket, e.contact);
-        return finish(Trajectory::End::pocketed);
-      case EventKind::rest:
-        note(Record::Kind::roll_to_rest);
-        return finish(Trajectory::End::rest);
       case EventKind::horizon:
-        return finish(Trajectory::End::until);
+        return finish(EventKind::horizon);
+      default:
+        note(e.kind, e.contact);
+        if (e.final()) return finish(e.kind);
     }
   }
-  return finish(Trajectory::End::events);
+  return finish(EventKind::end);
 }
 
 }  // namespace
@@ -100,28 +97,28 @@ Trajectory simulate(const ShotRequest& request) {
 std::vector<Contact> Trajectory::sequence() const {
   std::vector<Contact> out;
   for (const Record& e : events)
-    if (e.kind == Record::Kind::cushion) out.push_back(e.contact);
+    if (e.kind == EventKind::cushion) out.push_back(e.contact);
   return out;
 }
 
 State<double> start_state(const ShotRequest& r) {
-  return launched(r.ball.at, r.ball.radius, direction(r.launch.angle) * r.launch.speed, r.spin);
+  return launched(r.ball.at, r.ball.body.radius, direction(r.launch.angle) * r.launch.speed, r.spin);
 }
 
-State<double> state_at(const Physics& physics, const Leg& leg, double t) {
+State<double> state_at(const ShotRequest& r, const Leg& leg, double t) {
   return std::visit(
       [&](const auto& motion) {
-        State<double> s = advance(motion, leg.start, leg.arc, leg.arc.parameter(t));
-        s.spin = motion.spin(s);
+        State<double> s = advance(motion, r.ball.body, leg.start, leg.arc, leg.arc.parameter(t));
+        s.spin = motion.spin(r.ball.body, s);
         return s;
       },
-      physics.motion);
+      r.physics.motion);
 }
 
-double energy(const Ball& ball, const State<double>& state) {
+double energy(const Body& body, const State<double>& state) {
   const double v2 = dot(state.velocity, state.velocity);
   const Vec3<double>& w = state.spin;
-  return ball.mass * (v2 / 2 + ball.radius * ball.radius * (w.x * w.x + w.y * w.y + w.z * w.z) / 5);
+  return body.mass * (v2 / 2 + body.radius * body.radius * (w.x * w.x + w.y * w.y + w.z * w.z) / 5);
 }
 
 }  // namespace bankshot

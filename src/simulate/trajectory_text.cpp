@@ -10,48 +10,16 @@
 namespace bankshot {
 namespace {
 
-const char* name(Record::Kind kind) {
-  switch (kind) {
-    case Record::Kind::start:
-      return "start";
-    case Record::Kind::cushion:
-      return "cushion";
-    case Record::Kind::slide_to_roll:
-      return "slide-to-roll";
-    case Record::Kind::roll_to_rest:
-      return "roll-to-rest";
-    case Record::Kind::pocket:
-      return "pocket";
-    case Record::Kind::end:
-      break;
-  }
-  return "end";
-}
-
-const char* name(Trajectory::End end) {
-  switch (end) {
-    case Trajectory::End::rest:
-      return "rest";
-    case Trajectory::End::until:
-      return "until";
-    case Trajectory::End::pocketed:
-      return "pocketed";
-    case Trajectory::End::events:
-      break;
-  }
-  return "events";
-}
-
 Json event_json(const ShotRequest& r, const Record& e) {
   const Vec3<double>& w = e.state.spin;
-  Json j{{"type", name(e.kind)},
+  Json j{{"type", words(e.kind).type},
          {"time", e.time},
          {"ball", "cue"},
          {"at", {e.state.at.x, e.state.at.y}},
          {"velocity", {e.state.velocity.x, e.state.velocity.y}},
          {"spin", {w.x, w.y, w.z}}};
-  if (e.kind == Record::Kind::cushion) j["cushion"] = contact_name(r.table, e.contact);
-  if (e.kind == Record::Kind::pocket) j["pocket"] = contact_name(r.table, e.contact);
+  if (e.kind == EventKind::cushion) j["cushion"] = contact_name(r.table, e.contact);
+  if (e.kind == EventKind::pocket) j["pocket"] = contact_name(r.table, e.contact);
   return j;
 }
 
@@ -62,12 +30,12 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
   j["events"] = Json::array();
   for (const Record& e : t.events) j["events"].push_back(event_json(r, e));
   const Record& last = t.events.back();
-  j["end"] = {{"reason", name(t.end)},
+  j["end"] = {{"reason", words(t.end).reason},
               {"time", last.time},
               {"at", {last.state.at.x, last.state.at.y}},
               {"cushions", t.cushions},
               {"length", t.length}};
-  j["energy"] = {{"start", energy(r.ball, t.events.front().state)}, {"end", energy(r.ball, last.state)}};
+  j["energy"] = {{"start", energy(r.ball.body, t.events.front().state)}, {"end", energy(r.ball.body, last.state)}};
   return write_json(r.id, j);
 }
 
@@ -87,7 +55,7 @@ std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
     events_until(leg.begin);
     const double end = leg.begin + leg.arc.seconds(leg.duration);
     for (double s = static_cast<double>(sample) / rate; s < end; s = static_cast<double>(++sample) / rate)
-      if (s > leg.begin) row(s, state_at(r.physics, leg, s - leg.begin));
+      if (s > leg.begin) row(s, state_at(r, leg, s - leg.begin));
   }
   events_until(forever);
   return out;

@@ -71,14 +71,15 @@ struct Scene::Goal {
   double slack = 0;  ///< m, beyond `within`
 };
 
-Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.radius), physics_(refined(p.physics)) {
+Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.body), physics_(refined(p.physics)) {
   const auto asked = arrival_range(p);
   stops_ = std::holds_alternative<PointTarget>(p.target) && asked && asked->high == 0;
 }
 
 Run Scene::run(const Launch& launch, const LaunchSpin& spin, int cushions) const {
-  Run r{boundary, physics_, launched(puzzle.ball.at, puzzle.ball.radius, direction(launch.angle) * launch.speed, spin),
-        cushions + 1, 4L * cushions + 100};
+  Run r{boundary, physics_,
+        launched(puzzle.ball.at, puzzle.ball.body.radius, direction(launch.angle) * launch.speed, spin), cushions + 1,
+        4L * cushions + 100};
   if (const auto* point = std::get_if<PointTarget>(&puzzle.target)) r.target = point->at;
   return r;
 }
@@ -138,7 +139,7 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
         if (miss > within) return fails(fmt::format("stops {:.6g} m from the target", miss));
         return at_point(std::move(out), {.time = e.time, .speed = 0, .at = e.state.at, .miss = miss});
       }
-      case EventKind::horizon:
+      default:
         return fails("passes by the target");
     }
   }

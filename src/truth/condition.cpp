@@ -64,7 +64,7 @@ Path without_tiny_slides(Path path, double bound) {
 /// The events in double are those of an exact path from a start this close, relative to its own size.
 bool nearby_start(const Run& run, const Path& rough) {
   constexpr double step = 1e-13;
-  const double v = norm(run.start.velocity), w = run.boundary.radius > 0 ? v / run.boundary.radius : 0;
+  const double v = norm(run.start.velocity), w = run.boundary.body.radius > 0 ? v / run.boundary.body.radius : 0;
   for (const double sign : {1.0, -1.0})
     for (int k = 0; k < 7; ++k) {
       State<double> s = run.start;
@@ -87,7 +87,7 @@ bool nearby_start(const Run& run, const Path& rough) {
 Path run_double(const Run& run) { return recorded<double>(run); }
 
 Condition condition(const Run& run) {
-  const double R = run.boundary.radius, extent = run.boundary.extent;
+  const double R = run.boundary.body.radius, extent = run.boundary.extent;
   Condition c;
   std::vector<Step> steps;
   std::vector<double> scales{speed_scale(lift<Jet>(run.start), R)};

@@ -15,7 +15,7 @@ constexpr double R = 0.028575;
 using Cases = std::vector<HardCase>;
 
 HardCase hard(std::string what, const ShotRequest& shot) {
-  return {std::move(what), shot.table, shot.ball.radius, shot.physics, start_state(shot)};
+  return {std::move(what), shot.table, shot.ball.body.radius, shot.physics, start_state(shot)};
 }
 
 /// Sent from the middle to the end of the second cushion, `off` radians beside it.
@@ -27,7 +27,7 @@ Cases corners() {
          {0.0, 1e-16, -1e-16, 1e-15, -1e-15, 1e-13, -1e-13, 1e-10, -1e-10, 1e-6, -1e-6, 1e-3, -1e-3}) {
       ShotRequest shot = spin_shot({1, 0.5}, 2, 0);
       shot.table = table;
-      const Vec2d d = Boundary(table, R).walls[1].to - shot.ball.at;
+      const Vec2d d = Boundary(table, {R}).walls[1].to - shot.ball.at;
       shot.launch.angle = wrap_angle(std::atan2(d.y, d.x) + off);
       out.push_back(hard(fmt::format("aim {} beside the corner", off), shot));
     }
@@ -132,7 +132,7 @@ Cases reflex() {
   for (int i = -40; i <= 40; ++i)
     for (const LaunchSpin& spin :
          {LaunchSpin{}, LaunchSpin{.top = 1}, LaunchSpin{.top = -1, .side = 0.5, .masse = 0.5}}) {
-      ShotRequest shot = towards_vertex({1.7, 0.2}, i * 1e-3, spin_physics(R_ell));
+      ShotRequest shot = towards_vertex({1.7, 0.2}, i * 1e-3, spin_physics({R_ell}));
       shot.spin = spin;
       out.push_back(hard(fmt::format("aim {} mrad beside the vertex", i), shot));
       out.back().cushions = 6;
@@ -182,13 +182,13 @@ Cases tables() {
   for (const double s : {1e-3, 1e-2, 0.3, 7.0, 1e2, 1e3})
     for (const Vec2d& by : {Vec2d{0, 0}, Vec2d{1e-3, -1}, Vec2d{-100, 37}, Vec2d{1e4, -1e4}}) {
       if (norm(by) > 1e6 * s) continue;  // a millimetre at ten kilometres has four digits left
-      Physics physics = spin_physics(radius * s);
+      Physics physics = spin_physics({radius * s});
       std::get<Han2005>(physics.cushion).height = 1.25 * radius * s;
       std::get<SlideRoll>(physics.motion).spinning_friction = 0.015;
       const ShotRequest shot{.table = polygon_table({Vec2d{0, 0} * s + by, Vec2d{2, 0} * s + by,
                                                      Vec2d{2.25, 1} * s + by, Vec2d{0, 1.125} * s + by}),
                              .physics = physics,
-                             .ball = {Vec2d{0.5, 0.375} * s + by, radius * s, 0.17},
+                             .ball = {Vec2d{0.5, 0.375} * s + by, {radius * s, 0.17}},
                              .launch = {3 * std::sqrt(s), radians(33)},
                              .spin = {.top = -0.5, .side = 0.75, .masse = 0.25}};
       out.push_back(hard(fmt::format("size {}, at {} {}", s, by.x, by.y), shot));
@@ -229,7 +229,7 @@ Cases integrated_impacts() {
       for (const LaunchSpin& spin : {LaunchSpin{.top = 1}, LaunchSpin{}, LaunchSpin{.top = 1, .side = 1.2},
                                      LaunchSpin{.top = -0.5, .side = -0.4}}) {
         ShotRequest shot = spin_shot({1.2, 0.3}, 1.5, aim, spin);
-        shot.physics.cushion = Mathavan2010{.radius = R, .height = 1.28 * R, .restitution = Restitution{e}};
+        shot.physics.cushion = Mathavan2010{.height = 1.28 * R, .restitution = Restitution{e}};
         out.push_back(hard(fmt::format("aim {}, restitution {}, top {}, side {}", aim, e, spin.top, spin.side), shot));
         out.back().cushions = 4;
       }
@@ -280,7 +280,7 @@ Cases hard_cases(std::string_view name) {
 }
 
 Compared compare_with_truth(const HardCase& c) {
-  const Boundary boundary(c.table, c.radius);
+  const Boundary boundary(c.table, {c.radius});
   return compare_with_truth({boundary, c.physics, c.start, c.cushions, c.events});
 }
 

@@ -25,19 +25,19 @@ Puzzle to_point(Vec2d at, int cushions, const Physics& physics, Range arrive) {
 
 Puzzles on_cushions() {
   Puzzles out;
-  for (const Physics& physics : {ideal_physics(), rolling_physics(), spin_physics(R)})
+  for (const Physics& physics : {ideal_physics(), rolling_physics(), spin_physics({R})})
     for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{2 - R, 0.6}, Vec2d{0.4, 1 - R}, Vec2d{2 - R, 1 - R}, Vec2d{R, R}})
       for (const int cushions : {0, 1}) out.push_back(to_point(target, cushions, physics, {0.3, 0.3}));
   for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}, Vec2d{2 - R, 1 - R}})
     out.push_back(to_point(target, 0, rolling_physics(), {0, 0}));
   for (const Vec2d& target : {Vec2d{1.3, R}, Vec2d{0.4, 1 - R}})
-    out.push_back(to_point(target, 0, spin_physics(R), {0, 0}));
+    out.push_back(to_point(target, 0, spin_physics({R}), {0, 0}));
   return out;
 }
 
 Puzzles at_the_start() {
   Puzzles out;
-  for (const Physics& physics : {ideal_physics(), rolling_physics(), spin_physics(R)})
+  for (const Physics& physics : {ideal_physics(), rolling_physics(), spin_physics({R})})
     for (const int cushions : {1, 2}) out.push_back(to_point({0.6, 0.35}, cushions, physics, {0.3, 0.3}));
   return out;
 }
@@ -46,7 +46,7 @@ Puzzles at_the_start() {
 Puzzles at_the_speed_bound() {
   Puzzles out;
   const double v = 0.4;
-  for (const Physics& physics : {rolling_physics(), spin_physics(R)})
+  for (const Physics& physics : {rolling_physics(), spin_physics({R})})
     for (const double share : {1.0, 1 - 1e-15, 1 - 1e-12, 0.5}) {
       const double reach = is_straight(physics) ? v * v / (2 * 0.01 * 9.81)
                                                 : 12 * v * v / (49 * 0.2 * 9.81) + 25 * v * v / 49 / (2 * 0.01 * 9.81);
@@ -80,7 +80,7 @@ struct Rest {
 };
 
 Rest rest_of(const ShotRequest& shot) {
-  const Boundary boundary(shot.table, shot.ball.radius);
+  const Boundary boundary(shot.table, shot.ball.body);
   const State<double> s = start_state(shot);
   const Run run{boundary, shot.physics, s};
   const Condition c = condition(run);

@@ -23,17 +23,16 @@ ShotRequest shot_that_stops(test::Random& r, bool spin, int bounces, Vec2d& end,
   for (;;) {
     ShotRequest s;
     s.table = make_table(preset);
-    s.ball.radius = preset.radius;
+    s.ball.body = preset.body;
     const Vec2d size = s.table.highest();
-    const double R = s.ball.radius;
+    const double R = s.ball.body.radius;
     // Grid positions of a tenth of a millimetre, as people and programs give them.
     const auto place = [&](double to) { return std::round(1e4 * r.uniform(R, to - R)) / 1e4; };
     s.ball.at = {place(size.x), place(size.y)};
-    s.physics = spin ? spin_physics(R) : rolling_physics();
-    if (spin) std::get<Han2005>(s.physics.cushion).height = preset.nose_height;
+    s.physics = spin ? spin_physics(s.ball.body, preset.nose_height) : rolling_physics();
     s.launch = {r.log_uniform(0.5, 6), radians(r.uniform(0, 360))};
     const Trajectory t = simulate(s);
-    if (t.end != Trajectory::End::rest || t.cushions != bounces) continue;
+    if (t.end != EventKind::rest || t.cushions != bounces) continue;
     end = t.events.back().state.at;
     sequence = t.sequence();
     return s;

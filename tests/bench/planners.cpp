@@ -49,7 +49,7 @@ Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
     least = std::min(least, took.count());
   }
   const double miss = !a.shots.empty() ? a.shots[0].miss : a.nearest ? a.nearest->shot.miss : 1;
-  return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.radius,
+  return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.body.radius,
           static_cast<double>(a.simulations), least};
 }
 
@@ -69,7 +69,7 @@ Outcome by_mirror(const Puzzle& p) {
     if (speed) least = std::min(least, replay(q, ledger, {*speed, c->angle}, Goal::exactly(q, c->bounces)).miss);
   }
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-  return {least <= 1e-9 * p.table.diagonal(), least <= p.ball.radius, static_cast<double>(ledger.simulations()),
+  return {least <= 1e-9 * p.table.diagonal(), least <= p.ball.body.radius, static_cast<double>(ledger.simulations()),
           took.count()};
 }
 

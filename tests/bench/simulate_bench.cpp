@@ -20,7 +20,7 @@ template <class Motion>
 void simulate(benchmark::State& state, const Motion& motion, bool pockets) {
   Table table = rectangle_table(2.54, 1.27);
   if (pockets) table.pockets = six_pockets(table, {0.116, 0.129});
-  const Boundary boundary(table, 0.028575);
+  const Boundary boundary(table, {0.028575});
   test::Random random(1);
   std::vector<State<double>> starts;
   while (starts.size() < shots) {

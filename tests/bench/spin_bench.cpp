@@ -25,7 +25,7 @@ struct Case {
 };
 
 const Boundary& boundary() {
-  static const Boundary made(rectangle_table(2.54, 1.27), 0.028575);
+  static const Boundary made(rectangle_table(2.54, 1.27), {0.028575});
   return made;
 }
 
@@ -101,7 +101,7 @@ void arrive(benchmark::State& state) {
   for (auto _ : state) {
     const Case &c = cases()[n % cases().size()], &other = cases()[(n + 1) % cases().size()];
     ++n;
-    benchmark::DoNotOptimize(arrive_locked(SlideRoll{}, start_of<T>(c), other.at, 0.06, false));
+    benchmark::DoNotOptimize(arrive_locked(SlideRoll{}, boundary().body, start_of<T>(c), other.at, 0.06, false));
   }
 }
 

@@ -33,7 +33,7 @@ TEMPLATE_LIST_TEST_CASE("a bounce gains no energy, does not go on into the cushi
   double most = 0;
   for (int i = 0; i < draws; ++i) {
     const auto cushion = draw<TestType>(r);
-    const State<double> s = approaching(r), e = bounced(cushion, s);
+    const State<double> s = approaching(r), e = bounced(cushion, body, s);
     INFO("draw " << i << " of seed " << seed);
     REQUIRE(energy_of(e) <= energy_of(s) * (1 + 1e-14 + integration_error<TestType>));
     REQUIRE(e.velocity.y >= 0);
@@ -49,13 +49,13 @@ TEMPLATE_LIST_TEST_CASE("a bounce is the same in a mirror, turned, and twice as 
   constexpr double off = integration_error<TestType>;
   for (int i = 0; i < draws; ++i) {
     const auto cushion = draw<TestType>(r);
-    const State<double> s = approaching(r), e = bounced(cushion, s);
+    const State<double> s = approaching(r), e = bounced(cushion, body, s);
     const double angle = r.uniform(0, 6.28), scale = scale_of(s);
     INFO("draw " << i << " of seed " << seed);
-    REQUIRE(difference(bounced(cushion, mirrored(s)), mirrored(e)) <= (1e-14 + off) * scale);
-    REQUIRE(difference(bounced(cushion, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle)) <=
+    REQUIRE(difference(bounced(cushion, body, mirrored(s)), mirrored(e)) <= (1e-14 + off) * scale);
+    REQUIRE(difference(bounced(cushion, body, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle)) <=
             (2e-14 + off) * scale);
-    REQUIRE(difference(bounced(cushion, times(s, 2)), times(e, 2)) <= off * scale);
+    REQUIRE(difference(bounced(cushion, body, times(s, 2)), times(e, 2)) <= off * scale);
   }
 }
 
@@ -71,14 +71,14 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a bounce agree with differences", "", Cu
     s.velocity.y = -norm(s.velocity) * r.uniform(0.1, 0.9);
     State<Jet> dual{to<Jet>(s.at), to<Jet>(s.velocity), {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
     for (int k = 0; k < 7; ++k) number_of(dual, k).v[k] = 1;
-    cushion.bounce(dual, Vec2d{0, 1});
+    cushion.bounce(body, dual, Vec2d{0, 1});
     const double V = scale_of(s), unit[] = {1, 1, V, V, V / ball_radius, V / ball_radius, V / ball_radius};
     for (int in = 2; in < 7; ++in)
       for (int out = 2; out < 7; ++out) {
         const auto f = [&](double h) {
           State<double> moved = s;
           number_of(moved, in) += h * unit[in];
-          cushion.bounce(moved, Vec2d{0, 1});
+          cushion.bounce(body, moved, Vec2d{0, 1});
           return number_of(moved, out) / unit[out];
         };
         const Slope slope = ridders(f, 1e-4);
@@ -103,16 +103,16 @@ TEMPLATE_TEST_CASE("restitution 0 leaves the least, 1 the most", "", Mirror, Han
     INFO("draw " << i << " of seed " << seed);
     for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       cushion.restitution = Restitution{e};
-      const double leaves = bounced(cushion, s).velocity.y;
+      const double leaves = bounced(cushion, body, s).velocity.y;
       REQUIRE(leaves >= before - integration_error<TestType> * scale_of(s));
       before = leaves;
     }
     cushion.restitution = Restitution{0.5, -1e6};  // clamped at 0
-    const State<double> clamped = bounced(cushion, s);
+    const State<double> clamped = bounced(cushion, body, s);
     cushion.restitution = Restitution{0};
     if (-s.velocity.y <= 1e-5) continue;  // too slow to be clamped
     ++clamped_at_0;
-    REQUIRE(difference(clamped, bounced(cushion, s)) <= 1e-15 * scale_of(s));
+    REQUIRE(difference(clamped, bounced(cushion, body, s)) <= 1e-15 * scale_of(s));
   }
   CHECK(clamped_at_0 > draws * 8 / 10);
 }
@@ -123,8 +123,8 @@ TEST_CASE("han2005 without friction is a mirror of its own: e cos^2 - sin^2 of t
   for (int i = 0; i < draws; ++i) {
     Han2005 h = draw<Han2005>(r);
     h.friction = 0;
-    const State<double> s = approaching(r), e = bounced(h, s);
-    const double sine = h.height / h.radius - 1, cosine2 = 1 - sine * sine;
+    const State<double> s = approaching(r), e = bounced(h, body, s);
+    const double sine = h.height / ball_radius - 1, cosine2 = 1 - sine * sine;
     const double out = -s.velocity.y * ((1 + h.restitution.at_rest) * cosine2 - 1);
     CHECK(e.velocity.y == Approx(std::max(0.0, out)).margin(1e-14 * scale_of(s)));
     CHECK(e.velocity.x == Approx(s.velocity.x).epsilon(1e-14));
@@ -134,14 +134,13 @@ TEST_CASE("han2005 without friction is a mirror of its own: e cos^2 - sin^2 of t
 
 TEST_CASE("han2005 with a sticking contact and a nose at the centre: 2/7 of the slip is taken") {
   // θ → 0, all friction: the contact point of the cushion comes to rest along it, s = vt + R ωz → vt' = vt − 2/7 s.
-  const Han2005 h{
-      .radius = ball_radius, .height = ball_radius * (1 + 1e-12), .restitution = Restitution{1}, .friction = 1e6};
+  const Han2005 h{.height = ball_radius * (1 + 1e-12), .restitution = Restitution{1}, .friction = 1e6};
   Random r(seed);
   for (int i = 0; i < draws; ++i) {
     const State<double> s = draw_state(r);
     State<double> in = s;
     in.velocity.y = -std::abs(s.velocity.y) - 1e-3 * scale_of(s);
-    const State<double> e = bounced(h, in);
+    const State<double> e = bounced(h, body, in);
     // The cushion lies at y = 0 below the ball: its contact point moves along +x with vx + R ωz... seen from the ball,
     // −R ŷ.
     const double slip = in.velocity.x + ball_radius * in.spin.z;
@@ -155,7 +154,7 @@ TEST_CASE("a cushion's promises are kept by ours, and a broken one is told") {
   Random r(seed);
   const auto broken = [](const auto& cushion) {
     std::vector<std::string> out;
-    for (const Promise& p : try_promises(cushion, ball_radius))
+    for (const Promise& p : try_promises(cushion, body))
       if (!p.kept()) out.push_back(p.what);
     return out;
   };
@@ -166,8 +165,8 @@ TEST_CASE("a cushion's promises are kept by ours, and a broken one is told") {
   using Frame = InCushionFrame<double>;
   const std::vector<std::string> energy{"energy after over energy before"},
       mirror{"difference in a mirror, of the whole"};
-  const CushionLawOf gains([](Frame& f) { f.vn *= -1.1; });
-  const CushionLawOf drifts([](Frame& f) { f.vn *= -0.5, f.vt *= f.vt > 0 ? 0.9 : 0.8; });
+  const CushionLawOf gains([](const Body&, Frame& f) { f.vn *= -1.1; });
+  const CushionLawOf drifts([](const Body&, Frame& f) { f.vn *= -0.5, f.vt *= f.vt > 0 ? 0.9 : 0.8; });
   CHECK(broken(CustomCushion{&gains}) == energy);
   CHECK(broken(CustomCushion{&drifts}) == mirror);
 }
@@ -175,13 +174,13 @@ TEST_CASE("a cushion's promises are kept by ours, and a broken one is told") {
 TEST_CASE("a custom cushion keeps the ball on the table, and its law finite") {
   using Frame = InCushionFrame<double>;
   State<double> s{{0, 0}, {1, -2}, {}};
-  const CushionLawOf goes_on([](Frame& f) { f.vn *= 0.5; });
-  const CushionLawOf nonsense([](Frame& f) { f.vt = std::nan(""); });
-  CustomCushion{&goes_on}.bounce(s, Vec2d{0, 1});
+  const CushionLawOf goes_on([](const Body&, Frame& f) { f.vn *= 0.5; });
+  const CushionLawOf nonsense([](const Body&, Frame& f) { f.vt = std::nan(""); });
+  CustomCushion{&goes_on}.bounce(body, s, Vec2d{0, 1});
   CHECK(s.velocity == Vec2d{1, 0});
   s.velocity = {1, 2};
-  CustomCushion{&nonsense}.bounce(s, Vec2d{0, 1});  // it moves away: no impact
+  CustomCushion{&nonsense}.bounce(body, s, Vec2d{0, 1});  // it moves away: no impact
   CHECK(s.velocity == Vec2d{1, 2});
   s.velocity = {1, -2};
-  CHECK_THROWS_AS(CustomCushion{&nonsense}.bounce(s, Vec2d{0, 1}), std::domain_error);
+  CHECK_THROWS_AS(CustomCushion{&nonsense}.bounce(body, s, Vec2d{0, 1}), std::domain_error);
 }

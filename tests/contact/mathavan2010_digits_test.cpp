@@ -21,9 +21,9 @@ std::array<T, 5> bounced(const test::Arrival& a, double tolerance, mathavan::Cou
   Mathavan2010 cushion = a.cushion;
   cushion.tolerance = tolerance;
   State<T> s = a.state<T>();
-  const mathavan::Course c = cushion.course(s, test::away_from_cushion);
+  const mathavan::Course c = cushion.course(a.body, s, test::away_from_cushion);
   if (course) *course = c;
-  const T R(cushion.radius);
+  const T R(a.body.radius);
   return {s.velocity.x, s.velocity.y, R * s.spin.x, R * s.spin.y, R * s.spin.z};
 }
 
@@ -49,8 +49,12 @@ TEST_CASE("mathavan2010 in 50 digits: the published impacts, to 1e-20 and by dou
   double by_tolerance = 0, by_double = 0;
   for (std::string line; std::getline(lines, line);) {
     const auto j = nlohmann::json::parse(line);
-    test::Arrival a{
-        j["set"] == "paper" ? test::paper_cushion() : test::pool_cushion(), {}, {j["top"], j["side"], 0}, ""};
+    const bool paper = j["set"] == "paper";
+    test::Arrival a{paper ? test::paper_ball : test::pool_ball,
+                    paper ? test::paper_cushion() : test::pool_cushion(),
+                    {},
+                    {j["top"], j["side"], 0},
+                    ""};
     a.velocity = direction(radians(j["incidence"])) * j["speed"].get<double>();
     const auto truth = bounced<Digits>(a, 1e-25);
     INFO(line);

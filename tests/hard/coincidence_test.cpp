@@ -38,7 +38,7 @@ TEST_CASE("a ball that comes to rest at a cushion is inside and at rest") {
   for (int ulps = -20; ulps <= 20; ++ulps) {
     const ShotRequest shot = spin_shot({2 - R - roll + ulps * 0x1p-52, 0.5}, v, 0, {.top = 1});
     const Trajectory t = simulate(shot);
-    CHECK(t.end == Trajectory::End::rest);
+    CHECK(t.end == EventKind::rest);
     CHECK(t.events.size() < 60);
     // A distance δ short of the wall the ball still has √(2 a δ): at most 20 units and their rounding here.
     CHECK(std::abs(t.events.back().state.at.x - (2 - R)) <= 1e-14);

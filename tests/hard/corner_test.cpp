@@ -17,7 +17,7 @@ constexpr double beside[] = {0, 1e-16, -1e-16, 1e-15, -1e-15, 1e-13, -1e-13, 1e-
 
 ShotRequest at_corner(const Table& table, double off, Physics physics) {
   ShotRequest shot{.table = table, .physics = std::move(physics), .ball = {{1, 0.5}, 0.028575, 0.17}, .launch = {2, 0}};
-  const Boundary b(table, 0.028575);
+  const Boundary b(table, {0.028575});
   const Vec2d d = b.walls[1].to - shot.ball.at;
   shot.launch.angle = wrap_angle(std::atan2(d.y, d.x) + off);
   return shot;
@@ -50,14 +50,14 @@ TEST_CASE("a ball driven into a corner it touches stays there until its spin is 
                      .physics = spin_physics(),
                      .ball = {{1.2, 0.05}, 0.0285, 0.17},
                      .launch = {1, 0}};
-    const Boundary b(shot.table, 0.0285);
+    const Boundary b(shot.table, {0.0285});
     // Frozen to two cushions, topspin into the vertex at the origin.
     const Wall& w = b.walls[0];
     shot.ball.at = w.from;
     shot.launch = {1e-3, wrap_angle(std::atan2(-b.walls[0].from.y, -b.walls[0].from.x))};
     shot.spin = {.top = 1000};
     const Trajectory t = simulate(shot);
-    REQUIRE(t.end == Trajectory::End::rest);
+    REQUIRE(t.end == EventKind::rest);
     CHECK(t.events.size() < 400);
     for (const Record& e : t.events) CHECK(b.clearance(e.state.at) >= -b.touch);
   }

@@ -23,7 +23,7 @@ State<double> with_slip(Vec2d at, Vec2d v, Vec2d slip) { return {at, v, {(slip.y
 }  // namespace
 
 TEST_CASE("a ball that leaves a cushion and curves back returns after 2 vn/a") {
-  const Boundary boundary(rectangle_table(2, 1), R);
+  const Boundary boundary(rectangle_table(2, 1), {R});
   const SlideRoll motion;
   const double a = motion.sliding_friction * motion.g;
   for (const double vn : {1e-6, 1e-4, 1e-2, 0.3}) {
@@ -42,7 +42,7 @@ TEST_CASE("a parabola that nearly touches a cushion line hits or misses as its v
   Worst worst("curving");
   const SlideRoll motion;
   const double a = motion.sliding_friction * motion.g, vn = 0.25, turn = vn * vn / (2 * a);
-  const Boundary boundary(rectangle_table(2, 1), R);
+  const Boundary boundary(rectangle_table(2, 1), {R});
   for (const HardCase& c : hard_cases("curving back")) {
     const double depth = 1 - (c.start.at.y - R) / turn;  // of vn²/2a, how far the vertex lies beyond the line
     INFO(c.what);
@@ -57,7 +57,7 @@ TEST_CASE("a parabola that nearly touches a cushion line hits or misses as its v
 }
 
 TEST_CASE("at the touch itself the ball stays inside, hit or miss") {
-  const Boundary boundary(rectangle_table(2, 1), R);
+  const Boundary boundary(rectangle_table(2, 1), {R});
   const SlideRoll motion;
   const double vn = 0.25, turn = vn * vn / (2 * motion.sliding_friction * motion.g);
   for (int ulps = -20; ulps <= 20; ++ulps) {

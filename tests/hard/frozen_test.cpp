@@ -30,7 +30,7 @@ TEST_CASE("a frozen ball bounces at once when driven in, and not when sent along
   for (const double gap : gaps) {
     const Trajectory in = simulate(spin_shot({0.7, R + gap}, 1.5, 300));
     REQUIRE(in.cushions > 0);
-    CHECK(in.events[1].kind == Record::Kind::cushion);
+    CHECK(in.events[1].kind == EventKind::cushion);
     CHECK(in.events[1].time <= gap / (1.5 * 0.86) * (1 + 1e-12));
     const Trajectory along = simulate(spin_shot({0.2, R + gap}, 1, 0, {.top = 1}));
     REQUIRE(along.cushions > 0);
@@ -45,7 +45,7 @@ TEST_CASE("a ball frozen to a cushion and driven along it by masse stays on it a
   // (spin that curves right, aim 0) until it rolls. On the cushion the whole time, by the law of resting.
   const Trajectory t = simulate(spin_shot({0.7, R}, 0.4, 0, {.masse = 2}));
   REQUIRE(t.events.size() > 2);
-  CHECK(t.events[1].kind == Record::Kind::slide_to_roll);
+  CHECK(t.events[1].kind == EventKind::slide_to_roll);
   CHECK(t.events[1].state.at.y == R);
   CHECK(t.events[1].state.velocity.y == 0);
   CHECK(t.cushions == 0);

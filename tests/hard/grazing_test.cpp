@@ -17,7 +17,7 @@ TEST_CASE("a ball with spin that grazes a cushion stays within the bound") {
        hard_cases("grazing")) {  // the place of the bounce, and of rest, where the error is small again
     INFO(c.what);
     CHECK(worst.within_bound(compare_with_truth(c)));
-    const Boundary boundary(c.table, c.radius);
+    const Boundary boundary(c.table, {c.radius});
     CHECK(run_double({boundary, c.physics, c.start, 1}).events.back().contact == Contact::rail(0));
   }
   CHECK(worst.kappa > 1e6);  // the cases are as hard as they claim
@@ -25,7 +25,7 @@ TEST_CASE("a ball with spin that grazes a cushion stays within the bound") {
 
 TEST_CASE("a point meets the line after gap over normal speed, to rounding") {
   for (const double slope : {1e-3, 1e-9, 1e-15, 1e-100, 1e-200}) {
-    const Boundary boundary(rectangle_table(2, 1), 0);
+    const Boundary boundary(rectangle_table(2, 1), {0});
     // Straight on between left and right for ever; the bottom comes after 0.25/slope seconds, if that is first.
     const Arc<double> arc{{1, 0.25}, {1, -slope}, {0, 0}, forever};
     CHECK(time_to_line(arc, boundary.walls[0]) == 0.25 / slope);

@@ -25,7 +25,7 @@ TEST_CASE("20 to 20000 bounces between mirrors keep the bound") {
 
 TEST_CASE("the unfolded path of a point, by hand") {
   // Speed (3, 4)/5 in a 1 × 1 square from (0.5, 0.5): after t = 5k it has moved (3k, 4k): back at the start for even k.
-  const Boundary boundary(rectangle_table(1, 1), 0);
+  const Boundary boundary(rectangle_table(1, 1), {0});
   Simulator sim(boundary, Ideal{}, Mirror{1}, State<double>{{0.5, 0.5}, {0.6, 0.8}});
   int bounces = 0;
   while (sim.time() < 1000) bounces += sim.step(1000 - sim.time()).kind == EventKind::cushion;

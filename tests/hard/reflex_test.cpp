@@ -32,7 +32,7 @@ TEST_CASE("aims across a reflex vertex keep the bound and the table") {
   for (const HardCase& c : hard_cases("reflex vertices")) {
     INFO(c.what);
     CHECK(worst.within_bound(compare_with_truth(c)));
-    const Boundary boundary(c.table, c.radius);
+    const Boundary boundary(c.table, {c.radius});
     for (const TruthEvent& e : run_double({boundary, c.physics, c.start}).events)
       CHECK(boundary.clearance(e.state.at) >= -boundary.touch);
   }
@@ -43,7 +43,7 @@ TEST_CASE("grazing the arc of a vertex is a hit or a miss, and true") {
   bool hits = false;  // every other case
   for (const HardCase& c : hard_cases("grazing a reflex vertex")) {
     INFO(c.what);
-    const Boundary boundary(c.table, c.radius);
+    const Boundary boundary(c.table, {c.radius});
     CHECK((run_double({boundary, c.physics, c.start, 1}).events.front().contact == Contact::vertex(4)) ==
           std::exchange(hits, !hits));
     CHECK(worst.within_bound(compare_with_truth(c)));
@@ -53,10 +53,10 @@ TEST_CASE("grazing the arc of a vertex is a hit or a miss, and true") {
 
 TEST_CASE("a slow ball pressed against a vertex comes to rest") {
   // Topspin drives it at the vertex again and again, e = 0.2.
-  ShotRequest shot = towards({1.1, 0.9}, {1, 1}, 0, {SlideRoll{.radius = 0.0285}, Mirror{0.2}});
+  ShotRequest shot = towards({1.1, 0.9}, {1, 1}, 0, {SlideRoll{}, Mirror{0.2}});
   shot.launch.speed = 0.5;
   shot.spin = {.top = 1.3};
   const Trajectory t = simulate(shot);
-  CHECK(t.end == Trajectory::End::rest);
+  CHECK(t.end == EventKind::rest);
   CHECK(t.events.size() < 200);
 }

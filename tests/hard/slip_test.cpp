@@ -33,6 +33,6 @@ TEST_CASE("natural roll rolls from the start, at any angle and speed") {
   for (int degrees_ = 0; degrees_ < 360; ++degrees_)
     for (const double v : {1e-6, 0.1, 1.0, 30.0}) {
       const Trajectory t = simulate(spin_shot({1, 0.5}, v, degrees_, {.top = 1}));
-      CHECK((t.events[1].kind == Record::Kind::cushion || t.events[1].kind == Record::Kind::roll_to_rest));
+      CHECK((t.events[1].kind == EventKind::cushion || t.events[1].kind == EventKind::rest));
     }
 }

@@ -14,7 +14,7 @@ TEST_CASE("a slow ball rests where the formula says, down to a hundredth of a na
   for (const double v : {1e-6, 1e-5, 1e-3, 1e-1, 0.3}) {
     const double expected = 12 * v * v / (49 * 0.2 * 9.81) + 25 * v * v / 49 / (2 * 0.01 * 9.81);
     const Trajectory t = simulate(spin_shot({0.5, 0.5}, v, 0));
-    CHECK(t.end == Trajectory::End::rest);
+    CHECK(t.end == EventKind::rest);
     CHECK(t.cushions == 0);
     CHECK(std::abs(t.events.back().state.at.x - 0.5 - expected) <= 4 * 0x1p-53);
     CHECK(t.events.back().time == Approx(2 * v / (7 * 0.2 * 9.81) + 5 * v / 7 / (0.01 * 9.81)).epsilon(1e-15));

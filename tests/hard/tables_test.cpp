@@ -16,7 +16,7 @@ ShotRequest scaled(double s, Vec2d shift = {0, 0}) {
   constexpr double R = 0.03125;
   Table table = polygon_table(
       {Vec2d{0, 0} * s + shift, Vec2d{2, 0} * s + shift, Vec2d{2.25, 1} * s + shift, Vec2d{0, 1.125} * s + shift});
-  Physics physics = spin_physics(R * s);
+  Physics physics = spin_physics({R * s});
   std::get<Han2005>(physics.cushion).height = 1.25 * R * s;
   std::get<SlideRoll>(physics.motion).spinning_friction = 0.015;
   return {.table = table,
@@ -56,9 +56,9 @@ TEST_CASE("a ball frozen to a cushion far from the origin is accepted and stays 
     for (Vec2d& v : table.vertices) v += Vec2d{far, far / 3};
     ShotRequest shot = spin_shot({far + 0.7, far / 3 + 0.028575}, 2, 200, {.masse = 1});
     shot.table = table;
-    const Boundary b(table, 0.028575);
+    const Boundary b(table, {0.028575});
     const Trajectory t = simulate(shot);
-    CHECK(t.end == Trajectory::End::rest);
+    CHECK(t.end == EventKind::rest);
     for (const Record& e : t.events) CHECK(b.clearance(e.state.at) >= -b.touch);
   }
 }

@@ -27,11 +27,11 @@ TEST_CASE("the speeds of return fall by (2 - 5e)/7, or by e") {
     ShotRequest shot = rolling_into(e);
     std::get<SlideRoll>(shot.physics.motion).rolling_friction = 1e-9;  // nothing to speak of on the way back
     const Trajectory t = simulate(shot);
-    REQUIRE(t.end == Trajectory::End::rest);
+    REQUIRE(t.end == EventKind::rest);
     REQUIRE(t.cushions > 3);
     std::vector<double> leaving;
     for (const Record& r : t.events)
-      if (r.kind == Record::Kind::cushion) leaving.push_back(r.state.velocity.y);
+      if (r.kind == EventKind::cushion) leaving.push_back(r.state.velocity.y);
     INFO("restitution " << e);
     if (e < 1.0 / 6)
       CHECK(leaving[2] / leaving[1] == Approx(e).epsilon(1e-12));
@@ -47,7 +47,7 @@ TEST_CASE("no ball bounces for ever") {
       const ShotRequest shot = rolling_into(e, degrees_);
       const Trajectory t = simulate(shot);
       INFO("restitution " << e << ", aim " << degrees_);
-      CHECK(t.end == Trajectory::End::rest);
+      CHECK(t.end == EventKind::rest);
       CHECK(t.events.size() < 200);
     }
   for (const HardCase& c : hard_cases("endless bouncing")) {
@@ -58,7 +58,7 @@ TEST_CASE("no ball bounces for ever") {
 
 TEST_CASE("without friction and with loss a ball comes to rest before its speed underflows") {
   for (const double e : {0.0, 0.1, 0.5, 0.9}) {
-    const Boundary boundary(rectangle_table(2, 1), 0.03);
+    const Boundary boundary(rectangle_table(2, 1), {0.03});
     Simulator sim(boundary, Rolling{.friction = 0}, Mirror{e}, State<double>{{0.7, 0.4}, {1, 0.37}});
     Event event = sim.step();
     long events = 1;

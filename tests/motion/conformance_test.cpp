@@ -26,8 +26,8 @@ template <class Motion>
 State<double> draw_state_of(const Motion& motion, Random& r) {
   State<double> s = draw_state(r);
   if constexpr (std::is_same_v<Motion, Dragging>)
-    if (r.chance(0.5)) s.spin = natural_roll(s.velocity, motion.radius);
-  s.spin = motion.spin(s);
+    if (r.chance(0.5)) s.spin = natural_roll(s.velocity, body.radius);
+  s.spin = motion.spin(body, s);
   return s;
 }
 
@@ -55,13 +55,13 @@ double some_time(Random& r, const Arc<double>& arc) {
 /// With the spin of natural roll where the motion does not carry spin.
 template <class Motion>
 State<double> whole(const Motion& motion, State<double> s) {
-  s.spin = motion.spin(s);
+  s.spin = motion.spin(body, s);
   return s;
 }
 
 template <class Motion>
 State<double> after(const Motion& motion, const State<double>& s, double t) {
-  return whole(motion, advance(motion, s, motion.arc(s), t));
+  return whole(motion, advance(motion, body, s, motion.arc(body, s), t));
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ TEMPLATE_LIST_TEST_CASE("energy never grows along an arc, nor where it ends", ""
   for (int i = 0; i < draws; ++i) {
     const auto motion = draw<TestType>(r);
     const State<double> s = draw_state_of(motion, r);
-    const Arc<double> arc = motion.arc(s);
+    const Arc<double> arc = motion.arc(body, s);
     double before = energy_of(s);
     INFO("draw " << i << " of seed " << seed);
     for (const double part : {0.0, 0.3, 0.6, 1.0}) {
@@ -82,8 +82,8 @@ TEMPLATE_LIST_TEST_CASE("energy never grows along an arc, nor where it ends", ""
     }
     if (!(arc.duration < forever)) continue;
     ++ended;
-    State<double> end = advance(motion, s, arc, arc.duration);
-    motion.finish(end, arc);
+    State<double> end = advance(motion, body, s, arc, arc.duration);
+    motion.finish(body, end, arc);
     REQUIRE(energy_of(whole(motion, end)) <= energy_of(s) * (1 + 1e-14));
     REQUIRE(alike(whole(motion, end), after(motion, s, arc.duration), 1e-14, scale_of(s), arc));  // no jump
   }
@@ -95,7 +95,8 @@ TEMPLATE_LIST_TEST_CASE("a motion is the same in a mirror, turned and moved", ""
   for (int i = 0; i < draws; ++i) {
     const auto motion = draw<TestType>(r);
     const State<double> s = draw_state_of(motion, r);
-    const double t = some_time(r, motion.arc(s)), angle = r.uniform(0, 6.28), room = norm(s.at) + norm(s.velocity) * t;
+    const double t = some_time(r, motion.arc(body, s)), angle = r.uniform(0, 6.28),
+                 room = norm(s.at) + norm(s.velocity) * t;
     const State<double> end = after(motion, s, t), in_mirror = after(motion, mirrored(s), t),
                         in_turn = after(motion, turned(s, angle), t);
     State<double> moved = s;
@@ -105,7 +106,7 @@ TEMPLATE_LIST_TEST_CASE("a motion is the same in a mirror, turned and moved", ""
     REQUIRE(in_mirror.at == mirrored(end).at);
     REQUIRE(difference(in_mirror, mirrored(end)) == 0);
     REQUIRE(norm(in_turn.at - turned(end.at, angle)) <= 1e-14 * room);
-    REQUIRE(alike(in_turn, turned(end, angle), 3e-14, scale_of(s), motion.arc(s)));
+    REQUIRE(alike(in_turn, turned(end, angle), 3e-14, scale_of(s), motion.arc(body, s)));
     REQUIRE(norm(away.at - end.at - Vec2d{3, -5}) <= 1e-14 * (10 + room));
     REQUIRE(difference(away, end) == 0);
   }
@@ -116,7 +117,7 @@ TEMPLATE_LIST_TEST_CASE("speed scales time, and its square length", "", Motions)
   for (int i = 0; i < draws; ++i) {
     const auto motion = draw<TestType>(r);
     const State<double> s = draw_state_of(motion, r);
-    const Arc<double> arc = motion.arc(s), fast = at_twice_the_speed(motion).arc(times(s, 2));
+    const Arc<double> arc = motion.arc(body, s), fast = at_twice_the_speed(motion).arc(body, times(s, 2));
     INFO("draw " << i << " of seed " << seed);
     if (!(arc.duration < forever)) {
       REQUIRE(fast.velocity == arc.velocity * 2.0);
@@ -137,11 +138,11 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Mo
   for (int i = 0; i < 300; ++i) {
     const auto motion = draw<TestType>(r);
     const State<double> s = draw_state_of(motion, r);
-    const Arc<double> arc = motion.arc(s);
+    const Arc<double> arc = motion.arc(body, s);
     const double t = (arc.duration < forever ? arc.duration : 1) * r.uniform(0.1, 0.8);
     State<Jet> dual{to<Jet>(s.at), to<Jet>(s.velocity), {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
     for (int k = 0; k < 7; ++k) number_of(dual, k).v[k] = 1;
-    State<Jet> end = advance(motion, dual, motion.arc(dual), Jet(t));
+    State<Jet> end = advance(motion, body, dual, motion.arc(body, dual), Jet(t));
     const double V = scale_of(s), unit[] = {1, 1, V, V, V / ball_radius, V / ball_radius, V / ball_radius};
     // A ball that rolls goes on rolling when it is moved: its spin follows.
     const bool rolls = !TestType::straight && arc.end == PhaseEnd::rest;
@@ -150,8 +151,8 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Mo
         const auto f = [&](double h) {
           State<double> moved = s;
           number_of(moved, in) += h * unit[in];
-          if (rolls) moved.spin = natural_roll(moved.velocity, ball_radius);
-          State<double> e = advance(motion, moved, motion.arc(moved), t);
+          if (rolls) moved.spin = natural_roll(moved.velocity, body.radius);
+          State<double> e = advance(motion, body, moved, motion.arc(body, moved), t);
           return number_of(e, out) / unit[out];
         };
         const Slope slope = ridders(f, 1e-2);
@@ -173,7 +174,7 @@ TEST_CASE("a ball struck in the centre rolls after 2v/(7 mu g), 12v^2/(49 mu g),
     for (const double mu : {0.05, 0.2}) {
       const SlideRoll motion{.sliding_friction = mu};
       const State<double> s{{0, 0}, {0.6 * v, -0.8 * v}};
-      const Arc<double> arc = motion.arc(s);
+      const Arc<double> arc = motion.arc(body, s);
       const double a = mu * motion.g;
       CHECK(arc.end == PhaseEnd::roll);
       CHECK(arc.duration == Approx(2 * v / (7 * a)).epsilon(1e-15));
@@ -187,12 +188,12 @@ TEST_CASE("a ball launched with spin s rolls at (5 + 2s)/7 of its speed") {
   for (const double s : {-3.0, -1.0, -0.5, 0.5, 0.999, 1.25, 4.0}) {
     const SlideRoll motion;
     const Vec2d forward{0.8, 0.6};
-    State<double> state = launched(Vec2d{0, 0}, motion.radius, forward * v, LaunchSpin{.top = s});
-    const Arc<double> arc = motion.arc(state);
-    state = advance(motion, state, arc, arc.duration);
-    motion.finish(state, arc);
+    State<double> state = launched(Vec2d{0, 0}, body.radius, forward * v, LaunchSpin{.top = s});
+    const Arc<double> arc = motion.arc(body, state);
+    state = advance(motion, body, state, arc, arc.duration);
+    motion.finish(body, state, arc);
     CHECK(dot(state.velocity, forward) == Approx((5 + 2 * s) / 7 * v).epsilon(1e-14).margin(1e-15));
-    CHECK(motion.slip(state) == Vec2d{0, 0});
+    CHECK(motion.slip(body, state) == Vec2d{0, 0});
   }
 }
 
@@ -201,8 +202,8 @@ TEST_CASE("without masse the path of a slide is straight, with it the slip keeps
   for (int i = 0; i < draws; ++i) {
     const SlideRoll motion = draw<SlideRoll>(r);
     const State<double> s = draw_state(r);
-    const Arc<double> arc = motion.arc(s);
-    const Vec2d u = motion.slip(s), half = motion.slip(advance(motion, s, arc, arc.duration / 2));
+    const Arc<double> arc = motion.arc(body, s);
+    const Vec2d u = motion.slip(body, s), half = motion.slip(body, advance(motion, body, s, arc, arc.duration / 2));
     REQUIRE(norm(half - u * 0.5) <= 1e-14 * scale_of(s));
     REQUIRE(std::abs(cross(u, arc.acceleration)) <= 1e-15 * norm(u) * norm(arc.acceleration));
   }
@@ -210,22 +211,22 @@ TEST_CASE("without masse the path of a slide is straight, with it the slip keeps
 
 TEST_CASE("vertical spin stops after 2R w/(5 mu g) and never changes its sign") {
   const SlideRoll motion;
-  const double w = 40, stop = w * 2 * motion.radius / (5 * motion.spinning_friction * motion.g);
-  State<double> s{{0, 0}, {3, 0}, {0, 3 / motion.radius, w}};
-  const Arc<double> arc = motion.arc(s);
+  const double w = 40, stop = w * 2 * body.radius / (5 * motion.spinning_friction * motion.g);
+  State<double> s{{0, 0}, {3, 0}, {0, 3 / body.radius, w}};
+  const Arc<double> arc = motion.arc(body, s);
   REQUIRE(arc.duration > stop);
-  CHECK(advance(motion, s, arc, stop / 2).spin.z == Approx(w / 2).epsilon(1e-14));
-  CHECK(std::abs(advance(motion, s, arc, stop).spin.z) < 1e-13);
-  CHECK(advance(motion, s, arc, stop * 1.5).spin.z == 0);
+  CHECK(advance(motion, body, s, arc, stop / 2).spin.z == Approx(w / 2).epsilon(1e-14));
+  CHECK(std::abs(advance(motion, body, s, arc, stop).spin.z) < 1e-13);
+  CHECK(advance(motion, body, s, arc, stop * 1.5).spin.z == 0);
   s.spin.z = -w;
-  CHECK(advance(motion, s, arc, stop / 2).spin.z == Approx(-w / 2).epsilon(1e-14));
+  CHECK(advance(motion, body, s, arc, stop / 2).spin.z == Approx(-w / 2).epsilon(1e-14));
 }
 
 TEST_CASE("as friction goes to 0 a slide becomes a straight line of constant speed") {
   const State<double> s{{0, 0}, {1, 0.5}, {3, -2, 1}};
   Vec2d last{};
   for (const double mu : {1e-2, 1e-5, 1e-8, 0.0}) {
-    const Arc<double> arc = SlideRoll{.sliding_friction = mu}.arc(s);
+    const Arc<double> arc = SlideRoll{.sliding_friction = mu}.arc(body, s);
     CHECK((mu == 0 ? arc.duration == forever : arc.duration > 0.01 / (mu * 9.81)));
     last = arc.position(0.5);
     CHECK(norm(last - s.velocity * 0.5) <= mu * 9.81 * 0.125 * (1 + 1e-12) + 1e-15);

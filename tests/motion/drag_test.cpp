@@ -92,10 +92,10 @@ TEST_CASE("an arc with drag ends at rest, and its derivatives are those of its n
   const SlideRoll motion{.rolling_friction = {0.008, 0.01}};
   const auto rolling = [&](double speed) {
     State<double> s{{1, 2}, {0.6 * speed, 0.8 * speed}, {}};
-    motion.finish(s, motion.arc(s));  // natural roll
+    motion.finish(Body{}, s, motion.arc(Body{}, s));  // natural roll
     return s;
   };
-  const Arc<double> arc = motion.arc(rolling(2));
+  const Arc<double> arc = motion.arc(Body{}, rolling(2));
   REQUIRE(arc.end == PhaseEnd::rest);
   CHECK(norm(arc.velocity_at(arc.duration)) == 0);
   CHECK(arc.seconds(arc.duration) == Approx(std::log(1 + 0.01 / 0.008 * 2) / (0.01 * 9.81)).epsilon(1e-14));

@@ -153,7 +153,7 @@ TEST_CASE("preferences choose: the softest is slowest, the quickest soonest") {
 TEST_CASE("an aim into a cushion that the ball touches is offered only when asked for") {
   Puzzle p{.table = rectangle_table(2, 1),
            .physics = ideal_physics(),
-           .ball = {.at = {0.4, 0.1}, .radius = 0.1},
+           .ball = {.at = {0.4, 0.1}, .body = {.radius = 0.1}},
            .target = PointTarget{{1.5, 0.7}},
            .cushions = CushionRule::exactly(1)};
   const Answer away = solve(p, {.all = true});

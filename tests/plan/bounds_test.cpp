@@ -77,7 +77,7 @@ TEST_CASE("a beside-the-centre shot keeps the arrival speed that was asked") {
 
 TEST_CASE("a proof claims no more than was tried") {
   Puzzle frozen = rolling_puzzle({{2, 0.5}});
-  frozen.ball.at = {1, frozen.ball.radius};
+  frozen.ball.at = {1, frozen.ball.body.radius};
   frozen.cushions = CushionRule::exactly(1);
   frozen.physics = ideal_physics();
   frozen.angle = Range{radians(350), radians(359)};
@@ -91,7 +91,7 @@ TEST_CASE("a proof claims no more than was tried") {
 TEST_CASE("a target on a cushion line is one shot, not one for each way to count the bounce there") {
   Puzzle p{.table = rectangle_table(2, 1),
            .physics = ideal_physics(),
-           .ball = {.at = {0.5, 0.3}, .radius = 0},
+           .ball = {.at = {0.5, 0.3}, .body = {.radius = 0}},
            .target = PointTarget{{2, 0.4}},
            .cushions = {.min = 0, .max = 1}};
   const Answer a = solve(p, {.all = true, .robustness = false});

@@ -56,7 +56,7 @@ struct Fineness {
 class BruteForce {
  public:
   BruteForce(const Puzzle& p, const Fineness& fine)
-      : p_(p), boundary_(p.table, p.ball.radius), target_(std::get<PointTarget>(p.target).at), fine_(fine) {}
+      : p_(p), boundary_(p.table, p.ball.body), target_(std::get<PointTarget>(p.target).at), fine_(fine) {}
 
   std::vector<Found> run() {
     Aimed before = aim(0);
@@ -73,7 +73,7 @@ class BruteForce {
     return with_physics(p_.physics, [&](const auto& motion, const auto& cushion) {
       Rest out{speed, {}};
       Simulator sim(boundary_, motion, cushion,
-                    launched(p_.ball.at, p_.ball.radius, direction(wrap_angle(angle)) * speed, p_.spin));
+                    launched(p_.ball.at, p_.ball.body.radius, direction(wrap_angle(angle)) * speed, p_.spin));
       for (;;) {
         const Event e = sim.step();
         if (e.kind == EventKind::slide_to_roll) continue;

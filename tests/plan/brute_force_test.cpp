@@ -34,7 +34,7 @@ struct Found {
 
 class BruteForce {
  public:
-  BruteForce(const Puzzle& p) : p_(p), boundary_(p.table, p.ball.radius), target_(std::get<PointTarget>(p.target).at) {}
+  BruteForce(const Puzzle& p) : p_(p), boundary_(p.table, p.ball.body), target_(std::get<PointTarget>(p.target).at) {}
 
   std::vector<Found> run() {
     constexpr int steps = 18000;
@@ -52,7 +52,7 @@ class BruteForce {
     return with_physics(p_.physics, [&](const auto& motion, const auto& cushion) {
       Aimed out{angle, {}, {}};
       Simulator sim(boundary_, motion, cushion,
-                    launched(p_.ball.at, p_.ball.radius, direction(wrap_angle(angle)) * p_.speed.low, p_.spin));
+                    launched(p_.ball.at, p_.ball.body.radius, direction(wrap_angle(angle)) * p_.speed.low, p_.spin));
       double nearest = 1e300;
       for (;;) {
         const Event e = sim.step();

@@ -33,7 +33,7 @@ TEST_CASE("images find every shot that a sweep of the aim finds, and the sweep a
         Puzzle p = test::random_puzzle(random, family, ideal ? test::Model::ideal : test::Model::rolling).puzzle;
         // A target on a cushion is passed at the end of one leg and the start of the next: leave it out.
         if (!std::holds_alternative<PointTarget>(p.target)) continue;
-        if (Boundary(p.table, p.ball.radius).clearance(std::get<PointTarget>(p.target).at) < 1e-3) continue;
+        if (Boundary(p.table, p.ball.body).clearance(std::get<PointTarget>(p.target).at) < 1e-3) continue;
         p.cushions = {.min = 0, .max = 3};
         const Answer a = solve(p, {.planner = "image", .all = true, .robustness = false});
         const Answer b = solve(p, {.planner = "sweep", .all = true, .robustness = false});

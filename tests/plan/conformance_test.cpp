@@ -110,7 +110,7 @@ TEST_CASE("what a planner returns survives a replay in 50 digits") {
     if (!point || p.arrive || is_ideal(p.physics)) continue;  // those that come to rest at a point
     const Answer a = solve(p, {.planner = planner, .robustness = false});
     REQUIRE(a.status == Status::solved);
-    const Boundary boundary(p.table, p.ball.radius);
+    const Boundary boundary(p.table, p.ball.body);
     const test::Path path = test::run_truth({boundary, p.physics, start_state(as_request(p, a.shots[0]))});
     std::vector<Contact> sequence;
     for (const test::TruthEvent& e : path.events)

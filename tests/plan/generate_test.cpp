@@ -12,7 +12,7 @@ using namespace bankshot;
 namespace {
 
 Wish wish(const char* table, const char* physics, CushionRule cushions = {1, 3, {}}) {
-  const SceneDocument s = read_scene(table, physics);
+  const Scene s = read_scene(table, physics);
   return {.table = s.table, .physics = s.physics, .ball = s.ball, .cushions = std::move(cushions)};
 }
 
@@ -40,14 +40,14 @@ TEST_CASE("generate: puzzles read back to what was solved, and are solved at the
   }));
   INFO(scene << " " << physics);
   Wish w = wish(scene, physics);
-  if (w.table.diagonal() < 0.01) w.ball.radius = 0;
+  if (w.table.diagonal() < 0.01) w.ball.body.radius = 0;
   for (const Generated& g : made(w, 6)) {
     const Puzzle& p = g.puzzle;
     CHECK(g.answer.status == Status::solved);
     CHECK(g.answer.shots[0].miss <= 1e-9 * p.table.diagonal());
     CHECK(p.cushions.min == p.cushions.max);
     CHECK((p.cushions.min >= 1 && p.cushions.max <= 3));
-    if (w.ball.radius == 0) continue;  // not the table's own ball
+    if (w.ball.body.radius == 0) continue;  // not the table's own ball
     const Puzzle back = read_puzzle(write_puzzle(p, scene, physics));
     CHECK(write_puzzle(back) == write_puzzle(p));
     CHECK(write_puzzle(p, scene, physics).size() < write_puzzle(p).size());

@@ -38,7 +38,7 @@ TEST_CASE("a ledger charges paths by their bounces, and shares a budget evenly")
 TEST_CASE("a target's marks: a point, one pocket, any pocket") {
   Table table = rectangle_table(2, 1);
   table.pockets = six_pockets(table, pool_7ft_mouth);
-  const Boundary boundary(table, 0.02);
+  const Boundary boundary(table, {0.02});
   const auto point = marks_of(PointTarget{{1, 0.5}, 0.03}, boundary);
   REQUIRE(point.size() == 1);
   CHECK(point[0].reach == 0.03);

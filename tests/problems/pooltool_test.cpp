@@ -36,11 +36,11 @@ void compare(json line, Worst& worst) {
   CHECK(t.events.back().time == Approx(expect["rest_time"].get<double>()).margin(5e-4));
   std::vector<Record> events;
   for (const Record& e : t.events)
-    if (e.kind == Record::Kind::cushion || e.kind == Record::Kind::slide_to_roll) events.push_back(e);
+    if (e.kind == EventKind::cushion || e.kind == EventKind::slide_to_roll) events.push_back(e);
   REQUIRE(events.size() == expect["events"].size());
   for (std::size_t i = 0; i < events.size(); ++i) {
     const json& e = expect["events"][i];
-    CHECK((events[i].kind == Record::Kind::cushion) == (e["type"] == "cushion"));
+    CHECK((events[i].kind == EventKind::cushion) == (e["type"] == "cushion"));
     worst.event = std::max(worst.event, distance(events[i].state.at, e["at"]));
     CHECK(distance(events[i].state.velocity, e["velocity"]) < 1e-4);
     CHECK(events[i].state.spin.z == Approx(e["spin"][2].get<double>()).margin(5e-3));

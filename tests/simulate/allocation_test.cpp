@@ -43,7 +43,7 @@ using namespace bankshot;
 namespace {
 
 /// A law as a user would write it: loses a fifth of the normal speed, and side spin throws the ball.
-const CushionLawOf user_law([](InCushionFrame<double>& f) {
+const CushionLawOf user_law([](const Body&, InCushionFrame<double>& f) {
   f.vt -= 0.003 * f.wz;
   f.vn *= -0.8;
   f.wz *= 0.7;
@@ -73,7 +73,7 @@ TEST_CASE("a simulation does not allocate, plain or with derivatives, on any tab
   pocketed.pockets = {{"far", {2, 1}, 0.06}};
   for (const Table& table :
        {rectangle_table(2, 1), pocketed, polygon_table({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}})}) {
-    const Boundary boundary(table, 0.028575);
+    const Boundary boundary(table, {0.028575});
     check_shot<double>(boundary, SlideRoll{}, Han2005{});
     check_shot<double>(boundary, SlideRoll{}, Mirror{});
     check_shot<double>(boundary, Rolling{}, Mirror{});
@@ -89,7 +89,7 @@ TEST_CASE("a simulation does not allocate, plain or with derivatives, on any tab
 }
 
 TEST_CASE("a locked path does not allocate") {
-  const Boundary boundary(rectangle_table(2, 1), 0.028575);
+  const Boundary boundary(rectangle_table(2, 1), {0.028575});
   constexpr std::array route{Meeting{0, Contact::rail(1)}, Meeting{0, Contact::rail(2)}, Meeting{0, Contact::rail(3)}};
   const auto check = [&](const auto& motion, const auto& cushion) {
     const long before = allocations;

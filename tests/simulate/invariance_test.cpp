@@ -26,13 +26,13 @@ TEST_CASE("a ball never leaves the table and never gains energy") {
       for (int i = 0; i < 1000; ++i) {
         const ShotRequest shot =
             request_of(test::random_puzzle(random, family, ideal ? test::Model::ideal : test::Model::rolling));
-        const Boundary boundary(shot.table, shot.ball.radius);
+        const Boundary boundary(shot.table, shot.ball.body);
         const Trajectory t = simulate(shot);
-        double before = energy(shot.ball, t.events.front().state);
+        double before = energy(shot.ball.body, t.events.front().state);
         for (const Record& e : t.events) {
           INFO(test::name(family) << " number " << i << " of seed 5");
           REQUIRE(boundary.clearance(e.state.at) >= -2e-12 * boundary.diagonal);
-          const double now = energy(shot.ball, e.state);
+          const double now = energy(shot.ball.body, e.state);
           REQUIRE(now <= before * (1 + 1e-14));
           before = now;
         }
@@ -68,7 +68,7 @@ TEST_CASE("the shape of a rolling path does not depend on the speed") {
     fast.launch.speed = 9;
     const Trajectory t = simulate(slow), u = simulate(fast);
     REQUIRE(u.cushions >= t.cushions);
-    for (std::size_t k = 1; k + 1 < t.events.size() && t.events[k].kind == Record::Kind::cushion; ++k)
+    for (std::size_t k = 1; k + 1 < t.events.size() && t.events[k].kind == EventKind::cushion; ++k)
       CHECK(norm(t.events[k].state.at - u.events[k].state.at) < 1e-11);
   }
 }

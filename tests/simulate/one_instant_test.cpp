@@ -31,7 +31,7 @@ using Names = std::vector<std::string>;
 
 /// The first two events of a point with an exact velocity: no angle is exactly 45 degrees.
 std::array<Event, 2> first_two(const Table& table, const State<double>& start, State<double>* end = nullptr) {
-  const Boundary boundary(table, 0);
+  const Boundary boundary(table, {0});
   Simulator sim(boundary, Ideal{}, Mirror{1}, start);
   const std::array<Event, 2> events{sim.step(), sim.step()};
   CHECK(sim.travelled() == 0);
@@ -62,7 +62,7 @@ TEST_CASE("a pocket captures before a cushion bounces") {
   // The ball touches the right cushion and meets the capture circle at x = 1.875, in one instant.
   Table table = rectangle_table(2, 1);
   table.pockets = {{"p", {2.25, 0.5}, 0.375}};
-  const Boundary boundary(table, 0.125);
+  const Boundary boundary(table, {0.125});
   Simulator sim(boundary, Ideal{}, Mirror{1}, State<double>{{1, 0.5}, {1, 0}});
   CHECK(sim.step().kind == EventKind::pocket);
   CHECK(sim.state().at == Vec2d{1.875, 0.5});
@@ -73,9 +73,9 @@ TEST_CASE("a ball that starts inside a capture circle drops only after it has le
   table.pockets = {{"p", {0.5, 0.5}, 0.2}};
   ShotRequest away = on(table, {0.5, 0.55}, 0);
   away.until.cushions = 1;
-  CHECK(simulate(away).end == Trajectory::End::until);
+  CHECK(simulate(away).end == EventKind::horizon);
   const Trajectory back = simulate(on(table, {0.5, 0.5}, 0));
-  CHECK(back.end == Trajectory::End::pocketed);  // straight out, off the cushion, and back
+  CHECK(back.end == EventKind::pocket);  // straight out, off the cushion, and back
   CHECK(back.cushions == 1);
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("a dead cushion leaves the ball rolling along it") {
   ShotRequest shot = on(polygon_table({{0, 0}, {2, 0.3}, {1.8, 1.4}, {-0.2, 1.1}}), {1, 0.7}, 260, 0.05);
   shot.physics = {Rolling{}, Mirror{0}};
   const Trajectory t = simulate(shot);
-  CHECK(t.end == Trajectory::End::rest);
+  CHECK(t.end == EventKind::rest);
   CHECK(t.cushions <= 4);
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("a reflex vertex is met as an arc, and named v") {
 
 TEST_CASE("no path of a point slips between two edges at a reflex vertex") {
   const Table table = polygon_table({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}});
-  const Boundary boundary(table, 0);
+  const Boundary boundary(table, {0});
   for (int i = 0; i <= 200; ++i) {
     const Vec2d at{1.05 + 0.9 * i / 200, 0.1};
     const Vec2d d = Vec2d{1, 1} - at;

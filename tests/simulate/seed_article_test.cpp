@@ -57,7 +57,7 @@ TEST_CASE("the seed article's example agrees with the events derived by hand") {
     CHECK(contact_name(shot.table, e.contact) == expected[i].cushion);
     CHECK(e.time == Approx((v0 - std::sqrt(v0 * v0 - 2 * a * expected[i].path)) / a).epsilon(1e-12));
   }
-  CHECK(t.end == Trajectory::End::rest);
+  CHECK(t.end == EventKind::rest);
   CHECK(t.length == Approx(v0 * v0 / (2 * a)).epsilon(1e-13));
   CHECK(t.events.back().time == Approx(v0 / a).epsilon(1e-13));
 }
@@ -81,5 +81,5 @@ TEST_CASE("a shot can be stopped by time, by cushions or by length") {
   shot.until = {.length = 10.0};
   const Trajectory t = simulate(shot);
   CHECK(t.length == Approx(10).epsilon(1e-14));
-  CHECK(t.end == Trajectory::End::until);
+  CHECK(t.end == EventKind::horizon);
 }

@@ -39,7 +39,7 @@ TEST_CASE("derivatives through every event agree with differences in 50 digits")
     Random random(seed);
     for (int i = 0; i < 20; ++i) {
       const ShotRequest shot = random_shot(random, family);
-      const Boundary boundary(shot.table, shot.ball.radius);
+      const Boundary boundary(shot.table, shot.ball.body);
       const Run run{boundary, shot.physics, start_state(shot), 6};
       const Compared c = compare_with_truth(run);
       if (c.order != Compared::Order::same || c.kappa > 1e5) continue;
@@ -47,12 +47,12 @@ TEST_CASE("derivatives through every event agree with differences in 50 digits")
       for (const Wall& w : boundary.walls) at_cushion = at_cushion || dot(w.normal, run.start.at) - w.offset < 1e-9;
       if (at_cushion) continue;
       // A slip that is nearly 0 has a direction with few digits, and derivatives that change within them.
-      const Vec2d slip{run.start.velocity.x - boundary.radius * run.start.spin.y,
-                       run.start.velocity.y + boundary.radius * run.start.spin.x};
+      const Vec2d slip{run.start.velocity.x - boundary.body.radius * run.start.spin.y,
+                       run.start.velocity.y + boundary.body.radius * run.start.spin.x};
       if (const double part = norm(slip) / norm(run.start.velocity); part > 2e-16 && part < 1e-5) continue;
       const Condition dual = condition(run);
       const truth::Jacobian exact = truth_jacobian(run);
-      const double V = norm(run.start.velocity), R = boundary.radius, unit[] = {1, 1, V, V, V / R, V / R, V / R};
+      const double V = norm(run.start.velocity), R = boundary.body.radius, unit[] = {1, 1, V, V, V / R, V / R, V / R};
       INFO(name(family) << " number " << i << " of seed " << seed << ", kappa " << c.kappa << ": " << write_shot(shot));
       for (int out = 0; out < 2; ++out)
         for (int in = 0; in < (R > 0 ? 7 : 4); ++in) {
@@ -71,7 +71,7 @@ TEST_CASE("derivatives through every event agree with differences in 50 digits")
 TEST_CASE("two dual numbers give the columns that seven give") {
   using Jet = ceres::Jet<double, 2>;
   const ShotRequest shot = spin_shot({0.5, 0.3}, 4, 40, {.top = 0.3, .side = 0.8});
-  const Boundary boundary(shot.table, shot.ball.radius);
+  const Boundary boundary(shot.table, shot.ball.body);
   const State<double> s = start_state(shot);
   const Condition c = condition({boundary, shot.physics, s, 3});
   State<Jet> dual{

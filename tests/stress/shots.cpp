@@ -73,8 +73,8 @@ std::string check(const ShotRequest& shot, const Boundary& boundary, Tally& t) {
     Simulator sim(boundary, motion, cushion, start_state(shot));
     const auto energy_now = [&] {
       State<double> s = sim.state();
-      s.spin = motion.spin(s);
-      return energy(shot.ball, s);
+      s.spin = motion.spin(shot.ball.body, s);
+      return energy(shot.ball.body, s);
     };
     double before = energy_now();
     int cushions = 0;
@@ -147,7 +147,7 @@ Tally run(test::ShotFamily f, std::uint64_t seed, long count, long truth, std::o
   Tally t;
   for (long i = 0; i < count; ++i) {
     const ShotRequest shot = test::random_shot(random, f);
-    const Boundary boundary(shot.table, shot.ball.radius);
+    const Boundary boundary(shot.table, shot.ball.body);
     const int cushions = random.integer(1, 12);
     std::string problem = check(shot, boundary, t);
     if (problem.empty() && i < truth) problem = check_truth(shot, boundary, cushions, t);

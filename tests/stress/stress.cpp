@@ -64,9 +64,9 @@ bool through_corner(const test::Made& made, double beside) {
 /// κ of the shot the puzzle was made from, up to the event after its target.
 double kappa(const test::Made& made) {
   const Puzzle& p = made.puzzle;
-  const Boundary boundary(p.table, p.ball.radius);
+  const Boundary boundary(p.table, p.ball.body);
   const State<double> start =
-      launched(p.ball.at, p.ball.radius, direction(made.launch.angle) * made.launch.speed, p.spin);
+      launched(p.ball.at, p.ball.body.radius, direction(made.launch.angle) * made.launch.speed, p.spin);
   return test::condition({.boundary = boundary, .physics = p.physics, .start = start, .cushions = made.bounces + 1})
       .kappa;
 }

@@ -15,7 +15,7 @@
 namespace bankshot::test {
 
 inline Compared against_truth(const ShotRequest& shot, int cushions = 1000000, long events = 5000) {
-  const Boundary boundary(shot.table, shot.ball.radius);
+  const Boundary boundary(shot.table, shot.ball.body);
   return compare_with_truth({boundary, shot.physics, start_state(shot), cushions, events});
 }
 

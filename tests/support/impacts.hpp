@@ -16,6 +16,7 @@ inline constexpr Vec2d away_from_cushion{0, -1};
 
 /// A launch at a cushion; `incidence` in radians from the cushion's line.
 struct Arrival {
+  Body body;
   Mathavan2010 cushion;
   Vec2d velocity;
   LaunchSpin spin;
@@ -24,16 +25,17 @@ struct Arrival {
   /// The spin is computed in T, so natural roll has no slip in any scalar.
   template <class T>
   State<T> state() const {
-    return launched({0, 0}, cushion.radius, to<T>(velocity), spin);
+    return launched({0, 0}, body.radius, to<T>(velocity), spin);
   }
 };
 
 /// The two sets of parameters of mathavan2010_impacts.jsonl.
+inline constexpr Body paper_ball{.radius = 0.02625}, pool_ball{.radius = 0.028575};
 inline Mathavan2010 paper_cushion() {
-  return {.radius = 0.02625, .height = 0.03675, .restitution = 0.98, .friction = 0.14, .sliding_friction = 0.212};
+  return {.height = 0.03675, .restitution = 0.98, .friction = 0.14, .sliding_friction = 0.212};
 }
 inline Mathavan2010 pool_cushion() {
-  return {.radius = 0.028575, .height = 0.036576, .restitution = 0.85, .friction = 0.2, .sliding_friction = 0.2};
+  return {.height = 0.036576, .restitution = 0.85, .friction = 0.2, .sliding_friction = 0.2};
 }
 
 inline constexpr const char* impact_families[] = {"rolling",  "sliding", "side spin", "draw",
@@ -41,9 +43,10 @@ inline constexpr const char* impact_families[] = {"rolling",  "sliding", "side s
 
 inline Arrival random_arrival(Random& r, int family) {
   constexpr double restitutions[] = {0, 0.2, 0.85, 0.98, 1};
-  Arrival a{r.chance(0.5) ? paper_cushion() : pool_cushion(), {}, {}, impact_families[family]};
+  const bool paper = r.chance(0.5);
+  Arrival a{paper ? paper_ball : pool_ball, paper ? paper_cushion() : pool_cushion(), {}, {}, impact_families[family]};
   a.cushion.restitution = restitutions[r.integer(0, 4)];
-  if (r.chance(0.3)) a.cushion.height = a.cushion.radius * r.uniform(1.05, 1.7);
+  if (r.chance(0.3)) a.cushion.height = a.body.radius * r.uniform(1.05, 1.7);
   double incidence = r.uniform(0, radians(180));
   const double speed = r.log_uniform(0.05, 10);
   switch (family) {

@@ -19,6 +19,7 @@
 namespace bankshot::test {
 
 inline constexpr double ball_radius = 0.028575;
+inline constexpr Body body{ball_radius};
 
 /// SlideRoll with rolling friction that grows with the speed; every other state rolls.
 struct Dragging : SlideRoll {};
@@ -37,16 +38,15 @@ Model draw(Random& r);
 
 template <>
 inline Ideal draw<Ideal>(Random&) {
-  return {ball_radius};
+  return {};
 }
 template <>
 inline Rolling draw<Rolling>(Random& r) {
-  return {.friction = r.log_uniform(0.003, 0.05), .radius = ball_radius};
+  return {.friction = r.log_uniform(0.003, 0.05)};
 }
 template <>
 inline SlideRoll draw<SlideRoll>(Random& r) {
-  return {.radius = ball_radius,
-          .sliding_friction = r.uniform(0.05, 0.4),
+  return {.sliding_friction = r.uniform(0.05, 0.4),
           .rolling_friction = r.log_uniform(0.003, 0.05),
           .spinning_friction = r.log_uniform(0.003, 0.05)};
 }
@@ -62,16 +62,14 @@ inline Mirror draw<Mirror>(Random& r) {
 }
 template <>
 inline Han2005 draw<Han2005>(Random& r) {
-  return {.radius = ball_radius,
-          .height = ball_radius * r.uniform(1.01, 1.7),
+  return {.height = ball_radius * r.uniform(1.01, 1.7),
           .restitution = Restitution{r.uniform(0, 1)},
           .friction = r.uniform(0, 0.5)};
 }
 
 template <>
 inline Mathavan2010 draw<Mathavan2010>(Random& r) {
-  return {.radius = ball_radius,
-          .height = ball_radius * r.uniform(1.05, 1.5),
+  return {.height = ball_radius * r.uniform(1.05, 1.5),
           .restitution = Restitution{r.uniform(0, 1)},
           .friction = r.uniform(0, 0.4),
           .sliding_friction = r.uniform(0.05, 0.4)};
@@ -80,10 +78,10 @@ inline Mathavan2010 draw<Mathavan2010>(Random& r) {
 /// Han's law as a user would write it.
 struct HanLaw final : CushionLaw {
   Han2005 han{};
-  void impact(InCushionFrame<double>& f) const override {
+  void impact(const Body& of, InCushionFrame<double>& f) const override {
     State<double> s;
     out_of_frame(f, Vec2d{0, 1}, s);
-    han.bounce(s, Vec2d{0, 1});
+    han.bounce(of, s, Vec2d{0, 1});
     f = into_frame(s, Vec2d{0, 1});
   }
 };

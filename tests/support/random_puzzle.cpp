@@ -25,7 +25,7 @@ Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) 
     Vec2d p{r.uniform(low.x, high.x), r.uniform(low.y, high.y)};
     if (family == Family::discrete) {
       // Eighths of the room the centre has, its corners and edges included.
-      const double R = b.radius;
+      const double R = b.body.radius;
       p = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8,
            low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
     }
@@ -35,9 +35,8 @@ Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) 
 
 Physics random_physics(Random& r, Model model, Family family, double radius) {
   if (model == Model::ideal) return ideal_physics();
-  if (model == Model::spin) return spin_physics(radius);
-  if (model == Model::mathavan)
-    return {spin_physics(radius).motion, Mathavan2010{.radius = radius, .height = 1.28 * radius}};
+  if (model == Model::spin) return spin_physics({radius});
+  if (model == Model::mathavan) return {spin_physics({radius}).motion, Mathavan2010{.height = 1.28 * radius}};
   if (family == Family::discrete) return {Rolling{.friction = 0.01}, Mirror{r.chance(0.5) ? 1.0 : 0.75}};
   const double friction = r.log_uniform(0.005, 0.05);
   return {Rolling{.friction = friction}, Mirror{r.uniform(0.5, 1)}};
@@ -68,15 +67,15 @@ Made random_puzzle(Random& r, Family family, Model model, int bounces) {
     ShotRequest shot;
     shot.table = random_table(r, family);
     const bool tiny = !spins && r.chance(0.2);
-    shot.ball.radius = family == Family::discrete ? (tiny ? 0 : 0.0625) : tiny ? 0 : 0.0285;
-    if (family != Family::convex && family != Family::reflex && r.chance(0.5) && shot.ball.radius > 0)
-      shot.table.pockets = six_pockets(shot.table, {4.4 * shot.ball.radius, 4.8 * shot.ball.radius});
-    const Boundary boundary(shot.table, shot.ball.radius);
+    shot.ball.body.radius = family == Family::discrete ? (tiny ? 0 : 0.0625) : tiny ? 0 : 0.0285;
+    if (family != Family::convex && family != Family::reflex && r.chance(0.5) && shot.ball.body.radius > 0)
+      shot.table.pockets = six_pockets(shot.table, {4.4 * shot.ball.body.radius, 4.8 * shot.ball.body.radius});
+    const Boundary boundary(shot.table, shot.ball.body);
     // Narrow polygons may have no room for the ball.
     const Vec2d middle = (shot.table.lowest() + shot.table.highest()) / 2.0;
     if (boundary.clearance(middle) < 0) continue;
     shot.ball.at = random_place(r, boundary, shot.table, family);
-    shot.physics = random_physics(r, model, family, shot.ball.radius);
+    shot.physics = random_physics(r, model, family, shot.ball.body.radius);
     if (spins) shot.spin = {r.uniform(-1, 1.2), r.uniform(-1, 1), r.chance(0.2) ? r.uniform(-0.5, 0.5) : 0};
     shot.launch = {r.log_uniform(0.2, 10), radians(r.uniform(0, 360))};
     if (family == Family::discrete) shot.launch = {1.0 * r.integer(1, 4), wrap_angle(radians(15.0 * r.integer(0, 23)))};

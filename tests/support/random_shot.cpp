@@ -42,9 +42,8 @@ Physics random_physics(Random& r, ShotFamily f, double radius) {
     return r.chance(0.3 * slick) ? 0 : r.log_uniform(slick > 0 ? low * 1e-6 : low, high);
   };
   const bool drag = f == ShotFamily::drag, mathavan = f == ShotFamily::mathavan;
-  if (!drag && !mathavan && r.chance(0.15))
-    return {Rolling{.friction = friction(0.005, 0.05), .radius = radius}, Mirror{e.at_rest}};
-  Physics p = spin_physics(radius);
+  if (!drag && !mathavan && r.chance(0.15)) return {Rolling{.friction = friction(0.005, 0.05)}, Mirror{e.at_rest}};
+  Physics p = spin_physics({radius});
   SlideRoll& m = std::get<SlideRoll>(p.motion);
   m.sliding_friction = friction(0.1, 0.4);
   m.rolling_friction = friction(0.003, 0.03);
@@ -57,11 +56,8 @@ Physics random_physics(Random& r, ShotFamily f, double radius) {
   const double height = h.height;
   if (r.chance(0.2)) p.cushion = Mirror{e};
   if (mathavan)
-    p.cushion = Mathavan2010{.radius = radius,
-                             .height = height,
-                             .restitution = e,
-                             .friction = r.uniform(0, 0.4),
-                             .sliding_friction = m.sliding_friction};
+    p.cushion = Mathavan2010{
+        .height = height, .restitution = e, .friction = r.uniform(0, 0.4), .sliding_friction = m.sliding_friction};
   return p;
 }
 
@@ -86,7 +82,7 @@ bool place(Random& r, ShotFamily f, const Boundary& b, const Table& t, Vec2d& at
   if (dot(w.to - w.from, w.along) <= 0) return false;
   const Vec2d on = w.from + (w.to - w.from) * r.uniform(0, 1);
   if (f == ShotFamily::discrete) {
-    const double R = b.radius;
+    const double R = b.body.radius;
     at = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8,
           low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
     aim = radians(15.0 * r.integer(0, 23));
@@ -116,15 +112,14 @@ ShotRequest random_shot(Random& r, ShotFamily f) {
   for (;;) {
     ShotRequest shot;
     shot.table = random_table(r, f);
-    shot.ball.radius = f == ShotFamily::discrete ? 0.0625
-                       : f == ShotFamily::moved  ? shot.table.diagonal() * r.uniform(0.005, 0.05)
-                                                 : 0.0285;
-    shot.physics = random_physics(r, f, shot.ball.radius);
+    shot.ball.body.radius = f == ShotFamily::discrete ? 0.0625
+                            : f == ShotFamily::moved  ? shot.table.diagonal() * r.uniform(0.005, 0.05)
+                                                      : 0.0285;
+    shot.physics = random_physics(r, f, shot.ball.body.radius);
     if (is_straight(shot.physics) && r.chance(0.2)) {
-      shot.ball.radius = 0;
-      std::get<Rolling>(shot.physics.motion).radius = 0;
+      shot.ball.body.radius = 0;
     }
-    const Boundary boundary(shot.table, shot.ball.radius);
+    const Boundary boundary(shot.table, shot.ball.body);
     double aim = 0;
     if (!place(r, f, boundary, shot.table, shot.ball.at, aim)) continue;
     // Through degrees, as a document says it, so that the document replays the same bits.

@@ -15,7 +15,7 @@ namespace {
 bool same_sequence(const std::vector<Contact>& asked, const Trajectory& t, std::size_t bounces) {
   std::vector<const Record*> hits;
   for (const Record& e : t.events)
-    if (e.kind == Record::Kind::cushion) hits.push_back(&e);
+    if (e.kind == EventKind::cushion) hits.push_back(&e);
   if (hits.size() < bounces) return false;
   for (std::size_t i = 0; i < bounces; ++i) {
     if (hits[i]->contact == asked[i]) continue;
@@ -31,7 +31,7 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
   double best = 1e300;
   std::vector<double> hits;
   for (const Record& e : t.events)
-    if (e.kind == Record::Kind::cushion) hits.push_back(e.time);
+    if (e.kind == EventKind::cushion) hits.push_back(e.time);
   for (const Leg& l : t.legs) {
     const auto before = std::count_if(hits.begin(), hits.end(), [&](double h) { return h <= l.begin; });
     if (static_cast<std::size_t>(before) != bounces) continue;
@@ -60,7 +60,7 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
   // A leg between two cushions met in one instant has no length, only its end.
   std::size_t k = 0;
   for (const Record& e : t.events)
-    if (e.kind == Record::Kind::cushion && ++k == bounces && norm(e.state.at - target) < best) {
+    if (e.kind == EventKind::cushion && ++k == bounces && norm(e.state.at - target) < best) {
       best = norm(e.state.at - target);
       speed = norm(e.state.velocity);
     }
@@ -80,7 +80,7 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   if (const auto* point = std::get_if<PointTarget>(&p.target)) {
     const auto asked = arrival_range(p);
     if (asked && asked->high == 0) {
-      if (t.end != Trajectory::End::rest || static_cast<std::size_t>(t.cushions) != n)
+      if (t.end != EventKind::rest || static_cast<std::size_t>(t.cushions) != n)
         c.problem = "does not rest after its bounces";
       miss = norm(t.events.back().state.at - point->at);
     } else {
@@ -89,7 +89,7 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   } else {
     const Record& drop = t.events.size() > 1 ? t.events[t.events.size() - 2] : t.events.back();
     const auto& wanted = std::get<PocketTarget>(p.target).pocket;
-    if (t.end != Trajectory::End::pocketed || (wanted && drop.contact != Contact::pocket(*wanted)))
+    if (t.end != EventKind::pocket || (wanted && drop.contact != Contact::pocket(*wanted)))
       return {"is not pocketed as asked", 0};
     const Vec2d d = p.table.pockets[static_cast<std::size_t>(drop.contact.index)].at - drop.state.at;
     speed = norm(drop.state.velocity);

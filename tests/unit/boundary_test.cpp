@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 TEST_CASE("clearance is the distance to the nearest cushion less the radius") {
-  const Boundary b(rectangle_table(2, 1), 0.1);
+  const Boundary b(rectangle_table(2, 1), {0.1});
   CHECK(b.clearance({1, 0.5}) == Approx(0.4));
   CHECK(b.clearance({0.3, 0.5}) == Approx(0.2));
   CHECK(b.clearance({0.1, 0.5}) == Approx(0).margin(1e-15));
@@ -31,14 +31,14 @@ TEST_CASE("clearance is the distance to the nearest cushion less the radius") {
 }
 
 TEST_CASE("clearance near a reflex vertex is measured round it") {
-  const Boundary b(l_shape(), 0.1);
+  const Boundary b(l_shape(), {0.1});
   CHECK(b.clearance({0.7, 0.6}) == Approx(0.4));  // 3-4-5 triangle to the tip
   CHECK(b.clearance({1.5, 1.5}) < 0);             // in the part cut away
   CHECK(b.clearance({0.5, 1.5}) == Approx(0.4));
 }
 
 TEST_CASE("walls are the cushions moved inwards, their ends where the ball touches two") {
-  const Boundary b(rectangle_table(2, 1), 0.1);
+  const Boundary b(rectangle_table(2, 1), {0.1});
   REQUIRE(b.walls.size() == 4);
   CHECK(b.walls[0].normal == Vec2d{0, 1});
   CHECK(b.walls[0].offset == Approx(0.1));
@@ -49,7 +49,7 @@ TEST_CASE("walls are the cushions moved inwards, their ends where the ball touch
 }
 
 TEST_CASE("only a ball with a radius meets a tip, and only at reflex vertices") {
-  const Boundary ball(l_shape(), 0.1), point(l_shape(), 0);
+  const Boundary ball(l_shape(), {0.1}), point(l_shape(), {0});
   REQUIRE(ball.tips.size() == 1);
   CHECK(ball.tips[0].centre == Vec2d{1, 1});
   CHECK(ball.tips[0].radius == 0.1);
@@ -57,7 +57,7 @@ TEST_CASE("only a ball with a radius meets a tip, and only at reflex vertices") 
   CHECK(contact_name(l_shape(), ball.tips[0].contact) == "v3");
   CHECK(contact_name(l_shape(), Contact::rail(2)) == "c2");
   CHECK(point.tips.empty());
-  CHECK(Boundary(rectangle_table(2, 1), 0.1).tips.empty());
+  CHECK(Boundary(rectangle_table(2, 1), {0.1}).tips.empty());
   CHECK(!ball.unfolds());
   CHECK(point.unfolds());
 }
@@ -86,16 +86,16 @@ TEST_CASE("obstacles are where the table's cushions are, a reflex vertex is a be
 }
 
 TEST_CASE("the extent of a tip holds all places where a ball can touch it, and ends behind the cushions") {
-  const Circle tip = Boundary(l_shape(), 0.1).tips.at(0);
+  const Circle tip = Boundary(l_shape(), {0.1}).tips.at(0);
   const auto covers = [&](double degrees) { return tip.covers(tip.centre + direction(radians(degrees)) * tip.radius); };
   for (const double at : {180.0, 225.0, 270.0, 180.0 - 60, 270.0 + 60}) CHECK(covers(at));
   for (const double at : {0.0, 45.0, 90.0}) CHECK(!covers(at));
-  const Circle tiny = Boundary(l_shape(), 1e-12).tips.at(0);
+  const Circle tiny = Boundary(l_shape(), {1e-12}).tips.at(0);
   CHECK(tiny.covers(tiny.centre + Vec2d{1e-12, 1e-12}));  // rounding may carry a centre round a ball this small
 }
 
 TEST_CASE("a collinear vertex is no tip, and its table is not strictly convex") {
-  const Boundary b(polygon_table({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}), 0.1);
+  const Boundary b(polygon_table({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}), {0.1});
   CHECK(b.tips.empty());
   CHECK(!b.strictly_convex);
   CHECK(norm(b.walls[0].to - Vec2d{1, 0.1}) < 1e-15);
@@ -105,19 +105,19 @@ TEST_CASE("a collinear vertex is no tip, and its table is not strictly convex") 
 
 TEST_CASE("convex polygons are strictly convex and others are not, whatever the radius") {
   for (const double radius : {0.0, 0.05}) {
-    CHECK(Boundary(rectangle_table(2, 1), radius).strictly_convex);
-    CHECK(Boundary(polygon_table({{0, 0}, {2, 0}, {0.3, 1.5}}), radius).strictly_convex);
-    CHECK(!Boundary(l_shape(), radius).strictly_convex);
+    CHECK(Boundary(rectangle_table(2, 1), {radius}).strictly_convex);
+    CHECK(Boundary(polygon_table({{0, 0}, {2, 0}, {0.3, 1.5}}), {radius}).strictly_convex);
+    CHECK(!Boundary(l_shape(), {radius}).strictly_convex);
   }
 }
 
 TEST_CASE("the distance to the centres is 0 inside and goes to the nearest place outside") {
-  const Boundary b(rectangle_table(2, 1), 0.1);
+  const Boundary b(rectangle_table(2, 1), {0.1});
   CHECK(b.distance_to_centres({1, 0.5}) == 0);
   CHECK(b.distance_to_centres({1, 0}) == Approx(0.1));
   CHECK(b.distance_to_centres({0, 0}) == Approx(0.1 * std::sqrt(2)));  // why a corner pocket needs its width
   CHECK(b.distance_to_centres({2.3, 1.2}) == Approx(0.5));
-  const Boundary l(l_shape(), 0.1);
+  const Boundary l(l_shape(), {0.1});
   CHECK(l.distance_to_centres({1, 1}) == Approx(0.1));  // the centre goes round the tip
   CHECK(l.distance_to_centres({1.5, 1}) == Approx(0.1));
 }
@@ -125,7 +125,7 @@ TEST_CASE("the distance to the centres is 0 inside and goes to the nearest place
 TEST_CASE("pockets of radius 0 become points of the tolerance") {
   Table t = rectangle_table(3, 4);
   t.pockets = {{"a", {0, 0}, 0}, {"b", {3, 4}, 0.25}};
-  const Boundary b(t, 0);
+  const Boundary b(t, {0});
   REQUIRE(b.pockets.size() == 2);
   CHECK(b.pockets[0].radius == Approx(5e-9));
   CHECK(b.pockets[1].radius == 0.25);

@@ -44,8 +44,8 @@ TEST_CASE("every key of a puzzle arrives in its field") {
   CHECK(motion.g == 9.8);
   CHECK(restitution(p.physics).at_rest == 0.9);
   CHECK(p.ball.at == Vec2d{0.5, 0.25});
-  CHECK(p.ball.radius == 0.03);
-  CHECK(p.ball.mass == 0.2);
+  CHECK(p.ball.body.radius == 0.03);
+  CHECK(p.ball.body.mass == 0.2);
   CHECK(std::get<PocketTarget>(p.target).pocket == 0);
   CHECK(p.cushions.sequence == std::vector<Contact>{Contact::rail(0), Contact::rail(1), Contact::vertex(3)});
   CHECK(p.cushions.min == 3);
@@ -65,8 +65,8 @@ TEST_CASE("every key of a puzzle arrives in its field") {
 TEST_CASE("what is left out takes its default") {
   const Puzzle p = read_puzzle(minimal());
   CHECK(p.id.empty());
-  CHECK(p.ball.radius == 0.028575);
-  CHECK(p.ball.mass == 0.170097);
+  CHECK(p.ball.body.radius == 0.028575);
+  CHECK(p.ball.body.mass == 0.170097);
   CHECK(std::get<PointTarget>(p.target).within == 0.01);
   CHECK(p.cushions.min == 0);
   CHECK(p.cushions.max == 3);
@@ -126,7 +126,6 @@ TEST_CASE("the cushion mathavan2010 takes the sliding friction of the cloth and 
   CHECK(c.restitution.at_rest == 0.98);
   CHECK(c.friction == 0.14);
   CHECK(c.height == 0.036);
-  CHECK(c.radius == p.ball.radius);
   CHECK(c.sliding_friction == 0.212);
   const std::string written = write_puzzle(p);
   CHECK(Json::parse(written)["physics"]["cushion"] == cushion);

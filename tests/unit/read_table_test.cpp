@@ -35,8 +35,8 @@ TEST_CASE("presets have the published sizes, balls and mouths") {
   CHECK(z.table.is_rectangle());
   CHECK(z.table.lowest() == Vec2d{0, 0});
   CHECK(z.table.highest() == Vec2d{p.length, p.width});
-  CHECK(z.ball.radius == p.radius);
-  CHECK(z.ball.mass == p.mass);
+  CHECK(z.ball.body.radius == p.radius);
+  CHECK(z.ball.body.mass == p.mass);
   if (p.corner == 0) {
     CHECK(z.table.pockets.empty());
     return;

@@ -32,8 +32,9 @@ void out_of_frame(const InCushionFrame<T>& f, const Vec2<N>& away, State<T>& s) 
 template <class N = double>
 struct NoseAngle {
   N sine, cosine;
-  NoseAngle(double height, double radius)
-      : sine((N(height) - radius) / radius), cosine(root((1 - sine) * (1 + sine))) {}
+  template <class C>
+  NoseAngle(const C& height, double radius)
+      : sine((N(height) - radius) / radius), cosine(root((N(1) - sine) * (N(1) + sine))) {}
 
  private:
   static N root(const N& x) {

@@ -3,7 +3,7 @@
 // A cushion of your own: a law in double that changes the ball's motion in the frame of the cushion it meets
 // (cushion_frame.hpp): n points into the cushion, so vn > 0 before, and vn <= 0 after.
 //
-//   const CushionLawOf law([](InCushionFrame<double>& f) { f.vn *= -0.8; });  // must outlive the physics
+//   const CushionLawOf law([](const Body&, InCushionFrame<double>& f) { f.vn *= -0.8; });  // must outlive the physics
 //   Physics physics = spin_physics();
 //   physics.cushion = CustomCushion{.law = &law, .restitution = 0.8};
 //
@@ -32,7 +32,7 @@ namespace bankshot {
 class CushionLaw {
  public:
   virtual ~CushionLaw() = default;
-  virtual void impact(InCushionFrame<double>& f) const = 0;
+  virtual void impact(const Body& body, InCushionFrame<double>& f) const = 0;
 };
 
 /// A law made of a function.
@@ -40,7 +40,7 @@ template <class F>
 class CushionLawOf final : public CushionLaw {
  public:
   explicit CushionLawOf(F f) : f_(std::move(f)) {}
-  void impact(InCushionFrame<double>& f) const override { f_(f); }
+  void impact(const Body& body, InCushionFrame<double>& f) const override { f_(body, f); }
 
  private:
   F f_;
@@ -51,16 +51,16 @@ struct CustomCushion {
   Restitution restitution{};        ///< about what comes back of vn: planners begin with straight lines bent by it
 
   template <class T, class N>
-  void bounce(State<T>& s, const Vec2<N>& away) const {
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
     InCushionFrame<T> f = into_frame(s, away);
     if (!(value(f.vn) > 0)) return;
     const Numbers<T> before{f.vn, f.vt, f.wn, f.wt, f.wz};
     Numbers<double> plain;
     for (std::size_t i = 0; i < plain.size(); ++i) plain[i] = static_cast<double>(value(before[i]));
-    const Numbers<double> out = after(plain);
+    const Numbers<double> out = after(body, plain);
     Numbers<T> result;
     for (std::size_t i = 0; i < out.size(); ++i) result[i] = T(out[i]);
-    if constexpr (has_derivatives<T>) add_derivatives(before, plain, result);
+    if constexpr (has_derivatives<T>) add_derivatives(body, before, plain, result);
     f = {result[0], result[1], result[2], result[3], result[4]};
     if (value(f.vn) > 0) f.vn = T(0);
     out_of_frame(f, away, s);
@@ -70,9 +70,9 @@ struct CustomCushion {
   template <class T>
   using Numbers = std::array<T, 5>;
 
-  Numbers<double> after(const Numbers<double>& x) const {
+  Numbers<double> after(const Body& body, const Numbers<double>& x) const {
     InCushionFrame<double> f{x[0], x[1], x[2], x[3], x[4]};
-    law->impact(f);
+    law->impact(body, f);
     if (!std::isfinite(f.vn + f.vt + f.wn + f.wt + f.wz))
       throw std::domain_error("the law of a custom cushion gave a number that is not finite");
     return {f.vn, f.vt, f.wn, f.wt, f.wz};
@@ -80,17 +80,17 @@ struct CustomCushion {
 
   /// Adds to each result the derivatives of what went in, times those of the law.
   template <class T>
-  void add_derivatives(const Numbers<T>& before, const Numbers<double>& at, Numbers<T>& result) const {
-    constexpr double step = 1e-5;          // of the size: truncation and rounding are alike
-    constexpr double about_radius = 0.03;  // m; only tells how much spin goes with how much speed
-    const double v = std::hypot(at[0], at[1]) + about_radius * std::hypot(at[2], at[3], at[4]);
+  void add_derivatives(const Body& body, const Numbers<T>& before, const Numbers<double>& at,
+                       Numbers<T>& result) const {
+    constexpr double step = 1e-5;  // of the size: truncation and rounding are alike
+    const double v = std::hypot(at[0], at[1]) + body.radius * std::hypot(at[2], at[3], at[4]);
     for (std::size_t i = 0; i < at.size(); ++i) {
-      double h = step * (i < 2 ? v : v / about_radius);
+      double h = step * (i < 2 ? v : v / body.radius);
       if (i == 0) h = std::min(h, at[0] / 2);  // the law is asked about balls that meet the cushion only
       Numbers<double> low = at, high = at;
       low[i] -= h;
       high[i] += h;
-      const Numbers<double> a = after(low), b = after(high);
+      const Numbers<double> a = after(body, low), b = after(body, high);
       const T change = before[i] - T(at[i]);  // 0, with derivatives
       for (std::size_t k = 0; k < result.size(); ++k) result[k] += change * ((b[k] - a[k]) / (high[i] - low[i]));
     }

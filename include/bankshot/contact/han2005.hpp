@@ -14,26 +14,28 @@
 
 namespace bankshot {
 
-struct Han2005 {
-  double radius = 0.028575;         ///< R [m]
-  double height = 1.28 * 0.028575;  ///< h [m], R < h < 2R
-  Restitution restitution{};
-  double friction = 0.2;  ///< f, between ball and cushion
+template <class C>
+struct Han2005Of {
+  C height{1.28 * 0.028575};  ///< h [m], R < h < 2R
+  RestitutionOf<C> restitution{};
+  C friction{0.2};  ///< f, between ball and cushion
 
   template <class T, class N>
-  void bounce(State<T>& s, const Vec2<N>& away) const {
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
     using std::sqrt;
     using Number = Real<T>;
+    using K = Coefficient<T, C>;
     InCushionFrame<T> f = into_frame(s, away);
-    const NoseAngle<Number> nose(height, radius);
-    const Number &sine = nose.sine, &cosine = nose.cosine, R(radius);
+    const NoseAngle<K> nose(height, body.radius);
+    const K &sine = nose.sine, &cosine = nose.cosine;
+    const Number R(body.radius);
     // eqs 14-16, for mass 1: slip of the contact point along and across, approach speed
     const T sx = f.vn * sine + f.wt * R;
-    const T sy = f.wn * Number(R * sine) - f.vt - f.wz * Number(R * cosine);
+    const T sy = f.wn * K(R * sine) - f.vt - f.wz * K(R * cosine);
     constexpr double a = 7.0 / 2;
     const T normal_impulse = restitution.rebound(f.vn) * cosine;  // eq 17, PzE
     // Sticking needs |s|/A <= f PzE; squares are compared, for a root of 0 has no derivative.
-    const T limit = normal_impulse * Number(Number(friction) * a), slip2 = sx * sx + sy * sy;
+    const T limit = normal_impulse * K(K(friction) * a), slip2 = sx * sx + sy * sy;
     const bool slides = value(slip2) > value(limit) * value(limit);
     const T share = slides ? T(limit / sqrt(slip2) / Number(a)) : T(1 / Number(a));
     const T px = sx * share, py = sy * share;  // eqs 18-21
@@ -49,5 +51,6 @@ struct Han2005 {
     out_of_frame(f, away, s);
   }
 };
+using Han2005 = Han2005Of<double>;
 
 }  // namespace bankshot

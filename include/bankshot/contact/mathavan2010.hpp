@@ -8,6 +8,9 @@
 //  1. The map is homogeneous of degree one in (v, ω) when the restitution is constant.
 //  2. No allocation; the same source for double, dual numbers and 50 digits.
 //  3. A ball that does not move into the cushion is left as it is.
+//  4. Its coefficients are doubles: the order of the series follows from comparisons of plain numbers, so derivatives
+//  by
+//     coefficients would need a law of its own. Derivatives by the state are exact.
 // Limitations: at exactly zero slip (natural roll at the cloth) the map has one-sided derivatives only;
 // the slip then counts as constant 0. With large friction the ball can jam between nose and cloth: its
 // normal velocity is set to 0, and `course` says so.
@@ -21,7 +24,6 @@
 namespace bankshot {
 
 struct Mathavan2010 {
-  double radius = 0.028575;         ///< R [m]
   double height = 1.28 * 0.028575;  ///< h [m], R < h < 2R
   Restitution restitution{};
   double friction = 0.2;          ///< μw, between ball and cushion
@@ -29,16 +31,17 @@ struct Mathavan2010 {
   double tolerance = bankshot::tolerance::impact;
 
   template <class T, class N>
-  void bounce(State<T>& s, const Vec2<N>& normal) const {
-    course(s, normal);
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& normal) const {
+    course(body, s, normal);
   }
 
   /// bounce() that tells how the impact went.
   template <class T, class N>
-  mathavan::Course course(State<T>& s, const Vec2<N>& normal) const {
+  mathavan::Course course(const Body& body, State<T>& s, const Vec2<N>& normal) const {
     const Vec2<T> away = to<T>(normal);
     InCushionFrame<T> f = into_frame(s, away);
     const double approach = mathavan::value(f.vn);
+    const double radius = body.radius;
     const T R(radius);
     const double w2 = mathavan::value(T(f.wn * f.wn + f.wt * f.wt + f.wz * f.wz)) * radius * radius;
     const double fast = std::sqrt(mathavan::value(dot(s.velocity, s.velocity)) + w2);

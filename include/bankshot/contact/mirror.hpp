@@ -9,16 +9,18 @@
 
 namespace bankshot {
 
-struct Mirror {
-  Restitution restitution{};
+template <class C>
+struct MirrorOf {
+  RestitutionOf<C> restitution{};
 
   /// `normal` is a unit vector that points away from the cushion, into the table.
   template <class T, class N>
-  void bounce(State<T>& s, const Vec2<N>& normal) const {
+  void bounce(const Body&, State<T>& s, const Vec2<N>& normal) const {
     const T impulse = restitution.rebound(T(-dot(normal, s.velocity)));
     s.velocity.x += impulse * normal.x;
     s.velocity.y += impulse * normal.y;
   }
 };
+using Mirror = MirrorOf<double>;
 
 }  // namespace bankshot

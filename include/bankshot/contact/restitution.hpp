@@ -6,17 +6,18 @@
 namespace bankshot {
 
 /// e = clamp(at_rest + per_speed · vn, 0, 1), vn the normal approach speed [m/s].
-struct Restitution {
-  double at_rest = 0.85;
-  double per_speed = 0;  ///< s/m
+template <class C>
+struct RestitutionOf {
+  C at_rest{0.85};
+  C per_speed{0};  ///< s/m
 
-  constexpr Restitution() = default;
-  constexpr Restitution(double constant) : at_rest(constant) {}
-  constexpr Restitution(double rest, double slope) : at_rest(rest), per_speed(slope) {}
+  constexpr RestitutionOf() = default;
+  constexpr RestitutionOf(const C& constant) : at_rest(constant) {}
+  constexpr RestitutionOf(const C& rest, const C& slope) : at_rest(rest), per_speed(slope) {}
 
   template <class T>
   T operator()(const T& normal_speed) const {
-    if (per_speed == 0) return T(at_rest);
+    if (constant()) return T(at_rest);
     const T e = T(at_rest) + T(per_speed) * normal_speed;
     if (e < T(0)) return T(0);
     return e > T(1) ? T(1) : e;
@@ -24,10 +25,11 @@ struct Restitution {
   /// (1 + e) vn: what the cushion changes the approach speed by.
   template <class T>
   T rebound(const T& normal_speed) const {
-    if (per_speed == 0) return normal_speed * Real<T>(Real<T>(1) + at_rest);
+    if (constant()) return normal_speed * Coefficient<T, C>(Real<T>(1) + at_rest);
     return normal_speed * (T(1) + (*this)(normal_speed));
   }
-  bool constant() const { return per_speed == 0; }
+  bool constant() const { return value(per_speed) == 0; }
 };
+using Restitution = RestitutionOf<double>;
 
 }  // namespace bankshot

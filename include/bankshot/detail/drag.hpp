@@ -51,6 +51,8 @@ struct Drag {
   N constant{0};  ///< A [m/s²], > 0 where linear is not 0
   N linear{0};    ///< B [1/s], >= 0; 0: no drag, an ordinary arc
 
+  bool none() const { return value(linear) == 0; }
+
   /// Metres rolled while slowing from v0 to v.
   template <class T>
   T length(const T& v0, const T& v) const {
@@ -66,8 +68,9 @@ struct Drag {
     return (value(x) > where_series_converge ? T(log(x + 1.0)) : T(x - minus_log1p(x))) / linear;
   }
 
-  /// Speed after s metres: Newton's method in v², of which s is nearly linear, inside a bracket; the last
-  /// step carries the derivatives. Where rounding keeps it from settling, the bracket does the rest.
+  /// Speed after s metres: Newton's method in v², of which s is nearly linear, inside a bracket. Near the rest the
+  /// rounding of s is more than a step, and the bracket closes on the root instead. A step at the end, of which the
+  /// value is left out, gives the derivatives.
   template <class T>
   T speed_after(const T& v0, const T& s) const {
     using std::abs;
@@ -75,24 +78,25 @@ struct Drag {
     const T first = v0 - s * linear;  // exact without the constant part, too fast with it
     T square = value(first) > 0 ? T(first * first) : T(0);
     using Number = Real<T>;
-    const Number start2 = value(v0) * value(v0), slowing = value(v0) * linear + constant;
+    const Number start2 = value(v0) * value(v0), slowing = value(v0) * value(linear) + value(constant);
     Number low(0), high = value(s) > 0 ? start2 : Number(2 * (start2 - value(s) * slowing));
     constexpr int enough = 200;
-    bool settled = false;
-    for (int i = 0; i < enough && !settled; ++i) {
+    for (int i = 0; i < enough; ++i) {
       const T v = root_of(square), beyond = length(v0, v) - s;
       (value(beyond) > 0 ? low : high) = value(square);
       const T step = beyond * (v * linear + constant) * 2.0;
       const T next = square + step;
       const bool inside = value(next) > low && value(next) < high;
-      settled = !(abs(value(step)) > 4 * std::numeric_limits<Number>::epsilon() * value(square));
+      const bool settled = !(abs(value(step)) > 4 * std::numeric_limits<Number>::epsilon() * value(square));
       square = inside || settled ? next : T((low + high) / 2);
+      const bool closed = !inside && !(value(square) > low && value(square) < high);
+      if (settled || closed) break;
     }
-    if constexpr (has_derivatives<T>)
-      if (!settled) {
-        const T v = root_of(T(value(square))), step = (length(v0, v) - s) * (v * linear + constant) * 2.0;
-        square = T(value(square)) + (step - T(value(step)));
-      }
+    if constexpr (has_derivatives<T>) {
+      square = T(value(square));
+      const T v = root_of(square), beyond = length(v0, v) - s;
+      square += (beyond - value(beyond)) * (2 * (value(v) * value(linear) + value(constant)));
+    }
     return root_of(square);
   }
 

@@ -17,7 +17,18 @@ template <class N>
 struct NextEvent {
   N time;  ///< the arc's parameter
   Event event;
-  Contact second{};  ///< another cushion met at the same time
+  Contact second{};    ///< another cushion met at the same time
+  bool piece = false;  ///< no event: the arc is a piece that ends, and the motion goes on
+
+  /// Member by member: a whole one is put together in memory and waited for, at each cushion.
+  void set(const N& t, EventKind kind, Contact contact) {
+    time = t;
+    event.kind = kind;
+    event.contact.kind = contact.kind;
+    event.contact.index = contact.index;
+    second.kind = ContactKind::none;
+    piece = false;
+  }
 };
 
 /// `straight`: no arc of the motion bends.
@@ -28,9 +39,9 @@ struct EventFinder {
   const Arc<N>& arc;
 
   NextEvent<N> next(const N& horizon) const {
-    constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest};
-    NextEvent<N> first{arc.duration, {ends[static_cast<int>(arc.end)]}};
-    if (horizon < first.time) first = {horizon, {EventKind::horizon}};
+    constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest, EventKind::horizon};
+    NextEvent<N> first{arc.duration, {ends[static_cast<int>(arc.end)]}, {}, arc.end == PhaseEnd::piece};
+    if (horizon < first.time) first.set(horizon, EventKind::horizon, {});
     for (const Wall& w : boundary.walls) consider(first, w.contact, wall_hit(w, first.time));
     if (!boundary.tips.empty() || !boundary.pockets.empty()) consider_circles(first);
     return first;
@@ -46,13 +57,13 @@ struct EventFinder {
       }
     for (const Circle& c : boundary.pockets) {
       const N t = first_entry(arc, c.centre, c.radius, first.time);
-      if (t <= first.time && t < N(forever)) first = {t, {EventKind::pocket, c.contact}};
+      if (t <= first.time && t < N(forever)) first.set(t, EventKind::pocket, c.contact);
     }
   }
 
   static void consider(NextEvent<N>& first, Contact contact, const N& t) {
     if (t < first.time)
-      first = {t, {EventKind::cushion, contact}};
+      first.set(t, EventKind::cushion, contact);
     else if (t == first.time && first.event.kind == EventKind::cushion && !first.second)
       first.second = contact;
   }
@@ -114,7 +125,7 @@ T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc
     case EventKind::pocket:
       return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::horizon:
-      return horizon;
+      return next.piece ? arc.duration : horizon;
     default:
       return arc.duration;
   }

@@ -11,6 +11,7 @@
 
 #include "bankshot/geometry/contact.hpp"
 #include "bankshot/geometry/obstacle.hpp"
+#include "bankshot/scene/body.hpp"
 
 namespace bankshot {
 
@@ -43,13 +44,13 @@ struct Boundary {
   std::vector<Wall> walls;
   std::vector<Circle> tips;
   std::vector<Circle> pockets;
-  double radius = 0;
+  Body body;  ///< of the ball that sees it
   double diagonal = 0;
   double extent = 0;            ///< m; diagonal or largest coordinate: what positions are rounded in units of
   double touch = 0;             ///< m; a centre this far beyond a cushion line still touches it
   bool strictly_convex = true;  ///< every line of a wall bounds the whole table
 
-  Boundary(const Table& table, double radius);
+  Boundary(const Table& table, const Body& body);
 
   /// All that balls bounce off and that lies in the open is straight: aims follow from images.
   bool unfolds() const { return unfolds_; }

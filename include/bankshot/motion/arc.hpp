@@ -7,18 +7,24 @@
 // would need without slowing down, and `seconds` tells the time. Event finders see only p.
 //
 // A motion model is a value with
-//   straight                 true when every arc is a straight line and its shape does not depend
-//                            on the speed
-//   arc(state)               the next arc
-//   turn(state, arc, t)      what t seconds on that arc do to the spin
-//   finish(state, arc)       makes the state exact where the arc ends by itself
-//   spin(state)              the spin of a state, also where the model does not carry it
+//   straight                     true when every arc is a straight line and its shape does not depend
+//                                on the speed
+//   arc(body, state)             the next arc
+//   turn(body, state, arc, t)    what t seconds on that arc do to the spin
+//   finish(body, state, arc)     makes the state exact where the arc ends by itself
+//   spin(body, state)            the spin of a state, also where the model does not carry it
+// It holds coefficients only; `body` is the ball's.
+//
+// A law that is no polynomial in time may hand over short pieces, each an arc of degree two that ends with
+// PhaseEnd::piece, and states the error that they add: where two balls share a clock, and where a path has no
+// closed form. Nothing happens where a piece ends.
 #pragma once
 
 #include <limits>
 
 #include "bankshot/detail/drag.hpp"
 #include "bankshot/numbers/vec.hpp"
+#include "bankshot/scene/body.hpp"
 
 namespace bankshot {
 
@@ -39,15 +45,20 @@ Real<T> squared_scale(const State<T>& s, double radius) {
 /// Longer than any shot: the duration of a motion that never ends by itself.
 inline constexpr double forever = std::numeric_limits<double>::infinity();
 
-/// What happens when an arc ends before it meets anything.
-enum class PhaseEnd { none, roll, rest };
+/// What happens when an arc ends before it meets anything: it never does, the ball begins to roll, it stops, or it goes
+/// on along the next piece of the same motion.
+enum class PhaseEnd { none, roll, rest, piece };
 
 template <class T>
 struct Arc {
   Vec2<T> at{}, velocity{}, acceleration{};
   T duration{};
   PhaseEnd end = PhaseEnd::none;
-  Drag<Real<T>> drag{};
+  bool bends = false;  ///< the acceleration need not be along the velocity
+  Drag<T> drag{};
+
+  /// The ball still moves where the arc ends.
+  bool goes_on() const { return end == PhaseEnd::roll || end == PhaseEnd::piece; }
 
   /// At a parameter with or without derivatives.
   template <class S>
@@ -60,11 +71,11 @@ struct Arc {
     return velocity + acceleration * p;
   }
   /// dr/dt
-  Vec2<T> velocity_at(const T& p) const { return drag.linear == 0 ? tangent(p) : slowed_velocity(p); }
+  Vec2<T> velocity_at(const T& p) const { return drag.none() ? tangent(p) : slowed_velocity(p); }
   /// The time at p.
-  T seconds(const T& p) const { return drag.linear == 0 ? p : slowed_seconds(p); }
+  T seconds(const T& p) const { return drag.none() ? p : slowed_seconds(p); }
   /// The p at a time, which may be beyond the arc's end.
-  T parameter(const T& t) const { return drag.linear == 0 ? t : slowed_parameter(t); }
+  T parameter(const T& t) const { return drag.none() ? t : slowed_parameter(t); }
 
  private:
   // Out of line: rare, and long enough to keep the common case from being inlined.
@@ -87,16 +98,28 @@ struct Arc {
 template <class T>
 decltype(auto) value(const Arc<T>& a) {
   if constexpr (has_derivatives<T>)
-    return Arc<Real<T>>{value(a.at), value(a.velocity), value(a.acceleration), value(a.duration), a.end, a.drag};
+    return Arc<Real<T>>{value(a.at),
+                        value(a.velocity),
+                        value(a.acceleration),
+                        value(a.duration),
+                        a.end,
+                        a.bends,
+                        {value(a.drag.constant), value(a.drag.linear)}};
   else
     return (a);
 }
 
+/// For those who only ask where a path leads.
+struct Unwatched {
+  template <class T>
+  void operator()(const Arc<T>&, const T&) const {}
+};
+
 /// The state at t on the arc that `motion` made of `s`.
 template <class T, class Motion>
-State<T> advance(const Motion& motion, const State<T>& s, const Arc<T>& arc, const T& t) {
+State<T> advance(const Motion& motion, const Body& body, const State<T>& s, const Arc<T>& arc, const T& t) {
   State<T> out{arc.position(t), arc.velocity_at(t), s.spin};
-  motion.turn(out, arc, arc.seconds(t));
+  motion.turn(body, out, arc, arc.seconds(t));
   return out;
 }
 

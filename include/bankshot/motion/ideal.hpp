@@ -8,22 +8,20 @@
 namespace bankshot {
 
 struct Ideal {
-  double radius = 0;  ///< m, only to say what natural roll is
-
   static constexpr bool straight = true;
 
   template <class T>
-  Arc<T> arc(const State<T>& s) const {
+  Arc<T> arc(const Body&, const State<T>& s) const {
     const bool moves = value(s.velocity.x) != 0 || value(s.velocity.y) != 0;
     return {s.at, s.velocity, {T(0), T(0)}, T(moves ? forever : 0), moves ? PhaseEnd::none : PhaseEnd::rest};
   }
   template <class T>
-  void turn(State<T>&, const Arc<T>&, const T&) const {}
+  void turn(const Body&, State<T>&, const Arc<T>&, const T&) const {}
   template <class T>
-  void finish(State<T>&, const Arc<T>&) const {}
+  void finish(const Body&, State<T>&, const Arc<T>&) const {}
   template <class T>
-  Vec3<T> spin(const State<T>& s) const {
-    return natural_roll(s.velocity, radius);
+  Vec3<T> spin(const Body& body, const State<T>& s) const {
+    return natural_roll(s.velocity, body.radius);
   }
   /// Deceleration along the path [m/s²].
   double deceleration() const { return 0; }

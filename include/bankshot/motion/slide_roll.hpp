@@ -16,48 +16,51 @@
 
 namespace bankshot {
 
-struct SlideRoll {
-  double radius = 0.028575;                       ///< R [m], > 0
-  double sliding_friction = 0.2;                  ///< μs
-  RollingFriction rolling_friction{};             ///< μr
-  double spinning_friction = 4.0 / 9 * 0.028575;  ///< μsp, dimensionless
-  double g = 9.81;                                ///< m/s²
+/// A ball with a radius: its slip needs one.
+template <class C>
+struct SlideRollOf {
+  C sliding_friction{0.2};                  ///< μs
+  RollingFrictionOf<C> rolling_friction{};  ///< μr
+  C spinning_friction{4.0 / 9 * 0.028575};  ///< μsp, dimensionless
+  double g = 9.81;                          ///< m/s²
 
   static constexpr bool straight = false;
 
   /// Velocity of the ball's lowest point over the cloth.
   template <class T>
-  Vec2<T> slip(const State<T>& s) const {
-    const Real<T> R(radius);
+  static Vec2<T> slip(const Body& body, const State<T>& s) {
+    const Real<T> R(body.radius);
     return {s.velocity.x - R * s.spin.y, s.velocity.y + R * s.spin.x};
   }
 
   template <class T>
-  Arc<T> arc(const State<T>& s) const {
+  Arc<T> arc(const Body& body, const State<T>& s) const {
     using std::sqrt;
     using Number = Real<T>;
-    const Vec2<T> u = slip(s);
+    using K = Coefficient<T, C>;
+    const Vec2<T> u = slip(body, s);
     const T slip2 = dot(u, u);
     constexpr double still = tolerance::slip * tolerance::slip;
-    if (!(value(slip2) > still * squared_scale(s, radius))) return rolling_arc(s.at, s.velocity, rolling_friction, g);
-    if (sliding_friction == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
-    const Number a = Number(sliding_friction) * g;
+    if (!(value(slip2) > still * squared_scale(s, body.radius)))
+      return rolling_arc(s.at, s.velocity, rolling_friction, g);
+    if (value(sliding_friction) == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
+    const K a = K(sliding_friction) * g;
     const T size = sqrt(slip2);
-    return {s.at, s.velocity, u * T(-a / size), size * Number(2) / Number(7 * a), PhaseEnd::roll};
+    return {s.at, s.velocity, u * T(-a / size), size * Number(2) / K(Number(7) * a), PhaseEnd::roll, true};
   }
 
   template <class T>
-  void turn(State<T>& s, const Arc<T>& arc, const T& t) const {
+  void turn(const Body& body, State<T>& s, const Arc<T>& arc, const T& t) const {
     using Number = Real<T>;
-    if (arc.end == PhaseEnd::roll) {
+    if (arc.bends) {
       // ẑ × û (5 μs g / 2R) t, with û taken from the acceleration −μs g û.
-      const T by_radius = t * Number(Number(2.5) / radius);
+      const T by_radius = t * Number(Number(2.5) / body.radius);
       s.spin.x += arc.acceleration.y * by_radius;
       s.spin.y -= arc.acceleration.x * by_radius;
-    } else if (arc.end == PhaseEnd::rest) {
-      set_rolling(s);
+    } else if (arc.end != PhaseEnd::none) {
+      set_rolling(body, s);
     }
-    const T lost = t * Number(Number(2.5) * spinning_friction * g / radius);
+    const T lost = t * Coefficient<T, C>(Number(2.5) * spinning_friction * g / body.radius);
     if (value(s.spin.z) > value(lost))
       s.spin.z -= lost;
     else if (value(s.spin.z) < -value(lost))
@@ -67,24 +70,26 @@ struct SlideRoll {
   }
 
   template <class T>
-  void finish(State<T>& s, const Arc<T>& arc) const {
+  void finish(const Body& body, State<T>& s, const Arc<T>& arc) const {
+    if (arc.end == PhaseEnd::piece) return;
     if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
-    set_rolling(s);
+    set_rolling(body, s);
   }
 
   template <class T>
-  Vec3<T> spin(const State<T>& s) const {
+  Vec3<T> spin(const Body&, const State<T>& s) const {
     return s.spin;
   }
   /// Of a slow ball [m/s²].
-  double deceleration() const { return rolling_friction.at_rest * g; }
+  C deceleration() const { return rolling_friction.at_rest * g; }
 
  private:
   template <class T>
-  void set_rolling(State<T>& s) const {
-    s.spin.x = -s.velocity.y / Real<T>(radius);
-    s.spin.y = s.velocity.x / Real<T>(radius);
+  static void set_rolling(const Body& body, State<T>& s) {
+    s.spin.x = -s.velocity.y / Real<T>(body.radius);
+    s.spin.y = s.velocity.x / Real<T>(body.radius);
   }
 };
+using SlideRoll = SlideRollOf<double>;
 
 }  // namespace bankshot

@@ -3,8 +3,9 @@
 // What the simulator asks of a scalar T: +, −, ·, /, comparisons and sqrt, found by argument-dependent
 // lookup. Three kinds are used: double, a dual number (a value with derivatives, such as ceres::Jet,
 // which no header here names), and a number of 50 digits.
-//  1. Physical constants are doubles; their products are formed in Real<T>, so that in 50 digits
-//     nothing is rounded to double on the way, and a dual number is multiplied by plain numbers.
+//  1. Coefficients of a law are doubles; their products are formed in Real<T>, so that in 50 digits
+//     nothing is rounded to double on the way, and a dual number is multiplied by plain numbers. Where a law is
+//     made of dual coefficients, to derive by them, they enter a computation in the same dual number as such.
 //  2. Decisions are taken on value(x): derivatives never decide anything.
 #pragma once
 
@@ -27,6 +28,10 @@ using Real = typename RealOf<T>::type;
 
 template <class T>
 inline constexpr bool has_derivatives = !std::is_same_v<T, Real<T>>;
+
+/// What a coefficient given as C is in a computation in T.
+template <class T, class C>
+using Coefficient = std::conditional_t<has_derivatives<C>, T, Real<T>>;
 
 /// The value of x, without its derivatives.
 template <class T>

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "bankshot/motion/arc.hpp"
+#include "bankshot/scene/body.hpp"
 
 namespace bankshot {
 
 struct Ball {
-  Vec2d at{};                ///< centre [m]
-  double radius = 0.028575;  ///< m; 0 is a point, in `ideal` and `rolling`
-  double mass = 0.170097;    ///< kg
+  Vec2d at{};  ///< centre [m]
+  Body body{};
 };
 
 /// The two numbers a player chooses.

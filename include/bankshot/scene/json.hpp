@@ -21,6 +21,7 @@
 #include <string_view>
 
 #include "bankshot/scene/puzzle.hpp"
+#include "bankshot/scene/scene.hpp"
 
 namespace bankshot {
 
@@ -35,12 +36,7 @@ std::string write_puzzle(const Puzzle& puzzle);
 std::string write_puzzle(const Puzzle& puzzle, std::string_view table, std::string_view physics);
 
 /// A table and a physics, each the JSON text of a puzzle's member, and the ball that the table implies.
-struct SceneDocument {
-  Table table{};
-  Physics physics{};
-  Ball ball{};
-};
-SceneDocument read_scene(std::string_view table, std::string_view physics);
+Scene read_scene(std::string_view table, std::string_view physics);
 
 /// The JSON text of `id` in a document that may be invalid otherwise; empty when there is none.
 std::string read_id(std::string_view text);

@@ -4,6 +4,7 @@
 // with the concrete types, so that the simulator pays for nothing it does not model.
 #pragma once
 
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -25,8 +26,9 @@ struct Physics {
 
 inline Physics ideal_physics() { return {Ideal{}, Mirror{.restitution = 1}}; }
 inline Physics rolling_physics() { return {Rolling{}, Mirror{}}; }
-/// The default: sliding, rolling and spin on cloth, cushions after Han 2005. `radius` in metres.
-Physics spin_physics(double radius = 0.028575);
+/// The default: sliding, rolling and spin on cloth, cushions after Han 2005. The spinning friction is that of a ball of
+/// this size, and so is the height of the cushions' nose [m], 1.28 R, unless it is given.
+Physics spin_physics(const Body& body = {}, std::optional<double> nose_height = {});
 
 /// `f(motion, cushion)` with the types the scene holds. Cushions that act on spin exist only where
 /// the motion carries it; elsewhere every cushion is a mirror.

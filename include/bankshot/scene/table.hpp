@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bankshot/numbers/vec.hpp"
+#include "bankshot/scene/body.hpp"
 
 namespace bankshot {
 
@@ -50,10 +51,10 @@ std::vector<Pocket> six_pockets(const Table& rectangle, Mouth mouth);
 /// A ready-made table with the ball that is played on it.
 struct TablePreset {
   std::string_view name;
-  double length, width;        ///< playing area [m]
-  double radius, mass;         ///< ball [m], [kg]
-  std::optional<Mouth> mouth;  ///< no pockets without
-  double nose_height = 0;      ///< of the cushions over the cloth [m]; 0: 1.28 R
+  double length, width;                 ///< playing area [m]
+  Body body;                            ///< the ball
+  std::optional<Mouth> mouth;           ///< no pockets without
+  std::optional<double> nose_height{};  ///< of the cushions over the cloth [m]; without, 1.28 R
 };
 
 /// Sources: WPA equipment specification, WPBSA and UMB rules; `seed` is the seed article's table.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// What happened to the ball: the events of the simulator.
+// What happened to the ball: the events of the simulator, of a record, and the end of a shot, in one list.
 #pragma once
 
 #include "bankshot/geometry/contact.hpp"
 
 namespace bankshot {
 
-enum class EventKind { cushion, pocket, slide_to_roll, rest, horizon };
+/// horizon: no more was asked for. Only a record has `start` and, last of all, `end`; as what ended a shot `end` means
+/// that there were too many events.
+enum class EventKind { cushion, pocket, slide_to_roll, rest, horizon, start, end };
 
 struct Event {
   EventKind kind = EventKind::horizon;
@@ -16,5 +18,11 @@ struct Event {
   /// True when the ball moves no more: at rest, pocketed, or stopped at the horizon.
   bool final() const { return kind != EventKind::cushion && kind != EventKind::slide_to_roll; }
 };
+
+/// Its words: the type of an event in JSON, the reason of a shot's end in JSON, and for a person.
+struct EventWords {
+  const char *type, *reason, *plain;
+};
+const EventWords& words(EventKind kind);
 
 }  // namespace bankshot

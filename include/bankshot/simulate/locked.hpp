@@ -57,12 +57,6 @@ T lift_contact(const Boundary& boundary, const Arc<T>& arc, Contact contact, con
   return lift_line(arc, w->normal, w->offset, beyond && away, t);
 }
 
-/// For those who only ask where a locked path leads.
-struct Unwatched {
-  template <class T>
-  void operator()(const Arc<T>&, const T&) const {}
-};
-
 /// Of the struck ball, the only one that moves on today's routes. `watch` is shown each arc and how far it was
 /// followed.
 template <class T, class Motion, class Cushion, class Watch = Unwatched>
@@ -73,10 +67,10 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
   for (const Meeting& meeting : route) {
     const Contact contact = meeting.with;
     for (;;) {
-      const Arc<T> arc = motion.arc(path.state);
+      const Arc<T> arc = motion.arc(boundary.body, path.state);
       const Number t = time_to_contact(boundary, value(arc), contact);
       const bool met = t <= value(arc.duration) && t < Number(forever);
-      if (!met && arc.end != PhaseEnd::roll) {
+      if (!met && !arc.goes_on()) {
         const bool towards = dot(boundary.normal(contact, value(arc.at)), value(arc.velocity)) < Number(0);
         path.end = towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
         return path;
@@ -84,14 +78,14 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
       const T on = met ? lift_contact(boundary, arc, contact, t) : arc.duration;
       watch(arc, on);
       path.time += arc.seconds(on);
-      path.state = advance(motion, path.state, arc, on);
+      path.state = advance(motion, boundary.body, path.state, arc, on);
       if (met) break;
-      motion.finish(path.state, arc);
+      motion.finish(boundary.body, path.state, arc);
     }
     if (const Wall* const w = boundary.line(contact))
-      cushion.bounce(path.state, w->normal);
+      cushion.bounce(boundary.body, path.state, w->normal);
     else
-      cushion.bounce(path.state, boundary.normal(contact, path.state.at));
+      cushion.bounce(boundary.body, path.state, boundary.normal(contact, path.state.at));
   }
   return path;
 }
@@ -106,11 +100,11 @@ struct LockedArrival {
 };
 
 template <class T, class Motion, class Watch = Unwatched>
-LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d& target, double capture, bool stop,
-                               Watch&& watch = {}) {
+LockedArrival<T> arrive_locked(const Motion& motion, const Body& body, State<T> state, const Vec2d& target,
+                               double capture, bool stop, Watch&& watch = {}) {
   using Number = Real<T>;
   for (;;) {
-    const Arc<T> arc = motion.arc(state);
+    const Arc<T> arc = motion.arc(body, state);
     const Arc<Number>& plain = value(arc);
     T t = arc.duration;
     bool arrived = false;
@@ -125,13 +119,13 @@ LockedArrival<T> arrive_locked(const Motion& motion, State<T> state, const Vec2d
       if (arrived) t = nearest > Number(0) ? lift_closest(arc, target, nearest) : T(0);
     }
     if (t < T(forever)) watch(arc, t);
-    if (arrived || arc.end != PhaseEnd::roll) {
+    if (arrived || !arc.goes_on()) {
       const bool ends = !(t < T(forever));
-      const State<T> end = ends ? state : advance(motion, state, arc, t);
+      const State<T> end = ends ? state : advance(motion, body, state, arc, t);
       return {end, arrived ? end.velocity : arc.velocity, !arrived};
     }
-    state = advance(motion, state, arc, t);
-    motion.finish(state, arc);
+    state = advance(motion, body, state, arc, t);
+    motion.finish(body, state, arc);
   }
 }
 

@@ -8,13 +8,13 @@
 
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/scene/puzzle.hpp"
+#include "bankshot/simulate/event.hpp"
 
 namespace bankshot {
 
 /// The state right after an event. `contact` is the cushion, the vertex or the pocket.
 struct Record {
-  enum class Kind { start, cushion, slide_to_roll, roll_to_rest, pocket, end };
-  Kind kind;
+  EventKind kind;
   double time;  ///< s
   State<double> state;
   Contact contact{};
@@ -29,11 +29,10 @@ struct Leg {
 };
 
 struct Trajectory {
-  enum class End { rest, until, pocketed, events };
   std::vector<Record> events;
-  std::vector<Leg> legs;  ///< without those of no duration
-  End end = End::rest;
-  double length = 0;  ///< m, of the path
+  std::vector<Leg> legs;            ///< without those of no duration
+  EventKind end = EventKind::rest;  ///< rest, pocket, horizon (what was asked), or end: too many events
+  double length = 0;                ///< m, of the path
   int cushions = 0;
 
   std::vector<Contact> sequence() const;  ///< the contacts in order
@@ -46,10 +45,10 @@ inline constexpr int ideal_cushions = 100;  ///< where an `ideal` shot without `
 Trajectory simulate(const ShotRequest& request);
 
 /// ½ m v² + ⅕ m R² ω² [J].
-double energy(const Ball& ball, const State<double>& state);
+double energy(const Body& body, const State<double>& state);
 
 /// The state `t` seconds into a leg.
-State<double> state_at(const Physics& physics, const Leg& leg, double t);
+State<double> state_at(const ShotRequest& request, const Leg& leg, double t);
 
 /// The state right after the launch.
 State<double> start_state(const ShotRequest& request);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // What every cushion owes, tried on random impacts: a law that breaks one of these makes simulations or
-// plans wrong. A cushion is anything with bounce(State<double>&, normal): Mirror, Han2005, CustomCushion, your own.
+// plans wrong. A cushion is anything with bounce(body, State<double>&, normal): Mirror, Han2005, CustomCushion, your
+// own.
 //
-//   for (const Promise& p : try_promises(cushion, radius)) std::puts(p.kept() ? "kept" : p.what);
+//   for (const Promise& p : try_promises(cushion, body)) std::puts(p.kept() ? "kept" : p.what);
 #pragma once
 
 #include <algorithm>
@@ -49,8 +50,8 @@ inline State<double> turned(const State<double>& s, double angle) {
 }
 
 template <class Cushion>
-State<double> bounced(const Cushion& cushion, State<double> s, const Vec2d& normal = {0, 1}) {
-  cushion.bounce(s, normal);
+State<double> bounced(const Cushion& cushion, const Body& body, State<double> s, const Vec2d& normal = {0, 1}) {
+  cushion.bounce(body, s, normal);
   return s;
 }
 
@@ -64,7 +65,9 @@ struct Promise {
 
 /// Impacts over four decades of speed with any spin; the same seed tries the same ones.
 template <class Cushion>
-std::array<Promise, 5> try_promises(const Cushion& cushion, double radius, int impacts = 5000, std::uint64_t seed = 1) {
+std::array<Promise, 5> try_promises(const Cushion& cushion, const Body& body, int impacts = 5000,
+                                    std::uint64_t seed = 1) {
+  const double radius = body.radius;
   constexpr double rounding = 1e-12;
   std::array<Promise, 5> all{{{"energy after over energy before", 1 + rounding},
                               {"speed on into the cushion, of the whole", 0},
@@ -81,12 +84,13 @@ std::array<Promise, 5> try_promises(const Cushion& cushion, double radius, int i
     const State<double> s{{uniform(-1, 1), uniform(-1, 1)},
                           {v * std::cos(heading), v * std::sin(heading)},
                           {w * uniform(-2, 2), w * uniform(-2, 2), w * uniform(-2, 2)}};
-    const State<double> e = bounced(cushion, s);
+    const State<double> e = bounced(cushion, body, s);
     const double angle = uniform(0, full), scale = scale_of(s, radius);
     const double found[] = {
         energy_of(e, radius) / energy_of(s, radius), std::max(0.0, -e.velocity.y) / scale, norm(e.at - s.at),
-        difference(bounced(cushion, mirrored(s)), mirrored(e), radius) / scale,
-        difference(bounced(cushion, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle), radius) / scale};
+        difference(bounced(cushion, body, mirrored(s)), mirrored(e), radius) / scale,
+        difference(bounced(cushion, body, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle), radius) /
+            scale};
     for (std::size_t k = 0; k < all.size(); ++k)
       if (!(found[k] <= all[k].worst)) all[k].worst = found[k], all[k].impact = s;
   }

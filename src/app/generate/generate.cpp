@@ -60,7 +60,7 @@ CushionRule read_rule(const std::string& text, const Table& table) {
 Wish read_wish(const Arguments& a) {
   Wish w;
   try {
-    const SceneDocument scene = read_scene(as_json(a.table), as_json(a.physics));
+    const Scene scene = read_scene(as_json(a.table), as_json(a.physics));
     w.table = scene.table, w.physics = scene.physics, w.ball = scene.ball;
   } catch (const InvalidInput& e) {
     throw FileError(e.path.empty() ? fmt::format("--table or --physics: {}", e.what())

@@ -28,7 +28,7 @@ struct Arguments {
 
 StartMap map_of(const Puzzle& puzzle, const Arguments& a) {
   StartMap map{StartGrid(puzzle, a.grid[0], a.grid[1]), {}, {}};
-  const Boundary boundary(puzzle.table, puzzle.ball.radius);
+  const Boundary boundary(puzzle.table, puzzle.ball.body);
   std::vector<Puzzle> asked;
   for (std::size_t i = 0; i < map.grid.size(); ++i) {
     map.starts.push_back(start_at(puzzle, boundary, map.grid.at(i)));

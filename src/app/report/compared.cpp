@@ -46,11 +46,11 @@ std::vector<Series> stepping_series(double least) {
 }
 
 const Boundary& comparison_table(bool pockets) {
-  static const Boundary plain(rectangle_table(length, width), radius);
+  static const Boundary plain(rectangle_table(length, width), {radius});
   static const Boundary with_pockets = [] {
     Table t = rectangle_table(length, width);
     t.pockets = six_pockets(t, {0.116, 0.129});
-    return Boundary(t, radius);
+    return Boundary(t, {radius});
   }();
   return pockets ? with_pockets : plain;
 }
@@ -75,7 +75,7 @@ State<double> by_events(const Boundary& boundary, const Physics& physics, const 
     while (!sim.step(shot.until - sim.time()).final()) {
     }
     State<double> s = sim.state();
-    s.spin = motion.spin(s);
+    s.spin = motion.spin(boundary.body, s);
     return s;
   });
 }

@@ -78,7 +78,7 @@ int cushions_met(const truth::Run& run) {
 
 /// The place of the n-th bounce against 50 digits, for every n.
 Losses measure(const Scene& scene, int shots, std::string& csv, Progress& progress) {
-  const Boundary boundary(scene.table, radius);
+  const Boundary boundary(scene.table, {radius});
   Losses out;
   Random draw(4);
   for (int shot = 0; shot < shots; ++shot) {
@@ -150,7 +150,7 @@ Section conditioning(const Settings& settings, Progress& progress) {
   double worst = 0;
   for (const Scene& scene : all) {
     const Losses l = measure(scene, shots, csv, progress);
-    const double unit = 0x1p-53 * Boundary(scene.table, radius).extent / scene.table.diagonal(),
+    const double unit = 0x1p-53 * Boundary(scene.table, {radius}).extent / scene.table.diagonal(),
                  most = std::log10(tolerance::exact_miss / unit);
     const int last = too_many(l.lost, most);
     for (int n = 1; n <= most_cushions; ++n) {

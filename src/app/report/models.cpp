@@ -42,7 +42,7 @@ struct Question {
 };
 
 Question draw_question(Random& draw, const Physics& fullest, int cushions) {
-  const double R = comparison_table().radius;
+  const double R = comparison_table().body.radius;
   for (;;) {
     ShotRequest shot{.table = rectangle_table(2.54, 1.27), .physics = fullest};
     shot.ball.at = {draw.uniform(R, 2.54 - R), draw.uniform(R, 1.27 - R)};

@@ -43,7 +43,8 @@ State<double> start_in(Random& draw, const Boundary& boundary, double size, doub
   for (;;) {
     const Vec2d at{draw.uniform(0, 2 * size), draw.uniform(0, 2 * size)};
     if (boundary.clearance(at) > 0)
-      return launched(at, boundary.radius, direction(draw.uniform(0, radians(360))) * speed, LaunchSpin{.top = 0.5});
+      return launched(at, boundary.body.radius, direction(draw.uniform(0, radians(360))) * speed,
+                      LaunchSpin{.top = 0.5});
   }
 }
 
@@ -69,7 +70,7 @@ Measured sweep(const char* what, const char* name, std::vector<double> xs, int s
 }
 
 Measured by_cushions(const char* name, const Physics& physics, double speed, int shots) {
-  const Boundary table(rectangle_table(2.54, 1.27), radius);
+  const Boundary table(rectangle_table(2.54, 1.27), {radius});
   return sweep("cushions", name, {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}, shots, [&](Random& draw, double n) {
     constexpr int tries = 50;
     for (int i = 0; i < tries; ++i) {
@@ -93,7 +94,7 @@ Table regular(int edges) {
 
 Measured by_edges(const char* name, const Physics& physics, int shots) {
   return sweep("edges", name, {3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128}, shots, [&](Random& draw, double n) {
-    const Boundary table(regular(static_cast<int>(n)), radius);
+    const Boundary table(regular(static_cast<int>(n)), {radius});
     const State<double> start = start_in(draw, table, 1, 5);
     constexpr int cushions = 5;
     return seconds_of([&] { run(table, physics, start, cushions); });
@@ -105,7 +106,7 @@ Measured by_length(const char* name, const Physics& physics, std::optional<Schem
   constexpr int cushions = 5;
   constexpr double speed = 4, ball = 0.001;
   Measured m = sweep("length", name, {0.1, 0.3, 1, 3, 10, 30, 100}, shots, [&](Random& draw, double size) {
-    const Boundary table(rectangle_table(2 * size, size), ball);
+    const Boundary table(rectangle_table(2 * size, size), {ball});
     const State<double> start = start_in(draw, table, size, speed);
     truth::Run whole{table, physics, start, cushions};
     const double until = truth::run_double(whole).events.back().time;
@@ -118,7 +119,7 @@ Measured by_length(const char* name, const Physics& physics, std::optional<Schem
 }
 
 Measured by_digits(const char* name, const Physics& physics, int shots) {
-  const Boundary table(rectangle_table(2.54, 1.27), radius);
+  const Boundary table(rectangle_table(2.54, 1.27), {radius});
   return sweep("digits", name, {16, 25, 50, 100}, shots, [&](Random& draw, double digits) {
     const State<double> start = start_in(draw, table, 1.27, 5);
     constexpr int cushions = 5;
@@ -158,7 +159,7 @@ constexpr const char* about =
 Section scaling(const Settings& settings, Progress& progress) {
   const int shots = settings.shots;
   progress.begin("scaling", 4);
-  Physics free_rolling{Rolling{.friction = 1e-6, .radius = 0.001}, Mirror{1}};
+  Physics free_rolling{Rolling{.friction = 1e-6}, Mirror{1}};
   const char *ideal = "ideal", *spin = "spin";
   std::vector<std::vector<Measured>> all;
   all.push_back({by_cushions(ideal, ideal_physics(), 1, shots), by_cushions(spin, lively_spin(), 8, shots)});

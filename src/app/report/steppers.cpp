@@ -44,7 +44,7 @@ class Run {
   bool goes_on() const { return out_.time < until_ && !out_.pocketed && !out_.rests; }
 
   Vec2d slip(const Coordinates& y) const {
-    if constexpr (slides) return {y[2] - motion_.radius * y[5], y[3] + motion_.radius * y[4]};
+    if constexpr (slides) return {y[2] - boundary_.body.radius * y[5], y[3] + boundary_.body.radius * y[4]};
     return {0, 0};
   }
 
@@ -52,7 +52,7 @@ class Run {
     Forces f{phase_, along_, 0, 0, 0, 0};
     if constexpr (slides) {
       f.sliding = motion_.sliding_friction * motion_.g;
-      f.turning = 2.5 * f.sliding / motion_.radius;
+      f.turning = 2.5 * f.sliding / boundary_.body.radius;
       f.rolling = motion_.rolling_friction.at_rest * motion_.g;
       f.per_speed = motion_.rolling_friction.per_speed * motion_.g;
     } else {
@@ -64,7 +64,7 @@ class Run {
   void choose_phase() {
     const Vec2d u = slip(y_), v = velocity_of(y_);
     const State<double> now{{y_[0], y_[1]}, v, {y_[4], y_[5], spin_}};
-    if (dot(u, u) > tolerance::slip * tolerance::slip * squared_scale(now, boundary_.radius)) {
+    if (dot(u, u) > tolerance::slip * tolerance::slip * squared_scale(now, boundary_.body.radius)) {
       phase_ = Phase::slide;
       along_ = u / norm(u);
     } else {
@@ -77,7 +77,7 @@ class Run {
     phase_ = Phase::roll;
     if (v == Vec2d{0, 0}) return rest();
     along_ = v / norm(v);
-    if (slides) y_[4] = -v.y / boundary_.radius, y_[5] = v.x / boundary_.radius;
+    if (slides) y_[4] = -v.y / boundary_.body.radius, y_[5] = v.x / boundary_.body.radius;
   }
 
   void rest() {
@@ -94,8 +94,8 @@ class Run {
     out_.time += h;
     ++out_.steps;
     if constexpr (slides) {
-      if (phase_ == Phase::roll) y_[4] = -y_[3] / motion_.radius, y_[5] = y_[2] / motion_.radius;
-      const double lost = h * 2.5 * motion_.spinning_friction * motion_.g / motion_.radius;
+      if (phase_ == Phase::roll) y_[4] = -y_[3] / boundary_.body.radius, y_[5] = y_[2] / boundary_.body.radius;
+      const double lost = h * 2.5 * motion_.spinning_friction * motion_.g / boundary_.body.radius;
       spin_ = std::copysign(std::max(0.0, std::abs(spin_) - lost), spin_);
     }
   }
@@ -125,7 +125,7 @@ class Run {
     y_[1] -= g * w.normal.y;
     if (!(dot(w.normal, velocity_of(y_)) < 0)) return;
     State<double> s{{y_[0], y_[1]}, velocity_of(y_), {y_[4], y_[5], spin_}};
-    cushion_.bounce(s, w.normal);
+    cushion_.bounce(boundary_.body, s, w.normal);
     y_ = {y_[0], y_[1], s.velocity.x, s.velocity.y, s.spin.x, s.spin.y};
     spin_ = s.spin.z;
     ++out_.cushions;

@@ -19,7 +19,7 @@ namespace {
 /// events are those of 50 digits.
 using Trouble = std::function<double(std::size_t shot, const Scheme& scheme)>;
 
-double energy_of(const State<double>& s) { return energy(Ball{}, s); }
+double energy_of(const State<double>& s) { return energy(Body{}, s); }
 
 /// Relative difference of the energy from the true one at the same moment.
 Trouble energy_drift(const std::vector<Timed>& shots, const Physics& physics) {
@@ -67,7 +67,7 @@ Timed towards(Random& draw, const Vec2d& point, double beside, double after) {
   const Vec2d way = point - at, d = way / norm(way);
   const Vec2d aim = way + perpendicular(d) * draw.uniform(-beside, beside);
   const double speed = draw.log_uniform(1, 8);
-  return {launched(at, table.radius, aim / norm(aim) * speed, LaunchSpin{.top = draw.uniform(-0.5, 1)}),
+  return {launched(at, table.body.radius, aim / norm(aim) * speed, LaunchSpin{.top = draw.uniform(-0.5, 1)}),
           norm(way) / speed + after};
 }
 

@@ -20,12 +20,8 @@ struct Arguments {
 };
 
 std::string event_text(const ShotRequest& r, const Record& e) {
-  const std::string what = e.kind == Record::Kind::start           ? "launch"
-                           : e.kind == Record::Kind::cushion       ? "cushion " + contact_name(r.table, e.contact)
-                           : e.kind == Record::Kind::pocket        ? "pocket " + contact_name(r.table, e.contact)
-                           : e.kind == Record::Kind::roll_to_rest  ? "rest"
-                           : e.kind == Record::Kind::slide_to_roll ? "slide to roll"
-                                                                   : "end";
+  std::string what = words(e.kind).plain;
+  if (e.contact) what += ' ' + contact_name(r.table, e.contact);
   return fmt::format("{:10.4f} s  {:<22} at ({:.4f}, {:.4f}) m, {:.4f} m/s\n", e.time, what, e.state.at.x, e.state.at.y,
                      norm(e.state.velocity));
 }

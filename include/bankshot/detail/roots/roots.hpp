@@ -65,12 +65,6 @@ T closest_time_straight(const Arc<T>& arc, const T& duration, const Vec2d& point
   return t < duration ? t : duration;
 }
 
-/// The arc does not bend: its acceleration is along its velocity, or none.
-template <class T>
-bool is_straight(const Arc<T>& arc) {
-  return arc.end != PhaseEnd::roll;
-}
-
 /// The time `t` at which an arc meets the line of a wall, with the derivatives of the arc: one step of
 /// Newton's method, which does not move the value (implicit function theorem). `on`: the arc starts
 /// on the line, exactly. Without a crossing (a double root) there is no derivative, and none is given.
@@ -128,7 +122,7 @@ T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T&
 /// just left; then the gap there is exactly 0.
 template <class T>
 T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& limit, bool left = false) {
-  if (is_straight(arc)) return left ? T(forever) : first_entry_straight(arc, centre, radius);
+  if (!arc.bends) return left ? T(forever) : first_entry_straight(arc, centre, radius);
   const Vec2<T> d = arc.at - to<T>(centre), v = arc.velocity, a = arc.acceleration;
   const T until = limit < arc.duration ? limit : arc.duration;
   // Nothing further away than the ball can get by then needs a quartic.
@@ -144,7 +138,7 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
 /// When, within `duration`, an arc is closest to `point`.
 template <class T>
 T closest_time(const Arc<T>& arc, const T& duration, const Vec2d& point) {
-  if (is_straight(arc)) return closest_time_straight(arc, duration, point);
+  if (!arc.bends) return closest_time_straight(arc, duration, point);
   const Vec2<T> d = arc.at - to<T>(point), v = arc.velocity, a = arc.acceleration;
   // Half the derivative of the squared distance.
   const Polynomial<T, 3> slope{dot(d, v), dot(v, v) + dot(d, a), T(1.5) * dot(v, a), dot(a, a) / T(2)};

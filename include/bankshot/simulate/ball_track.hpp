@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+//
+// One ball on its way, whoever keeps the time: the one-ball loop of simulator.hpp, or a queue of many balls. It
+// holds the state, the arc that leads on from it, and the contacts that the centre is on (on_cushions.hpp).
+//
+//   auto next = track.next(motion, limit);     // what ends its arc, and when
+//   track.go(motion, track.when(next));        // there, or less far when something else happens first
+//   track.meet(cushion, next.event.contact);   // where it meets something
+//
+// Properties as numbered in simulator.hpp. No allocation; laws are told the ball's body, which is the boundary's.
+#pragma once
+
+#include "bankshot/detail/next_event.hpp"
+
+namespace bankshot {
+
+template <class T>
+class BallTrack {
+ public:
+  using Number = Real<T>;
+
+  /// `boundary` must outlive it.
+  BallTrack(const Boundary& boundary, const State<T>& start)
+      : boundary_(&boundary), state_(start), cushions_(squared_scale(start, boundary.body.radius)) {}
+
+  /// A ball that starts against a cushion is put exactly on its line.
+  void settle() { cushions_.settle_at_start(*boundary_, state_.at); }
+
+  /// Makes the arc from here, and tells what ends it within `limit` seconds; its time is the arc's parameter.
+  template <class Motion>
+  NextEvent<Number> next(const Motion& motion, const T& limit) {
+    set_out(motion);
+    if constexpr (!Motion::straight) cushions_.hold(*boundary_, arc_);
+    limit_ = arc_.parameter(limit);
+    return EventFinder<Motion::straight, Number>{*boundary_, cushions_, value(arc_)}.next(value(limit_));
+  }
+
+  /// The time of what `next` told, with its derivatives.
+  T when(const NextEvent<Number>& next) const {
+    return lift_event(*boundary_, next, arc_, cushions_.on(next.event.contact), limit_);
+  }
+
+  /// Along the arc.
+  template <class Motion>
+  void go(const Motion& motion, const T& parameter) {
+    travelled_ = parameter;
+    state_ = advance(motion, boundary_->body, before_, arc_, travelled_);
+    if (value(travelled_) > Number(0)) cushions_.leave();
+  }
+
+  /// Where the arc ends by itself, the state becomes exact.
+  template <class Motion>
+  void finish(const Motion& motion) {
+    motion.finish(boundary_->body, state_, arc_);
+  }
+
+  /// Bounces off a contact. `also`: another one that the centre is on in this instant.
+  template <class Cushion>
+  void meet(const Cushion& cushion, Contact contact, Contact also = {}) {
+    cushions_.leave();
+    if (also) cushions_.meet(also);
+    bounce(cushion, contact);
+  }
+
+  /// Bounces off the other one. No time passes, but the instant of the second bounce has derivatives of its own.
+  template <class Motion, class Cushion>
+  void meet_also(const Motion& motion, const Cushion& cushion, Contact contact) {
+    set_out(motion);
+    travelled_ = T(0);
+    if (const Wall* const w = boundary_->line(contact); has_derivatives<T> && w) {
+      travelled_ = lift_line(arc_, w->normal, w->offset, false, Number(0));
+      state_ = advance(motion, boundary_->body, before_, arc_, travelled_);
+    }
+    bounce(cushion, contact);
+  }
+
+  /// Speed towards a contact.
+  Number approach(Contact contact) const {
+    return -dot(boundary_->normal(contact, value(state_.at)), value(state_.velocity));
+  }
+
+  const Boundary& boundary() const { return *boundary_; }
+  const State<T>& state() const { return state_; }    ///< where it is
+  const State<T>& before() const { return before_; }  ///< where its arc began
+  const Arc<T>& arc() const { return arc_; }
+  const T& travelled() const { return travelled_; }  ///< how far on that arc: its parameter
+
+  /// It does not go on from here.
+  void stay() { travelled_ = T(0); }
+  /// Goes on from another state at the same place, such as the same with fresh derivatives.
+  void resume(const State<T>& state) { state_ = state; }
+
+ private:
+  template <class Motion>
+  void set_out(const Motion& motion) {
+    before_ = state_;
+    arc_ = motion.arc(boundary_->body, state_);
+  }
+
+  template <class Cushion>
+  void bounce(const Cushion& cushion, Contact contact) {
+    const Body& body = boundary_->body;
+    cushions_.settle(*boundary_, contact, state_.at);
+    cushions_.bounces(squared_scale(state_, body.radius));
+    if (const Wall* const w = boundary_->line(contact))
+      cushion.bounce(body, state_, w->normal);
+    else
+      cushion.bounce(body, state_, boundary_->normal(contact, state_.at));
+    const Vec2<Number> v = value(state_.velocity);
+    if (cushions_.is_rounding(dot(v, v))) state_.velocity = {T(0), T(0)};
+    if (cushions_.is_still(squared_scale(state_, body.radius))) {
+      state_.velocity = {T(0), T(0)};
+      state_.spin.x = state_.spin.y = T(0);
+    }
+  }
+
+  const Boundary* boundary_;
+  State<T> state_;
+  State<T> before_{};
+  Arc<T> arc_{};
+  T limit_{0};  ///< of the arc's parameter
+  T travelled_{0};
+  OnCushions<Number> cushions_;
+};
+
+}  // namespace bankshot
