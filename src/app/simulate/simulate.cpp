@@ -26,6 +26,20 @@ std::string event_text(const ShotRequest& r, const Record& e) {
                      norm(e.state.velocity));
 }
 
+/// What the ball does in the end.
+std::string_view ending(EventKind end) {
+  switch (end) {
+    case EventKind::rest:
+      return "comes to rest";
+    case EventKind::pocket:
+      return "is pocketed";
+    case EventKind::horizon:
+      return "stopped where asked";
+    default:
+      return "stopped after a million events";
+  }
+}
+
 std::string text_of(const ShotRequest& r, const Trajectory& t) {
   constexpr std::size_t most_lines = 60;  // a longer list is for --json
   std::string out;
@@ -37,9 +51,7 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
     }
     out += event_text(r, t.events[i]);
   }
-  constexpr const char* ends[] = {"comes to rest", "stopped where asked", "is pocketed",
-                                  "stopped after a million events"};
-  return out + fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ends[static_cast<int>(t.end)], t.cushions,
+  return out + fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ending(t.end), t.cushions,
                            t.cushions == 1 ? "" : "s", t.length);
 }
 
