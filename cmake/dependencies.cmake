@@ -11,27 +11,34 @@ function(bankshot_need package version debian)
   endforeach()
 endfunction()
 
+# The simulator's library.
 bankshot_need(nlohmann_json 3.10 nlohmann-json3-dev GLOBAL)
 bankshot_need(fmt 8 libfmt-dev)
-bankshot_need(CLI11 2.1 libcli11-dev)
-bankshot_need(TBB 2021 libtbb-dev)
-bankshot_need(ZLIB 1.2 zlib1g-dev)
+# The planners' library.
 bankshot_need(Eigen3 3.4 libeigen3-dev NO_MODULE)
 bankshot_need(Ceres 2.1 libceres-dev)
-# Headers only, for 50 digits and for the integrators that `report` compares with; the program uses them, the libraries do not.
-bankshot_need(Boost 1.74 libboost-dev)
-
-# NLopt is packaged twice under one CMake name (C and C++), so ask for the target.
-find_package(NLopt 2.7 QUIET)
-if(NOT TARGET NLopt::nlopt)
-  find_package(PkgConfig QUIET)
-  if(PkgConfig_FOUND)
-    pkg_check_modules(nlopt QUIET IMPORTED_TARGET nlopt>=2.7)
+if(BANKSHOT_NLOPT)
+  # NLopt is packaged twice under one CMake name (C and C++), so ask for the target.
+  find_package(NLopt 2.7 QUIET)
+  if(NOT TARGET NLopt::nlopt)
+    find_package(PkgConfig QUIET)
+    if(PkgConfig_FOUND)
+      pkg_check_modules(nlopt QUIET IMPORTED_TARGET nlopt>=2.7)
+    endif()
+    if(NOT TARGET PkgConfig::nlopt)
+      message(FATAL_ERROR "bankshot needs NLopt >= 2.7: apt-get install libnlopt-dev")
+    endif()
+    add_library(NLopt::nlopt ALIAS PkgConfig::nlopt)
   endif()
-  if(NOT TARGET PkgConfig::nlopt)
-    message(FATAL_ERROR "bankshot needs NLopt >= 2.7: apt-get install libnlopt-dev")
-  endif()
-  add_library(NLopt::nlopt ALIAS PkgConfig::nlopt)
+else()
+  message(STATUS "bankshot: no planners nlopt-*; tests, benchmarks and the report leave them out (BANKSHOT_NLOPT is off)")
+endif()
+# The program; of Boost headers only, for 50 digits and for the integrators that `report` compares with.
+if(BANKSHOT_PROGRAM)
+  bankshot_need(CLI11 2.1 libcli11-dev)
+  bankshot_need(TBB 2021 libtbb-dev)
+  bankshot_need(ZLIB 1.2 zlib1g-dev)
+  bankshot_need(Boost 1.74 libboost-dev)
 endif()
 
 # Their headers are not ours to warn about, and only tiny_solver.h and jet.h of Ceres are used, so

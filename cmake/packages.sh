@@ -4,7 +4,7 @@
 # Ubuntu with apt, with sudo when not root; elsewhere it names the packages and goes on, and CMake
 # says what it does not find.
 #   need PACKAGE...     install the Debian packages that are not there yet
-#   build PRESET ARG... configure and build a preset under build/
+#   build PRESET [ARG...] [-- TARGET...]   configure and build a preset under build/, or only these targets
 
 need() {
   missing=""
@@ -26,16 +26,35 @@ need() {
   $sudo env DEBIAN_FRONTEND=noninteractive sh -c 'apt-get update -qq && apt-get install -y -qq --no-install-recommends "$@" >/dev/null' sh $missing
 }
 
+# The C++ files of the repository, a line each; also where there is no git.
+cpp_files() {
+  git ls-files '*.cpp' '*.hpp' 2>/dev/null | grep . || find examples include planners src tests -name '*.[ch]pp'
+}
+
 toolchain="g++ cmake ninja-build ccache nlohmann-json3-dev libfmt-dev libcli11-dev libeigen3-dev libceres-dev libnlopt-dev libboost-dev libtbb-dev zlib1g-dev"
 
-build() {
+# configure PRESET [ARG...]
+configure() {
   preset=$1
   shift
   launcher=""
   command -v ccache >/dev/null 2>&1 && launcher="-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"
+  cmake --preset "$preset" $launcher "$@" >/dev/null
+}
+
+build() {
+  preset=$1
+  shift
+  options="" targets=""
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    options="$options $1"
+    shift
+  done
+  [ $# -gt 1 ] && shift && targets="--target $*"
   log=build/$preset.log
   mkdir -p build
-  if ! { cmake --preset "$preset" $launcher "$@" && cmake --build --preset "$preset"; } >"$log" 2>&1; then
+  # shellcheck disable=SC2086  # several words each
+  if ! { configure "$preset" $options && cmake --build --preset "$preset" $targets; } >"$log" 2>&1; then
     tail -n 40 "$log" >&2
     echo "The build failed; the whole log is $log" >&2
     return 1

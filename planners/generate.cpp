@@ -58,7 +58,7 @@ LaunchSpin draw_spin(Random& r, const Physics& physics) {
 }
 
 Wish::Kind kind_of(const Puzzle& p) {
-  if (std::holds_alternative<PocketTarget>(p.target)) return Wish::Kind::pocket;
+  if (is_pocket(p.target)) return Wish::Kind::pocket;
   const auto asked = arrival_range(p);
   return asked && asked->high == 0 ? Wish::Kind::stop : Wish::Kind::pass;
 }
@@ -78,7 +78,7 @@ void tidy(Puzzle& p) {
     p.speed = plain.speed;
   else
     p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
-  if (p.arrive && !stops && std::holds_alternative<PointTarget>(p.target))
+  if (p.arrive && !stops && !is_pocket(p.target))
     p.arrive = Range{in_tenths(p.arrive->low), in_tenths(p.arrive->low)};
   else
     p.arrive.reset();
@@ -97,8 +97,8 @@ std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& bounda
   shot.until.cushions = n + 1;
   auto asked = ask(r, shot, simulate(shot), n, n);
   if (!asked) return {};
-  const auto* drop = std::get_if<PocketTarget>(&asked->puzzle.target);
-  if (drop && drop->pocket != pocket) return {};
+  const Mark mark = marks_of(asked->puzzle.target, boundary).front();
+  if (mark.captures() && mark.taken_by.index != pocket) return {};
   asked->puzzle.cushions = CushionRule::exactly(n);
   return asked->puzzle;
 }
@@ -128,10 +128,9 @@ bool is_sound(const Puzzle& p) {
     return false;
   }
   constexpr double near = 0.2;
-  const auto* point = std::get_if<PointTarget>(&p.target);
-  const Vec2d target =
-      point ? point->at : p.table.pockets[static_cast<std::size_t>(std::get<PocketTarget>(p.target).pocket.value())].at;
-  return norm(target - p.ball.at) >= near * p.table.diagonal();
+  const Boundary boundary(p.table, p.ball.body);
+  const Mark mark = marks_of(p.target, boundary).front();
+  return norm(mark.at - p.ball.at) >= near * boundary.diagonal;
 }
 
 /// A drawn target often has no shot, and to be sure of that costs far more than to find one.
@@ -143,8 +142,8 @@ bool has_quick_shot(Puzzle p) {
 
 }  // namespace
 
-std::optional<Question> ask(Random& r, const ShotRequest& shot, const Trajectory& t, int least, int most) {
-  Question q{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};
+std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t, int least, int most) {
+  Made q{{.table = shot.table, .physics = shot.physics, .ball = shot.ball, .spin = shot.spin}, shot.launch, 0};
   Puzzle& p = q.puzzle;
   const Record& last = t.events.back();
   double arrival = 0;

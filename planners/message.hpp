@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// What an answer says in words: what was found or searched, which bound binds, and what would make a shot
-// possible where there is none.
+// What an answer says in words: what was found or searched, which bound binds.
 #pragma once
 
-#include "planners/search.hpp"
+#include <string>
+
+#include "bankshot/plan/answer.hpp"
+#include "planners/findings.hpp"
+#include "planners/ledger.hpp"
+#include "planners/question.hpp"
 
 namespace bankshot::planning {
 
-std::string message(const Search& s, const Answer& a, std::size_t found);
+/// `distinct`: how many shots were found, of which the answer may hold only the best.
+std::string message(const Question& q, const Ledger& ledger, const Findings& found, const Answer& a,
+                    std::size_t distinct);
 
-/// The closest miss of a search without a shot.
-void add_nearest(Search& s, Answer& a);
-
-/// Solves the puzzle with a bound loosened, cheapest first, and says which loosening opens it: more
-/// speed, any aim, other counts of cushions, side spin. Empty when none of these does.
-std::string what_would_open(const Puzzle& puzzle);
+/// The closest miss of a search without a shot, replayed.
+void add_nearest(const Question& q, const Findings& found, Answer& a);
 
 }  // namespace bankshot::planning

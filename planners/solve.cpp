@@ -2,47 +2,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
+#include <limits>
+#include <vector>
 
 #include "bankshot/plan/planner.hpp"
 #include "planners/merit/rank.hpp"
+#include "planners/merit/safest.hpp"
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
+#include "planners/settings.hpp"
+#include "planners/what_would_open.hpp"
 
 namespace bankshot {
 namespace {
 
-using planning::Search;
-
-struct Method {
-  PlannerInfo info;
-  void (*plan)(Search&);
-};
-
-constexpr std::array methods{
-    Method{{"auto", "images, refined where paths are no straight lines; then sweep; nlopt-direct last"},
-           planning::automatic},
-    Method{{"image", "exact aims by unfolding the table; complete without reflex vertices"}, planning::image},
-    Method{{"sweep", "maps every aim (with spin: every aim and speed) and bisects; finds all sequences"},
-           planning::sweep},
-    Method{{"ceres", "Levenberg-Marquardt with dual numbers along a locked cushion sequence"}, planning::ceres},
-    Method{{"nlopt-bobyqa", "local search without derivatives from the images (NLopt BOBYQA)"}, planning::nlopt_bobyqa},
-    Method{{"nlopt-sbplx", "the same by subspaces of simplices (NLopt SBPLX)"}, planning::nlopt_sbplx},
-    Method{{"nlopt-slsqp", "from the images along a locked sequence, dual-number gradient (NLopt SLSQP)"},
-           planning::nlopt_slsqp},
-    Method{{"nlopt-direct", "global search over aim and speed (NLopt DIRECT-L)"}, planning::nlopt_direct},
-    Method{{"nlopt-crs", "the same by controlled random search (NLopt CRS2)"}, planning::nlopt_crs},
-    Method{{"nlopt-mlsl", "the same by many local searches (NLopt MLSL with BOBYQA)"}, planning::nlopt_mlsl},
-};
-
-const Method& find_method(const std::string& name) {
-  const auto it = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.info.name == name; });
-  if (it != methods.end()) return *it;
-  std::string known;
-  for (const Method& m : methods) known += fmt::format("{}{}", known.empty() ? "" : ", ", m.info.name);
-  throw InvalidInput("", fmt::format("\"{}\" is no planner; known are {}", name, known));
-}
+using planning::Findings;
+using planning::Ledger;
+using planning::Question;
+using planning::Wanted;
 
 std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shots) {
   std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling"};
@@ -58,7 +36,7 @@ std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shot
 /// One spin, or those of the puzzle's ranges on a grid, least first.
 std::vector<LaunchSpin> spins_to_try(const Puzzle& p) {
   if (!p.spin_range) return {p.spin};
-  constexpr int steps = 4;
+  constexpr int steps = planning::settings::steps_of_spin;
   const auto values = [](const Range& r) {
     std::vector<double> out{std::clamp(0.0, r.low, r.high)};
     for (int i = 0; i <= steps && !r.fixed(); ++i) {
@@ -81,24 +59,41 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 /// Margins, order and words of what a search found.
-Answer finish(Search& s, const SolveOptions& options, double time_us) {
-  Answer a{.id = s.puzzle.id};
-  a.simulations = s.simulations;
+Answer finish(const Question& q, const Ledger& ledger, Findings& found, const SolveOptions& options, double time_us) {
+  Answer a{.id = q.puzzle.id};
+  a.simulations = ledger.simulations();
   a.time_us = time_us;
-  a.cost.certify_us = s.certify_us;
-  a.status = !s.shots.empty() ? Status::solved : s.cut ? Status::budget : Status::no_shot;
-  const std::size_t found = s.shots.size();
-  add_nearest(s, a);
-  if (options.robustness && found > 0) {
+  a.cost.certify_us = ledger.proof_us;
+  a.status = !found.shots.empty() ? Status::solved : ledger.cut() ? Status::budget : Status::no_shot;
+  const std::size_t distinct = found.shots.size();
+  planning::add_nearest(q, found, a);
+  if (options.robustness && distinct > 0) {
     const auto begin = std::chrono::steady_clock::now();
-    add_robustness(s, s.shots, options.all);
+    Ledger aside(std::numeric_limits<long>::max());  // margin and success are no part of the search
+    planning::add_robustness(q, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
-  if (!options.all && found > 1) s.shots.resize(1);
-  a.shots = std::move(s.shots);
-  a.modelled = modelled(s.puzzle, a.shots);
-  a.message = message(s, a, found);
+  if (!q.all() && distinct > 1) found.shots.resize(1);
+  a.shots = std::move(found.shots);
+  a.modelled = modelled(q.puzzle, a.shots);
+  a.message = planning::message(q, ledger, found, a, distinct);
   return a;
+}
+
+/// The puzzle with one spin of its ranges.
+Puzzle with_spin(Puzzle p, const LaunchSpin& spin) {
+  p.spin = spin;
+  return p;
+}
+
+Wanted wanted(const SolveOptions& options) {
+  return options.all ? Wanted::all : options.first ? Wanted::first : Wanted::best;
+}
+
+/// Words for what would open a puzzle that has no shot.
+std::string hint(const Puzzle& puzzle) {
+  return planning::what_would_open(puzzle,
+                                   [](const Puzzle& p) { return solve(p, {.robustness = false, .suggest = false}); });
 }
 
 }  // namespace
@@ -106,43 +101,35 @@ Answer finish(Search& s, const SolveOptions& options, double time_us) {
 Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   validate(puzzle);
   if (options.all && options.first) throw InvalidInput("", "either all shots are asked for or the first one found");
-  const Method& method = find_method(options.planner);
+  const planning::methods::Method& method = planning::methods::find(options.planner);
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = spins_to_try(puzzle);
-  std::optional<Puzzle> one;  // with a spin of its own
-  long spent = 0;
-  double certify_us = 0;
+  Ledger ledger(puzzle.budget, options.cancelled);
+  ledger.measures = options.measure;
   for (std::size_t i = 0;; ++i) {
-    if (puzzle.spin_range) {
-      one = puzzle;
-      one->spin = spins[i];
-      one->budget =
-          spent + (puzzle.budget - spent) / static_cast<long>(spins.size() - i);  // an even share of what is left
-    }
-    Search s(one ? *one : puzzle, options.all, options.first);
-    s.simulations = spent;
-    s.measure = options.measure;
-    s.certify_us = certify_us;
-    if (!s.spent()) method.plan(s);
-    spent = s.simulations;
-    certify_us = s.certify_us;
-    if (s.shots.empty() && spent < puzzle.budget && i + 1 < spins.size()) continue;
-    planning::rank(s, s.shots);
-    if (puzzle.aim == Aim::safest && !s.shots.empty()) planning::make_safest(s, s.shots.front());
+    const std::optional<Puzzle> one = puzzle.spin_range ? std::optional(with_spin(puzzle, spins[i])) : std::nullopt;
+    const Question q(one ? *one : puzzle, wanted(options));
+    Findings found;
+    ledger.begin_part(spins.size() - i);
+    if (!ledger.spent()) method.plan(q, ledger, found);
+    if (found.shots.empty() && !ledger.exhausted() && i + 1 < spins.size()) continue;
+    planning::rank(q, found.shots);
+    if (puzzle.aim == Aim::safest && !found.shots.empty()) planning::make_safest(q, ledger, found.shots.front());
     const double took = microseconds_since(begin);
-    if (spins.size() > 1) s.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));
-    Answer a = finish(s, options, took);
+    if (spins.size() > 1)
+      found.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));
+    Answer a = finish(q, ledger, found, options, took);
     if (a.status != Status::no_shot || !options.suggest) return a;
-    const std::string hint = planning::what_would_open(puzzle);
-    if (!hint.empty()) a.message += "; " + hint;
+    const std::string words = hint(puzzle);
+    if (!words.empty()) a.message += "; " + words;
     return a;
   }
 }
 
 std::span<const PlannerInfo> planners() {
   static const auto infos = [] {
-    std::array<PlannerInfo, methods.size()> out{};
-    std::transform(methods.begin(), methods.end(), out.begin(), [](const Method& m) { return m.info; });
+    std::vector<PlannerInfo> out;
+    for (const planning::methods::Method& m : planning::methods::all()) out.push_back(m.info);
     return out;
   }();
   return infos;

@@ -1,11 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what is missing, builds, and runs all tests.
-#   bash tests/run.sh [PRESET]     release (the default), debug, asan-ubsan ...
+# Installs what is missing, builds, and runs all tests, or those of some folders of tests/ alone.
+#   bash tests/run.sh [PRESET [FOLDER...]]     release (the default), debug, asan-ubsan, lto ...
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/packages.sh
 need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium
 preset=${1:-release}
-build "$preset" -DBANKSHOT_TESTS=ON
-ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)"
+case $preset in *clang | fuzz) need clang ;; esac
+[ $# -gt 0 ] && shift
+if [ $# = 0 ]; then
+  build "$preset" -DBANKSHOT_TESTS=ON
+  ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)"
+else
+  build "$preset" -DBANKSHOT_TESTS=ON -- $(printf 'test_%s ' "$@")
+  folders=$(IFS='|' && echo "$*")
+  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -R "^($folders):"
+fi

@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bankshot/numbers/tolerances.hpp"
+#include "planners/settings.hpp"
 
 namespace bankshot::planning {
-namespace {
 
-/// Sequences the tree may visit: about 150 MB and a second. That there are more is said in the answer.
-constexpr long most_visited = 500'000;
-/// Images a lattice may list at once.
-constexpr long most_images = 500'000;
-/// Rays that miss a window's end by this share of a radian, or twice that, still pass: rounding of the images.
-constexpr double ray_slack = 1e-10;
+using namespace settings::unfolding;
+
+namespace {
 
 /// Sums of coordinates stand for lengths: no root is worth while here.
 double slack(const Vec2d& a, const Vec2d& b) {
@@ -48,21 +44,18 @@ double distance_to(const Vec2d& a, const Vec2d& b) {
 
 double Unfolding::Affine::stretch() const { return std::sqrt((xx * xx + xy * xy + yx * yx + yy * yy) / 2); }
 
-Unfolding::Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts)
-    : s_(s),
-      whole_target_(whole_target),
-      name_contacts_(name_contacts),
-      restitution_(restitution),
-      longest_(s.puzzle.speed.high * s.puzzle.speed.high / (2 * deceleration(s.puzzle.physics))) {
-  const CushionRule& rule = s.puzzle.cushions;
+Unfolding::Unfolding(const Question& q, const Options& options)
+    : q_(q),
+      options_(options),
+      longest_(q.puzzle.speed.high * q.puzzle.speed.high / (2 * deceleration(q.puzzle.physics))) {
+  const CushionRule& rule = q.cushions();
   const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
-  if (rule.sequence)
-    follow_sequence();
-  else if (s.puzzle.table.is_rectangle() && restitution_ == 1 && !name_contacts && images <= most_images)
+  if (q.route)
+    follow_route();
+  else if (q.puzzle.table.is_rectangle() && options_.restitution == 1 && !options.keep_routes && images <= most_images)
     lattice();
   else {
-    constexpr std::size_t usual = 64;
-    nodes_.reserve(usual);
+    nodes_.reserve(usual_nodes);
     add({});
   }
 }
@@ -91,21 +84,21 @@ void Unfolding::add(const Node& node) {
   turns_.push({node.distance, nodes_.size() - 1});
 }
 
-std::vector<Contact> Unfolding::contacts(const Candidate& c) const {
-  if (s_.puzzle.cushions.sequence) return *s_.puzzle.cushions.sequence;
-  std::vector<Contact> out;
+Route Unfolding::route(const Candidate& c) const {
+  if (q_.route) return *q_.route;
+  Route out;
   for (int i = c.node; i >= 0 && nodes_[static_cast<std::size_t>(i)].last >= 0;
        i = nodes_[static_cast<std::size_t>(i)].parent)
-    out.push_back(s_.boundary.walls[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(i)].last)].contact);
+    out.push_back({0, q_.boundary.walls[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(i)].last)].contact});
   std::reverse(out.begin(), out.end());
   return out;
 }
 
 void Unfolding::visit(Node node) {
-  const CushionRule& rule = s_.puzzle.cushions;
+  const CushionRule& rule = q_.cushions();
   if (node.bounces >= rule.min) propose(node);
-  if (node.bounces == rule.max || restitution_ == 0) return;
-  for (int wall = 0; wall < static_cast<int>(s_.boundary.walls.size()); ++wall)
+  if (node.bounces == rule.max || options_.restitution == 0) return;
+  for (int wall = 0; wall < static_cast<int>(q_.boundary.walls.size()); ++wall)
     if (auto next = child(node, wall)) {
       if (next->length <= longest_)
         add(*next);
@@ -115,25 +108,25 @@ void Unfolding::visit(Node node) {
 }
 
 void Unfolding::propose(const Node& node) {
-  for (const Vec2d& target : s_.aim_points()) propose(node, target, s_.reach(target));
+  for (std::size_t i = 0; i < q_.marks.size(); ++i) propose(node, i);
 }
 
-void Unfolding::propose(const Node& node, const Vec2d& target, double reach) {
-  const Vec2d ray = node.image.apply(target) - s_.puzzle.ball.at;
+void Unfolding::propose(const Node& node, std::size_t mark) {
+  const Vec2d ray = node.image.apply(q_.marks[mark].at) - q_.puzzle.ball.at;
   const double distance = norm(ray);
   if (!(distance > 0) || !std::isfinite(distance)) return;
-  if (node.bounces > 0 && !s_.puzzle.cushions.sequence && s_.into_touched_wall(ray)) return;
+  if (node.bounces > 0 && !q_.route && q_.into_touched_cushion(ray)) return;
   const bool centred = !node.closed && (node.open || in_beam(node.from, node.to, ray));
-  Candidate c{0, node.bounces, std::max(0.0, distance - s_.capture(reach)), 0, 0, target, node.self, ray};
-  if (!node.closed && !(centred && name_contacts_)) find_window(node, reach, distance, c);
-  const bool only_part = whole_target_ && c.low < c.high;
-  if (centred || only_part || s_.puzzle.cushions.sequence) candidates_.push(c);
+  Candidate c{0, node.bounces, std::max(0.0, distance - q_.marks[mark].capture()), 0, 0, mark, node.self, ray};
+  if (!node.closed && !(centred && options_.keep_routes)) find_window(node, q_.marks[mark].reach, distance, c);
+  const bool only_part = options_.parts && c.low < c.high;
+  if (centred || only_part || q_.route) candidates_.push(c);
 }
 
 /// The aims beside a candidate's that are in the beam and may reach some part of the target.
 void Unfolding::find_window(const Node& node, double reach, double distance, Candidate& c) const {
   // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
-  const double covers = reach * (restitution_ == 1 ? 1 : 2 * node.image.stretch()) / distance;
+  const double covers = reach * (options_.restitution == 1 ? 1 : 2 * node.image.stretch()) / distance;
   const double half = covers < 1 ? std::asin(covers) : radians(180);
   c.low = -half;
   c.high = half;
@@ -148,8 +141,8 @@ void Unfolding::find_window(const Node& node, double reach, double distance, Can
 }
 
 Unfolding::Affine Unfolding::through(const Affine& image, int wall) const {
-  const Wall& w = s_.boundary.walls[static_cast<std::size_t>(wall)];
-  const double k = 1 + 1 / restitution_;
+  const Wall& w = q_.boundary.walls[static_cast<std::size_t>(wall)];
+  const double k = 1 + 1 / options_.restitution;
   const Vec2d n = w.normal;
   // image ∘ (x -> x − k (n·x − d) n)
   const double xx = 1 - k * n.x * n.x, xy = -k * n.x * n.y, yy = 1 - k * n.y * n.y;
@@ -161,26 +154,25 @@ Unfolding::Affine Unfolding::through(const Affine& image, int wall) const {
 
 double Unfolding::apart(int i, int j) {
   if (i < 0 || i == j) return 0;
-  constexpr std::size_t most_kept = 64;  // walls: beyond, a table of all pairs would cost more than it saves
-  const std::size_t walls = s_.boundary.walls.size();
-  if (walls > most_kept) return walls_apart(s_.boundary, i, j);
+  const std::size_t walls = q_.boundary.walls.size();
+  if (walls > most_walls_paired) return walls_apart(q_.boundary, i, j);
   if (apart_.empty()) apart_.assign(walls * walls, -1);
   double& known = apart_[static_cast<std::size_t>(i) * walls + static_cast<std::size_t>(j)];
-  if (known < 0) known = walls_apart(s_.boundary, i, j);
+  if (known < 0) known = walls_apart(q_.boundary, i, j);
   return known;
 }
 
 std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   if (wall == node.last) return {};
-  const Wall& w = s_.boundary.walls[static_cast<std::size_t>(wall)];
+  const Wall& w = q_.boundary.walls[static_cast<std::size_t>(wall)];
   if (dot(w.to - w.from, w.along) < 0) return {};  // no ball fits there
   if (node.last >= 0) {
     // Beyond the line of the cushion just left there is no path.
-    const Wall& left = s_.boundary.walls[static_cast<std::size_t>(node.last)];
-    const double behind = s_.boundary.touch;
+    const Wall& left = q_.boundary.walls[static_cast<std::size_t>(node.last)];
+    const double behind = q_.boundary.touch;
     if (dot(left.normal, w.from) - left.offset < behind && dot(left.normal, w.to) - left.offset < behind) return {};
   }
-  const Vec2d ball = s_.puzzle.ball.at;
+  const Vec2d ball = q_.puzzle.ball.at;
   Vec2d a = node.image.apply(w.from) - ball, b = node.image.apply(w.to) - ball;
   if (node.flipped) std::swap(a, b);
   if (!(cross(a, b) > 0)) return {};  // seen from behind, or edge-on
@@ -197,7 +189,7 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   next.before = node.last;
   next.length_before = node.length;
   next.length = std::max(node.length + apart(node.last, wall), node.length_before + apart(node.before, wall));
-  if (restitution_ == 1) next.length = std::max(next.length, next.distance);
+  if (options_.restitution == 1) next.length = std::max(next.length, next.distance);
   next.bounces = node.bounces + 1;
   next.parent = node.self;
   next.last = wall;
@@ -205,14 +197,14 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   return next;
 }
 
-void Unfolding::follow_sequence() {
+void Unfolding::follow_route() {
   Node node;
-  for (const Contact contact : *s_.puzzle.cushions.sequence) {
-    const Wall* const line = s_.boundary.line(contact);
-    if (!line || restitution_ == 0) return;
-    const auto wall = static_cast<int>(line - s_.boundary.walls.data());
+  for (const Meeting& meeting : *q_.route) {
+    const Wall* const line = q_.boundary.line(meeting.with);
+    if (!line || options_.restitution == 0) return;  // no line is reflected at a vertex
+    const auto wall = static_cast<int>(line - q_.boundary.walls.data());
     // Cushions touched at the start bound nothing: the ball bounces off them before it moves.
-    const bool at_start = node.open && !node.closed && s_.touches(contact);
+    const bool at_start = node.open && !node.closed && q_.touches(meeting.with);
     std::optional<Node> next;
     if (!node.closed && !at_start) next = child(node, wall);
     if (!next) {
@@ -229,28 +221,29 @@ void Unfolding::follow_sequence() {
 }
 
 void Unfolding::lattice() {
-  const auto& walls = s_.boundary.walls;
+  const auto& walls = q_.boundary.walls;
   const double x0 = walls[3].from.x, y0 = walls[0].from.y;
   const double width = walls[1].from.x - x0, height = walls[2].from.y - y0;
   const auto cell = [](int i, double size, double x) { return i % 2 == 0 ? i * size + x : (i + 1) * size - x; };
   std::vector<Candidate> found;
-  const auto add = [&](int i, int j, const Vec2d& target) {
-    const Vec2d image{x0 + cell(i, width, target.x - x0), y0 + cell(j, height, target.y - y0)};
-    const Vec2d ray = image - s_.puzzle.ball.at;
+  const auto add = [&](int i, int j, std::size_t k) {
+    const Mark& mark = q_.marks[k];
+    const Vec2d image{x0 + cell(i, width, mark.at.x - x0), y0 + cell(j, height, mark.at.y - y0)};
+    const Vec2d ray = image - q_.puzzle.ball.at;
     const double distance = norm(ray);
     const int n = std::abs(i) + std::abs(j);
-    if (!(distance > 0) || (n > 0 && s_.into_touched_wall(ray))) return;
-    const double reach = s_.reach(target), covers = reach / distance;
+    if (!(distance > 0) || (n > 0 && q_.into_touched_cushion(ray))) return;
+    const double covers = mark.reach / distance;
     const double half = covers < 1 ? std::asin(covers) : radians(180);
-    found.push_back({0, n, std::max(0.0, distance - s_.capture(reach)), -half, half, target, -1, ray});
+    found.push_back({0, n, std::max(0.0, distance - mark.capture()), -half, half, k, -1, ray});
   };
-  const CushionRule& rule = s_.puzzle.cushions;
-  for (const Vec2d& target : s_.aim_points())
+  const CushionRule& rule = q_.cushions();
+  for (std::size_t k = 0; k < q_.marks.size(); ++k)
     for (int n = rule.min; n <= rule.max; ++n)
       for (int i = -n; i <= n; ++i) {
         const int j = n - std::abs(i);
-        add(i, j, target);
-        if (j != 0) add(i, -j, target);
+        add(i, j, k);
+        if (j != 0) add(i, -j, k);
       }
   candidates_ = decltype(candidates_){Farther{}, std::move(found)};
 }

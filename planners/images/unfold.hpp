@@ -22,7 +22,7 @@
 #include <queue>
 #include <vector>
 
-#include "planners/search.hpp"
+#include "planners/question.hpp"
 
 namespace bankshot::planning {
 
@@ -30,24 +30,26 @@ namespace bankshot::planning {
 struct Candidate {
   double angle = 0;  ///< rad, of `ray`
   int bounces = 0;
-  double distance = 0;  ///< m, from the ball to the image: the path's length where e = 1
-  double low = 0;       ///< rad beside `angle`: the aims at which a ray that passes the cushions
-  double high = 0;      ///< may reach any part of the target; low = high = 0 when none may
-  Vec2d target{};       ///< the aim point
-  int node = -1;        ///< where its sequence is kept; -1 in a lattice
-  Vec2d ray{};          ///< from the ball to the image
+  double distance = 0;   ///< m, from the ball to the image: the path's length where e = 1
+  double low = 0;        ///< rad beside `angle`: the aims at which a ray that passes the cushions
+  double high = 0;       ///< may reach any part of the target; low = high = 0 when none may
+  std::size_t mark = 0;  ///< which of the question's
+  int node = -1;         ///< where its sequence is kept; -1 in a lattice
+  Vec2d ray{};           ///< from the ball to the image
 };
 
 class Unfolding {
  public:
-  /// `whole_target` also proposes images whose centre no ray reaches, but some part might be.
-  /// `restitution` is what the unfolding stretches with; exact only where it is the cushions'.
-  /// `name_contacts` keeps the sequence of each candidate, which a lattice does not, and leaves out `low` and `high`
-  /// where the centre's ray passes.
-  Unfolding(const Search& s, bool whole_target, double restitution, bool name_contacts = false);
+  struct Options {
+    bool parts = false;        ///< also propose images whose centre no ray reaches, but some part of which might be
+    double restitution = 1;    ///< what the unfolding stretches with; exact only where it is the cushions'
+    bool keep_routes = false;  ///< of each candidate, which a lattice does not; then `low` and `high` are left out
+                               ///< where the centre's ray passes
+  };
+  Unfolding(const Question& q, const Options& options);
 
   /// The cushions of a candidate, in order; not kept in a lattice.
-  std::vector<Contact> contacts(const Candidate& c) const;
+  Route route(const Candidate& c) const;
 
   /// The next candidate, nearest first; none when all were given.
   std::optional<Candidate> next();
@@ -57,7 +59,7 @@ class Unfolding {
   /// Sequences left out because no launch within the speed bound rolls so far.
   long too_long() const { return too_long_; }
   /// Distances are path lengths: the first shot found is the shortest.
-  bool shortest_first() const { return restitution_ == 1; }
+  bool shortest_first() const { return options_.restitution == 1; }
 
  private:
   struct Affine {
@@ -94,18 +96,18 @@ class Unfolding {
   void add(const Node& node);
   void visit(Node node);
   void propose(const Node& node);
-  void propose(const Node& node, const Vec2d& target, double reach);
+  void propose(const Node& node, std::size_t mark);
   void find_window(const Node& node, double reach, double distance, Candidate& c) const;
   std::optional<Node> child(const Node& node, int wall);
   /// The least distance between centres that touch two cushions; 0 for neighbours and for none (-1).
   double apart(int i, int j);
-  void follow_sequence();
+  void follow_route();
   void lattice();
   Affine through(const Affine& image, int wall) const;
 
-  const Search& s_;
-  bool whole_target_, name_contacts_, whole_ = true;
-  double restitution_;
+  const Question& q_;
+  Options options_;
+  bool whole_ = true;
   double longest_;  ///< m, how far the fastest launch rolls
   long visited_ = 0, too_long_ = 0;
   std::vector<double> apart_;  ///< what apart() has found, -1 where it was not asked

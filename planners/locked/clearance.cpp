@@ -5,19 +5,19 @@
 #include <limits>
 
 #include "bankshot/simulate/locked.hpp"
-#include "bankshot/simulate/simulator.hpp"
+#include "planners/locked/start.hpp"
 
 namespace bankshot::planning {
 namespace {
 
 class Clearance {
  public:
-  explicit Clearance(const LockedAim& aim) : aim_(aim), boundary_(aim.s.boundary) {}
+  explicit Clearance(const LockedAim& aim) : aim_(aim), boundary_(aim.q.boundary) {}
 
   double least() const { return least_; }
   void consider(double metres) { least_ = std::min(least_, metres); }
 
-  /// An arc on the way to the bounce `next`, none on the last leg.
+  /// An arc on the way to the bounce `next`, or on the last leg (none).
   void arc(const Arc<double>& arc, double t, Contact before, Contact next) {
     if (!(t > 0)) return;
     const auto keeps_from = [&](const Circle& c) {
@@ -25,23 +25,23 @@ class Clearance {
       if (!inside) consider(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
     for (const Circle& pocket : boundary_.pockets)
-      if (next || !(pocket.centre == aim_.target)) keeps_from(pocket);
+      if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
     for (const Circle& tip : boundary_.tips)
       if (tip.contact != before && tip.contact != next) keeps_from(tip);
   }
 
   void bounce(Contact contact, const Vec2d& at) {
-    const Wall* const w = boundary_.line(contact);
-    if (!w) return;
-    const double along = dot(w->along, at);
-    consider(std::min(along - dot(w->along, w->from), dot(w->along, w->to) - along) + boundary_.touch);
+    const Wall* const line = boundary_.line(contact);
+    if (!line) return;
+    const double along = dot(line->along, at);
+    consider(std::min(along - dot(line->along, line->from), dot(line->along, line->to) - along) + boundary_.touch);
   }
 
   void arrival(const LockedArrival<double>& a) {
-    const Vec2d off = aim_.target - a.state.at;
-    consider(aim_.s.reach(aim_.target) - (a.at_rest ? norm(off) : std::abs(cross(a.heading, off)) / norm(a.heading)));
-    if (aim_.capture() > 0 && !a.at_rest)
-      consider(dot(a.state.velocity, a.state.velocity) / (2 * deceleration(aim_.s.puzzle.physics)));
+    const Vec2d off = aim_.mark.at - a.state.at;
+    consider(aim_.mark.reach - (a.at_rest ? norm(off) : std::abs(cross(a.heading, off)) / norm(a.heading)));
+    if (aim_.mark.capture() > 0 && !a.at_rest)
+      consider(dot(a.state.velocity, a.state.velocity) / (2 * deceleration(aim_.q.puzzle.physics)));
     consider(boundary_.clearance(a.state.at) + boundary_.touch);
   }
 
@@ -53,28 +53,28 @@ class Clearance {
 
 }  // namespace
 
-std::optional<double> clearance(Search& s, const LockedAim& aim, const Launch& launch) {
-  s.spend(aim.contacts.size());
-  return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<double> {
+std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
+  const Question& q = aim.q;
+  ledger.charge(aim.route.size());
+  return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<double> {
     Clearance out(aim);
-    State<double> state =
-        launched(s.puzzle.ball.at, s.puzzle.ball.body.radius, direction(launch.angle) * launch.speed, s.puzzle.spin);
-    Contact before;
-    for (const Contact contact : aim.contacts) {
+    State<double> state = start_of(q, launch);
+    Contact before{};
+    for (const Meeting& meeting : aim.route) {
       Vec2d met = state.at;
       const auto watch = [&](const Arc<double>& arc, double t) {
-        out.arc(arc, t, before, contact);
+        out.arc(arc, t, before, meeting.with);
         met = arc.position(t);
       };
-      const auto path = follow_locked(s.boundary, motion, cushion, std::span<const Contact>(&contact, 1), state, watch);
+      const auto path = follow_locked(q.boundary, motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
       if (path.end != LockedEnd::complete) return {};
-      out.bounce(contact, met);
+      out.bounce(meeting.with, met);
       state = path.state;
-      before = contact;
+      before = meeting.with;
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
-    const auto arrival = arrive_locked(motion, s.boundary.body, state, aim.target, aim.capture(), s.stop,
-                                       [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, {}); });
+    const auto watch = [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, {}); };
+    const auto arrival = arrive_locked(motion, q.boundary.body, state, aim.mark.at, aim.mark.capture(), q.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);
     return out.least();

@@ -9,25 +9,21 @@
 // monotone cubic (Fritsch & Butland 1984), summed with the normal density by Gauss's rule.
 // Edges are looked for where the neighbouring lines have them and between some points spread over
 // the line, so that a band which nobody expects is met too; then the neighbours are looked at again.
-// Cost: success_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
+// Cost: most_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
+#include "planners/merit/success.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include "planners/merit/robustness.hpp"
-#include "planners/proof/prove.hpp"
+#include "planners/proof/replay.hpp"
+#include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {
 
-// All in standard deviations of the player.
-constexpr double widest = 3.3;    // errors beyond are taken to do as those here
-constexpr double step = 0.08;     // from where an edge is expected to the next point tried
-constexpr double narrow = 0.05;   // a bracket of an edge is bisected to this
-constexpr double finer = 0.01;    // the same on the first line, whose edges all the others inherit
-constexpr double finest = 0.002;  // the same where there is only one line
-constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
-constexpr double least_doubt = 2e-4;  // of chance: no further line is worth while
+using namespace settings::success;
 
 double normal_below(double z) { return std::erfc(-z / std::sqrt(2.0)) / 2; }
 
@@ -70,22 +66,23 @@ struct Line {
 
 class Chance {
  public:
-  Chance(Search& s, const Shot& shot) : s_(s), shot_(shot), goal_(Goal::of(s)) { turn(); }
+  Chance(const Question& q, Ledger& ledger, const Shot& shot)
+      : q_(q), ledger_(ledger), shot_(shot), goal_(Goal::of(q)) {
+    turn();
+  }
 
   double run() {
-    if (is_ideal(s_.puzzle.physics)) {  // any speed will do that is one: one line is all
+    if (is_ideal(q_.puzzle.physics)) {  // any speed will do that is one: one line is all
       add(0);
-      const double noise = s_.puzzle.noise.speed;
+      const double noise = q_.puzzle.noise.speed;
       return lines_.front().chance * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
     }
     // A band that ends within reach is met by as many lines, and one on either side looks beyond it.
-    constexpr double outermost = 2.5;
-    const double scale = std::min(1.0, 1.1 * length_ / outermost);
+    const double scale = std::min(1.0, beyond_end * length_ / outermost);
     for (const double along : first_lines) add(scale * along);
     if (scale < 1)
       for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
-    constexpr std::size_t cheapest_line = 5;
-    while (used_ + cheapest_line <= success_samples) {
+    while (used_ + cheapest_line <= most_samples) {
       std::size_t at = 0;
       double most = least_doubt;
       for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
@@ -99,18 +96,18 @@ class Chance {
  private:
   /// Turns the plane of errors, and sees what the derivatives say of the band.
   void turn() {
-    const Vec2d by_angle = shot_.by_angle * s_.puzzle.noise.angle, by_speed = shot_.by_speed * s_.puzzle.noise.speed;
+    const Vec2d by_angle = shot_.by_angle * q_.puzzle.noise.angle, by_speed = shot_.by_speed * q_.puzzle.noise.speed;
     across_ = direction(std::atan2(2 * dot(by_angle, by_speed), dot(by_angle, by_angle) - dot(by_speed, by_speed)) / 2);
-    if (is_ideal(s_.puzzle.physics)) across_ = {1, 0};
+    if (is_ideal(q_.puzzle.physics)) across_ = {1, 0};
     const Vec2d most = by_angle * across_.x + by_speed * across_.y, least = by_speed * across_.x - by_angle * across_.y;
-    const double reach = s_.nearest_reach(shot_.arrival.at), moved = norm(most);
-    if (s_.stop && norm(least) > 0) length_ = reach / norm(least);
+    const double reach = q_.nearest_mark(shot_.arrival.at).reach, moved = norm(most);
+    if (q_.stop && norm(least) > 0) length_ = reach / norm(least);
     if (!(moved > 0)) return;
-    const double middle = -dot(shot_.arrival.at - s_.nearest_aim_point(shot_.arrival.at), most) / (moved * moved);
+    const double middle = -dot(shot_.arrival.at - q_.nearest_mark(shot_.arrival.at).at, most) / (moved * moved);
     expected_ = {middle - reach / moved, middle + reach / moved};
   }
 
-  bool left() const { return used_ < success_samples; }
+  bool left() const { return used_ < most_samples && !ledger_.spent(); }
 
   /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
   bool made(Line& line, double across) {
@@ -121,9 +118,9 @@ class Chance {
     ++used_;
     const double turned = across_.x * across - across_.y * line.along,
                  harder = across_.y * across + across_.x * line.along;
-    const double speed = shot_.launch.speed + s_.puzzle.noise.speed * harder,
-                 angle = shot_.launch.angle + s_.puzzle.noise.angle * turned;
-    const bool result = speed > 0 && replay(s_, {speed, wrap_angle(angle)}, goal_).made;
+    const double speed = shot_.launch.speed + q_.puzzle.noise.speed * harder,
+                 angle = shot_.launch.angle + q_.puzzle.noise.angle * turned;
+    const bool result = speed > 0 && replay(q_, ledger_, {speed, wrap_angle(angle)}, goal_).made;
     line.tries.insert(at, {across, result});
     return result;
   }
@@ -174,13 +171,12 @@ class Chance {
 
   /// Brackets both ends of what is expected to be made, by steps that double.
   void follow(Line& line, double low, double high) {
-    constexpr int most_steps = 6;
     for (const bool upper : {false, true}) {
       const double edge = upper ? high : low;
       if (std::abs(edge) >= widest) continue;
       const bool in = made(line, edge);
       double by = in == upper ? step : -step, at = edge;
-      for (int i = 0; i < most_steps; ++i, by *= 2) {
+      for (int i = 0; i < most_doublings; ++i, by *= 2) {
         at += by;
         const bool outside = std::abs(at) > widest || (!in && (at < low || at > high));
         if (outside || made(line, at) != in) break;
@@ -190,13 +186,12 @@ class Chance {
 
   /// Points at even steps of probability, shifted from line to line.
   void spread(Line& line, bool no_edges) {
-    constexpr std::size_t only = 100, on_first = 18, on_others = 4, without_edges = 3;
-    constexpr double golden = 0.6180339887, tail = 0.0015;  // of probability
+    constexpr double golden = 0.6180339887;  // shifts that never repeat
     const bool later = lines_.size() >= first_lines.size();
-    const std::size_t count = is_ideal(s_.puzzle.physics) ? only
-                              : lines_.empty()            ? on_first
-                              : later && no_edges         ? without_edges
-                                                          : on_others;
+    const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
+                              : lines_.empty()            ? points_on_first
+                              : later && no_edges         ? points_without_edges
+                                                          : points_on_others;
     const double share = 1 / static_cast<double>(count),
                  shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
     for (std::size_t k = 0; k < count; ++k) {
@@ -208,7 +203,7 @@ class Chance {
 
   /// Bisects every change between two tries, the widest first, and reads off the edges.
   void settle(Line& line, const std::vector<double>& expected) {
-    const double enough = (is_ideal(s_.puzzle.physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
+    const double enough = (is_ideal(q_.puzzle.physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
     while (left()) {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
@@ -223,7 +218,6 @@ class Chance {
 
   /// Neighbours that lack an edge which this line has are tried beside it, and so on outwards.
   void tell(std::ptrdiff_t from, std::ptrdiff_t way) {
-    constexpr double same = 0.3, beside = 0.5;
     for (std::ptrdiff_t i = from + way; i >= 0 && i < std::ssize(lines_); i += way) {
       const Line& source = lines_[static_cast<std::size_t>(i - way)];
       Line& line = lines_[static_cast<std::size_t>(i)];
@@ -231,11 +225,12 @@ class Chance {
       if (before >= source.edges.size() || !left()) return;
       for (std::size_t k = 0; k < source.edges.size(); ++k) {
         const double edge = source.edges[k];
-        const auto known = [&](double e) { return std::abs(e - edge) < same; };
+        const auto known = [&](double e) { return std::abs(e - edge) < same_edge; };
         if (std::abs(edge) > widest || std::any_of(line.edges.begin(), line.edges.end(), known)) continue;
         const double low = k > 0 ? source.edges[k - 1] : -widest,
                      high = k + 1 < source.edges.size() ? source.edges[k + 1] : widest;
-        for (const double at : {std::max(edge - beside, (edge + low) / 2), std::min(edge + beside, (edge + high) / 2)})
+        for (const double at :
+             {std::max(edge - beside_edge, (edge + low) / 2), std::min(edge + beside_edge, (edge + high) / 2)})
           if (line.made(at) != source.made(at)) made(line, at);
       }
       settle(line, source.edges);
@@ -245,7 +240,6 @@ class Chance {
 
   /// What chance may be wrong between two lines: how far each is from where its neighbours point.
   double doubt(std::size_t i) const {
-    constexpr double of_change = 0.15, always = 0.01;
     const Line &a = lines_[i], &b = lines_[i + 1];
     const auto off = [](const Line& far, const Line& near, const Line& line) {
       const double slope = (near.chance - far.chance) / (near.along - far.along);
@@ -254,7 +248,7 @@ class Chance {
     const double before = i > 0 ? off(lines_[i - 1], a, b) : 0,
                  after = i + 2 < lines_.size() ? off(lines_[i + 2], b, a) : 0;
     return (normal_below(b.along) - normal_below(a.along)) *
-           (std::max(before, after) + of_change * std::abs(b.chance - a.chance) + always);
+           (std::max(before, after) + doubt_of_change * std::abs(b.chance - a.chance) + doubt_always);
   }
 
   /// Slopes of the monotone cubic at the lines.
@@ -294,7 +288,8 @@ class Chance {
     return std::clamp(total, 0.0, 1.0);
   }
 
-  Search& s_;
+  const Question& q_;
+  Ledger& ledger_;
   const Shot& shot_;
   Goal goal_;
   Vec2d across_{};
@@ -306,6 +301,6 @@ class Chance {
 
 }  // namespace
 
-void find_success(Search& s, Shot& shot) { shot.success = Chance(s, shot).run(); }
+void find_success(const Question& q, Ledger& ledger, Shot& shot) { shot.success = Chance(q, ledger, shot).run(); }
 
 }  // namespace bankshot::planning

@@ -3,106 +3,76 @@
 // Planner `auto`: the cheapest sure step first. Images are exact where paths unfold; a sweep of the
 // aim adds what they cannot see (reflex vertices, dead cushions); Levenberg–Marquardt and then a
 // global search are for what is left, and are not run when the images proved that nothing is.
+// With spin images are only seeds: the steps of planners/steps follow, in the order of their numbers.
 #include <algorithm>
 
 #include "planners/methods/methods.hpp"
-#include "planners/steps/parts.hpp"
+#include "planners/methods/nlopt.hpp"
+#include "planners/stop.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::planning::methods {
 namespace {
 
-/// A sequence of straight cushions unfolds to one line, so its image is its only shot.
-bool settled(const Search& s) {
-  const auto& names = s.puzzle.cushions.sequence;
-  return s.complete || s.cut || s.satisfied() ||
-         (names && !s.shots.empty() &&
-          std::all_of(names->begin(), names->end(), [&](Contact c) { return s.boundary.line(c) != nullptr; }));
+using namespace settings::automatic;
+
+/// A route by straight cushions unfolds to one line, so its image is its only shot.
+bool settled(const Question& q, const Ledger& ledger, const Findings& found) {
+  if (found.complete || ledger.cut() || stop::satisfied(q, found)) return true;
+  const auto straight = [&](const Meeting& m) { return q.boundary.line(m.with) != nullptr; };
+  return q.route && !found.shots.empty() && std::ranges::all_of(*q.route, straight);
 }
 
-/// Parts of the targets of new leads; those without a shot are kept in `tried`.
-void beside_centre(Search& s, std::vector<Search::Lead>& tried) {
-  for (Search::Lead& lead : s.leads) {
-    if (!s.shots.empty() || s.spent()) break;
-    reach_part(s, lead, "part");
-    tried.push_back(std::move(lead));
+/// One arrival speed aimed for, or one launch speed.
+void with_spin(const Question& q, Ledger& ledger, Findings& found) {
+  const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
+  steps::images(q, ledger, found);
+  if (ledger.cut()) return;
+  // What blocks a pocket's centre is often there; a point's hardly ever: so parts of points come last.
+  steps::Parts parts;
+  const bool pocket = q.captures();
+  if (q.route && nothing_yet()) {
+    steps::fan(q, ledger, found);
+    if (pocket) parts.climb(q, ledger, found);
   }
-  s.leads.clear();
-}
-
-/// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed, or nearly.
-bool hopeful(const Search& s, const Search::Lead& lead) {
-  constexpr double nearly = 1.3;
-  const Range& v = s.puzzle.speed;
-  return lead.half > 0 && lead.room > -s.reach(lead.target) && lead.launch.speed > v.low / nearly &&
-         lead.launch.speed < v.high * nearly;
-}
-
-/// The hopeful leads that came nearest, until this share of what is left of the budget is used.
-void thoroughly(Search& s, std::vector<Search::Lead>& tried, double share) {
-  const auto until = s.simulations + static_cast<long>(share * static_cast<double>(s.puzzle.budget - s.simulations));
-  std::sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.room < b.room; });
-  for (; !tried.empty() && s.shots.empty() && !s.spent() && s.simulations < until; tried.pop_back())
-    if (hopeful(s, tried.back())) reach_part_thoroughly(s, tried.back(), "part");
-}
-
-bool nothing_yet(const Search& s) { return s.shots.empty() && !s.cut; }
-
-/// Images are only seeds, refinement finds the root, and maps what has no seed. Then parts of targets
-/// whose centre something blocks: it often does at a pocket, hardly ever at a point.
-void search_with_spin(Search& s) {
-  constexpr Spacing fine{radians(0.7), 0.08, true}, real{radians(2), 0.12, true, false},
-      finest{radians(0.8), 0.05, true, false};
-  const bool point = s.point(), given = s.puzzle.cushions.sequence.has_value();
-  std::vector<Search::Lead> tried;
-  image_seeds(s, true);
-  if (s.cut) return;
-  if (given && nothing_yet(s)) {
-    fan_out(s, {});
-    if (!point) beside_centre(s, tried);
+  if (q.all() || nothing_yet()) steps::map(q, ledger, found, steps::usual_spacing(q));
+  if (stop::more_wanted(q, ledger, found)) steps::along(q, ledger, found);
+  if (pocket) {
+    parts.climb(q, ledger, found);
+    parts.bisect(q, ledger, found, first_share_of_parts);
   }
-  if (s.all || nothing_yet(s)) sweep(s);
-  if ((s.all && !s.cut) || nothing_yet(s)) along_touched(s);
-  if (!point) {
-    beside_centre(s, tried);
-    thoroughly(s, tried, 0.2);
-  }
-  if (nothing_yet(s)) map(s, fine);
-  if (given && nothing_yet(s)) map(s, real);
-  beside_centre(s, tried);
-  if (!point && nothing_yet(s)) map(s, finest);
-  beside_centre(s, tried);
-  thoroughly(s, tried, 1);
-  if (nothing_yet(s)) nlopt_direct(s);
+  if (nothing_yet()) steps::map(q, ledger, found, fine);
+  if (q.route && nothing_yet()) steps::map(q, ledger, found, as_it_occurs);
+  parts.climb(q, ledger, found);
+  if (pocket && nothing_yet()) steps::map(q, ledger, found, finest);
+  parts.climb(q, ledger, found);
+  parts.bisect(q, ledger, found, 1);
+  if (nothing_yet()) search_box(q, ledger, found, steps::word::global);
 }
 
 /// Where the end of a range of arrival speeds that is preferred is out of reach: its other end, its middle,
 /// then launches at the bounds of their own speed, which arrive as they may.
-void with_spin(Search& s) {
-  search_with_spin(s);
-  if (!s.arrival || s.arrival->fixed()) return;
-  const Range& arrive = *s.arrival;
-  const double preferred = s.asked;
-  for (const double asked : {arrive.low + arrive.high - preferred, (arrive.low + arrive.high) / 2}) {
-    if (!nothing_yet(s)) return;
-    s.asked = asked;
-    search_with_spin(s);
+void with_spin_over_range(const Question& q, Ledger& ledger, Findings& found) {
+  with_spin(q, ledger, found);
+  if (!q.arrival || q.arrival->fixed()) return;
+  const Range& arrive = *q.arrival;
+  for (const double asked : {arrive.low + arrive.high - q.asked, (arrive.low + arrive.high) / 2}) {
+    if (!stop::nothing_yet(ledger, found)) return;
+    with_spin(q.asking(asked), ledger, found);
   }
-  for (const double speed : {s.puzzle.speed.high, s.puzzle.speed.low}) {
-    if (!nothing_yet(s) || !(speed > 0)) return;
-    s.pinned = speed;
-    search_with_spin(s);
+  for (const double speed : {q.puzzle.speed.high, q.puzzle.speed.low}) {
+    if (!stop::nothing_yet(ledger, found) || !(speed > 0)) return;
+    with_spin(q.launched_at(speed), ledger, found);
   }
-  s.pinned.reset();
 }
 
 }  // namespace
 
-void automatic(Search& s) {
-  if (!is_straight(s.puzzle.physics)) return with_spin(s);
-  image(s);
-  if (!settled(s)) sweep(s);
-  if (nothing_yet(s) && !s.complete) ceres(s);
-  if (nothing_yet(s) && !s.complete) nlopt_direct(s);
+void automatic(const Question& q, Ledger& ledger, Findings& found) {
+  if (!is_straight(q.puzzle.physics)) return with_spin_over_range(q, ledger, found);
+  image(q, ledger, found);
+  if (!settled(q, ledger, found)) sweep(q, ledger, found);
+  if (stop::nothing_yet(ledger, found) && !found.complete) ceres(q, ledger, found);
+  if (stop::nothing_yet(ledger, found) && !found.complete) search_box(q, ledger, found, steps::word::global);
 }
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::planning::methods

@@ -1,75 +1,42 @@
 // SPDX-License-Identifier: MIT
 //
 // Planner `ceres`: Levenberg–Marquardt (ceres::TinySolver) on dual-number derivatives of the
-// locked-sequence residual, in (aim, ln speed) or in the aim alone.
-// Seeds: the images of unfold.hpp with their sequences; on tables with reflex vertices also a fan of
-// aims with the sequences their traces meet. Cost: about ten locked simulations a seed. Guarantee: none beyond the
-// certificate; it finds the root its seed leads to.
-#include <set>
-
-#include "planners/images/unfold.hpp"
-#include "planners/locked/residual.hpp"
+// locked residual, in (aim, ln speed) or in the aim alone.
+// Seeds: the images of unfold.hpp with their routes; on tables with reflex vertices also a fan of
+// aims with the routes their traces meet. Cost: about ten locked simulations a seed. Guarantee: none beyond the
+// proof; it finds the root its seed leads to.
+#include "planners/images/refine.hpp"
+#include "planners/locked/levenberg_marquardt.hpp"
 #include "planners/methods/methods.hpp"
-#include "planners/proof/prove.hpp"
+#include "planners/stop.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::planning::methods {
 namespace {
 
-constexpr int fan = 720;  // aims tried as seeds where no image exists: every half degree
+constexpr std::string_view word = "ceres";
 
-/// Refines one image along one sequence; true when it leads to a root, a shot or not.
-bool from_seed(Search& s, double angle, double length, const std::vector<Contact>& contacts, const Vec2d& target,
-               bool quickly) {
-  const LockedAim aim{s, contacts, target};
-  const auto speed = speed_at(s, aim, angle, length);
-  if (!speed) return false;
-  const Launch seed{*speed, angle};
-  constexpr Neighbourhood wide{0.3, 0.5};
-  const auto root = quickly ? newton(s, aim, seed, wide) : solve_locked(s, aim, seed);
-  if (root) certify_root(s, aim, *root, "image+ceres");
-  return root.has_value();
-}
-
-/// Ratios of the normal to the tangential loss to unfold with, as shares of the cushion's own
-/// restitution: spin changes the rebound's angle, and one of these comes near it.
-constexpr double shares[] = {1, 0.8, 1.2, 0.6, 1.5};
-
-void from_fan(Search& s) {
-  const CushionRule& rule = s.puzzle.cushions;
-  for (int i = 0; i < fan; ++i)
-    for (int n = rule.min; n <= rule.max; ++n) {
-      if (s.enough()) return;
-      const double angle = radians(360.0 / fan) * i;
+/// Every half degree, where no image exists.
+void from_fan(const Question& q, Ledger& ledger, Findings& found, const RootFinder& find) {
+  constexpr int aims = settings::ceres::aims_in_fan;
+  for (int i = 0; i < aims; ++i)
+    for (int n = q.cushions().min; n <= q.cushions().max; ++n) {
+      if (stop::enough_seeds(q, ledger, found)) return;
+      const double angle = radians(360.0 / aims) * i;
       std::vector<Contact> contacts;
-      trace(s, angle, Goal::exactly(s, n), &contacts);
-      if (s.puzzle.cushions.sequence) contacts = *s.puzzle.cushions.sequence;
-      if (static_cast<int>(contacts.size()) == n)
-        for (const Vec2d& target : s.aim_points()) from_seed(s, angle, s.boundary.diagonal, contacts, target, false);
+      trace(q, ledger, angle, Goal::exactly(q, n), &contacts);
+      const Route route = q.route ? *q.route : route_by(contacts);
+      if (static_cast<int>(route.size()) != n) continue;
+      for (const Mark& mark : q.marks)
+        refine_aim({q, route, mark}, ledger, found, angle, q.boundary.diagonal, word, find);
     }
 }
 
 }  // namespace
 
-void image_seeds(Search& s, bool quickly) {
-  const bool straight = is_straight(s.puzzle.physics);
-  std::set<std::pair<std::vector<Contact>, std::pair<double, double>>>
-      settled;  // a sequence with a root has hardly ever another
-  for (const double share : shares) {
-    Unfolding images(s, !straight, share * restitution(s.puzzle.physics).at_rest, true);
-    while (const auto c = images.next()) {
-      if (s.enough()) return;
-      std::pair key{images.contacts(*c), std::pair{c->target.x, c->target.y}};
-      if (!straight && settled.contains(key)) continue;
-      if (from_seed(s, c->angle, c->distance, key.first, c->target, quickly)) settled.insert(std::move(key));
-    }
-    if (straight || !images.whole()) return;
-    if (s.puzzle.cushions.sequence && !s.shots.empty()) return;
-  }
+void ceres(const Question& q, Ledger& ledger, Findings& found) {
+  const RootFinder find = [&](const LockedAim& aim, const Launch& seed) { return solve_locked(aim, ledger, seed); };
+  refine_images(q, ledger, found, word, find);
+  if (!q.boundary.unfolds()) from_fan(q, ledger, found, find);
 }
 
-void ceres(Search& s) {
-  image_seeds(s, false);
-  if (!s.boundary.unfolds()) from_fan(s);
-}
-
-}  // namespace bankshot::planning
+}  // namespace bankshot::planning::methods

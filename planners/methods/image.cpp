@@ -5,69 +5,65 @@
 // cushion sequence that occurs is tried, so finding nothing is a proof as far as the target's
 // centre goes; parts of the target beside its centre are then searched on a grid of aims.
 // Fails: restitution 0 (the unfolding is singular) and bounces on reflex vertices (not straight).
-// Source: planning.md's closed form, as affine images (unfold.hpp).
+// Source: the method of images: on a table unfolded at each cushion it meets, a path that bounces is one straight line;
+// restitution below 1 stretches the image (unfold.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "planners/images/aim.hpp"
 #include "planners/images/unfold.hpp"
+#include "planners/images/window.hpp"
 #include "planners/methods/methods.hpp"
-#include "planners/proof/prove.hpp"
-#include "planners/steps/parts.hpp"
+#include "planners/stop.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::planning::methods {
 namespace {
 
-/// Aims tried across the part of a target that a ray may reach.
-constexpr int aims_across = 33;
+using steps::word::images;
 
-/// Where images come shortest first: the first-order margin only falls with the length, so later ones are
-/// worse unless a bound or a pocket makes the difference.
-bool enough(const Search& s, const Unfolding& images) {
-  if (s.satisfied()) return true;
-  if (s.all || !images.shortest_first()) return false;
-  return s.shots.size() >= (s.puzzle.prefer == Prefer::robust ? Search::enough_to_compare : 1);
-}
+double stretch(const Question& q) { return restitution(q.puzzle.physics).at_rest; }
 
 /// Every centred candidate; true when all were tried.
-bool centred(Search& s) {
-  Unfolding images(s, false, restitution(s.puzzle.physics).at_rest);
-  while (const auto c = images.next()) {
-    if (s.spent()) return false;
-    certify_aim(s, c->angle, c->bounces, "image");
-    if (!enough(s, images)) continue;
-    if (s.puzzle.prefer == Prefer::robust && !s.first && images.next())
-      s.add_note(fmt::format("compared the {} shortest shots", s.shots.size()));
+bool centred(const Question& q, Ledger& ledger, Findings& found) {
+  Unfolding candidates(q, {.restitution = stretch(q)});
+  while (const auto c = candidates.next()) {
+    if (ledger.spent()) return false;
+    certify_aim(q, ledger, found, c->angle, c->bounces, images);
+    if (!stop::enough_images(q, found, candidates.shortest_first())) continue;
+    if (q.puzzle.prefer == Prefer::robust && !q.first() && candidates.next())
+      found.add_note(fmt::format("compared the {} shortest shots", found.shots.size()));
     return true;
   }
-  if (images.too_long() > 0) s.remember({{}, 0, std::numeric_limits<double>::infinity(), {Foul::too_long}});
-  if (!images.whole()) s.add_note("there are too many cushion sequences to try them all");
-  return images.whole();
+  if (candidates.too_long() > 0) found.remember({{}, 0, std::numeric_limits<double>::infinity(), {Foul::too_long}});
+  if (!candidates.whole()) found.add_note("there are too many cushion sequences to try them all");
+  return candidates.whole();
 }
 
 /// What of a candidate's window of aims the puzzle's bounds leave: at most two pieces.
-std::vector<Range> allowed(const Search& s, const Candidate& c) {
+std::vector<Range> allowed(const Question& q, const Candidate& c) {
   const double low = c.angle + c.low, high = c.angle + c.high;
-  if (!s.puzzle.angle) return {{low, high}};
+  if (!q.puzzle.angle) return {{low, high}};
   std::vector<Range> pieces;
   for (const double turn : {-radians(360), 0.0, radians(360)}) {
-    const Range piece{std::max(low + turn, s.puzzle.angle->low), std::min(high + turn, s.puzzle.angle->high)};
+    const Range piece{std::max(low + turn, q.puzzle.angle->low), std::min(high + turn, q.puzzle.angle->high)};
     if (piece.low <= piece.high) pieces.push_back(piece);
   }
   return pieces;
 }
 
 /// Off-centre shots; true when a ray may reach some part of the target at all.
-bool beside_centre(Search& s) {
-  Unfolding parts(s, true, restitution(s.puzzle.physics).at_rest);
+bool beside_centre(const Question& q, Ledger& ledger, Findings& found) {
+  Unfolding parts(q, {.parts = true, .restitution = stretch(q)});
   bool some_part = false;
   while (const auto c = parts.next()) {
-    if (s.spent()) break;
+    if (ledger.spent()) break;
     if (!(c->low < c->high)) continue;
-    for (const Range& aims : allowed(s, *c)) {
+    for (const Range& aims : allowed(q, *c)) {
       some_part = true;
-      reach_part(s, aims, c->angle, aims_across, Goal::exactly(s, c->bounces), "image");
+      reach_part(q, ledger, found, aims, c->angle, settings::image::aims_across, Goal::exactly(q, c->bounces), images);
     }
   }
   return some_part;
@@ -75,17 +71,17 @@ bool beside_centre(Search& s) {
 
 }  // namespace
 
-void image(Search& s) {
-  if (!is_straight(s.puzzle.physics)) return;  // a seed for ceres, no answer
-  const bool whole = centred(s);
-  const bool bends = !s.boundary.unfolds(), dead = restitution(s.puzzle.physics).at_rest == 0;
-  s.complete = whole && !bends && !dead;
-  if (!s.shots.empty() || s.cut || !whole) return;
-  const bool some_part = beside_centre(s);
+void image(const Question& q, Ledger& ledger, Findings& found) {
+  if (!is_straight(q.puzzle.physics)) return;  // an image is a seed there, no answer
+  const bool whole = centred(q, ledger, found);
+  const bool dead = stretch(q) == 0;
+  found.complete = whole && q.boundary.unfolds() && !dead;
+  if (!found.shots.empty() || ledger.cut() || !whole) return;
+  const bool some_part = beside_centre(q, ledger, found);
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
-  const bool no_obstacle = s.boundary.strictly_convex && s.boundary.pockets.empty();
-  s.proved = s.complete && (!some_part || (no_obstacle && is_ideal(s.puzzle.physics))) && !s.frozen() &&
-             !(no_obstacle && s.rounding_decided);
+  const bool no_obstacle = q.boundary.strictly_convex && q.boundary.pockets.empty();
+  found.proved = found.complete && (!some_part || (no_obstacle && is_ideal(q.puzzle.physics))) && !q.frozen() &&
+                 !(no_obstacle && found.rounding_decided);
 }
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::planning::methods

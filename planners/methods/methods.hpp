@@ -1,36 +1,29 @@
 // SPDX-License-Identifier: MIT
 //
-// The planners: each proposes launches for a search and certifies them. They share nothing but it.
+// The planners that a user can name, one file each, and their list. What they have in common, and what each guarantees,
+// is told in planners/README.md.
 #pragma once
 
-#include "planners/search.hpp"
+#include <span>
+#include <string>
 
-namespace bankshot::planning {
+#include "bankshot/plan/planner.hpp"
+#include "planners/steps/steps.hpp"
 
-void image(Search& s);  ///< image.cpp
-void sweep(Search& s);  ///< sweep.cpp
-void ceres(Search& s);  ///< ceres.cpp
-/// The images of `ceres` alone; `quickly` by Newton's method, which fails a little more often.
-void image_seeds(Search& s, bool quickly);
-void nlopt_bobyqa(Search& s);  ///< nlopt.cpp, and the five below
-void nlopt_sbplx(Search& s);
-void nlopt_slsqp(Search& s);
-void nlopt_direct(Search& s);
-void nlopt_crs(Search& s);
-void nlopt_mlsl(Search& s);
-void automatic(Search& s);  ///< auto.cpp
+namespace bankshot::planning::methods {
 
-void along_touched(Search& s);  ///< along.cpp
+void automatic(const Question& q, Ledger& ledger, Findings& found);  ///< auto.cpp
+void image(const Question& q, Ledger& ledger, Findings& found);
+void sweep(const Question& q, Ledger& ledger, Findings& found);
+void ceres(const Question& q, Ledger& ledger, Findings& found);
 
-/// The cells of a forward map: rad of aim, and of ln speed. In map.cpp; what `sweep` does where paths
-/// depend on the speed.
-struct Spacing {
-  double aim = radians(2), speed = 0.12;
-  bool whole = false;  ///< also speeds at which neighbouring paths arrive too fast or never
-  bool locked = true;  ///< follow a sequence that is given on its locked path, not where it really occurs
+struct Method {
+  PlannerInfo info;
+  steps::Step plan;
 };
-void map(Search& s, const Spacing& spacing);
-/// The same of a sequence that is given, only at the speeds that arrive as asked, and outward from its image.
-void fan_out(Search& s, const Spacing& spacing);
 
-}  // namespace bankshot::planning
+std::span<const Method> all();
+/// Throws InvalidInput that names the known ones.
+const Method& find(const std::string& name);
+
+}  // namespace bankshot::planning::methods

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The replay of verify.hpp: the plain simulator, followed leg by leg against a goal.
+#include "planners/proof/replay.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "bankshot/simulate/simulator.hpp"
-#include "planners/proof/prove.hpp"
 
 namespace bankshot::planning {
 namespace {
@@ -38,17 +39,17 @@ class SequenceCheck {
 template <class Motion, class Cushion>
 class Follower {
  public:
-  Follower(const Search& s, const Motion& motion, const Cushion& cushion, const Launch& launch, const Goal& goal,
+  Follower(const Question& q, const Motion& motion, const Cushion& cushion, const Launch& launch, const Goal& goal,
            bool tracing)
-      : s_(s),
+      : q_(q),
         goal_(goal),
         tracing_(tracing),
-        stop_(s.stop && !tracing),
+        stop_(q.stop && !tracing),
         check_(goal.sequence),
-        sim_(s.boundary, motion, cushion,
-             launched(s.puzzle.ball.at, s.puzzle.ball.body.radius, direction(launch.angle) * launch.speed,
-                      s.puzzle.spin)),
-        out_{{}, SpeedAccount(deceleration(s.puzzle.physics))} {}
+        sim_(q.boundary, motion, cushion,
+             launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, direction(launch.angle) * launch.speed,
+                      q.puzzle.spin)),
+        out_{{}, SpeedAccount(deceleration(q.puzzle.physics))} {}
 
   Trace run(std::vector<Contact>* contacts) {
     for (;;) {
@@ -56,7 +57,7 @@ class Follower {
       if (look_along_arc(e)) return out_;
       if (tracing_) {
         out_.account.add(sim_.arc(), sim_.travelled());
-        if (out_.account.beyond(s_.puzzle.speed.high)) return fail(Foul::too_long);
+        if (out_.account.beyond(q_.puzzle.speed.high)) return fail(Foul::too_long);
       }
       switch (e.kind) {
         case EventKind::cushion:
@@ -82,17 +83,15 @@ class Follower {
  private:
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
 
-  /// Closest approach to the target on the arc just travelled; true when a point is made there.
+  /// Closest approach to each mark on the arc just travelled; true when one that does not capture is made there.
   bool look_along_arc(const Event& e) {
-    const PointTarget* target = s_.point();
     if (stop_ || !counts()) return false;
-    if (target) {
-      const bool near = look_at(target->at) <= target->within;
+    for (const Mark& mark : q_.marks) {
+      if (mark.captures() && !tracing_) continue;
+      const bool near = look_at(mark.at) <= mark.reach && !mark.captures();
       // A ball that still comes nearer when its slide ends is closest on the next arc.
-      return near && (closest_ < sim_.travelled() || e.kind != EventKind::slide_to_roll) && arrive_at_point();
+      if (near && (closest_ < sim_.travelled() || e.kind != EventKind::slide_to_roll)) return arrive_in_passing();
     }
-    if (tracing_)
-      for (const Vec2d& centre : s_.aim_points()) look_at(centre);
     return false;
   }
 
@@ -110,7 +109,7 @@ class Follower {
     return miss;
   }
 
-  bool arrive_at_point() {
+  bool arrive_in_passing() {
     if (tracing_) out_.account.add(sim_.arc(), closest_);
     out_.replay.made = true;
     out_.replay.bounces = k_;
@@ -118,9 +117,11 @@ class Follower {
   }
 
   Trace pocketed(Contact pocket) {
-    if (s_.point() || !s_.wanted(pocket.index) || !counts()) return fail(Foul::pocketed, pocket);
+    const auto wanted = [&](const Mark& mark) { return mark.taken_by == pocket; };
+    const auto mark = std::find_if(q_.marks.begin(), q_.marks.end(), wanted);
+    if (mark == q_.marks.end() || !counts()) return fail(Foul::pocketed, pocket);
     const State<double>& now = sim_.state();
-    const Vec2d to_centre = s_.boundary.rim(pocket)->centre - now.at;
+    const Vec2d to_centre = mark->at - now.at;
     out_.replay.made = true;
     out_.replay.bounces = k_;
     // A ball that stops on the circle still has the line of its last arc.
@@ -131,12 +132,12 @@ class Follower {
   }
 
   Trace rest() {
-    const PointTarget* target = s_.point();
-    if (!target || !stop_ || !counts()) return fail(Foul::fell_short);
-    out_.replay.miss = norm(sim_.state().at - target->at);
+    if (!stop_ || !counts()) return fail(Foul::fell_short);
+    const Mark& mark = q_.nearest_mark(sim_.state().at);
+    out_.replay.miss = norm(sim_.state().at - mark.at);
     out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
     out_.replay.bounces = k_;
-    out_.replay.made = out_.replay.miss <= target->within;
+    out_.replay.made = out_.replay.miss <= mark.reach;
     if (!out_.replay.made) out_.replay.failure = {Foul::missed};
     return out_;
   }
@@ -145,7 +146,7 @@ class Follower {
     // Where the target was passed with the bounces asked, that is the miss; else how near the
     // ball was when it went wrong.
     if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
-      for (const Vec2d& p : s_.aim_points()) out_.replay.miss = std::min(out_.replay.miss, norm(sim_.state().at - p));
+      for (const Mark& m : q_.marks) out_.replay.miss = std::min(out_.replay.miss, norm(sim_.state().at - m.at));
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
     } else if (foul == Foul::extra_cushion) {
       foul = Foul::missed;
@@ -156,7 +157,7 @@ class Follower {
     return out_;
   }
 
-  const Search& s_;
+  const Question& q_;
   const Goal& goal_;
   bool tracing_;  ///< only the shape matters: pass the target, and keep account of the speed
   bool stop_;
@@ -177,18 +178,19 @@ void SpeedAccount::add(const Arc<double>& arc, double t) {
   if (t > 0) loss += 2 * deceleration_ * norm(arc.position(t) - arc.at);
 }
 
-Replay replay(Search& s, const Launch& launch, const Goal& goal, std::vector<Contact>* contacts) {
-  const Replay r = with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    return Follower(s, motion, cushion, launch, goal, false).run(contacts).replay;
+Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goal& goal,
+              std::vector<Contact>* contacts) {
+  const Replay r = with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    return Follower(q, motion, cushion, launch, goal, false).run(contacts).replay;
   });
-  s.spend(static_cast<std::size_t>(r.bounces));
+  ledger.charge(static_cast<std::size_t>(r.bounces));
   return r;
 }
 
-Trace trace(Search& s, double angle, const Goal& goal, std::vector<Contact>* contacts) {
-  const Mirror mirror{restitution(s.puzzle.physics)};
-  const Trace t = Follower(s, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
-  s.spend(static_cast<std::size_t>(t.replay.bounces));
+Trace trace(const Question& q, Ledger& ledger, double angle, const Goal& goal, std::vector<Contact>* contacts) {
+  const Mirror mirror{restitution(q.puzzle.physics)};
+  const Trace t = Follower(q, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
+  ledger.charge(static_cast<std::size_t>(t.replay.bounces));
   return t;
 }
 

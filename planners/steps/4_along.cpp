@@ -3,74 +3,85 @@
 // A ball that touches a cushion may run exactly along it. It meets other cushions then than at any aim
 // beside, so no map of aims shows it; but the aim is known, and only the speed is looked for.
 // Method: launches at even steps of ln speed, both ways along each cushion touched; from each that is nearer
-// to what was asked than its neighbours a golden-section search, then a certificate. Cost: some 600
+// to what was asked than its neighbours a golden-section search, then a proof. Cost: some 600
 // simulations a cushion. Guarantee: none.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "planners/methods/methods.hpp"
-#include "planners/proof/prove.hpp"
+#include "planners/certify.hpp"
+#include "planners/line_search.hpp"
+#include "planners/settings.hpp"
+#include "planners/steps/steps.hpp"
+#include "planners/stop.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::planning::steps {
 namespace {
 
-constexpr int steps = 300;
+using namespace settings::along;
 
-/// How far a launch is from what is asked, no unit: of the diagonal, and of the arrival speed.
-double error(Search& s, const Launch& launch) {
-  const Replay r = replay(s, launch, Goal::of(s));
-  if (!r.made && r.failure.foul != Foul::missed) return 1;
-  const double miss = r.miss / s.boundary.diagonal;
-  return s.arrival && !s.stop ? miss + std::abs(r.arrival.speed - s.asked) / std::max(1.0, s.asked) : miss;
-}
+/// Launches at one aim.
+class OneAim {
+ public:
+  OneAim(const Question& q, Ledger& ledger, Findings& found, double angle)
+      : q_(q), ledger_(ledger), found_(found), angle_(angle) {}
 
-/// The speed of least error between two, one of them.
-double least_between(Search& s, double angle, double low, double high) {
-  constexpr double golden = 0.6180339887498949, settled = 1e-15;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double at_a = error(s, {a, angle}), at_b = error(s, {b, angle});
-  while (high - low > settled * high && !s.spent()) {
-    if (at_a < at_b) {
-      high = b, b = a, at_b = at_a, a = high - golden * (high - low);
-      at_a = error(s, {a, angle});
-    } else {
-      low = a, a = b, at_a = at_b, b = low + golden * (high - low);
-      at_b = error(s, {b, angle});
+  void search() {
+    if (q_.one_unknown()) return certify_at(q_.fixed_speed());
+    const Range& v = q_.puzzle.speed;
+    const double low = std::max(v.low, settings::slowest_of_fastest * v.high);
+    std::vector<Tried> row;
+    for (int i = 0; i <= speeds && !ledger_.spent(); ++i)
+      row.push_back(attempt(low * std::pow(v.high / low, static_cast<double>(i) / speeds)));
+    for (std::size_t i = 0; i < row.size() && !ledger_.spent(); ++i) {
+      const Tried &before = row[i > 0 ? i - 1 : i], &after = row[std::min(i + 1, row.size() - 1)];
+      if (row[i].value > hopeless && row[i].value >= before.value && row[i].value >= after.value)
+        certify_at(best_between(before, row[i], after));
     }
-    if (!(low < a && a < b && b < high)) break;
   }
-  return at_a < at_b ? a : b;
-}
 
-void at_angle(Search& s, double angle) {
-  const CushionRule& rule = s.puzzle.cushions;
-  const auto certify_at = [&](double speed) {
-    for (int n = rule.min; n <= rule.max && !s.spent(); ++n) certify(s, {speed, angle}, n, "along");
+ private:
+  /// A speed, and minus how far its launch is from what is asked: of the diagonal, and of the arrival speed.
+  struct Tried {
+    double x, value;
   };
-  if (s.one_unknown()) return certify_at(fixed_speed(s));
-  const Range& v = s.puzzle.speed;
-  const double low = std::max(v.low, 1e-3 * v.high);
-  std::vector<double> speeds, errors;
-  for (int i = 0; i <= steps && !s.spent(); ++i) {
-    speeds.push_back(low * std::pow(v.high / low, static_cast<double>(i) / steps));
-    errors.push_back(error(s, {speeds.back(), angle}));
+  static constexpr double hopeless = -1;
+
+  Tried attempt(double speed) {
+    const Replay r = replay(q_, ledger_, {speed, angle_}, Goal::of(q_));
+    if (!r.made && r.failure.foul != Foul::missed) return {speed, hopeless};
+    const double miss = r.miss / q_.boundary.diagonal;
+    const bool any_speed = !q_.arrival || q_.stop;
+    return {speed, -(any_speed ? miss : miss + std::abs(r.arrival.speed - q_.asked) / std::max(1.0, q_.asked))};
   }
-  for (std::size_t i = 0; i < errors.size() && !s.spent(); ++i) {
-    const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, errors.size() - 1);
-    if (errors[i] < 1 && errors[i] <= errors[before] && errors[i] <= errors[after])
-      certify_at(least_between(s, angle, speeds[before], speeds[after]));
+
+  double best_between(const Tried& low, const Tried& best, const Tried& high) {
+    const auto narrow = [&](const Tried&, const Tried&, const Tried&) { return ledger_.spent(); };
+    return climb(
+               low, best, high, settled * high.x, [&](double speed, const Tried&) { return attempt(speed); }, narrow)
+        .x;
   }
-}
+
+  void certify_at(double speed) {
+    for (int n = q_.cushions().min; n <= q_.cushions().max && !ledger_.spent(); ++n)
+      certify(q_, ledger_, found_, {speed, angle_}, n, word::along);
+  }
+
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+  double angle_;
+};
 
 }  // namespace
 
-void along_touched(Search& s) {
-  for (const Wall& w : s.boundary.walls) {
-    if (!s.touches(w.contact)) continue;
-    for (const Vec2d& way : {w.along, -w.along})
-      if (!s.spent() && !s.satisfied()) at_angle(s, wrap_angle(std::atan2(way.y + 0.0, way.x)));  // + 0: -0 is no angle
+void along(const Question& q, Ledger& ledger, Findings& found) {
+  for (const Wall& wall : q.boundary.walls) {
+    if (!q.touches(wall.contact)) continue;
+    for (const Vec2d& way : {wall.along, -wall.along})
+      if (!stop::over(q, ledger, found))
+        OneAim(q, ledger, found, wrap_angle(std::atan2(way.y + 0.0, way.x))).search();  // + 0: -0 is no angle
   }
 }
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::planning::steps

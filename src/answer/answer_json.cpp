@@ -50,6 +50,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, const std::str
   w.number("up", 0.4 * p.ball.body.radius * spin.top);
   w.close('}');
   write_path(w, p, shot);
+  if (shot.off_centre && !why) w.boolean("off_centre", true);
   w.number("condition", shot.condition);
   if (shot.margin) {
     w.key("margin");

@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::string_view answer_keys[] = {"id",          "status",  "shots",   "nearest", "modelled",
                                             "simulations", "time_us", "message", "error"};
-constexpr std::string_view shot_keys[] = {"speed",     "angle",  "spin",    "tip",     "cushions",    "miss", "arrival",
-                                          "condition", "margin", "success", "planner", "simulations", "why"};
+constexpr std::string_view shot_keys[] = {"speed",   "angle",      "spin",        "tip",       "cushions",
+                                          "miss",    "off_centre", "arrival",     "condition", "margin",
+                                          "success", "planner",    "simulations", "why"};
 
 void note_unread(const Json& object, std::span<const std::string_view> known, std::set<std::string>* unread) {
   if (!unread) return;
@@ -60,6 +61,7 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   s.spin = read_spin(r.need("spin"), p);
   s.cushions = read_contacts(r.need("cushions"), p.table);
   s.miss = r.need("miss").at_least(0);
+  if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();
   const Reader arrival = r.need("arrival");
   s.arrival = {arrival.need("time").at_least(0), arrival.need("speed").at_least(0), arrival.need("at").point()};
   s.condition = r.need("condition").at_least(0);

@@ -48,8 +48,8 @@ Start start_at(const Puzzle& p, const Boundary& boundary, const Vec2d& at) {
   if (boundary.clearance(at) < 0) return Start::cushion;
   for (const Circle& c : boundary.pockets)
     if (norm(at - c.centre) <= c.radius) return Start::pocket;
-  const auto* point = std::get_if<PointTarget>(&p.target);
-  return point && norm(at - point->at) <= point->within ? Start::target : Start::legal;
+  const auto there = [&](const Mark& mark) { return !mark.captures() && norm(at - mark.at) <= mark.reach; };
+  return std::ranges::any_of(marks_of(p.target, boundary), there) ? Start::target : Start::legal;
 }
 
 std::string to_csv(const Puzzle& p, const StartMap& map) {

@@ -10,12 +10,27 @@ namespace bankshot::app {
 
 using Run = std::function<int()>;
 
-Run add_solve(CLI::App& app);
-Run add_batch(CLI::App& app);
-Run add_simulate(CLI::App& app);
-Run add_verify(CLI::App& app);
-Run add_generate(CLI::App& app);
-Run add_map(CLI::App& app);
-Run add_report(CLI::App& app);
+// A folder and a namespace a command.
+namespace solve {
+Run add(CLI::App& app);
+}
+namespace batch {
+Run add(CLI::App& app);
+}
+namespace simulate {
+Run add(CLI::App& app);
+}
+namespace verify {
+Run add(CLI::App& app);
+}
+namespace generate {
+Run add(CLI::App& app);
+}
+namespace map {
+Run add(CLI::App& app);
+}
+namespace report {
+Run add(CLI::App& app);
+}
 
 }  // namespace bankshot::app

@@ -45,10 +45,10 @@ int main(int argc, char** argv) {
   CLI::App app("bankshot: finds the launch speed and angle for a shot in cue sports", "bankshot");
   app.set_version_flag("--version", "bankshot " BANKSHOT_VERSION);
   app.require_subcommand(1);
-  const std::map<std::string, Run> commands{{"solve", add_solve(app)},       {"simulate", add_simulate(app)},
-                                            {"batch", add_batch(app)},       {"verify", add_verify(app)},
-                                            {"generate", add_generate(app)}, {"map", add_map(app)},
-                                            {"report", add_report(app)}};
+  const std::map<std::string, Run> commands{{"solve", solve::add(app)},       {"simulate", simulate::add(app)},
+                                            {"batch", batch::add(app)},       {"verify", verify::add(app)},
+                                            {"generate", generate::add(app)}, {"map", map::add(app)},
+                                            {"report", report::add(app)}};
   try {
     if (argc > 1) check_command(argv[1], commands);
     app.parse(argc, argv);

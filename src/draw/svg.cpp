@@ -196,15 +196,10 @@ void draw_fan(Canvas& c, const Puzzle& p, const Shot& shot) {
 
 void draw_target(Canvas& c, const Puzzle& p) {
   const char* ring = R"(fill="none" stroke="#ef476f" stroke-width="2.5")";
-  if (const auto* point = std::get_if<PointTarget>(&p.target)) {
-    c.circle(point->at, std::max(c.px(point->within), 7.0), ring);
-    c.circle(point->at, 2.5, R"(fill="#ef476f")");
-    return;
+  for (const Mark& mark : marks_of(p.target, Boundary(p.table, p.ball.body))) {
+    c.circle(mark.at, std::max(c.px(mark.reach), mark.captures() ? 6.0 : 7.0), ring);
+    if (!mark.captures()) c.circle(mark.at, 2.5, R"(fill="#ef476f")");
   }
-  const auto wanted = std::get<PocketTarget>(p.target).pocket;
-  for (std::size_t i = 0; i < p.table.pockets.size(); ++i)
-    if (!wanted || *wanted == static_cast<int>(i))
-      c.circle(p.table.pockets[i].at, std::max(c.px(p.table.pockets[i].radius), 6.0), ring);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ class JsonWriter {
   /// What follows is the value of this key, which needs no escapes.
   void key(std::string_view k);
   void number(double v);  ///< null where it is not finite
+  void boolean(std::string_view k, bool v) { key(k), raw(v ? "true" : "false"); }
   void integer(long v);
   void string(std::string_view text);
   void null() { raw("null"); }

@@ -169,14 +169,13 @@ void check_range(const Range& r, const std::string& path) {
 }
 
 void check_target(const Puzzle& p, const Boundary& boundary) {
-  if (const auto* point = std::get_if<PointTarget>(&p.target)) {
-    check_inside(boundary, point->at, "/target/point", "the centre of a ball at the target");
-    if (!(point->within > 0)) fail("/target/within", "must be greater than 0");
-  } else if (const auto pocket = std::get<PocketTarget>(p.target).pocket) {
-    if (*pocket < 0 || *pocket >= static_cast<int>(p.table.pockets.size()))
-      fail("/target/pocket", fmt::format("there is no pocket number {}", *pocket));
-  } else if (p.table.pockets.empty()) {
-    fail("/target/pocket", "this table has no pockets");
+  const std::vector<Mark> marks = marks_of(p.target, boundary);
+  if (marks.empty())
+    fail("/target/pocket", p.table.pockets.empty() ? "this table has no pockets" : "there is no pocket of that number");
+  for (const Mark& mark : marks) {
+    if (mark.captures()) continue;
+    check_inside(boundary, mark.at, "/target/point", "the centre of a ball at the target");
+    if (!(mark.reach > 0)) fail("/target/within", "must be greater than 0");
   }
 }
 
@@ -218,7 +217,7 @@ void validate(const ShotRequest& s) {
 std::optional<Range> arrival_range(const Puzzle& p) {
   if (is_ideal(p.physics) || p.speed.fixed()) return {};
   if (p.arrive) return p.arrive;
-  const double s = std::holds_alternative<PointTarget>(p.target) ? 0 : 0.5;
+  const double s = usual_arrival(p.target);
   return Range{s, s};
 }
 

@@ -13,16 +13,8 @@
 namespace bankshot::truth {
 namespace {
 
-/// Of an impact that is integrated, in 50 digits.
-constexpr double fine_impact = 1e-20;
-
 /// Two bounces less apart than this are one instant to a run in double [s].
 constexpr double one_instant = 1e-12;
-
-Physics refined(Physics p) {
-  if (auto* m = std::get_if<Mathavan2010>(&p.cushion)) m->tolerance = fine_impact;
-  return p;
-}
 
 /// Two at one instant match in either order.
 bool same_order(const std::vector<Contact>& asked, const std::vector<const TruthEvent*>& met) {

@@ -19,8 +19,7 @@ constexpr double unit_roundoff = 0x1p-53;
 /// The checks of one shot.
 class ShotCheck {
  public:
-  ShotCheck(const Puzzle& p, const Answer& a, const Shot& shot)
-      : p_(p), answer_(a), shot_(shot), scene_(p), place_(place_tolerance()) {}
+  ShotCheck(const Puzzle& p, const Shot& shot) : p_(p), shot_(shot), scene_(p), place_(place_tolerance()) {}
 
   std::vector<Check> run() {
     bounds();
@@ -120,8 +119,7 @@ class ShotCheck {
     const double place = place_ / there.incidence;
     compare(Claim::miss, std::abs(there.miss - shot_.miss), place_,
             fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, there.miss));
-    if (!beside_centre(p_, answer_))
-      compare(Claim::centre, there.miss, place_, "does not reach the centre and does not say so");
+    if (!shot_.off_centre) compare(Claim::centre, there.miss, place_, "does not reach the centre and does not say so");
     compare(Claim::place, norm(said.at - there.at), place,
             fmt::format("says ({}, {}) and arrives at ({}, {})", said.at.x, said.at.y, there.at.x, there.at.y));
     compare(Claim::time, std::abs(said.time - there.time),
@@ -172,17 +170,15 @@ class ShotCheck {
 
   void success() {
     constexpr int draws = 1000;
-    // The lattice of the solver is off by 0.016 at worst; five deviations of these draws on top.
-    constexpr double lattice = 0.016, deviations = 5;
+    constexpr double deviations = 5;  // of the share that these draws make
     const double p = *shot_.success, seen = scene_.chance(shot_, draws);
     const double spread = std::sqrt(std::max(seen * (1 - seen), 1.0 / draws) / draws);
     const bool possible = p >= 0 && p <= 1;
-    compare(Claim::success, possible ? std::abs(p - seen) : HUGE_VAL, lattice + deviations * spread,
+    compare(Claim::success, possible ? std::abs(p - seen) : HUGE_VAL, tolerance::success + deviations * spread,
             fmt::format("says {:.4g} and {} draws make {:.4g}", p, draws, seen));
   }
 
   const Puzzle& p_;
-  const Answer& answer_;
   const Shot& shot_;
   Scene scene_;
   double place_;  ///< m
@@ -213,10 +209,6 @@ std::string_view unit(Claim c) {
   return units[static_cast<int>(c)];
 }
 
-bool beside_centre(const Puzzle& p, const Answer& a) {
-  return p.aim == Aim::safest || a.message.find("reaches part of it") != std::string::npos;
-}
-
 std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answer& a) {
   std::vector<Check> out;
   const auto text = [](const std::string& s) { return s.empty() ? std::string("none") : s; };
@@ -233,7 +225,7 @@ std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answ
     out.push_back({Claim::status});
   if (!puzzle) return out;
   for (std::size_t i = 0; i < a.shots.size(); ++i)
-    for (Check& c : ShotCheck(*puzzle, a, a.shots[i]).run()) {
+    for (Check& c : ShotCheck(*puzzle, a.shots[i]).run()) {
       c.shot = i;
       out.push_back(std::move(c));
     }

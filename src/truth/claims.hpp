@@ -24,7 +24,7 @@ enum class Claim {
   rule,       ///< the cushions are as the puzzle asks
   cushions,   ///< the ball meets the cushions named, in that order
   target,     ///< the target is made: nothing is in the way, no other pocket takes the ball
-  centre,     ///< exactly, unless the answer says that it is beside the centre [m]
+  centre,     ///< exactly, unless the shot says that it is off centre [m]
   miss,       ///< [m]
   place,      ///< where it arrives [m]
   time,       ///< when [s]
@@ -50,8 +50,5 @@ struct Check {
 
 /// Checks of all shots, in their order. `puzzle` is null where it cannot be read; `id` is its JSON text.
 std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answer& answer);
-
-/// The answer says that its best shot is beside the target's centre.
-bool beside_centre(const Puzzle& puzzle, const Answer& answer);
 
 }  // namespace bankshot::truth

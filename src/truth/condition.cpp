@@ -14,7 +14,11 @@ namespace {
 
 using Jet = ceres::Jet<double, 7>;
 
-constexpr double unit_roundoff = 0x1p-53;
+/// What a step of the simulator rounds or neglects, of the size of what it works on.
+double error_of_a_step(const Physics& p) {
+  const auto* integrated = std::get_if<Mathavan2010>(&p.cushion);
+  return integrated ? integrated->tolerance : 0x1p-53;
+}
 
 using Step = Eigen::Matrix<double, 7, 7>;
 
@@ -109,13 +113,16 @@ Condition condition(const Run& run) {
 }
 
 Compared compare_with_truth(const Run& run) {
-  Path rough = run_double(run), exact = run_truth(run);
+  const Physics physics = refined(run.physics);
+  const Run fine{run.boundary, physics,    run.start,  run.cushions, run.events,
+                 run.target,   run.turned, run.pushed, run.until};
+  Path rough = run_double(run), exact = run_truth(fine);
   Compared c{.events = rough.events.size()};
   const std::vector<TruthEvent> plain = rough.events;
   const Condition condition_of_run = condition(run);
   c.kappa = condition_of_run.kappa;
   c.of_start = condition_of_run.of_start;
-  c.unit = unit_roundoff * run.boundary.extent * c.kappa;
+  c.unit = error_of_a_step(run.physics) * run.boundary.extent * c.kappa;
   if (!same(rough, exact)) {
     rough = without_tiny_slides(std::move(rough), tolerance::simulation_error * c.unit);
     exact = without_tiny_slides(std::move(exact), tolerance::simulation_error * c.unit);
@@ -129,7 +136,7 @@ Compared compare_with_truth(const Run& run) {
                    apart = std::abs(rough.events[i].time - exact.events[i].time);
       if (apart * speed <= tolerance::simulation_error * c.unit) c.order = Compared::Order::tie;
     }
-    if (c.order == Compared::Order::wrong && nearby_start(run, rough)) c.order = Compared::Order::tie;
+    if (c.order == Compared::Order::wrong && nearby_start(fine, rough)) c.order = Compared::Order::tie;
     return c;
   }
   std::vector<std::pair<EventKind, Contact>> events;

@@ -21,10 +21,10 @@ struct Condition {
 };
 Condition condition(const Run& run);
 
-/// A run in double held against the truth.
+/// A run in double held against the truth: 50 digits, and integrated impacts refined.
 struct Compared {
   double error = 0;  ///< m, of the last event's position
-  double unit = 0;   ///< m, 2⁻⁵³ · size · κ
+  double unit = 0;   ///< m, 2⁻⁵³ · size · κ; where impacts are integrated, their tolerance instead of 2⁻⁵³
   double kappa = 1, of_start = 1;
   std::size_t events = 0;
   /// same: the events agree. tie: they part at two events that lie within the bound of each other, or the

@@ -207,6 +207,35 @@ Cases endless() {
   return out;
 }
 
+/// μr = 0.01 + b v, from a growth that rounding hides to one that stops the ball within centimetres.
+Cases friction_by_speed() {
+  Cases out;
+  for (const double b : {1e-18, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 1e-1, 1.0, 10.0})
+    for (const double aim : {3.0, 33.0, 211.0})
+      for (const LaunchSpin& spin : {LaunchSpin{.top = 1}, LaunchSpin{.top = -0.5, .side = 0.5, .masse = 0.3}}) {
+        ShotRequest shot = spin_shot({0.5, 0.3}, 3, aim, spin);
+        std::get<SlideRoll>(shot.physics.motion).rolling_friction = {0.01, b};
+        out.push_back(hard(fmt::format("per speed {} s/m, aim {}, topspin {}", b, aim, spin.top), shot));
+      }
+  return out;
+}
+
+/// Cushions of mathavan2010: natural roll, whose slip on the cloth is 0, side spin that the nose takes away in the end,
+/// nearly along the cushion, and straight at it, where slips reach 0 in one instant.
+Cases integrated_impacts() {
+  Cases out;
+  for (const double aim : {270.0, 269.999999, 250.0, 225.0, 200.0, 183.0, 180.01})
+    for (const double e : {0.0, 0.5, 0.85, 1.0})
+      for (const LaunchSpin& spin : {LaunchSpin{.top = 1}, LaunchSpin{}, LaunchSpin{.top = 1, .side = 1.2},
+                                     LaunchSpin{.top = -0.5, .side = -0.4}}) {
+        ShotRequest shot = spin_shot({1.2, 0.3}, 1.5, aim, spin);
+        shot.physics.cushion = Mathavan2010{.height = 1.28 * R, .restitution = Restitution{e}};
+        out.push_back(hard(fmt::format("aim {}, restitution {}, top {}, side {}", aim, e, spin.top, spin.side), shot));
+        out.back().cushions = 4;
+      }
+  return out;
+}
+
 struct Class {
   std::string_view name;
   Cases (*cases)();
@@ -224,7 +253,9 @@ constexpr Class classes[] = {{"grazing", grazing},
                              {"many bounces", many_bounces},
                              {"many bounces with spin", many_bounces_with_spin},
                              {"reflex vertices", reflex},
-                             {"grazing a reflex vertex", grazing_vertex}};
+                             {"grazing a reflex vertex", grazing_vertex},
+                             {"friction by speed", friction_by_speed},
+                             {"integrated impacts", integrated_impacts}};
 
 }  // namespace
 

@@ -51,6 +51,9 @@ struct Path {
   bool ended = false;  ///< by rest, a pocket, the time or the number of cushions
 };
 
+/// Physics whose integrated impacts are 1e7 times finer than those of the solver; any other physics as it is.
+Physics refined(Physics physics);
+
 /// In 50 digits.
 Path run_truth(const Run& run);
 /// In 25, 50 or 100 digits: to see what digits cost.

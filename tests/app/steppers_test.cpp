@@ -13,7 +13,7 @@
 #include "support/catch.hpp"
 
 using namespace bankshot;
-using namespace bankshot::app;
+using namespace bankshot::app::report;
 
 namespace {
 

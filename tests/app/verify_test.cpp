@@ -38,6 +38,10 @@ const std::string bank =
     R"({"pocket":"bottom-middle"},"cushions":["top","right"],"angle":[0,90],"speed":[0.1,9]})";
 const std::string stop =
     R"({"id":7,"table":"carom-10ft","ball":{"at":[0.7,0.5]},"target":{"point":[2.1,0.9]},"cushions":2})";
+/// Made by every draw: what is allowed is the tolerance and little more.
+const std::string sure =
+    R"({"id":"sure","table":"seed","physics":"rolling","ball":{"at":[1.2,0.5]},"target":{"point":[1.5,0.6],)"
+    R"("within":0.1},"cushions":0,"arrive":{"speed":2}})";
 const std::string pass = R"({"id":"pass","table":"seed","physics":"rolling","ball":{"at":[0.7,0.5]},"target":)"
                          R"({"point":[2.1,0.9]},"cushions":1,"arrive":{"speed":1.2}})";
 
@@ -120,6 +124,7 @@ TEST_CASE("verify: each claim that is altered by a little is named") {
       {bank, "/shots/0/margin/speed/1", 1e-3, "is not made"},
       {bank, "/shots/0/margin/speed/0", 1e-3, "margin: speed of"},
       {bank, "/shots/0/success", -0.25, "success: says"},
+      {sure, "/shots/0/success", -0.018, "success: says"},
       {stop, "/shots/0/cushions", {"top", "bottom", "top"}, "rule: 3 cushions, and 2 to 2 are asked"},
       {stop, "/shots/0/speed", 1e-7, "centre: "},
       {stop, "/shots/0/speed", 0.1, "target: stops "},

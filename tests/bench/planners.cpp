@@ -13,8 +13,8 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "planners/images/unfold.hpp"
-#include "planners/locked/residual.hpp"
-#include "planners/proof/prove.hpp"
+#include "planners/locked/speed.hpp"
+#include "planners/proof/replay.hpp"
 #include "support/random_puzzle.hpp"
 
 namespace {
@@ -57,18 +57,19 @@ Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
 Outcome by_mirror(const Puzzle& p) {
   using namespace planning;
   const auto begin = std::chrono::steady_clock::now();
-  Search s(p, false);
-  Unfolding images(s, true, 1.0, true);
+  const Question q(p);
+  Ledger ledger(p.budget);
+  Unfolding images(q, {.parts = true, .restitution = 1, .keep_routes = true});
   double least = 1;
   while (const auto c = images.next()) {
-    const std::vector<Contact> contacts = images.contacts(*c);
-    const LockedAim aim{s, contacts, c->target};
-    auto speed = speed_at(s, aim, c->angle, c->distance);
-    if (speed) speed = speed_near(s, aim, c->angle, *speed);
-    if (speed) least = std::min(least, replay(s, {*speed, c->angle}, Goal::exactly(s, c->bounces)).miss);
+    const Route route = images.route(*c);
+    const LockedAim aim{q, route, q.marks[c->mark]};
+    auto speed = speed_at(aim, ledger, c->angle, c->distance);
+    if (speed) speed = speed_near(aim, ledger, c->angle, *speed);
+    if (speed) least = std::min(least, replay(q, ledger, {*speed, c->angle}, Goal::exactly(q, c->bounces)).miss);
   }
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-  return {least <= 1e-9 * p.table.diagonal(), least <= p.ball.body.radius, static_cast<double>(s.simulations),
+  return {least <= 1e-9 * p.table.diagonal(), least <= p.ball.body.radius, static_cast<double>(ledger.simulations()),
           took.count()};
 }
 

@@ -48,12 +48,14 @@ void ideal_sequence(benchmark::State& s) { solve_set(s, true, true, {.robustness
 void ideal_count(benchmark::State& s) { solve_set(s, true, false, {.robustness = false}); }
 void rolling_ceres(benchmark::State& s) { solve_set(s, false, true, {.planner = "ceres", .robustness = false}); }
 void rolling_sweep(benchmark::State& s) { solve_set(s, false, false, {.planner = "sweep", .robustness = false}); }
+#if BANKSHOT_NLOPT
 void rolling_bobyqa(benchmark::State& s) {
   solve_set(s, false, true, {.planner = "nlopt-bobyqa", .robustness = false});
 }
 void rolling_direct(benchmark::State& s) {
   solve_set(s, false, false, {.planner = "nlopt-direct", .robustness = false});
 }
+#endif
 
 BENCHMARK(rolling_sequence)->Arg(1)->Arg(3)->Arg(5);
 BENCHMARK(rolling_count)->Arg(1)->Arg(3)->Arg(5);
@@ -62,7 +64,9 @@ BENCHMARK(ideal_count)->Arg(1)->Arg(3)->Arg(5);
 BENCHMARK(rolling_count_robust)->Arg(3);
 BENCHMARK(rolling_ceres)->Arg(3);
 BENCHMARK(rolling_sweep)->Arg(3);
+#if BANKSHOT_NLOPT
 BENCHMARK(rolling_bobyqa)->Arg(3);
 BENCHMARK(rolling_direct)->Arg(3);
+#endif
 
 }  // namespace

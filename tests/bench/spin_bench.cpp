@@ -21,7 +21,7 @@ struct Case {
   Vec2d at;
   double speed, angle;
   LaunchSpin spin;
-  std::vector<Contact> contacts;
+  Route route;
 };
 
 const Boundary& boundary() {
@@ -68,9 +68,9 @@ const std::vector<Case>& cases() {
              {r.uniform(-1, 1), r.uniform(-1, 1), 0},
              {}};
       Simulator sim(boundary(), SlideRoll{}, Han2005{}, start_of<double>(c));
-      for (Event e = sim.step(); !e.final() && c.contacts.size() < 3; e = sim.step())
-        if (e.kind == EventKind::cushion) c.contacts.push_back(e.contact);
-      if (c.contacts.size() == 3) out.push_back(c);
+      for (Event e = sim.step(); !e.final() && c.route.size() < 3; e = sim.step())
+        if (e.kind == EventKind::cushion) c.route.push_back({0, e.contact});
+      if (c.route.size() == 3) out.push_back(c);
     }
     return out;
   }();
@@ -90,7 +90,7 @@ void locked(benchmark::State& state) {
   std::size_t n = 0;
   for (auto _ : state) {
     const Case& c = cases()[n++ % cases().size()];
-    benchmark::DoNotOptimize(follow_locked(boundary(), SlideRoll{}, Han2005{}, c.contacts, start_of<T>(c)));
+    benchmark::DoNotOptimize(follow_locked(boundary(), SlideRoll{}, Han2005{}, c.route, start_of<T>(c)));
   }
 }
 

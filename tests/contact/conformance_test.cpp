@@ -35,7 +35,7 @@ TEMPLATE_LIST_TEST_CASE("a bounce gains no energy, does not go on into the cushi
     const auto cushion = draw<TestType>(r);
     const State<double> s = approaching(r), e = bounced(cushion, body, s);
     INFO("draw " << i << " of seed " << seed);
-    REQUIRE(energy_of(e) <= energy_of(s) * (1 + 1e-14));
+    REQUIRE(energy_of(e) <= energy_of(s) * (1 + 1e-14 + integration_error<TestType>));
     REQUIRE(e.velocity.y >= 0);
     REQUIRE(e.velocity.y <= -s.velocity.y * 10 + scale_of(s));
     REQUIRE(e.at == s.at);
@@ -46,20 +46,23 @@ TEMPLATE_LIST_TEST_CASE("a bounce gains no energy, does not go on into the cushi
 
 TEMPLATE_LIST_TEST_CASE("a bounce is the same in a mirror, turned, and twice as fast", "", Cushions) {
   Random r(seed);
+  constexpr double off = integration_error<TestType>;
   for (int i = 0; i < draws; ++i) {
     const auto cushion = draw<TestType>(r);
     const State<double> s = approaching(r), e = bounced(cushion, body, s);
     const double angle = r.uniform(0, 6.28), scale = scale_of(s);
     INFO("draw " << i << " of seed " << seed);
-    REQUIRE(difference(bounced(cushion, body, mirrored(s)), mirrored(e)) <= 1e-14 * scale);
+    REQUIRE(difference(bounced(cushion, body, mirrored(s)), mirrored(e)) <= (1e-14 + off) * scale);
     REQUIRE(difference(bounced(cushion, body, turned(s, angle), turned(Vec2d{0, 1}, angle)), turned(e, angle)) <=
-            2e-14 * scale);
-    REQUIRE(difference(bounced(cushion, body, times(s, 2)), times(e, 2)) == 0);
+            (2e-14 + off) * scale);
+    REQUIRE(difference(bounced(cushion, body, times(s, 2)), times(e, 2)) <= off * scale);
   }
 }
 
 TEMPLATE_LIST_TEST_CASE("derivatives of a bounce agree with differences", "", Cushions) {
   using Jet = ceres::Jet<double, 7>;
+  // Differences of an integrated impact have fewer digits.
+  constexpr double digits = integration_error < TestType >> 0 ? 1e-6 : 1e-8;
   Random r(seed);
   int sharp = 0, all = 0;
   for (int i = 0; i < 300; ++i) {
@@ -80,17 +83,19 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a bounce agree with differences", "", Cu
         };
         const Slope slope = ridders(f, 1e-4);
         ++all;
-        if (slope.error > 1e-9) continue;  // a step across the switch from sticking to sliding
+        if (slope.error > digits / 10) continue;  // a step across the switch from sticking to sliding
         ++sharp;
         INFO("draw " << i << " of seed " << seed << ", d" << out << "/d" << in);
-        REQUIRE(slope.value == Approx(number_of(dual, out).v[in] * unit[in] / unit[out]).epsilon(1e-8).margin(1e-8));
+        REQUIRE(slope.value ==
+                Approx(number_of(dual, out).v[in] * unit[in] / unit[out]).epsilon(digits).margin(digits));
       }
   }
   CHECK(sharp > all * 9 / 10);
 }
 
-TEMPLATE_TEST_CASE("restitution 0 leaves the least, 1 the most", "", Mirror, Han2005) {
+TEMPLATE_TEST_CASE("restitution 0 leaves the least, 1 the most", "", Mirror, Han2005, Mathavan2010) {
   Random r(seed);
+  int clamped_at_0 = 0;
   for (int i = 0; i < draws; ++i) {
     auto cushion = draw<TestType>(r);
     const State<double> s = approaching(r);
@@ -99,14 +104,17 @@ TEMPLATE_TEST_CASE("restitution 0 leaves the least, 1 the most", "", Mirror, Han
     for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       cushion.restitution = Restitution{e};
       const double leaves = bounced(cushion, body, s).velocity.y;
-      REQUIRE(leaves >= before);
+      REQUIRE(leaves >= before - integration_error<TestType> * scale_of(s));
       before = leaves;
     }
     cushion.restitution = Restitution{0.5, -1e6};  // clamped at 0
     const State<double> clamped = bounced(cushion, body, s);
     cushion.restitution = Restitution{0};
-    if (-s.velocity.y > 1e-5) REQUIRE(difference(clamped, bounced(cushion, body, s)) <= 1e-15 * scale_of(s));
+    if (-s.velocity.y <= 1e-5) continue;  // too slow to be clamped
+    ++clamped_at_0;
+    REQUIRE(difference(clamped, bounced(cushion, body, s)) <= 1e-15 * scale_of(s));
   }
+  CHECK(clamped_at_0 > draws * 8 / 10);
 }
 
 TEST_CASE("han2005 without friction is a mirror of its own: e cos^2 - sin^2 of the speed comes back") {
@@ -152,6 +160,7 @@ TEST_CASE("a cushion's promises are kept by ours, and a broken one is told") {
   };
   CHECK(broken(draw<Mirror>(r)).empty());
   CHECK(broken(draw<Han2005>(r)).empty());
+  CHECK(broken(draw<Mathavan2010>(r)).empty());
   CHECK(broken(draw<CustomCushion>(r)).empty());
   using Frame = InCushionFrame<double>;
   const std::vector<std::string> energy{"energy after over energy before"},

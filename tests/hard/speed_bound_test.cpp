@@ -15,6 +15,7 @@ using namespace bankshot;
 using namespace bankshot::test;
 
 TEST_CASE("a target exactly as far as the top speed goes is reached, one a millionth further is not") {
+  int edges = 0;
   for (Puzzle p : hard_puzzles("edge of the speed bound")) {
     const Answer a = solve(p, {.robustness = false});
     INFO(a.message);
@@ -24,7 +25,9 @@ TEST_CASE("a target exactly as far as the top speed goes is reached, one a milli
     // At the very edge; half way there is nothing to find out.
     Vec2d& target = std::get<PointTarget>(p.target).at;
     if (a.shots.front().launch.speed < p.speed.high * (1 - 1e-9)) continue;
+    ++edges;
     target = p.ball.at + (target - p.ball.at) * (1 + 1e-6);
     CHECK(solve(p, {.robustness = false}).status == Status::no_shot);
   }
+  CHECK(edges == 6);
 }

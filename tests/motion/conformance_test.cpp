@@ -15,6 +15,36 @@ using namespace bankshot::test;
 namespace {
 
 constexpr int draws = 2000;
+
+/// Arcs of every motion but this one end by themselves.
+template <class Motion>
+constexpr bool never_ends = std::is_same_v<Motion, Ideal>;
+
+/// A state of the motion: of one whose friction grows with the speed, which only a rolling ball feels, every other one
+/// rolls.
+template <class Motion>
+State<double> draw_state_of(const Motion& motion, Random& r) {
+  State<double> s = draw_state(r);
+  if constexpr (std::is_same_v<Motion, Dragging>)
+    if (r.chance(0.5)) s.spin = natural_roll(s.velocity, body.radius);
+  s.spin = motion.spin(body, s);
+  return s;
+}
+
+/// Whether two states on an arc are alike to so many roundings of |v| + R|ω|. An arc with a drag knows the place; near
+/// its rest speed and time are square roots of what is left, so there the square of the speed is held to it.
+bool alike(const State<double>& a, const State<double>& b, double roundings, double scale, const Arc<double>& arc) {
+  if (arc.drag.linear == 0) return difference(a, b) <= roundings * scale;
+  const double squares = std::abs(dot(a.velocity, a.velocity) - dot(b.velocity, b.velocity));
+  return squares <= roundings * scale * scale && difference(a, b) <= std::sqrt(roundings) * scale;
+}
+
+/// The motion whose forces at twice the speed are those of this one.
+template <class Motion>
+Motion at_twice_the_speed(Motion motion) {
+  if constexpr (std::is_same_v<Motion, Dragging>) motion.rolling_friction.per_speed /= 2;
+  return motion;
+}
 constexpr std::uint64_t seed = 17;
 
 /// A time within the arc, now and then its end; within one second of an arc without end.
@@ -38,9 +68,10 @@ State<double> after(const Motion& motion, const State<double>& s, double t) {
 
 TEMPLATE_LIST_TEST_CASE("energy never grows along an arc, nor where it ends", "", Motions) {
   Random r(seed);
+  int ended = 0;
   for (int i = 0; i < draws; ++i) {
     const auto motion = draw<TestType>(r);
-    const State<double> s = whole(motion, draw_state(r));
+    const State<double> s = draw_state_of(motion, r);
     const Arc<double> arc = motion.arc(body, s);
     double before = energy_of(s);
     INFO("draw " << i << " of seed " << seed);
@@ -50,18 +81,20 @@ TEMPLATE_LIST_TEST_CASE("energy never grows along an arc, nor where it ends", ""
       before = now;
     }
     if (!(arc.duration < forever)) continue;
+    ++ended;
     State<double> end = advance(motion, body, s, arc, arc.duration);
     motion.finish(body, end, arc);
     REQUIRE(energy_of(whole(motion, end)) <= energy_of(s) * (1 + 1e-14));
-    REQUIRE(difference(whole(motion, end), after(motion, s, arc.duration)) <= 1e-14 * scale_of(s));  // no jump
+    REQUIRE(alike(whole(motion, end), after(motion, s, arc.duration), 1e-14, scale_of(s), arc));  // no jump
   }
+  CHECK(ended == (never_ends<TestType> ? 0 : draws));
 }
 
 TEMPLATE_LIST_TEST_CASE("a motion is the same in a mirror, turned and moved", "", Motions) {
   Random r(seed);
   for (int i = 0; i < draws; ++i) {
     const auto motion = draw<TestType>(r);
-    const State<double> s = whole(motion, draw_state(r));
+    const State<double> s = draw_state_of(motion, r);
     const double t = some_time(r, motion.arc(body, s)), angle = r.uniform(0, 6.28),
                  room = norm(s.at) + norm(s.velocity) * t;
     const State<double> end = after(motion, s, t), in_mirror = after(motion, mirrored(s), t),
@@ -73,7 +106,7 @@ TEMPLATE_LIST_TEST_CASE("a motion is the same in a mirror, turned and moved", ""
     REQUIRE(in_mirror.at == mirrored(end).at);
     REQUIRE(difference(in_mirror, mirrored(end)) == 0);
     REQUIRE(norm(in_turn.at - turned(end.at, angle)) <= 1e-14 * room);
-    REQUIRE(difference(in_turn, turned(end, angle)) <= 3e-14 * scale_of(s));
+    REQUIRE(alike(in_turn, turned(end, angle), 3e-14, scale_of(s), motion.arc(body, s)));
     REQUIRE(norm(away.at - end.at - Vec2d{3, -5}) <= 1e-14 * (10 + room));
     REQUIRE(difference(away, end) == 0);
   }
@@ -83,14 +116,15 @@ TEMPLATE_LIST_TEST_CASE("speed scales time, and its square length", "", Motions)
   Random r(seed);
   for (int i = 0; i < draws; ++i) {
     const auto motion = draw<TestType>(r);
-    const State<double> s = whole(motion, draw_state(r));
-    const Arc<double> arc = motion.arc(body, s), fast = motion.arc(body, times(s, 2));
+    const State<double> s = draw_state_of(motion, r);
+    const Arc<double> arc = motion.arc(body, s), fast = at_twice_the_speed(motion).arc(body, times(s, 2));
     INFO("draw " << i << " of seed " << seed);
     if (!(arc.duration < forever)) {
       REQUIRE(fast.velocity == arc.velocity * 2.0);
       continue;
     }
-    REQUIRE(fast.duration == 2 * arc.duration);
+    REQUIRE(fast.seconds(fast.duration) == Approx(2 * arc.seconds(arc.duration)).epsilon(1e-14));
+    if (arc.drag.linear == 0) REQUIRE(fast.duration == 2 * arc.duration);
     REQUIRE(norm((fast.position(fast.duration) - s.at) - (arc.position(arc.duration) - s.at) * 4.0) <=
             1e-14 * (norm(s.at) + norm(s.velocity) * fast.duration));
   }
@@ -100,20 +134,24 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Mo
   using Jet = ceres::Jet<double, 7>;
   Random r(seed);
   double worst = 0;
+  int sharp = 0, all = 0;
   for (int i = 0; i < 300; ++i) {
     const auto motion = draw<TestType>(r);
-    const State<double> s = whole(motion, draw_state(r));
+    const State<double> s = draw_state_of(motion, r);
     const Arc<double> arc = motion.arc(body, s);
     const double t = (arc.duration < forever ? arc.duration : 1) * r.uniform(0.1, 0.8);
     State<Jet> dual{to<Jet>(s.at), to<Jet>(s.velocity), {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
     for (int k = 0; k < 7; ++k) number_of(dual, k).v[k] = 1;
     State<Jet> end = advance(motion, body, dual, motion.arc(body, dual), Jet(t));
     const double V = scale_of(s), unit[] = {1, 1, V, V, V / ball_radius, V / ball_radius, V / ball_radius};
-    for (int in = 0; in < (TestType::straight ? 4 : 6); ++in)
+    // A ball that rolls goes on rolling when it is moved: its spin follows.
+    const bool rolls = !TestType::straight && arc.end == PhaseEnd::rest;
+    for (int in = 0; in < (TestType::straight || rolls ? 4 : 6); ++in)
       for (int out = 0; out < 4; ++out) {
         const auto f = [&](double h) {
           State<double> moved = s;
           number_of(moved, in) += h * unit[in];
+          if (rolls) moved.spin = natural_roll(moved.velocity, body.radius);
           State<double> e = advance(motion, body, moved, motion.arc(body, moved), t);
           return number_of(e, out) / unit[out];
         };
@@ -121,10 +159,14 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Mo
         const double dual_slope = number_of(end, out).v[in] * unit[in] / unit[out];
         INFO("draw " << i << " of seed " << seed << ", d" << out << "/d" << in);
         REQUIRE(std::abs(slope.value - dual_slope) <= 1e-9 * (1 + std::abs(dual_slope)) + 10 * slope.error);
-        if (slope.error < 1e-10) worst = std::max(worst, std::abs(slope.value - dual_slope));
+        ++all;
+        if (!(slope.error < 1e-10)) continue;  // the differences have too few digits to tell
+        ++sharp;
+        worst = std::max(worst, std::abs(slope.value - dual_slope));
       }
   }
   REQUIRE(worst < 1e-8);
+  CHECK(sharp > all * 8 / 10);
 }
 
 TEST_CASE("a ball struck in the centre rolls after 2v/(7 mu g), 12v^2/(49 mu g), at 5/7 of its speed") {

@@ -42,6 +42,13 @@ using namespace bankshot;
 
 namespace {
 
+/// A law as a user would write it: loses a fifth of the normal speed, and side spin throws the ball.
+const CushionLawOf user_law([](const Body&, InCushionFrame<double>& f) {
+  f.vt -= 0.003 * f.wz;
+  f.vn *= -0.8;
+  f.wz *= 0.7;
+});
+
 template <class T>
 State<T> start() {
   return launched(Vec2d{0.5, 0.4}, 0.028575, Vec2<T>{T(4.1), T(2.9)}, LaunchSpin{.top = -0.5, .side = 1, .masse = 0.5});
@@ -71,18 +78,30 @@ TEST_CASE("a simulation does not allocate, plain or with derivatives, on any tab
     check_shot<double>(boundary, SlideRoll{}, Mirror{});
     check_shot<double>(boundary, Rolling{}, Mirror{});
     check_shot<double>(boundary, Ideal{}, Mirror{1});
+    check_shot<double>(boundary, SlideRoll{}, Mathavan2010{});
+    check_shot<double>(boundary, SlideRoll{}, CustomCushion{&user_law});
+    check_shot<double>(boundary, SlideRoll{.rolling_friction = {0.008, 0.004}}, Han2005{});
     check_shot<Jet>(boundary, SlideRoll{}, Han2005{});
+    check_shot<Jet>(boundary, SlideRoll{}, Mathavan2010{});
+    check_shot<Jet>(boundary, SlideRoll{}, CustomCushion{&user_law});
+    check_shot<Jet>(boundary, SlideRoll{.rolling_friction = {0.008, 0.004}}, Han2005{});
   }
 }
 
 TEST_CASE("a locked path does not allocate") {
   const Boundary boundary(rectangle_table(2, 1), {0.028575});
-  constexpr std::array contacts{Contact::rail(1), Contact::rail(2), Contact::rail(3)};
-  const long before = allocations;
-  const auto path = follow_locked(boundary, SlideRoll{}, Han2005{}, contacts, start<ceres::Jet<double, 2>>());
-  const long spent = allocations - before;
-  CHECK(spent == 0);
-  CHECK(path.end == LockedEnd::complete);
+  constexpr std::array route{Meeting{0, Contact::rail(1)}, Meeting{0, Contact::rail(2)}, Meeting{0, Contact::rail(3)}};
+  const auto check = [&](const auto& motion, const auto& cushion) {
+    const long before = allocations;
+    const auto path = follow_locked(boundary, motion, cushion, route, start<ceres::Jet<double, 2>>());
+    const long spent = allocations - before;
+    CHECK(spent == 0);
+    CHECK(path.end == LockedEnd::complete);
+  };
+  check(SlideRoll{}, Han2005{});
+  check(SlideRoll{}, Mathavan2010{});
+  check(SlideRoll{}, CustomCushion{&user_law});
+  check(SlideRoll{.rolling_friction = {0.008, 0.004}}, Han2005{});
 }
 
 TEST_CASE("the counter counts") {

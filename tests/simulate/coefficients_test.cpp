@@ -114,8 +114,7 @@ TEST_CASE("dual coefficients change no value, in the simulator nor along a locke
   REQUIRE((with && without));
   CHECK(with->x.a == Approx(without->x).epsilon(1e-13));
   CHECK(with->y.a == Approx(without->y).epsilon(1e-13));
-  const auto path =
-      follow_locked(boundary, motion_of(dual), cushion_of(dual), std::span<const Contact>(met), start_of<Jet>(s, {}));
+  const auto path = follow_locked(boundary, motion_of(dual), cushion_of(dual), route_by(met), start_of<Jet>(s, {}));
   CHECK(path.end == LockedEnd::complete);
   CHECK(path.state.at.x.v[friction] != 0);
 }

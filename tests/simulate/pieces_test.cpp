@@ -113,8 +113,8 @@ TEST_CASE("a locked path goes through pieces as through phases") {
   Simulator sim(boundary, SlideRoll{}, Han2005{}, start);
   for (Event e = sim.step(); met.size() < 3; e = sim.step())
     if (e.kind == EventKind::cushion) met.push_back(e.contact);
-  const auto whole = follow_locked(boundary, SlideRoll{}, Han2005{}, std::span<const Contact>(met), start);
-  const auto cut = follow_locked(boundary, InPieces{}, Han2005{}, std::span<const Contact>(met), start);
+  const auto whole = follow_locked(boundary, SlideRoll{}, Han2005{}, route_by(met), start);
+  const auto cut = follow_locked(boundary, InPieces{}, Han2005{}, route_by(met), start);
   REQUIRE(whole.end == LockedEnd::complete);
   REQUIRE(cut.end == LockedEnd::complete);
   CHECK(norm(whole.state.at - cut.state.at) < 1e-13);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Simulates random shots of one ball and checks each: the centre never outside the table, energy never
-// gained, nothing endless, every number finite. The first of each family are held against 50 digits.
+// gained, nothing endless, every number finite. The first of each family are held against 50 digits; at a tie, and
+// where κ is above 1e6, nothing is compared, so both are counted and bounded.
 //   shots --count 1000000 --seed 1 [--family masse] [--truth 10000]
-// Prints a line a family; each failure prints as JSON that `bankshot simulate` replays. Exit 1 if any.
+// Prints a line a family; each failure prints as JSON that `bankshot simulate` replays. Exit 1 if any, or if a family
+// was compared too seldom.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,6 +32,16 @@ struct Tally {
   double gain = 0;     // worst, relative, a step
   long truth = 0, ties = 0, wrong = 0, conditioned = 0, beyond = 0;
   double ratio = 0, kappa = 0, miss = 0;
+
+  /// Why the comparison says too little, empty if it does not. Of 834 shots a family (seed 1) 8 ended at a tie in the
+  /// family `corners` and none in the others; at most 17 had κ above 1e6, of the family `grazing`.
+  std::string too_little(test::ShotFamily f) const {
+    const long most_ties = 2 + (f == test::ShotFamily::corners ? truth / 25 : truth / 300), most_steep = 2 + truth / 12;
+    if (ties > most_ties) return fmt::format("{} of {} ended at a tie, and {} may", ties, truth, most_ties);
+    if (conditioned > most_steep)
+      return fmt::format("{} of {} had kappa above {:.0e}, and {} may", conditioned, truth, hard, most_steep);
+    return "";
+  }
 };
 
 /// How far outside the table a place is, over Boundary::touch. Walls bound a convex table as lines.
@@ -129,7 +141,7 @@ std::string row(test::ShotFamily f, std::uint64_t seed, const Tally& t, bool csv
 }
 
 /// All shots of a family; each failure prints as JSON that `bankshot simulate` replays.
-Tally run(test::ShotFamily f, std::uint64_t seed, long count, long truth) {
+Tally run(test::ShotFamily f, std::uint64_t seed, long count, long truth, std::ostream& failures) {
   constexpr long most_printed = 20;
   test::Random random(seed);
   Tally t;
@@ -141,8 +153,8 @@ Tally run(test::ShotFamily f, std::uint64_t seed, long count, long truth) {
     if (problem.empty() && i < truth) problem = check_truth(shot, boundary, cushions, t);
     ++t.shots;
     if (problem.empty() || ++t.failed > most_printed) continue;
-    std::cout << fmt::format("FAILED {} number {} of seed {}: {}\n{}\n", test::name(f), i, seed, problem,
-                             test::write_shot(shot));
+    failures << fmt::format("FAILED {} number {} of seed {}: {}\n{}\n", test::name(f), i, seed, problem,
+                            test::write_shot(shot));
   }
   return t;
 }
@@ -170,8 +182,12 @@ int main(int argc, char** argv) {
   if (csv) std::cout << header;
   for (const test::ShotFamily f : test::shot_families) {
     if (family != "all" && family != test::name(f)) continue;
-    const Tally t = run(f, seed, share(count), share(truth));
+    const Tally t = run(f, seed, share(count), share(truth), csv ? std::cerr : std::cout);
     std::cout << row(f, seed, t, csv);
+    if (const std::string problem = t.too_little(f); !problem.empty()) {
+      std::cerr << fmt::format("FAILED {}: {}\n", test::name(f), problem);
+      ++all.failed;
+    }
     all.ratio = std::max(all.ratio, t.ratio);
     all.shots += t.shots;
     all.failed += t.failed;

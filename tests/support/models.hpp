@@ -8,6 +8,7 @@
 
 #include "bankshot/contact/custom.hpp"
 #include "bankshot/contact/han2005.hpp"
+#include "bankshot/contact/mathavan2010.hpp"
 #include "bankshot/contact/mirror.hpp"
 #include "bankshot/motion/ideal.hpp"
 #include "bankshot/motion/rolling.hpp"
@@ -20,8 +21,17 @@ namespace bankshot::test {
 inline constexpr double ball_radius = 0.028575;
 inline constexpr Body body{ball_radius};
 
-using Motions = std::tuple<Ideal, Rolling, SlideRoll>;
-using Cushions = std::tuple<Mirror, Han2005, CustomCushion>;
+/// SlideRoll with rolling friction that grows with the speed; every other state rolls.
+struct Dragging : SlideRoll {};
+
+using Motions = std::tuple<Ideal, Rolling, SlideRoll, Dragging>;
+using Cushions = std::tuple<Mirror, Han2005, Mathavan2010, CustomCushion>;
+
+/// Of |v| + R|ω|: what the integration of an impact may be off by (mathavan2010_digits_test.cpp); 0 for a formula.
+template <class Cushion>
+inline constexpr double integration_error = 0;
+template <>
+inline constexpr double integration_error<Mathavan2010> = 10 * tolerance::impact;
 
 template <class Model>
 Model draw(Random& r);
@@ -41,6 +51,12 @@ inline SlideRoll draw<SlideRoll>(Random& r) {
           .spinning_friction = r.log_uniform(0.003, 0.05)};
 }
 template <>
+inline Dragging draw<Dragging>(Random& r) {
+  Dragging d{draw<SlideRoll>(r)};
+  d.rolling_friction.per_speed = r.log_uniform(1e-6, 1);
+  return d;
+}
+template <>
 inline Mirror draw<Mirror>(Random& r) {
   return {Restitution{r.uniform(0, 1)}};
 }
@@ -49,6 +65,14 @@ inline Han2005 draw<Han2005>(Random& r) {
   return {.height = ball_radius * r.uniform(1.01, 1.7),
           .restitution = Restitution{r.uniform(0, 1)},
           .friction = r.uniform(0, 0.5)};
+}
+
+template <>
+inline Mathavan2010 draw<Mathavan2010>(Random& r) {
+  return {.height = ball_radius * r.uniform(1.05, 1.5),
+          .restitution = Restitution{r.uniform(0, 1)},
+          .friction = r.uniform(0, 0.4),
+          .sliding_friction = r.uniform(0.05, 0.4)};
 }
 
 /// Han's law as a user would write it.

@@ -20,8 +20,7 @@ enum class Model { ideal, rolling, spin, mathavan };
 inline constexpr Family families[] = {Family::uniform, Family::discrete, Family::convex, Family::reflex};
 std::string name(Family family);
 
-/// A puzzle and the launch it was made from.
-using Made = Question;
+using bankshot::Made;
 
 inline constexpr int most_bounces = 5;
 

@@ -41,17 +41,23 @@ Physics random_physics(Random& r, ShotFamily f, double radius) {
   const auto friction = [&](double low, double high) {
     return r.chance(0.3 * slick) ? 0 : r.log_uniform(slick > 0 ? low * 1e-6 : low, high);
   };
-  if (r.chance(0.15)) return {Rolling{.friction = friction(0.005, 0.05)}, Mirror{e.at_rest}};
+  const bool drag = f == ShotFamily::drag, mathavan = f == ShotFamily::mathavan;
+  if (!drag && !mathavan && r.chance(0.15)) return {Rolling{.friction = friction(0.005, 0.05)}, Mirror{e.at_rest}};
   Physics p = spin_physics({radius});
   SlideRoll& m = std::get<SlideRoll>(p.motion);
   m.sliding_friction = friction(0.1, 0.4);
   m.rolling_friction = friction(0.003, 0.03);
   m.spinning_friction = friction(0.1, 1) * radius;
+  if (drag) m.rolling_friction.per_speed = r.log_uniform(1e-12, 1);
   Han2005& h = std::get<Han2005>(p.cushion);
   h.restitution = e;
   h.friction = r.chance(0.1) ? 0 : r.uniform(0.05, 0.4);
   h.height = radius * r.uniform(1.05, 1.6);
+  const double height = h.height;
   if (r.chance(0.2)) p.cushion = Mirror{e};
+  if (mathavan)
+    p.cushion = Mathavan2010{
+        .height = height, .restitution = e, .friction = r.uniform(0, 0.4), .sliding_friction = m.sliding_friction};
   return p;
 }
 
@@ -97,8 +103,8 @@ bool place(Random& r, ShotFamily f, const Boundary& b, const Table& t, Vec2d& at
 }  // namespace
 
 std::string name(ShotFamily family) {
-  constexpr const char* names[] = {"uniform", "discrete", "frozen", "corners", "grazing", "masse",
-                                   "speeds",  "dead",     "slick",  "convex",  "reflex",  "moved"};
+  constexpr const char* names[] = {"uniform", "discrete", "frozen", "corners", "grazing", "masse", "speeds",
+                                   "dead",    "slick",    "convex", "reflex",  "moved",   "drag",  "mathavan"};
   return names[static_cast<int>(family)];
 }
 

@@ -15,7 +15,8 @@ namespace bankshot::test {
 /// 0, 1/2 or 1, exact zeros. frozen: a gap of 0 or 1e-16 ... 1e-9 m to a cushion. corners: aimed at one
 /// to within 0 ... 1e-3 rad. grazing: 1e-12 ... 1e-2 rad to a cushion. masse: curves back to the cushion
 /// it lies at or leaves. speeds: 1e-6 ... 30 m/s. dead: restitution 0 ... 0.4. slick: some friction is
-/// 0 or nearly. convex, reflex: polygons. moved: a table of 1e-3 ... 1e3 m, up to 1e4 m from the origin.
+/// 0 or nearly. convex, reflex: polygons. moved: a table of 1e-3 ... 1e3 m, up to 1e4 m from the origin. drag: rolling
+/// friction grows with the speed. mathavan: cushions are mathavan2010.
 enum class ShotFamily {
   uniform,
   discrete,
@@ -28,12 +29,14 @@ enum class ShotFamily {
   slick,
   convex,
   reflex,
-  moved
+  moved,
+  drag,
+  mathavan
 };
-inline constexpr ShotFamily shot_families[] = {ShotFamily::uniform, ShotFamily::discrete, ShotFamily::frozen,
-                                               ShotFamily::corners, ShotFamily::grazing,  ShotFamily::masse,
-                                               ShotFamily::speeds,  ShotFamily::dead,     ShotFamily::slick,
-                                               ShotFamily::convex,  ShotFamily::reflex,   ShotFamily::moved};
+inline constexpr ShotFamily shot_families[] = {
+    ShotFamily::uniform, ShotFamily::discrete, ShotFamily::frozen, ShotFamily::corners, ShotFamily::grazing,
+    ShotFamily::masse,   ShotFamily::speeds,   ShotFamily::dead,   ShotFamily::slick,   ShotFamily::convex,
+    ShotFamily::reflex,  ShotFamily::moved,    ShotFamily::drag,   ShotFamily::mathavan};
 std::string name(ShotFamily family);
 
 /// Always valid. Stops at 200 cushions at the latest.

@@ -15,18 +15,20 @@
 
 namespace bankshot {
 
-inline constexpr double where_series_converge = 0.1;  ///< fast enough, and where cancellation begins to cost
+/// Up to here series are summed: beyond, the closed forms lose no more than two bits to cancellation.
+inline constexpr double where_series_converge = 1;
 inline constexpr int most_terms = 200;
 
-/// x − ln(1 + x), to full relative precision.
+/// x − ln(1 + x), to full relative precision: with u = x/(2 + x) it is x u − 2 (u³/3 + u⁵/5 + ...).
 template <class T>
 T minus_log1p(const T& x) {
   using std::abs, std::log;
   if (abs(value(x)) > where_series_converge) return x - log(x + 1.0);
-  T power = x * x, sum = power / 2.0;
-  for (int n = 3; n < most_terms && abs(value(power)) > std::numeric_limits<Real<T>>::epsilon() * value(sum); ++n) {
-    power *= -x;
-    sum += power / static_cast<double>(n);
+  const T u = x / (x + 2.0), u2 = u * u;
+  T power = u * u2 * 2.0, sum = x * u;
+  for (int n = 3; n < most_terms && abs(value(power)) > std::numeric_limits<Real<T>>::epsilon() * value(sum); n += 2) {
+    sum -= power / static_cast<double>(n);
+    power *= u2;
   }
   return sum;
 }
@@ -62,7 +64,8 @@ struct Drag {
   template <class T>
   T seconds(const T& v0, const T& v) const {
     const T x = (v0 - v) * linear / (v * linear + constant);
-    return (x - minus_log1p(x)) / linear;
+    using std::log;
+    return (value(x) > where_series_converge ? T(log(x + 1.0)) : T(x - minus_log1p(x))) / linear;
   }
 
   /// Speed after s metres: Newton's method in v², of which s is nearly linear, inside a bracket. Near the rest the

@@ -31,7 +31,7 @@ struct Contact {
   friend constexpr auto operator<=>(const Contact&, const Contact&) = default;
 };
 
-/// The name of a contact in puzzles and answers: the cushion's, v<i>, the pocket's; "none" of none.
+/// The name of a contact in puzzles and answers: the cushion's, `v<i>`, the pocket's; "none" of none.
 std::string contact_name(const Table& table, Contact contact);
 
 /// The cushion or vertex with this name; none where there is none.

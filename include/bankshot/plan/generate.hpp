@@ -17,7 +17,7 @@
 namespace bankshot {
 
 /// A puzzle and the launch it was made from.
-struct Question {
+struct Made {
   Puzzle puzzle;
   Launch launch;
   int bounces;
@@ -25,7 +25,7 @@ struct Question {
 
 /// What to ask about a simulated shot with `least` to `most` bounces: the pocket it dropped into, where it
 /// came to rest, or a point it passed. None when it does not lend itself to the kind drawn.
-std::optional<Question> ask(Random& random, const ShotRequest& shot, const Trajectory& trajectory, int least, int most);
+std::optional<Made> ask(Random& random, const ShotRequest& shot, const Trajectory& trajectory, int least, int most);
 
 /// How hard a shot is for a player with the default noise, by `success` and by the smaller side of the
 /// aim's margin. easy: at least `easy_success` and `easy_margin`. hard: below `hard_success` or

@@ -4,6 +4,7 @@
 // to reach its target; a planner can fail to find a shot, never return a wrong one.
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,8 @@ struct SolveOptions {
   bool robustness = true;  ///< margin and success; without, `robust` ranks by first-order margin
   bool suggest = true;     ///< where there is no shot, look for what would make one possible
   bool measure = false;    ///< fill Answer::cost, at the price of a clock beside each replay
+  /// Ends the search, with what it has, as soon as this is true; may be set from another thread. Must outlive the call.
+  const std::atomic<bool>* cancelled = nullptr;
 };
 
 /// Never throws for a puzzle that is merely hard: invalid puzzles and unknown planners throw

@@ -32,8 +32,9 @@ struct Shot {
   bool cushion_stick = false;       ///< some cushion's law left the ball moving into it: it stayed there
   std::vector<Contact> cushions{};  ///< contacts in order
   Arrival arrival{};
-  double miss = 0;       ///< m, from the replay
-  double condition = 0;  ///< m of arrival per rad of aim or per unit of relative speed, the larger
+  double miss = 0;          ///< m, from the replay
+  bool off_centre = false;  ///< it is made, but beside the exact line or point
+  double condition = 0;     ///< m of arrival per rad of aim or per unit of relative speed, the larger
   /// Derivatives of the arrival: where the ball rests, or else the closest point of its line of travel
   /// to the target, which moves across the line only.
   Vec2d by_angle{};  ///< m/rad

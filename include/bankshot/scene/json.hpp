@@ -1,8 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// Reading puzzles and shots from JSON text, in the format of README. Degrees become radians here.
-// Each function throws InvalidInput with the JSON path, the offending value and the rule; text
-// that is no JSON has the path "" and a reason that begins with "line N".
+// Reading puzzles and shots from JSON text. Lengths, speeds and masses are SI as in scene/puzzle.hpp; angles are
+// degrees there and become radians here. What is not given has the default of the struct it is read into, but for
+// physics, and for the radius and the mass of a ball on a table_presets() table, which are the preset's.
+//   puzzle   table, ball and target are required; id physics cushions arrive speed angle prefer aim noise budget
+//     table    a name of table_presets(), {"length", "width", "pockets"} or {"vertices", "names", "pockets"};
+//              pockets "none", "six" (then also "mouth": {"corner", "middle"}) or [{"name", "at", "radius"}, ...]
+//     physics  "ideal", "rolling", "spin" (the default), or {"model": one of them, coefficients}; those of "spin" hold
+//              "cushion": {"model": "han2005", "mathavan2010" or "mirror", coefficients}
+//     ball     {"at": [x, y], "radius", "mass", "spin": {"top", "side", "masse"}}; a spin may be a range [low, high]
+//     target   {"point": [x, y], "within"} or {"pocket": a name or "any"}
+//     cushions a number, a list of names, or {"min", "max"};  arrive {"speed"};  speed, angle ranges
+//     prefer "robust" "soft" "quick";  aim "centre" "safest";  noise {"angle", "speed"};  budget {"simulations"}
+//   shot     table, ball and "shot": {"speed", "angle", "spin"} are required; id physics until
+//     until    {"time", "cushions", "length"}: where to stop
+// A range is [low, high] or one number. examples/puzzles holds some. Each function throws InvalidInput with the JSON
+// path, the offending value and the rule; text that is no JSON has the path "" and a reason that begins with "line N".
 #pragma once
 
 #include <string_view>

@@ -13,6 +13,7 @@
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/physics.hpp"
 #include "bankshot/scene/table.hpp"
+#include "bankshot/scene/target.hpp"
 
 namespace bankshot {
 
@@ -22,19 +23,6 @@ struct Range {
   bool fixed() const { return low == high; }
   bool contains(double v) const { return low <= v && v <= high; }
 };
-
-/// The centre passes through `at`, or rests there when the arrival speed asked is 0.
-struct PointTarget {
-  Vec2d at;
-  double within = 0.01;  ///< m; how far off still counts as made
-};
-
-/// The ball drops into a pocket; no number means any pocket.
-struct PocketTarget {
-  std::optional<int> pocket{};
-};
-
-using Target = std::variant<PointTarget, PocketTarget>;
 
 /// Bounces before the target: a count between min and max, or exactly `sequence` (contacts).
 struct CushionRule {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The locked sequence: a path that is *told* which cushions it meets, on their infinite lines.
+// The locked path: one that is *told* its route, which cushions it meets, on their infinite lines.
 // Where the real path jumps from one cushion to another at a corner, the locked one stays smooth,
 // which is what a root finder with derivatives needs. Two aims just either side of a corner have
 // locked paths that differ by little; a bounce may lie at slightly negative time when the ball is
@@ -12,10 +12,11 @@
 #include "bankshot/detail/roots/roots.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/motion/arc.hpp"
+#include "bankshot/simulate/route.hpp"
 
 namespace bankshot {
 
-/// How a locked path ended: at the end of its sequence, stopped while moving towards the next
+/// How a locked path ended: at the end of its route, stopped while moving towards the next
 /// cushion (more speed would help), or moving away from it (another aim would).
 enum class LockedEnd { complete, fell_short, wrong_way };
 
@@ -56,13 +57,15 @@ T lift_contact(const Boundary& boundary, const Arc<T>& arc, Contact contact, con
   return lift_line(arc, w->normal, w->offset, beyond && away, t);
 }
 
-/// `watch` is shown each arc and how far it was followed.
+/// Of the struck ball, the only one that moves on today's routes. `watch` is shown each arc and how far it was
+/// followed.
 template <class T, class Motion, class Cushion, class Watch = Unwatched>
 LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
-                            std::span<const Contact> contacts, const State<T>& start, Watch&& watch = {}) {
+                            std::span<const Meeting> route, const State<T>& start, Watch&& watch = {}) {
   using Number = Real<T>;
   LockedPath<T> path{start, T(0)};
-  for (const Contact contact : contacts) {
+  for (const Meeting& meeting : route) {
+    const Contact contact = meeting.with;
     for (;;) {
       const Arc<T> arc = motion.arc(boundary.body, path.state);
       const Number t = time_to_contact(boundary, value(arc), contact);

@@ -12,14 +12,14 @@
 #include "app/files.hpp"
 #include "app/interrupt.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 namespace {
 
 constexpr int by_signal = 128;  ///< exit codes above: ended by this signal
 
 struct Arguments {
   std::string file, output = "-", cost;
-  SolveFlags flags;
+  solve::SolveFlags flags;
   int threads = 0;
   bool resume = false, quiet = false, json = true;
 };
@@ -120,8 +120,8 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
 }
 
 int run(Arguments a) {
-  if (a.flags.options.planner == "list") return list_planners();
-  check_planner(a.flags.options.planner);
+  if (a.flags.options.planner == "list") return solve::list_planners();
+  solve::check_planner(a.flags.options.planner);
   if (a.threads == 0) a.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");
   const Interrupts watch;
@@ -149,7 +149,7 @@ int run(Arguments a) {
 
 }  // namespace
 
-Run add_batch(CLI::App& app) {
+Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("batch", "Solve many puzzles, one a line");
   command->footer(
@@ -168,7 +168,7 @@ Run add_batch(CLI::App& app) {
       ->check(CLI::Range(0, 1024));
   command->add_flag("--resume", a->resume, "Go on where an earlier run of this command was cut off");
   command->add_flag("--quiet", a->quiet, "Nothing on standard error but errors");
-  add_solve_flags(*command, a->flags);
+  solve::add_solve_flags(*command, a->flags);
   command->add_flag("--json", a->json, "Answers are JSON with or without it");
   command->add_option("--cost", a->cost, "Write where the time went to this file (CSV)")->check(file_name);
   const auto no_picture = [](const std::string&) {
@@ -178,4 +178,4 @@ Run add_batch(CLI::App& app) {
   return [a] { return run(*a); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

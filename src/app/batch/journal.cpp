@@ -13,7 +13,7 @@
 
 #include "app/files.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 namespace {
 
 std::string text_of(const Journal::Mark& m) {
@@ -123,4 +123,4 @@ void Journal::append(const std::string& text) {
 
 void Journal::remove() { unlink(path_.c_str()); }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

@@ -13,7 +13,7 @@
 #include "app/batch/lines.hpp"
 #include "app/batch/tally.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 
 class Journal {
  public:
@@ -51,4 +51,4 @@ class Journal {
   std::vector<std::pair<long, Mark>> marks_;  ///< each with where it ends in the file
 };
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

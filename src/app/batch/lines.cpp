@@ -14,7 +14,7 @@
 #include "app/files.hpp"
 #include "app/interrupt.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 namespace {
 
 constexpr std::size_t buffer_size = 256 << 10;
@@ -171,4 +171,4 @@ bool LineReader::same_file(int descriptor) const {
          a.st_ino == b.st_ino;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 
 /// How much of the input lies behind, with a checksum of it.
 struct ReadMark {
@@ -71,4 +71,4 @@ class LineReader {
   ReadMark mark_;
 };
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

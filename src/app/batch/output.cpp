@@ -13,7 +13,7 @@
 
 #include "app/files.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 
 Output::Output(const std::string& path) : name_(path == "-" ? "standard output" : path), gzip_(path.ends_with(".gz")) {
   constexpr mode_t everybody = 0666;  // less the umask
@@ -73,4 +73,4 @@ std::string gzipped(std::string_view text) {
   return out;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 
 class Output {
  public:
@@ -42,4 +42,4 @@ class Output {
 /// A gzip member of its own; the same bytes each time.
 std::string gzipped(std::string_view text);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

@@ -15,7 +15,7 @@
 #include "bankshot/plan/batch.hpp"
 #include "bankshot/scene/json.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 namespace {
 
 struct Chunk {
@@ -51,7 +51,7 @@ std::string answer_to_bad(std::string_view line, const InvalidInput& e) {
   return to_json(invalid_answer(read_id(line), e));
 }
 
-Parsed parse(const Lines& lines, const SolveFlags& flags) {
+Parsed parse(const Lines& lines, const solve::SolveFlags& flags) {
   Parsed p;
   p.puzzles.reserve(lines.lines.size());
   p.bad.resize(lines.lines.size());
@@ -83,7 +83,7 @@ void add_solving(Cost& cost, const std::vector<Answer>& answers, double seconds)
   cost.search += seconds - (certify + robustness) * scale;
 }
 
-void work(Chunk& c, const SolveFlags& flags, bool gzip, bool measure) {
+void work(Chunk& c, const solve::SolveFlags& flags, bool gzip, bool measure) {
   Laps laps(measure);
   const Parsed parsed = parse(c.in, flags);
   laps.add_to(c.cost.parse);
@@ -170,13 +170,13 @@ void run_pipeline(Batch& b) {
   if (read_error) std::rethrow_exception(read_error);
 }
 
-std::string answer_line(std::string_view line, const SolveFlags& flags) {
+std::string answer_line(std::string_view line, const solve::SolveFlags& flags) {
   try {
     const Puzzle puzzle = flags.read(line);
-    return to_json(puzzle, solve(puzzle, flags.solve_options()), !flags.no_timing);
+    return to_json(puzzle, bankshot::solve(puzzle, flags.solve_options()), !flags.no_timing);
   } catch (const InvalidInput& e) {
     return answer_to_bad(line, e);
   }
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

@@ -11,13 +11,13 @@
 #include "app/batch/tally.hpp"
 #include "app/solve/solve_flags.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 
 struct Batch {
   LineReader& in;
   Output& out;
   Journal* journal;  ///< none where the output cannot be gone on with
-  const SolveFlags& flags;
+  const solve::SolveFlags& flags;
   int threads;
   Progress& progress;
   Journal::Mark at;      ///< how far it has come
@@ -29,6 +29,6 @@ struct Batch {
 void run_pipeline(Batch& batch);
 
 /// The answer to one line, as `solve --json` prints it.
-std::string answer_line(std::string_view line, const SolveFlags& flags);
+std::string answer_line(std::string_view line, const solve::SolveFlags& flags);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

@@ -9,7 +9,7 @@
 
 #include "bankshot/numbers/tolerances.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 namespace {
 
 std::string clock(double seconds) {
@@ -122,4 +122,4 @@ std::string cost_csv(const Cost& c, const Tally& t, long kept, const Progress& p
       static_cast<double>(use.ru_maxrss) / 1024);
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

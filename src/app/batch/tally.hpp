@@ -8,7 +8,7 @@
 
 #include "bankshot/plan/answer.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::batch {
 
 struct Tally {
   long solved = 0, no_shot = 0, budget = 0, invalid = 0;
@@ -60,4 +60,4 @@ std::string grouped(long n);  ///< 1,234,567
 /// A table of the costs, and of the most memory held, as CSV.
 std::string cost_csv(const Cost& cost, const Tally& tally, long kept, const Progress& progress);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::batch

@@ -16,7 +16,7 @@
 #include "bankshot/scene/json.hpp"
 #include "json/reader.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::generate {
 namespace {
 
 struct Arguments {
@@ -88,7 +88,7 @@ struct Made {
 Made make(const Arguments& a, const Wish& w, long number) {
   Made made;
   Random random(a.seed, static_cast<std::uint64_t>(number));
-  auto g = generate(w, random, &made.tries);
+  auto g = bankshot::generate(w, random, &made.tries);
   if (!g) return made;
   g->puzzle.id = fmt::format("\"{}-{}\"", a.seed, number);
   made.line = write_puzzle(g->puzzle, as_json(a.table), as_json(a.physics)) + "\n";
@@ -136,7 +136,7 @@ std::string help() {
 
 }  // namespace
 
-Run add_generate(CLI::App& app) {
+Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("generate", "Make puzzles that have a shot");
   command->add_option("--count", a->count, "How many")->required()->check(whole_number);
@@ -156,4 +156,4 @@ Run add_generate(CLI::App& app) {
   return [a] { return run(*a); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::generate

@@ -15,7 +15,7 @@
 #include "bankshot/plan/start_map.hpp"
 #include "bankshot/scene/json.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::map {
 namespace {
 
 struct Arguments {
@@ -68,7 +68,7 @@ std::string summary(const StartMap& map) {
 
 /// Told before the work.
 std::string picture_or_table(const std::string& path) {
-  if (const std::string bad = file_name(path); !bad.empty()) return bad;
+  if (std::string bad = file_name(path); !bad.empty()) return bad;
   return path.ends_with(".svg") || path.ends_with(".csv") ? "" : "\"" + path + "\" must end in .svg or .csv";
 }
 
@@ -94,7 +94,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run add_map(CLI::App& app) {
+Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   constexpr int most = 10000;  // columns or rows: more is no map any more
   CLI::App* command =
@@ -114,4 +114,4 @@ Run add_map(CLI::App& app) {
   return [a] { return run(*a); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::map

@@ -6,7 +6,7 @@
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/simulate/simulator.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr double length = 2.54, width = 1.27;  // m, of a 9-foot table
@@ -80,4 +80,4 @@ State<double> by_events(const Boundary& boundary, const Physics& physics, const 
   });
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -10,7 +10,7 @@
 #include "app/report/steppers.hpp"
 #include "bankshot/plan/generate.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 /// A stepping simulator over its range of steps or tolerances.
 struct Series {
@@ -40,4 +40,4 @@ Timed timed_shot(Random& draw, const Physics& physics, int cushions);
 /// Ours, in double.
 State<double> by_events(const Boundary& boundary, const Physics& physics, const Timed& shot);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

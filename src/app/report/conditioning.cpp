@@ -11,7 +11,7 @@
 #include "bankshot/scene/ball.hpp"
 #include "truth/condition.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr int most_cushions = 20;
@@ -187,4 +187,4 @@ Section conditioning(const Settings& settings, Progress& progress) {
   return s;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

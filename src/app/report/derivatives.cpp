@@ -7,19 +7,23 @@
 #include "app/report/suite.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr double floor_of_figure = 1e-17;  // m: a miss of 0 is drawn here
 
 struct Way {
   const char* name;
-  planning::Derivatives derivatives;
+  Derivatives derivatives;
 };
-constexpr Way ways[] = {{"Newton, dual numbers", planning::Derivatives::dual},
-                        {"Newton, forward differences", planning::Derivatives::forward},
-                        {"Newton, central differences", planning::Derivatives::central},
-                        {"BOBYQA, no derivatives", planning::Derivatives::none}};
+constexpr Way ways[] = {
+    {"Newton, dual numbers", Derivatives::dual},
+    {"Newton, forward differences", Derivatives::forward},
+    {"Newton, central differences", Derivatives::central},
+#if BANKSHOT_NLOPT
+    {"BOBYQA, no derivatives", Derivatives::none},
+#endif
+};
 
 /// Median of the least miss after n simulations, over the puzzles; a run that has ended stays as it is.
 struct Approach {
@@ -29,10 +33,10 @@ struct Approach {
 };
 
 Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string& csv) {
-  std::vector<std::vector<planning::Iterate>> runs;
+  std::vector<std::vector<Iterate>> runs;
   for (const Puzzle& p : puzzles) {
-    auto run = planning::approach(p, way.derivatives, cpu_seconds);
-    const auto again = planning::approach(p, way.derivatives, cpu_seconds);
+    auto run = approach(p, way.derivatives, cpu_seconds);
+    const auto again = approach(p, way.derivatives, cpu_seconds);
     for (std::size_t i = 0; i < std::min(run.size(), again.size()); ++i)
       run[i].seconds = std::min(run[i].seconds, again[i].seconds);
     if (!run.empty()) runs.push_back(std::move(run));
@@ -43,7 +47,7 @@ Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string
   for (std::size_t k = 0; k < longest; ++k) {
     std::vector<double> miss, simulations, seconds;
     for (const auto& run : runs) {
-      const planning::Iterate& it = run[std::min(k, run.size() - 1)];
+      const Iterate& it = run[std::min(k, run.size() - 1)];
       miss.push_back(std::max(it.miss, floor_of_figure));
       simulations.push_back(static_cast<double>(it.simulations));
       seconds.push_back(it.seconds);
@@ -97,4 +101,4 @@ std::string add_derivatives(const Settings& settings, Section& s, Progress& prog
   return text;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

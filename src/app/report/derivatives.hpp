@@ -6,11 +6,11 @@
 
 #include "app/report/sections.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 inline constexpr std::size_t derivatives_steps = 4;  ///< of the progress bar
 
 /// Adds a row of panels and a CSV to the section of the planners; says what each way needs, for its conclusion.
 std::string add_derivatives(const Settings& settings, Section& section, Progress& progress);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

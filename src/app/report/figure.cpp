@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 // Pixels.
@@ -269,4 +269,4 @@ void run_gnuplot(const std::string& script) {
     throw DrawingError(fmt::format("gnuplot (package gnuplot-nox) cannot draw {}", script));
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

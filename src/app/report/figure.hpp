@@ -12,7 +12,7 @@
 #include "app/report/measure.hpp"
 #include "bankshot/scene/puzzle.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 struct Point {
   double x, y;
@@ -67,4 +67,4 @@ void find_gnuplot();
 /// Runs gnuplot on a script; throws likewise.
 void run_gnuplot(const std::string& script);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -7,15 +7,15 @@
 
 #include "app/report/steppers.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
-using Numbers = std::array<double, 6>;  // x, y, vx, vy, wx, wy
+using Coordinates = std::array<double, 6>;  // x, y, vx, vy, wx, wy
 enum class Phase { slide, roll, rest };
 
-inline Vec2d velocity_of(const Numbers& y) { return {y[2], y[3]}; }
+inline Vec2d velocity_of(const Coordinates& y) { return {y[2], y[3]}; }
 
-inline Numbers moved(const Numbers& y, const Numbers& rate, double h) {
-  Numbers out;
+inline Coordinates moved(const Coordinates& y, const Coordinates& rate, double h) {
+  Coordinates out;
   for (std::size_t i = 0; i < y.size(); ++i) out[i] = y[i] + h * rate[i];
   return out;
 }
@@ -28,28 +28,28 @@ struct Forces {
   double rolling, per_speed;  ///< a g [m/s²], b g [1/s]
   double turning;             ///< 5 μs g / 2R [rad/s²]
 
-  Numbers operator()(const Numbers& y) const {
+  Coordinates operator()(const Coordinates& y) const {
     const double a = phase == Phase::slide ? sliding : rolling + per_speed * dot(velocity_of(y), along);
     const double turn = phase == Phase::slide ? turning : 0;
     return {y[2], y[3], -a * along.x, -a * along.y, -turn * along.y, turn * along.x};
   }
   /// As Odeint calls it.
-  void operator()(const Numbers& y, Numbers& rate, double) const { rate = (*this)(y); }
+  void operator()(const Coordinates& y, Coordinates& rate, double) const { rate = (*this)(y); }
 };
 
-inline Numbers advanced(Scheme::Method method, const Forces& f, const Numbers& y, double h) {
-  const Numbers k1 = f(y);
+inline Coordinates advanced(Scheme::Method method, const Forces& f, const Coordinates& y, double h) {
+  const Coordinates k1 = f(y);
   if (method == Scheme::Method::euler) return moved(y, k1, h);
   if (method == Scheme::Method::semi_implicit) {
-    Numbers out = moved(y, k1, h);
+    Coordinates out = moved(y, k1, h);
     out[0] = y[0] + h * out[2];
     out[1] = y[1] + h * out[3];
     return out;
   }
-  const Numbers k2 = f(moved(y, k1, h / 2)), k3 = f(moved(y, k2, h / 2)), k4 = f(moved(y, k3, h));
-  Numbers out;
+  const Coordinates k2 = f(moved(y, k1, h / 2)), k3 = f(moved(y, k2, h / 2)), k4 = f(moved(y, k3, h));
+  Coordinates out;
   for (std::size_t i = 0; i < y.size(); ++i) out[i] = y[i] + h / 6 * (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]);
   return out;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

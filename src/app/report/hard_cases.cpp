@@ -10,7 +10,7 @@
 #include "bankshot/plan/planner.hpp"
 #include "truth/hard_cases.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 struct Tally {
@@ -41,7 +41,7 @@ Tally simulated(std::string_view name) {
 Tally planned(std::string_view name) {
   Tally t{.name = std::string(name)};
   for (const Puzzle& p : truth::hard_puzzles(name)) {
-    const Answer a = solve(p, {.robustness = false, .suggest = false});
+    const Answer a = bankshot::solve(p, {.robustness = false, .suggest = false});
     ++t.cases;
     if (a.shots.empty()) {
       ++t.beyond;
@@ -70,7 +70,8 @@ Curve as_points(const std::string& name, const std::vector<Tally>& all, std::siz
 constexpr const char* about =
     "The scenes of tests/hard, each of which aims at one way in which numbers break. A simulated shot is held against "
     "50 digits and its "
-    "bound, 4 · 2⁻⁵³ · size · κ, where κ is measured with the dual numbers of the run itself; a puzzle is held to a "
+    "bound, 4 · 2⁻⁵³ · size · κ, where κ is measured with the dual numbers of the run itself and an impact that is "
+    "integrated puts its tolerance in place of 2⁻⁵³; a puzzle is held to a "
     "miss of 1e-9 of the "
     "table's diagonal, replayed. A tie is a pair of events nearer to each other than the bound: then either order is "
     "right, and the "
@@ -126,4 +127,4 @@ Section hard_cases(const Settings&, Progress& progress) {
   return s;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 Spread spread(std::vector<double> numbers) {
   if (numbers.empty()) return {};
@@ -81,4 +81,4 @@ std::string short_length(double metres) {
   return in_units(metres, units);
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -10,7 +10,7 @@
 
 #include "app/clock.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 /// Seconds that one call of f takes: the least of three repeats, each as many calls as fill `enough` seconds. One
 /// repeat does for what takes `long_enough`.
@@ -50,4 +50,4 @@ std::string short_power(double x);  ///< two decimals, without the sign of 0
 std::string short_time(double seconds);
 std::string short_length(double metres);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

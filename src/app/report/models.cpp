@@ -12,7 +12,7 @@
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr int most_cushions = 5;
@@ -48,7 +48,7 @@ Question draw_question(Random& draw, const Physics& fullest, int cushions) {
     shot.ball.at = {draw.uniform(R, 2.54 - R), draw.uniform(R, 1.27 - R)};
     shot.launch = {draw.log_uniform(0.5, 5), draw.uniform(0, radians(360))};
     shot.spin = {1, 0, 0};
-    const Trajectory t = simulate(shot);
+    const Trajectory t = bankshot::simulate(shot);
     if (t.cushions == cushions) return {shot, t.events.back().state.at, t.sequence()};
   }
 }
@@ -94,13 +94,13 @@ Result measure(const Model& m, const std::vector<Question>& questions, int cushi
   std::vector<double> misses, seconds, solving;
   int solved = 0;
   for (const Question& q : questions) {
-    const Answer a = solve(puzzle_of(q, m.physics), {.robustness = false, .suggest = false});
+    const Answer a = bankshot::solve(puzzle_of(q, m.physics), {.robustness = false, .suggest = false});
     seconds.push_back(cost(q, m.physics));
     double miss = forever;
     if (!a.shots.empty()) {
       ShotRequest played = q.shot;
       played.launch = a.shots.front().launch;
-      miss = norm(simulate(played).events.back().state.at - q.rest);
+      miss = norm(bankshot::simulate(played).events.back().state.at - q.rest);
       ++solved;
       misses.push_back(miss);
       solving.push_back(a.time_us * 1e-6);
@@ -181,4 +181,4 @@ Section models(const Settings& settings, Progress& progress) {
   return s;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -2,27 +2,30 @@
 #include "app/report/one_root.hpp"
 
 #include <ceres/jet.h>
+#if BANKSHOT_NLOPT
 #include <nlopt.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
-#include "bankshot/simulate/locked.hpp"
 #include "planners/images/unfold.hpp"
-#include "planners/locked/residual.hpp"
+#include "planners/locked/arrival.hpp"
+#include "planners/locked/newton.hpp"
+#include "planners/locked/speed.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::app::report {
 namespace {
+
+using namespace planning;
 
 using Jet = ::ceres::Jet<double, 2>;
 
 /// Where the ball rests, less the target [m], as a function of aim and ln speed; counts and keeps the best.
 struct Path {
-  const Search& s;
-  const std::vector<Contact>& contacts;
-  Vec2d target;
+  const LockedAim& aim;
   double (*clock)();
   double begin = clock();
   std::vector<Iterate> seen{};
@@ -30,16 +33,12 @@ struct Path {
 
   template <class T>
   std::optional<Vec2<T>> off(const T& angle, const T& log_speed) {
-    using std::cos, std::exp, std::sin;
+    using std::exp;
     ++simulations;
     const T speed = exp(log_speed);
-    const auto start =
-        launched(s.puzzle.ball.at, s.puzzle.ball.body.radius, Vec2<T>{cos(angle), sin(angle)} * speed, s.puzzle.spin);
-    return with_physics(s.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Vec2<T>> {
-      const auto path = follow_locked(s.boundary, motion, cushion, contacts, start);
-      if (path.end != LockedEnd::complete) return {};
-      return arrive_locked(motion, s.boundary.body, path.state, target, 0, true).state.at - to<T>(target);
-    });
+    const auto arrival = arrival_of(aim, start_of(aim.q, angle, speed), aim.q.puzzle.physics);
+    if (!arrival) return {};
+    return arrival->state.at - to<T>(aim.mark.at);
   }
 
   void note(const Vec2d& off_now) {
@@ -51,7 +50,8 @@ struct Path {
 std::optional<Linear> by_dual_numbers(Path& p, double angle, double log_speed) {
   const auto r = p.off(Jet(angle, 0), Jet(log_speed, 1));
   if (!r) return {};
-  return Linear{{r->x.a, r->y.a}, {r->x.v[0], r->y.v[0]}, {r->x.v[1], r->y.v[1]}};
+  const Jet both[] = {r->x, r->y};
+  return linear<2>(both);
 }
 
 /// Steps near the best compromise of rounding and curvature: the square root and the cube root of 2⁻⁵².
@@ -59,15 +59,15 @@ std::optional<Linear> by_differences(Path& p, double angle, double log_speed, bo
   const double h = central ? 6e-6 : 1.5e-8;
   const auto r = p.off(angle, log_speed);
   if (!r) return {};
-  Linear l{{r->x, r->y}, {}, {}};
-  for (int k = 0; k < 2; ++k) {
+  Linear l{{r->x, r->y}, {}};
+  for (std::size_t k = 0; k < 2; ++k) {
     const double by_angle = k == 0 ? h : 0, by_speed = k == 1 ? h : 0;
     const auto after = p.off(angle + by_angle, log_speed + by_speed);
     const auto before = central ? p.off(angle - by_angle, log_speed - by_speed) : r;
     if (!after || !before) return {};
     const Vec2d slope = (*after - *before) / (central ? 2 * h : h);
-    (k == 0 ? l.by_aim : l.by_speed)[0] = slope.x;
-    (k == 0 ? l.by_aim : l.by_speed)[1] = slope.y;
+    l.by[0][k] = slope.x;
+    l.by[1][k] = slope.y;
   }
   return l;
 }
@@ -83,20 +83,21 @@ void newton_from(Path& p, const Launch& seed, Derivatives d) {
     if (!l) return;
     p.note({l->r[0], l->r[1]});
     const auto step = newton_step(*l, false);
-    if (!step || !std::isfinite(step->x) || !std::isfinite(step->y)) return;
-    const double size = std::max(std::abs(step->x) / step_aim, std::abs(step->y) / step_speed),
+    if (!step || !std::isfinite((*step)[0]) || !std::isfinite((*step)[1])) return;
+    const double size = std::max(std::abs((*step)[0]) / step_aim, std::abs((*step)[1]) / step_speed),
                  damped = size > 1 ? 1 / size : 1;
     if (size < settled) return;
-    angle += damped * step->x;
-    log_speed += damped * step->y;
+    angle += damped * (*step)[0];
+    log_speed += damped * (*step)[1];
   }
 }
 
+#if BANKSHOT_NLOPT
 double squared_distance(unsigned, const double* x, double*, void* data) {
   Path& p = *static_cast<Path*>(data);
   const auto off = p.off(x[0], x[1]);
-  p.note(off.value_or(Vec2d{p.s.boundary.diagonal, 0}));
-  const double r = norm(off.value_or(Vec2d{p.s.boundary.diagonal, 0}));
+  p.note(off.value_or(Vec2d{p.aim.q.boundary.diagonal, 0}));
+  const double r = norm(off.value_or(Vec2d{p.aim.q.boundary.diagonal, 0}));
   return r * r;
 }
 
@@ -112,17 +113,21 @@ void bobyqa_from(Path& p, const Launch& seed) {
   nlopt_set_min_objective(opt.get(), squared_distance, &p);
   nlopt_optimize(opt.get(), x, &value);
 }
+#else
+void bobyqa_from(Path&, const Launch&) {}  // derivatives.cpp does not ask for it
+#endif
 
 }  // namespace
 
 std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*clock)()) {
-  Search s(puzzle, false);
-  const std::vector<Contact>& contacts = *puzzle.cushions.sequence;
-  Unfolding images(s, true, restitution(puzzle.physics).at_rest, true);
+  const Question q(puzzle);
+  Ledger ledger(puzzle.budget);
+  Unfolding images(q, {.parts = true, .restitution = restitution(puzzle.physics).at_rest, .keep_routes = true});
   while (const auto c = images.next()) {
-    const auto speed = speed_at(s, {s, contacts, c->target}, c->angle, c->distance);
+    const LockedAim aim{q, *q.route, q.marks[c->mark]};
+    const auto speed = speed_at(aim, ledger, c->angle, c->distance);
     if (!speed) continue;
-    Path path{s, contacts, c->target, clock};
+    Path path{aim, clock};
     const Launch seed{*speed, c->angle};
     if (d == Derivatives::none)
       bobyqa_from(path, seed);
@@ -133,4 +138,4 @@ std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*cloc
   return {};
 }
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::app::report

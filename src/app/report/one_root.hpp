@@ -8,7 +8,7 @@
 
 #include "bankshot/scene/puzzle.hpp"
 
-namespace bankshot::planning {
+namespace bankshot::app::report {
 
 /// dual: Newton's method, the Jacobian by dual numbers, one simulation a step. forward, central: by differences, three
 /// and five. none: BOBYQA on the squared distance.
@@ -24,4 +24,4 @@ struct Iterate {
 /// no seed. Ends when the miss no longer matters, or after enough steps. `clock` tells seconds.
 std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives derivatives, double (*clock)());
 
-}  // namespace bankshot::planning
+}  // namespace bankshot::app::report

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr const char* title = "Speed against error";
@@ -165,4 +165,4 @@ std::string to_markdown(const Page& page, const std::vector<std::string>& figure
   return out;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -9,7 +9,7 @@
 
 #include "app/report/figure.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 struct Numbers {
   std::vector<std::string> header;
@@ -42,4 +42,4 @@ struct Page {
 std::string to_html(const Page& page, const std::vector<std::string>& figures);
 std::string to_markdown(const Page& page, const std::vector<std::string>& figures);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

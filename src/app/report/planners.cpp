@@ -11,7 +11,7 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/planner.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr double floor_of_figure = 1e-17;  // m: a miss of 0 is drawn here
@@ -52,7 +52,7 @@ Outcome attempt(Puzzle p, const std::string& planner, long budget) {
   double least = forever;
   for (int i = 0; i < 3 && (i == 0 || least < short_time_); ++i) {
     const double begin = cpu_seconds();
-    a = solve(p, {.planner = planner, .robustness = false, .suggest = false});
+    a = bankshot::solve(p, {.planner = planner, .robustness = false, .suggest = false});
     least = std::min(least, cpu_seconds() - begin);
   }
   const double diagonal = p.table.diagonal();
@@ -224,4 +224,4 @@ Section planners(const Settings& settings, Progress& progress) {
   return s;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 Progress::Progress(int parts) : terminal_(isatty(STDERR_FILENO) == 1), parts_(parts) {}
 
@@ -44,4 +44,4 @@ void Progress::show() {
   std::fflush(stderr);
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

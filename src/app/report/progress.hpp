@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 class Progress {
  public:
@@ -29,4 +29,4 @@ class Progress {
   std::string name_;
 };
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -10,7 +10,7 @@
 #include "app/files.hpp"
 #include "app/report/sections.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 struct Arguments {
@@ -80,7 +80,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run add_report(CLI::App& app) {
+Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("report", "Measure speed against error: simulators and planners");
   command->add_option("-o,--output", a->folder, "The folder to write index.html, report.md, figures and CSV files into")
@@ -91,4 +91,4 @@ Run add_report(CLI::App& app) {
   return [a] { return run(*a); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -11,7 +11,7 @@
 #include "bankshot/simulate/simulator.hpp"
 #include "truth/condition.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr double radius = 0.028575;
@@ -204,4 +204,4 @@ Section scaling(const Settings& settings, Progress& progress) {
   return s;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -6,7 +6,7 @@
 #include "app/report/page.hpp"
 #include "app/report/progress.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 struct Settings {
   bool quick = false;
@@ -20,4 +20,4 @@ Section conditioning(const Settings& settings, Progress& progress);
 Section hard_cases(const Settings& settings, Progress& progress);
 Section scaling(const Settings& settings, Progress& progress);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -11,7 +11,7 @@
 #include "bankshot/plan/generate.hpp"
 #include "truth/condition.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr double asked_error = 1e-6;       // m, where times are compared
@@ -235,4 +235,4 @@ Section simulators(const Settings& settings, Progress& progress) {
   return s;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -10,7 +10,7 @@
 #include "app/report/forces.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 /// Something that happens where its function of the state falls through 0.
@@ -43,7 +43,7 @@ class Run {
 
   bool goes_on() const { return out_.time < until_ && !out_.pocketed && !out_.rests; }
 
-  Vec2d slip(const Numbers& y) const {
+  Vec2d slip(const Coordinates& y) const {
     if constexpr (slides) return {y[2] - boundary_.body.radius * y[5], y[3] + boundary_.body.radius * y[4]};
     return {0, 0};
   }
@@ -89,7 +89,7 @@ class Run {
   void end_phase() { phase_ == Phase::slide ? roll() : rest(); }
 
   /// Ends a step: `h` seconds later the ball is in state y.
-  void accept(const Numbers& y, double h) {
+  void accept(const Coordinates& y, double h) {
     y_ = y;
     out_.time += h;
     ++out_.steps;
@@ -100,19 +100,19 @@ class Run {
     }
   }
 
-  double gap(std::size_t wall, const Numbers& y) const {
+  double gap(std::size_t wall, const Coordinates& y) const {
     const Wall& w = boundary_.walls[wall];
     return w.normal.x * y[0] + w.normal.y * y[1] - w.offset;
   }
-  double beyond(std::size_t pocket, const Numbers& y) const {
+  double beyond(std::size_t pocket, const Coordinates& y) const {
     const Circle& c = boundary_.pockets[pocket];
     const Vec2d d = Vec2d{y[0], y[1]} - c.centre;
     return dot(d, d) - c.radius * c.radius;
   }
   /// Positive until the phase is over.
-  double left(const Numbers& y) const { return dot(phase_ == Phase::slide ? slip(y) : velocity_of(y), along_); }
+  double left(const Coordinates& y) const { return dot(phase_ == Phase::slide ? slip(y) : velocity_of(y), along_); }
 
-  double value(const Crossing& c, const Numbers& y) const {
+  double value(const Crossing& c, const Coordinates& y) const {
     return c.kind == Crossing::Kind::wall     ? gap(c.index, y)
            : c.kind == Crossing::Kind::pocket ? beyond(c.index, y)
                                               : left(y);
@@ -151,7 +151,7 @@ class Run {
 
   /// Calls see(crossing) for whatever has happened by state y.
   template <class See>
-  void crossed(const Numbers& y, See&& see) const {
+  void crossed(const Coordinates& y, See&& see) const {
     for (std::size_t i = 0; i < boundary_.pockets.size(); ++i)
       if (beyond(i, y) < 0 && beyond(i, y_) >= 0) see(Crossing{Crossing::Kind::pocket, i});
     for (std::size_t i = 0; i < boundary_.walls.size(); ++i)
@@ -212,12 +212,12 @@ class Run {
   void smooth_piece() {
     namespace odeint = boost::numeric::odeint;
     const Forces f = forces();
-    auto stepper =
-        odeint::make_dense_output(scheme_.step, scheme_.step, scheme_.longest, odeint::runge_kutta_dopri5<Numbers>());
+    auto stepper = odeint::make_dense_output(scheme_.step, scheme_.step, scheme_.longest,
+                                             odeint::runge_kutta_dopri5<Coordinates>());
     const double remains = until_ - out_.time;
     stepper.initialize(y_, 0.0, first_step_ > 0 ? first_step_ : scheme_.longest > 0 ? scheme_.longest : default_step);
     const auto at = [&](double t) {
-      Numbers y;
+      Coordinates y;
       stepper.calc_state(t, y);
       return y;
     };
@@ -243,7 +243,7 @@ class Run {
   const Cushion cushion_;
   const Scheme scheme_;
   const double until_;
-  Numbers y_{};
+  Coordinates y_{};
   double spin_;  ///< about the vertical
   Phase phase_ = Phase::rest;
   Vec2d along_{};
@@ -263,4 +263,4 @@ Stepped step_through(const Boundary& boundary, const Physics& physics, const Sta
   });
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

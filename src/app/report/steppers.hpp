@@ -18,7 +18,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/physics.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 struct Scheme {
   enum class Method { euler, semi_implicit, rk4, dormand_prince } method;
@@ -39,4 +39,4 @@ struct Stepped {
 Stepped step_through(const Boundary& boundary, const Physics& physics, const State<double>& start, double until,
                      const Scheme& scheme);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -6,7 +6,7 @@
 
 #include "bankshot/simulate/trajectory.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 constexpr double length = 2.54, width = 1.27, radius = 0.028575;
@@ -26,7 +26,7 @@ ShotRequest shot_with(Random& draw, const Physics& physics, int cushions) {
       shot.launch.speed = 1;
       shot.until.length = draw.uniform(0.5, 8);
     }
-    if (simulate(shot).cushions == cushions) return shot;
+    if (bankshot::simulate(shot).cushions == cushions) return shot;
   }
 }
 
@@ -43,7 +43,7 @@ std::vector<Puzzle> suite(const Physics& physics, Level level, int count) {
   for (int i = 0; i < count; ++i) {
     const int cushions = cushions_of(level, i);
     const ShotRequest shot = shot_with(draw, physics, cushions);
-    const Trajectory t = simulate(shot);
+    const Trajectory t = bankshot::simulate(shot);
     Puzzle p{.table = shot.table,
              .physics = physics,
              .ball = shot.ball,
@@ -56,4 +56,4 @@ std::vector<Puzzle> suite(const Physics& physics, Level level, int count) {
   return out;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -9,7 +9,7 @@
 #include "app/report/measure.hpp"
 #include "bankshot/scene/puzzle.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 /// easy: 1 or 2 cushions; medium: 3; hard: 4 or 5. Every other one gives the sequence, the others the count.
 enum class Level { easy, medium, hard };
@@ -19,4 +19,4 @@ const char* name(Level level);
 /// A ball on a 9-foot table without pockets that must rest at a point, or pass through it in `ideal`.
 std::vector<Puzzle> suite(const Physics& physics, Level level, int count);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

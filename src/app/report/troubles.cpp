@@ -12,7 +12,7 @@
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 namespace {
 
 /// What went wrong with one shot under one stepper, a number; the truth of an event is that of ours, whose
@@ -172,4 +172,4 @@ void add_troubles(const Settings& settings, Section& section, Progress& progress
   section.data.push_back({section.name + "-troubles", csv});
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

@@ -6,11 +6,11 @@
 
 #include "app/report/sections.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::report {
 
 inline constexpr std::size_t troubles_steps = 3;  ///< of the progress bar
 
 /// Adds a row of panels and a CSV to the section of the simulators.
 void add_troubles(const Settings& settings, Section& section, Progress& progress);
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::report

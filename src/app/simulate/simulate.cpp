@@ -10,7 +10,7 @@
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/json.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::simulate {
 namespace {
 
 struct Arguments {
@@ -26,6 +26,20 @@ std::string event_text(const ShotRequest& r, const Record& e) {
                      norm(e.state.velocity));
 }
 
+/// What the ball does in the end.
+std::string_view ending(EventKind end) {
+  switch (end) {
+    case EventKind::rest:
+      return "comes to rest";
+    case EventKind::pocket:
+      return "is pocketed";
+    case EventKind::horizon:
+      return "stopped where asked";
+    default:
+      return "stopped after a million events";
+  }
+}
+
 std::string text_of(const ShotRequest& r, const Trajectory& t) {
   constexpr std::size_t most_lines = 60;  // a longer list is for --json
   std::string out;
@@ -37,9 +51,7 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
     }
     out += event_text(r, t.events[i]);
   }
-  constexpr const char* ends[] = {"comes to rest", "stopped where asked", "is pocketed",
-                                  "stopped after a million events"};
-  return out + fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ends[static_cast<int>(t.end)], t.cushions,
+  return out + fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ending(t.end), t.cushions,
                            t.cushions == 1 ? "" : "s", t.length);
 }
 
@@ -56,7 +68,7 @@ int run(const Arguments& a) {
   const std::string text = read_file(a.file);
   try {
     const ShotRequest request = read_shot(text);
-    const Trajectory t = simulate(request);
+    const Trajectory t = bankshot::simulate(request);
     print(a.json ? to_json(request, t) + "\n" : text_of(request, t));
     if (!a.svg.empty()) write_file(a.svg, draw(request, t));
     if (!a.csv.empty()) write_file(a.csv, csv_of(request, t, a.rate));
@@ -70,7 +82,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run add_simulate(CLI::App& app) {
+Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("simulate", "Simulate one shot and list its events");
   command->add_option("shot", a->file, "A shot in JSON; - reads standard input")->capture_default_str();
@@ -83,4 +95,4 @@ Run add_simulate(CLI::App& app) {
   return [a] { return run(*a); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::simulate

@@ -7,7 +7,7 @@
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/scene/json.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::solve {
 namespace {
 
 struct Arguments {
@@ -28,7 +28,7 @@ int run(const Arguments& a) {
   const std::string text = read_file(a.file);
   try {
     const Puzzle puzzle = a.flags.read(text);
-    const Answer answer = solve(puzzle, a.flags.solve_options());
+    const Answer answer = bankshot::solve(puzzle, a.flags.solve_options());
     print(a.json ? to_json(puzzle, answer, !a.flags.no_timing) + "\n" : to_text(puzzle, answer));
     if (!a.svg.empty()) write_file(a.svg, draw(puzzle, answer));
     return answer.status == Status::solved ? done : nothing_solved;
@@ -39,7 +39,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run add_solve(CLI::App& app) {
+Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("solve", "Find the aim and the speed for a puzzle");
   command->add_option("puzzle", a->file, "A puzzle in JSON; - reads standard input")->capture_default_str();
@@ -49,4 +49,4 @@ Run add_solve(CLI::App& app) {
   return [a] { return run(*a); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::solve

@@ -9,7 +9,7 @@
 #include "bankshot/scene/json.hpp"
 #include "json/reader.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::solve {
 
 SolveOptions SolveFlags::solve_options() const {
   SolveOptions o = options;
@@ -54,4 +54,4 @@ int list_planners() {
   return done;
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::solve

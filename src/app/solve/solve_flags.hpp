@@ -8,7 +8,7 @@
 
 #include "bankshot/plan/planner.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::solve {
 
 struct SolveFlags {
   SolveOptions options;
@@ -27,4 +27,4 @@ void add_solve_flags(CLI::App& command, SolveFlags& flags);
 void check_planner(const std::string& wanted);
 int list_planners();
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::solve

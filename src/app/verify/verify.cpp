@@ -14,7 +14,7 @@
 #include "bankshot/scene/json.hpp"
 #include "truth/claims.hpp"
 
-namespace bankshot::app {
+namespace bankshot::app::verify {
 namespace {
 
 using truth::Check;
@@ -67,7 +67,7 @@ void check(Pair& pair) {
     const Answer a = read_answer(pair.answer, puzzle ? &*puzzle : nullptr, &pair.unread);
     pair.status = a.status;
     pair.shots = a.shots.size();
-    pair.beside = puzzle && !a.shots.empty() && puzzle->aim == Aim::centre && truth::beside_centre(*puzzle, a);
+    pair.beside = puzzle && !a.shots.empty() && puzzle->aim == Aim::centre && a.shots.front().off_centre;
     pair.checks = truth::check(puzzle ? &*puzzle : nullptr, pair.id, a);
   } catch (const InvalidInput& e) {
     pair.bad = fmt::format("{}{}{}", e.path, e.path.empty() ? "" : ": ", e.what());
@@ -184,7 +184,7 @@ int run(const std::string& puzzle_file, const std::string& answer_file) {
 
 }  // namespace
 
-Run add_verify(CLI::App& app) {
+Run add(CLI::App& app) {
   struct Arguments {
     std::string puzzles, answers;
   };
@@ -203,4 +203,4 @@ Run add_verify(CLI::App& app) {
   return [a] { return run(a->puzzles, a->answers); };
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::app::verify

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+# The pages of the public headers: cmake --build build/release --target docs, then docs/html/index.html in the build.
+option(BANKSHOT_DOCS "Need Doxygen, for the target docs" OFF)
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
+find_package(Doxygen 1.9 QUIET)
+if(NOT Doxygen_FOUND)
+  if(BANKSHOT_DOCS)
+    message(FATAL_ERROR "the target docs needs Doxygen >= 1.9: apt-get install doxygen")
+  endif()
+  return()
+endif()
+# What says too little is no warning, what is wrong is an error.
+set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
+set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
+set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO)
+set(DOXYGEN_EXTRACT_ALL YES)
+set(DOXYGEN_JAVADOC_AUTOBRIEF YES)
+set(DOXYGEN_QUIET YES)
+set(DOXYGEN_HAVE_DOT NO)
+set(DOXYGEN_OUTPUT_DIRECTORY docs)
+set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR}/include)
+set(DOXYGEN_STRIP_FROM_INC_PATH ${PROJECT_SOURCE_DIR}/include)
+# The comment at the top of a header says what it is for: it becomes the page of the file.
+set(DOXYGEN_INPUT_FILTER "awk -f ${PROJECT_SOURCE_DIR}/cmake/header_page.awk")
+doxygen_add_docs(docs ${PROJECT_SOURCE_DIR}/include COMMENT "API pages in docs/html")

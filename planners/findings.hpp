@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// What a search has found: shots, launches that came near, why others failed, and what is to be said about it.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bankshot/plan/shot.hpp"
+#include "bankshot/scene/target.hpp"
+#include "bankshot/simulate/route.hpp"
+
+namespace bankshot::planning {
+
+/// Why a launch does not do what was asked.
+enum class Foul {
+  none,
+  missed,
+  fell_short,
+  wrong_cushion,
+  extra_cushion,
+  pocketed,
+  inexact,      ///< it is made, but not on the exact line or point, or not at the speed asked
+  too_fast,     ///< it needs more speed than a bound allows
+  too_slow,     ///< it needs less
+  too_long,     ///< no launch rolls so far
+  outside_aim,  ///< these four are refused without a replay
+  outside_speed,
+  other_bounces,
+  no_budget
+};
+
+struct Failure {
+  Foul foul = Foul::none;
+  Contact contact{};  ///< what stood in the way
+  double speed = 0;   ///< m/s, what a bound on the speed forbids (too_fast, too_slow)
+  bool like(const Failure& o) const { return foul == o.foul && contact == o.contact; }
+};
+
+/// A launch that failed.
+struct NearMiss {
+  Launch launch{};
+  int bounces = 0;
+  double miss = std::numeric_limits<double>::infinity();  ///< m
+  Failure failure{};
+};
+
+/// A launch that leads near a mark along a route but is no shot: what it aims at is blocked, or no aim reaches it.
+/// Parts of the target may be reached beside it.
+struct Lead {
+  Launch launch;
+  Route route;
+  Mark mark;
+  double half = 0;  ///< rad beside the aim to look at; 0: as far as the target is wide
+  double room = -std::numeric_limits<double>::infinity();  ///< m, the largest clearance that was found there
+};
+
+struct Findings {
+  std::vector<Shot> shots{};
+  std::vector<Lead> leads{};
+  NearMiss nearest{};
+  struct Counted {
+    Failure failure;  ///< of several speeds, the one nearest to the bound
+    long times;
+  };
+  std::vector<Counted> failures{};  ///< why candidates failed, with how often
+  std::string note{};               ///< what was skipped or cut, for the message
+  bool complete = false;            ///< every candidate there can be was tried
+  bool proved = false;              ///< and nothing else can reach any part of the target
+  bool rounding_decided = false;    ///< some path through a corner or along a line failed by rounding, perhaps
+  bool plenty = false;              ///< with so many shots that no more were looked for
+
+  /// Counts a failed candidate, and keeps it if it came nearest.
+  void remember(const NearMiss& miss);
+  void add_note(const std::string& text) { note += (note.empty() ? "" : "; ") + text; }
+};
+
+}  // namespace bankshot::planning

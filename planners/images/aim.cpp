@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "planners/images/aim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/numbers/tolerances.hpp"
+#include "planners/proof/bounds.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// Rounding, not geometry, may have decided: the path meets a corner, or ends on a cushion line.
+bool rounding_may_matter(const Replay& r) {
+  const Foul f = r.failure.foul;
+  return f == Foul::wrong_cushion || f == Foul::extra_cushion || f == Foul::fell_short || f == Foul::missed;
+}
+
+/// One aim, and those beside it that rounding may tell from it.
+class AimTried {
+ public:
+  AimTried(const Question& q, Ledger& ledger, Findings& found, int bounces, std::string_view step, Demand demand)
+      : q_(q),
+        ledger_(ledger),
+        found_(found),
+        bounces_(bounces),
+        step_(step),
+        demand_(demand),
+        goal_(Goal::exactly(q, bounces)) {}
+
+  bool run(double angle) {
+    if (attempt(angle, 0)) return true;
+    if (demand_ == Demand::off_centre || !(last_.made || rounding_may_matter(last_))) return false;
+    // The trace runs at unit speed, so its time bounds the metres that a radian moves the target by.
+    const double path = std::max(last_.arrival.time, 1e-3 * q_.boundary.diagonal);
+    const double step = tolerance::nudge * q_.boundary.diagonal / path;
+    if (round_angle(angle, step) || beside(angle, step)) return true;
+    found_.rounding_decided = found_.rounding_decided || !(alike_ || ledger_.cut());
+    return false;
+  }
+
+ private:
+  /// `shorter`: the share by which the launch is slower than the trace says.
+  bool attempt(double angle, double shorter) {
+    const Trace t = trace(q_, ledger_, angle, goal_);
+    last_ = t.replay;
+    if (!t.replay.made) {
+      if (!first_) first_ = t.replay.failure;
+      alike_ = alike_ && first_->like(last_.failure);
+      found_.remember({{q_.puzzle.speed.high, angle}, bounces_, t.replay.miss, t.replay.failure});
+      return false;
+    }
+    const auto speed = launch_speed(q_, found_, angle, t, demand_);
+    return speed && certified({*speed * (1 - shorter), angle});
+  }
+
+  bool certified(const Launch& launch) {
+    return !ledger_.spent() && certify(q_, ledger_, found_, launch, bounces_, step_, demand_);
+  }
+
+  /// A path through corners was likely asked at a round angle, which the image has to rounding only.
+  bool round_angle(double angle, double step) {
+    const double rounded = radians(std::round(degrees(angle) * 1e9) / 1e9);
+    if (!(std::abs(rounded - angle) < step)) return false;
+    if (!ledger_.spent() && attempt(rounded, 0)) return true;
+    // Two cushions met in one instant at the speed that is given need not be at the trace's.
+    return q_.one_unknown() && certified({q_.fixed_speed(), rounded});
+  }
+
+  bool beside(double angle, double step) {
+    for (const double k : {0.0, 1.0, -1.0, 10.0, -10.0})
+      for (const double shorter : {0.0, step}) {
+        if (ledger_.spent()) return false;
+        const bool tried = k == 0 && shorter == 0;
+        if (!tried && (shorter == 0 || q_.stop) && attempt(angle + k * step, shorter)) return true;
+      }
+    return false;
+  }
+
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+  int bounces_;
+  std::string_view step_;
+  Demand demand_;
+  Goal goal_;
+  Replay last_{};
+  std::optional<Failure> first_{};
+  bool alike_ = true;  ///< on both sides of the aim a path fails for one reason, unless it runs through a corner
+};
+
+}  // namespace
+
+std::optional<double> launch_speed(const Question& q, Findings& found, double angle, const Trace& t, Demand demand) {
+  const Range& bounds = q.puzzle.speed;
+  const auto speed_for = [&](double v) { return std::sqrt((v * v + t.account.loss) / t.account.gain); };
+  double low = bounds.low, high = bounds.high;
+  if (is_ideal(q.puzzle.physics)) return q.fixed_speed();
+  if (q.arrival) {
+    low = speed_for(q.arrival->low);
+    high = speed_for(q.arrival->high);
+    const auto refuse = [&](Foul foul, double needed, double bound) {
+      found.remember({{bound, angle}, t.replay.bounces, t.replay.miss, {foul, {}, needed}});
+      return std::nullopt;
+    };
+    // Resting beside the target's centre may still be resting within it.
+    if (demand == Demand::off_centre && q.stop) return std::clamp(low, bounds.low, bounds.high);
+    if (!bring_inside(low, bounds) && low > bounds.high) return refuse(Foul::too_fast, low, bounds.high);
+    if (!bring_inside(high, bounds) && high < bounds.low) return refuse(Foul::too_slow, high, bounds.low);
+    low = std::max(low, bounds.low);
+    high = std::min(high, bounds.high);
+  }
+  // On a path that does not depend on the speed, more speed only carries the ball on, so it is
+  // the most robust and the quickest.
+  return q.puzzle.prefer == Prefer::soft ? low : high;
+}
+
+bool certify_aim(const Question& q, Ledger& ledger, Findings& found, double angle, int bounces, std::string_view step,
+                 Demand demand) {
+  return AimTried(q, ledger, found, bounces, step, demand).run(angle);
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "planners/images/refine.hpp"
+
+#include <set>
+#include <utility>
+
+#include "planners/images/unfold.hpp"
+#include "planners/locked/speed.hpp"
+#include "planners/stop.hpp"
+
+namespace bankshot::planning {
+
+bool refine_aim(const LockedAim& aim, Ledger& ledger, Findings& found, double angle, double length,
+                std::string_view step, const RootFinder& find) {
+  const auto speed = speed_at(aim, ledger, angle, length);
+  if (!speed) return false;
+  const auto root = find(aim, {*speed, angle});
+  if (root) certify_root(aim, ledger, found, *root, step);
+  return root.has_value();
+}
+
+void refine_images(const Question& q, Ledger& ledger, Findings& found, std::string_view step, const RootFinder& find) {
+  const bool straight = is_straight(q.puzzle.physics);
+  std::set<std::pair<Route, std::size_t>> settled;  // a route with a root to a mark hardly ever has another
+  for (const double share : settings::restitution_shares) {
+    const double e = share * restitution(q.puzzle.physics).at_rest;
+    Unfolding images(q, {.parts = !straight, .restitution = e, .keep_routes = true});
+    while (const auto image = images.next()) {
+      if (stop::enough_seeds(q, ledger, found)) return;
+      std::pair key{images.route(*image), image->mark};
+      if (!straight && settled.contains(key)) continue;
+      const LockedAim aim{q, key.first, q.marks[image->mark]};
+      if (refine_aim(aim, ledger, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));
+    }
+    if (straight || !images.whole()) return;
+    if (q.route && !found.shots.empty()) return;
+  }
+}
+
+}  // namespace bankshot::planning

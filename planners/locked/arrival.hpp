@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// Where a locked path arrives, and by how much it misses there, in any scalar; for the sources of this folder.
+#pragma once
+
+#include <optional>
+
+#include "planners/locked/residual.hpp"
+#include "planners/locked/start.hpp"
+
+namespace bankshot::planning {
+
+/// None when it never gets to its last leg.
+template <class T>
+std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& start, const Physics& physics) {
+  return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
+    const auto path = follow_locked(a.q.boundary, motion, cushion, a.route, start);
+    if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
+    return arrive_locked(motion, a.q.boundary.body, path.state, a.mark.at, a.mark.capture(), a.q.stop);
+  });
+}
+
+/// The N residuals of residual.hpp; false where the ball arrives with no direction.
+template <int N, class T>
+bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
+  const Vec2<T>& heading = arrival.heading;
+  if (!(dot(heading, heading) > T(0))) return false;
+  const T diagonal(a.q.boundary.diagonal);
+  const Vec2<T> off = to<T>(a.mark.at) - arrival.state.at;
+  if (a.q.stop) {
+    r[0] = off.x / diagonal;
+    if constexpr (N > 1) r[1] = off.y / diagonal;
+    return true;
+  }
+  const Vec2<T> u = heading / norm(heading);
+  r[0] = cross(u, off) / diagonal;
+  if constexpr (N > 1) {
+    T speed2 = dot(arrival.state.velocity, arrival.state.velocity);
+    if (arrival.at_rest) speed2 = T(-2 * deceleration(a.q.puzzle.physics)) * dot(u, off);
+    const double asked = a.q.asked;
+    r[1] = (speed2 - T(asked * asked)) / T(std::max(1.0, asked * asked));
+  }
+  return true;
+}
+
+/// The values and derivatives of N dual residuals.
+template <int N, class Dual>
+Linear linear(const Dual* r) {
+  Linear out;
+  for (std::size_t k = 0; k < N; ++k) {
+    out.r[k] = r[k].a;
+    for (int i = 0; i < N; ++i) out.by[k][static_cast<std::size_t>(i)] = r[k].v[i];
+  }
+  return out;
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// Source: Ceres 2.1 tiny_solver.h. Its function_tolerance is compared with the absolute change of the cost, so it is
+// set to 0 here.
+#include "planners/locked/levenberg_marquardt.hpp"
+
+// The compiler cannot see that TinySolver sets its cost before it reads it.
+#ifndef __clang__  // which knows no such warning
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <ceres/tiny_solver.h>
+#include <ceres/tiny_solver_autodiff_function.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planners/locked/arrival.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+template <int N>
+struct Residual {
+  const LockedAim& aim;
+  double fixed_speed;
+  template <class T>
+  bool operator()(const T* x, T* r) const {
+    using std::exp;
+    const T speed = N == 2 ? T(exp(x[N - 1])) : T(fixed_speed);
+    const auto arrival = arrival_of(aim, start_of(aim.q, x[0], speed), aim.q.puzzle.physics);
+    if (!arrival || !residuals_of<N>(aim, *arrival, r))
+      std::fill(r, r + N, T(settings::levenberg_marquardt::nowhere));  // flat and high: it turns back or gives up
+    return true;
+  }
+};
+
+template <int N>
+std::optional<Launch> minimise(const LockedAim& aim, Ledger& ledger, const Launch& seed) {
+  using namespace settings::levenberg_marquardt;
+  const Residual<N> residual{aim, seed.speed};
+  using Function = ::ceres::TinySolverAutoDiffFunction<Residual<N>, N, N>;
+  const Function function(residual);
+  ::ceres::TinySolver<Function> solver;
+  solver.options.max_num_iterations = most_iterations;
+  solver.options.function_tolerance = 0;
+  solver.options.gradient_tolerance = least_gradient;
+  solver.options.parameter_tolerance = least_step;
+  solver.options.cost_threshold = exact_cost;
+  typename ::ceres::TinySolver<Function>::Parameters x;
+  x(0) = seed.angle;
+  if constexpr (N == 2) x(1) = std::log(seed.speed);
+  solver.Solve(function, &x);
+  ledger.charge(aim.route.size(), 1 + 2 * solver.summary.iterations);
+  if (!x.allFinite() || !(solver.summary.final_cost < converged_cost)) return {};
+  double speed = seed.speed;
+  if constexpr (N == 2) speed = std::exp(x(1));
+  return Launch{speed, wrap_angle(x(0))};
+}
+
+}  // namespace
+
+std::optional<Launch> solve_locked(const LockedAim& aim, Ledger& ledger, const Launch& seed) {
+  return aim.q.one_unknown() ? minimise<1>(aim, ledger, seed) : minimise<2>(aim, ledger, seed);
+}
+
+std::optional<Launch> refine(const Question& q, Ledger& ledger, const Launch& seed, const Route& route) {
+  std::optional<Launch> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Mark& mark : q.marks) {
+    const auto x = solve_locked({q, route, mark}, ledger, seed);
+    if (!x) continue;
+    const double moved = std::abs(angle_difference(x->angle, seed.angle));
+    if (moved < least) best = x, least = moved;
+  }
+  return best;
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// What a search may vary of a launch. To make another quantity an unknown (spin), it gets a name here, its difference
+// and its step, and its column of derivatives in start.hpp; nothing else knows which quantities there are.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "planners/question.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning {
+
+enum class Quantity { aim, speed };  ///< rad; ln of m/s
+
+inline constexpr std::size_t most_unknowns = 2;
+
+struct Unknown {
+  Quantity what;
+  double farthest;      ///< rad, or of ln speed: a search that goes farther from where it starts gives up
+  double longest_step;  ///< the same units: longer ones are cut
+};
+
+/// One to most_unknowns of them, in the order of the derivatives' columns.
+class Unknowns {
+ public:
+  void add(const Unknown& u) { list_[size_++] = u; }
+  std::size_t size() const { return size_; }
+  const Unknown& operator[](std::size_t i) const { return list_[i]; }
+  const Unknown* begin() const { return list_.data(); }
+  const Unknown* end() const { return list_.data() + size_; }
+
+ private:
+  std::array<Unknown, most_unknowns> list_{};
+  std::size_t size_ = 0;
+};
+
+/// From one launch to another.
+inline double difference(const Launch& from, const Launch& to, Quantity what) {
+  return what == Quantity::aim ? to.angle - from.angle : std::log(to.speed / from.speed);
+}
+
+inline void move(Launch& launch, Quantity what, double step) {
+  if (what == Quantity::aim)
+    launch.angle += step;
+  else
+    launch.speed *= std::exp(step);
+}
+
+/// The question's unknowns, with the steps of a neighbourhood.
+inline Unknowns unknowns_of(const Question& q, const Neighbourhood& near) {
+  Unknowns out;
+  out.add({Quantity::aim, near.far * near.step_aim, near.step_aim});
+  if (!q.one_unknown()) out.add({Quantity::speed, near.far * near.step_speed, near.step_speed});
+  return out;
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bankshot/plan/shot.hpp"
+#include "planners/ledger.hpp"
+#include "planners/question.hpp"
+
+namespace bankshot::planning {
+
+/// `margin`: the first launch, on either side, that is not made by the same cushions; found by
+/// growing steps and bisection to tolerance::margin. About 150 simulations.
+void find_margin(const Question& q, Ledger& ledger, Shot& shot);
+
+}  // namespace bankshot::planning

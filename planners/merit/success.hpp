@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bankshot/plan/shot.hpp"
+#include "planners/ledger.hpp"
+#include "planners/question.hpp"
+
+namespace bankshot::planning {
+
+/// `success`: the chance that the target is made by any allowed cushions, under the player's errors;
+/// success.cpp says how it is found. At most settings::success::most_samples simulations, fewer where the ledger ends.
+void find_success(const Question& q, Ledger& ledger, Shot& shot);
+
+}  // namespace bankshot::planning

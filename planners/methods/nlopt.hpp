@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// What NLopt does for planners. A build without it has without_nlopt.cpp in place of nlopt.cpp: no method, and a global
+// search that finds nothing.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "planners/methods/methods.hpp"
+
+namespace bankshot::planning::methods {
+
+/// The global search over the whole box of bounds (NLopt DIRECT-L), on the real path; `step` names it in answers.
+void search_box(const Question& q, Ledger& ledger, Findings& found, std::string_view step);
+
+/// The planners `nlopt-*`.
+std::span<const Method> nlopt_methods();
+
+}  // namespace bankshot::planning::methods

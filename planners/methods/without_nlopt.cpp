@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// In place of nlopt.cpp in a build without NLopt.
+#include "planners/methods/nlopt.hpp"
+
+namespace bankshot::planning::methods {
+
+void search_box(const Question&, Ledger&, Findings&, std::string_view) {}
+
+std::span<const Method> nlopt_methods() { return {}; }
+
+}  // namespace bankshot::planning::methods

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot::planning {
+
+/// Brings a number that rounding carried just outside its bounds back in; false where it lies farther out.
+inline bool bring_inside(double& v, const Range& r) {
+  const double slack = tolerance::bound * std::max(1.0, std::abs(r.high));
+  if (v < r.low - slack || v > r.high + slack) return false;
+  v = std::clamp(v, r.low, r.high);
+  return true;
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// What a replay is held against: after which bounces the ball must reach a mark, and how exactly.
+#pragma once
+
+#include <vector>
+
+#include "planners/question.hpp"
+
+namespace bankshot::planning {
+
+enum class Demand {
+  exact,       ///< on the exact line or point, at the arrival speed asked
+  off_centre,  ///< made, at the arrival speed asked
+  made         ///< made, in the contract's sense
+};
+
+struct Goal {
+  int min, max;                                    ///< bounces before the mark
+  const std::vector<Contact>* sequence = nullptr;  ///< those, in order; must outlive this
+  Demand demand = Demand::exact;
+
+  /// As the puzzle asks.
+  static Goal of(const Question& q, Demand demand = Demand::exact) {
+    const CushionRule& c = q.cushions();
+    return {c.min, c.max, c.sequence ? &*c.sequence : nullptr, demand};
+  }
+  static Goal exactly(const Question& q, int bounces, Demand demand = Demand::exact) {
+    Goal goal = of(q, demand);
+    goal.min = goal.max = bounces;
+    return goal;
+  }
+  static Goal along(const std::vector<Contact>& contacts, Demand demand = Demand::made) {
+    const int n = static_cast<int>(contacts.size());
+    return {n, n, &contacts, demand};
+  }
+};
+
+}  // namespace bankshot::planning

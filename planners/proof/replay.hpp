@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// A launch simulated against a goal. Cost: one simulation, which the ledger is charged.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "bankshot/motion/arc.hpp"
+#include "planners/findings.hpp"
+#include "planners/ledger.hpp"
+#include "planners/proof/goal.hpp"
+
+namespace bankshot::planning {
+
+struct Replay {
+  bool made = false;  ///< in the contract's sense: within reach, after the bounces asked
+  double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
+  Arrival arrival;
+  Failure failure;             ///< when it is not made
+  int bounces = 0;             ///< at arrival or at the foul
+  bool cushion_stick = false;  ///< see Shot::cushion_stick
+};
+
+/// `contacts`, if given, receives the bounces.
+Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goal& goal,
+              std::vector<Contact>* contacts = nullptr);
+
+/// What a path costs in speed, where its shape does not depend on the speed: after the arcs added so
+/// far, v² = gain·v0² − loss. The arcs are those of a launch at unit speed without friction.
+class SpeedAccount {
+ public:
+  explicit SpeedAccount(double deceleration) : deceleration_(deceleration) {}
+  void add(const Arc<double>& arc, double t);
+  double gain = 1, loss = 0;  ///< –, m²/s²
+  /// No launch at `speed` or slower gets here.
+  bool beyond(double speed) const { return loss > gain * speed * speed; }
+
+ private:
+  double deceleration_;  ///< m/s²
+  double before2_ = 1;   ///< speed² on the arc before
+};
+
+/// The shape of a path, simulated at unit speed without friction (`ideal`, `rolling`).
+struct Trace {
+  Replay replay;
+  SpeedAccount account;
+};
+Trace trace(const Question& q, Ledger& ledger, double angle, const Goal& goal,
+            std::vector<Contact>* contacts = nullptr);
+
+}  // namespace bankshot::planning

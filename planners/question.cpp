@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "planners/question.hpp"
+
+#include <algorithm>
+
+#include "bankshot/numbers/tolerances.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+Physics roughly(Physics p) {
+  if (auto* m = std::get_if<Mathavan2010>(&p.cushion)) m->tolerance = std::max(m->tolerance, tolerance::rough_impact);
+  return p;
+}
+
+}  // namespace
+
+Question::Question(const Puzzle& p, Wanted w)
+    : puzzle(p),
+      boundary(p.table, p.ball.body),
+      rough(roughly(p.physics)),
+      wanted(w),
+      marks(marks_of(p.target, boundary)),
+      arrival(arrival_range(p)),
+      stop(!captures() && arrival && arrival->high == 0) {
+  if (arrival) asked = p.prefer == Prefer::soft ? arrival->low : arrival->high;
+  if (p.cushions.sequence) route = route_by(*p.cushions.sequence);
+}
+
+Question Question::asking(double arrival_speed) const {
+  Question q = *this;
+  q.asked = arrival_speed;
+  return q;
+}
+
+Question Question::launched_at(double speed) const {
+  Question q = *this;
+  q.pinned = speed;
+  return q;
+}
+
+double Question::fixed_speed() const {
+  if (pinned) return *pinned;
+  return is_ideal(puzzle.physics) ? std::clamp(1.0, puzzle.speed.low, puzzle.speed.high) : puzzle.speed.low;
+}
+
+const Mark& Question::nearest_mark(const Vec2d& arrived) const {
+  const auto nearer = [&](const Mark& a, const Mark& b) { return norm(a.at - arrived) < norm(b.at - arrived); };
+  return *std::min_element(marks.begin(), marks.end(), nearer);
+}
+
+bool Question::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }
+
+bool Question::touches(Contact contact) const {
+  const double slack = boundary.touch;
+  if (const Wall* const w = boundary.line(contact)) {
+    const double s = dot(w->along, puzzle.ball.at);
+    return dot(w->normal, puzzle.ball.at) - w->offset <= slack && s >= w->begin - slack && s <= w->end + slack;
+  }
+  const Circle* const rim = boundary.rim(contact);
+  return rim && norm(puzzle.ball.at - rim->centre) - rim->radius <= slack;
+}
+
+bool Question::frozen() const {
+  const auto touched = [&](const auto& obstacle) { return touches(obstacle.contact); };
+  return std::ranges::any_of(boundary.walls, touched) || std::ranges::any_of(boundary.tips, touched);
+}
+
+bool Question::into_touched_cushion(const Vec2d& direction) const {
+  for (const Wall& w : boundary.walls)
+    if (dot(w.normal, direction) < 0 && touches(w.contact)) return true;
+  for (const Circle& tip : boundary.tips)
+    if (dot(puzzle.ball.at - tip.centre, direction) < 0 && touches(tip.contact)) return true;
+  return false;
+}
+
+double angle_difference(double a, double b) { return wrap_angle(b - a + radians(180)) - radians(180); }
+
+}  // namespace bankshot::planning

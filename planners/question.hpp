@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// What one search is asked: the puzzle, seen as planners need it. It never changes while a step works on it; a step
+// that wants another arrival speed or a fixed launch makes a question of its own.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/puzzle.hpp"
+#include "bankshot/scene/target.hpp"
+#include "bankshot/simulate/route.hpp"
+
+namespace bankshot::planning {
+
+/// Which shots are wanted: the best one, the first that is proved, or every distinct one.
+enum class Wanted { best, first, all };
+
+struct Question {
+  explicit Question(const Puzzle& puzzle, Wanted wanted = Wanted::best);
+
+  const Puzzle& puzzle;  ///< must outlive this
+  Boundary boundary;
+  Physics rough;  ///< the puzzle's, integrated no more finely than a seed needs
+  Wanted wanted;
+  std::vector<Mark> marks;         ///< the places to aim at
+  std::optional<Range> arrival;    ///< m/s at the mark; none: any
+  bool stop;                       ///< the ball must come to rest at its mark
+  double asked = 0;                ///< m/s: of a range of arrival speeds the one aimed for; `prefer` chooses
+  std::optional<double> pinned{};  ///< m/s: a launch speed to keep to; then any arrival in the range will do
+  std::optional<Route> route{};    ///< the cushions, where the puzzle gives them in order
+
+  /// The same with another arrival speed of its range to aim for.
+  Question asking(double arrival_speed) const;
+  /// The same at one launch speed.
+  Question launched_at(double speed) const;
+
+  bool all() const { return wanted == Wanted::all; }
+  bool first() const { return wanted == Wanted::first; }
+  const CushionRule& cushions() const { return puzzle.cushions; }
+  /// Only the aim is unknown.
+  bool one_unknown() const { return !arrival || pinned; }
+  /// The launch speed where only the aim is unknown: the fixed one; in `ideal` 1 m/s brought inside the bounds.
+  double fixed_speed() const;
+  /// Some mark takes the ball: a pocket.
+  bool captures() const { return !marks.empty() && marks.front().captures(); }
+  const Mark& nearest_mark(const Vec2d& arrived) const;
+  /// A miss this small is one of the exact line or point.
+  bool centred(double miss) const;
+
+  /// The ball touches this contact at the start; any at all.
+  bool touches(Contact contact) const;
+  bool frozen() const;
+  /// The launch would drive the ball into a cushion that it touches: a bounce before it moves.
+  bool into_touched_cushion(const Vec2d& direction) const;
+};
+
+/// b − a brought into (−π, π].
+double angle_difference(double a, double b);
+
+}  // namespace bankshot::planning

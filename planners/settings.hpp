@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+//
+// Every number that steers a search, each with its unit, its reason and what breaks without it. None decides whether a
+// launch is a shot: that is what numbers/tolerances.hpp is for. A better value makes searches faster or finds more.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "bankshot/scene/puzzle.hpp"
+
+namespace bankshot::planning {
+
+/// The longest steps of a search: rad, and of ln speed; and how many of them it may go from where it starts.
+struct Neighbourhood {
+  double step_aim, step_speed;
+  double far = 3;
+};
+
+/// The cells of a map: rad of aim, and of ln speed.
+struct Spacing {
+  double aim, speed;
+  bool whole = false;  ///< also speeds at which neighbouring paths arrive too fast or never
+  bool locked = true;  ///< follow a route that is given on its locked path, not where it really occurs
+};
+
+inline constexpr Range whole_turn{0, radians(360)};
+
+}  // namespace bankshot::planning
+
+namespace bankshot::planning::settings {
+
+/// Shots to choose from. Most puzzles have fewer; where there are more, the answer says that others were not compared.
+inline constexpr std::size_t enough_to_compare = 32;
+
+/// Shots whose chance of success decides their order. Each costs 150 simulations; those beyond are far from the best.
+inline constexpr std::size_t most_compared_by_success = 64;
+
+/// The slowest launch that is looked at, of the fastest that is allowed: a slower one rolls a millionth as far.
+inline constexpr double slowest_of_fastest = 1e-3;
+
+/// Ratios of the normal to the tangential loss to unfold with, as shares of the cushion's own restitution. Spin changes
+/// the angle of a rebound, and one of these comes near it; with fewer of them more puzzles need a map.
+inline constexpr std::array restitution_shares{1.0, 0.8, 1.2, 0.6, 1.5};
+
+/// How far Newton's method may go from an image or a node that is no neighbour of the root: farther leads to others.
+inline constexpr Neighbourhood wide{0.3, 0.5};
+
+/// Parts into which each range of spin is divided: five values a component, so 125 searches at most.
+inline constexpr int steps_of_spin = 4;
+
+/// Reasons of failure that an answer names; a person reads no more.
+inline constexpr std::size_t most_reasons_named = 3;
+
+namespace unfolding {
+/// Sequences the tree may visit: about 150 MB and a second. That there are more is said in the answer.
+inline constexpr long most_visited = 500'000;
+/// Images a lattice may list at once: the same memory.
+inline constexpr long most_images = 500'000;
+/// rad: rays that miss a window's end by this, or twice that, still pass. It is the rounding of images after thousands
+/// of reflections; without it paths through corners are lost.
+inline constexpr double ray_slack = 1e-10;
+/// Nodes for which memory is taken at once: most puzzles visit fewer.
+inline constexpr std::size_t usual_nodes = 64;
+/// Walls for which the distances of all pairs are kept; beyond, the table would cost more than it saves.
+inline constexpr std::size_t most_walls_paired = 64;
+}  // namespace unfolding
+
+namespace image {
+/// Aims tried across the part of a target that a ray may reach: windows narrower than a thirtieth of it are missed.
+inline constexpr int aims_across = 33;
+}  // namespace image
+
+namespace window {
+/// rad: where the bisection between two aims that fail differently gives up; a narrower window is no shot for anybody.
+inline constexpr double narrowest = 1e-10;
+/// Of the way to the limit: the first step towards a window's end, and how steps grow inside and shrink outside.
+inline constexpr double first_step = 1.0 / 64, longer = 1.5, shorter = 0.5;
+}  // namespace window
+
+namespace sweep {
+/// Aims around the circle: a sequence narrower than 0.18° between two equal neighbours is missed.
+inline constexpr int fan = 2048;
+/// rad: neighbours nearer than this differ only by rounding.
+inline constexpr double finest = 1e-14;
+/// Cosine of the angle between a leg's directions at two neighbours (6°) beyond which a change of side may hide there.
+inline constexpr double widest_turn = 0.995;
+}  // namespace sweep
+
+namespace ceres {
+/// Aims tried as seeds where no image exists: every half degree.
+inline constexpr int aims_in_fan = 720;
+}  // namespace ceres
+
+namespace newton {
+/// A search that has not settled by then jumps between two sides of a kink.
+inline constexpr int most_steps = 40;
+/// Steps after which one that does not come nearer is halved; before, Newton's method may overshoot and still converge.
+inline constexpr int usual_steps = 4;
+/// Steps after which each must come nearer.
+inline constexpr int patience = 12;
+/// Of a longest step: the step after one so short is exact to rounding.
+inline constexpr double settled = 1e-7;
+}  // namespace newton
+
+namespace levenberg_marquardt {
+/// What Ceres' TinySolver is told. Its cost is half the squared residual, which has no unit: `exact_cost` is a miss of
+/// 1e-14 of the diagonal, `converged_cost` one of 1e-6, from where the proof decides.
+inline constexpr int most_iterations = 30;
+inline constexpr double least_gradient = 1e-18, least_step = 1e-16, exact_cost = 1e-28, converged_cost = 1e-12;
+/// The residual where no path arrives: so high that the solver turns back.
+inline constexpr double nowhere = 1e3;
+}  // namespace levenberg_marquardt
+
+namespace speed_at {
+/// Of the squared speed: near enough for a seed; the step after it finds the rest.
+inline constexpr double near = 0.05;
+inline constexpr int most_steps = 12;
+}  // namespace speed_at
+
+namespace speed_near {
+inline constexpr int most_steps = 30;
+/// Of ln speed: where rounding ends the search, and the longest step.
+inline constexpr double settled = 1e-14, longest_step = 0.5;
+/// How much further to look for the other side of the root.
+inline constexpr double beyond = 1.1;
+}  // namespace speed_near
+
+namespace forward {
+/// Of the diagonal: a leg that begins this far past the target no longer leads to it.
+inline constexpr double behind = 0.05;
+}  // namespace forward
+
+namespace roots {
+/// Cells from a node to a root that it may seed: neighbouring nodes overlap, so that none is lost between them.
+inline constexpr double seed_reach = 1.5;
+/// Cells: a Newton step this short tells which root it goes to.
+inline constexpr double near = 0.05;
+/// Of the way to a root: a first step that misses it by more leads to another, perhaps.
+inline constexpr double astray = 0.7;
+/// Cells between two roots that are one: rounding of a root where the map is steep.
+inline constexpr double least_apart = 1e-6;
+/// Roots of one route: more are one root, which rounding scatters beside a kink.
+inline constexpr std::ptrdiff_t most_of_a_route = 64;
+/// Cells around a root at which Newton's method starts again to find its twin across a fold, in so many directions.
+inline constexpr std::array rings{0.02, 0.1, 0.3};
+inline constexpr int ways = 8;
+/// Of the diagonal: a mark nearer to the last cushion is reached soon after it, by balls hardly fast enough.
+inline constexpr double beside = 0.2;
+/// Halvings of ln speed towards the slowest launch that reaches the last cushion, and by how much faster seeds are.
+inline constexpr int halvings = 8;
+inline constexpr std::array faster{0.003, 0.01, 0.03};
+/// Of ln speed: the longest step from there, where the map is steep.
+inline constexpr double step_after_last = 0.03;
+}  // namespace roots
+
+namespace forward_map {
+/// Of three cushions these cells leave nothing out that a map sixteen times as fine finds (tests/plan/map_test.cpp).
+inline constexpr Spacing usual{radians(2), 0.12};
+/// Bounces for which `usual` is fine enough: paths with more bend the map more.
+inline constexpr int plain_bounces = 3;
+/// Cells of speed from a node to launches that arrive as asked, beyond which it is left alone.
+inline constexpr double band = 1.5;
+/// Rows below those where the neighbour's band began.
+inline constexpr std::size_t before_band = 2;
+/// rad: where the division between two routes ends, and between two ways to leave the one that is given.
+inline constexpr double narrowest = 1e-4, narrowest_given = 1e-7;
+/// By how much farther than predicted a new node lies beyond the end of a cushion, to be surely past it.
+inline constexpr double past_the_end = 1.02;
+}  // namespace forward_map
+
+namespace along {
+/// Launch speeds along a cushion that is touched, evenly spaced in their logarithm.
+inline constexpr int speeds = 300;
+/// Of the speed: rounding ends the search there.
+inline constexpr double settled = 1e-15;
+}  // namespace along
+
+namespace parts {
+/// Aims across the part of a target beside a lead.
+inline constexpr std::size_t aims_across = 17;
+/// A lead whose speed is this much outside its bounds may lead to a shot inside.
+inline constexpr double nearly_allowed = 1.3;
+}  // namespace parts
+
+namespace widest {
+/// rad: where golden sections end.
+inline constexpr double finest = 1e-15;
+/// Of the clearance there is, or lacks: less to gain is not worth a simulation.
+inline constexpr double little_gain = 0.1;
+/// rad beside a lead: wider windows belong to other leads.
+inline constexpr double widest_half = radians(10);
+/// rad, or a share of the speed: where bisections end.
+inline constexpr double narrowest = 1e-10;
+/// The speed that arrives as asked jumps where it changes by more than this from one aim to the next.
+inline constexpr double jump = 1.002;
+/// Rows of aims at speeds across a jump, which begin and end this far beyond it.
+inline constexpr int rows = 8;
+inline constexpr double beyond = 1.01;
+}  // namespace widest
+
+namespace automatic {
+/// Of the budget that is left: what bisecting leads may use before finer maps have their turn.
+inline constexpr double first_share_of_parts = 0.2;
+/// The maps that follow the usual one: finer; where the route really occurs; the last, for pockets.
+inline constexpr Spacing fine{radians(0.7), 0.08, true};
+inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
+inline constexpr Spacing finest{radians(0.8), 0.05, true, false};
+}  // namespace automatic
+
+namespace nlopt {
+/// Evaluations at most: a start of a local method, a search of a global one, a local search inside MLSL.
+inline constexpr int bobyqa_evaluations = 300, sbplx_evaluations = 1000, slsqp_evaluations = 100;
+inline constexpr int global_evaluations = 20000, mlsl_local_evaluations = 60;
+/// Of the draws of CRS and MLSL.
+inline constexpr unsigned long seed = 1;
+/// Worse than any miss: what a launch costs that never has the bounces asked.
+inline constexpr double wrong_bounces = 1;
+/// Where a search ends: the squared miss over the diagonal's square, and the relative step.
+inline constexpr double small_enough = 1e-20, least_step = 1e-13;
+}  // namespace nlopt
+
+namespace margin {
+/// rad, m/s: margins beyond are none.
+inline constexpr double widest_angle = radians(180), widest_speed = 30;
+/// Of the first-order margin: the first step outwards, and how steps grow. A gap narrower than a step is not seen.
+inline constexpr double first_step = 0.25, growth = 1.25;
+/// rad or m/s: a margin this small is 0.
+inline constexpr double finest = 1e-15;
+/// Of the diagonal, per radian: the least condition that a first-order margin is taken from; and bounds of that margin.
+inline constexpr double flat = 1e-6, least_scale = 1e-12, most_scale = 0.1;
+}  // namespace margin
+
+// In standard deviations of the player, where nothing else is said.
+namespace success {
+/// Simulations at most: with these the worst of 1,050 shots was 0.0051 off (planners/README.md).
+inline constexpr std::size_t most_samples = 150;
+/// Errors beyond are taken to do as those here: 0.001 of all.
+inline constexpr double widest = 3.3;
+/// From where an edge is expected to the next point tried, and how often that doubles.
+inline constexpr double step = 0.08;
+inline constexpr int most_doublings = 6;
+/// A bracket of an edge is bisected to this; on the first line, whose edges all others inherit; where there is one
+/// line.
+inline constexpr double narrow = 0.05, finer = 0.01, finest = 0.002;
+/// Where lines across the band begin.
+inline constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
+/// Where the outermost two of a band that ends within reach are laid.
+inline constexpr double outermost = 2.5, beyond_end = 1.1;
+/// Of chance: no further line is worth while below this doubt; and what a line costs at least.
+inline constexpr double least_doubt = 2e-4;
+inline constexpr std::size_t cheapest_line = 5;
+/// How doubt grows with the change of chance between two lines, and what is left where there is none.
+inline constexpr double doubt_of_change = 0.15, doubt_always = 0.01;
+/// Points spread over the only line, the first, later ones, and later ones where no edge is expected.
+inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4, points_without_edges = 3;
+/// Of probability, at either end, where no point is spread.
+inline constexpr double tail = 0.0015;
+/// Edges this close on neighbouring lines are one; how far beside a new one its neighbours are tried.
+inline constexpr double same_edge = 0.3, beside_edge = 0.5;
+}  // namespace success
+
+namespace safest {
+/// The compass begins with the player's own deviations and ends after so many halvings, or steps.
+inline constexpr int halvings = 5, most_steps = 24;
+}  // namespace safest
+
+namespace hints {
+/// m/s: a strong break shot; no more speed is suggested.
+inline constexpr double strong_break = 15;
+/// Simulations for one hint, which must not cost more than the search.
+inline constexpr long most_simulations = 30000;
+/// Cushions up to which others than those asked are suggested.
+inline constexpr int most_cushions = 4;
+/// Of natural roll.
+inline constexpr std::array side_spins{0.5, -0.5};
+}  // namespace hints
+
+}  // namespace bankshot::planning::settings

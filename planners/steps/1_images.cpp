@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// With spin no straight line leads to the mark, but one that is bent as much as cushions bend it comes near: images
+// unfolded with five ratios of the normal to the tangential loss, each moved onto a root of its own route.
+// Cost: some ten locked simulations a seed. Guarantee: none beyond the proof; a root is found where its seed leads.
+#include "planners/images/refine.hpp"
+#include "planners/locked/newton.hpp"
+#include "planners/steps/steps.hpp"
+
+namespace bankshot::planning::steps {
+
+void images(const Question& q, Ledger& ledger, Findings& found) {
+  refine_images(q, ledger, found, word::images, [&](const LockedAim& aim, const Launch& seed) -> std::optional<Launch> {
+    const auto root = newton(aim, ledger, seed, settings::wide);
+    return root ? std::optional(root.launch) : std::nullopt;
+  });
+}
+
+}  // namespace bankshot::planning::steps

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "planners/steps/roots.hpp"
+
+#include <cmath>
+
+#include "planners/certify.hpp"
+#include "planners/line_search.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::steps {
+
+using namespace settings::roots;
+
+void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear) {
+  keep_nearest(aim, node, q_.one_unknown() ? std::abs(linear.r[0]) : linear.size());
+  const auto step = newton_step(linear, q_.one_unknown());
+  if (!step ||
+      !(std::abs((*step)[0]) < seed_reach * cell_.step_aim && std::abs((*step)[1]) < seed_reach * cell_.step_speed))
+    return;
+  const Launch predicted{node.speed * std::exp((*step)[1]), node.angle + (*step)[0]};
+  const auto known_there = [&](const Launch& at, double size) { return size < near && known(aim, at, 2 * size); };
+  if (const auto root = newton(aim, ledger_, predicted, cell_, known_there)) add(aim, root.launch);
+}
+
+void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) {
+  auto& kept = seen(aim).nearest;
+  Nearest* to_replace = &kept.front();
+  for (Nearest& n : kept) {
+    if (n.miss < none && std::abs(n.launch.angle - node.angle) < cell_.step_aim / 2) {
+      if (miss < n.miss) n = {node, miss};
+      return;
+    }
+    if (n.miss > to_replace->miss) to_replace = &n;
+  }
+  if (miss < to_replace->miss) *to_replace = {node, miss};
+}
+
+/// Neighbouring nodes have mostly the same route.
+Roots::Seen& Roots::seen(const LockedAim& aim) {
+  if (last_seen_ < seen_.size() && belongs(seen_[last_seen_], aim)) return seen_[last_seen_];
+  const auto it = std::find_if(seen_.begin(), seen_.end(), [&](const Seen& x) { return belongs(x, aim); });
+  last_seen_ = static_cast<std::size_t>(it - seen_.begin());
+  if (last_seen_ == seen_.size()) seen_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark});
+  return seen_[last_seen_];
+}
+
+void Roots::seek_rest() {
+  for (const Seen& seen : seen_) {
+    const LockedAim aim{q_, seen.route, seen.mark};
+    if (std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); })) continue;
+    for (const Nearest& n : seen.nearest) {
+      if (done() || !(n.miss < none)) break;
+      auto root = newton(aim, ledger_, n.launch, settings::wide);
+      if (!root && q_.stop && beside_last(aim)) root = after_last(aim, n.launch);
+      if (!root) continue;
+      add(aim, root.launch);
+      break;
+    }
+  }
+}
+
+/// The mark lies near the last cushion.
+bool Roots::beside_last(const LockedAim& aim) const {
+  const Wall* const last = aim.route.empty() ? nullptr : q_.boundary.line(aim.route.back().with);
+  return last && dot(last->normal, aim.mark.at) - last->offset < beside * q_.boundary.diagonal;
+}
+
+/// A ball that rests soon after its last bounce was hardly fast enough to get there: from a little above the slowest
+/// launch that does.
+NewtonResult Roots::after_last(const LockedAim& aim, const Launch& from) {
+  double high = from.speed, low = from.speed * std::exp(-2 * cell_.step_speed);
+  int left = halvings;
+  bisect(
+      high, low, [&](double, double) { return left-- > 0; },
+      [&](double speed) {
+        return linearise(aim, ledger_, {speed, from.angle}).has_value();
+      },
+      geometric_mean);
+  for (const double by : faster)
+    if (const auto root = newton(aim, ledger_, {high * (1 + by), from.angle}, {cell_.step_aim, step_after_last}))
+      return root;
+  return {};
+}
+
+void Roots::add(const LockedAim& aim, const Launch& root) {
+  if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >= most_of_a_route)
+    return;
+  roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark.at, root});
+  const bool shot = certify_root(aim, ledger_, found_, root, step_);
+  const bool blocked = !shot && !aim.mark.captures() && q_.puzzle.speed.contains(root.speed);
+  if (q_.all() || blocked) across_fold(aim, root);
+}
+
+/// Roots come in pairs on the two sides of a fold or a kink, where the determinant often changes its sign; nodes are
+/// too far apart to see both. So Newton's method also starts around a root wherever that sign is another, or where its
+/// first step does not lead back there.
+void Roots::across_fold(const LockedAim& aim, const Launch& root) {
+  const auto at_root = linearise(aim, ledger_, root);
+  if (!at_root) return;
+  for (const double cells : rings)
+    for (int i = 0; i < ways; ++i) from_beside(aim, root, *at_root, direction(radians(360) * i / ways) * cells, cells);
+}
+
+void Roots::from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn,
+                        double cells) {
+  const bool one_unknown = q_.one_unknown();
+  const Launch from{root.speed * std::exp(turn.y * cell_.step_speed), root.angle + turn.x * cell_.step_aim};
+  const auto at = linearise(aim, ledger_, from);
+  const auto step = at ? newton_step(*at, one_unknown) : std::nullopt;
+  if (!step) return;
+  const double missed =
+      std::hypot((*step)[0] / cell_.step_aim + turn.x, one_unknown ? 0 : (*step)[1] / cell_.step_speed + turn.y);
+  if (at->determinant(one_unknown) * at_root.determinant(one_unknown) > 0 && missed < astray * cells) return;
+  const auto other = newton(aim, ledger_, from, cell_);
+  if (other && !known(aim, other.launch, 0)) add(aim, other.launch);
+}
+
+/// A root of the same route and mark lies within so many cells.
+bool Roots::known(const LockedAim& aim, const Launch& l, double cells) const {
+  return std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) {
+    return std::abs(angle_difference(r.launch.angle, l.angle)) < std::max(least_apart, cells) * cell_.step_aim &&
+           std::abs(std::log(r.launch.speed / l.speed)) < std::max(least_apart, cells) * cell_.step_speed &&
+           belongs(r, aim);
+  });
+}
+
+}  // namespace bankshot::planning::steps

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// The roots that a map finds, route by route. A node of the map predicts where the root of its route lies;
+// a prediction within reach seeds Newton's method on the locked path, unless that leads to a root that is known.
+// Each root becomes a shot, or a lead. What one seed cannot see is sought besides: the other root of a pair across a
+// fold or a kink, and roots of routes that were seen but gave none.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "planners/findings.hpp"
+#include "planners/locked/newton.hpp"
+#include "planners/stop.hpp"
+
+namespace bankshot::planning::steps {
+
+class Roots {
+ public:
+  /// `cell`: how far apart nodes are, rad of aim and of ln speed.
+  Roots(const Question& q, Ledger& ledger, Findings& found, const Neighbourhood& cell, std::string_view step)
+      : q_(q), ledger_(ledger), found_(found), cell_(cell), step_(step) {}
+
+  /// A node that meets these cushions, and how it misses the mark.
+  void visit(const LockedAim& aim, const Launch& node, const Linear& linear);
+
+  /// Routes that were visited and have no root yet: from the nodes that came nearest.
+  void seek_rest();
+
+  /// Nothing more is looked for.
+  bool done() const { return stop::over(q_, ledger_, found_) || stop::route_settled(q_, found_); }
+
+ private:
+  /// Of one route and mark.
+  struct Root {
+    Route route;
+    Vec2d mark;
+    Launch launch;
+  };
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  struct Nearest {
+    Launch launch{};
+    double miss = none;  ///< of the residual
+  };
+  /// A route and mark that were visited, and the nodes that came nearest.
+  struct Seen {
+    Route route;
+    Mark mark;
+    std::array<Nearest, 3> nearest{};
+  };
+  static bool belongs(const Root& x, const LockedAim& aim) {
+    return x.mark == aim.mark.at && std::ranges::equal(x.route, aim.route);
+  }
+  static bool belongs(const Seen& x, const LockedAim& aim) {
+    return x.mark.at == aim.mark.at && std::ranges::equal(x.route, aim.route);
+  }
+
+  Seen& seen(const LockedAim& aim);
+  void keep_nearest(const LockedAim& aim, const Launch& node, double miss);
+  bool known(const LockedAim& aim, const Launch& l, double cells) const;
+  void add(const LockedAim& aim, const Launch& root);
+  void across_fold(const LockedAim& aim, const Launch& root);
+  void from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn, double cells);
+  bool beside_last(const LockedAim& aim) const;
+  NewtonResult after_last(const LockedAim& aim, const Launch& from);
+
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+  Neighbourhood cell_;
+  std::string_view step_;
+  std::vector<Root> roots_{};
+  std::vector<Seen> seen_{};
+  std::size_t last_seen_ = 0;
+};
+
+}  // namespace bankshot::planning::steps

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// What `auto` tries, in order, each where those before it found nothing (planners/README.md tells how often that is).
+// A step reads the question, charges the ledger, and adds to the findings; its number is in the name of its file.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "planners/findings.hpp"
+#include "planners/ledger.hpp"
+#include "planners/question.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::steps {
+
+/// The names of steps in answers.
+namespace word {
+inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan", map = "map", along = "along",
+                                  parts = "parts", global = "global";
+}  // namespace word
+
+using Step = void (*)(const Question&, Ledger&, Findings&);
+
+void images(const Question& q, Ledger& ledger, Findings& found);  ///< stretched images, refined on the locked path
+void fan(const Question& q, Ledger& ledger, Findings& found);     ///< a given route, outward from its image
+/// All aims and speeds, in cells of this size.
+void map(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing);
+void along(const Question& q, Ledger& ledger, Findings& found);  ///< exactly along a cushion that the ball touches
+
+/// Cells fine enough that the map leaves nothing out where every shot is wanted.
+Spacing usual_spacing(const Question& q);
+
+/// Parts of a target whose middle is blocked. Leads wait here with the room that was found beside each.
+class Parts {
+ public:
+  /// Climbs to where a lead has most room: the new leads of the findings, until one of them is a shot.
+  void climb(const Question& q, Ledger& ledger, Findings& found);
+  /// Bisects around the hopeful leads, those with most room first, until this share of what is left of the budget is
+  /// used.
+  void bisect(const Question& q, Ledger& ledger, Findings& found, double share);
+
+ private:
+  std::vector<Lead> tried_;
+};
+
+}  // namespace bankshot::planning::steps

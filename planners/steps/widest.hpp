@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// Around a lead, aims at the speeds that arrive as asked, and the clearance of each (locked/clearance.hpp): where that
+// is largest, and positive, a shot is likely and has the most room. Cost: some 100 simulations a lead.
+// Guarantee: none; what it finds is proved by a replay.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "planners/findings.hpp"
+#include "planners/ledger.hpp"
+#include "planners/locked/residual.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::steps {
+
+class Widest {
+ public:
+  /// Sets the lead's `half` where it is 0.
+  Widest(const Question& q, Ledger& ledger, Findings& found, Lead& lead);
+
+  /// The largest clearance, which the lead's `room` receives; true where that made a shot.
+  bool find();
+
+  /// Beside a pocket that is grazed, the speed that arrives as asked jumps with the aim, and passes all speeds
+  /// between within the jump: so follow those, each over the aims that have room.
+  bool across_jumps();
+
+ private:
+  static constexpr std::size_t aims_across = settings::parts::aims_across, middle = aims_across / 2;
+  static constexpr double blocked = -std::numeric_limits<double>::infinity();
+
+  /// An aim at a speed, and its clearance.
+  struct Tried {
+    double x = 0;  ///< rad
+    double speed = 0;
+    double value = blocked;
+  };
+  using Row = std::array<Tried, aims_across>;
+  /// At one speed, an aim with room, and by how much too fast it arrives.
+  struct Roomy {
+    Tried at;
+    double excess, low, high;  ///< rad: the aims that have room
+  };
+
+  static const Tried& before(const Row& row, std::size_t i) { return row[i > 0 ? i - 1 : i]; }
+  static const Tried& after(const Row& row, std::size_t i) { return row[std::min(i + 1, aims_across - 1)]; }
+  static std::vector<std::size_t> peaks_of(const Row& row);
+  template <class Attempt>
+  static Tried highest(const Row& row, std::size_t peak, const Attempt& attempt);
+
+  double half_window() const;
+  Row along_lead() const;
+  double aim_at(std::size_t i) const { return lead_.launch.angle + lead_.half * (static_cast<double>(i) / middle - 1); }
+  Tried attempt(double aim, double guess) const;
+  Tried at_speed(double aim, double speed) const;
+  bool shot(const Tried& t) const;
+  bool across_jump(const Tried& low, const Tried& best, const Tried& high) const;
+  std::optional<Roomy> roomy(const Range& aims, double speed) const;
+  double excess(double aim, double speed) const;
+  double edge(const Tried& inside, double limit) const;
+  bool along(const Roomy& r) const;
+  bool between(const Range& aims, const Roomy& a, const Roomy& b) const;
+
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+  Lead& lead_;
+  LockedAim aim_;
+};
+
+}  // namespace bankshot::planning::steps

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// When a search stops: the one place that says so. A step asks before each thing it tries.
+//   satisfied     a shot was found, and no other is wanted
+//   over          nothing more may be tried: satisfied, or the budget is spent
+//   enough_seeds  a step that proposes seed after seed may stop: there are shots enough to choose from
+//   enough_images the same for images that are exact: where they come shortest first, the first-order margin only falls
+//                 with the length, so later ones are worse unless a bound or a pocket makes the difference
+//   route_settled of a route that is given one root is all there is, but where every shot is wanted
+//   nothing_yet   there is no shot, and the budget is not spent: the next step of `auto` has its turn
+#pragma once
+
+#include "planners/findings.hpp"
+#include "planners/ledger.hpp"
+#include "planners/question.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::stop {
+
+inline bool satisfied(const Question& q, const Findings& found) { return q.first() && !found.shots.empty(); }
+
+inline bool over(const Question& q, Ledger& ledger, const Findings& found) {
+  return ledger.spent() || satisfied(q, found);
+}
+
+inline bool enough_seeds(const Question& q, Ledger& ledger, Findings& found) {
+  const bool plenty = !q.all() && found.shots.size() >= (q.first() ? 1 : settings::enough_to_compare);
+  found.plenty = found.plenty || plenty;
+  return plenty || ledger.spent();
+}
+
+inline bool enough_images(const Question& q, const Findings& found, bool shortest_first) {
+  if (satisfied(q, found)) return true;
+  if (q.all() || !shortest_first) return false;
+  return found.shots.size() >= (q.puzzle.prefer == Prefer::robust ? settings::enough_to_compare : 1);
+}
+
+inline bool route_settled(const Question& q, const Findings& found) {
+  return q.route && !q.all() && !found.shots.empty();
+}
+
+inline bool nothing_yet(const Ledger& ledger, const Findings& found) { return found.shots.empty() && !ledger.cut(); }
+
+/// Whether a step that finds more shots, and not just one, has its turn.
+inline bool more_wanted(const Question& q, const Ledger& ledger, const Findings& found) {
+  return (q.all() && !ledger.cut()) || nothing_yet(ledger, found);
+}
+
+}  // namespace bankshot::planning::stop

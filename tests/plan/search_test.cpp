@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+//
+// The parts of a search: what is charged, what a target's marks say, the searches in one dimension, Newton's method.
+#include <cmath>
+
+#include "bankshot/plan/planner.hpp"
+#include "planners/ledger.hpp"
+#include "planners/line_search.hpp"
+#include "planners/locked/newton.hpp"
+#include "planners/proof/replay.hpp"
+#include "support/catch.hpp"
+#include "support/random_puzzle.hpp"
+
+using namespace bankshot;
+using namespace bankshot::planning;
+
+TEST_CASE("a ledger charges paths by their bounces, and shares a budget evenly") {
+  Ledger ledger(100);
+  ledger.charge(0);
+  ledger.charge(31);
+  CHECK(ledger.simulations() == 2);
+  ledger.charge(64);
+  CHECK(ledger.simulations() == 5);
+  ledger.charge(32, 5);
+  CHECK(ledger.simulations() == 15);
+  ledger.begin_part(5);  // 85 are left, so 17
+  ledger.charge(0, 16);
+  CHECK_FALSE(ledger.spent());
+  ledger.charge(0);
+  CHECK(ledger.spent());
+  CHECK(ledger.cut());
+  CHECK_FALSE(ledger.exhausted());
+  ledger.begin_part(4);
+  CHECK_FALSE(ledger.cut());
+  CHECK(ledger.share_of_rest(0.5) == 32 + 8);
+}
+
+TEST_CASE("a target's marks: a point, one pocket, any pocket") {
+  Table table = rectangle_table(2, 1);
+  table.pockets = six_pockets(table, pool_7ft_mouth);
+  const Boundary boundary(table, {0.02});
+  const auto point = marks_of(PointTarget{{1, 0.5}, 0.03}, boundary);
+  REQUIRE(point.size() == 1);
+  CHECK(point[0].reach == 0.03);
+  CHECK_FALSE(point[0].captures());
+  CHECK(point[0].capture() == 0);
+  const auto one = marks_of(PocketTarget{2}, boundary);
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].taken_by == Contact::pocket(2));
+  CHECK(one[0].at == table.pockets[2].at);
+  CHECK(one[0].capture() == table.pockets[2].radius);
+  CHECK(marks_of(PocketTarget{}, boundary).size() == 6);
+  CHECK(marks_of(PocketTarget{9}, boundary).empty());
+  CHECK(in_words(PocketTarget{2}, table, false) == "into bottom-right");
+  CHECK(in_words(PocketTarget{}, table, false) == "into any pocket");
+  CHECK(in_words(PointTarget{}, table, true) == "to rest in the ring");
+}
+
+TEST_CASE("bisect closes in from either side, down to rounding") {
+  for (const double way : {1.0, -1.0}) {
+    double in = 0, out = way * 3;
+    int asked = 0;
+    bisect(
+        in, out, [](double, double) { return true; }, [&](double x) { return ++asked, x * x < 2; });
+    CHECK(in * way == Approx(std::sqrt(2.0)).epsilon(1e-15));
+    CHECK(std::abs(out - in) < 1e-15);
+    CHECK(asked < 60);
+  }
+  double slow = 1, fast = 16;
+  int asked = 0;
+  bisect(
+      slow, fast, [&](double, double) { return asked < 2; }, [&](double) { return ++asked, true; }, geometric_mean);
+  CHECK(slow == 8);
+}
+
+TEST_CASE("golden sections climb to a maximum between three points") {
+  struct Point {
+    double x, value;
+  };
+  const auto f = [](double x) { return Point{x, -(x - 0.3) * (x - 0.3)}; };
+  int asked = 0;
+  const Point best = climb(
+      f(-1), f(0.1), f(2), 1e-6, [&](double x, const Point&) { return ++asked, f(x); },
+      [](const Point&, const Point&, const Point&) { return false; });
+  CHECK(best.x == Approx(0.3).margin(1e-6));
+  CHECK(asked < 40);
+}
+
+TEST_CASE("Newton's method says how it ended") {
+  Puzzle p{.table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {.at = {0.5, 0.5}}};
+  p.target = PointTarget{{1.5, 0.3}};
+  const Question q(p);
+  const Route route{{0, Contact::rail(0)}};
+  const LockedAim aim{q, route, q.marks[0]};
+  const Launch near{1.2, radians(-40)};
+  Ledger ledger(1000);
+  const NewtonResult found = newton(aim, ledger, near, settings::wide);
+  REQUIRE(found);
+  CHECK(found.iterations < 12);
+  CHECK(ledger.simulations() >= found.iterations);
+  CHECK(linearise(aim, ledger, found.launch)->size() < 1e-12);
+  CHECK(newton(aim, ledger, near, Neighbourhood{1e-3, 1e-3}).status == NewtonStatus::left);
+  CHECK(newton(aim, ledger, {1.2, radians(90)}, settings::wide).status != NewtonStatus::converged);
+  const auto known = [](const Launch&, double) { return true; };
+  CHECK(newton(aim, ledger, near, settings::wide, known).status == NewtonStatus::known);
+}
+
+TEST_CASE("residuals have the derivatives that differences show") {
+  test::Random random(8);
+  int checked = 0;
+  for (int i = 0; i < 200; ++i) {
+    const test::Made made = test::random_puzzle(random, test::Family::uniform, test::Model::spin);
+    const Question q(made.puzzle);
+    Ledger ledger(100);
+    std::vector<Contact> contacts;
+    if (!replay(q, ledger, made.launch, Goal::exactly(q, made.bounces), &contacts).made) continue;
+    const Route route = route_by(contacts);
+    const LockedAim aim{q, route, q.marks[0]};
+    constexpr double h = 1e-6;
+    const auto at = linearise(aim, ledger, made.launch);
+    const auto turned = linearise(aim, ledger, {made.launch.speed, made.launch.angle + h});
+    const auto pushed = linearise(aim, ledger, {made.launch.speed * std::exp(h), made.launch.angle});
+    if (!at || !turned || !pushed) continue;
+    for (std::size_t k = 0; k < (q.one_unknown() ? 1u : 2u); ++k) {
+      const double by_aim = (turned->r[k] - at->r[k]) / h;
+      CAPTURE(i, k, made.launch.angle);
+      // A kink within the step spoils a difference, not the derivative: so most must agree, not each.
+      checked += std::abs(by_aim - at->by_aim(k)) < 1e-3 * (1 + std::abs(by_aim));
+      if (q.one_unknown()) continue;
+      const double by_speed = (pushed->r[k] - at->r[k]) / h;
+      checked += std::abs(by_speed - at->by_speed(k)) < 1e-3 * (1 + std::abs(by_speed));
+    }
+  }
+  CHECK(checked > 300);
+}
