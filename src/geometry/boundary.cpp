@@ -61,6 +61,8 @@ Boundary::Boundary(const Table& table, const Body& of) : body(of), diagonal(tabl
   for (const Vec2d& v : table.vertices) extent = std::max({extent, std::abs(v.x), std::abs(v.y)});
   touch = std::max(tolerance::touch * diagonal, tolerance::coordinate * extent);
   Obstacles there = obstacles(table);
+  walls.reserve(there.segments.size());
+  pockets.reserve(table.pockets.size());
   for (const Segment& s : there.segments) walls.push_back(moved(s, radius));
   segments_ = std::move(there.segments);
   for (std::size_t i = 0, n = walls.size(); i < n; ++i) {

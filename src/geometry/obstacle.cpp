@@ -26,12 +26,15 @@ Bend corner(const Segment& before, const Segment& after, const Vec2d& u, const V
 Obstacles obstacles(const Table& table) {
   Obstacles out;
   const std::size_t n = table.vertices.size();
+  out.segments.reserve(n);
   for (std::size_t i = 0; i < n; ++i)
     out.segments.push_back({table.vertices[i], table.vertices[(i + 1) % n], Contact::rail(static_cast<int>(i))});
+  Vec2d u = direction_of(out.segments.back());
   for (std::size_t i = 0; i < n; ++i) {
     const Segment &before = out.segments[(i + n - 1) % n], &after = out.segments[i];
-    const Vec2d u = direction_of(before), v = direction_of(after);
+    const Vec2d v = direction_of(after);
     if (cross(u, v) < 0) out.bends.push_back(corner(before, after, u, v, static_cast<int>(i)));
+    u = v;
   }
   return out;
 }
