@@ -14,9 +14,10 @@
 
 namespace bankshot {
 
-/// First t >= 0 at which gap + speed t + acceleration t²/2 falls through 0; `forever` if never.
+/// First t >= 0 at which gap + speed t + acceleration t²/2 falls through 0; `forever` if never. It is in every search
+/// for a cushion, and a call costs a tenth of a shot.
 template <class T>
-T first_descent(const T& gap, const T& speed, const T& acceleration) {
+[[gnu::always_inline]] inline T first_descent(const T& gap, const T& speed, const T& acceleration) {
   using std::sqrt;
   if (acceleration == T(0)) return speed < T(0) && !(gap < T(0)) ? T(gap / -speed) : T(forever);
   const T discriminant = speed * speed - T(2) * acceleration * gap;
