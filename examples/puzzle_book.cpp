@@ -40,13 +40,10 @@ std::string cushions(const Puzzle& p) {
 std::string question(const Puzzle& p) {
   const auto arrive = arrival_range(p);
   const std::string speed = p.speed.fixed() ? fmt::format(", struck at {:.2g} m/s", p.speed.low) : "";
-  if (const auto* target = std::get_if<PocketTarget>(&p.target))
-    return fmt::format("{} into {}{}", cushions(p),
-                       target->pocket ? p.table.pockets[static_cast<std::size_t>(*target->pocket)].name : "any pocket",
-                       speed);
-  if (!arrive) return fmt::format("{} through the ring{}", cushions(p), speed);
-  return cushions(p) +
-         (arrive->high == 0 ? ", to rest in the ring" : fmt::format(" through the ring at {:.2g} m/s", arrive->low));
+  const bool rests = !is_pocket(p.target) && arrive && arrive->high == 0;
+  const std::string asked = cushions(p) + (rests ? ", " : " ") + in_words(p.target, p.table, rests);
+  if (is_pocket(p.target) || !arrive) return asked + speed;
+  return rests ? asked : asked + fmt::format(" at {:.2g} m/s", arrive->low);
 }
 
 std::string scene(const Puzzle& p) {

@@ -121,14 +121,13 @@ std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boun
 }
 
 /// Valid as it is written, and worth asking: the target is a fifth of the diagonal away or more.
-bool is_sound(const Puzzle& p) {
+bool is_sound(const Puzzle& p, const Boundary& boundary) {
   try {
     validate(p);
   } catch (const InvalidInput&) {
     return false;
   }
   constexpr double near = 0.2;
-  const Boundary boundary(p.table, p.ball.body);
   const Mark mark = marks_of(p.target, boundary).front();
   return norm(mark.at - p.ball.at) >= near * boundary.diagonal;
 }
@@ -217,7 +216,7 @@ std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
     auto p = w.cushions.sequence ? from_target(r, w, boundary) : from_shot(r, w, boundary, pocket);
     if (!p) continue;
     tidy(*p);
-    if ((w.kind && kind_of(*p) != *w.kind) || !is_sound(*p)) continue;
+    if ((w.kind && kind_of(*p) != *w.kind) || !is_sound(*p, boundary)) continue;
     ++tries.solved;
     if (w.cushions.sequence && !has_quick_shot(*p)) {
       ++tries.no_shot;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "planners/locked/residual.hpp"
-#include "planners/locked/start.hpp"
+#include "planners/start.hpp"
 
 namespace bankshot::planning {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "bankshot/simulate/locked.hpp"
-#include "planners/locked/start.hpp"
+#include "planners/start.hpp"
 
 namespace bankshot::planning {
 namespace {

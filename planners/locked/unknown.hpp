@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a search may vary of a launch. To make another quantity an unknown (spin), it gets a name here, its difference
-// and its step, and its column of derivatives in start.hpp; nothing else knows which quantities there are.
+// and its step, and its column of derivatives in planners/start.hpp; nothing else knows which quantities there are.
 #pragma once
 
 #include <array>

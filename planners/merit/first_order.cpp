@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bankshot/simulate/locked.hpp"
-#include "planners/locked/start.hpp"
+#include "planners/start.hpp"
 
 namespace bankshot::planning {
 

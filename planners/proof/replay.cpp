@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bankshot/simulate/simulator.hpp"
+#include "planners/start.hpp"
 
 namespace bankshot::planning {
 namespace {
@@ -46,9 +47,7 @@ class Follower {
         tracing_(tracing),
         stop_(q.stop && !tracing),
         check_(goal.sequence),
-        sim_(q.boundary, motion, cushion,
-             launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, direction(launch.angle) * launch.speed,
-                      q.puzzle.spin)),
+        sim_(q.boundary, motion, cushion, start_of(q, launch)),
         out_{{}, SpeedAccount(deceleration(q.puzzle.physics))} {}
 
   Trace run(std::vector<Contact>* contacts) {
