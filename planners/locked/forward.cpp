@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planners/locked/forward.hpp"
 
-#include <ceres/jet.h>
-
+#include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/settings.hpp"
@@ -10,7 +9,7 @@
 namespace bankshot::planning {
 namespace {
 
-using Dual = ::ceres::Jet<double, 2>;
+using Dual = bankshot::Dual<2>;
 
 /// One path, and what it passes.
 class Follower {
@@ -40,7 +39,7 @@ class Follower {
       out_.route.push_back({0, e.contact});
       const Wall* const line = q_.boundary.line(e.contact);
       const Dual along = line ? dot(line->along, sim.state().at) : Dual(0);
-      out_.places.push_back({along.a, along.v(0)});
+      out_.places.push_back({along.a, along.v[0]});
       if (q_.route && out_.route.back() != (*q_.route)[bounces]) return;
     }
   }

@@ -9,24 +9,41 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 #include <ceres/tiny_solver.h>
-#include <ceres/tiny_solver_autodiff_function.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "bankshot/numbers/dual.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {
 
+/// As TinySolver asks for it: r and, where it is given, the Jacobian, column by column.
 template <int N>
 struct Residual {
+  using Scalar = double;
+  enum { NUM_RESIDUALS = N, NUM_PARAMETERS = N };
   const LockedAim& aim;
   double fixed_speed;
+
+  bool operator()(const double* x, double* r, double* jacobian) const {
+    if (!jacobian) return evaluate(x, r);
+    Dual<N> at[N], dual[N];
+    for (int i = 0; i < N; ++i) at[i] = Dual<N>(x[i], i);
+    evaluate(at, dual);
+    for (int k = 0; k < N; ++k) {
+      r[k] = dual[k].a;
+      for (int i = 0; i < N; ++i) jacobian[i * N + k] = dual[k].v[static_cast<std::size_t>(i)];
+    }
+    return true;
+  }
+
+ private:
   template <class T>
-  bool operator()(const T* x, T* r) const {
+  bool evaluate(const T* x, T* r) const {
     using std::exp;
     const T speed = N == 2 ? T(exp(x[N - 1])) : T(fixed_speed);
     const auto arrival = arrival_of(aim, start_of(aim.q, x[0], speed), aim.q.puzzle.physics);
@@ -40,18 +57,16 @@ template <int N>
 std::optional<Launch> minimise(const LockedAim& aim, Ledger& ledger, const Launch& seed) {
   using namespace settings::levenberg_marquardt;
   const Residual<N> residual{aim, seed.speed};
-  using Function = ::ceres::TinySolverAutoDiffFunction<Residual<N>, N, N>;
-  const Function function(residual);
-  ::ceres::TinySolver<Function> solver;
+  ::ceres::TinySolver<Residual<N>> solver;
   solver.options.max_num_iterations = most_iterations;
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = least_gradient;
   solver.options.parameter_tolerance = least_step;
   solver.options.cost_threshold = exact_cost;
-  typename ::ceres::TinySolver<Function>::Parameters x;
+  typename ::ceres::TinySolver<Residual<N>>::Parameters x;
   x(0) = seed.angle;
   if constexpr (N == 2) x(1) = std::log(seed.speed);
-  solver.Solve(function, &x);
+  solver.Solve(residual, &x);
   ledger.charge(aim.route.size(), 1 + 2 * solver.summary.iterations);
   if (!x.allFinite() || !(solver.summary.final_cost < converged_cost)) return {};
   double speed = seed.speed;

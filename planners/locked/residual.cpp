@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "planners/locked/residual.hpp"
 
-#include <ceres/jet.h>
-
 #include <algorithm>
 
+#include "bankshot/numbers/dual.hpp"
 #include "planners/locked/arrival.hpp"
 
 namespace bankshot::planning {
@@ -12,7 +11,7 @@ namespace {
 
 template <int N>
 std::optional<Linear> linearise(const LockedAim& aim, const Launch& launch) {
-  using Dual = ::ceres::Jet<double, N>;
+  using Dual = bankshot::Dual<N>;
   const auto arrival = arrival_of(aim, dual_start<Dual, N>(aim.q, launch), aim.q.puzzle.physics);
   Dual r[N];
   if (!arrival || !residuals_of<N>(aim, *arrival, r)) return {};

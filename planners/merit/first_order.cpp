@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "planners/merit/first_order.hpp"
 
-#include <ceres/jet.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
 
 void add_first_order(const Question& q, Shot& shot) {
-  using Dual = ::ceres::Jet<double, 2>;
+  using Dual = bankshot::Dual<2>;
   const Vec2d& target = shot.arrival.at;
   const State<Dual> start = dual_start<Dual, 2>(q, shot.launch);
   const Route route = route_by(shot.cushions);
@@ -26,8 +25,8 @@ void add_first_order(const Question& q, Shot& shot) {
     const Dual lateral = cross(u, to<Dual>(target) - arrival.state.at);
     return Vec2<Dual>{lateral * line.x, lateral * line.y};
   });
-  const Vec2d by_log_speed{end.x.v(1), end.y.v(1)};
-  shot.by_angle = {end.x.v(0), end.y.v(0)};
+  const Vec2d by_log_speed{end.x.v[1], end.y.v[1]};
+  shot.by_angle = {end.x.v[0], end.y.v[0]};
   shot.by_speed = by_log_speed / shot.launch.speed;
   shot.condition = std::max(norm(shot.by_angle), norm(by_log_speed));
   const Noise& noise = q.puzzle.noise;

@@ -78,7 +78,7 @@ RollingFriction read_rolling_friction(const Reader& r) {
 }
 
 /// `sliding_friction` of the cloth acts in mathavan2010 also during the impact.
-decltype(Physics::cushion) read_cushion(const Reader& r, const Body& body, Han2005 han, double sliding_friction) {
+decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
   constexpr std::array<std::string_view, 3> models{"han2005", "mathavan2010", "mirror"};
   r.only({"model", "restitution", "friction", "height"});
   std::size_t which = 0;
@@ -86,11 +86,6 @@ decltype(Physics::cushion) read_cushion(const Reader& r, const Body& body, Han20
   if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
   if (const auto v = r.find("friction")) han.friction = v->at_least(0);
   if (const auto v = r.find("height")) han.height = v->number();
-  const double R = body.radius;
-  if (!(han.height > R && han.height < 2 * R)) {
-    const Reader where = r.find("height").value_or(r);
-    where.fail(fmt::format("must lie between the ball's radius {} and its diameter {}", R, 2 * R));
-  }
   if (which == 2) return Mirror{han.restitution};
   if (which == 1)
     return Mathavan2010{.height = han.height,
@@ -102,7 +97,7 @@ decltype(Physics::cushion) read_cushion(const Reader& r, const Body& body, Han20
 
 Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body) {
   const TablePreset* preset = table.is_string() ? find_table_preset(table.text()) : nullptr;
-  Physics p = spin_physics(body, preset ? preset->nose_height : std::nullopt);
+  Physics p = spin_physics(body, preset ? std::optional(preset->nose()) : std::nullopt);
   SlideRoll& motion = std::get<SlideRoll>(p.motion);
   Han2005& cushion = std::get<Han2005>(p.cushion);
   if (!r) return p;
@@ -112,7 +107,7 @@ Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body
   if (const auto v = r->find("rolling_friction")) motion.rolling_friction = read_rolling_friction(*v);
   if (const auto v = r->find("spinning_friction")) motion.spinning_friction = v->at_least(0);
   if (const auto v = r->find("g")) motion.g = v->positive();
-  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, body, cushion, motion.sliding_friction);
+  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion, motion.sliding_friction);
   return p;
 }
 

@@ -9,7 +9,7 @@ namespace {
 Physics physics_of(std::string_view name, const TablePreset& preset) {
   if (name == "ideal") return ideal_physics();
   if (name == "rolling") return rolling_physics();
-  if (name == "spin") return spin_physics(preset.body, preset.nose_height);
+  if (name == "spin") return spin_physics(preset.body, preset.nose());
   throw InvalidInput("/physics", "there is no physics \"" + std::string(name) + "\"");
 }
 

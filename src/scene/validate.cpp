@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
@@ -68,9 +67,9 @@ void check_shape(const Table& t) {
 
 /// The first that stands earlier in the list as well.
 std::optional<std::size_t> second_of_a_name(const std::vector<std::string_view>& names) {
-  std::set<std::string_view> seen;
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (!seen.insert(names[i]).second) return i;
+    for (std::size_t j = 0; j < i; ++j)
+      if (names[i] == names[j]) return i;
   return {};
 }
 
@@ -118,6 +117,19 @@ void check_inside(const Boundary& b, const Vec2d& p, const std::string& path, st
                            show(p), what, b.body.radius, -clearance));
 }
 
+void check_nose(const Physics& physics, const Body& body) {
+  const double R = body.radius;
+  const auto check = [&](double height) {
+    if (!(height > R && height < 2 * R))
+      fail("/physics/cushion/height",
+           fmt::format("the nose of the cushions, {} m over the cloth, must lie between the ball's radius {} m and its "
+                       "diameter {} m",
+                       height, R, 2 * R));
+  };
+  if (const auto* han = std::get_if<Han2005>(&physics.cushion)) check(han->height);
+  if (const auto* mathavan = std::get_if<Mathavan2010>(&physics.cushion)) check(mathavan->height);
+}
+
 void check_physics(const Physics& physics, const Body& body) {
   const double e = restitution(physics).at_rest;
   if (!(e >= 0 && e <= 1)) fail("/physics/restitution", fmt::format("{} must be between 0 and 1", e));
@@ -129,6 +141,7 @@ void check_physics(const Physics& physics, const Body& body) {
       fail("/physics/sliding_friction", "must be finite and at least 0");
     if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law)
       fail("/physics/cushion", "a custom cushion needs a law");
+    check_nose(physics, body);
     const auto* c = std::get_if<Mathavan2010>(&physics.cushion);
     if (c && c->sliding_friction != m->sliding_friction)
       fail("/physics/cushion", fmt::format("the cloth's sliding friction is {} during an impact and {} between two",

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "truth/condition.hpp"
 
-#include <ceres/jet.h>
-
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "bankshot/numbers/dual.hpp"
 #include "truth/follow.hpp"
 
 namespace bankshot::truth {
 namespace {
 
-using Jet = ceres::Jet<double, 7>;
+using Dual = bankshot::Dual<7>;
 
 /// What a step of the simulator rounds or neglects, of the size of what it works on.
 double error_of_a_step(const Physics& p) {
@@ -23,20 +23,20 @@ double error_of_a_step(const Physics& p) {
 using Step = Eigen::Matrix<double, 7, 7>;
 
 /// The state with its seven numbers as the variables of derivation.
-State<Jet> seeded(State<Jet> s) {
-  Jet* const inputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
-  for (int k = 0; k < 7; ++k) *inputs[k] = Jet(inputs[k]->a, k);
+State<Dual> seeded(State<Dual> s) {
+  Dual* const inputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
+  for (int k = 0; k < 7; ++k) *inputs[k] = Dual(inputs[k]->a, k);
   return s;
 }
 
-Step jacobian_of(const State<Jet>& s) {
+Step jacobian_of(const State<Dual>& s) {
+  const Dual* const outputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
   Step j;
-  j << s.at.x.v.transpose(), s.at.y.v.transpose(), s.velocity.x.v.transpose(), s.velocity.y.v.transpose(),
-      s.spin.x.v.transpose(), s.spin.y.v.transpose(), s.spin.z.v.transpose();
+  for (int k = 0; k < 7; ++k) j.row(k) = Eigen::Map<const Eigen::Matrix<double, 1, 7>>(outputs[k]->v.data());
   return j;
 }
 
-double speed_scale(const State<Jet>& s, double radius) {
+double speed_scale(const State<Dual>& s, double radius) {
   return std::hypot(s.velocity.x.a, s.velocity.y.a) + radius * std::hypot(s.spin.x.a, s.spin.y.a, s.spin.z.a);
 }
 
@@ -90,8 +90,8 @@ Condition condition(const Run& run) {
   const double R = run.boundary.body.radius, extent = run.boundary.extent;
   Condition c;
   std::vector<Step> steps;
-  std::vector<double> scales{speed_scale(lift<Jet>(run.start), R)};
-  follow<Jet>(run, seeded(lift<Jet>(run.start)), [&](const Event& e, auto& sim) {
+  std::vector<double> scales{speed_scale(lift<Dual>(run.start), R)};
+  follow<Dual>(run, seeded(lift<Dual>(run.start)), [&](const Event& e, auto& sim) {
     c.events.push_back({e.kind, e.contact});
     steps.push_back(jacobian_of(sim.state()));
     scales.push_back(speed_scale(sim.before(), R));

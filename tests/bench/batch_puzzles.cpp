@@ -29,7 +29,7 @@ ShotRequest shot_that_stops(test::Random& r, bool spin, int bounces, Vec2d& end,
     // Grid positions of a tenth of a millimetre, as people and programs give them.
     const auto place = [&](double to) { return std::round(1e4 * r.uniform(R, to - R)) / 1e4; };
     s.ball.at = {place(size.x), place(size.y)};
-    s.physics = spin ? spin_physics(s.ball.body, preset.nose_height) : rolling_physics();
+    s.physics = spin ? spin_physics(s.ball.body, preset.nose()) : rolling_physics();
     s.launch = {r.log_uniform(0.5, 6), radians(r.uniform(0, 360))};
     const Trajectory t = simulate(s);
     if (t.end != EventKind::rest || t.cushions != bounces) continue;

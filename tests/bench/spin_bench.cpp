@@ -3,11 +3,10 @@
 // Cost of a shot with spin up to its n-th cushion, plain and with the derivatives by two parameters:
 // in the simulator and along a locked path. Quote the ratio of minima; the machine adds noise upwards.
 #include <benchmark/benchmark.h>
-#include <ceres/jet.h>
-
 #include <array>
 #include <vector>
 
+#include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/random_puzzle.hpp"
@@ -15,7 +14,7 @@
 namespace {
 
 using namespace bankshot;
-using Jet = ceres::Jet<double, 2>;
+using Dual = bankshot::Dual<2>;
 
 struct Case {
   Vec2d at;
@@ -106,11 +105,11 @@ void arrive(benchmark::State& state) {
 }
 
 void simulate_spin(benchmark::State& state) { simulate<double>(state); }
-void simulate_spin_derivatives(benchmark::State& state) { simulate<Jet>(state); }
+void simulate_spin_derivatives(benchmark::State& state) { simulate<Dual>(state); }
 void locked_spin(benchmark::State& state) { locked<double>(state); }
-void locked_spin_derivatives(benchmark::State& state) { locked<Jet>(state); }
+void locked_spin_derivatives(benchmark::State& state) { locked<Dual>(state); }
 void locked_arrival(benchmark::State& state) { arrive<double>(state); }
-void locked_arrival_derivatives(benchmark::State& state) { arrive<Jet>(state); }
+void locked_arrival_derivatives(benchmark::State& state) { arrive<Dual>(state); }
 
 BENCHMARK(simulate_spin)->Arg(1)->Arg(3);
 BENCHMARK(simulate_spin_derivatives)->Arg(1)->Arg(3);

@@ -2,8 +2,7 @@
 //
 // What every cushion owes: no energy gained, no ball driven on into it, the same in a mirror and turned,
 // twice as much from twice as much, the place untouched, derivatives, and the limits of restitution.
-#include <ceres/jet.h>
-
+#include "bankshot/numbers/dual.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"
 
@@ -60,7 +59,7 @@ TEMPLATE_LIST_TEST_CASE("a bounce is the same in a mirror, turned, and twice as 
 }
 
 TEMPLATE_LIST_TEST_CASE("derivatives of a bounce agree with differences", "", Cushions) {
-  using Jet = ceres::Jet<double, 7>;
+  using Dual = bankshot::Dual<7>;
   // Differences of an integrated impact have fewer digits.
   constexpr double digits = integration_error < TestType >> 0 ? 1e-6 : 1e-8;
   Random r(seed);
@@ -69,7 +68,7 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a bounce agree with differences", "", Cu
     const auto cushion = draw<TestType>(r);
     State<double> s = draw_state(r);
     s.velocity.y = -norm(s.velocity) * r.uniform(0.1, 0.9);
-    State<Jet> dual{to<Jet>(s.at), to<Jet>(s.velocity), {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
+    State<Dual> dual{to<Dual>(s.at), to<Dual>(s.velocity), {Dual(s.spin.x), Dual(s.spin.y), Dual(s.spin.z)}};
     for (int k = 0; k < 7; ++k) number_of(dual, k).v[k] = 1;
     cushion.bounce(body, dual, Vec2d{0, 1});
     const double V = scale_of(s), unit[] = {1, 1, V, V, V / ball_radius, V / ball_radius, V / ball_radius};

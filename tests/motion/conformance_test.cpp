@@ -2,10 +2,9 @@
 //
 // What every motion owes: no energy gained, the same in a mirror, turned and moved, phases that follow
 // each other without a jump, derivatives. Then the closed forms of a ball that slides and rolls.
-#include <ceres/jet.h>
-
 #include <limits>
 
+#include "bankshot/numbers/dual.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"
 
@@ -131,7 +130,7 @@ TEMPLATE_LIST_TEST_CASE("speed scales time, and its square length", "", Motions)
 }
 
 TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Motions) {
-  using Jet = ceres::Jet<double, 7>;
+  using Dual = bankshot::Dual<7>;
   Random r(seed);
   double worst = 0;
   int sharp = 0, all = 0;
@@ -140,9 +139,9 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Mo
     const State<double> s = draw_state_of(motion, r);
     const Arc<double> arc = motion.arc(body, s);
     const double t = (arc.duration < forever ? arc.duration : 1) * r.uniform(0.1, 0.8);
-    State<Jet> dual{to<Jet>(s.at), to<Jet>(s.velocity), {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
+    State<Dual> dual{to<Dual>(s.at), to<Dual>(s.velocity), {Dual(s.spin.x), Dual(s.spin.y), Dual(s.spin.z)}};
     for (int k = 0; k < 7; ++k) number_of(dual, k).v[k] = 1;
-    State<Jet> end = advance(motion, body, dual, motion.arc(body, dual), Jet(t));
+    State<Dual> end = advance(motion, body, dual, motion.arc(body, dual), Dual(t));
     const double V = scale_of(s), unit[] = {1, 1, V, V, V / ball_radius, V / ball_radius, V / ball_radius};
     // A ball that rolls goes on rolling when it is moved: its spin follows.
     const bool rolls = !TestType::straight && arc.end == PhaseEnd::rest;

@@ -2,11 +2,10 @@
 //
 // Rolling friction that grows with speed: the closed forms against a fine Runge-Kutta run, 50 digits and
 // their limit of constant friction.
-#include <ceres/jet.h>
-
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
 #include "bankshot/motion/slide_roll.hpp"
+#include "bankshot/numbers/dual.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 
@@ -73,14 +72,14 @@ TEST_CASE("no digit is lost where the growth of friction vanishes") {
 }
 
 TEST_CASE("derivatives of a slowed speed, also where rounding keeps Newton's method from settling") {
-  using Jet = ceres::Jet<double, 2>;
+  using Dual = bankshot::Dual<2>;
   test::Random random(7);
   double worst = 0;
   for (int i = 0; i < 3000; ++i) {
     const double a = random.log_uniform(0.01, 1), b = random.log_uniform(1e-6, 10), v0 = random.log_uniform(1e-3, 10);
     const Drag<double> d{a, b};
     const double s = d.length(v0, 0.0) * random.uniform(0.05, 0.95);
-    const Jet dual = d.speed_after(Jet(v0, 0), Jet(s, 1));
+    const Dual dual = d.speed_after(Dual(v0, 0), Dual(s, 1));
     // s = L(v0) − L(v) with L' = v/(A + B v), so dv/dv0 = v0 (A + B v)/(v (A + B v0)), dv/ds = −(A + B v)/v.
     const double v = dual.a, by_speed = v0 * (a + b * v) / (v * (a + b * v0)), by_length = -(a + b * v) / v;
     worst = std::max({worst, std::abs(dual.v[0] / by_speed - 1), std::abs(dual.v[1] / by_length - 1)});
@@ -101,12 +100,12 @@ TEST_CASE("an arc with drag ends at rest, and its derivatives are those of its n
   CHECK(arc.seconds(arc.duration) == Approx(std::log(1 + 0.01 / 0.008 * 2) / (0.01 * 9.81)).epsilon(1e-14));
   CHECK(arc.parameter(arc.seconds(0.3 * arc.duration)) == Approx(0.3 * arc.duration).epsilon(1e-13));
 
-  using Jet = ceres::Jet<double, 1>;
-  const Drag<Jet::Scalar> drag = arc.drag;
-  const Jet v0(2.0, 0);
+  using Dual = bankshot::Dual<1>;
+  const Drag<Dual::Scalar> drag = arc.drag;
+  const Dual v0(2.0, 0);
   const double s = 3, h = 1e-5;
-  CHECK(drag.speed_after(v0, Jet(s)).v[0] ==
+  CHECK(drag.speed_after(v0, Dual(s)).v[0] ==
         Approx((drag.speed_after(2 + h, s) - drag.speed_after(2 - h, s)) / (2 * h)).epsilon(1e-8));
-  CHECK(drag.length(v0, Jet(0.0)).v[0] ==
+  CHECK(drag.length(v0, Dual(0.0)).v[0] ==
         Approx((drag.length(2 + h, 0.0) - drag.length(2 - h, 0.0)) / (2 * h)).epsilon(1e-8));
 }

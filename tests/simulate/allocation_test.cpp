@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // No allocation while a shot is simulated (simulator.hpp, property 1): the global operator new is counted here.
-#include <ceres/jet.h>
-
 #include <array>
 #include <cstdlib>
 #include <new>
 
+#include "bankshot/numbers/dual.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/physics.hpp"
 #include "bankshot/simulate/locked.hpp"
@@ -68,7 +67,7 @@ void check_shot(const Boundary& boundary, const Motion& motion, const Cushion& c
 }  // namespace
 
 TEST_CASE("a simulation does not allocate, plain or with derivatives, on any table") {
-  using Jet = ceres::Jet<double, 2>;
+  using Dual = bankshot::Dual<2>;
   Table pocketed = rectangle_table(2, 1);
   pocketed.pockets = {{"far", {2, 1}, 0.06}};
   for (const Table& table :
@@ -81,10 +80,10 @@ TEST_CASE("a simulation does not allocate, plain or with derivatives, on any tab
     check_shot<double>(boundary, SlideRoll{}, Mathavan2010{});
     check_shot<double>(boundary, SlideRoll{}, CustomCushion{&user_law});
     check_shot<double>(boundary, SlideRoll{.rolling_friction = {0.008, 0.004}}, Han2005{});
-    check_shot<Jet>(boundary, SlideRoll{}, Han2005{});
-    check_shot<Jet>(boundary, SlideRoll{}, Mathavan2010{});
-    check_shot<Jet>(boundary, SlideRoll{}, CustomCushion{&user_law});
-    check_shot<Jet>(boundary, SlideRoll{.rolling_friction = {0.008, 0.004}}, Han2005{});
+    check_shot<Dual>(boundary, SlideRoll{}, Han2005{});
+    check_shot<Dual>(boundary, SlideRoll{}, Mathavan2010{});
+    check_shot<Dual>(boundary, SlideRoll{}, CustomCushion{&user_law});
+    check_shot<Dual>(boundary, SlideRoll{.rolling_friction = {0.008, 0.004}}, Han2005{});
   }
 }
 
@@ -93,7 +92,7 @@ TEST_CASE("a locked path does not allocate") {
   constexpr std::array route{Meeting{0, Contact::rail(1)}, Meeting{0, Contact::rail(2)}, Meeting{0, Contact::rail(3)}};
   const auto check = [&](const auto& motion, const auto& cushion) {
     const long before = allocations;
-    const auto path = follow_locked(boundary, motion, cushion, route, start<ceres::Jet<double, 2>>());
+    const auto path = follow_locked(boundary, motion, cushion, route, start<Dual<2>>());
     const long spent = allocations - before;
     CHECK(spent == 0);
     CHECK(path.end == LockedEnd::complete);

@@ -2,12 +2,11 @@
 //
 // Coefficients as dual numbers: where a shot ends, derived by what the cloth and the cushions are like, against
 // central differences of the plain simulator.
-#include <ceres/jet.h>
-
 #include <cstdio>
 #include <optional>
 #include <vector>
 
+#include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"
@@ -18,7 +17,7 @@ using namespace bankshot;
 namespace {
 
 enum { sliding, rolling, per_speed, spinning, restitution, with_speed, friction, height, coefficients };
-using Jet = ceres::Jet<double, coefficients>;
+using All = Dual<coefficients>;
 constexpr double usual[] = {0.2, 0.01, 0.002, 0.0127, 0.85, -0.02, 0.2, 0.0366};
 
 template <class C>
@@ -67,8 +66,8 @@ TEST_CASE("derivatives by the coefficients of cloth and cushions agree with diff
     const Start s{{r.uniform(0.1, 2.4), r.uniform(0.1, 1.1)},
                   direction(r.uniform(0, 6.28)) * r.uniform(2.5, 5),
                   {r.uniform(-1, 1), r.uniform(-1, 1), 0}};
-    Jet dual[coefficients];
-    for (int k = 0; k < coefficients; ++k) dual[k] = Jet(usual[k], k);
+    All dual[coefficients];
+    for (int k = 0; k < coefficients; ++k) dual[k] = All(usual[k], k);
     std::vector<Contact> met;
     const auto end = rest_of(boundary, s, dual, met);
     if (!end) continue;
@@ -106,15 +105,15 @@ TEST_CASE("derivatives by the coefficients of cloth and cushions agree with diff
 TEST_CASE("dual coefficients change no value, in the simulator nor along a locked path") {
   const Boundary boundary(rectangle_table(2.54, 1.27), {});
   const Start s{{0.6, 0.4}, {3.1, 2.2}, {0.3, -0.5, 0.1}};
-  Jet dual[coefficients];
-  for (int k = 0; k < coefficients; ++k) dual[k] = Jet(usual[k], k);
+  All dual[coefficients];
+  for (int k = 0; k < coefficients; ++k) dual[k] = All(usual[k], k);
   std::vector<Contact> met;
   const auto with = rest_of(boundary, s, dual, met);
   const auto without = rest_of(boundary, s, usual, met);
   REQUIRE((with && without));
   CHECK(with->x.a == Approx(without->x).epsilon(1e-13));
   CHECK(with->y.a == Approx(without->y).epsilon(1e-13));
-  const auto path = follow_locked(boundary, motion_of(dual), cushion_of(dual), route_by(met), start_of<Jet>(s, {}));
+  const auto path = follow_locked(boundary, motion_of(dual), cushion_of(dual), route_by(met), start_of<All>(s, {}));
   CHECK(path.end == LockedEnd::complete);
   CHECK(path.state.at.x.v[friction] != 0);
 }
@@ -127,7 +126,7 @@ TEST_CASE("without spin too: rolling friction and restitution of a mirror") {
     }
     return sim.state().at;
   };
-  using Two = ceres::Jet<double, 2>;
+  using Two = Dual<2>;
   const Vec2<Two> end = rest(Two(0.01, 0), Two(0.85, 1));
   const auto by_friction = test::ridders([&](double h) { return rest(0.01 + h, 0.85).x; }, 1e-5);
   const auto by_restitution = test::ridders([&](double h) { return rest(0.01, 0.85 + h).x; }, 1e-4);

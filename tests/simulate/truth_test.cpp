@@ -2,10 +2,9 @@
 //
 // The simulator's property 6 and its derivatives, held against 50 digits on random shots of every family.
 // The worst ratio is printed; `shots --truth N` does the same for any number of shots.
-#include <ceres/jet.h>
-
 #include <cstdio>
 
+#include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
@@ -69,13 +68,13 @@ TEST_CASE("derivatives through every event agree with differences in 50 digits")
 }
 
 TEST_CASE("two dual numbers give the columns that seven give") {
-  using Jet = ceres::Jet<double, 2>;
+  using Dual = bankshot::Dual<2>;
   const ShotRequest shot = spin_shot({0.5, 0.3}, 4, 40, {.top = 0.3, .side = 0.8});
   const Boundary boundary(shot.table, shot.ball.body);
   const State<double> s = start_state(shot);
   const Condition c = condition({boundary, shot.physics, s, 3});
-  State<Jet> dual{
-      to<Jet>(s.at), {Jet(s.velocity.x, 0), Jet(s.velocity.y, 1)}, {Jet(s.spin.x), Jet(s.spin.y), Jet(s.spin.z)}};
+  State<Dual> dual{
+      to<Dual>(s.at), {Dual(s.velocity.x, 0), Dual(s.velocity.y, 1)}, {Dual(s.spin.x), Dual(s.spin.y), Dual(s.spin.z)}};
   Simulator sim(boundary, std::get<SlideRoll>(shot.physics.motion), std::get<Han2005>(shot.physics.cushion), dual);
   for (int cushions = 0; cushions < 3;) cushions += sim.step().kind == EventKind::cushion;
   for (int k = 0; k < 2; ++k) {

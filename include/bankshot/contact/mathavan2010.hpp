@@ -40,11 +40,11 @@ struct Mathavan2010 {
   mathavan::Course course(const Body& body, State<T>& s, const Vec2<N>& normal) const {
     const Vec2<T> away = to<T>(normal);
     InCushionFrame<T> f = into_frame(s, away);
-    const double approach = mathavan::value(f.vn);
+    const double approach = mathavan::as_double(f.vn);
     const double radius = body.radius;
     const T R(radius);
-    const double w2 = mathavan::value(T(f.wn * f.wn + f.wt * f.wt + f.wz * f.wz)) * radius * radius;
-    const double fast = std::sqrt(mathavan::value(dot(s.velocity, s.velocity)) + w2);
+    const double w2 = mathavan::as_double(T(f.wn * f.wn + f.wt * f.wt + f.wz * f.wz)) * radius * radius;
+    const double fast = std::sqrt(mathavan::as_double(dot(s.velocity, s.velocity)) + w2);
     if (!(approach > 0)) return {};
     const T e = restitution(f.vn);
     if (!(approach > bankshot::tolerance::along * fast)) {

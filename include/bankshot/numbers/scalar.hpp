@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What the simulator asks of a scalar T: +, −, ·, /, comparisons and sqrt, found by argument-dependent
-// lookup. Three kinds are used: double, a dual number (a value with derivatives, such as ceres::Jet,
-// which no header here names), and a number of 50 digits.
+// lookup. Three kinds are used: double, a dual number (a value with derivatives: dual.hpp, or any that
+// looks like it, such as ceres::Jet), and a number of 50 digits.
 //  1. Coefficients of a law are doubles; their products are formed in Real<T>, so that in 50 digits
 //     nothing is rounded to double on the way, and a dual number is multiplied by plain numbers. Where a law is
 //     made of dual coefficients, to derive by them, they enter a computation in the same dual number as such.

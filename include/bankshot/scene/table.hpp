@@ -54,7 +54,9 @@ struct TablePreset {
   double length, width;                 ///< playing area [m]
   Body body;                            ///< the ball
   std::optional<Mouth> mouth;           ///< no pockets without
-  std::optional<double> nose_height{};  ///< of the cushions over the cloth [m]; without, 1.28 R
+  std::optional<double> nose_height{};  ///< of the cushions over the cloth [m]; without, 1.28 R of that ball
+
+  double nose() const { return nose_height.value_or(1.28 * body.radius); }
 };
 
 /// Sources: WPA equipment specification, WPBSA and UMB rules; `seed` is the seed article's table.

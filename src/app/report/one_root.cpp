@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/report/one_root.hpp"
 
-#include <ceres/jet.h>
 #if BANKSHOT_NLOPT
 #include <nlopt.h>
 #endif
@@ -11,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "bankshot/numbers/dual.hpp"
 #include "planners/images/unfold.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/locked/newton.hpp"
@@ -20,8 +20,6 @@ namespace bankshot::app::report {
 namespace {
 
 using namespace planning;
-
-using Jet = ::ceres::Jet<double, 2>;
 
 /// Where the ball rests, less the target [m], as a function of aim and ln speed; counts and keeps the best.
 struct Path {
@@ -48,9 +46,9 @@ struct Path {
 };
 
 std::optional<Linear> by_dual_numbers(Path& p, double angle, double log_speed) {
-  const auto r = p.off(Jet(angle, 0), Jet(log_speed, 1));
+  const auto r = p.off(Dual<2>(angle, 0), Dual<2>(log_speed, 1));
   if (!r) return {};
-  const Jet both[] = {r->x, r->y};
+  const Dual<2> both[] = {r->x, r->y};
   return linear<2>(both);
 }
 

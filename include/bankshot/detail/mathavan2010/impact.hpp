@@ -26,11 +26,11 @@ class Impact : private Straight<T> {
   }
 
   void run(const T& restitution) {
-    phase(1, T(0), value(restitution));
+    phase(1, T(0), as_double(restitution));
     if (course_.jams) return;
     const T target = restitution * restitution * work_;
     vy_ = work_ = T(0);
-    if (value(target) > 0) phase(-1, target, value(restitution));
+    if (as_double(target) > 0) phase(-1, target, as_double(restitution));
   }
 
   const Course& course() const { return course_; }
@@ -54,17 +54,17 @@ class Impact : private Straight<T> {
     sign_ = sign;
     target_ = target;
     for (Contact* k : {&e_.cushion, &e_.cloth})
-      if (k->slip == Slip::slides && value(k->size) <= tolerance_) k->slip = Slip::sticks;
+      if (k->slip == Slip::slides && as_double(k->size) <= tolerance_) k->slip = Slip::sticks;
     settle();
     for (;;) {
       if (course_.steps++ > most_steps) course_.jams = true;
       e_.begin();
-      if (!(value(e_.vy_rate[0]) < 0)) course_.jams = true;
+      if (!(as_double(e_.vy_rate[0]) < 0)) course_.jams = true;
       // A cushion that sticks can leave the cloth no load only where no friction force is consistent.
-      if (!e_.cushion.moves() && value(e_.q[0]) < 0) course_.jams = true;
+      if (!e_.cushion.moves() && as_double(e_.q[0]) < 0) course_.jams = true;
       if (course_.jams) return;
-      const double rate = -value(e_.vy_rate[0]);
-      left_ = sign > 0 ? value(vy_) / rate : std::max(e + value(vy_), 0.0) / rate;
+      const double rate = -as_double(e_.vy_rate[0]);
+      left_ = sign > 0 ? as_double(vy_) / rate : std::max(e + as_double(vy_), 0.0) / rate;
       bool done = false;
       if (!straight(done)) done = curved();
       if (done) return;
@@ -102,9 +102,9 @@ class Impact : private Straight<T> {
     for (int i = 0; i < 2; ++i) {
       const Contact& k = i == 0 ? e_.cushion : e_.cloth;
       if (!k.moves()) continue;
-      const double rate = std::abs(value(k.along[0])) + std::abs(value(k.across[0]));
-      if (!(value(k.size) < soonest * rate)) continue;
-      soonest = value(k.size) / rate;
+      const double rate = std::abs(as_double(k.along[0])) + std::abs(as_double(k.across[0]));
+      if (!(as_double(k.size) < soonest * rate)) continue;
+      soonest = as_double(k.size) / rate;
       clock = i;
     }
     return e_.cushion.moves() ? clock : 1;
@@ -115,7 +115,8 @@ class Impact : private Straight<T> {
     double unit = left_ + tolerance_;
     for (const Contact* k : {&e_.cushion, &e_.cloth})
       if (k->slip == Slip::slides)
-        unit = std::min(unit, value(k->size) / (std::abs(value(k->along[0])) + std::abs(value(k->across[0]))));
+        unit =
+            std::min(unit, as_double(k->size) / (std::abs(as_double(k->along[0])) + std::abs(as_double(k->across[0]))));
     return unit;
   }
 
@@ -124,7 +125,7 @@ class Impact : private Straight<T> {
   template <class Series>
   double reach(const Series& s, int clock) const {
     constexpr double close = 1e-3;
-    const double size = clock < 0 ? 1 : value(e_.contact(static_cast<std::size_t>(clock)).size);
+    const double size = clock < 0 ? 1 : as_double(e_.contact(static_cast<std::size_t>(clock)).size);
     const double allowed = tolerance_ * share * std::min(1.0, size / close);
     double length = clock_limit(clock);
     for (const int n : {order_ - 1, order_}) {
@@ -135,11 +136,11 @@ class Impact : private Straight<T> {
   }
 
   double clock_limit(int clock) const {
-    double longest = (2 * left_ + tolerance_) / value(e_.unit);
+    double longest = (2 * left_ + tolerance_) / as_double(e_.unit);
     for (int i = 0; i < 2; ++i) {
       const Contact& k = i == 0 ? e_.cushion : e_.cloth;
-      if (k.slip != Slip::slides || !(value(k.along[0]) < 0)) continue;
-      const double zero = -value(k.size) / (value(k.along[0]) * value(e_.unit));
+      if (k.slip != Slip::slides || !(as_double(k.along[0]) < 0)) continue;
+      const double zero = -as_double(k.size) / (as_double(k.along[0]) * as_double(e_.unit));
       constexpr double e_folds = 8, nearly = 0.9;
       if (i == clock) return e_folds * zero;
       longest = std::min(longest, nearly * zero);
@@ -165,14 +166,14 @@ class Impact : private Straight<T> {
       if (k.moves()) continue;
       const auto outside = [&](double x) {
         const Vec2<T> f = s.friction(i, order_, T(x));
-        return value(margin(k, f.x, f.y, evaluate(s.q, order_ - 1, T(x)))) > rounding();
+        return as_double(margin(k, f.x, f.y, evaluate(s.q, order_ - 1, T(x)))) > rounding();
       };
       if (outside(length)) {
         length = first_outside(length, outside);
         leaves = &k;
       }
     }
-    const auto turned = [&](double x) { return (value(evaluate(s.q, order_ - 1, T(x))) < 0) != e_.lifted; };
+    const auto turned = [&](double x) { return (as_double(evaluate(s.q, order_ - 1, T(x))) < 0) != e_.lifted; };
     if (e_.cushion.moves() && turned(length)) {
       length = first_outside(length, turned);
       loads = true;
@@ -180,7 +181,7 @@ class Impact : private Straight<T> {
     }
     const auto& a = sign_ > 0 ? s.vy : s.work;
     const T goal = sign_ > 0 ? T(0) : target_;
-    const double off = value(T(evaluate(a, order_, T(length)) - goal));
+    const double off = as_double(T(evaluate(a, order_, T(length)) - goal));
     if (sign_ > 0 ? off <= 0 : off >= 0) {
       constexpr double safe = 1e-7;
       move(s, root(a, order_, goal, length, tolerance_ * safe));

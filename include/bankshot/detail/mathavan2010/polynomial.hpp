@@ -4,6 +4,7 @@
 // root. One source for double, dual numbers and 50 digits; what is decided is decided on the double.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -13,7 +14,7 @@ namespace bankshot::mathavan {
 
 /// The number itself, without derivatives or further digits: decisions are taken on it.
 template <class T>
-double value(const T& x) {
+double as_double(const T& x) {
   if constexpr (requires { x.a; })
     return static_cast<double>(x.a);
   else
@@ -23,11 +24,9 @@ double value(const T& x) {
 /// What an error estimate sees of x: derivatives, where there are any, to three digits less.
 template <class T>
 double magnitude(const T& x) {
-  double size = value(x) < 0 ? -value(x) : value(x);
-  if constexpr (requires { x.v.cwiseAbs().maxCoeff(); }) {
-    const double by_derivative = 1e-3 * x.v.cwiseAbs().maxCoeff();
-    if (by_derivative > size) size = by_derivative;
-  }
+  double size = as_double(x) < 0 ? -as_double(x) : as_double(x);
+  if constexpr (has_derivatives<T>)
+    for (const double d : x.v) size = std::max(size, 1e-3 * (d < 0 ? -d : d));
   return size;
 }
 
@@ -74,18 +73,18 @@ template <class T>
 T root(const Series<T>& a, int order, const T& goal, double length, double off) {
   double low = 0, high = length;
   T x(length);
-  const bool rises = value(goal) > value(a[0]);
+  const bool rises = as_double(goal) > as_double(a[0]);
   constexpr int most = 100;
   bool last = false;
   for (int i = 0; i < most; ++i) {
     const T miss = evaluate(a, order, x) - goal;
-    ((value(miss) > 0) == rises ? high : low) = value(x);
+    ((as_double(miss) > 0) == rises ? high : low) = as_double(x);
     T next = x - miss / slope(a, order, x);
-    const double v = value(next);
+    const double v = as_double(next);
     // Near the root the bracket, kept in double, says no more.
     constexpr double near = 1e-10;
-    if (!(v > low && v < high) && !(std::abs(v - value(x)) <= near * length)) next = T((low + high) / 2);
-    const double moved = std::abs(value(T(next - x)));
+    if (!(v > low && v < high) && !(std::abs(v - as_double(x)) <= near * length)) next = T((low + high) / 2);
+    const double moved = std::abs(as_double(T(next - x)));
     x = next;
     if (last) return x;
     last = moved * moved <= off * length * length;

@@ -65,8 +65,9 @@ struct Slide {
 
   /// Size of the terms of order n.
   double term(std::size_t n) const {
-    double most = std::max(std::abs(value(vy[n])), std::abs(value(work[n])));
-    for (std::size_t k = 0; k < 2; ++k) most = std::max({most, std::abs(value(x[n][k])), std::abs(value(y[n][k]))});
+    double most = std::max(std::abs(as_double(vy[n])), std::abs(as_double(work[n])));
+    for (std::size_t k = 0; k < 2; ++k)
+      most = std::max({most, std::abs(as_double(x[n][k])), std::abs(as_double(y[n][k]))});
     return most;
   }
 

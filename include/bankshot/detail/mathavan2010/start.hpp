@@ -186,14 +186,14 @@ struct Start {
 
   /// Size of the terms of order n.
   double term(std::size_t n) const {
-    double most = std::max(std::abs(value(vy[n])), std::abs(value(work[n])));
+    double most = std::max(std::abs(as_double(vy[n])), std::abs(as_double(work[n])));
     for (const Contact<T>* k : {&cushion, &cloth}) {
       if (!k->moves()) continue;
       const bool starts = k->slip == Slip::starts;
       const std::size_t m = starts ? n - 1 : n;
-      const double size = starts ? std::abs(value(k->r[1])) : value(k->size);
-      most = std::max(most, std::abs(value(k->r[n])));
-      most = std::max(most, size * std::max(std::abs(value(k->fx[m])), std::abs(value(k->fy[m]))));
+      const double size = starts ? std::abs(as_double(k->r[1])) : as_double(k->size);
+      most = std::max(most, std::abs(as_double(k->r[n])));
+      most = std::max(most, size * std::max(std::abs(as_double(k->fx[m])), std::abs(as_double(k->fy[m]))));
     }
     return most;
   }

@@ -24,8 +24,8 @@ class Straight : protected Switches<T> {
     for (const Contact* k : {&e_.cushion, &e_.cloth}) {
       if (!k->moves()) continue;
       if (k->slip == Slip::starts) return false;
-      const double swing = magnitude(k->across[0]), r = value(k->size) + std::min(0.0, value(k->along[0])) * dp;
-      const double pull = std::min(1.0, 3.5 * value(k == &e_.cushion ? e_.nose.mu_w : e_.nose.mu_s));
+      const double swing = magnitude(k->across[0]), r = as_double(k->size) + std::min(0.0, as_double(k->along[0])) * dp;
+      const double pull = std::min(1.0, 3.5 * as_double(k == &e_.cushion ? e_.nose.mu_w : e_.nose.mu_s));
       const double off = pull * (r > dp * swing ? dp * dp * swing / r : dp * swing);
       if (off > tolerance_ * share) return false;
     }
@@ -47,9 +47,9 @@ class Straight : protected Switches<T> {
     Contact* ends = nullptr;
     for (Contact* k : {&e_.cushion, &e_.cloth}) {
       if (k->slip == Slip::starts) return false;
-      if (k->slip != Slip::slides || !(value(k->along[0]) < 0)) continue;
+      if (k->slip != Slip::slides || !(as_double(k->along[0]) < 0)) continue;
       const T zero = k->size / -k->along[0];
-      if (!(value(zero) < value(dp) - tolerance_ * share)) continue;
+      if (!(as_double(zero) < as_double(dp) - tolerance_ * share)) continue;
       dp = zero;
       ends = k;
     }
@@ -57,7 +57,7 @@ class Straight : protected Switches<T> {
       if (!mean_directions(*ends, dp)) return false;
       e_.forces(0);
       dp = ends->size / -(ends->ax[0] * ends->direction.x + ends->ay[0] * ends->direction.y);
-    } else if (!constant_over(value(dp))) {
+    } else if (!constant_over(as_double(dp))) {
       return false;
     }
     advance_straight(dp, ends);
@@ -85,12 +85,12 @@ class Straight : protected Switches<T> {
   bool mean_directions(Contact& ends, const T& dp) {
     Contact& other = &ends == &e_.cushion ? e_.cloth : e_.cushion;
     const T kappa = e_.stiffness(ends), firm = kappa - ends.along[0];
-    if (!(value(firm) > 0)) return false;
+    if (!(as_double(firm) > 0)) return false;
     const T turn = ends.across[0] / firm, swing = other.moves() ? T(other.across[0] * dp / other.size) : T(0);
     // A derivative may grow without bound towards r = 0; far below the tolerance it no longer decides.
     constexpr double far_below = 1e-3;
     const bool small = magnitude(T(dp * (turn * turn + swing * swing))) <= tolerance_ * share;
-    if (!small && !(value(dp) <= tolerance_ * far_below)) return false;
+    if (!small && !(as_double(dp) <= tolerance_ * far_below)) return false;
     const auto rotate = [](Contact& k, const T& by) {
       const Vec2<T> d = k.direction + perpendicular(k.direction) * by;
       const T size = norm(d);

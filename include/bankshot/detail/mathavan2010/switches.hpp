@@ -37,7 +37,7 @@ class Switches {
     using std::sqrt;
     k.slip = Slip::sticks;
     const T square = dot(slip, slip);
-    if (!(value(square) > zero * zero)) return;
+    if (!(as_double(square) > zero * zero)) return;
     k.slip = Slip::slides;
     k.size = sqrt(square);
     k.direction = slip / k.size;
@@ -69,7 +69,7 @@ class Switches {
       for (Contact* k : {&e_.cushion, &e_.cloth})
         if (!k->moves()) {
           e_.begin();
-          if (value(margin(*k)) > rounding()) start(*k);
+          if (as_double(margin(*k)) > rounding()) start(*k);
         }
     load();
     note();
@@ -78,7 +78,7 @@ class Switches {
   void load() {
     e_.lifted = false;
     if (!e_.cushion.moves()) return;
-    e_.lifted = value(e_.nose.sine + e_.nose.mu_w * e_.nose.cosine * e_.cushion.direction.y) < 0;
+    e_.lifted = as_double(e_.nose.sine + e_.nose.mu_w * e_.nose.cosine * e_.cushion.direction.y) < 0;
   }
 
   /// From no slip at all (only where vy = 0, in the plane of a head-on shot): the motion stays in that
@@ -94,8 +94,8 @@ class Switches {
         c.direction = {T(0), T(cloth)};
         load();
         e_.begin();
-        const bool fits_w = w.moves() ? value(e_.cushion.along[0]) > 0 : value(margin(w)) <= 0;
-        const bool fits_c = c.moves() ? value(e_.cloth.along[0]) > 0 : value(margin(c)) <= 0;
+        const bool fits_w = w.moves() ? as_double(e_.cushion.along[0]) > 0 : as_double(margin(w)) <= 0;
+        const bool fits_c = c.moves() ? as_double(e_.cloth.along[0]) > 0 : as_double(margin(c)) <= 0;
         if (fits_w && fits_c) return;
       }
     course_.jams = true;
@@ -114,19 +114,19 @@ class Switches {
       load();
       e_.begin();
       const T kappa = e_.stiffness(k);
-      if (!(std::abs(value(kappa)) > 0)) return;
+      if (!(std::abs(as_double(kappa)) > 0)) return;
       T turn = k.across[0] / kappa;
       constexpr double far = 0.5;
-      if (std::abs(value(turn)) > far) turn = T(value(turn) > 0 ? far : -far);
+      if (std::abs(as_double(turn)) > far) turn = T(as_double(turn) > 0 ? far : -far);
       const Vec2<T> d = k.direction + perpendicular(k.direction) * turn;
       k.direction = d / norm(d);
       if (last) return;
-      last = value(turn) * value(turn) <= tolerance_;
+      last = as_double(turn) * as_double(turn) <= tolerance_;
     }
   }
 
   /// Forces are recomputed after a switch that was located on them: rounding must not decide.
-  double rounding() const { return 1e-14 * value(e_.nose.mu_w * e_.nose.mu_w); }
+  double rounding() const { return 1e-14 * as_double(e_.nose.mu_w * e_.nose.mu_w); }
 
   double tolerance_;
   T vy_{}, work_{0}, target_{0};
