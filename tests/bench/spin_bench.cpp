@@ -34,8 +34,10 @@ State<T> start_of(const Case& c) {
   const Vec2d v = direction(c.angle) * c.speed;
   Vec2<T> velocity = to<T>(v);
   if constexpr (!std::is_same_v<T, double>) {
-    velocity.x.v = {-v.y, v.x};
-    velocity.y.v = {v.x, v.y};
+    velocity.x.v[0] = -v.y;
+    velocity.x.v[1] = v.x;
+    velocity.y.v[0] = v.x;
+    velocity.y.v[1] = v.y;
   }
   return launched(c.at, 0.028575, velocity, c.spin);
 }

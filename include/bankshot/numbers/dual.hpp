@@ -11,89 +11,91 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace bankshot {
+
+/// Two derivatives at once, which compilers do not put together by themselves.
+typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
+
+template <int N>
+struct DerivativesOf {
+  using type = std::array<double, N>;
+};
+template <>
+struct DerivativesOf<2> {
+  using type = Pair;
+};
+template <int N>
+using Derivatives = typename DerivativesOf<N>::type;
 
 template <int N>
 struct Dual {
   using Scalar = double;
 
-  double a = 0;               ///< the value
-  std::array<double, N> v{};  ///< its derivative by each variable
+  double a = 0;  ///< the value
+  /// Its derivative by each variable. Aligned: a pair that is read across two copied halves is waited for.
+  Derivatives<N> v{};
 
   constexpr Dual() = default;
   explicit constexpr Dual(double value) : a(value) {}
   /// The variable number k.
   constexpr Dual(double value, int k) : a(value) { v[static_cast<std::size_t>(k)] = 1; }
 
-  /// A value, and derivatives made one by one.
-  template <class Derivative>
-  static constexpr Dual make(double value, Derivative&& derivative) {
-    Dual out;
-    out.a = value;
-    for (std::size_t k = 0; k < N; ++k) out.v[k] = derivative(k);
-    return out;
+  friend Dual operator+(const Dual& f) { return f; }
+  friend Dual operator-(const Dual& f) {
+    return each(-f.a, f, f, [](auto df, auto) { return -df; });
   }
 
-  friend constexpr Dual operator+(const Dual& f) { return f; }
-  friend constexpr Dual operator-(const Dual& f) {
-    return make(-f.a, [&](std::size_t k) { return -f.v[k]; });
+  friend Dual operator+(const Dual& f, const Dual& g) {
+    return each(f.a + g.a, f, g, [](auto df, auto dg) { return df + dg; });
   }
-
-  friend constexpr Dual operator+(const Dual& f, const Dual& g) {
-    return make(f.a + g.a, [&](std::size_t k) { return f.v[k] + g.v[k]; });
+  friend Dual operator-(const Dual& f, const Dual& g) {
+    return each(f.a - g.a, f, g, [](auto df, auto dg) { return df - dg; });
   }
-  friend constexpr Dual operator-(const Dual& f, const Dual& g) {
-    return make(f.a - g.a, [&](std::size_t k) { return f.v[k] - g.v[k]; });
+  friend Dual operator*(const Dual& f, const Dual& g) {
+    return each(f.a * g.a, f, g, [&](auto df, auto dg) { return f.a * dg + df * g.a; });
   }
-  friend constexpr Dual operator*(const Dual& f, const Dual& g) {
-    return make(f.a * g.a, [&](std::size_t k) { return f.a * g.v[k] + f.v[k] * g.a; });
-  }
-  friend constexpr Dual operator/(const Dual& f, const Dual& g) {
+  friend Dual operator/(const Dual& f, const Dual& g) {
     const double inverse = 1 / g.a, ratio = f.a * inverse;
-    return make(ratio, [&](std::size_t k) { return (f.v[k] - ratio * g.v[k]) * inverse; });
+    return each(ratio, f, g, [&](auto df, auto dg) { return (df - ratio * dg) * inverse; });
   }
 
-  friend constexpr Dual operator+(Dual f, double s) { return f.a += s, f; }
-  friend constexpr Dual operator+(double s, Dual f) { return f.a += s, f; }
-  friend constexpr Dual operator-(Dual f, double s) { return f.a -= s, f; }
-  friend constexpr Dual operator-(double s, const Dual& f) {
-    return make(s - f.a, [&](std::size_t k) { return -f.v[k]; });
+  friend Dual operator+(Dual f, double s) { return f.a += s, f; }
+  friend Dual operator+(double s, Dual f) { return f.a += s, f; }
+  friend Dual operator-(Dual f, double s) { return f.a -= s, f; }
+  friend Dual operator-(double s, const Dual& f) {
+    return each(s - f.a, f, f, [](auto df, auto) { return -df; });
   }
-  friend constexpr Dual operator*(const Dual& f, double s) {
-    return make(f.a * s, [&](std::size_t k) { return f.v[k] * s; });
-  }
-  friend constexpr Dual operator*(double s, const Dual& f) { return f * s; }
-  friend constexpr Dual operator/(const Dual& f, double s) { return f * (1 / s); }
-  friend constexpr Dual operator/(double s, const Dual& g) {
-    const double slope = -s / (g.a * g.a);
-    return make(s / g.a, [&](std::size_t k) { return g.v[k] * slope; });
-  }
+  friend Dual operator*(const Dual& f, double s) { return f.through(f.a * s, s); }
+  friend Dual operator*(double s, const Dual& f) { return f.through(f.a * s, s); }
+  friend Dual operator/(const Dual& f, double s) { return f * (1 / s); }
+  friend Dual operator/(double s, const Dual& g) { return g.through(s / g.a, -s / (g.a * g.a)); }
 
-  constexpr Dual& operator+=(const Dual& g) { return *this = *this + g; }
-  constexpr Dual& operator-=(const Dual& g) { return *this = *this - g; }
-  constexpr Dual& operator*=(const Dual& g) { return *this = *this * g; }
-  constexpr Dual& operator/=(const Dual& g) { return *this = *this / g; }
-  constexpr Dual& operator+=(double s) { return *this = *this + s; }
-  constexpr Dual& operator-=(double s) { return *this = *this - s; }
-  constexpr Dual& operator*=(double s) { return *this = *this * s; }
-  constexpr Dual& operator/=(double s) { return *this = *this / s; }
+  Dual& operator+=(const Dual& g) { return *this = *this + g; }
+  Dual& operator-=(const Dual& g) { return *this = *this - g; }
+  Dual& operator*=(const Dual& g) { return *this = *this * g; }
+  Dual& operator/=(const Dual& g) { return *this = *this / g; }
+  Dual& operator+=(double s) { return *this = *this + s; }
+  Dual& operator-=(double s) { return *this = *this - s; }
+  Dual& operator*=(double s) { return *this = *this * s; }
+  Dual& operator/=(double s) { return *this = *this / s; }
 
   // Written out: compilers turn <=> of doubles into slower code.
-  friend constexpr bool operator==(const Dual& f, const Dual& g) { return f.a == g.a; }
-  friend constexpr bool operator<(const Dual& f, const Dual& g) { return f.a < g.a; }
-  friend constexpr bool operator>(const Dual& f, const Dual& g) { return f.a > g.a; }
-  friend constexpr bool operator<=(const Dual& f, const Dual& g) { return f.a <= g.a; }
-  friend constexpr bool operator>=(const Dual& f, const Dual& g) { return f.a >= g.a; }
-  friend constexpr bool operator==(const Dual& f, double s) { return f.a == s; }
-  friend constexpr bool operator<(const Dual& f, double s) { return f.a < s; }
-  friend constexpr bool operator>(const Dual& f, double s) { return f.a > s; }
-  friend constexpr bool operator<=(const Dual& f, double s) { return f.a <= s; }
-  friend constexpr bool operator>=(const Dual& f, double s) { return f.a >= s; }
-  friend constexpr bool operator<(double s, const Dual& f) { return s < f.a; }
-  friend constexpr bool operator>(double s, const Dual& f) { return s > f.a; }
-  friend constexpr bool operator<=(double s, const Dual& f) { return s <= f.a; }
-  friend constexpr bool operator>=(double s, const Dual& f) { return s >= f.a; }
+  friend bool operator==(const Dual& f, const Dual& g) { return f.a == g.a; }
+  friend bool operator<(const Dual& f, const Dual& g) { return f.a < g.a; }
+  friend bool operator>(const Dual& f, const Dual& g) { return f.a > g.a; }
+  friend bool operator<=(const Dual& f, const Dual& g) { return f.a <= g.a; }
+  friend bool operator>=(const Dual& f, const Dual& g) { return f.a >= g.a; }
+  friend bool operator==(const Dual& f, double s) { return f.a == s; }
+  friend bool operator<(const Dual& f, double s) { return f.a < s; }
+  friend bool operator>(const Dual& f, double s) { return f.a > s; }
+  friend bool operator<=(const Dual& f, double s) { return f.a <= s; }
+  friend bool operator>=(const Dual& f, double s) { return f.a >= s; }
+  friend bool operator<(double s, const Dual& f) { return s < f.a; }
+  friend bool operator>(double s, const Dual& f) { return s > f.a; }
+  friend bool operator<=(double s, const Dual& f) { return s <= f.a; }
+  friend bool operator>=(double s, const Dual& f) { return s >= f.a; }
 
   friend Dual sqrt(const Dual& f) {
     const double root = std::sqrt(f.a);
@@ -109,9 +111,20 @@ struct Dual {
   friend Dual cos(const Dual& f) { return f.through(std::cos(f.a), -std::sin(f.a)); }
 
  private:
+  /// A value, and derivatives made of those of f and g by one rule.
+  template <class Rule>
+  static Dual each(double value, const Dual& f, const Dual& g, Rule&& rule) {
+    Dual out(value);
+    if constexpr (N == 2)
+      out.v = rule(f.v, g.v);
+    else
+      for (std::size_t k = 0; k < N; ++k) out.v[k] = rule(f.v[k], g.v[k]);
+    return out;
+  }
+
   /// A function's value, and its slope here.
-  constexpr Dual through(double value, double slope) const {
-    return make(value, [&](std::size_t k) { return v[k] * slope; });
+  Dual through(double value, double slope) const {
+    return each(value, *this, *this, [&](auto d, auto) { return d * slope; });
   }
 };
 

@@ -26,7 +26,8 @@ template <class T>
 double magnitude(const T& x) {
   double size = as_double(x) < 0 ? -as_double(x) : as_double(x);
   if constexpr (has_derivatives<T>)
-    for (const double d : x.v) size = std::max(size, 1e-3 * (d < 0 ? -d : d));
+    for (std::size_t k = 0; k < sizeof x.v / sizeof(double); ++k)
+      size = std::max(size, 1e-3 * (x.v[k] < 0 ? -x.v[k] : x.v[k]));
   return size;
 }
 
