@@ -49,18 +49,22 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
              std::string_view step, Demand demand) {
   Proof proof = prove(q, ledger, launch, Goal::exactly(q, bounces, demand));
   if (!proof.holds()) return count_failure(found, proof, bounces), false;
-  Shot& shot = proof.shot;
-  if (!make_room(q, found.shots, shot)) return true;
+  keep(q, ledger, found, std::move(proof.shot), step);
+  return true;
+}
+
+void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, std::string_view step) {
+  if (!make_room(q, found.shots, shot)) return;
   shot.planner = step;
   shot.simulations = ledger.simulations();
   add_first_order(q, shot);
   found.shots.push_back(std::move(shot));
-  return true;
 }
 
 bool certify_root(const LockedAim& aim, Ledger& ledger, Findings& found, const Launch& root, std::string_view step) {
-  if (certify(aim.q, ledger, found, root, static_cast<int>(aim.route.size()), step)) return true;
-  found.leads.push_back({root, {aim.route.begin(), aim.route.end()}, aim.mark});
+  const int bounces = static_cast<int>(aim.route.size());
+  if (!aim.q.starts() && certify(aim.q, ledger, found, root, bounces, step)) return true;
+  found.leads.push_back({root, {aim.route.begin(), aim.route.end()}, aim.mark, aim.q.spin});
   return false;
 }
 

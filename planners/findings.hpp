@@ -52,6 +52,7 @@ struct Lead {
   Launch launch;
   Route route;
   Mark mark;
+  LaunchSpin spin{};
   double half = 0;  ///< rad beside the aim to look at; 0: as far as the target is wide
   double room = -std::numeric_limits<double>::infinity();  ///< m, the largest clearance that was found there
 };

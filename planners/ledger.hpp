@@ -3,6 +3,7 @@
 // What a search has spent, and whether it may spend more. Every path that is followed is charged here, by its bounces.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 
@@ -39,6 +40,8 @@ class Ledger {
   }
   /// Nothing of the whole budget is left.
   bool exhausted() const { return simulations_ >= budget_ || cancelled(); }
+  /// Simulations that may still be spent.
+  long left() const { return std::max(0L, limit_ - simulations_); }
   /// Simulations at which this share of what is left to the part is used.
   long share_of_rest(double share) const {
     return simulations_ + static_cast<long>(share * static_cast<double>(limit_ - simulations_));

@@ -16,7 +16,7 @@ namespace {
 
 /// The aims that the puzzle allows, in words.
 std::string aims(const Question& q) {
-  const Range aim = q.puzzle.angle.value_or(Range{0, radians(360)});
+  const Range aim = q.angle.value_or(Range{0, radians(360)});
   const double to = degrees(aim.high);
   return fmt::format("{:.4g}° to {:.4g}°", degrees(aim.low), to > 360 ? to - 360 : to);
 }
@@ -24,7 +24,7 @@ std::string aims(const Question& q) {
 /// What went wrong, as the end of a sentence that begins with "it".
 std::string explain(const Question& q, const Failure& f) {
   const auto cushion = [&] { return contact_name(q.puzzle.table, f.contact); };
-  const Range& v = q.puzzle.speed;
+  const Range& v = q.speed;
   switch (f.foul) {
     case Foul::none:
     case Foul::inexact:
@@ -99,7 +99,7 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
 std::string no_shot(const Question& q, const Findings& found) {
   if (found.proved)
     return fmt::format("proved: every path with {} was tried, and {}", asked_cushions(q.cushions()), reasons(q, found));
-  const Range& v = q.puzzle.speed;
+  const Range& v = q.speed;
   const std::string speeds = v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low)
                                        : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high);
   return fmt::format("searched {} and aims {} with {}: {}", speeds, aims(q), asked_cushions(q.cushions()),
@@ -137,7 +137,7 @@ std::string message(const Question& q, const Ledger& ledger, const Findings& fou
 void add_nearest(const Question& q, const Findings& found, Answer& a) {
   if (a.status == Status::solved || !(found.nearest.launch.speed > 0)) return;
   Launch launch = found.nearest.launch;
-  launch.speed = std::clamp(launch.speed, q.puzzle.speed.low, q.puzzle.speed.high);
+  launch.speed = std::clamp(launch.speed, q.speed.low, q.speed.high);
   Ledger aside(1);  // what an answer shows is no part of the search
   const Goal goal = Goal::exactly(q, found.nearest.bounces);
   Proof proof = prove(q, aside, launch, goal);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bankshot/numbers/tolerances.hpp"
+#include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {
@@ -11,6 +12,12 @@ namespace {
 Physics roughly(Physics p) {
   if (auto* m = std::get_if<Mathavan2010>(&p.cushion)) m->tolerance = std::max(m->tolerance, tolerance::rough_impact);
   return p;
+}
+
+/// The spin of a range that is nearest to none.
+LaunchSpin least_of(const SpinRange& r) {
+  const auto least = [](const Range& v) { return std::clamp(0.0, v.low, v.high); };
+  return {least(r.top), least(r.side), least(r.masse)};
 }
 
 }  // namespace
@@ -21,6 +28,9 @@ Question::Question(const Puzzle& p, Wanted w)
       rough(roughly(p.physics)),
       wanted(w),
       marks(marks_of(p.target, boundary)),
+      speed(p.speed),
+      angle(p.angle),
+      spin(p.spin_range ? least_of(*p.spin_range) : p.spin),
       arrival(arrival_range(p)),
       stop(!captures() && arrival && arrival->high == 0) {
   if (arrival) asked = p.prefer == Prefer::soft ? arrival->low : arrival->high;
@@ -33,15 +43,38 @@ Question Question::asking(double arrival_speed) const {
   return q;
 }
 
-Question Question::launched_at(double speed) const {
+Question Question::launched_at(double launch_speed) const {
   Question q = *this;
-  q.pinned = speed;
+  q.pinned = launch_speed;
+  return q;
+}
+
+Question Question::starts_at(double arrival_speed, const LaunchSpin& launch_spin) const {
+  Question q = *this;
+  q.asked = arrival_speed;
+  q.spin = launch_spin;
+  q.angle.reset();
+  if (!speed.fixed()) q.speed.high = std::max(speed.high, settings::fastest_start);
+  q.wanted = Wanted::starts;
+  return q;
+}
+
+Question Question::spinning(const LaunchSpin& launch_spin) const {
+  Question q = *this;
+  q.spin = launch_spin;
   return q;
 }
 
 double Question::fixed_speed() const {
   if (pinned) return *pinned;
-  return is_ideal(puzzle.physics) ? std::clamp(1.0, puzzle.speed.low, puzzle.speed.high) : puzzle.speed.low;
+  return is_ideal(puzzle.physics) ? std::clamp(1.0, speed.low, speed.high) : speed.low;
+}
+
+Question Question::better_than(const Shot& shot) const {
+  Question q = *this;
+  if (puzzle.prefer == Prefer::soft) q.speed.high = std::max(speed.low, std::min(speed.high, shot.launch.speed));
+  if (puzzle.prefer == Prefer::quick) q.latest = shot.arrival.time;
+  return q;
 }
 
 const Mark& Question::nearest_mark(const Vec2d& arrived) const {

@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/plan/shot.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/target.hpp"
 #include "bankshot/simulate/route.hpp"
 
 namespace bankshot::planning {
 
-/// Which shots are wanted: the best one, the first that is proved, or every distinct one.
-enum class Wanted { best, first, all };
+/// Which shots are wanted: the best one, the first that is proved, or every distinct one. `starts`: no shot, but roots
+/// of locked paths, kept as leads.
+enum class Wanted { best, first, all, starts };
 
 struct Question {
   explicit Question(const Puzzle& puzzle, Wanted wanted = Wanted::best);
@@ -24,20 +26,32 @@ struct Question {
   Boundary boundary;
   Physics rough;  ///< the puzzle's, integrated no more finely than a seed needs
   Wanted wanted;
-  std::vector<Mark> marks;         ///< the places to aim at
+  std::vector<Mark> marks;     ///< the places to aim at
+  Range speed;                 ///< m/s, of the launch
+  std::optional<Range> angle;  ///< rad, of the aim; none: any
+  LaunchSpin spin;
   std::optional<Range> arrival;    ///< m/s at the mark; none: any
   bool stop;                       ///< the ball must come to rest at its mark
   double asked = 0;                ///< m/s: of a range of arrival speeds the one aimed for; `prefer` chooses
+  double latest = forever;         ///< s: paths that take longer need not be followed
   std::optional<double> pinned{};  ///< m/s: a launch speed to keep to; then any arrival in the range will do
   std::optional<Route> route{};    ///< the cushions, where the puzzle gives them in order
 
   /// The same with another arrival speed of its range to aim for.
   Question asking(double arrival_speed) const;
   /// The same at one launch speed.
-  Question launched_at(double speed) const;
+  Question launched_at(double launch_speed) const;
+  /// Roots to start from, at this arrival speed and with this spin, wherever they lie: the bounds are the families'.
+  Question starts_at(double arrival_speed, const LaunchSpin& launch_spin) const;
+  /// The same with another spin of its ranges.
+  Question spinning(const LaunchSpin& launch_spin) const;
+
+  /// For shots better than this one, as far as `prefer` bounds them.
+  Question better_than(const Shot& shot) const;
 
   bool all() const { return wanted == Wanted::all; }
   bool first() const { return wanted == Wanted::first; }
+  bool starts() const { return wanted == Wanted::starts; }
   const CushionRule& cushions() const { return puzzle.cushions; }
   /// Only the aim is unknown.
   bool one_unknown() const { return !arrival || pinned; }

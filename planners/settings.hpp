@@ -43,6 +43,9 @@ inline constexpr double slowest_of_fastest = 1e-3;
 /// the angle of a rebound, and one of these comes near it; with fewer of them more puzzles need a map.
 inline constexpr std::array restitution_shares{1.0, 0.8, 1.2, 0.6, 1.5};
 
+/// m/s: the fastest launch from which a family is followed, which may lead back inside the bounds; a strong break shot.
+inline constexpr double fastest_start = 15;
+
 /// How far Newton's method may go from an image or a node that is no neighbour of the root: farther leads to others.
 inline constexpr Neighbourhood wide{0.3, 0.5};
 
@@ -199,10 +202,35 @@ inline constexpr int rows = 8;
 inline constexpr double beyond = 1.01;
 }  // namespace widest
 
+// Families of roots where something is free; lengths in the scales of the coordinates.
+namespace family {
+/// rad, of ln speed, of natural roll: changes over which a locked path bends little.
+inline constexpr double scale_of_aim = 0.05, scale_of_speed = 0.15, scale_of_spin = 0.25;
+/// Starts from which a surface of one route is climbed: it may have more than one top.
+inline constexpr int most_starts = 3;
+/// Newton's steps onto the family; the step after one so short is exact to rounding, if the miss was so small.
+inline constexpr int most_steps = 12;
+inline constexpr double settled = 1e-7, nearly = 1e-6;
+/// Steps along a curve: the first, the longest, the least before it is given up; and how many each way.
+inline constexpr double first_walk = 1, longest_walk = 2, least_walk = 0.02;
+inline constexpr int most_walked = 60;
+/// Of the merit: an edge is bisected to this. Parabolas through three points of a curve bring nothing more after two.
+inline constexpr double fine_merit = 2e-4;
+inline constexpr int parabolas = 2;
+/// The compass search: its longest and its finest step, its evaluations, and a gain that is not worth one.
+inline constexpr double longest_climb = 4, finest_climb = 0.01, least_gain = 1e-6;
+inline constexpr int most_climbed = 120;
+/// rad: turns of the compass that never repeat.
+inline constexpr double golden_turn = 2.399963;
+/// The least spread of an arrival, of the diagonal or m²/s², and the least chance to fail: beyond, odds are certain.
+inline constexpr double least_spread = 1e-300, least_miss = 1e-15;
+}  // namespace family
+
 namespace automatic {
 /// Of the budget that is left: what bisecting leads may use before finer maps have their turn.
 inline constexpr double first_share_of_parts = 0.2;
 /// The maps that follow the usual one: finer; where the route really occurs; the last, for pockets.
+inline constexpr Spacing rival{radians(4), 0.24};
 inline constexpr Spacing fine{radians(0.7), 0.08, true};
 inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
 inline constexpr Spacing finest{radians(0.8), 0.05, true, false};

@@ -83,6 +83,7 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
 /// The puzzle with one spin of its ranges.
 Puzzle with_spin(Puzzle p, const LaunchSpin& spin) {
   p.spin = spin;
+  p.spin_range.reset();
   return p;
 }
 
@@ -103,11 +104,11 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   if (options.all && options.first) throw InvalidInput("", "either all shots are asked for or the first one found");
   const planning::methods::Method& method = planning::methods::find(options.planner);
   const auto begin = std::chrono::steady_clock::now();
-  const std::vector<LaunchSpin> spins = spins_to_try(puzzle);
+  const std::vector<LaunchSpin> spins = options.planner == "auto" ? std::vector{puzzle.spin} : spins_to_try(puzzle);
   Ledger ledger(puzzle.budget, options.cancelled);
   ledger.measures = options.measure;
   for (std::size_t i = 0;; ++i) {
-    const std::optional<Puzzle> one = puzzle.spin_range ? std::optional(with_spin(puzzle, spins[i])) : std::nullopt;
+    const std::optional<Puzzle> one = spins.size() > 1 ? std::optional(with_spin(puzzle, spins[i])) : std::nullopt;
     const Question q(one ? *one : puzzle, wanted(options));
     Findings found;
     ledger.begin_part(spins.size() - i);

@@ -11,12 +11,12 @@ namespace bankshot::planning {
 template <class T>
 State<T> start_of(const Question& q, const T& angle, const T& speed) {
   using std::cos, std::sin;
-  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, Vec2<T>{cos(angle), sin(angle)} * speed, q.puzzle.spin);
+  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, Vec2<T>{cos(angle), sin(angle)} * speed, q.spin);
 }
 
 /// At an exact direction, as the simulator launches it.
 inline State<double> start_of(const Question& q, const Launch& launch) {
-  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, direction(launch.angle) * launch.speed, q.puzzle.spin);
+  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, direction(launch.angle) * launch.speed, q.spin);
 }
 
 /// The same with its derivatives by the first N unknowns: the aim, and ln speed. `Dual<N>`: a dual number.
@@ -30,7 +30,7 @@ State<Dual> dual_start(const Question& q, const Launch& launch) {
     velocity.x.v[1] = v.x;
     velocity.y.v[1] = v.y;
   }
-  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, velocity, q.puzzle.spin);
+  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, velocity, q.spin);
 }
 
 }  // namespace bankshot::planning

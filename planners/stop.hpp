@@ -24,7 +24,8 @@ inline bool over(const Question& q, Ledger& ledger, const Findings& found) {
 }
 
 inline bool enough_seeds(const Question& q, Ledger& ledger, Findings& found) {
-  const bool plenty = !q.all() && found.shots.size() >= (q.first() ? 1 : settings::enough_to_compare);
+  const std::size_t enough = q.first() ? 1 : settings::enough_to_compare;
+  const bool plenty = !q.all() && !q.starts() && found.shots.size() >= enough;
   found.plenty = found.plenty || plenty;
   return plenty || ledger.spent();
 }

@@ -47,7 +47,7 @@ class AimTried {
     if (!t.replay.made) {
       if (!first_) first_ = t.replay.failure;
       alike_ = alike_ && first_->like(last_.failure);
-      found_.remember({{q_.puzzle.speed.high, angle}, bounces_, t.replay.miss, t.replay.failure});
+      found_.remember({{q_.speed.high, angle}, bounces_, t.replay.miss, t.replay.failure});
       return false;
     }
     const auto speed = launch_speed(q_, found_, angle, t, demand_);
@@ -92,7 +92,7 @@ class AimTried {
 }  // namespace
 
 std::optional<double> launch_speed(const Question& q, Findings& found, double angle, const Trace& t, Demand demand) {
-  const Range& bounds = q.puzzle.speed;
+  const Range& bounds = q.speed;
   const auto speed_for = [&](double v) { return std::sqrt((v * v + t.account.loss) / t.account.gain); };
   double low = bounds.low, high = bounds.high;
   if (is_ideal(q.puzzle.physics)) return q.fixed_speed();

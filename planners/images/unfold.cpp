@@ -45,9 +45,7 @@ double distance_to(const Vec2d& a, const Vec2d& b) {
 double Unfolding::Affine::stretch() const { return std::sqrt((xx * xx + xy * xy + yx * yx + yy * yy) / 2); }
 
 Unfolding::Unfolding(const Question& q, const Options& options)
-    : q_(q),
-      options_(options),
-      longest_(q.puzzle.speed.high * q.puzzle.speed.high / (2 * deceleration(q.puzzle.physics))) {
+    : q_(q), options_(options), longest_(q.speed.high * q.speed.high / (2 * deceleration(q.puzzle.physics))) {
   const CushionRule& rule = q.cushions();
   const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
   if (q.route)

@@ -10,13 +10,15 @@
 
 namespace bankshot::planning {
 
-/// None when it never gets to its last leg.
+/// Its time is since the launch. None when it never gets to its last leg.
 template <class T>
 std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& start, const Physics& physics) {
   return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
     const auto path = follow_locked(a.q.boundary, motion, cushion, a.route, start);
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
-    return arrive_locked(motion, a.q.boundary.body, path.state, a.mark.at, a.mark.capture(), a.q.stop);
+    auto arrival = arrive_locked(motion, a.q.boundary.body, path.state, a.mark.at, a.mark.capture(), a.q.stop);
+    arrival.time += path.time;
+    return arrival;
   });
 }
 

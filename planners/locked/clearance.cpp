@@ -55,6 +55,7 @@ class Clearance {
 
 std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
   const Question& q = aim.q;
+  if (ledger.spent()) return {};
   ledger.charge(aim.route.size());
   return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<double> {
     Clearance out(aim);

@@ -35,7 +35,7 @@ class Follower {
       Event e = sim.step();
       while (e.kind == EventKind::slide_to_roll) e = sim.step();
       out_.rests = e.kind == EventKind::rest;
-      if (e.kind != EventKind::cushion) return;
+      if (e.kind != EventKind::cushion || sim.time().a > q_.latest) return;
       out_.route.push_back({0, e.contact});
       const Wall* const line = q_.boundary.line(e.contact);
       const Dual along = line ? dot(line->along, sim.state().at) : Dual(0);
@@ -73,6 +73,7 @@ void forward(const Question& q, Ledger& ledger, const Launch& launch, bool locke
   out.places.clear();
   out.passages.clear();
   out.rests = false;
+  if (ledger.spent()) return;
   with_physics(q.rough, [&](const auto& motion, const auto& cushion) {
     const State<Dual> start = dual_start<Dual, 2>(q, launch);
     Follower follower(q, out);

@@ -58,7 +58,10 @@ std::optional<Launch> minimise(const LockedAim& aim, Ledger& ledger, const Launc
   using namespace settings::levenberg_marquardt;
   const Residual<N> residual{aim, seed.speed};
   ::ceres::TinySolver<Residual<N>> solver;
-  solver.options.max_num_iterations = most_iterations;
+  if (ledger.spent()) return {};
+  // It costs one simulation, and two for each iteration.
+  const auto affordable = (ledger.left() - 1) / 2 / (1 + static_cast<long>(aim.route.size() / bounces_a_simulation));
+  solver.options.max_num_iterations = static_cast<int>(std::min<long>(most_iterations, affordable));
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = least_gradient;
   solver.options.parameter_tolerance = least_step;

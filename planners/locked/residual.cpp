@@ -21,11 +21,13 @@ std::optional<Linear> linearise(const LockedAim& aim, const Launch& launch) {
 }  // namespace
 
 std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
+  if (ledger.spent()) return {};
   ledger.charge(aim.route.size());
   return aim.q.one_unknown() ? linearise<1>(aim, launch) : linearise<2>(aim, launch);
 }
 
 std::optional<double> excess_speed2(const LockedAim& aim, Ledger& ledger, double angle, double square) {
+  if (ledger.spent()) return {};
   ledger.charge(aim.route.size());
   const auto arrival = arrival_of(aim, start_of(aim.q, angle, std::sqrt(square)), aim.q.rough);
   if (!arrival) return {};

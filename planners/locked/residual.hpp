@@ -44,7 +44,7 @@ struct Linear {
   }
 };
 
-/// One locked simulation with dual numbers; none where the path never gets to its last leg.
+/// One locked simulation with dual numbers; none where the path never gets to its last leg, or the budget is spent.
 std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch);
 
 /// By how much the squared speed of arrival exceeds the one asked [m²/s²], as if a ball that rests had to roll on, at

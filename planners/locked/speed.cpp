@@ -50,7 +50,7 @@ std::optional<double> speed_at(const LockedAim& aim, Ledger& ledger, double angl
   using namespace settings::speed_at;
   const double asked = q.asked * q.asked, slowing = 2 * deceleration(q.puzzle.physics);
   const auto excess = [&](double square) { return excess_speed2(aim, ledger, angle, square); };
-  const Range& bounds = q.puzzle.speed;
+  const Range& bounds = q.speed;
   const double slowest = std::max(bounds.low, settings::slowest_of_fastest * bounds.high);
   double low = slowest * slowest, high = bounds.high * bounds.high;
   const auto most = excess(high);

@@ -14,15 +14,7 @@ namespace {
 
 /// Larger is better.
 double merit(const Puzzle& p, const Shot& shot) {
-  switch (p.prefer) {
-    case Prefer::soft:
-      return -shot.launch.speed;
-    case Prefer::quick:
-      return -shot.arrival.time;
-    case Prefer::robust:
-      break;
-  }
-  return shot.success.value_or(shot.first_order);
+  return p.prefer == Prefer::robust && shot.success ? *shot.success : first_merit(p, shot);
 }
 
 void order(const Puzzle& p, std::span<Shot> shots) {
@@ -41,6 +33,18 @@ void keep_centred(std::vector<Shot>& shots) {
 }
 
 }  // namespace
+
+double first_merit(const Puzzle& p, const Shot& shot) {
+  switch (p.prefer) {
+    case Prefer::soft:
+      return -shot.launch.speed;
+    case Prefer::quick:
+      return -shot.arrival.time;
+    case Prefer::robust:
+      break;
+  }
+  return shot.first_order;
+}
 
 void rank(const Question& q, std::vector<Shot>& shots) {
   keep_centred(shots);

@@ -9,6 +9,9 @@
 
 namespace bankshot::planning {
 
+/// How good a shot is by `prefer`, before its success is known; larger is better.
+double first_merit(const Puzzle& puzzle, const Shot& shot);
+
 /// Drops shots beside the centre where some line reaches it, and orders the rest, best first.
 void rank(const Question& q, std::vector<Shot>& shots);
 

@@ -5,7 +5,11 @@
 // global search are for what is left, and are not run when the images proved that nothing is.
 // With spin images are only seeds: the steps of planners/steps follow, in the order of their numbers.
 #include <algorithm>
+#include <cstdlib>
+#include <vector>
 
+#include "planners/family/family.hpp"
+#include "planners/merit/rank.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
 #include "planners/stop.hpp"
@@ -15,11 +19,31 @@ namespace {
 
 using namespace settings::automatic;
 
+Spacing rival_cells(const Question&) {
+  const char* e = std::getenv("RIVAL");
+  const double k = e ? std::atof(e) : 1;
+  return {rival.aim * k, rival.speed * k};
+}
+
 /// A route by straight cushions unfolds to one line, so its image is its only shot.
 bool settled(const Question& q, const Ledger& ledger, const Findings& found) {
   if (found.complete || ledger.cut() || stop::satisfied(q, found)) return true;
   const auto straight = [&](const Meeting& m) { return q.boundary.line(m.with) != nullptr; };
   return q.route && !found.shots.empty() && std::ranges::all_of(*q.route, straight);
+}
+
+/// The best shot so far, as far as can be told before its chance is known.
+const Shot& best_of(const Question& q, const Findings& found) {
+  return *std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return first_merit(q.puzzle, s); });
+}
+
+/// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.
+bool rivals_wanted(const Question& q, const Ledger& ledger, const Findings& found) {
+  return !q.first() && !q.all() && !q.route && !found.shots.empty() && !ledger.cut();
+}
+
+void rivals(const Question& q, Ledger& ledger, Findings& found) {
+  if (rivals_wanted(q, ledger, found)) steps::map(q.better_than(best_of(q, found)), ledger, found, rival_cells(q));
 }
 
 /// One arrival speed aimed for, or one launch speed.
@@ -34,6 +58,7 @@ void with_spin(const Question& q, Ledger& ledger, Findings& found) {
     steps::fan(q, ledger, found);
     if (pocket) parts.climb(q, ledger, found);
   }
+  rivals(q, ledger, found);
   if (q.all() || nothing_yet()) steps::map(q, ledger, found, steps::usual_spacing(q));
   if (stop::more_wanted(q, ledger, found)) steps::along(q, ledger, found);
   if (pocket) {
@@ -49,26 +74,90 @@ void with_spin(const Question& q, Ledger& ledger, Findings& found) {
   if (nothing_yet()) search_box(q, ledger, found, steps::word::global);
 }
 
-/// Where the end of a range of arrival speeds that is preferred is out of reach: its other end, its middle,
-/// then launches at the bounds of their own speed, which arrive as they may.
-void with_spin_over_range(const Question& q, Ledger& ledger, Findings& found) {
-  with_spin(q, ledger, found);
-  if (!q.arrival || q.arrival->fixed()) return;
-  const Range& arrive = *q.arrival;
-  for (const double asked : {arrive.low + arrive.high - q.asked, (arrive.low + arrive.high) / 2}) {
-    if (!stop::nothing_yet(ledger, found)) return;
-    with_spin(q.asking(asked), ledger, found);
+/// The arrival speeds and spins at which families are looked for: the ends that are preferred first.
+std::vector<Question> samples_of(const Question& q) {
+  std::vector<double> arrivals{q.asked};
+  if (q.arrival && !q.arrival->fixed()) {
+    arrivals.push_back((q.arrival->low + q.arrival->high) / 2);
+    arrivals.push_back(q.arrival->low + q.arrival->high - q.asked);
   }
-  for (const double speed : {q.puzzle.speed.high, q.puzzle.speed.low}) {
-    if (!stop::nothing_yet(ledger, found) || !(speed > 0)) return;
-    with_spin(q.launched_at(speed), ledger, found);
+  std::vector<LaunchSpin> spins{q.spin};
+  if (const auto& r = q.puzzle.spin_range)
+    for (const double top : {r->top.high, r->top.low})
+      for (const double side : {r->side.low, r->side.high})
+        for (const double masse : {r->masse.low, r->masse.high}) {
+          const LaunchSpin spin{top, side, masse};
+          if (std::ranges::find(spins, spin) == spins.end()) spins.push_back(spin);
+        }
+  std::vector<Question> out;
+  for (const LaunchSpin& spin : spins)
+    for (const double asked : arrivals) out.push_back(q.starts_at(asked, spin));
+  return out;
+}
+
+/// What is free is followed from roots of a few arrival speeds and spins, along each route to each mark.
+void along_families(const Question& q, Ledger& ledger, Findings& found) {
+  struct Followed {
+    Route route;
+    Vec2d mark;
+    int times;
+  };
+  std::vector<Followed> followed;
+  const int most = family::Family::freedom(q) > 1 ? settings::family::most_starts : 1;
+  const auto enough = [&](const Lead& lead) {
+    const auto same = [&](const Followed& f) { return f.mark == lead.mark.at && f.route == lead.route; };
+    auto it = std::ranges::find_if(followed, same);
+    if (it == followed.end()) it = followed.insert(it, {lead.route, lead.mark.at, 0});
+    return ++it->times > most;
+  };
+  const auto follow = [&](const Findings& starts, std::string_view step) {
+    for (const Lead& lead : starts.leads)
+      if (!stop::over(q, ledger, found) && !enough(lead)) family::Family(q, ledger, found, lead, step).search();
+  };
+  const std::vector<Question> samples = samples_of(q);
+  for (const Question& sample : samples) {
+    Findings starts;
+    steps::images(sample, ledger, starts);
+    follow(starts, steps::word::images);
   }
+  for (const Question& sample : samples) {
+    const bool rival = rivals_wanted(q, ledger, found) && &sample == &samples.front();
+    if (!q.all() && !rival) break;
+    Findings starts;
+    steps::map(sample, ledger, starts, q.all() ? steps::usual_spacing(q) : rival_cells(q));
+    follow(starts, steps::word::map);
+  }
+}
+
+/// From shots of one arrival speed and spin to the best ones of their families.
+void improve(const Question& q, Ledger& ledger, Findings& found) {
+  const std::vector<Shot> shots = found.shots;
+  for (const Shot& shot : shots) {
+    const Lead lead{shot.launch, route_by(shot.cushions), q.nearest_mark(shot.arrival.at), shot.spin};
+    if (!ledger.spent()) family::Family(q, ledger, found, lead, shot.planner).search();
+  }
+}
+
+/// Arrival speeds or spins are free. Where images lead to no shot: all steps, at each of a few speeds and spins, and
+/// launches at the bounds of their own speed, which arrive as they may.
+void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
+  along_families(q, ledger, found);
+  const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
+  if (!nothing_yet()) return;
+  for (const Question& sample : samples_of(q)) {
+    if (nothing_yet()) with_spin(q.spinning(sample.spin).asking(sample.asked), ledger, found);
+    if (!q.arrival || q.arrival->fixed()) continue;
+    for (const double speed : {q.speed.high, q.speed.low})
+      if (nothing_yet() && speed > 0) with_spin(q.spinning(sample.spin).launched_at(speed), ledger, found);
+  }
+  if (!q.first()) improve(q, ledger, found);
 }
 
 }  // namespace
 
 void automatic(const Question& q, Ledger& ledger, Findings& found) {
-  if (!is_straight(q.puzzle.physics)) return with_spin_over_range(q, ledger, found);
+  if (!is_straight(q.puzzle.physics))
+    return family::Family::freedom(q) > 0 ? with_freedom(q, ledger, found) : with_spin(q, ledger, found);
   image(q, ledger, found);
   if (!settled(q, ledger, found)) sweep(q, ledger, found);
   if (stop::nothing_yet(ledger, found) && !found.complete) ceres(q, ledger, found);

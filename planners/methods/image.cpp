@@ -45,10 +45,10 @@ bool centred(const Question& q, Ledger& ledger, Findings& found) {
 /// What of a candidate's window of aims the puzzle's bounds leave: at most two pieces.
 std::vector<Range> allowed(const Question& q, const Candidate& c) {
   const double low = c.angle + c.low, high = c.angle + c.high;
-  if (!q.puzzle.angle) return {{low, high}};
+  if (!q.angle) return {{low, high}};
   std::vector<Range> pieces;
   for (const double turn : {-radians(360), 0.0, radians(360)}) {
-    const Range piece{std::max(low + turn, q.puzzle.angle->low), std::min(high + turn, q.puzzle.angle->high)};
+    const Range piece{std::max(low + turn, q.angle->low), std::min(high + turn, q.angle->high)};
     if (piece.low <= piece.high) pieces.push_back(piece);
   }
   return pieces;

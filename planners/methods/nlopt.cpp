@@ -106,7 +106,7 @@ Optimiser make(nlopt_algorithm algorithm, unsigned unknowns, int evaluations) {
 
 /// Minimises inside the bounds, from `start`; any status: what counts is the best point seen, left in x.
 void minimise(const Question& q, nlopt_opt opt, const Range& angles, const Launch& start, double (&x)[2]) {
-  const double low[2] = {angles.low, q.puzzle.speed.low}, high[2] = {angles.high, q.puzzle.speed.high};
+  const double low[2] = {angles.low, q.speed.low}, high[2] = {angles.high, q.speed.high};
   nlopt_set_lower_bounds(opt, low);
   nlopt_set_upper_bounds(opt, high);
   x[0] = std::clamp(start.angle, low[0], high[0]);
@@ -180,7 +180,7 @@ class Planner {
   }
 
   double some_speed() const {
-    const Range& v = q_.puzzle.speed;
+    const Range& v = q_.speed;
     return q_.one_unknown() ? q_.fixed_speed() : (v.low + v.high) / 2;
   }
 
@@ -189,7 +189,7 @@ class Planner {
   Findings& found_;
   const Optimisation& method_;
   std::string_view step_;
-  Range angles_ = q_.puzzle.angle.value_or(whole_turn);
+  Range angles_ = q_.angle.value_or(whole_turn);
 };
 
 template <const Optimisation& method>

@@ -55,7 +55,7 @@ class Sweep {
   }
 
  private:
-  Range aims() const { return q_.puzzle.angle.value_or(whole_turn); }
+  Range aims() const { return q_.angle.value_or(whole_turn); }
 
   Sample sample(double angle) {
     Sample out{.angle = angle, .contacts = {}};
@@ -72,7 +72,7 @@ class Sweep {
       if (static_cast<int>(out.contacts.size()) == q_.cushions().max) break;
       const Event e = sim.step();
       account.add(sim.arc(), sim.travelled());
-      if (e.final() || account.beyond(q_.puzzle.speed.high)) break;
+      if (e.final() || account.beyond(q_.speed.high)) break;
       out.contacts.push_back(e.contact);
     }
     ledger_.charge(out.contacts.size());

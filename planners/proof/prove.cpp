@@ -34,12 +34,12 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   Proof proof;
   Launch& launch = proof.shot.launch;
   launch = {proposed.speed, wrap_angle(radians(degrees(proposed.angle)))};
-  proof.shot.spin = q.puzzle.spin;
+  proof.shot.spin = q.spin;
   const CushionRule& rule = q.cushions();
   const auto refused = [&](Foul foul) { return proof.failure.foul = foul, proof; };
   if (goal.max < rule.min || goal.min > rule.max) return refused(Foul::other_bounces);
-  if (!inside_aims(launch.angle, q.puzzle.angle)) return refused(Foul::outside_aim);
-  if (!bring_inside(launch.speed, q.puzzle.speed)) return refused(Foul::outside_speed);
+  if (!inside_aims(launch.angle, q.angle)) return refused(Foul::outside_aim);
+  if (!bring_inside(launch.speed, q.speed)) return refused(Foul::outside_speed);
   if (ledger.spent()) return refused(Foul::no_budget);
   const Replay r = replay(q, ledger, launch, goal, &proof.shot.cushions);
   proof.replayed = true;

@@ -56,7 +56,7 @@ class Follower {
       if (look_along_arc(e)) return out_;
       if (tracing_) {
         out_.account.add(sim_.arc(), sim_.travelled());
-        if (out_.account.beyond(q_.puzzle.speed.high)) return fail(Foul::too_long);
+        if (out_.account.beyond(q_.speed.high)) return fail(Foul::too_long);
       }
       switch (e.kind) {
         case EventKind::cushion:

@@ -28,7 +28,7 @@ class OneAim {
 
   void search() {
     if (q_.one_unknown()) return certify_at(q_.fixed_speed());
-    const Range& v = q_.puzzle.speed;
+    const Range& v = q_.speed;
     const double low = std::max(v.low, settings::slowest_of_fastest * v.high);
     std::vector<Tried> row;
     for (int i = 0; i <= speeds && !ledger_.spent(); ++i)

@@ -40,7 +40,7 @@ bool bisect_lead(const Question& q, Ledger& ledger, Findings& found, const Lead&
 
 /// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed, or nearly.
 bool hopeful(const Question& q, const Lead& lead) {
-  const Range& v = q.puzzle.speed;
+  const Range& v = q.speed;
   return lead.half > 0 && lead.room > -lead.mark.reach && lead.launch.speed > v.low / nearly_allowed &&
          lead.launch.speed < v.high * nearly_allowed;
 }

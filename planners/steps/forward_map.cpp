@@ -12,7 +12,7 @@ namespace bankshot::planning::steps {
 using namespace settings::forward_map;
 
 void ForwardMap::run() {
-  const Range aims = q_.puzzle.angle.value_or(whole_turn);
+  const Range aims = q_.angle.value_or(whole_turn);
   const int columns = std::max(1, static_cast<int>(std::ceil((aims.high - aims.low) / cell_.aim)));
   const auto aim = [&](int i) { return aims.low + (aims.high - aims.low) * i / columns; };
   const std::vector<double> rows = speeds();
@@ -27,11 +27,11 @@ void ForwardMap::run() {
     before = std::move(after);
   }
   if (q_.all() || found_.shots.empty()) roots_.seek_rest();
-  if (found_.shots.empty()) found_.leads.insert(found_.leads.end(), leads_.begin(), leads_.end());
+  if (found_.shots.empty() && !q_.starts()) found_.leads.insert(found_.leads.end(), leads_.begin(), leads_.end());
 }
 
 std::vector<double> ForwardMap::speeds() const {
-  const Range& v = q_.puzzle.speed;
+  const Range& v = q_.speed;
   if (q_.pinned || v.fixed()) return {q_.pinned.value_or(v.low)};
   const double low = std::max(v.low, slowest_arrival());
   if (!(low < v.high)) return {v.high};
@@ -47,7 +47,7 @@ double ForwardMap::slowest_arrival() const {
   for (const Mark& m : q_.marks) nearest = std::min(nearest, norm(m.at - q_.puzzle.ball.at) - m.capture());
   const double asked = q_.arrival ? q_.arrival->low : 0;
   const double energy = asked * asked + 2 * deceleration(q_.puzzle.physics) * std::max(0.0, nearest);
-  return std::max(std::sqrt(energy), settings::slowest_of_fastest * q_.puzzle.speed.high);
+  return std::max(std::sqrt(energy), settings::slowest_of_fastest * q_.speed.high);
 }
 
 /// Only the speeds around those that arrive as asked matter. They change little from one aim to the next, so begin near
@@ -126,7 +126,8 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
     if (known.mark.at == mark.at && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
         std::ranges::equal(known.route, route))
       return;
-  leads_.push_back({{speed * std::exp(step), wrap_angle(angle)}, {route.begin(), route.end()}, mark, cell_.aim});
+  leads_.push_back(
+      {{speed * std::exp(step), wrap_angle(angle)}, {route.begin(), route.end()}, mark, q_.spin, cell_.aim});
 }
 
 void ForwardMap::between(const Node& a, const Node& b) {

@@ -87,7 +87,7 @@ void Roots::add(const LockedAim& aim, const Launch& root) {
     return;
   roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark.at, root});
   const bool shot = certify_root(aim, ledger_, found_, root, step_);
-  const bool blocked = !shot && !aim.mark.captures() && q_.puzzle.speed.contains(root.speed);
+  const bool blocked = !shot && !aim.mark.captures() && q_.speed.contains(root.speed);
   if (q_.all() || blocked) across_fold(aim, root);
 }
 

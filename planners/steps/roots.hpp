@@ -22,7 +22,10 @@ class Roots {
  public:
   /// `cell`: how far apart nodes are, rad of aim and of ln speed.
   Roots(const Question& q, Ledger& ledger, Findings& found, const Neighbourhood& cell, std::string_view step)
-      : q_(q), ledger_(ledger), found_(found), cell_(cell), step_(step) {}
+      : q_(q), ledger_(ledger), found_(found), cell_(cell), step_(step) {
+    for (const Shot& s : found.shots)
+      if (!s.off_centre) roots_.push_back({route_by(s.cushions), q.nearest_mark(s.arrival.at).at, s.launch});
+  }
 
   /// A node that meets these cushions, and how it misses the mark.
   void visit(const LockedAim& aim, const Launch& node, const Linear& linear);

@@ -22,6 +22,7 @@ struct LaunchSpin {
   double top = 0;    ///< topspin: 0 slides, 1 rolls, negative draws
   double side = 0;   ///< vertical, positive anticlockwise seen from above
   double masse = 0;  ///< about the line of travel, positive curves to the right
+  bool operator==(const LaunchSpin&) const = default;
 };
 
 /// The state of a ball launched from `at` with `velocity`.

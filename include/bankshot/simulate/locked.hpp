@@ -97,13 +97,14 @@ struct LockedArrival {
   State<T> state;
   Vec2<T> heading;  ///< of the last arc, also where the ball rests; not a unit vector
   bool at_rest = false;
+  T time{0};  ///< s since the leg began; infinite where it never ends
 };
 
 template <class T, class Motion, class Watch = Unwatched>
 LockedArrival<T> arrive_locked(const Motion& motion, const Body& body, State<T> state, const Vec2d& target,
                                double capture, bool stop, Watch&& watch = {}) {
   using Number = Real<T>;
-  for (;;) {
+  for (T time(0);;) {
     const Arc<T> arc = motion.arc(body, state);
     const Arc<Number>& plain = value(arc);
     T t = arc.duration;
@@ -119,10 +120,11 @@ LockedArrival<T> arrive_locked(const Motion& motion, const Body& body, State<T> 
       if (arrived) t = nearest > Number(0) ? lift_closest(arc, target, nearest) : T(0);
     }
     if (t < T(forever)) watch(arc, t);
+    time += arc.seconds(t);
     if (arrived || !arc.goes_on()) {
       const bool ends = !(t < T(forever));
       const State<T> end = ends ? state : advance(motion, body, state, arc, t);
-      return {end, arrived ? end.velocity : arc.velocity, !arrived};
+      return {end, arrived ? end.velocity : arc.velocity, !arrived, time};
     }
     state = advance(motion, body, state, arc, t);
     motion.finish(body, state, arc);

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "planners/family/family.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
+#include "planners/locked/clearance.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::family {
+
+using namespace settings::family;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The turn of an aim that brings it nearest to the middle of its bounds.
+double near_window(double angle, const std::optional<Range>& window) {
+  if (!window) return angle;
+  const double middle = (window->low + window->high) / 2;
+  return middle + angle_difference(wrap_angle(middle), angle);
+}
+
+}  // namespace
+
+Box box_of(const Question& q) {
+  const auto ln = [](double v) { return v > 0 ? std::log(v) : -infinite; };
+  const Range v = q.pinned ? Range{*q.pinned, *q.pinned} : q.speed;
+  const Range aims = q.angle.value_or(Range{-infinite, infinite});
+  const LaunchSpin& s = q.spin;
+  const SpinRange spin = q.puzzle.spin_range.value_or(SpinRange{{s.top, s.top}, {s.side, s.side}, {s.masse, s.masse}});
+  Box box;
+  box.low << aims.low, ln(v.low), spin.top.low, spin.side.low, spin.masse.low;
+  box.high << aims.high, ln(v.high), spin.top.high, spin.side.high, spin.masse.high;
+  return box;
+}
+
+int Family::freedom(const Question& q) {
+  const Box box = box_of(q);
+  int free = 0;
+  for (int i = 0; i < coordinates; ++i) free += box.free(i);
+  const bool speed_asked = q.arrival && !q.pinned && (q.stop || q.arrival->fixed());
+  return free - 1 - (speed_asked ? 1 : 0);
+}
+
+Family::Family(const Question& q, Ledger& ledger, Findings& found, const Lead& start, std::string_view step)
+    : q_(q),
+      ledger_(ledger),
+      found_(found),
+      start_(start),
+      step_(step),
+      aim_{q_, start.route, start.mark},
+      box_(box_of(q)),
+      wide_(box_),
+      vary_(q.puzzle.spin_range ? Vary::spin_too : Vary::launch) {
+  wide_.low[aim] = -infinite, wide_.high[aim] = infinite;
+  if (box_.free(log_speed)) wide_.low[log_speed] = -infinite, wide_.high[log_speed] = infinite;
+  scale_ << scale_of_aim, scale_of_speed, scale_of_spin, scale_of_spin, scale_of_spin;
+}
+
+void Family::search() {
+  const int free = freedom(q_);
+  const Vector x = vector_of({start_.launch.speed, near_window(start_.launch.angle, q_.angle)}, start_.spin);
+  if (free <= 1) {
+    const auto from = settle(x, wide_);
+    if (!from) return;
+    Curve curve = free == 1 ? walk(*from) : Curve{{*from}};
+    add_crossings(curve);
+    return keep_parts(curve);
+  }
+  auto from = settle(x, box_);
+  if (!from) return;
+  const Tried best = climb(attempt(*from));
+  if (best.made()) keep(best);
+}
+
+double Family::merit(const Point& p) const {
+  switch (q_.puzzle.prefer) {
+    case Prefer::soft:
+      return -p.x[log_speed];
+    case Prefer::quick:
+      return -p.time.a;
+    case Prefer::robust:
+      break;
+  }
+  return log_odds(q_, aim_.mark, p);
+}
+
+bool Family::inside(const Point& p) const {
+  for (int i = 0; i < coordinates; ++i)
+    if (p.x[i] < box_.low[i] - settled || p.x[i] > box_.high[i] + settled) return false;
+  return true;
+}
+
+Family::Tried Family::attempt(const Point& p) {
+  Tried t{p, merit(p), {}};
+  if (!inside(p)) return t;
+  q_.spin = spin_of(p.x);
+  t.proof = prove(q_, ledger_, launch_of(p.x), Goal::exactly(q_, static_cast<int>(aim_.route.size())));
+  return t;
+}
+
+Family::Curve Family::walk(const Point& from) {
+  Curve curve;
+  walk_way(from, -1, curve);
+  std::reverse(curve.begin(), curve.end());
+  curve.push_back({from});
+  walk_way(from, 1, curve);
+  return curve;
+}
+
+void Family::walk_way(const Point& from, double way, Curve& out) {
+  Point at = from;
+  Vector t = tangents(at).col(0) * way;
+  double h = first_walk;
+  for (int i = 0; i < most_walked && !ledger_.spent();) {
+    const Vector guess = at.x + h * scale_.cwiseProduct(t);
+    const auto next = settle(guess, wide_);
+    const double gone = next ? (next->x - at.x).cwiseQuotient(scale_).dot(t) : 0,
+                 pulled = next ? (next->x - guess).cwiseQuotient(scale_).norm() : infinite;
+    const bool ends = next && at_end(*next);
+    if (ends && gone > least_walk * h) out.push_back({*next});
+    if (ends) return;
+    if (!(pulled < h / 2)) {
+      h /= 2;
+      if (h < least_walk) return;
+      continue;
+    }
+    out.push_back({*next});
+    ++i;
+    const Vector on = tangents(*next).col(0);
+    t = on.dot(t) < 0 ? Vector(-on) : on;
+    at = *next;
+    if (pulled < h / 8) h = std::min(2 * h, longest_walk);
+  }
+}
+
+/// The arrival speed or a spin is at the end of its range.
+bool Family::at_end(const Point& p) const {
+  bool at_bound = false;
+  equations(p, at_bound);
+  if (at_bound && !q_.arrival->fixed()) return true;
+  for (int i = top; i < coordinates; ++i)
+    if (wide_.free(i) && (p.x[i] <= wide_.low[i] || p.x[i] >= wide_.high[i])) return true;
+  return false;
+}
+
+/// Where the curve enters and leaves the bounds of aim and speed.
+void Family::add_crossings(Curve& curve) {
+  for (const int c : {aim, log_speed})
+    for (const double bound : {box_.low[c], box_.high[c]})
+      for (std::size_t i = 1; i < curve.size() && std::isfinite(bound) && !ledger_.spent(); ++i) {
+        const Vector &a = curve[i - 1].at.x, &b = curve[i].at.x;
+        if (!((a[c] - bound) * (b[c] - bound) < 0)) continue;
+        Vector x = a + (b - a) * ((bound - a[c]) / (b[c] - a[c]));
+        x[c] = bound;
+        if (const auto on = settle(x, wide_, c)) curve.insert(curve.begin() + static_cast<std::ptrdiff_t>(i++), {*on});
+      }
+}
+
+void Family::keep_parts(Curve& curve) {
+  for (Tried& t : curve) {
+    t = attempt(t.at);
+    if (q_.first() && t.made()) return keep(t);
+  }
+  for (std::size_t begin = 0, end = 0; begin < curve.size(); begin = end + 1) {
+    end = begin;
+    while (end < curve.size() && curve[end].made()) ++end;
+    if (end == begin) continue;
+    std::size_t best = begin;
+    for (std::size_t i = begin; i < end; ++i)
+      if (curve[i].merit > curve[best].merit) best = i;
+    const bool first = best == 0, last = best + 1 == curve.size();
+    if (!first && !last && curve[best - 1].made() && curve[best + 1].made())
+      keep(peak(curve[best - 1], curve[best], curve[best + 1]));
+    else if (!first && best == begin && curve[best - 1].merit > curve[best].merit)
+      keep(edge(curve[best], curve[best - 1]));
+    else if (!last && best + 1 == end && curve[best + 1].merit > curve[best].merit)
+      keep(edge(curve[best], curve[best + 1]));
+    else
+      keep(curve[best]);
+  }
+}
+
+/// The last shot on the way to a point that is none.
+Family::Tried Family::edge(const Tried& inside_, const Tried& outside_) {
+  Tried in = inside_, out = outside_;
+  if (q_.puzzle.prefer == Prefer::robust) return in;  // beside the edge little is made: no better place to be
+  while (std::abs(out.merit - in.merit) > fine_merit * std::max(1.0, std::abs(in.merit)) && !ledger_.spent()) {
+    const auto middle = settle((in.at.x + out.at.x) / 2, wide_);
+    if (!middle) break;
+    Tried t = attempt(*middle);
+    const bool made = t.made();
+    if ((made ? t.merit - in.merit : out.merit - t.merit) <= 0) break;  // it turned round
+    (made ? in : out) = std::move(t);
+  }
+  return in;
+}
+
+/// The top of the parabola through three points of a curve, twice.
+Family::Tried Family::peak(const Tried& before, const Tried& best, const Tried& after) {
+  Tried low = before, top_ = best, high = after;
+  for (int i = 0; i < parabolas && !ledger_.spent(); ++i) {
+    const double a = -(top_.at.x - low.at.x).cwiseQuotient(scale_).norm(),
+                 b = (high.at.x - top_.at.x).cwiseQuotient(scale_).norm();
+    const double fa = low.merit - top_.merit, fb = high.merit - top_.merit;
+    const double denominator = fa * b - fb * a;
+    if (!(denominator != 0) || !(a < 0 && b > 0)) break;
+    const double to = (fa * b * b - fb * a * a) / (2 * denominator);
+    if (!(to > a && to < b)) break;
+    const Tried& end = to < 0 ? low : high;
+    const auto p = settle(top_.at.x + (end.at.x - top_.at.x) * (to / (to < 0 ? a : b)), wide_);
+    if (!p) break;
+    Tried t = attempt(*p);
+    if (!t.made() || !(t.merit > top_.merit)) break;
+    (to < 0 ? high : low) = top_;
+    top_ = std::move(t);
+  }
+  return top_;
+}
+
+Family::Tried Family::climb(Tried at) {
+  const auto better = [](const Tried& a, const Tried& b) {
+    if (a.made() != b.made()) return a.made();
+    return a.merit > b.merit + (b.made() ? least_gain : 0);
+  };
+  const auto clear = [&](Tried& t) {  // of launches that are no shots, the one with most room is nearest to one
+    if (!t.made()) t.merit = clearance(aim_, ledger_, launch_of(t.at.x)).value_or(-infinite);
+  };
+  clear(at);
+  double step = 1, turned = 0;
+  for (int evaluations = 0; evaluations < most_climbed && step > finest_climb && !ledger_.spent();) {
+    bool moved = false;
+    for (const Vector& way : ways(at, turned)) {
+      ++evaluations;
+      const auto p = settle(at.at.x + step * scale_.cwiseProduct(way), box_);
+      if (!p) continue;
+      Tried t = attempt(*p);
+      clear(t);
+      if (!better(t, at)) continue;
+      at = std::move(t);
+      moved = true;
+      break;
+    }
+    if (q_.first() && at.made()) break;
+    step = moved ? std::min(2 * step, longest_climb) : step / 3;
+    turned += golden_turn;
+  }
+  return at;
+}
+
+/// Ways to try from a point: up the slope of what is preferred, where that is known; then all of a basis of the tangent
+/// space, turned each time so that no ridge hides between them.
+std::vector<Vector> Family::ways(const Tried& from, double turned) const {
+  Eigen::MatrixXd basis = tangents(from.at);
+  std::vector<Vector> out;
+  Vector slope = Vector::Zero();
+  if (from.made() && q_.puzzle.prefer == Prefer::soft) slope[log_speed] = -1;
+  if (from.made() && q_.puzzle.prefer == Prefer::quick) slope = -from.at.time.by;
+  slope = basis * (basis.transpose() * scale_.cwiseProduct(slope));
+  if (slope.norm() > 0) out.push_back(slope.normalized());
+  for (Eigen::Index i = 0; i + 1 < basis.cols(); ++i) {
+    const Eigen::VectorXd a = basis.col(i), b = basis.col(i + 1);
+    basis.col(i) = a * std::cos(turned) + b * std::sin(turned);
+    basis.col(i + 1) = b * std::cos(turned) - a * std::sin(turned);
+  }
+  for (Eigen::Index i = 0; i < basis.cols(); ++i) {
+    out.push_back(basis.col(i));
+    out.push_back(-basis.col(i));
+  }
+  return out;
+}
+
+void Family::keep(const Tried& t) {
+  q_.spin = spin_of(t.at.x);
+  planning::keep(q_, ledger_, found_, t.proof->shot, step_);
+}
+
+}  // namespace bankshot::planning::family

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// All roots of one route and mark that a puzzle's free arrival speed and free spins leave.
+//   settle  the point of the family nearest to a launch: Newton's method of least change, inside bounds
+//   walk    where one thing is free the family is a curve: steps along it, both ways, to where the arrival speed or the
+//           spin ends; what the replay makes of each step is asked afterwards, since only parts of a curve may be shots
+//   climb   where more is free, a compass search over the family's tangent space to a best shot by `prefer`
+// A best shot lies inside, at a bound, or where a cushion's end or a pocket cuts the family; there the edge is
+// bisected. Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: what is kept is proved;
+// that nothing better exists is measured (tests/stress), not proved. Source: the corrector is Gauss's and Newton's with
+// the least norm (Allgower & Georg, Introduction to Numerical Continuation Methods, SIAM 2003, eq. 3.2.2); the compass
+// search is that of Kolda, Lewis & Torczon, SIAM Review 45, 2003, algorithm 3.2, on the tangent space.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "planners/certify.hpp"
+#include "planners/family/point.hpp"
+#include "planners/findings.hpp"
+
+namespace bankshot::planning::family {
+
+/// What a launch may be.
+struct Box {
+  Vector low, high;
+  bool free(int i) const { return low[i] < high[i]; }
+};
+
+/// The question's bounds; a spin that is fixed is where the question has it.
+Box box_of(const Question& q);
+
+class Family {
+ public:
+  Family(const Question& q, Ledger& ledger, Findings& found, const Lead& start, std::string_view step);
+
+  /// Keeps the best shot of each connected part (where one shot is wanted, of the best one).
+  void search();
+
+  /// How many things are free.
+  static int freedom(const Question& q);
+
+ private:
+  /// A point, its proof, and what it is worth.
+  struct Tried {
+    Point at;
+    double merit = 0;
+    std::optional<Proof> proof{};
+    bool made() const { return proof && proof->holds(); }
+  };
+  using Curve = std::vector<Tried>;
+
+  /// What must be 0; `at_bound` once the arrival speed was at an end of its range, and then stays there.
+  std::vector<Value> equations(const Point& p, bool& at_bound) const;
+  /// `held`: a coordinate that stays as it is.
+  std::optional<Point> settle(Vector x, const Box& box, int held = -1);
+  /// An orthonormal basis, in scales, of the changes that stay on the family.
+  Eigen::MatrixXd tangents(const Point& p) const;
+  double merit(const Point& p) const;
+  bool inside(const Point& p) const;
+  bool at_end(const Point& p) const;
+  Tried attempt(const Point& p);
+
+  Curve walk(const Point& from);
+  void walk_way(const Point& from, double way, Curve& out);
+  void add_crossings(Curve& curve);
+  void keep_parts(Curve& curve);
+  Tried edge(const Tried& inside, const Tried& outside);
+  Tried peak(const Tried& before, const Tried& best, const Tried& after);
+  Tried climb(Tried from);
+  std::vector<Vector> ways(const Tried& from, double turned) const;
+
+  void keep(const Tried& t);
+
+  Question q_;  ///< a copy, whose spin is that of the launch looked at
+  Ledger& ledger_;
+  Findings& found_;
+  const Lead& start_;
+  std::string_view step_;
+  LockedAim aim_;
+  Box box_, wide_;
+  Vary vary_;
+  Vector scale_;
+};
+
+}  // namespace bankshot::planning::family

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "planners/family/point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/numbers/dual.hpp"
+#include "planners/locked/arrival.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::family {
+namespace {
+
+/// The launch with the derivatives by its first N coordinates.
+template <int N>
+State<Dual<N>> start_at(const Question& q, const Vector& x) {
+  using T = Dual<N>;
+  const double R = q.puzzle.ball.body.radius;
+  const Launch launch = launch_of(x);
+  const Vec2d v = direction(launch.angle) * launch.speed, turned = perpendicular(v);
+  Vec2<T> velocity{T(v.x), T(v.y)};
+  velocity.x.v[aim] = turned.x;
+  velocity.y.v[aim] = turned.y;
+  velocity.x.v[log_speed] = v.x;
+  velocity.y.v[log_speed] = v.y;
+  State<T> s = launched(q.puzzle.ball.at, R, velocity, spin_of(x));
+  if constexpr (N == coordinates) {
+    s.spin.x.v[top] = turned.x / R;
+    s.spin.y.v[top] = turned.y / R;
+    s.spin.x.v[masse] = v.x / R;
+    s.spin.y.v[masse] = v.y / R;
+    s.spin.z = norm(velocity) * (x[side] / R);
+    s.spin.z.v[side] = launch.speed / R;
+  }
+  return s;
+}
+
+template <int N>
+Value value_of(const Dual<N>& d) {
+  Value out{d.a, {}};
+  for (int i = 0; i < coordinates; ++i) out.by[i] = i < N ? d.v[static_cast<std::size_t>(i)] : 0;
+  return out;
+}
+
+template <int N>
+std::optional<Point> look_at(const LockedAim& a, const Vector& x) {
+  using T = Dual<N>;
+  const Question& q = a.q;
+  const auto arrival = arrival_of(a, start_at<N>(q, x), q.puzzle.physics);
+  if (!arrival || !(dot(arrival->heading, arrival->heading) > T(0))) return {};
+  Point p{x};
+  p.time = value_of<N>(arrival->time);
+  const T diagonal(q.boundary.diagonal);
+  const Vec2<T> off = to<T>(a.mark.at) - arrival->state.at;
+  if (q.stop) {
+    p.equations = 2;
+    p.off = {value_of<N>(off.x / diagonal), value_of<N>(off.y / diagonal)};
+    return p;
+  }
+  const Vec2<T> u = arrival->heading / norm(arrival->heading);
+  p.off[0] = value_of<N>(cross(u, off) / diagonal);
+  T speed2 = dot(arrival->state.velocity, arrival->state.velocity);
+  if (arrival->at_rest) speed2 = dot(u, off) * (-2 * deceleration(q.puzzle.physics));
+  p.speed2 = value_of<N>(speed2);
+  return p;
+}
+
+double normal_below(double z) { return std::erfc(-z / std::sqrt(2.0)) / 2; }
+
+}  // namespace
+
+Vector vector_of(const Launch& launch, const LaunchSpin& spin) {
+  Vector x;
+  x << launch.angle, std::log(launch.speed), spin.top, spin.side, spin.masse;
+  return x;
+}
+
+Launch launch_of(const Vector& x) { return {std::exp(x[log_speed]), wrap_angle(x[aim])}; }
+
+LaunchSpin spin_of(const Vector& x) { return {x[top], x[side], x[masse]}; }
+
+std::optional<Point> look(const LockedAim& a, Ledger& ledger, const Vector& x, Vary vary) {
+  if (ledger.spent()) return {};
+  ledger.charge(a.route.size());
+  return vary == Vary::launch ? look_at<2>(a, x) : look_at<coordinates>(a, x);
+}
+
+double log_odds(const Question& q, const Mark& mark, const Point& p) {
+  const Noise& noise = q.puzzle.noise;
+  const double speed = std::exp(p.x[log_speed]), reach = mark.reach / q.boundary.diagonal;
+  const double by_speed = noise.speed / speed;  // of ln speed
+  const auto spread = [&](const Value& v) { return std::hypot(v.by[aim] * noise.angle, v.by[log_speed] * by_speed); };
+  double miss = 1;  // the chance that it fails
+  if (q.stop) {
+    miss = std::erfc(reach / std::hypot(spread(p.off[0]), spread(p.off[1])));
+  } else {
+    const double enough = p.speed2.a / std::max(spread(p.speed2), settings::family::least_spread);
+    const double passes =
+        std::erfc(reach / (std::sqrt(2.0) * std::max(spread(p.off[0]), settings::family::least_spread)));
+    miss = passes + normal_below(-enough) * (1 - passes);
+  }
+  miss = std::clamp(miss, settings::family::least_miss, 1 - settings::family::least_miss);
+  return std::log1p(-miss) - std::log(miss);
+}
+
+}  // namespace bankshot::planning::family

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planners/family/family.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::family {
+
+using namespace settings::family;
+
+namespace {
+
+/// What must be 0 of the arrival speed, of the larger of 1 m/s and the speed asked.
+Value speed_off(const Point& p, double asked) {
+  const double unit = std::max(1.0, asked * asked);
+  return {(p.speed2.a - asked * asked) / unit, p.speed2.by / unit};
+}
+
+/// The least step, in scales, that solves the linear equations; not finite where they are singular.
+Vector least_step(const Point& p, std::span<const Value> equations, std::array<bool, coordinates> fixed, const Box& box,
+                  const Vector& scale) {
+  const auto rows = static_cast<Eigen::Index>(equations.size());
+  Vector step = Vector::Zero();
+  for (int round = 0; round <= coordinates; ++round) {
+    Eigen::Matrix<double, Eigen::Dynamic, coordinates, 0, 2, coordinates> a(rows, coordinates);
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1> r(rows);
+    for (Eigen::Index k = 0; k < rows; ++k) {
+      const Value& e = equations[static_cast<std::size_t>(k)];
+      r[k] = -e.a;
+      for (int i = 0; i < coordinates; ++i) {
+        a(k, i) = fixed[static_cast<std::size_t>(i)] ? 0 : e.by[i] * scale[i];
+        if (fixed[static_cast<std::size_t>(i)]) r[k] -= e.by[i] * step[i];
+      }
+    }
+    const Vector least = a.transpose() * (a * a.transpose()).fullPivLu().solve(r);
+    bool pinned = false;
+    for (int i = 0; i < coordinates; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (fixed[k]) continue;
+      step[i] = least[i] * scale[i];
+      const double to = std::clamp(p.x[i] + step[i], box.low[i], box.high[i]);
+      if (to == p.x[i] + step[i] || !std::isfinite(step[i])) continue;
+      step[i] = to - p.x[i];
+      fixed[k] = pinned = true;
+    }
+    if (!pinned) return step;
+  }
+  return step;
+}
+
+}  // namespace
+
+std::vector<Value> Family::equations(const Point& p, bool& at_bound) const {
+  std::vector<Value> out(p.off.begin(), p.off.begin() + p.equations);
+  if (q_.stop || q_.pinned || !q_.arrival) return out;
+  const Range& asked = *q_.arrival;
+  const double square = p.speed2.a, low = asked.low * asked.low, high = asked.high * asked.high;
+  at_bound = at_bound || !(square > low && square < high);
+  if (at_bound) out.push_back(speed_off(p, square < (low + high) / 2 ? asked.low : asked.high));
+  return out;
+}
+
+std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
+  std::array<bool, coordinates> fixed{};
+  for (int i = 0; i < coordinates; ++i) {
+    fixed[static_cast<std::size_t>(i)] = !box.free(i) || i == held;
+    x[i] = i == held ? x[i] : std::clamp(x[i], box.low[i], box.high[i]);
+  }
+  Vector before = x;
+  bool at_bound = false;
+  for (int i = 0; i < most_steps && !ledger_.spent(); ++i) {
+    auto p = look(aim_, ledger_, x, vary_);
+    if (!p && i == 0) return {};
+    if (!p) {
+      x = (x + before) / 2;
+      continue;
+    }
+    const Vector step = least_step(*p, equations(*p, at_bound), fixed, box, scale_);
+    const double size = step.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
+    if (!std::isfinite(size)) return {};
+    before = x;
+    x += size > 1 ? Vector(step / size) : step;
+    if (size < settled) {
+      const bool solved =
+          std::ranges::all_of(equations(*p, at_bound), [](const Value& e) { return std::abs(e.a) < nearly; });
+      p->x = x;
+      return solved ? p : std::nullopt;
+    }
+  }
+  return {};
+}
+
+Eigen::MatrixXd Family::tangents(const Point& p) const {
+  bool at_bound = false;
+  std::vector<Value> rows = equations(p, at_bound);
+  if (q_.arrival && !q_.arrival->fixed()) rows.resize(static_cast<std::size_t>(p.equations));
+  std::vector<int> free;
+  for (int i = 0; i < coordinates; ++i)
+    if (wide_.free(i)) free.push_back(i);
+  const auto n = static_cast<Eigen::Index>(free.size()), m = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd a(n, m);
+  for (Eigen::Index k = 0; k < m; ++k)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const int c = free[static_cast<std::size_t>(i)];
+      a(i, k) = rows[static_cast<std::size_t>(k)].by[c] * scale_[c];
+    }
+  if (n <= m) return Eigen::MatrixXd(coordinates, 0);
+  const Eigen::MatrixXd all = Eigen::HouseholderQR<Eigen::MatrixXd>(a).householderQ();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(coordinates, n - m);
+  for (Eigen::Index i = 0; i < n; ++i) out.row(free[static_cast<std::size_t>(i)]) = all.row(i).tail(n - m);
+  return out;
+}
+
+}  // namespace bankshot::planning::family
