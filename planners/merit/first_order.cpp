@@ -14,21 +14,28 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
-/// How far beside a mark, right and left of it, a ball may pass on its way in direction u [m]. Of a pocket: no farther
-/// than where its centre meets the circle inside the table, seen from `lateral`, where it does.
+/// How far beside a mark, right and left of it, a ball may pass on its way in direction u [m]: a point is passed where
+/// part of its disc is inside the table, a pocket is entered where the front of its circle is. `lateral` is one way
+/// that goes.
 Range sides(const Boundary& boundary, const Mark& mark, const Vec2d& u, double lateral) {
   Range out{-mark.reach, mark.reach};
-  if (!mark.captures()) return out;
+  const Vec2d right = -perpendicular(u);
   for (const Wall& w : boundary.walls) {
     const double above = dot(w.normal, mark.at) - w.offset, half2 = mark.reach * mark.reach - above * above;
     if (!(half2 > 0)) continue;
-    for (const double side : {1.0, -1.0}) {
-      const Vec2d off = w.along * (side * std::sqrt(half2)) - w.normal * above;
-      const double along = dot(w.along, mark.at + off);
-      if (dot(off, u) > 0 || along < w.begin || along > w.end) continue;
-      const double at = -cross(u, off);  // as the lateral miss: the mark is on the left
-      (at > lateral ? out.high : out.low) = at > lateral ? std::min(out.high, at) : std::max(out.low, at);
+    const Vec2d foot = w.normal * -above, half = w.along * std::sqrt(half2);
+    Range wall = out;
+    for (const Vec2d& end : {foot + half, foot - half}) {
+      const double along = dot(w.along, mark.at + end), at = dot(right, end);
+      if (along < w.begin || along > w.end) continue;
+      if (mark.captures() && dot(end, u) <= 0) (at > lateral ? wall.high : wall.low) = at;
     }
+    if (!mark.captures()) {
+      const double a = dot(right, foot + half), b = dot(right, foot - half), tilt = mark.reach * dot(w.normal, right);
+      if (above + tilt < 0) wall.high = std::max(a, b);
+      if (above - tilt < 0) wall.low = std::min(a, b);
+    }
+    out = {std::max(out.low, wall.low), std::min(out.high, wall.high)};
   }
   return out;
 }
@@ -62,8 +69,9 @@ class Path {
     const auto keeps_from = [&](const Circle& c) {
       const Vec2d start = value(arc.at) - c.centre;
       if (norm(start) < c.radius) return;  // such a ball must first come out
-      const Number nearest(closest_time(value(arc), t.a, c.centre));
-      limits_.keep(norm(arc.position(nearest) - to<Number>(c.centre)) - c.radius);
+      const double nearest = closest_time(value(arc), t.a, c.centre);
+      const Vec2<Number> there = arc.position(nearest < t.a ? Number(nearest) : t);
+      limits_.keep(norm(there - to<Number>(c.centre)) - c.radius);
     };
     for (const Circle& pocket : boundary_.pockets)
       if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
@@ -71,10 +79,10 @@ class Path {
       if (tip.contact != before && tip.contact != next) keeps_from(tip);
   }
 
-  /// Beyond the end of a cushion another is met, which matters where their order is asked.
+  /// Beyond the end of a cushion another is met: at a right angle first, and then this one.
   void bounce(Contact contact, const Vec2<Number>& at) {
     const Wall* const line = boundary_.line(contact);
-    if (!line || !(q_.route || !boundary_.tips.empty())) return;
+    if (!line || (!q_.route && q_.puzzle.table.is_rectangle())) return;
     const Number along = dot(to<Number>(line->along), at);
     limits_.keep(along - dot(line->along, line->from));
     limits_.keep(dot(line->along, line->to) - along);
