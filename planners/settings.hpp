@@ -33,9 +33,6 @@ namespace bankshot::planning::settings {
 /// Shots to choose from. Most puzzles have fewer; where there are more, the answer says that others were not compared.
 inline constexpr std::size_t enough_to_compare = 32;
 
-/// Shots whose chance of success decides their order. Each costs 150 simulations; those beyond are far from the best.
-inline constexpr std::size_t most_compared_by_success = 64;
-
 /// The slowest launch that is looked at, of the fastest that is allowed: a slower one rolls a millionth as far.
 inline constexpr double slowest_of_fastest = 1e-3;
 
@@ -226,6 +223,15 @@ inline constexpr int directions = 32;
 /// Deviations: what is farther breaks no shot that counts; and the narrowest band that is stretched.
 inline constexpr double farthest = 6, narrowest = 1e-9;
 }  // namespace first_order
+
+namespace rank {
+/// What success is at most: so many times the first-order chance, and so much more. Of 12,658 random shots TODO
+inline constexpr double times = 1.1, more = 0.01;
+/// The same of a point whose disc reaches over a cushion line: there a ball passes it twice.
+inline constexpr double at_cushion_times = 2.5, at_cushion_more = 0.1;
+/// Deviations: shots so near that the player's errors may lead from one to the other.
+inline constexpr double beside = 4;
+}  // namespace rank
 
 namespace margin {
 /// rad, m/s: margins beyond are none.
