@@ -33,9 +33,6 @@ namespace bankshot::planning::settings {
 /// Shots to choose from. Most puzzles have fewer; where there are more, the answer says that others were not compared.
 inline constexpr std::size_t enough_to_compare = 32;
 
-/// Shots whose chance of success decides their order. Each costs 150 simulations; those beyond are far from the best.
-inline constexpr std::size_t most_compared_by_success = 64;
-
 /// The slowest launch that is looked at, of the fastest that is allowed: a slower one rolls a millionth as far.
 inline constexpr double slowest_of_fastest = 1e-3;
 
@@ -222,14 +219,16 @@ inline constexpr double longest_climb = 4, finest_climb = 0.01, least_gain = 1e-
 inline constexpr int most_climbed = 120;
 /// rad: turns of the compass that never repeat.
 inline constexpr double golden_turn = 2.399963;
-/// The least spread of an arrival, of the diagonal or m²/s², and the least chance to fail: beyond, odds are certain.
-inline constexpr double least_spread = 1e-300, least_miss = 1e-15;
+/// A chance nearer to 0 or 1 is certain.
+inline constexpr double least_chance = 1e-15;
 }  // namespace family
 
 namespace automatic {
 /// Of the budget that is left: what bisecting leads may use before finer maps have their turn.
 inline constexpr double first_share_of_parts = 0.2;
 /// The maps that follow the usual one: finer; where the route really occurs; the last, for pockets.
+/// Of chance: no rival of such a shot is worth a map.
+inline constexpr double sure_enough = 0.995;
 inline constexpr Spacing rival{radians(4), 0.24};
 inline constexpr Spacing fine{radians(0.7), 0.08, true};
 inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
@@ -247,6 +246,22 @@ inline constexpr double wrong_bounces = 1;
 /// Where a search ends: the squared miss over the diagonal's square, and the relative step.
 inline constexpr double small_enough = 1e-20, least_step = 1e-13;
 }  // namespace nlopt
+
+namespace first_order {
+/// Directions in which the edge of what is made is sought: with twice as many the chance differs by 0.002.
+inline constexpr int directions = 32;
+/// Deviations: what is farther breaks no shot that counts; and the narrowest band that is stretched.
+inline constexpr double farthest = 6, narrowest = 1e-9;
+}  // namespace first_order
+
+namespace rank {
+/// What success is at most: so many times the first-order chance, and so much more. Of 12,658 random shots TODO
+inline constexpr double times = 1.1, more = 0.01;
+/// The same of a point whose disc reaches over a cushion line: there a ball passes it twice.
+inline constexpr double at_cushion_times = 2.5, at_cushion_more = 0.1;
+/// Deviations: shots so near that the player's errors may lead from one to the other.
+inline constexpr double beside = 4;
+}  // namespace rank
 
 namespace margin {
 /// rad, m/s: margins beyond are none.

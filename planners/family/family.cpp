@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include "planners/locked/clearance.hpp"
+#include "planners/merit/first_order.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
@@ -22,6 +23,12 @@ double near_window(double angle, const std::optional<Range>& window) {
   if (!window) return angle;
   const double middle = (window->low + window->high) / 2;
   return middle + angle_difference(wrap_angle(middle), angle);
+}
+
+/// Of a chance: it still grows where the chance is all but 0 or 1.
+double log_odds(double chance) {
+  const double sure = std::clamp(chance, least_chance, 1 - least_chance);
+  return std::log(sure) - std::log1p(-sure);
 }
 
 }  // namespace
@@ -86,7 +93,7 @@ double Family::merit(const Point& p) const {
     case Prefer::robust:
       break;
   }
-  return log_odds(q_, aim_.mark, p);
+  return 0;  // until it is proved
 }
 
 bool Family::inside(const Point& p) const {
@@ -100,6 +107,10 @@ Family::Tried Family::attempt(const Point& p) {
   if (!inside(p)) return t;
   q_.spin = spin_of(p.x);
   t.proof = prove(q_, ledger_, launch_of(p.x), Goal::exactly(q_, static_cast<int>(aim_.route.size())));
+  if (t.made() && q_.puzzle.prefer == Prefer::robust) {
+    ledger_.charge(aim_.route.size());
+    t.merit = log_odds(first_order(aim_, t.proof->shot.launch, t.proof->shot.arrival.at).chance);
+  }
   return t;
 }
 

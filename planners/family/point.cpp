@@ -6,7 +6,6 @@
 
 #include "bankshot/numbers/dual.hpp"
 #include "planners/locked/arrival.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
 namespace {
@@ -65,8 +64,6 @@ std::optional<Point> look_at(const LockedAim& a, const Vector& x) {
   return p;
 }
 
-double normal_below(double z) { return std::erfc(-z / std::sqrt(2.0)) / 2; }
-
 }  // namespace
 
 Vector vector_of(const Launch& launch, const LaunchSpin& spin) {
@@ -83,24 +80,6 @@ std::optional<Point> look(const LockedAim& a, Ledger& ledger, const Vector& x, V
   if (ledger.spent()) return {};
   ledger.charge(a.route.size());
   return vary == Vary::launch ? look_at<2>(a, x) : look_at<coordinates>(a, x);
-}
-
-double log_odds(const Question& q, const Mark& mark, const Point& p) {
-  const Noise& noise = q.puzzle.noise;
-  const double speed = std::exp(p.x[log_speed]), reach = mark.reach / q.boundary.diagonal;
-  const double by_speed = noise.speed / speed;  // of ln speed
-  const auto spread = [&](const Value& v) { return std::hypot(v.by[aim] * noise.angle, v.by[log_speed] * by_speed); };
-  double miss = 1;  // the chance that it fails
-  if (q.stop) {
-    miss = std::erfc(reach / std::hypot(spread(p.off[0]), spread(p.off[1])));
-  } else {
-    const double enough = p.speed2.a / std::max(spread(p.speed2), settings::family::least_spread);
-    const double passes =
-        std::erfc(reach / (std::sqrt(2.0) * std::max(spread(p.off[0]), settings::family::least_spread)));
-    miss = passes + normal_below(-enough) * (1 - passes);
-  }
-  miss = std::clamp(miss, settings::family::least_miss, 1 - settings::family::least_miss);
-  return std::log1p(-miss) - std::log(miss);
 }
 
 }  // namespace bankshot::planning::family

@@ -44,8 +44,4 @@ enum class Vary { launch, spin_too };
 /// One locked simulation with dual numbers; none where the path never gets to its last leg.
 std::optional<Point> look(const LockedAim& aim, Ledger& ledger, const Vector& x, Vary vary);
 
-/// The chance that the target is made, to first order, as ln of p/(1 − p), which still grows where the chance is all
-/// but 0 or 1: that the arrival is off by less than the mark's reach, and that the ball gets there.
-double log_odds(const Question& q, const Mark& mark, const Point& p);
-
 }  // namespace bankshot::planning::family

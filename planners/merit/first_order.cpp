@@ -6,32 +6,152 @@
 
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/locked.hpp"
+#include "planners/merit/limits.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
+namespace {
+
+using Number = bankshot::Dual<2>;
+
+/// How far beside a mark, right and left of it, a ball may pass on its way in direction u [m]: a point is passed where
+/// part of its disc is inside the table, a pocket is entered where the front of its circle is. `lateral` is one way
+/// that goes.
+Range sides(const Boundary& boundary, const Mark& mark, const Vec2d& u, double lateral) {
+  Range out{-mark.reach, mark.reach};
+  const Vec2d right = -perpendicular(u);
+  for (const Wall& w : boundary.walls) {
+    const double above = dot(w.normal, mark.at) - w.offset, half2 = mark.reach * mark.reach - above * above;
+    if (!(half2 > 0)) continue;
+    const Vec2d foot = w.normal * -above, half = w.along * std::sqrt(half2);
+    Range wall = out;
+    for (const Vec2d& end : {foot + half, foot - half}) {
+      const double along = dot(w.along, mark.at + end), at = dot(right, end);
+      if (along < w.begin || along > w.end) continue;
+      if (mark.captures() && dot(end, u) <= 0) (at > lateral ? wall.high : wall.low) = at;
+    }
+    if (!mark.captures()) {
+      const double a = dot(right, foot + half), b = dot(right, foot - half), tilt = mark.reach * dot(w.normal, right);
+      if (above + tilt < 0) wall.high = std::max(a, b);
+      if (above - tilt < 0) wall.low = std::min(a, b);
+    }
+    out = {std::max(out.low, wall.low), std::min(out.high, wall.high)};
+  }
+  return out;
+}
+
+/// One locked path with derivatives, and what limits it.
+class Path {
+ public:
+  Path(const LockedAim& aim, const Launch& launch)
+      : aim_(aim), q_(aim.q), boundary_(q_.boundary), launch_(launch), limits_(launch, q_.puzzle.noise) {}
+
+  template <class Motion, class Cushion>
+  FirstOrder run(const Motion& motion, const Cushion& cushion, const Vec2d& at) {
+    State<Number> state = dual_start<Number, 2>(q_, launch_);
+    Contact before{};
+    for (const Meeting& meeting : aim_.route) {
+      const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(arc, t, before, meeting.with); };
+      state = follow_locked(boundary_, motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch).state;
+      bounce(meeting.with, state.at);
+      before = meeting.with;
+    }
+    const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(arc, t, before, {}); };
+    const auto arrival = arrive_locked(motion, boundary_.body, state, at, 0, q_.stop, watch);
+    q_.stop ? rests(arrival) : passes(arrival, at);
+    return out_;
+  }
+
+ private:
+  /// An arc on the way to the bounce `next`, or on the last leg (none).
+  void leg(const Arc<Number>& arc, const Number& t, Contact before, Contact next) {
+    if (!(t > 0)) return;
+    const auto keeps_from = [&](const Circle& c) {
+      const Vec2d start = value(arc.at) - c.centre;
+      if (norm(start) < c.radius) return;  // such a ball must first come out
+      const double nearest = closest_time(value(arc), t.a, c.centre);
+      const Vec2<Number> there = arc.position(nearest < t.a ? Number(nearest) : t);
+      limits_.keep(norm(there - to<Number>(c.centre)) - c.radius);
+    };
+    for (const Circle& pocket : boundary_.pockets)
+      if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
+    for (const Circle& tip : boundary_.tips)
+      if (tip.contact != before && tip.contact != next) keeps_from(tip);
+  }
+
+  /// Beyond the end of a cushion another is met: at a right angle first, and then this one.
+  void bounce(Contact contact, const Vec2<Number>& at) {
+    const Wall* const line = boundary_.line(contact);
+    if (!line || (!q_.route && q_.puzzle.table.is_rectangle())) return;
+    const Number along = dot(to<Number>(line->along), at);
+    limits_.keep(along - dot(line->along, line->from));
+    limits_.keep(dot(line->along, line->to) - along);
+  }
+
+  void rests(const LockedArrival<Number>& a) {
+    fast_enough(Number(0));
+    limits_.rest(a.state.at - to<Number>(aim_.mark.at), aim_.mark.reach);
+    moves(a.state.at);
+    out_.chance = limits_.chance();
+  }
+
+  void passes(const LockedArrival<Number>& a, const Vec2d& at) {
+    // Along the line of travel nothing is missed: only the lateral part counts.
+    const Vec2<Number> u = a.heading / norm(a.heading);
+    const Vec2d line{-u.y.a, u.x.a};
+    const Number lateral = cross(u, to<Number>(at) - a.state.at);
+    moves({lateral * line.x, lateral * line.y});
+    const Number miss = cross(u, to<Number>(aim_.mark.at) - a.state.at);
+    const Range room = sides(boundary_, aim_.mark, value(u), miss.a);
+    limits_.keep(miss - room.low);
+    limits_.keep(room.high - miss);
+    const double rolls_on = aim_.mark.captures() ? 0 : 2 * deceleration(q_.puzzle.physics) * aim_.mark.reach;
+    fast_enough(dot(a.state.velocity, a.state.velocity) + rolls_on);
+    const Vec2d slope = limits_.in_deviations(miss);
+    const double steep = norm(slope), half = (room.high - room.low) / 2;
+    out_.chance = steep > 0 ? limits_.chance(slope / steep, half / steep) : limits_.chance({1, 0}, 1);
+  }
+
+  /// The squared speed of arrival grows with that of the launch: no slower launch than where it is 0 gets there.
+  void fast_enough(const Number& speed2) {
+    const double gain = speed2.v[1] / 2, least = gain > 0 ? std::max(1 - speed2.a / gain, 0.0) : 0;
+    const double room = launch_.speed * (1 - std::sqrt(least));
+    const double by_aim = speed2.a > 0 ? speed2.v[0] / speed2.a * room : 0;
+    limits_.add(room, {by_aim * q_.puzzle.noise.angle, q_.puzzle.noise.speed});
+  }
+
+  void moves(const Vec2<Number>& end) {
+    out_.by_angle = {end.x.v[0], end.y.v[0]};
+    out_.by_log_speed = {end.x.v[1], end.y.v[1]};
+    const Noise& noise = q_.puzzle.noise;
+    out_.margin = aim_.mark.reach /
+                  std::hypot(norm(out_.by_angle) * noise.angle, norm(out_.by_log_speed / launch_.speed) * noise.speed);
+  }
+
+  const LockedAim& aim_;
+  const Question& q_;
+  const Boundary& boundary_;
+  const Launch& launch_;
+  Limits limits_;
+  FirstOrder out_{};
+};
+
+}  // namespace
+
+FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
+  return with_physics(aim.q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    return Path(aim, launch).run(motion, cushion, at);
+  });
+}
 
 void add_first_order(const Question& q, Shot& shot) {
-  using Dual = bankshot::Dual<2>;
-  const Vec2d& target = shot.arrival.at;
-  const State<Dual> start = dual_start<Dual, 2>(q, shot.launch);
   const Route route = route_by(shot.cushions);
-  const Vec2<Dual> end = with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    const auto path = follow_locked(q.boundary, motion, cushion, route, start);
-    const auto arrival = arrive_locked(motion, q.boundary.body, path.state, target, 0, q.stop);
-    if (q.stop) return arrival.state.at;
-    // Along the line of travel nothing is missed: only the lateral part counts.
-    const Vec2<Dual> u = arrival.heading / norm(arrival.heading);
-    const Vec2d line{-u.y.a, u.x.a};
-    const Dual lateral = cross(u, to<Dual>(target) - arrival.state.at);
-    return Vec2<Dual>{lateral * line.x, lateral * line.y};
-  });
-  const Vec2d by_log_speed{end.x.v[1], end.y.v[1]};
-  shot.by_angle = {end.x.v[0], end.y.v[0]};
-  shot.by_speed = by_log_speed / shot.launch.speed;
-  shot.condition = std::max(norm(shot.by_angle), norm(by_log_speed));
-  const Noise& noise = q.puzzle.noise;
-  const double spread = std::hypot(norm(shot.by_angle) * noise.angle, norm(shot.by_speed) * noise.speed);
-  shot.first_order = q.nearest_mark(shot.arrival.at).reach / spread;
+  const FirstOrder f = first_order({q, route, q.nearest_mark(shot.arrival.at)}, shot.launch, shot.arrival.at);
+  shot.by_angle = f.by_angle;
+  shot.by_speed = f.by_log_speed / shot.launch.speed;
+  shot.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));
+  shot.first_order = f.margin;
+  shot.chance = f.chance;
 }
 
 }  // namespace bankshot::planning

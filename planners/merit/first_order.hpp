@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: MIT
 //
 // What the derivatives of one locked path say of a shot: how the arrival moves with aim and speed, its condition, and
-// the margin to first order. Cost: one simulation with dual numbers, which no ledger is charged.
+// to first order its margin and its chance of success. Limits of the chance: the target's two sides (of a pocket, as
+// far as a ball's centre can go), the speed that just gets there, pockets and vertices beside the legs, the ends of
+// cushions where their order is asked.
+// Cost: one simulation with dual numbers, which no ledger is charged.
 #pragma once
 
 #include "bankshot/plan/shot.hpp"
-#include "planners/question.hpp"
+#include "planners/locked/residual.hpp"
 
 namespace bankshot::planning {
 
-/// Fills `by_angle`, `by_speed`, `condition` and `first_order`.
+struct FirstOrder {
+  Vec2d by_angle{};      ///< m/rad, see Shot::by_angle
+  Vec2d by_log_speed{};  ///< m per unit of ln speed
+  double margin = 0;     ///< in standard deviations, see Shot::first_order
+  double chance = 0;     ///< see Shot::chance
+};
+
+/// Of a launch along a route; `at` is where it arrives, or the mark where no replay has told.
+FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at);
+
+/// Fills `by_angle`, `by_speed`, `condition`, `first_order` and `chance`.
 void add_first_order(const Question& q, Shot& shot);
 
 }  // namespace bankshot::planning

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "planners/merit/rank.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
 
 #include "planners/merit/margin.hpp"
 #include "planners/merit/success.hpp"
@@ -32,6 +31,33 @@ void keep_centred(std::vector<Shot>& shots) {
   if (!std::all_of(shots.begin(), shots.end(), beside)) std::erase_if(shots, beside);
 }
 
+/// Between two launches, in deviations of the player.
+double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
+  const auto count = [](double apart, double noise) { return apart == 0 ? 0 : std::abs(apart) / noise; };
+  return std::hypot(count(angle_difference(a.angle, b.angle), q.puzzle.noise.angle),
+                    is_ideal(q.puzzle.physics) ? 0 : count(a.speed - b.speed, q.puzzle.noise.speed));
+}
+
+/// Success of those that can still have the largest, which comes first.
+void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
+  struct Candidate {
+    double at_most;
+    std::size_t shot;
+  };
+  std::vector<Candidate> candidates;
+  for (const Shot& shot : shots) candidates.push_back({success_at_most(q, shots, shot), candidates.size()});
+  // The shots are in the order of their margins, which decides between equals.
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.at_most > b.at_most; });
+  std::size_t best = candidates.front().shot;
+  for (const Candidate& c : candidates) {
+    if (shots[best].success && c.at_most <= *shots[best].success) break;
+    find_success(q, ledger, shots[c.shot]);
+    if (*shots[c.shot].success > *shots[best].success) best = c.shot;
+  }
+  std::swap(shots.front(), shots[best]);
+}
+
 }  // namespace
 
 double first_merit(const Puzzle& p, const Shot& shot) {
@@ -51,18 +77,25 @@ void rank(const Question& q, std::vector<Shot>& shots) {
   order(q.puzzle, shots);
 }
 
+double success_at_most(const Question& q, std::span<const Shot> shots, const Shot& shot) {
+  using namespace settings::rank;
+  double chance = shot.chance;
+  for (const Shot& other : shots)
+    if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
+  const Mark& mark = q.nearest_mark(shot.arrival.at);
+  const bool at_cushion = !mark.captures() && q.boundary.clearance(mark.at) < mark.reach;
+  return std::min(1.0, at_cushion ? at_cushion_times * chance + at_cushion_more : times * chance + more);
+}
+
 void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
   std::vector<Shot>& shots = found.shots;
-  const std::size_t n = std::min(shots.size(), settings::most_compared_by_success);
   const bool by_success = q.puzzle.prefer == Prefer::robust;
-  if (shots.size() > n && by_success)
-    found.add_note(fmt::format("only the {} with the largest first-order margin were compared by success", n));
-  for (std::size_t i = 0; i < (by_success || q.all() ? n : 1); ++i) find_success(q, ledger, shots[i]);
-  if (by_success) order(q.puzzle, std::span(shots).first(n));
-  for (std::size_t i = 0; i < (q.all() ? shots.size() : 1); ++i) {
-    if (!shots[i].success) find_success(q, ledger, shots[i]);
-    find_margin(q, ledger, shots[i]);
+  if (!q.all() && by_success) likeliest_first(q, ledger, shots);
+  for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
+    if (!shot.success) find_success(q, ledger, shot);
+    find_margin(q, ledger, shot);
   }
+  if (q.all() && by_success) order(q.puzzle, shots);
 }
 
 }  // namespace bankshot::planning

@@ -3,6 +3,8 @@
 // Which of the shots found is the answer: their order by `prefer`, and margin and success where they are asked for.
 #pragma once
 
+#include <span>
+
 #include "planners/findings.hpp"
 #include "planners/ledger.hpp"
 #include "planners/question.hpp"
@@ -15,8 +17,13 @@ double first_merit(const Puzzle& puzzle, const Shot& shot);
 /// Drops shots beside the centre where some line reaches it, and orders the rest, best first.
 void rank(const Question& q, std::vector<Shot>& shots);
 
-/// Margin and success: of every shot where all are wanted, else of the best; success of all that compete where it
-/// decides the order. What that costs is no part of the search: `ledger` is one of its own.
+/// What the success of a shot may be, as its first-order chance and those of the shots beside it say: an upper bound
+/// that settings::rank measures.
+double success_at_most(const Question& q, std::span<const Shot> shots, const Shot& shot);
+
+/// Margin and success: of every shot where all are wanted, else of the best. Where success decides the order, and only
+/// the best is wanted, the success of a shot that cannot be first is not computed. What that costs is no part of the
+/// search: `ledger` is one of its own.
 void add_robustness(const Question& q, Ledger& ledger, Findings& found);
 
 }  // namespace bankshot::planning

@@ -272,6 +272,7 @@ class Chance {
     constexpr double node[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
     constexpr double weight[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
     constexpr double density_at_0 = 0.3989422804014327;
+    if (std::all_of(lines_.begin(), lines_.end(), [](const Line& l) { return l.chance == 1; })) return 1;
     const std::vector<double> slope = slopes();
     double total = lines_.front().chance * normal_below(lines_.front().along) +
                    lines_.back().chance * normal_below(-lines_.back().along);

@@ -39,7 +39,9 @@ const Shot& best_of(const Question& q, const Findings& found) {
 
 /// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.
 bool rivals_wanted(const Question& q, const Ledger& ledger, const Findings& found) {
-  return !q.first() && !q.all() && !q.route && !found.shots.empty() && !ledger.cut();
+  if (q.first() || q.all() || q.route || found.shots.empty() || ledger.cut()) return false;
+  const auto sure = [](const Shot& s) { return s.chance > sure_enough; };
+  return q.puzzle.prefer != Prefer::robust || std::ranges::none_of(found.shots, sure);
 }
 
 void rivals(const Question& q, Ledger& ledger, Findings& found) {

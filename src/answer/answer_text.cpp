@@ -75,7 +75,9 @@ void describe(std::string& out, const Puzzle& p, const Shot& shot) {
     row("", interval(shot.margin->speed, 1, "m/s of speed"));
   }
   if (shot.success) row("chance", fmt::format("{:.0f} % for the player given", 100 * *shot.success));
-  row("note", fmt::format("0.1 degrees of aim moves the arrival by {:.0f} mm", 1e3 * shot.condition * radians(0.1)));
+  // An answer that was read from its JSON does not know this.
+  if (const double moved = norm(shot.by_angle) * radians(0.1); moved > 0)
+    row("note", fmt::format("0.1 degrees of aim moves the arrival by {:.0f} mm", 1e3 * moved));
 }
 
 }  // namespace

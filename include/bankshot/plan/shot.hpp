@@ -42,6 +42,7 @@ struct Shot {
   /// First-order margin in standard deviations of the player: orders shots when success is not
   /// computed.
   double first_order = 0;
+  double chance = 0;  ///< `success` to first order, from one simulation (planners/merit/first_order.hpp)
   std::optional<Margin> margin{};
   std::optional<double> success{};  ///< chance that the target is made under the puzzle's noise
   std::string planner{};

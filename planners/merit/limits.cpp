@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "planners/merit/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "planners/settings.hpp"
+
+namespace bankshot::planning {
+
+using namespace settings::first_order;
+
+void Limits::add(double room, const Vec2d& slope) {
+  if (room < farthest * norm(slope)) sides_.push_back({std::max(room, 0.0), slope});
+}
+
+void Limits::rest(const Vec2<Dual<2>>& from_mark, double reach) {
+  const Vec2d x = in_deviations(from_mark.x), y = in_deviations(from_mark.y);
+  from_mark_ = {from_mark.x.a, from_mark.y.a};
+  by_aim_ = {x.x, y.x};
+  by_push_ = {x.y, y.y};
+  reach_ = reach;
+}
+
+/// Deviations to what breaks it first; `towards` need not be a unit vector, and is the unit of what is returned.
+double Limits::distance(const Vec2d& towards) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Side& side : sides_) {
+    const double loss = -dot(side.slope, towards);
+    if (side.room < least * loss) least = side.room / loss;
+  }
+  if (!(reach_ > 0)) return least;
+  const Vec2d move = by_aim_ * towards.x + by_push_ * towards.y;
+  const double a = dot(move, move), b = dot(move, from_mark_),
+               c = std::max(reach_ * reach_ - dot(from_mark_, from_mark_), 0.0);
+  const double root = std::sqrt(b * b + a * c);
+  return std::min(least, b > 0 ? c / (b + root) : a > 0 ? (root - b) / a : least);
+}
+
+double Limits::chance(const Vec2d& across, double half) const {
+  const double stretch = std::clamp(half, narrowest, 1.0);
+  const double step = 2 * std::numbers::pi / directions, c1 = std::cos(step), s1 = std::sin(step);
+  double c = std::cos(step / 2), s = std::sin(step / 2), sum = 0;
+  for (int k = 0; k < directions; ++k) {
+    const Vec2d towards = perpendicular(across) * c + across * (stretch * s);
+    const double size2 = dot(towards, towards), rho = distance(towards);
+    sum -= stretch / size2 * std::expm1(-rho * rho * size2 / 2);
+    const double next = c * c1 - s * s1;
+    s = s * c1 + c * s1;
+    c = next;
+  }
+  return std::min(sum / directions, 1.0);
+}
+
+double Limits::chance() const {
+  const Vec2d across =
+      direction(std::atan2(2 * dot(by_aim_, by_push_), dot(by_aim_, by_aim_) - dot(by_push_, by_push_)) / 2);
+  const double most = norm(by_aim_ * across.x + by_push_ * across.y),
+               least = norm(by_push_ * across.x - by_aim_ * across.y);
+  // A part that ends within a deviation both ways is stretched to a circle.
+  return chance(across, std::max(least, reach_) / most);
+}
+
+}  // namespace bankshot::planning
