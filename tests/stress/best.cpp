@@ -10,7 +10,8 @@
 //   solve_worse   than --all: more than 0.5 % of speed or time, or 0.005 of chance (by 20,000 draws); far: 10 %, 0.1
 //   silent        of solve_worse: the message does not say that there may be better
 //   *_below_force the same against brute force; force_worse: brute force is worse than --all, so that was missed by it
-//   us_*          of the processor, a puzzle; robust: with the chances that its order needs
+//   all_climbs    a pattern search in what is free, begun at the first of --all, gets better by as much: it is no local
+//   best us_*          of the processor, a puzzle; robust: with the chances that its order needs
 // The worst cases print on standard error as JSON that `bankshot solve` replays. Exit 0: it measures.
 #include <fmt/format.h>
 
@@ -94,7 +95,7 @@ struct Count {
 
 struct Tally {
   long puzzles = 0, unsolved_solve = 0, unsolved_all = 0, beside_solve = 0, beside_all = 0, silent = 0, no_force = 0;
-  Count solve, solve_below_force, all_below_force, force;
+  Count solve, solve_below_force, all_below_force, force, climbs;
   double simulations_solve = 0, simulations_all = 0, simulations_force = 0;
   double us_solve = 0, us_all = 0, us_force = 0;
   std::vector<std::pair<double, std::string>> cases{};  ///< the worst ones, by how much
@@ -146,7 +147,11 @@ std::string told(const std::optional<Rival>& r) {
 
 void compare(const Way& way, const Puzzle& p, const Answer& best, std::optional<Rival> first,
              std::optional<Rival> among, std::optional<Rival> forced, Tally& t) {
-  if (p.prefer == Prefer::robust) draw_chances(p, {&first, &among, &forced});
+  std::optional<Rival> climbed;
+  if (way.force && among && way.free != "nothing")
+    if (const auto r = test::climb_from(p, way.fineness, among->launch, among->spin))
+      climbed = Rival{r->launch, r->spin, r->time};
+  if (p.prefer == Prefer::robust) draw_chances(p, {&first, &among, &forced, &climbed});
   std::vector<std::string> what;
   double amount = 0;
   const auto note = [&](Count& count, const std::optional<Rival>& a, const std::optional<Rival>& b, const char* words) {
@@ -162,6 +167,7 @@ void compare(const Way& way, const Puzzle& p, const Answer& best, std::optional<
     note(t.solve_below_force, first, forced, "solve below force");
     note(t.all_below_force, among, forced, "--all below force");
     note(t.force, forced, among, "force below --all");
+    note(t.climbs, among, climbed, "--all below what it climbs to");
     t.no_force += !forced;
   }
   if (best.shots.empty() || (forced && (!first || !among))) {
@@ -169,8 +175,9 @@ void compare(const Way& way, const Puzzle& p, const Answer& best, std::optional<
     amount = 1;
   }
   if (what.empty()) return;
-  t.cases.emplace_back(amount, fmt::format("{}\n  solve {}\n  all   {}\n  force {}\n{}", fmt::join(what, ", "),
-                                           told(first), told(among), told(forced), write_puzzle(p)));
+  t.cases.emplace_back(
+      amount, fmt::format("{}\n  solve {}\n  all   {}\n  force {}\n  climb {}\n{}", fmt::join(what, ", "), told(first),
+                          told(among), told(forced), told(climbed), write_puzzle(p)));
 }
 
 void one(const Way& way, test::Random& random, Tally& t) {
@@ -199,7 +206,8 @@ void one(const Way& way, test::Random& random, Tally& t) {
 constexpr const char* header =
     "physics,free,prefer,seed,aim_step_degrees,puzzles,unsolved_solve,unsolved_all,beside_solve,beside_all,solve_worse,"
     "solve_far_worse,silent,solve_below_force,solve_far_below_force,all_below_force,all_far_below_force,no_force,"
-    "force_worse,force_far_worse,simulations_solve,us_solve,simulations_all,us_all,simulations_force,us_force\n";
+    "force_worse,force_far_worse,all_climbs,all_climbs_far,simulations_solve,us_solve,simulations_all,us_all,"
+    "simulations_force,us_force\n";
 
 void print(const Way& way, const std::string& physics, std::uint64_t seed, const Tally& t) {
   const double n = static_cast<double>(t.puzzles);
@@ -207,8 +215,9 @@ void print(const Way& way, const std::string& physics, std::uint64_t seed, const
                            prefers[static_cast<int>(way.prefer)], seed, way.force ? degrees(way.fineness.grid.aim) : 0,
                            t.puzzles, t.unsolved_solve, t.unsolved_all, t.beside_solve, t.beside_all, t.solve.worse,
                            t.solve.far, t.silent)
-            << fmt::format("{},{},{},{},{},{},{},", t.solve_below_force.worse, t.solve_below_force.far,
-                           t.all_below_force.worse, t.all_below_force.far, t.no_force, t.force.worse, t.force.far)
+            << fmt::format("{},{},{},{},{},{},{},{},{},", t.solve_below_force.worse, t.solve_below_force.far,
+                           t.all_below_force.worse, t.all_below_force.far, t.no_force, t.force.worse, t.force.far,
+                           t.climbs.worse, t.climbs.far)
             << fmt::format("{:.1f},{:.1f},{:.0f},{:.0f},{:.0f},{:.0f}\n", t.simulations_solve / n, t.us_solve / n,
                            t.simulations_all / n, t.us_all / n, t.simulations_force / n, t.us_force / n)
             << std::flush;

@@ -27,6 +27,16 @@ class Search {
     ranges_ = {s.top, s.side, s.masse, arrival};
   }
 
+  std::optional<Root> from(const Launch& launch, const LaunchSpin& spin) {
+    const Flight f = fly(a_, launch, spin, ranges_[3].high);
+    const auto end = f.passes.begin() + f.count;
+    const auto nearest = std::min_element(
+        f.passes.begin(), end, [](const Pass& a, const Pass& b) { return std::abs(a.beside) < std::abs(b.beside); });
+    constexpr double exact = 1e-9;
+    if (nearest == end || std::abs(nearest->beside) > exact * a_.boundary.diagonal) return {};
+    return climb({launch, spin, {}, nearest->route, a_.stops ? 0 : nearest->fast, nearest->time});
+  }
+
   ByForce run() {
     std::vector<Root> tops = p_.spin_range ? over_spins() : on_grid(p_.spin, fine_.grid, fine_.arrivals, more_draws);
     keep_best(tops);
@@ -129,6 +139,11 @@ class Search {
 }  // namespace
 
 ByForce best_by_force(const Puzzle& puzzle, const Fineness& fineness) { return Search(puzzle, fineness).run(); }
+
+std::optional<Root> climb_from(const Puzzle& puzzle, const Fineness& fineness, const Launch& launch,
+                               const LaunchSpin& spin) {
+  return Search(puzzle, fineness).from(launch, spin);
+}
 
 double drawn_chance(const Aimed& a, const Launch& launch, const LaunchSpin& spin, int draws, std::uint64_t seed) {
   Random random(seed);

@@ -24,6 +24,10 @@ struct ByForce {
 };
 ByForce best_by_force(const Puzzle& puzzle, const Fineness& fineness);
 
+/// Where the pattern search leads from a shot of somebody else; none where brute force does not see that it is exact.
+std::optional<Root> climb_from(const Puzzle& puzzle, const Fineness& fineness, const Launch& launch,
+                               const LaunchSpin& spin);
+
 /// The chance that a launch makes the target under the puzzle's noise, by so many draws of a seed.
 double drawn_chance(const Aimed& aimed, const Launch& launch, const LaunchSpin& spin, int draws, std::uint64_t seed);
 
