@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Solves random puzzles that have a shot and checks every answer with a replay of its own.
-//   stress --count 100000 --seed 1 --physics rolling --family all [--planner auto] [--csv] [--progress]
+//   stress --count 100000 --seed 1 --physics rolling --family all [--planner auto] [--all] [--csv] [--progress]
+//   stress --family list
 // Prints a line a family (--csv: comma-separated, with the failures on standard error); each failure prints as JSON
 // that `bankshot solve` replays. Puzzles are plain or hard: plain where the shot it was made from has κ < 1e6
 // (simulate/simulator.hpp, property 6) and keeps its cushions when the aim turns by 1e-9 rad. Exit 1 if a plain one is
-// not solved, more than one in a thousand of the hard ones, if the answer to a plain one that asks for a point is off
-// centre, or any answer is wrong.
+// not solved, more than one in a thousand of the hard ones, if the answer to a plain one that has a shot at the centre
+// is off centre, or any answer is wrong or spends more than its budget and one path. With --all also if the shot that a
+// plain one was made from is not among them, where nothing is left free. --verify holds each answer against 50 digits.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,18 +19,21 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/trajectory.hpp"
-#include "support/random_puzzle.hpp"
+#include "support/families.hpp"
 #include "support/replay_check.hpp"
 #include "support/truth.hpp"
+#include "truth/claims.hpp"
 
 namespace {
 
 using namespace bankshot;
 
 struct Tally {
-  long puzzles = 0, solved = 0, hard = 0, hard_unsolved = 0, off_centre = 0, wrong = 0, corners = 0, simulations = 0;
-  long point_off = 0, hard_point_off = 0;  ///< solved, but beside the point asked; of the plain ones, of the hard ones
-  double worst_miss = 0;                   // of the diagonal
+  long puzzles = 0, solved = 0, hard = 0, unsolved = 0, hard_unsolved = 0, off_centre = 0, wrong = 0, corners = 0,
+       simulations = 0;
+  long point_off = 0, hard_point_off = 0;  ///< solved, but beside the centre; of the plain ones, of the hard ones
+  long over_budget = 0, lost = 0, hard_lost = 0;
+  double worst_miss = 0;  // of the diagonal
   double worst_speed = 0, us = 0;
 
   std::map<std::string, long> found_by{};  ///< the step that found the best shot
@@ -37,9 +42,10 @@ struct Tally {
     for (const auto& [step, times] : found_by) out += fmt::format("{}{} {}", out.empty() ? "" : "; ", step, times);
     return out;
   }
-  long plain_unsolved() const { return puzzles - solved - hard_unsolved; }
+  long plain_unsolved() const { return unsolved - hard_unsolved; }
   bool clean() const {
-    return plain_unsolved() == 0 && point_off == 0 && wrong == 0 && hard_unsolved <= std::max(1L, hard / 1000);
+    return plain_unsolved() == 0 && point_off == 0 && wrong == 0 && over_budget == 0 && lost == 0 &&
+           hard_unsolved <= std::max(1L, hard / 1000);
   }
 };
 
@@ -79,47 +85,173 @@ bool is_hard(const test::Made& made) {
 /// Rad: what counts as a path through a corner, twice the margin.
 constexpr double beside_corner = 2e-9;
 
-void one(test::Random& random, test::Family family, test::Model model, int bounces, const SolveOptions& options,
-         std::ostream& failures, Tally& t) {
-  const test::Made made = test::random_puzzle(random, family, model, bounces);
-  const auto begin = std::chrono::steady_clock::now();
-  const Answer a = solve(made.puzzle, options);
-  t.us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
-  const bool hard = is_hard(made);
-  ++t.puzzles;
-  t.hard += hard;
-  t.simulations += a.simulations;
-  const auto report = [&](const std::string& what) {
-    failures << fmt::format("FAILED {} {}: {} (made from {} m/s at {} degrees, {} bounces)\n{}\n", test::name(family),
-                            hard ? "(hard)" : "(plain)", what, made.launch.speed, degrees(made.launch.angle),
-                            made.bounces, write_puzzle(made.puzzle))
-             << std::flush;
-  };
-  if (a.status != Status::solved) {
-    t.hard_unsolved += hard;
-    if (through_corner(made, beside_corner)) ++t.corners;
-    return report(a.message);
+/// Some root is at the centre: that of the shot it was made from.
+bool has_centre(const test::Made& made) {
+  if (!is_pocket(made.puzzle.target)) return true;
+  const Puzzle& p = made.puzzle;
+  const Trajectory t =
+      simulate({.table = p.table, .physics = p.physics, .ball = p.ball, .launch = made.launch, .spin = p.spin});
+  if (t.end != EventKind::pocket) return false;
+  const Record& drop = t.events[t.events.size() - 2];
+  const Vec2d off = p.table.pockets[static_cast<std::size_t>(drop.contact.index)].at - drop.state.at;
+  constexpr double exact = 1e-11;  // of the diagonal
+  return std::abs(cross(drop.state.velocity, off)) < exact * p.table.diagonal() * norm(drop.state.velocity);
+}
+
+/// Only single launches are asked for, and the one it was made from is one of them.
+bool nothing_free(const test::Made& made) {
+  const auto arrival = arrival_range(made.puzzle);
+  return !made.puzzle.spin_range && !is_ideal(made.puzzle.physics) && (!arrival || arrival->fixed()) &&
+         has_centre(made);
+}
+
+bool is_among(const test::Made& made, const std::vector<Shot>& shots) {
+  constexpr double same = 1e-5;  // rad, and of the speed; two roots that are closer are one here
+  return std::any_of(shots.begin(), shots.end(), [&](const Shot& s) {
+    const double turned = wrap_angle(s.launch.angle - made.launch.angle + radians(180)) - radians(180);
+    return std::abs(turned) < same && std::abs(s.launch.speed / made.launch.speed - 1) < same;
+  });
+}
+
+/// What a solve is asked to do, and how its answer is checked.
+struct Way {
+  const test::NamedFamily& family;
+  test::Model model;
+  int bounces;
+  SolveOptions options;
+  bool verify = false;
+};
+
+/// One puzzle, its answer and what is wrong with it.
+class Case {
+ public:
+  Case(const Way& way, test::Random& random, std::ostream& failures, Tally& tally)
+      : way_(way),
+        made_(way.family.make(random, way.model, way.bounces)),
+        hard_(is_hard(made_)),
+        failures_(failures),
+        t_(tally) {
+    ++t_.puzzles;
+    t_.hard += hard_;
   }
-  ++t.solved;
-  const Shot& shot = a.shots.front();
-  ++t.found_by[std::string(shot.planner)];
-  const double miss = shot.miss / made.puzzle.table.diagonal();
-  if (miss > 1e-9) {
-    ++t.off_centre;
-    if (!std::holds_alternative<PocketTarget>(made.puzzle.target)) {
-      const bool excused = hard || through_corner(made, beside_corner);
-      ++(excused ? t.hard_point_off : t.point_off);
-      if (!excused) report(fmt::format("miss {:.3g} of the diagonal", miss));
+
+  void run(bool all) {
+    SolveOptions options = way_.options;
+    options.all = all;
+    const auto begin = std::chrono::steady_clock::now();
+    const Answer a = solve(made_.puzzle, options);
+    t_.us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+    t_.simulations += a.simulations;
+    if (a.simulations > made_.puzzle.budget + 1) {
+      ++t_.over_budget;
+      report(fmt::format("{}spends {} simulations of {}", all ? "--all " : "", a.simulations, made_.puzzle.budget));
     }
-  } else {
-    t.worst_miss = std::max(t.worst_miss, miss);
+    if (way_.verify) verify(a);
+    if (a.status != Status::solved) {
+      if (!way_.family.solvable) return;
+      t_.hard_unsolved += hard_;
+      ++t_.unsolved;
+      t_.corners += through_corner(made_, beside_corner);
+      return report(a.message);
+    }
+    ++t_.solved;
+    best(a.shots.front());
+    for (const Shot& shot : a.shots) check(shot);
+    if (all && way_.family.solvable && nothing_free(made_) && !is_among(made_, a.shots)) {
+      ++(hard_ ? t_.hard_lost : t_.lost);
+      if (!hard_) report("the shot it was made from is not among all");
+    }
   }
-  const test::Checked c = test::check_shot(made.puzzle, shot);
-  if (!c.problem.empty()) {
-    ++t.wrong;
-    report(c.problem);
+
+ private:
+  void best(const Shot& shot) {
+    ++t_.found_by[std::string(shot.planner)];
+    const double miss = shot.miss / made_.puzzle.table.diagonal();
+    if (miss <= 1e-9) {
+      t_.worst_miss = std::max(t_.worst_miss, miss);
+      return;
+    }
+    ++t_.off_centre;
+    if (!way_.family.solvable || !has_centre(made_)) return;
+    const bool excused = hard_ || through_corner(made_, beside_corner);
+    ++(excused ? t_.hard_point_off : t_.point_off);
+    if (!excused) report(fmt::format("miss {:.3g} of the diagonal", miss));
   }
-  t.worst_speed = std::max(t.worst_speed, c.speed_error);
+
+  void check(const Shot& shot) {
+    const test::Checked c = test::check_shot(made_.puzzle, shot);
+    if (!c.problem.empty()) wrong(c.problem);
+    t_.worst_speed = std::max(t_.worst_speed, c.speed_error);
+  }
+
+  void verify(const Answer& a) {
+    for (const truth::Check& c : truth::check(&made_.puzzle, made_.puzzle.id, a))
+      if (!c.holds())
+        return wrong(
+            fmt::format("{} does not hold: off {}, allowed {} {}", truth::name(c.claim), c.off, c.allowed, c.what));
+  }
+
+  void wrong(const std::string& what) {
+    ++t_.wrong;
+    report(what);
+  }
+
+  void report(const std::string& what) const {
+    failures_ << fmt::format("FAILED {} {}: {} (made from {} m/s at {} degrees, {} bounces)\n{}\n", way_.family.name,
+                             hard_ ? "(hard)" : "(plain)", what, made_.launch.speed, degrees(made_.launch.angle),
+                             made_.bounces, write_puzzle(made_.puzzle))
+              << std::flush;
+  }
+
+  const Way& way_;
+  test::Made made_;
+  bool hard_;
+  std::ostream& failures_;
+  Tally& t_;
+};
+
+void print(const Way& way, const std::string& physics, std::uint64_t seed, bool csv, const Tally& t) {
+  const auto out = [&](auto format) {
+    std::cout << fmt::format(fmt::runtime(format), way.options.planner, physics, way.family.name, seed, t.puzzles,
+                             t.solved, t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
+                             static_cast<double>(t.simulations) / static_cast<double>(t.puzzles),
+                             t.us / static_cast<double>(t.puzzles), t.plain_unsolved(), t.hard, t.hard_unsolved,
+                             t.point_off, t.hard_point_off, t.over_budget, t.lost, t.hard_lost, t.steps());
+  };
+  out(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{},{},{},{},{},{},{},{},{}\n"
+          : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the centre), {} unsolved through a "
+            "corner, {} wrong, worst miss {:.2g} of the "
+            "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each; {} plain ones unsolved, "
+            "of {} hard ones {}; beside a centre that has a shot {} plain ones, {} hard ones; over budget {}; not "
+            "among "
+            "all {} plain ones, {} hard ones; found by {}\n");
+  std::cout << std::flush;
+}
+
+bool run(const Way& way, long count, std::uint64_t seed, bool progress, std::ostream& failures, Tally& t) {
+  test::Random random(seed);
+  for (long i = 0; i < count; ++i) {
+    Case one(way, random, failures, t);
+    one.run(way.options.all);
+    if (!way.family.solvable) one.run(!way.options.all);
+    if (progress && (i + 1) % std::max(1L, count / 100) == 0)
+      std::cerr << fmt::format("{}: {} of {}, {} unsolved\n", way.family.name, i + 1, count, t.unsolved);
+  }
+  return t.clean();
+}
+
+/// "all" are the four families of random_puzzle.hpp, a quarter of the puzzles each.
+std::vector<const test::NamedFamily*> families(const std::string& name) {
+  std::vector<const test::NamedFamily*> out;
+  if (name == "all")
+    for (const test::Family f : test::families) out.push_back(test::find_family(test::name(f)));
+  else
+    out.push_back(test::find_family(name));
+  return out;
+}
+
+void list_families() {
+  for (const test::NamedFamily& f : test::named_families()) std::cout << fmt::format("{:14} {}\n", f.name, f.summary);
 }
 
 }  // namespace
@@ -135,14 +267,19 @@ int main(int argc, char** argv) {
   app.add_option("--physics", physics)
       ->check(CLI::IsMember({"ideal", "rolling", "spin", "mathavan"}))
       ->capture_default_str();
-  app.add_option("--family", family)
-      ->check(CLI::IsMember({"all", "uniform", "discrete", "convex", "reflex"}))
+  app.add_option("--family", family, "One family, all (the first four), or list")
+      ->check([](const std::string& name) {
+        const bool known = name == "all" || name == "list" || test::find_family(name);
+        return known ? std::string() : "no such family; --family list names them";
+      })
       ->capture_default_str();
   int bounces = -1;
-  app.add_option("--cushions", bounces, "Exactly so many cushions; -1: up to 5")->capture_default_str();
-  bool csv = false, progress = false;
+  app.add_option("--cushions", bounces, "Exactly so many cushions; -1: as usual in the family")->capture_default_str();
+  bool csv = false, progress = false, verify = false;
   app.add_flag("--csv", csv);
   app.add_flag("--progress", progress, "Tell on standard error how far it is, a hundred times a family");
+  app.add_flag("--all", options.all, "Ask for every shot, and look for the one that the puzzle was made from");
+  app.add_flag("--verify", verify, "Hold every answer against 50 digits, as bankshot verify does");
   app.add_option("--planner", options.planner)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
@@ -150,35 +287,20 @@ int main(int argc, char** argv) {
                             : physics == "rolling" ? test::Model::rolling
                             : physics == "spin"    ? test::Model::spin
                                                    : test::Model::mathavan;
+  if (family == "list") {
+    list_families();
+    return 0;
+  }
   bool clean = true;
   if (csv)
     std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_"
-                 "diagonal,worst_speed_error,simulations_each,us_each,plain_unsolved,hard,hard_unsolved,points_beside,"
-                 "hard_points_beside,found_by\n";
-  for (const test::Family f : test::families) {
-    if (family != "all" && family != test::name(f)) continue;
-    test::Random random(seed);
+                 "diagonal,worst_speed_error,simulations_each,us_each,plain_unsolved,hard,hard_unsolved,plain_beside,"
+                 "hard_beside,over_budget,plain_lost,hard_lost,found_by\n";
+  for (const test::NamedFamily* f : families(family)) {
+    const Way way{*f, model, bounces, options, verify};
     Tally t;
-    const long most = family == "all" ? count / 4 : count;
-    for (long i = 0; i < most; ++i) {
-      one(random, f, model, bounces, options, csv ? std::cerr : std::cout, t);
-      if (progress && (i + 1) % std::max(1L, most / 100) == 0)
-        std::cerr << fmt::format("{}: {} of {}, {} unsolved\n", test::name(f), i + 1, most, t.puzzles - t.solved);
-    }
-    const auto print = [&](auto format) {
-      std::cout << fmt::format(fmt::runtime(format), options.planner, physics, test::name(f), seed, t.puzzles, t.solved,
-                               t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
-                               static_cast<double>(t.simulations) / static_cast<double>(t.puzzles),
-                               t.us / static_cast<double>(t.puzzles), t.plain_unsolved(), t.hard, t.hard_unsolved,
-                               t.point_off, t.hard_point_off, t.steps());
-    };
-    print(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{},{},{},{},{},{}\n"
-              : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the centre), {} unsolved through a "
-                "corner, {} wrong, worst miss {:.2g} of the "
-                "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each; {} plain ones unsolved, "
-                "of {} hard ones {}; beside a point asked {} plain ones, {} hard ones; found by {}\n");
-    std::cout << std::flush;
-    clean = clean && t.clean();
+    clean = run(way, family == "all" ? count / 4 : count, seed, progress, csv ? std::cerr : std::cout, t) && clean;
+    print(way, physics, seed, csv, t);
   }
   return clean ? 0 : 1;
 }

@@ -67,6 +67,22 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
   return best;
 }
 
+/// What the puzzle bounds of a launch; empty when it keeps all.
+std::string bound_broken(const Puzzle& p, const Shot& shot) {
+  constexpr double slack = 1e-9;  // rad; an aim is written in degrees
+  const int n = static_cast<int>(shot.cushions.size());
+  if (shot.launch.speed < p.speed.low || shot.launch.speed > p.speed.high) return "leaves the speed bounds";
+  if (p.angle && wrap_angle(shot.launch.angle - p.angle->low + slack) > p.angle->high - p.angle->low + 2 * slack)
+    return "leaves the aim's bounds";
+  if (n < p.cushions.min || n > p.cushions.max) return "meets another number of cushions";
+  const auto inside = [](double v, const Range& r) { return r.low - 1e-12 <= v && v <= r.high + 1e-12; };
+  const SpinRange spin = p.spin_range.value_or(
+      SpinRange{{p.spin.top, p.spin.top}, {p.spin.side, p.spin.side}, {p.spin.masse, p.spin.masse}});
+  if (!inside(shot.spin.top, spin.top) || !inside(shot.spin.side, spin.side) || !inside(shot.spin.masse, spin.masse))
+    return "has another spin than asked";
+  return {};
+}
+
 }  // namespace
 
 Checked check_shot(const Puzzle& p, const Shot& shot) {
@@ -77,9 +93,11 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   const std::size_t n = shot.cushions.size();
   const double allowed = std::max(1e-9 * p.table.diagonal(), shot.miss * (1 + 1e-9));
   double miss = 0, speed = 0;
+  // Of a range that includes 0 a shot that arrives at 0 rests, any other passes.
+  const auto asked = arrival_range(p);
+  const bool rests = asked && asked->low == 0 && (asked->high == 0 || shot.arrival.speed == 0);
   if (const auto* point = std::get_if<PointTarget>(&p.target)) {
-    const auto asked = arrival_range(p);
-    if (asked && asked->high == 0) {
+    if (rests) {
       if (t.end != EventKind::rest || static_cast<std::size_t>(t.cushions) != n)
         c.problem = "does not rest after its bounces";
       miss = norm(t.events.back().state.at - point->at);
@@ -98,9 +116,8 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   if (miss > allowed) c.problem = fmt::format("misses by {} m", miss);
   if (!same_sequence(shot.cushions, t, n)) c.problem = "does not meet the cushions it names";
   if (p.cushions.sequence && !same_sequence(*p.cushions.sequence, t, n)) c.problem = "does not meet the cushions asked";
-  if (shot.launch.speed < p.speed.low || shot.launch.speed > p.speed.high) c.problem = "leaves the speed bounds";
-  const auto asked = arrival_range(p);
-  if (asked && asked->high > 0) {
+  if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
+  if (asked && !rests && p.aim != Aim::safest) {  // which may leave the root inside what counts as made
     const double off = std::max(asked->low - speed, speed - asked->high);
     c.speed_error = std::max(0.0, off) / std::max(1.0, asked->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// The softest and the quickest shot of `--all` against brute force that shares only the simulator with the planners
+// (support/by_force.hpp), where nothing is left free: each must find what the other finds. At length: stress/best.cpp.
+#include "bankshot/plan/planner.hpp"
+#include "support/by_force.hpp"
+#include "support/catch.hpp"
+#include "support/forward.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+/// Smaller is better.
+double cost(Prefer prefer, double speed, double time) { return prefer == Prefer::soft ? speed : time; }
+
+}  // namespace
+
+TEST_CASE("the best of all shots is that of brute force") {
+  constexpr int puzzles = 12;
+  constexpr std::uint64_t seed = 3;
+  constexpr double little = 0.005;  // as much worse counts as the same
+  int compared = 0;
+  for (int i = 0; i < puzzles; ++i) {
+    test::Random random(seed, static_cast<std::uint64_t>(i));
+    Puzzle p = test::ask_for_some(random, -1, 3, [&] {
+                 return std::optional(test::usual_shot(random, test::Model::spin));
+               }).puzzle;
+    p.prefer = i % 2 ? Prefer::quick : Prefer::soft;
+    p.cushions = {0, 3, {}};
+    const Answer all = solve(p, {.all = true, .robustness = false});
+    const auto forced = test::best_by_force(p, {.grid = {.aim = radians(0.1)}}).best;
+    INFO("puzzle " << i << " of seed " << seed);
+    REQUIRE(all.status == Status::solved);
+    if (all.shots.front().off_centre) {
+      CHECK(!forced);
+      continue;
+    }
+    REQUIRE(forced);
+    ++compared;
+    const Shot& best = all.shots.front();
+    const double by_solve = cost(p.prefer, best.launch.speed, best.arrival.time),
+                 by_force = cost(p.prefer, forced->launch.speed, forced->time);
+    CHECK(by_solve <= by_force * (1 + little));
+    CHECK(by_force <= by_solve * (1 + little));
+  }
+  CHECK(compared > puzzles / 2);
+}

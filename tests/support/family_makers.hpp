@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// What draws the puzzles of families.hpp, whose list says what each is.
+#pragma once
+
+#include "support/random_puzzle.hpp"
+
+namespace bankshot::test::make {
+
+// Something is left free, or the search is.
+Made arrive_range(Random& random, Model model, int bounces);
+Made spin_range(Random& random, Model model, int bounces);
+Made both_bounds(Random& random, Model model, int bounces);
+Made budgets(Random& random, Model model, int bounces);
+
+// Where roots lie close to a bound, to another root or to the end of the motion.
+Made slow_friction(Random& random, Model model, int bounces);
+Made frozen(Random& random, Model model, int bounces);
+Made rail_hugging(Random& random, Model model, int bounces);
+Made hexagon(Random& random, Model model, int bounces);
+Made on_line(Random& random, Model model, int bounces);
+
+// Tables and coefficients far beyond what is played on.
+Made slender(Random& random, Model model, int bounces);
+Made sizes(Random& random, Model model, int bounces);
+Made triangles(Random& random, Model model, int bounces);
+Made shapes(Random& random, Model model, int bounces);
+Made edge_pockets(Random& random, Model model, int bounces);
+Made extremes(Random& random, Model model, int bounces);
+Made many_cushions(Random& random, Model model, int bounces);
+Made fast(Random& random, Model model, int bounces);
+
+}  // namespace bankshot::test::make
