@@ -88,9 +88,12 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
                      : distinct == 1 ? "one shot found"
                                      : fmt::format("{} distinct shots found", distinct);
   if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
-  if (a.shots.front().off_centre) text += "; nothing found reaches the target's centre, this reaches part of it";
+  if (a.shots.front().off_centre && q.puzzle.aim == Aim::centre)
+    text += "; nothing found reaches the target's centre, this reaches part of it";
   text += uncertain(q, a.shots.front());
-  if (ledger.cut()) text += "; the budget ended the search, so there may be better ones";
+  if (ledger.cut())
+    text +=
+        fmt::format("; the {} ended the search, so there may be better ones", ledger.cancelled() ? "caller" : "budget");
   if (q.all() && !found.complete && !ledger.cut())
     text += "; there may be more: shots in a narrow range of aims can be missed";
   return text;

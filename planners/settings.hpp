@@ -219,6 +219,10 @@ inline constexpr double longest_climb = 4, finest_climb = 0.01, least_gain = 1e-
 inline constexpr int most_climbed = 120;
 /// rad: turns of the compass that never repeat.
 inline constexpr double golden_turn = 2.399963;
+/// Steps of the last touch by simulated success: estimates at most, the finest step, a gain of chance that is worth
+/// one, and a chance that needs none.
+inline constexpr int most_tuned = 10;
+inline constexpr double finest_tuning = 0.2, worth_tuning = 0.001, sure = 0.995;
 /// A chance nearer to 0 or 1 is certain.
 inline constexpr double least_chance = 1e-15;
 }  // namespace family

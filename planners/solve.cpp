@@ -92,9 +92,9 @@ Wanted wanted(const SolveOptions& options) {
 }
 
 /// Words for what would open a puzzle that has no shot.
-std::string hint(const Puzzle& puzzle) {
-  return planning::what_would_open(puzzle,
-                                   [](const Puzzle& p) { return solve(p, {.robustness = false, .suggest = false}); });
+std::string hint(const Puzzle& puzzle, const SolveOptions& options) {
+  const SolveOptions plain{.robustness = false, .suggest = false, .cancelled = options.cancelled};
+  return planning::what_would_open(puzzle, [&](const Puzzle& p) { return solve(p, plain); });
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
       found.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));
     Answer a = finish(q, ledger, found, options, took);
     if (a.status != Status::no_shot || !options.suggest) return a;
-    const std::string words = hint(puzzle);
+    const std::string words = hint(puzzle, options);
     if (!words.empty()) a.message += "; " + words;
     return a;
   }

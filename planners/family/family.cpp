@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include "planners/locked/clearance.hpp"
 #include "planners/merit/first_order.hpp"
+#include "planners/merit/success.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
@@ -283,6 +284,37 @@ std::vector<Vector> Family::ways(const Tried& from, double turned) const {
     out.push_back(-basis.col(i));
   }
   return out;
+}
+
+Shot Family::tune(const Shot& shot) {
+  Shot best = shot;
+  if (!best.success) find_success(q_, ledger_, best);
+  auto at = settle(vector_of({best.launch.speed, near_window(best.launch.angle, q_.angle)}, best.spin), box_);
+  double step = 1, turned = 0;
+  for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.success < sure;) {
+    std::optional<Shot> better;
+    for (const Vector& way : ways({*at}, turned)) {
+      const auto next = settle(at->x + step * scale_.cwiseProduct(way), box_);
+      Tried t = next ? attempt(*next) : Tried{};
+      if (!t.made()) continue;
+      add_first_order(q_, t.proof->shot);
+      find_success(q_, ledger_, t.proof->shot);
+      ++tried;
+      if (!(*t.proof->shot.success > *best.success + worth_tuning)) continue;
+      better = std::move(t.proof->shot);
+      at = next;
+      break;
+    }
+    if (better) {
+      better->planner = best.planner;
+      better->simulations = best.simulations;
+      best = std::move(*better);
+    } else {
+      step /= 2;
+    }
+    turned += golden_turn;
+  }
+  return best;
 }
 
 void Family::keep(const Tried& t) {
