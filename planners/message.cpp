@@ -8,6 +8,8 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
+#include "planners/merit/first_order.hpp"
+#include "planners/nearest.hpp"
 #include "planners/proof/prove.hpp"
 #include "planners/settings.hpp"
 
@@ -52,6 +54,23 @@ std::string explain(const Question& q, const Failure& f) {
       break;
   }
   return fmt::format("needs an aim outside the bounds of {}", aims(q));
+}
+
+/// What a launch does instead of what is asked, or the bound at which it is held.
+std::string why(const Question& q, const Proof& proof) {
+  const Launch& l = proof.shot.launch;
+  const auto at_end = [](double v, const Range& r) {
+    const double slack = tolerance::bound * std::max(1.0, r.high);
+    return std::abs(v - r.low) <= slack || std::abs(v - r.high) <= slack;
+  };
+  const Range& v = q.puzzle.speed;
+  if (q.puzzle.angle && !q.puzzle.angle->fixed() && at_end(l.angle, *q.puzzle.angle))
+    return explain(q, {Foul::outside_aim});
+  if (!v.fixed() && at_end(l.speed, v)) return fmt::format("is held at the bound of {:.4g} m/s", l.speed);
+  const double speed = proof.shot.arrival.speed;
+  if (proof.failure.foul == Foul::inexact && q.arrival && !q.arrival->contains(speed))
+    return fmt::format("arrives at {:.4g} m/s", speed);
+  return explain(q, proof.failure);
 }
 
 /// The reasons that candidates failed for, the most frequent first.
@@ -137,20 +156,14 @@ std::string message(const Question& q, const Ledger& ledger, const Findings& fou
   return text;
 }
 
-void add_nearest(const Question& q, const Findings& found, Answer& a) {
-  if (a.status == Status::solved || !(found.nearest.launch.speed > 0)) return;
-  Launch launch = found.nearest.launch;
-  launch.speed = std::clamp(launch.speed, q.speed.low, q.speed.high);
-  Ledger aside(1);  // what an answer shows is no part of the search
-  const Goal goal = Goal::exactly(q, found.nearest.bounces);
-  Proof proof = prove(q, aside, launch, goal);
-  if (!proof.replayed) {  // outside a bound: no shot, but how it misses can be told
-    const Replay r = replay(q, aside, proof.shot.launch, goal, &proof.shot.cushions);
-    proof.shot.miss = r.miss;
-    proof.shot.arrival = r.arrival;
-  }
+void add_nearest(const Question& q, const Findings& found, bool scan, Answer& a) {
+  const auto launch = a.status == Status::no_shot ? nearest_launch(q, found, scan) : std::nullopt;
+  if (!launch) return;
+  Ledger aside(2);  // what an answer shows is no part of the search
+  Proof proof = prove(q, aside, *launch, Goal::of(q));
+  add_first_order(q, proof.shot);
   proof.shot.planner = "none";
-  a.nearest = Answer::Nearest{std::move(proof.shot), explain(q, found.nearest.failure)};
+  a.nearest = Answer::Nearest{std::move(proof.shot), why(q, proof)};
 }
 
 }  // namespace bankshot::planning

@@ -16,7 +16,7 @@ namespace bankshot::planning {
 std::string message(const Question& q, const Ledger& ledger, const Findings& found, const Answer& a,
                     std::size_t distinct);
 
-/// The closest miss of a search without a shot, replayed.
-void add_nearest(const Question& q, const Findings& found, Answer& a);
+/// The closest miss of a search without a shot (nearest.hpp), replayed. `scan`: look beyond what the search met.
+void add_nearest(const Question& q, const Findings& found, bool scan, Answer& a);
 
 }  // namespace bankshot::planning

@@ -66,7 +66,7 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   a.cost.certify_us = ledger.proof_us;
   a.status = !found.shots.empty() ? Status::solved : ledger.cut() ? Status::budget : Status::no_shot;
   const std::size_t distinct = found.shots.size();
-  planning::add_nearest(q, found, a);
+  planning::add_nearest(q, found, options.suggest, a);
   if (options.robustness && distinct > 0) {
     const auto begin = std::chrono::steady_clock::now();
     Ledger aside(std::numeric_limits<long>::max());  // margin and success are no part of the search

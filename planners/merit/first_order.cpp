@@ -43,23 +43,40 @@ Range sides(const Boundary& boundary, const Mark& mark, const Vec2d& u, double l
 /// One locked path with derivatives, and what limits it.
 class Path {
  public:
-  Path(const LockedAim& aim, const Launch& launch)
-      : aim_(aim), q_(aim.q), boundary_(q_.boundary), launch_(launch), limits_(launch, q_.puzzle.noise) {}
+  Path(const LockedAim& aim, const Launch& launch, const Noise& unit)
+      : aim_(aim), q_(aim.q), boundary_(q_.boundary), launch_(launch), unit_(unit), limits_(launch, unit) {}
 
+  const Limits& limits() const { return limits_; }
+
+  /// Follows the route and then the ball up to where it is abreast of `at`, or enters the circle around it; false where
+  /// it never gets to the last leg.
   template <class Motion, class Cushion>
-  FirstOrder run(const Motion& motion, const Cushion& cushion, const Vec2d& at) {
+  bool run(const Motion& motion, const Cushion& cushion, const Vec2d& at, double capture) {
     State<Number> state = dual_start<Number, 2>(q_, launch_);
     Contact before{};
     for (const Meeting& meeting : aim_.route) {
       const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(arc, t, before, meeting.with); };
-      state = follow_locked(boundary_, motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch).state;
+      const auto path = follow_locked(boundary_, motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
+      if (path.end != LockedEnd::complete) return false;
+      state = path.state;
       bounce(meeting.with, state.at);
       before = meeting.with;
     }
     const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(arc, t, before, {}); };
-    const auto arrival = arrive_locked(motion, boundary_.body, state, at, 0, q_.stop, watch);
+    const auto arrival = arrive_locked(motion, boundary_.body, state, at, capture, q_.stop, watch);
+    if (!(dot(arrival.heading, arrival.heading) > Number(0))) return false;
     q_.stop ? rests(arrival) : passes(arrival, at);
-    return out_;
+    return true;
+  }
+
+  /// The margin and the chance too.
+  FirstOrder first_order() const {
+    FirstOrder out = out_;
+    const double by_push = norm(out.by_log_speed) * unit_.speed / launch_.speed;
+    out.margin = aim_.mark.reach / std::hypot(norm(out.by_angle) * unit_.angle, by_push);
+    const double steep = norm(slope_);
+    out.chance = q_.stop ? limits_.chance() : steep > 0 ? limits_.chance(slope_ / steep, half_ / steep) : limits_.chance({1, 0}, 1);
+    return out;
   }
 
  private:
@@ -92,7 +109,6 @@ class Path {
     fast_enough(Number(0));
     limits_.rest(a.state.at - to<Number>(aim_.mark.at), aim_.mark.reach);
     moves(a.state.at);
-    out_.chance = limits_.chance();
   }
 
   void passes(const LockedArrival<Number>& a, const Vec2d& at) {
@@ -107,9 +123,8 @@ class Path {
     limits_.keep(room.high - miss);
     const double rolls_on = aim_.mark.captures() ? 0 : 2 * deceleration(q_.puzzle.physics) * aim_.mark.reach;
     fast_enough(dot(a.state.velocity, a.state.velocity) + rolls_on);
-    const Vec2d slope = limits_.in_deviations(miss);
-    const double steep = norm(slope), half = (room.high - room.low) / 2;
-    out_.chance = steep > 0 ? limits_.chance(slope / steep, half / steep) : limits_.chance({1, 0}, 1);
+    slope_ = limits_.in_deviations(miss);
+    half_ = (room.high - room.low) / 2;
   }
 
   /// The squared speed of arrival grows with that of the launch: no slower launch than where it is 0 gets there.
@@ -117,31 +132,41 @@ class Path {
     const double gain = speed2.v[1] / 2, least = gain > 0 ? std::max(1 - speed2.a / gain, 0.0) : 0;
     const double room = launch_.speed * (1 - std::sqrt(least));
     const double by_aim = speed2.a > 0 ? speed2.v[0] / speed2.a * room : 0;
-    limits_.add(room, {by_aim * q_.puzzle.noise.angle, q_.puzzle.noise.speed});
+    limits_.add(room, {by_aim * unit_.angle, unit_.speed});
   }
 
   void moves(const Vec2<Number>& end) {
     out_.by_angle = {end.x.v[0], end.y.v[0]};
     out_.by_log_speed = {end.x.v[1], end.y.v[1]};
-    const Noise& noise = q_.puzzle.noise;
-    out_.margin = aim_.mark.reach /
-                  std::hypot(norm(out_.by_angle) * noise.angle, norm(out_.by_log_speed / launch_.speed) * noise.speed);
   }
 
   const LockedAim& aim_;
   const Question& q_;
   const Boundary& boundary_;
   const Launch& launch_;
+  const Noise& unit_;
   Limits limits_;
   FirstOrder out_{};
+  Vec2d slope_{};    ///< of the lateral miss, in deviations
+  double half_ = 0;  ///< m, of the target's width
 };
 
 }  // namespace
 
 FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
-  return with_physics(aim.q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    return Path(aim, launch).run(motion, cushion, at);
+  Path path(aim, launch, aim.q.puzzle.noise);
+  const bool arrives = with_physics(aim.q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    return path.run(motion, cushion, at, 0);
   });
+  return arrives ? path.first_order() : FirstOrder{};
+}
+
+std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit) {
+  Path path(aim, launch, unit);
+  const bool arrives = with_physics(aim.q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    return path.run(motion, cushion, aim.mark.at, aim.mark.capture());
+  });
+  return arrives ? std::optional(path.limits()) : std::nullopt;
 }
 
 void add_first_order(const Question& q, Shot& shot) {

@@ -9,6 +9,7 @@
 
 #include "bankshot/plan/shot.hpp"
 #include "planners/locked/residual.hpp"
+#include "planners/merit/limits.hpp"
 
 namespace bankshot::planning {
 
@@ -21,6 +22,10 @@ struct FirstOrder {
 
 /// Of a launch along a route; `at` is where it arrives, or the mark where no replay has told.
 FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at);
+
+/// What limits a launch along a route, where errors are counted in units of `unit`; none where the path never gets to its
+/// last leg.
+std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit);
 
 /// Fills `by_angle`, `by_speed`, `condition`, `first_order` and `chance`.
 void add_first_order(const Question& q, Shot& shot);

@@ -13,7 +13,7 @@ namespace bankshot::planning {
 using namespace settings::first_order;
 
 void Limits::add(double room, const Vec2d& slope) {
-  if (room < farthest * norm(slope)) sides_.push_back({std::max(room, 0.0), slope});
+  if (room < farthest * norm(slope)) sides_.push_back({room, slope});
 }
 
 void Limits::rest(const Vec2<Dual<2>>& from_mark, double reach) {
@@ -24,12 +24,28 @@ void Limits::rest(const Vec2<Dual<2>>& from_mark, double reach) {
   reach_ = reach;
 }
 
-/// Deviations to what breaks it first; `towards` need not be a unit vector, and is the unit of what is returned.
-double Limits::distance(const Vec2d& towards) const {
+bool Limits::hold() const {
+  const auto broken = [](const Side& side) { return !(side.room > 0); };
+  return std::none_of(sides_.begin(), sides_.end(), broken) && !(reach_ > 0 && norm(from_mark_) > reach_);
+}
+
+double Limits::until_all_hold(const Vec2d& towards) const {
+  double most = 0;
+  for (const Side& side : sides_)
+    if (const double gain = dot(side.slope, towards); side.room < 0 && gain > 0)
+      most = std::max(most, -side.room / gain);
+  if (!(reach_ > 0)) return most;
+  // The near end of the way through the disc, or its nearest point where it is passed by.
+  const Vec2d move = by_aim_ * towards.x + by_push_ * towards.y;
+  const double a = dot(move, move), b = -dot(move, from_mark_), c = dot(from_mark_, from_mark_) - reach_ * reach_;
+  return c > 0 && b > 0 ? std::max(most, (b - std::sqrt(std::max(b * b - a * c, 0.0))) / a) : most;
+}
+
+double Limits::until(const Vec2d& towards) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Side& side : sides_) {
     const double loss = -dot(side.slope, towards);
-    if (side.room < least * loss) least = side.room / loss;
+    if (const double room = std::max(side.room, 0.0); room < least * loss) least = room / loss;
   }
   if (!(reach_ > 0)) return least;
   const Vec2d move = by_aim_ * towards.x + by_push_ * towards.y;
@@ -45,7 +61,7 @@ double Limits::chance(const Vec2d& across, double half) const {
   double c = std::cos(step / 2), s = std::sin(step / 2), sum = 0;
   for (int k = 0; k < directions; ++k) {
     const Vec2d towards = perpendicular(across) * c + across * (stretch * s);
-    const double size2 = dot(towards, towards), rho = distance(towards);
+    const double size2 = dot(towards, towards), rho = until(towards);
     sum -= stretch / size2 * std::expm1(-rho * rho * size2 / 2);
     const double next = c * c1 - s * s1;
     s = s * c1 + c * s1;

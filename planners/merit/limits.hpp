@@ -20,7 +20,7 @@ class Limits {
   /// Of a launch and its player.
   Limits(const Launch& launch, const Noise& noise) : per_rad_(noise.angle), per_log_(noise.speed / launch.speed) {}
 
-  /// Made while `room` stays positive. Its derivatives: by aim [rad] and by ln speed.
+  /// Made while `room` stays above 0. Its derivatives: by aim [rad] and by ln speed.
   void keep(const Dual<2>& room) { add(room.a, in_deviations(room)); }
   /// The same of a slope that is counted in deviations.
   void add(double room, const Vec2d& slope);
@@ -28,6 +28,13 @@ class Limits {
   void rest(const Vec2<Dual<2>>& from_mark, double reach);
   /// Derivatives by aim and ln speed, in deviations.
   Vec2d in_deviations(const Dual<2>& d) const { return {d.v[0] * per_rad_, d.v[1] * per_log_}; }
+
+  /// Whether it is made where the limits were seen.
+  bool hold() const;
+  /// How far in this direction until the first limit breaks, and, where some are broken, until the last of them is
+  /// kept again; in units of `towards`.
+  double until(const Vec2d& towards) const;
+  double until_all_hold(const Vec2d& towards) const;
 
   /// `across`: the direction in which least breaks it, and half the way from edge to edge there, in deviations.
   double chance(const Vec2d& across, double half) const;
@@ -39,7 +46,6 @@ class Limits {
     double room;
     Vec2d slope;
   };
-  double distance(const Vec2d& towards) const;
 
   double per_rad_, per_log_;
   std::vector<Side> sides_{};

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/line_search.hpp"
+#include "planners/merit/first_order.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
 
@@ -14,20 +16,165 @@ namespace {
 
 using namespace settings::margin;
 
-/// The largest step, up to `limit`, such that `made` holds all the way; none when it never breaks.
-/// A gap in between narrower than a quarter of the step so far can be stepped over.
-template <class Made>
-std::optional<double> how_far(double scale, double limit, Made&& made) {
-  double good = 0, step = std::min(scale * first_step, limit);
-  while (made(step)) {
-    if (step >= limit) return {};
-    good = step;
-    step = std::min(growth * step, limit);
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// One number of a launch that moves one way, by steps in rad or m/s.
+class Way {
+ public:
+  Way(const LockedAim& aim, Ledger& ledger, const Shot& shot, const Vec2d& towards)
+      : aim_(aim), ledger_(ledger), shot_(shot), goal_(Goal::along(shot.cushions)), towards_(towards) {}
+
+  /// The largest step, up to `limit`, such that the shot is made all the way; none when nothing breaks it.
+  std::optional<double> how_far(double scale, double limit) {
+    do {
+      bad_ = never;
+      walk(scale, limit);
+      if (!(bad_ < never)) return {};
+      close_in();
+      prove(limit);
+    } while (bad_ < limit && passes_over());
+    if (!(bad_ < never)) return {};
+    look_inside();
+    return good_;
   }
-  bisect(
-      good, step, [](double in, double out) { return out - in > tolerance::margin * out && out > finest; }, made);
-  return good;
-}
+
+ private:
+  Launch moved(double by) const { return {shot_.launch.speed + towards_.y * by, shot_.launch.angle + towards_.x * by}; }
+
+  bool made(double by) {
+    const Launch l = moved(by);
+    return l.speed > 0 && replay(aim_.q, ledger_, {l.speed, wrap_angle(l.angle)}, goal_).made;
+  }
+
+  /// What the derivatives say at one step.
+  struct Look {
+    double at;
+    bool holds = false;
+    double onward = never, back = 0;  ///< to where the first limit breaks; to where all hold again
+    double dip = never;               ///< back to where a limit would break that holds here
+  };
+  Look look(double by) {
+    Look out{by};
+    const Launch l = moved(by);
+    if (!(l.speed > 0)) return out;
+    ledger_.charge(aim_.route.size());
+    const auto limits = limits_of(aim_, l, unit);
+    if (!limits) return out;
+    out.holds = limits->hold();
+    out.onward = limits->until(towards_);
+    out.back = limits->until_all_hold(-towards_);
+    out.dip = limits->until(-towards_);
+    return out;
+  }
+
+  /// Outwards, to where the next limit should break, but no farther than doubles the way.
+  void walk(double scale, double limit) {
+    last_ = look(good_);
+    while (good_ < limit) {
+      const double step = last_.onward;
+      if (step <= settled * good_) return void(bad_ = good_ * (1 + tolerance::margin));
+      const double next = std::min({good_ + step, std::max(2 * good_, scale), limit});
+      if (!(next > good_)) return void(bad_ = next);
+      last_ = look(next);
+      const double dip = next - last_.dip;  // beyond the last step: something may have broken in between
+      if (last_.holds && dip > good_ && !made(dip)) return void(bad_ = dip);
+      if (!last_.holds || !made(next)) return void(bad_ = next);
+      good_ = next;
+    }
+  }
+
+  /// Where only launches break it that no aim tells apart, rounding decides: they are no end.
+  bool passes_over() {
+    const double beyond = bad_ * (1 + 4 * tolerance::margin) + 2 * tolerance::same_aim;
+    if (passed_ == most_passed || !made(beyond)) return false;
+    ++passed_;
+    good_ = beyond;
+    return true;
+  }
+
+  /// Newton's method between a step that is made and one that is not.
+  void close_in() {
+    for (int i = 0; i < most_looks && bad_ - good_ > tolerance::margin * bad_; ++i) {
+      double next = last_.holds ? last_.at + last_.onward : last_.at - last_.back;
+      if (!(next > good_ && next < bad_)) next = arithmetic_mean(good_, bad_);
+      const bool near = std::abs(next - last_.at) <= settled * next;
+      if (near) {
+        const double in = next * (1 - tolerance::margin / 2), out = next * (1 + tolerance::margin / 2);
+        if (in > good_ && made(in)) good_ = in;
+        if (out < bad_ && !made(out)) bad_ = out;
+        return;
+      }
+      last_ = look(next);
+      (last_.holds ? good_ : bad_) = next;
+    }
+  }
+
+  /// Replays on both sides; where they disagree with the derivatives, steps that grow and bisection.
+  void prove(double limit) {
+    if (!made(good_)) {
+      bad_ = good_;
+      good_ = 0;
+    }
+    double by = tolerance::margin * bad_ + finest;
+    while (made(bad_)) {
+      if (bad_ >= limit) return void(bad_ = never);
+      good_ = bad_;
+      bad_ = std::min(bad_ + by, limit);
+      by *= 2;
+    }
+    narrow();
+  }
+
+  void narrow() {
+    bisect(
+        good_, bad_, [](double in, double out) { return out - in > tolerance::margin * out && out > finest; },
+        [&](double by) { return made(by); });
+  }
+
+  /// Steps between 0 and the end, and the dips between them: where one is not made, the end is before it.
+  void look_inside() {
+    const double end = good_;
+    Look before = look(0);
+    // Where the first look saw the end, the limits are nearly straight.
+    const int parts = std::abs(before.onward - end) < nearly * end ? few_parts : many_parts;
+    for (int k = 1; k <= parts; ++k) {
+      const Look now = look(end * k / parts);
+      const auto broken = k < parts && !made(now.at) ? std::optional(now.at) : look_between(before, now);
+      if (broken) {
+        good_ = before.at;
+        bad_ = *broken;
+        return narrow();
+      }
+      before = now;
+    }
+  }
+
+  /// Where a limit breaks between two steps at which it holds: Newton's method from both sides, as long as a tangent
+  /// crosses 0 between them, and the two not above it.
+  std::optional<double> look_between(Look a, Look b) {
+    for (int i = 0; i < most_looks && a.holds && b.holds; ++i) {
+      const double gap = b.at - a.at, up = a.at + a.onward, down = b.at - b.dip;
+      const bool rises = up<b.at - nearly * gap, falls = down> a.at + nearly * gap;
+      if (gap < tolerance::margin * b.at || !(rises || falls) || (rises && falls && up >= down)) break;
+      // A little beyond, for the method stops before a root that it nears from inside.
+      if (rises && !made(up + nearly * nearly * gap)) return up + nearly * nearly * gap;
+      if (falls && !made(down)) return down;
+      if (rises) a = look(up);
+      if (falls) b = look(down);
+    }
+    return {};
+  }
+
+  const LockedAim& aim_;
+  Ledger& ledger_;
+  const Shot& shot_;
+  Goal goal_;
+  Vec2d towards_;
+  double good_ = 0, bad_ = never;
+  int passed_ = 0;
+  Look last_{0};
+  static constexpr Noise unit{1, 1};
+};
 
 std::optional<double> downwards(std::optional<double> distance) {
   return distance ? std::optional(-*distance) : distance;
@@ -36,21 +183,21 @@ std::optional<double> downwards(std::optional<double> distance) {
 }  // namespace
 
 void find_margin(const Question& q, Ledger& ledger, Shot& shot) {
-  const Goal goal = Goal::along(shot.cushions);
-  const Launch& at = shot.launch;
-  const auto made = [&](double speed, double angle) {
-    return speed > 0 && replay(q, ledger, {speed, wrap_angle(angle)}, goal).made;
+  const Mark& mark = q.nearest_mark(shot.arrival.at);
+  const Route route = route_by(shot.cushions);
+  const LockedAim aim{q, route, mark};
+  const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
+    return Way(aim, ledger, shot, towards).how_far(scale, limit);
   };
-  const double reach = q.nearest_mark(shot.arrival.at).reach;
   const double scale =
-      std::clamp(reach / std::max(shot.condition, flat * q.boundary.diagonal), least_scale, most_scale);
+      std::clamp(mark.reach / std::max(shot.condition, flat * q.boundary.diagonal), least_scale, most_scale);
   Margin m;
-  m.angle[0] = downwards(how_far(scale, widest_angle, [&](double d) { return made(at.speed, at.angle - d); }));
-  m.angle[1] = how_far(scale, widest_angle, [&](double d) { return made(at.speed, at.angle + d); });
+  m.angle[0] = downwards(how_far({-1, 0}, scale, widest_angle));
+  m.angle[1] = how_far({1, 0}, scale, widest_angle);
   if (!is_ideal(q.puzzle.physics)) {
-    const double push = scale * at.speed;
-    m.speed[0] = downwards(how_far(push, at.speed, [&](double d) { return made(at.speed - d, at.angle); }));
-    m.speed[1] = how_far(push, widest_speed, [&](double d) { return made(at.speed + d, at.angle); });
+    const double push = scale * shot.launch.speed;
+    m.speed[0] = downwards(how_far({0, -1}, push, shot.launch.speed));
+    m.speed[1] = how_far({0, 1}, push, widest_speed);
   }
   shot.margin = m;
 }

@@ -52,7 +52,7 @@ void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots
   std::size_t best = candidates.front().shot;
   for (const Candidate& c : candidates) {
     if (shots[best].success && c.at_most <= *shots[best].success) break;
-    find_success(q, ledger, shots[c.shot]);
+    find_success(q, ledger, shots[c.shot], shots);
     if (*shots[c.shot].success > *shots[best].success) best = c.shot;
   }
   std::swap(shots.front(), shots[best]);
@@ -92,7 +92,7 @@ void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
   const bool by_success = q.puzzle.prefer == Prefer::robust;
   if (!q.all() && by_success) likeliest_first(q, ledger, shots);
   for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
-    if (!shot.success) find_success(q, ledger, shot);
+    if (!shot.success) find_success(q, ledger, shot, shots);
     find_margin(q, ledger, shot);
   }
   if (q.all() && by_success) order(q.puzzle, shots);

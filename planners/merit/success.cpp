@@ -7,8 +7,9 @@
 // across it the edges are bisected, and the chance on that line follows from them. Lines begin evenly
 // spaced; more are laid where the chance changes other than its neighbours say. Between lines it is a
 // monotone cubic (Fritsch & Butland 1984), summed with the normal density by Gauss's rule.
-// Edges are looked for where the neighbouring lines have them and between some points spread over
-// the line, so that a band which nobody expects is met too; then the neighbours are looked at again.
+// Edges are looked for where the neighbouring lines have them, between some points spread over the line and
+// its ends, so that a band which nobody expects is met too, and where other shots are; then the neighbours are
+// looked at again. Where that agrees with first order (limits.hpp), it ends.
 // Cost: most_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
 #include "planners/merit/success.hpp"
 
@@ -66,14 +67,16 @@ struct Line {
 
 class Chance {
  public:
-  Chance(const Question& q, Ledger& ledger, const Shot& shot)
+  Chance(const Question& q, Ledger& ledger, const Shot& shot, std::span<const Shot> others)
       : q_(q), ledger_(ledger), shot_(shot), goal_(Goal::of(q)) {
     turn();
+    for (const Shot& other : others)
+      if (other.chance >= least_beside) remember(other.launch);
   }
 
   double run() {
     if (is_ideal(q_.puzzle.physics)) {  // any speed will do that is one: one line is all
-      add(0);
+      add(0, known_);
       const double noise = q_.puzzle.noise.speed;
       return lines_.front().chance * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
     }
@@ -82,6 +85,8 @@ class Chance {
     for (const double along : first_lines) add(scale * along);
     if (scale < 1)
       for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
+    for (const Known& k : known_) look_at(k);
+    if (const double so_far = sum(); std::abs(so_far - shot_.chance) < agrees) return so_far;
     while (used_ + cheapest_line <= most_samples) {
       std::size_t at = 0;
       double most = least_doubt;
@@ -105,6 +110,19 @@ class Chance {
     if (!(moved > 0)) return;
     const double middle = -dot(shot_.arrival.at - q_.nearest_mark(shot_.arrival.at).at, most) / (moved * moved);
     expected_ = {middle - reach / moved, middle + reach / moved};
+  }
+
+  /// Errors that are known to make it, for another shot is there.
+  struct Known {
+    double along, across;
+  };
+  void remember(const Launch& other) {
+    const Noise& noise = q_.puzzle.noise;
+    const double turned = angle_difference(shot_.launch.angle, other.angle) / noise.angle,
+                 harder = is_ideal(q_.puzzle.physics) ? 0 : (other.speed - shot_.launch.speed) / noise.speed;
+    const Known k{across_.x * harder - across_.y * turned, across_.x * turned + across_.y * harder};
+    const double size = std::hypot(k.along, k.across);  // not a number where a deviation is 0
+    if (size > same_edge && size < widest && known_.size() < most_known) known_.push_back(k);
   }
 
   bool left() const { return used_ < most_samples && !ledger_.spent(); }
@@ -151,9 +169,10 @@ class Chance {
     return e;
   }
 
-  void add(double along) {
+  void add(double along, const std::vector<Known>& known = {}) {
     Line line{along};
     const Expected e = expect(along);
+    for (const Known& k : known) made(line, k.across);
     for (std::size_t k = 0; k <= e.line.edges.size(); ++k) {
       const double low = k > 0 ? std::max(e.line.edges[k - 1], -widest) : -widest;
       const double high = k < e.line.edges.size() ? std::min(e.line.edges[k], widest) : widest;
@@ -167,6 +186,17 @@ class Chance {
     const auto at = lines_.insert(after, std::move(line)) - lines_.begin();
     tell(at, -1);
     tell(at, 1);
+  }
+
+  /// A line through it, or the line that is there.
+  void look_at(const Known& k) {
+    const auto line = std::find_if(lines_.begin(), lines_.end(),
+                                   [&](const Line& l) { return std::abs(l.along - k.along) < same_line; });
+    if (line == lines_.end()) return add(k.along, {k});
+    made(*line, k.across);
+    settle(*line, std::vector<double>(line->edges));
+    tell(line - lines_.begin(), -1);
+    tell(line - lines_.begin(), 1);
   }
 
   /// Brackets both ends of what is expected to be made, by steps that double.
@@ -199,6 +229,16 @@ class Chance {
       const auto close = [&](const Line::Try& t) { return std::abs(about_below(t.across) - p) < share / 4; };
       if (std::none_of(line.tries.begin(), line.tries.end(), close)) made(line, about_at(p));
     }
+    // Beyond the last of them an edge may hide.
+    if (line.tries.empty()) return;
+    if (line.tries.front().made) made(line, -widest);
+    if (line.tries.back().made) made(line, widest);
+  }
+
+  /// How wide a bracket is, in what it may hide: far out there is little.
+  static double width(const Line::Try& a, const Line::Try& b) {
+    const double z = std::max({a.across, -b.across, 0.0});
+    return (b.across - a.across) * std::min(1.0, thin_out * std::exp(-z * z / 2));
   }
 
   /// Bisects every change between two tries, the widest first, and reads off the edges.
@@ -208,7 +248,7 @@ class Chance {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
         const Line::Try &a = line.tries[i], &b = line.tries[i + 1];
-        if (a.made != b.made && b.across - a.across > most) most = b.across - a.across, at = (a.across + b.across) / 2;
+        if (a.made != b.made && width(a, b) > most) most = width(a, b), at = (a.across + b.across) / 2;
       }
       if (most == enough) break;
       made(line, at);
@@ -298,10 +338,13 @@ class Chance {
   std::vector<double> expected_{};
   std::size_t used_ = 0;
   std::vector<Line> lines_{};
+  std::vector<Known> known_{};
 };
 
 }  // namespace
 
-void find_success(const Question& q, Ledger& ledger, Shot& shot) { shot.success = Chance(q, ledger, shot).run(); }
+void find_success(const Question& q, Ledger& ledger, Shot& shot, std::span<const Shot> others) {
+  shot.success = Chance(q, ledger, shot, others).run();
+}
 
 }  // namespace bankshot::planning

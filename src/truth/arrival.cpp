@@ -171,6 +171,17 @@ std::optional<double> Scene::condition(const Shot& shot) const {
   return std::max(*by_aim, *by_speed);
 }
 
+Run Scene::in_double(const Launch& launch, const LaunchSpin& spin, int cushions) const {
+  const Run r = run(launch, spin, cushions);
+  return {boundary, puzzle.physics, r.start, r.cushions, r.events, r.target};
+}
+
+bool Scene::seems_made(const Launch& launch, const Shot& claim) const {
+  const int n = static_cast<int>(claim.cushions.size());
+  return launch.speed > 0 &&
+         judge(recorded<double>(in_double(launch, claim.spin, n)), {n, n, &claim.cushions, claim.arrival.time}).made();
+}
+
 double Scene::chance(const Shot& shot, int draws) const {
   std::mt19937_64 engine(static_cast<std::uint64_t>(draws));
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
@@ -182,9 +193,7 @@ double Scene::chance(const Shot& shot, int draws) const {
     const Launch l{shot.launch.speed + puzzle.noise.speed * size * std::cos(turn),
                    wrap_angle(shot.launch.angle + puzzle.noise.angle * size * std::sin(turn))};
     if (!(l.speed > 0)) continue;
-    Run r = run(l, shot.spin, rule.max);
-    const Run rough{boundary, puzzle.physics, r.start, r.cushions, r.events, r.target};
-    made += judge(recorded<double>(rough), goal).made();
+    made += judge(recorded<double>(in_double(l, shot.spin, rule.max)), goal).made();
   }
   return static_cast<double>(made) / draws;
 }

@@ -34,6 +34,8 @@ class Scene {
   Arrived replay(const Launch& launch, const Shot& claim, double slack) const;
   /// By differences in 50 digits; none where no launch beside this one meets the same events.
   std::optional<double> condition(const Shot& shot) const;
+  /// Whether a launch is made along the cushions of `claim`, in double: many launches have no use for more digits.
+  bool seems_made(const Launch& launch, const Shot& claim) const;
   /// The share of seeded draws from the player's errors that makes the target by any cushions allowed,
   /// in double: a sample has no use for more digits.
   double chance(const Shot& shot, int draws) const;
@@ -44,6 +46,7 @@ class Scene {
  private:
   struct Goal;
   Run run(const Launch& launch, const LaunchSpin& spin, int cushions) const;
+  Run in_double(const Launch& launch, const LaunchSpin& spin, int cushions) const;
   Arrived judge(const Path& path, const Goal& goal) const;
   Arrived at_point(Arrived a, const Passing& p) const;
   Arrived at_pocket(Arrived a, const TruthEvent& e) const;

@@ -143,23 +143,33 @@ class ShotCheck {
             fmt::format("says {} m and it is {} m", shot_.condition, *truth));
   }
 
-  /// Both sides of each end, a little more than the bisection's tolerance away.
+  /// Both sides of each end, a little more than its tolerance away, and places between 0 and the end.
   void margin() {
     constexpr double beside = 3 * tolerance::margin, least = tolerance::same_aim;
+    constexpr int places = 50;
     double wrong = 0;
     std::string what;
     const auto end = [&](std::optional<double> m, double turned, double pushed, const char* which) {
       if (!m) return;
-      const auto made = [&](double k) {
+      const auto launch = [&](double k) {
         const double by = *m * k + std::copysign(least, turned + pushed) * (k > 1);
-        const Launch l{shot_.launch.speed + std::abs(pushed) * by,
-                       wrap_angle(shot_.launch.angle + std::abs(turned) * by)};
-        return l.speed > 0 && scene_.replay(l, shot_, 0).made();
+        return Launch{shot_.launch.speed + std::abs(pushed) * by,
+                      wrap_angle(shot_.launch.angle + std::abs(turned) * by)};
       };
-      if (made(1 - beside) && !made(1 + beside)) return;
+      const auto made = [&](double k) { return launch(k).speed > 0 && scene_.replay(launch(k), shot_, 0).made(); };
+      const auto gap = [&] {
+        for (int i = 0; i < places; ++i)
+          if (const double k = (i + 0.5) / places; !scene_.seems_made(launch(k), shot_) && !made(k)) return true;
+        return false;
+      };
+      const char* const trouble = !made(1 - beside)  ? "is not made"
+                                  : made(1 + beside) ? "does not break it"
+                                  : gap()            ? "jumps launches that are not made"
+                                                     : nullptr;
+      if (!trouble) return;
       wrong += 1;
-      what += fmt::format("{}{} of {:.6g} {}", what.empty() ? "" : "; ", which, turned != 0 ? degrees(*m) : *m,
-                          made(1 - beside) ? "does not break it" : "is not made");
+      what +=
+          fmt::format("{}{} of {:.6g} {}", what.empty() ? "" : "; ", which, turned != 0 ? degrees(*m) : *m, trouble);
     };
     end(shot_.margin->angle[0], -1, 0, "angle");
     end(shot_.margin->angle[1], 1, 0, "angle");

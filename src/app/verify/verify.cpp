@@ -197,8 +197,8 @@ Run add(CLI::App& app) {
   command->footer(
       "Checked of each shot: launch speed and aim inside their bounds, the spin, the cushions (as asked, and as\n"
       "met), the target made with nothing in the way, its miss, place, time and speed of arrival, condition,\n"
-      "both ends of each margin, and success against 1,000 seeded draws. A place may be off by 1e-9 of the\n"
-      "table's diagonal, or by what rounding does under the shot's condition where that is more.\n"
+      "both ends of each margin and 50 launches inside, and success against 1,000 seeded draws. A place may be off\n"
+      "by 1e-9 of the table's diagonal, or by what rounding does under the shot's condition where that is more.\n"
       "Exit 0: every claim holds. 1: some answer fails; each is a line FILE:LINE: ID. 2: a file is bad.");
   return [a] { return run(a->puzzles, a->answers); };
 }
