@@ -72,7 +72,6 @@ bool beside_centre(const Question& q, Ledger& ledger, Findings& found) {
 }  // namespace
 
 void image(const Question& q, Ledger& ledger, Findings& found) {
-  if (!is_straight(q.puzzle.physics)) return;  // an image is a seed there, no answer
   const bool whole = centred(q, ledger, found);
   const bool dead = stretch(q) == 0;
   found.complete = whole && q.boundary.unfolds() && !dead;
