@@ -19,12 +19,6 @@ namespace {
 
 constexpr long draws_a_try = 50;
 
-/// The aim would drive the ball straight into a cushion it touches: no planner offers that unless
-/// the sequence asks for it.
-bool starts_into_cushion(const Trajectory& t) {
-  return t.events.size() > 1 && t.events[1].kind == EventKind::cushion && t.events[1].time < 1e-12;
-}
-
 double rounded(double x, double unit) { return std::round(x / unit) / std::round(1 / unit); }
 
 /// A thousandth of the power of ten below the diagonal: millimetres on any table one can play on.
@@ -174,8 +168,7 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
     p.arrive = Range{arrival, arrival};
   std::vector<Contact> contacts = t.sequence();
   contacts.resize(static_cast<std::size_t>(q.bounces));
-  p.cushions =
-      starts_into_cushion(t) || r.chance(0.5) ? CushionRule::in_order(contacts) : CushionRule::exactly(q.bounces);
+  p.cushions = r.chance(0.5) ? CushionRule::in_order(contacts) : CushionRule::exactly(q.bounces);
   return q;
 }
 

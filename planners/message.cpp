@@ -131,8 +131,6 @@ std::string no_shot(const Question& q, const Findings& found) {
 /// What may have kept a shot from being found, or made the question odd.
 std::string caveats(const Question& q) {
   std::string text;
-  if (!q.route && q.cushions().max > 0 && q.frozen())
-    text += "; aims straight into a cushion that the ball touches were left out";
   const Mark& mark = q.nearest_mark(q.puzzle.ball.at);
   if (!mark.captures() && norm(mark.at - q.puzzle.ball.at) <= mark.reach && q.cushions().min == 0)
     text += "; the ball starts at its target";

@@ -66,8 +66,6 @@ struct Question {
   /// The ball touches this contact at the start; any at all.
   bool touches(Contact contact) const;
   bool frozen() const;
-  /// The launch would drive the ball into a cushion that it touches: a bounce before it moves.
-  bool into_touched_cushion(const Vec2d& direction) const;
 };
 
 /// b − a brought into (−π, π].

@@ -103,6 +103,9 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   validate(puzzle);
   if (options.all && options.first) throw InvalidInput("", "either all shots are asked for or the first one found");
   const planning::methods::Method& method = planning::methods::find(options.planner);
+  if (!method.info.bends && !is_straight(puzzle.physics))
+    throw InvalidInput(
+        "", fmt::format("the planner \"{}\" does not do physics with spin, where paths bend", method.info.name));
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = options.planner == "auto" ? std::vector{puzzle.spin} : spins_to_try(puzzle);
   Ledger ledger(puzzle.budget, options.cancelled);

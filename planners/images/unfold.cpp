@@ -113,7 +113,6 @@ void Unfolding::propose(const Node& node, std::size_t mark) {
   const Vec2d ray = node.image.apply(q_.marks[mark].at) - q_.puzzle.ball.at;
   const double distance = norm(ray);
   if (!(distance > 0) || !std::isfinite(distance)) return;
-  if (node.bounces > 0 && !q_.route && q_.into_touched_cushion(ray)) return;
   const bool centred = !node.closed && (node.open || in_beam(node.from, node.to, ray));
   Candidate c{0, node.bounces, std::max(0.0, distance - q_.marks[mark].capture()), 0, 0, mark, node.self, ray};
   if (!node.closed && !(centred && options_.keep_routes)) find_window(node, q_.marks[mark].reach, distance, c);
@@ -163,6 +162,7 @@ double Unfolding::apart(int i, int j) {
 std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   if (wall == node.last) return {};
   const Wall& w = q_.boundary.walls[static_cast<std::size_t>(wall)];
+  if (node.open && q_.touches(w.contact)) return at_start(node, wall);
   if (dot(w.to - w.from, w.along) < 0) return {};  // no ball fits there
   if (node.last >= 0) {
     // Beyond the line of the cushion just left there is no path.
@@ -195,21 +195,34 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   return next;
 }
 
+/// A cushion that the ball touches: it bounces before it moves, so all aims are left. Between two cushions the ball
+/// comes back to the first only where they meet in an acute angle.
+std::optional<Unfolding::Node> Unfolding::at_start(const Node& node, int wall) const {
+  const auto normal = [&](int i) { return q_.boundary.walls[static_cast<std::size_t>(i)].normal; };
+  if (wall == node.before && dot(normal(wall), normal(node.last)) >= 0) return {};
+  Node next = node;
+  next.image = through(node.image, wall);
+  next.before = node.last;
+  next.bounces = node.bounces + 1;
+  next.parent = node.self;
+  next.last = wall;
+  next.flipped = !node.flipped;
+  return next;
+}
+
 void Unfolding::follow_route() {
   Node node;
   for (const Meeting& meeting : *q_.route) {
     const Wall* const line = q_.boundary.line(meeting.with);
     if (!line || options_.restitution == 0) return;  // no line is reflected at a vertex
     const auto wall = static_cast<int>(line - q_.boundary.walls.data());
-    // Cushions touched at the start bound nothing: the ball bounces off them before it moves.
-    const bool at_start = node.open && !node.closed && q_.touches(meeting.with);
     std::optional<Node> next;
-    if (!node.closed && !at_start) next = child(node, wall);
+    if (!node.closed) next = child(node, wall);
     if (!next) {
       next = node;
       next->image = through(node.image, wall);
       next->flipped = !node.flipped;
-      next->closed = !at_start;
+      next->closed = true;
       next->last = wall;
       ++next->bounces;
     }
@@ -230,7 +243,7 @@ void Unfolding::lattice() {
     const Vec2d ray = image - q_.puzzle.ball.at;
     const double distance = norm(ray);
     const int n = std::abs(i) + std::abs(j);
-    if (!(distance > 0) || (n > 0 && q_.into_touched_cushion(ray))) return;
+    if (!(distance > 0)) return;
     const double covers = mark.reach / distance;
     const double half = covers < 1 ? std::asin(covers) : radians(180);
     found.push_back({0, n, std::max(0.0, distance - mark.capture()), -half, half, k, -1, ray});

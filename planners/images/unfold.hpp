@@ -99,6 +99,7 @@ class Unfolding {
   void propose(const Node& node, std::size_t mark);
   void find_window(const Node& node, double reach, double distance, Candidate& c) const;
   std::optional<Node> child(const Node& node, int wall);
+  std::optional<Node> at_start(const Node& node, int wall) const;
   /// The least distance between centres that touch two cushions; 0 for neighbours and for none (-1).
   double apart(int i, int j);
   void follow_route();

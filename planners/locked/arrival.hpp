@@ -22,6 +22,16 @@ std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& s
   });
 }
 
+/// The squared speed, counted so that it falls evenly along a roll also where friction grows with the speed, and goes
+/// on evenly beyond the rest: twice the deceleration of a slow ball times the metres to rest [m²/s²].
+template <class T>
+T even_square(const Physics& physics, const T& square) {
+  using std::sqrt;
+  const auto* const motion = std::get_if<SlideRoll>(&physics.motion);
+  const Drag<double> drag{deceleration(physics), motion ? motion->rolling_friction.per_speed * motion->g : 0};
+  return drag.none() || !(square > T(0)) ? square : T(drag.length(T(sqrt(square)), T(0)) * (2 * drag.constant));
+}
+
 /// The N residuals of residual.hpp; false where the ball arrives with no direction.
 template <int N, class T>
 bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
@@ -37,10 +47,11 @@ bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
   const Vec2<T> u = heading / norm(heading);
   r[0] = cross(u, off) / diagonal;
   if constexpr (N > 1) {
-    T speed2 = dot(arrival.state.velocity, arrival.state.velocity);
-    if (arrival.at_rest) speed2 = T(-2 * deceleration(a.q.puzzle.physics)) * dot(u, off);
-    const double asked = a.q.asked;
-    r[1] = (speed2 - T(asked * asked)) / T(std::max(1.0, asked * asked));
+    const Physics& physics = a.q.puzzle.physics;
+    const T square = arrival.at_rest ? T(T(-2 * deceleration(physics)) * dot(u, off))
+                                     : even_square(physics, T(dot(arrival.state.velocity, arrival.state.velocity)));
+    const double asked = even_square(physics, a.q.asked * a.q.asked);
+    r[1] = (square - T(asked)) / T(std::max(1.0, asked));
   }
   return true;
 }

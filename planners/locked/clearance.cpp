@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bankshot/simulate/locked.hpp"
+#include "planners/locked/arrival.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
@@ -41,7 +42,8 @@ class Clearance {
     const Vec2d off = aim_.mark.at - a.state.at;
     consider(aim_.mark.reach - (a.at_rest ? norm(off) : std::abs(cross(a.heading, off)) / norm(a.heading)));
     if (aim_.mark.capture() > 0 && !a.at_rest)
-      consider(dot(a.state.velocity, a.state.velocity) / (2 * deceleration(aim_.q.puzzle.physics)));
+      consider(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
+               (2 * deceleration(aim_.q.puzzle.physics)));
     consider(boundary_.clearance(a.state.at) + boundary_.touch);
   }
 

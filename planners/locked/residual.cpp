@@ -31,11 +31,12 @@ std::optional<double> excess_speed2(const LockedAim& aim, Ledger& ledger, double
   ledger.charge(aim.route.size());
   const auto arrival = arrival_of(aim, start_of(aim.q, angle, std::sqrt(square)), aim.q.rough);
   if (!arrival) return {};
-  const double asked = aim.q.asked * aim.q.asked;
+  const Physics& physics = aim.q.puzzle.physics;
+  const double asked = even_square(physics, aim.q.asked * aim.q.asked);
   const Vec2d& v = arrival->state.velocity;
-  if (!arrival->at_rest) return dot(v, v) - asked;
+  if (!arrival->at_rest) return even_square(physics, dot(v, v)) - asked;
   const double short_of = dot(arrival->heading, aim.mark.at - arrival->state.at) / norm(arrival->heading);
-  return -2 * deceleration(aim.q.puzzle.physics) * short_of - asked;
+  return -2 * deceleration(physics) * short_of - asked;
 }
 
 }  // namespace bankshot::planning

@@ -6,7 +6,9 @@
 //   to stop at a point   where the ball rests, less the mark, over the diagonal
 //   else                 [0] the signed lateral miss at the closest approach over the diagonal,
 //                        [1] v² − s² there (at capture for a pocket) over max(1, s²); v² is continued below 0, by what
-//                            rolling on would have cost, when the ball rests before
+//                            rolling on would have cost, when the ball rests before. Where rolling friction grows with
+//                            the speed, both squares are counted by the metres to rest instead: v² bends like √v²
+//                            near the rest, and Newton's method would not see slow passages
 // Derivatives are exact (dual numbers); no type of the library that makes them appears here.
 // Worked number: a ball rolls 1 m straight at its mark, asked to pass it at 0.5 m/s, friction 0.01: from 1 m/s it
 // passes with v² = 1 − 2 · 0.0981 · 1 = 0.804, so r = (0, 0.554); by ln speed r[1] grows by 2 v0² = 2, and one Newton
@@ -47,8 +49,8 @@ struct Linear {
 /// One locked simulation with dual numbers; none where the path never gets to its last leg, or the budget is spent.
 std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch);
 
-/// By how much the squared speed of arrival exceeds the one asked [m²/s²], as if a ball that rests had to roll on, at
-/// an angle and a squared launch speed. One locked simulation, no finer than a seed needs.
+/// By how much the squared speed of arrival exceeds the one asked [m²/s²], both as residual [1] counts them, at an
+/// angle and a squared launch speed. One locked simulation, no finer than a seed needs.
 std::optional<double> excess_speed2(const LockedAim& aim, Ledger& ledger, double angle, double square);
 
 }  // namespace bankshot::planning

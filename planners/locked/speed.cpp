@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planners/locked/arrival.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning {
@@ -48,7 +49,7 @@ std::optional<double> speed_at(const LockedAim& aim, Ledger& ledger, double angl
   const Question& q = aim.q;
   if (q.one_unknown()) return q.fixed_speed();
   using namespace settings::speed_at;
-  const double asked = q.asked * q.asked, slowing = 2 * deceleration(q.puzzle.physics);
+  const double asked = even_square(q.puzzle.physics, q.asked * q.asked), slowing = 2 * deceleration(q.puzzle.physics);
   const auto excess = [&](double square) { return excess_speed2(aim, ledger, angle, square); };
   const Range& bounds = q.speed;
   const double slowest = std::max(bounds.low, settings::slowest_of_fastest * bounds.high);

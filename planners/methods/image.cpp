@@ -72,7 +72,6 @@ bool beside_centre(const Question& q, Ledger& ledger, Findings& found) {
 }  // namespace
 
 void image(const Question& q, Ledger& ledger, Findings& found) {
-  if (!is_straight(q.puzzle.physics)) return;  // an image is a seed there, no answer
   const bool whole = centred(q, ledger, found);
   const bool dead = stretch(q) == 0;
   found.complete = whole && q.boundary.unfolds() && !dead;
@@ -80,7 +79,7 @@ void image(const Question& q, Ledger& ledger, Findings& found) {
   const bool some_part = beside_centre(q, ledger, found);
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
   const bool no_obstacle = q.boundary.strictly_convex && q.boundary.pockets.empty();
-  found.proved = found.complete && (!some_part || (no_obstacle && is_ideal(q.puzzle.physics))) && !q.frozen() &&
+  found.proved = found.complete && (!some_part || (no_obstacle && is_ideal(q.puzzle.physics))) &&
                  !(no_obstacle && found.rounding_decided);
 }
 

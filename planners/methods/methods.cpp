@@ -15,7 +15,10 @@ namespace {
 constexpr std::array own{
     Method{{"auto", "the cheapest sure step first: images, then maps of aim and speed, a global search last"},
            automatic},
-    Method{{"image", "exact aims by unfolding the table; complete without reflex vertices"}, image},
+    Method{{.name = "image",
+            .summary = "exact aims by unfolding the table, without spin; complete without reflex vertices",
+            .bends = false},
+           image},
     Method{{"sweep", "maps every aim (with spin: every aim and speed) and bisects; finds all sequences"}, sweep},
     Method{{"ceres", "Levenberg-Marquardt with dual numbers along a locked cushion sequence"}, ceres},
 };

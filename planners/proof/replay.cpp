@@ -52,8 +52,10 @@ class Follower {
 
   Trace run(std::vector<Contact>* contacts) {
     for (;;) {
-      const Event e = sim_.step();
-      if (look_along_arc(e)) return out_;
+      bool arrived = false;  // on a piece before the last
+      const Event e = sim_.step(
+          forever, [&](const Arc<double>&, double) { arrived = arrived || look_along_arc(EventKind::slide_to_roll); });
+      if (arrived || look_along_arc(e.kind)) return out_;
       if (tracing_) {
         out_.account.add(sim_.arc(), sim_.travelled());
         if (out_.account.beyond(q_.speed.high)) return fail(Foul::too_long);
@@ -83,13 +85,13 @@ class Follower {
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
 
   /// Closest approach to each mark on the arc just travelled; true when one that does not capture is made there.
-  bool look_along_arc(const Event& e) {
+  bool look_along_arc(EventKind end) {
     if (stop_ || !counts()) return false;
     for (const Mark& mark : q_.marks) {
       if (mark.captures() && !tracing_) continue;
       const bool near = look_at(mark.at) <= mark.reach && !mark.captures();
-      // A ball that still comes nearer when its slide ends is closest on the next arc.
-      if (near && (closest_ < sim_.travelled() || e.kind != EventKind::slide_to_roll)) return arrive_in_passing();
+      // A ball that still comes nearer when its slide, or a piece of it, ends is closest on the next arc.
+      if (near && (closest_ < sim_.travelled() || end != EventKind::slide_to_roll)) return arrive_in_passing();
     }
     return false;
   }

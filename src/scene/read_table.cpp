@@ -12,8 +12,10 @@ const TablePreset& read_preset(const Reader& r) {
   return table_presets()[r.word("table", names)];
 }
 
-void not_supported(const Reader& table, const std::string& key) {
-  if (const auto r = table.find(key)) r->fail("is not supported yet");
+/// A level one is all there is yet.
+void read_tilt(const Reader& table) {
+  const auto r = table.find("tilt");
+  if (r && !(r->point() == Vec2d{0, 0})) r->fail("other than [0, 0] is not supported yet");
 }
 
 Mouth read_mouth(const Reader& table, double radius) {
@@ -28,15 +30,17 @@ Mouth read_mouth(const Reader& table, double radius) {
 }
 
 std::vector<Pocket> read_pockets(const Reader& table, const Table& shape, double radius) {
-  const Mouth mouth = read_mouth(table, radius);  // also checks one that has no pockets to size
   const auto r = table.find("pockets");
-  if (!r) return {};
-  if (r->is_string()) {
+  if (r && r->is_string()) {
     constexpr std::array<std::string_view, 2> words{"none", "six"};
-    if (r->word("layout of pockets", words) == 0) return {};
-    if (!shape.is_rectangle()) r->fail("needs a rectangle; list the pockets of a polygon");
-    return six_pockets(shape, mouth);
+    if (r->word("layout of pockets", words) == 1) {
+      if (!shape.is_rectangle()) r->fail("needs a rectangle; list the pockets of a polygon");
+      return six_pockets(shape, read_mouth(table, radius));
+    }
   }
+  if (const auto mouth = table.find("mouth"))
+    mouth->fail("is the size of the pockets \"six\", which are not asked for");
+  if (!r || r->is_string()) return {};
   if (!r->is_array()) r->fail("must be \"none\", \"six\" or a list of pockets");
   std::vector<Pocket> pockets;
   for (const Reader& p : r->items()) {
@@ -72,7 +76,7 @@ Ball default_ball(const Reader& table) {
 Table read_table(const Reader& table, double radius) {
   if (table.is_string()) return make_table(read_preset(table));
   if (!table.is_object()) table.fail("must be the name of a table or an object");
-  not_supported(table, "tilt");
+  read_tilt(table);
   if (const auto jaws = table.find("jaws"); jaws && jaws->boolean()) jaws->fail("is not supported yet");
   Table shape;
   if (table.find("vertices")) {

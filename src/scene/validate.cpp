@@ -139,6 +139,10 @@ void check_physics(const Physics& physics, const Body& body) {
     if (!(body.radius > 0)) fail("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
     if (!(m->sliding_friction >= 0 && std::isfinite(m->sliding_friction * m->g)))
       fail("/physics/sliding_friction", "must be finite and at least 0");
+    const double slope = m->rolling_friction.per_speed;
+    if (slope > 0 && slope < tolerance::slowest)
+      fail("/physics/rolling_friction/per_speed",
+           fmt::format("{} s/m is too small to compute with; at least {:g}, or 0", slope, tolerance::slowest));
     if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law)
       fail("/physics/cushion", "a custom cushion needs a law");
     check_nose(physics, body);
@@ -159,6 +163,8 @@ Boundary check_scene(const Table& table, const Ball& ball, const Physics& physic
     fail("/ball/radius", fmt::format("{} must be at least 0", ball.body.radius));
   if (!(ball.body.mass > 0 && std::isfinite(ball.body.mass)))
     fail("/ball/mass", fmt::format("{} must be greater than 0", ball.body.mass));
+  if (!std::isfinite(ball.body.mass * tolerance::fastest * tolerance::fastest))
+    fail("/ball/mass", fmt::format("{} kg is too heavy to compute with", ball.body.mass));
   check_physics(physics, ball.body);
   Boundary boundary(table, ball.body);
   check_inside(boundary, ball.at, "/ball/at", "the centre of the ball");
@@ -225,6 +231,10 @@ void validate(const ShotRequest& s) {
   check_scene(s.table, s.ball, s.physics);
   check_speed(s.launch.speed, "/shot/speed");
   need_finite(s.launch.angle, "/shot/angle");
+  for (const double spin : {s.spin.top, s.spin.side, s.spin.masse})
+    if (!(std::abs(spin) * s.launch.speed <= tolerance::fastest))
+      fail("/shot/spin", fmt::format("{} times {} m/s is too fast to compute with; at most {:g} m/s", spin,
+                                     s.launch.speed, tolerance::fastest));
 }
 
 std::optional<Range> arrival_range(const Puzzle& p) {

@@ -2,6 +2,8 @@
 #include "bankshot/simulate/trajectory.hpp"
 
 #include <algorithm>
+#include <climits>
+#include <span>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/simulator.hpp"
@@ -9,89 +11,122 @@
 namespace bankshot {
 namespace {
 
-/// Metres that a ball covers in t seconds of an arc: ∫|v + a t| dt, split along and across a.
+/// Metres that a ball covers in t seconds of an arc: ∫|v + a t| dt, split along and across a; written so that nothing
+/// cancels where a is small.
 double length(const Arc<double>& arc, double t) {
-  if (!arc.bends) return norm(arc.position(t) - arc.at);
   const double a = norm(arc.acceleration);
-  const double across = std::abs(cross(arc.acceleration, arc.velocity)) / a,
-               along = dot(arc.acceleration, arc.velocity) / a;
-  const auto antiderivative = [&](double w) {
-    return w * std::hypot(w, across) + (across > 0 ? across * across * std::asinh(w / across) : 0.0);
-  };
-  return (antiderivative(along + a * t) - antiderivative(along)) / (2 * a);
+  if (!arc.bends || a == 0) return norm(arc.position(t) - arc.at);
+  const double across = std::abs(cross(arc.acceleration, arc.velocity)) / a, across2 = across * across,
+               begin = dot(arc.acceleration, arc.velocity) / a, end = begin + a * t, slow = std::hypot(begin, across),
+               fast = std::hypot(end, across);
+  if (!(slow + fast > 0)) return 0;
+  const double part = begin * ((begin + end) / (slow + fast));
+  const double turned = across2 > 0 ? across2 / a * std::asinh(a * t * (slow - part) / across2) : 0;
+  return (t * (fast + part) + turned) / 2;
 }
 
-/// When a ball on this arc has covered `metres`; may lie beyond the arc's end.
-double time_to_length(const Arc<double>& arc, double metres) {
-  if (!arc.bends) return time_at_length(arc, metres);
-  double low = 0, high = arc.duration;
+/// When a ball on this arc has covered `metres`; forever, where that lies beyond the arc's end.
+double time_to_length(const Arc<double>& arc, double duration, double metres) {
+  double low = 0, high = duration;
   if (!(length(arc, high) > metres)) return forever;
+  if (!arc.bends) return arc.seconds(time_at_length(arc, metres));
   for (double t = low + (high - low) / 2; t > low && t < high; t = low + (high - low) / 2)
     (length(arc, t) < metres ? low : high) = t;
   return high;
 }
 
-/// How many seconds the ball may go on before `until` stops it.
-double remaining(const ShotRequest::Until& until, double time, double length, const Arc<double>& next) {
-  double t = forever;
-  if (until.time) t = std::min(t, std::max(0.0, *until.time - time));
-  if (until.length) t = std::min(t, next.seconds(time_to_length(next, std::max(0.0, *until.length - length))));
-  return t;
+/// The same from the first of these legs on.
+double time_to_length(std::span<const Leg> legs, double metres) {
+  for (const Leg& leg : legs) {
+    const double t = time_to_length(leg.arc, leg.duration, metres);
+    if (t < forever) return leg.begin - legs.front().begin + t;
+    metres -= length(leg.arc, leg.duration);
+  }
+  return forever;
 }
 
 template <class Motion, class Cushion>
-Trajectory record(const ShotRequest& r, const Motion& motion, const Cushion& cushion) {
-  const Boundary boundary(r.table, r.ball.body);
-  const State<double> start = start_state(r);
-  ShotRequest::Until until = r.until;
-  if (std::is_same_v<Motion, Ideal> && !until.time && !until.cushions && !until.length) until.cushions = ideal_cushions;
+class Recorder {
+ public:
+  Recorder(const ShotRequest& r, const Motion& motion, const Cushion& cushion)
+      : r_(r), boundary_(r.table, r.ball.body), motion_(motion), sim_(boundary_, motion, cushion, start_state(r)) {
+    if (std::is_same_v<Motion, Ideal> && !r.until.time && !r.until.cushions && !r.until.length)
+      cushions_ = ideal_cushions;
+  }
 
-  Trajectory out;
-  Simulator sim(boundary, motion, cushion, start);
-  const auto note = [&](EventKind kind, Contact contact = {}) {
-    State<double> now = sim.state();
-    now.spin = motion.spin(r.ball.body, now);
-    out.events.push_back({kind, sim.time(), now, contact});
-  };
-  const auto finish = [&](EventKind end) {
-    out.end = end;
-    note(EventKind::end);
-    return out;
-  };
-  note(EventKind::start);
-  if (r.launch.speed == 0) return finish(EventKind::rest);
-  for (long events = 0; events < max_events; ++events) {
-    double begin = sim.time();
+  Trajectory run() {
+    note(EventKind::start);
+    if (r_.launch.speed == 0) return finish(EventKind::rest);
+    for (long events = 0; events < max_events; ++events) {
+      const Event e = next();
+      if (e.kind == EventKind::horizon) return finish(stopped_ ? EventKind::horizon : EventKind::rest);
+      note(e.kind, e.contact);
+      if (e.final()) return finish(e.kind);
+      if (e.kind == EventKind::cushion && ++out_.cushions >= cushions_.value_or(INT_MAX))
+        return finish(EventKind::horizon);
+    }
+    return finish(EventKind::end);
+  }
+
+ private:
+  /// The next event, or what `until` stops the ball at. A ball that stands though its spin never ends has neither.
+  Event next() {
+    const auto before = sim_;
+    const std::size_t legs = out_.legs.size();
+    const double length_before = out_.length, most = r_.until.length.value_or(forever),
+                 limit = r_.until.time ? std::max(0.0, *r_.until.time - sim_.time()) : forever;
+    stopped_ = r_.until.time.has_value();
+    const Event e = step(limit);
+    if (!(out_.length > most)) return e;
+    const double horizon = time_to_length(std::span(out_.legs).subspan(legs), std::max(0.0, most - length_before));
+    stopped_ = true;
+    sim_ = before;
+    out_.legs.resize(legs);
+    out_.length = length_before;
+    return step(std::min(limit, horizon));
+  }
+
+  Event step(double horizon) {
+    double begin = sim_.time();
     const auto leg = [&](const Arc<double>& arc, double parameter) {
       if (!(parameter > 0)) return;
-      out.legs.push_back({begin, parameter, arc, sim.before()});
-      out.length += length(arc, parameter);
+      out_.legs.push_back({begin, parameter, arc, sim_.before()});
+      out_.length += length(arc, parameter);
       begin += arc.seconds(parameter);
     };
-    const Event e = sim.step(remaining(until, begin, out.length, motion.arc(r.ball.body, sim.state())), leg);
-    leg(sim.arc(), sim.travelled());
-    switch (e.kind) {
-      case EventKind::cushion:
-        note(EventKind::cushion, e.contact);
-        ++out.cushions;
-        if (until.cushions && out.cushions >= *until.cushions) return finish(EventKind::horizon);
-        break;
-      case EventKind::horizon:
-        return finish(EventKind::horizon);
-      default:
-        note(e.kind, e.contact);
-        if (e.final()) return finish(e.kind);
-    }
+    const Event e = sim_.step(horizon, leg);
+    leg(sim_.arc(), sim_.travelled());
+    return e;
   }
-  return finish(EventKind::end);
-}
+
+  void note(EventKind kind, Contact contact = {}) {
+    State<double> now = sim_.state();
+    now.spin = motion_.spin(r_.ball.body, now);
+    out_.events.push_back({kind, sim_.time(), now, contact});
+  }
+
+  Trajectory finish(EventKind end) {
+    out_.end = end;
+    note(EventKind::end);
+    return std::move(out_);
+  }
+
+  const ShotRequest& r_;
+  Boundary boundary_;
+  Motion motion_;
+  Simulator<double, Motion, Cushion> sim_;
+  std::optional<int> cushions_ = r_.until.cushions;
+  bool stopped_ = false;  ///< `until` stopped the ball
+  Trajectory out_{};
+};
 
 }  // namespace
 
 Trajectory simulate(const ShotRequest& request) {
   validate(request);
-  return with_physics(request.physics,
-                      [&](const auto& motion, const auto& cushion) { return record(request, motion, cushion); });
+  return with_physics(request.physics, [&](const auto& motion, const auto& cushion) {
+    return Recorder(request, motion, cushion).run();
+  });
 }
 
 std::vector<Contact> Trajectory::sequence() const {
@@ -117,8 +152,8 @@ State<double> state_at(const ShotRequest& r, const Leg& leg, double t) {
 
 double energy(const Body& body, const State<double>& state) {
   const double v2 = dot(state.velocity, state.velocity);
-  const Vec3<double>& w = state.spin;
-  return body.mass * (v2 / 2 + body.radius * body.radius * (w.x * w.x + w.y * w.y + w.z * w.z) / 5);
+  const Vec3<double> w{body.radius * state.spin.x, body.radius * state.spin.y, body.radius * state.spin.z};
+  return body.mass * (v2 / 2 + (w.x * w.x + w.y * w.y + w.z * w.z) / 5);
 }
 
 }  // namespace bankshot

@@ -144,3 +144,38 @@ TEST_CASE("option --version and --help answer on standard output") {
   CHECK(help.err.empty());
   CHECK_THAT(help.out, Contains(part));
 }
+
+TEST_CASE("a ball that a dead cushion holds has a path of finite length") {
+  const auto run = run_program("simulate --json", R"({"table": {"length": 2, "width": 1},
+    "physics": {"model": "spin", "rolling_friction": 0, "cushion": {"model": "mirror", "restitution": 0}},
+    "ball": {"at": [0.5, 0.5]}, "shot": {"speed": 1, "angle": 10}})");
+  const Json end = Json::parse(run.out).at("end");
+  CHECK(end.at("reason") == "rest");
+  CHECK(end.at("length").is_number());
+}
+
+TEST_CASE("a ball that stands and spins for ever rests, unless a time was given") {
+  const std::string shot = R"({"table": {"length": 2, "width": 1},
+    "physics": {"model": "spin", "sliding_friction": 0, "cushion": {"model": "mirror", "restitution": 0}},
+    "ball": {"at": [0.5, 0.5]}, "shot": {"speed": 1, "angle": 0, "spin": {"top": 1, "side": 0}})";
+  const auto reason = [&](const std::string& until) {
+    return Json::parse(run_program("simulate --json", shot + until + "}").out).at("end").at("reason");
+  };
+  CHECK(reason("") == "rest");
+  CHECK(reason(R"(, "until": {"length": 9})") == "rest");
+  CHECK(reason(R"(, "until": {"time": 9})") == "until");
+}
+
+TEST_CASE("what is too large to compute with is refused, and no number is null") {
+  const std::string head = R"({"table": {"length": 2, "width": 1}, "physics": "spin", "ball": {"at": [0.5, 0.5])";
+  for (const char* rest : {R"(}, "shot": {"speed": 1, "angle": 30, "spin": {"top": 1e200, "side": 0}}})",
+                           R"(, "mass": 1e300}, "shot": {"speed": 1, "angle": 30}})"}) {
+    const auto run = run_program("simulate --json", head + rest);
+    CHECK(run.exit == 2);
+    CHECK_THAT(run.err, Contains("to compute with"));
+  }
+  const auto tiny = run_program("simulate --json",
+                                head + R"(, "radius": 1e-200, "mass": 1e-300}, "shot": {"speed": 1, "angle": 30}})");
+  CHECK(tiny.exit == 0);
+  CHECK_THAT(tiny.out, !Contains("null"));
+}

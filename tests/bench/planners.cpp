@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
   };
   run("mirror", by_mirror);
   for (const PlannerInfo& planner : planners())
-    if (planner.name != "image")
+    if (planner.bends)
       run(std::string(planner.name), [&](const Puzzle& p) {
         return by_planner(p, {.planner = std::string(planner.name), .robustness = false, .suggest = false});
       });

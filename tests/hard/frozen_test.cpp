@@ -2,9 +2,9 @@
 //
 // Frozen to a cushion at the start. Why hard: a gap of 1e-16 … 1e-9 m is above or below what the centre's
 // coordinates resolve, and a ball shot along the cushion must not bounce on noise. Law: a centre within
-// Boundary::touch (1e-12 of the diagonal) is on the line. Conditioning: benign, but for aims nearly along
-// the cushion (grazing). Asserted: at once a bounce when driven in, none when sent along or away,
-// the bound for all gaps, spins and aims.
+// Boundary::touch (1e-12 of the diagonal) is on the line; while a cushion holds a ball its slip turns
+// (detail/held.hpp). Conditioning: benign, but for aims nearly along the cushion (grazing). Asserted: at once a bounce
+// when driven in, none when sent along or away, the bound for all gaps, spins and aims.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 
@@ -51,4 +51,33 @@ TEST_CASE("a ball frozen to a cushion and driven along it by masse stays on it a
   CHECK(t.cushions == 0);
   // The other way round it leaves the cushion.
   CHECK(simulate(spin_shot({0.7, R}, 0.4, 0, {.masse = -2})).events[1].state.at.y > R + 1e-3);
+}
+
+TEST_CASE("the slip of a ball on a cushion turns across it, as its equations say") {
+  // u_t' = -7/2 c û_t, u_n' = -5/2 c û_n with c = μs g: so u_t = k u_n^(7/5), v - 2/7 u_t stays, and it takes
+  // 2/(5c) ∫ sqrt(1 + (u_t/u_n)²) du_n until it rolls, c ∫ û_t dt = 2/5 ∫ u_t/u_n du_n slower.
+  constexpr double c = 0.2 * 9.81, v = 0.4;
+  for (const double masse : {0.5, 1.0, 2.0, 5.0})
+    for (const double top : {-1.0, 0.0, 0.5}) {
+      INFO("masse " << masse << ", topspin " << top);
+      const Trajectory t = simulate(spin_shot({0.2, R}, v, 0, {.top = top, .masse = masse}));
+      REQUIRE(t.events[1].kind == EventKind::slide_to_roll);
+      const double across = masse * v, along = (1 - top) * v;
+      double seconds = 0, metres = 0, speed = v;
+      constexpr int steps = 100000;
+      for (int i = 0; i < steps; ++i) {
+        const double u = across * (steps - i - 0.5) / steps, ratio = along / across * std::pow(u / across, 0.4),
+                     dt = across / steps * std::sqrt(1 + ratio * ratio) / (2.5 * c);
+        const double lost = across / steps * ratio / 2.5;
+        metres += (speed - lost / 2) * dt;
+        speed -= lost;
+        seconds += dt;
+      }
+      CHECK(speed == Approx(v - along * 2 / 7).epsilon(1e-6));
+      CHECK(t.events[1].state.velocity.x == Approx(v - along * 2 / 7).epsilon(1e-5));
+      CHECK(t.events[1].time == Approx(seconds).epsilon(3e-4));
+      CHECK(t.events[1].state.at.x - 0.2 == Approx(metres).epsilon(3e-4));
+      CHECK(t.length > metres);  // it rolls on
+      CHECK(std::isfinite(t.length));
+    }
 }

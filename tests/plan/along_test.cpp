@@ -14,13 +14,13 @@ namespace {
 constexpr const char* into_top =
     R"({"table": {"length": 2, "width": 2}, "physics": {"model": "spin", "cushion": {"model": "han2005", "height": 0.08}},
   "ball": {"at": [1, 1.9375], "radius": 0.0625, "spin": {"top": 1.0400644326852726, "side": -0.552328482749644, "masse": -0.4644164460374691}},
-  "target": {"point": [0.7189206550796587, 0.9464814370821786]}, "cushions": ["right", "top", "top", "left", "right"], "speed": [2, 8]})";
+  "target": {"point": [0.6872873723573849, 1.2407430919580533]}, "cushions": ["right", "top", "left", "right"], "speed": [2, 8], "angle": [-0.1, 0.1]})";
 
 /// The same at the right, at 3 m/s and 90 degrees.
 constexpr const char* into_right =
     R"({"table": {"length": 1, "width": 1}, "physics": {"model": "spin", "cushion": {"model": "han2005", "height": 0.08}},
   "ball": {"at": [0.9375, 0.609375], "radius": 0.0625, "spin": {"top": 0.8670364109325073, "side": -0.33211143775884944, "masse": 0.42153720507118364}},
-  "target": {"point": [0.9340618835993992, 0.09099646412619361]}, "cushions": ["top", "bottom", "top", "right", "bottom"], "speed": [1.5, 6]})";
+  "target": {"point": [0.7585153545221149, 0.1017575894831163]}, "cushions": ["top", "bottom", "top", "bottom"], "speed": [1.5, 6], "angle": [89.9, 90.1]})";
 
 }  // namespace
 

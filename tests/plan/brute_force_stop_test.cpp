@@ -9,6 +9,7 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
@@ -166,18 +167,52 @@ class BruteForce {
   std::vector<Found> found_;
 };
 
-void compare(int puzzles, const Fineness& fine, std::uint64_t seed) {
+/// A rectangle, a launch with spin, and where it shall stop.
+Puzzle anywhere(test::Random& random) {
+  const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1);
+  const auto place = [&] { return Vec2d{random.uniform(0.05, length - 0.05), random.uniform(0.05, width - 0.05)}; };
+  Puzzle p{.table = rectangle_table(length, width), .physics = spin_physics()};
+  p.ball.at = place();
+  p.target = PointTarget{place()};
+  p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+  p.speed = {0.15, 4 * std::sqrt(length)};
+  return p;
+}
+
+/// The same with a point that hugs a rail.
+Puzzle hugging(test::Random& random) {
+  Puzzle p = anywhere(random);
+  const Boundary boundary(p.table, p.ball.body);
+  const Wall& wall = boundary.walls[static_cast<std::size_t>(random.integer(0, 3))];
+  p.target = PointTarget{wall.from + (wall.to - wall.from) * random.uniform(0.05, 0.95) +
+                         wall.normal * random.log_uniform(1e-5, 1e-3)};
+  return p;
+}
+
+/// A convex polygon of three to eight cushions.
+Puzzle on_polygon(test::Random& random) {
+  for (;;) {
+    Puzzle p{.table = test::random_polygon(random, true), .physics = spin_physics()};
+    const Boundary boundary(p.table, p.ball.body);
+    const auto place = [&] {
+      const Vec2d low = p.table.lowest(), high = p.table.highest();
+      return Vec2d{random.uniform(low.x, high.x), random.uniform(low.y, high.y)};
+    };
+    const Vec2d at = place(), target = place();
+    p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+    p.speed = {0.15, 4 * std::sqrt(boundary.diagonal)};
+    p.ball.at = at;
+    p.target = PointTarget{target};
+    if (boundary.clearance(at) > 0.01 && boundary.clearance(target) > 0.01) return p;
+  }
+}
+
+void compare(int puzzles, const Fineness& fine, std::uint64_t seed, Puzzle (*draw)(test::Random&)) {
   test::Random random(seed);
   std::size_t by_force = 0, missed = 0, all_shots = 0;
   for (int i = 0; i < puzzles; ++i) {
-    const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1);
-    const auto place = [&] { return Vec2d{random.uniform(0.05, length - 0.05), random.uniform(0.05, width - 0.05)}; };
-    Puzzle p{.table = rectangle_table(length, width), .physics = spin_physics()};
-    p.ball.at = place();
-    p.target = PointTarget{place()};
-    p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+    Puzzle p = draw(random);
     p.cushions = {.min = 0, .max = static_cast<int>(most_cushions)};
-    p.speed = {0.15, 4 * std::sqrt(length)};
     p.budget = 10000000;
     const std::vector<Shot> all = solve(p, {.all = true, .robustness = false}).shots;
     all_shots += all.size();
@@ -191,7 +226,7 @@ void compare(int puzzles, const Fineness& fine, std::uint64_t seed) {
       if (std::any_of(all.begin(), all.end(), same)) continue;
       ++missed;
       UNSCOPED_INFO("puzzle " << i << " of seed " << seed << ": " << f.contacts.size() << " cushions at "
-                              << degrees(f.angle) << " degrees, " << f.speed << " m/s");
+                              << degrees(f.angle) << " degrees, " << f.speed << " m/s: " << write_puzzle(p));
     }
   }
   INFO(missed << " of " << by_force << " shots missed, planner found " << all_shots);
@@ -203,9 +238,17 @@ void compare(int puzzles, const Fineness& fine, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("all shots that stop at a point are those of brute force") {
-  compare(20, {.aims = 360, .speed_step = 0.1, .root = 1e-6}, 29);
+  compare(20, {.aims = 360, .speed_step = 0.1, .root = 1e-6}, 29, anywhere);
 }
 
 TEST_CASE("all shots that stop at a point are those of brute force, at length", "[.][long]") {
-  compare(200, {.aims = 18000, .speed_step = 0.03, .root = 1e-8}, test::seed_or_fresh(29));
+  compare(200, {.aims = 18000, .speed_step = 0.03, .root = 1e-8}, test::seed_or_fresh(29), anywhere);
+}
+
+TEST_CASE("all shots that stop beside a rail are those of brute force, at length", "[.][long]") {
+  compare(200, {.aims = 3600, .speed_step = 0.05, .root = 1e-8}, test::seed_or_fresh(37), hugging);
+}
+
+TEST_CASE("all shots that stop at a point of a convex polygon are those of brute force, at length", "[.][long]") {
+  compare(200, {.aims = 3600, .speed_step = 0.05, .root = 1e-8}, test::seed_or_fresh(41), on_polygon);
 }

@@ -117,19 +117,77 @@ class BruteForce {
   std::vector<Found> found_;
 };
 
-void compare(int puzzles, std::uint64_t seed) {
+/// A rectangle, a launch with spin.
+Puzzle anywhere(test::Random& random) {
+  const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1),
+               speed = random.uniform(1, 3) * std::sqrt(length);
+  const auto place = [&] { return Vec2d{random.uniform(0.05, length - 0.05), random.uniform(0.05, width - 0.05)}; };
+  Puzzle p{.table = rectangle_table(length, width), .physics = spin_physics()};
+  p.ball.at = place();
+  p.target = PointTarget{place()};
+  p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+  p.speed = {speed, speed};
+  return p;
+}
+
+/// The same, past a point that hugs a rail.
+Puzzle hugging(test::Random& random) {
+  Puzzle p = anywhere(random);
+  const Boundary boundary(p.table, p.ball.body);
+  const Wall& wall = boundary.walls[static_cast<std::size_t>(random.integer(0, 3))];
+  p.target = PointTarget{wall.from + (wall.to - wall.from) * random.uniform(0.05, 0.95) +
+                         wall.normal * random.log_uniform(1e-5, 1e-3)};
+  return p;
+}
+
+/// Frozen to a cushion, or in a corner, without spin: on rectangles and convex polygons.
+Puzzle frozen(test::Random& random) {
+  Puzzle p{.table = rectangle_table(random.uniform(1, 3), random.uniform(1, 3)), .physics = ideal_physics()};
+  if (random.chance(0.5)) p.table = test::random_polygon(random, true);
+  if (random.chance(0.7)) p.physics = {Rolling{}, Mirror{random.uniform(0.4, 1)}};
+  const double radius = random.chance(0.3) ? 0 : 0.01;
+  p.ball.body.radius = radius;
+  const Boundary boundary(p.table, p.ball.body);
+  const Wall& wall =
+      boundary.walls[static_cast<std::size_t>(random.integer(0, static_cast<int>(boundary.walls.size()) - 1))];
+  p.ball.at = random.chance(0.2) ? wall.from : wall.from + (wall.to - wall.from) * random.uniform(0.02, 0.98);
+  const auto inside = [&] {
+    for (;;) {
+      const Vec2d low = p.table.lowest(), high = p.table.highest(),
+                  at{random.uniform(low.x, high.x), random.uniform(low.y, high.y)};
+      if (boundary.clearance(at) > 1e-3) return at;
+    }
+  };
+  p.target = PointTarget{inside()};
+  p.speed = {8, 8};  // far enough for three cushions
+  return p;
+}
+
+/// A convex polygon of three to eight cushions, a launch with spin.
+Puzzle on_polygon(test::Random& random) {
+  for (;;) {
+    Puzzle p{.table = test::random_polygon(random, true), .physics = spin_physics()};
+    const Boundary boundary(p.table, p.ball.body);
+    const double speed = random.uniform(1, 3) * std::sqrt(boundary.diagonal);
+    const auto place = [&] {
+      const Vec2d low = p.table.lowest(), high = p.table.highest();
+      return Vec2d{random.uniform(low.x, high.x), random.uniform(low.y, high.y)};
+    };
+    const Vec2d at = place(), target = place();
+    p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+    p.speed = {speed, speed};
+    p.ball.at = at;
+    p.target = PointTarget{target};
+    if (boundary.clearance(at) > 0.01 && boundary.clearance(target) > 0.01) return p;
+  }
+}
+
+void compare(int puzzles, std::uint64_t seed, Puzzle (*draw)(test::Random&)) {
   test::Random random(seed);
   std::size_t by_force = 0, missed = 0;
   for (int i = 0; i < puzzles; ++i) {
-    const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1),
-                 speed = random.uniform(1, 3) * std::sqrt(length);
-    const auto place = [&] { return Vec2d{random.uniform(0.05, length - 0.05), random.uniform(0.05, width - 0.05)}; };
-    Puzzle p{.table = rectangle_table(length, width), .physics = spin_physics()};
-    p.ball.at = place();
-    p.target = PointTarget{place()};
-    p.spin = {random.uniform(-1, 1.2), random.uniform(-1, 1), 0};
+    Puzzle p = draw(random);
     p.cushions = {.min = 0, .max = most_cushions};
-    p.speed = {speed, speed};
     p.budget = 10000000;
     const std::vector<Shot> all = solve(p, {.all = true, .robustness = false}).shots;
     for (const Found& f : BruteForce(p).run()) {
@@ -146,13 +204,28 @@ void compare(int puzzles, std::uint64_t seed) {
   }
   INFO(missed << " of " << by_force << " shots missed");
   CHECK(missed == 0);  // first: the next assertion takes what was noted of each
-  CHECK(by_force > 10 * static_cast<std::size_t>(puzzles));
+  CHECK(by_force > 5 * static_cast<std::size_t>(puzzles));
+  if (puzzles >= 200) WARN(missed << " of " << by_force << " shots missed");
 }
 
 }  // namespace
 
-TEST_CASE("all shots at a fixed speed are those of brute force") { compare(20, 23); }
+TEST_CASE("all shots at a fixed speed are those of brute force") { compare(20, 23, anywhere); }
+
+TEST_CASE("all shots of a ball frozen to a cushion are those of brute force, into it too") { compare(40, 31, frozen); }
 
 TEST_CASE("all shots at a fixed speed are those of brute force, at length", "[.][long]") {
-  compare(200, test::seed_or_fresh(23));
+  compare(200, test::seed_or_fresh(23), anywhere);
+}
+
+TEST_CASE("all shots of a ball frozen to a cushion are those of brute force, at length", "[.][long]") {
+  compare(1000, test::seed_or_fresh(31), frozen);
+}
+
+TEST_CASE("all shots past a point beside a rail are those of brute force, at length", "[.][long]") {
+  compare(1000, test::seed_or_fresh(37), hugging);
+}
+
+TEST_CASE("all shots on a convex polygon are those of brute force, at length", "[.][long]") {
+  compare(1000, test::seed_or_fresh(41), on_polygon);
 }

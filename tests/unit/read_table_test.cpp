@@ -93,9 +93,19 @@ TEST_CASE("a polygon names its edges c0, c1, ... unless told otherwise") {
         std::vector<std::string>{"a", "b", "c"});
 }
 
-TEST_CASE("a mouth is checked also where no pockets use it") {
+TEST_CASE("a mouth belongs to six pockets") {
+  const Json mouth{{"corner", 0.1}};
+  const auto refuses = [](const Json& table) { CHECK_THROWS_WITH(with_table(table), Catch::Contains("\"six\"")); };
+  refuses({{"length", 2}, {"width", 1}, {"mouth", mouth}});
+  refuses({{"length", 2}, {"width", 1}, {"pockets", "none"}, {"mouth", mouth}});
+  refuses({{"length", 2}, {"width", 1}, {"pockets", Json::array()}, {"mouth", mouth}});
+  refuses({{"vertices", {{0, 0}, {2, 0}, {0, 2}}}, {"mouth", mouth}});
   const Json bad{{"corner", -1}};
-  CHECK_THROWS_AS(with_table({{"length", 2}, {"width", 1}, {"mouth", bad}}), InvalidInput);
-  CHECK_NOTHROW(with_table({{"length", 2}, {"width", 1}, {"mouth", {{"corner", 0.1}}}}));
-  CHECK_NOTHROW(with_table({{"vertices", {{0, 0}, {2, 0}, {0, 2}}}, {"mouth", {{"corner", 0.1}}}}));
+  CHECK_THROWS_AS(with_table({{"length", 2}, {"width", 1}, {"pockets", "six"}, {"mouth", bad}}), InvalidInput);
+}
+
+TEST_CASE("a level table may say so") {
+  CHECK_NOTHROW(with_table({{"length", 2}, {"width", 1}, {"tilt", {0, 0.0}}}));
+  for (const Json& tilt : {Json{0, 0.001}, Json{0}, Json("level"), Json{0, "a"}})
+    CHECK_THROWS_AS(with_table({{"length", 2}, {"width", 1}, {"tilt", tilt}}), InvalidInput);
 }

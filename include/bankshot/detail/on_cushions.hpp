@@ -5,18 +5,18 @@
 //  4. A bounce puts the centre exactly on the cushion's line, and the gap to a cushion just left
 //     is exactly 0, so the same bounce is never found twice.
 //  5. A ball at a cushion, with no speed away from it, that friction drives into it is held there:
-//     its normal motion stops, its tangential motion goes on until the acceleration leaves. That is
-//     no bounce; it ends the bouncing without end of a ball that returns slower each time. A ball that
-//     starts within Boundary::touch of a cushion is put on its line. Limitation: at a reflex vertex the ball
-//     goes on along the tangent, where friction might take it round. A ball slower than
-//     tolerance::still of its launch after a bounce rests.
+//     its normal motion stops, its tangential motion and its slip go on until the acceleration leaves
+//     (held.hpp). That is no bounce; it ends the bouncing without end of a ball that returns slower each time. A ball
+//     that starts within Boundary::touch of a cushion is put on its line. Limitation: at a reflex vertex the ball goes
+//     on along the tangent, where friction might take it round. A ball slower than tolerance::still of its launch after
+//     a bounce rests.
 #pragma once
 
 #include <cmath>
 #include <utility>
 
+#include "bankshot/detail/held.hpp"
 #include "bankshot/geometry/boundary.hpp"
-#include "bankshot/motion/arc.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot {
@@ -106,12 +106,12 @@ class OnCushions {
       if (slow[1 - k] && dot(boundary.normal(at[1 - k], plain.at), along) < 0) continue;
       held_[k] = on_[k] = at[k];
       stop_along(n, arc.velocity);
-      stop_along(n, arc.acceleration);
+      hold_slip(arc, n);
       return;
     }
     if (!pressed) return;
     for (int k = 0; k < 2; ++k) held_[k] = on_[k] = at[k];
-    arc.velocity = arc.acceleration = {T(0), T(0)};
+    hold_slip_in_corner(arc);
   }
 
  private:

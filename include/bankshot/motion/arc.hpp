@@ -56,6 +56,7 @@ struct Arc {
   PhaseEnd end = PhaseEnd::none;
   bool bends = false;  ///< the acceleration need not be along the velocity
   Drag<T> drag{};
+  Vec2<T> taken{};  ///< m/s²: friction that a cushion takes from the centre, and that turns the ball all the same
 
   /// The ball still moves where the arc ends.
   bool goes_on() const { return end == PhaseEnd::roll || end == PhaseEnd::piece; }
@@ -104,7 +105,8 @@ decltype(auto) value(const Arc<T>& a) {
                         value(a.duration),
                         a.end,
                         a.bends,
-                        {value(a.drag.constant), value(a.drag.linear)}};
+                        {value(a.drag.constant), value(a.drag.linear)},
+                        value(a.taken)};
   else
     return (a);
 }

@@ -53,10 +53,10 @@ struct SlideRollOf {
   void turn(const Body& body, State<T>& s, const Arc<T>& arc, const T& t) const {
     using Number = Real<T>;
     if (arc.bends) {
-      // ẑ × û (5 μs g / 2R) t, with û taken from the acceleration −μs g û.
+      // ẑ × û (5 μs g / 2R) t, with û taken from the friction −μs g û.
       const T by_radius = t * Number(Number(2.5) / body.radius);
-      s.spin.x += arc.acceleration.y * by_radius;
-      s.spin.y -= arc.acceleration.x * by_radius;
+      s.spin.x += (arc.acceleration.y + arc.taken.y) * by_radius;
+      s.spin.y -= (arc.acceleration.x + arc.taken.x) * by_radius;
     } else if (arc.end != PhaseEnd::none) {
       set_rolling(body, s);
     }

@@ -50,6 +50,11 @@ inline constexpr double resting = 1e-9;
 /// friction drives it in, stays there. It must be a few times `resting`, which is the size of the bounces it ends.
 inline constexpr double crawling = 1e-8;
 
+/// Seconds. The slip of a ball that a cushion holds turns; a piece of its path with the slip's direction held is no
+/// longer than this, and a slip that lasts no longer than the second ends without turning. Longer would be less exact
+/// (detail/held.hpp), shorter slower.
+inline constexpr double longest_piece = 2e-3, last_piece = 1e-6;
+
 /// Of the launch's |v| + R|ω|. A ball slower than this after a bounce is at rest. Without friction it
 /// slows down by a factor a bounce for ever; much smaller and the squares of its speed would underflow.
 inline constexpr double still = 1e-100;

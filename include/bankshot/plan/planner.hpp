@@ -31,6 +31,8 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options = {});
 
 struct PlannerInfo {
   std::string_view name, summary;
+  bool bends =
+      true;  ///< it also does physics where the shape of a path depends on its speed; else `solve` refuses them
 };
 std::span<const PlannerInfo> planners();
 

@@ -93,10 +93,10 @@ std::optional<Range> arrival_range(const Puzzle& puzzle);
 /// document itself; `line` is set when the text is no JSON at all.
 class InvalidInput : public std::runtime_error {
  public:
-  InvalidInput(std::string where, const std::string& reason, int at_line = 0)
+  InvalidInput(std::string where, const std::string& reason, long at_line = 0)
       : std::runtime_error(reason), path(std::move(where)), line(at_line) {}
   std::string path;
-  int line;
+  long line;
 };
 
 /// Throws InvalidInput when the scene breaks a rule of geometry or range.

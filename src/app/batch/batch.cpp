@@ -37,9 +37,9 @@ bool finished(LineReader& in, const Arguments& a) {
   const auto same = [&](bool from_the_end) {
     const std::size_t n = asked.lines.size(), m = told.lines.size(), both = std::min(n, m);
     for (std::size_t i = 0; i < both; ++i) {
-      const std::string_view question = asked.line(from_the_end ? n - 1 - i : i),
-                             answer = told.line(from_the_end ? m - 1 - i : i);
-      if (without_time(answer_line(question, a.flags)) != without_time(std::string(answer))) return false;
+      const std::size_t question = from_the_end ? n - 1 - i : i;
+      const std::string_view answer = told.line(from_the_end ? m - 1 - i : i);
+      if (without_time(answer_line(asked, question, a.flags)) != without_time(std::string(answer))) return false;
     }
     return true;
   };

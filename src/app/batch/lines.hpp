@@ -29,6 +29,8 @@ struct Lines {
   std::vector<Line> lines;
   ReadMark after;     ///< behind the last of them
   double share = -1;  ///< of the input that is read; -1 where its length is not known
+  /// Of line i in the whole input, from 1.
+  long number(std::size_t i) const { return after.lines - static_cast<long>(lines.size() - i) + 1; }
   std::string_view line(std::size_t i) const { return std::string_view(text).substr(lines[i].begin, lines[i].size); }
 };
 

@@ -47,7 +47,10 @@ struct Parsed {
   std::vector<std::string> bad;  ///< a text for each line; empty where the line is a puzzle
 };
 
-std::string answer_to_bad(std::string_view line, const InvalidInput& e) {
+/// A text that is no JSON is known by its line of the file; of any other the path tells what is wrong.
+std::string answer_to_bad(std::string_view line, long number, InvalidInput e) {
+  if (line.find_first_not_of(" \t\r") == std::string_view::npos) e = InvalidInput("", "blank line", 1);
+  if (e.line) e.line = number;
   return to_json(invalid_answer(read_id(line), e));
 }
 
@@ -59,11 +62,11 @@ Parsed parse(const Lines& lines, const solve::SolveFlags& flags) {
     const std::string_view line = lines.line(i);
     try {
       if (lines.lines[i].too_long)
-        throw InvalidInput("", fmt::format("this line is longer than {} bytes, and no puzzle needs as many",
-                                           LineReader::longest_line));
+        throw InvalidInput(
+            "", fmt::format("longer than {} bytes, and no puzzle needs as many", LineReader::longest_line), 1);
       p.puzzles.push_back(flags.read(line));
     } catch (const InvalidInput& e) {
-      p.bad[i] = answer_to_bad(line, e);
+      p.bad[i] = answer_to_bad(line, lines.number(i), e);
     }
   }
   return p;
@@ -99,7 +102,7 @@ void work(Chunk& c, const solve::SolveFlags& flags, bool gzip, bool measure) {
     const Answer* a = bad ? nullptr : &answers[next];
     if (bad || a->status == Status::invalid) {
       c.out += bad ? parsed.bad[i] : to_json(*a);
-      c.tally.add_invalid(c.in.after.lines - static_cast<long>(parsed.bad.size() - i) + 1);
+      c.tally.add_invalid(c.in.number(i));
     } else {
       c.out += to_json(parsed.puzzles[next], *a, !flags.no_timing);
       c.tally.add(parsed.puzzles[next], *a);
@@ -170,12 +173,13 @@ void run_pipeline(Batch& b) {
   if (read_error) std::rethrow_exception(read_error);
 }
 
-std::string answer_line(std::string_view line, const solve::SolveFlags& flags) {
+std::string answer_line(const Lines& lines, std::size_t i, const solve::SolveFlags& flags) {
+  const std::string_view line = lines.line(i);
   try {
     const Puzzle puzzle = flags.read(line);
     return to_json(puzzle, bankshot::solve(puzzle, flags.solve_options()), !flags.no_timing);
   } catch (const InvalidInput& e) {
-    return answer_to_bad(line, e);
+    return answer_to_bad(line, lines.number(i), e);
   }
 }
 

@@ -28,7 +28,7 @@ struct Batch {
 /// way is written. `batch.at` then says how far the output is whole.
 void run_pipeline(Batch& batch);
 
-/// The answer to one line, as `solve --json` prints it.
-std::string answer_line(std::string_view line, const solve::SolveFlags& flags);
+/// The answer to one line, as `solve --json` prints it, but that it names the line of the file.
+std::string answer_line(const Lines& lines, std::size_t i, const solve::SolveFlags& flags);
 
 }  // namespace bankshot::app::batch

@@ -193,7 +193,7 @@ Section planners(const Settings& settings, Progress& progress) {
     std::vector<Curves> curves;
     for (const PlannerInfo& planner : bankshot::planners()) {
       progress.step();
-      if (planner.name == "image" && !is_straight(kind.physics)) continue;  // it has nothing to say there
+      if (!planner.bends && !is_straight(kind.physics)) continue;
       curves.push_back(measure(kind, std::string(planner.name), sets, csv));
       const Setting& last = curves.back().settings.back();
       if (std::string_view(kind.name) != "spin, han2005") continue;
