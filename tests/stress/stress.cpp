@@ -8,7 +8,8 @@
 // (simulate/simulator.hpp, property 6) and keeps its cushions when the aim turns by 1e-9 rad. Exit 1 if a plain one is
 // not solved, more than one in a thousand of the hard ones, if the answer to a plain one that has a shot at the centre
 // is off centre, or any answer is wrong or spends more than its budget and one path. With --all also if the shot that a
-// plain one was made from is not among them, where nothing is left free. --verify holds each answer against 50 digits.
+// plain one was made from is not among them, where nothing is left free, or, with --force, one that brute force finds
+// (support/root_map.hpp). --verify holds each answer against 50 digits.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -18,10 +19,10 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
-#include "bankshot/simulate/trajectory.hpp"
 #include "support/families.hpp"
+#include "support/made.hpp"
 #include "support/replay_check.hpp"
-#include "support/truth.hpp"
+#include "support/root_map.hpp"
 #include "truth/claims.hpp"
 
 namespace {
@@ -33,7 +34,8 @@ struct Tally {
        simulations = 0;
   long point_off = 0, hard_point_off = 0;  ///< solved, but beside the centre; of the plain ones, of the hard ones
   long over_budget = 0, lost = 0, hard_lost = 0;
-  double worst_miss = 0;  // of the diagonal
+  long forced = 0, missing = 0;  ///< shots that brute force finds, and those of them that --all lacks
+  double worst_miss = 0;         // of the diagonal
   double worst_speed = 0, us = 0;
 
   std::map<std::string, long> found_by{};  ///< the step that found the best shot
@@ -44,74 +46,13 @@ struct Tally {
   }
   long plain_unsolved() const { return unsolved - hard_unsolved; }
   bool clean() const {
-    return plain_unsolved() == 0 && point_off == 0 && wrong == 0 && over_budget == 0 && lost == 0 &&
+    return plain_unsolved() == 0 && point_off == 0 && wrong == 0 && over_budget == 0 && lost == 0 && missing == 0 &&
            hard_unsolved <= std::max(1L, hard / 1000);
   }
 };
 
-/// The shot the puzzle was made from meets other cushions so many rad beside its aim: it runs through a
-/// corner or exactly along a cushion, and rounding decides.
-bool through_corner(const test::Made& made, double beside) {
-  const auto sequence = [&](double turned) {
-    ShotRequest r{.table = made.puzzle.table,
-                  .physics = made.puzzle.physics,
-                  .ball = made.puzzle.ball,
-                  .launch = made.launch,
-                  .spin = made.puzzle.spin};
-    r.launch.angle = wrap_angle(r.launch.angle + turned);
-    r.until.cushions = made.bounces + 1;
-    std::vector<Contact> s = simulate(r).sequence();
-    s.resize(std::min(s.size(), static_cast<std::size_t>(made.bounces)));
-    return s;
-  };
-  return sequence(-beside) != sequence(0) || sequence(beside) != sequence(0);
-}
-
-/// κ of the shot the puzzle was made from, up to the event after its target.
-double kappa(const test::Made& made) {
-  const Puzzle& p = made.puzzle;
-  const Boundary boundary(p.table, p.ball.body);
-  const State<double> start =
-      launched(p.ball.at, p.ball.body.radius, direction(made.launch.angle) * made.launch.speed, p.spin);
-  return test::condition({.boundary = boundary, .physics = p.physics, .start = start, .cushions = made.bounces + 1})
-      .kappa;
-}
-
-bool is_hard(const test::Made& made) {
-  constexpr double steep = 1e6, margin = 1e-9;
-  return kappa(made) >= steep || through_corner(made, margin);
-}
-
-/// Rad: what counts as a path through a corner, twice the margin.
+/// Rad: what counts as a path through a corner, twice the margin of is_hard.
 constexpr double beside_corner = 2e-9;
-
-/// Some root is at the centre: that of the shot it was made from.
-bool has_centre(const test::Made& made) {
-  if (!is_pocket(made.puzzle.target)) return true;
-  const Puzzle& p = made.puzzle;
-  const Trajectory t =
-      simulate({.table = p.table, .physics = p.physics, .ball = p.ball, .launch = made.launch, .spin = p.spin});
-  if (t.end != EventKind::pocket) return false;
-  const Record& drop = t.events[t.events.size() - 2];
-  const Vec2d off = p.table.pockets[static_cast<std::size_t>(drop.contact.index)].at - drop.state.at;
-  constexpr double exact = 1e-11;  // of the diagonal
-  return std::abs(cross(drop.state.velocity, off)) < exact * p.table.diagonal() * norm(drop.state.velocity);
-}
-
-/// Only single launches are asked for, and the one it was made from is one of them.
-bool nothing_free(const test::Made& made) {
-  const auto arrival = arrival_range(made.puzzle);
-  return !made.puzzle.spin_range && !is_ideal(made.puzzle.physics) && (!arrival || arrival->fixed()) &&
-         has_centre(made);
-}
-
-bool is_among(const test::Made& made, const std::vector<Shot>& shots) {
-  constexpr double same = 1e-5;  // rad, and of the speed; two roots that are closer are one here
-  return std::any_of(shots.begin(), shots.end(), [&](const Shot& s) {
-    const double turned = wrap_angle(s.launch.angle - made.launch.angle + radians(180)) - radians(180);
-    return std::abs(turned) < same && std::abs(s.launch.speed / made.launch.speed - 1) < same;
-  });
-}
 
 /// What a solve is asked to do, and how its answer is checked.
 struct Way {
@@ -119,7 +60,7 @@ struct Way {
   test::Model model;
   int bounces;
   SolveOptions options;
-  bool verify = false;
+  bool verify = false, force = false;
 };
 
 /// One puzzle, its answer and what is wrong with it.
@@ -128,7 +69,7 @@ class Case {
   Case(const Way& way, test::Random& random, std::ostream& failures, Tally& tally)
       : way_(way),
         made_(way.family.make(random, way.model, way.bounces)),
-        hard_(is_hard(made_)),
+        hard_(test::is_hard(made_)),
         failures_(failures),
         t_(tally) {
     ++t_.puzzles;
@@ -151,16 +92,13 @@ class Case {
       if (!way_.family.solvable) return;
       t_.hard_unsolved += hard_;
       ++t_.unsolved;
-      t_.corners += through_corner(made_, beside_corner);
+      t_.corners += test::through_corner(made_, beside_corner);
       return report(a.message);
     }
     ++t_.solved;
     best(a.shots.front());
     for (const Shot& shot : a.shots) check(shot);
-    if (all && way_.family.solvable && nothing_free(made_) && !is_among(made_, a.shots)) {
-      ++(hard_ ? t_.hard_lost : t_.lost);
-      if (!hard_) report("the shot it was made from is not among all");
-    }
+    if (all && way_.family.solvable && test::nothing_free(made_)) completeness(a.shots);
   }
 
  private:
@@ -172,8 +110,8 @@ class Case {
       return;
     }
     ++t_.off_centre;
-    if (!way_.family.solvable || !has_centre(made_)) return;
-    const bool excused = hard_ || through_corner(made_, beside_corner);
+    if (!way_.family.solvable || !test::has_centre(made_)) return;
+    const bool excused = hard_ || test::through_corner(made_, beside_corner);
     ++(excused ? t_.hard_point_off : t_.point_off);
     if (!excused) report(fmt::format("miss {:.3g} of the diagonal", miss));
   }
@@ -182,6 +120,24 @@ class Case {
     const test::Checked c = test::check_shot(made_.puzzle, shot);
     if (!c.problem.empty()) wrong(c.problem);
     t_.worst_speed = std::max(t_.worst_speed, c.speed_error);
+  }
+
+  void completeness(const std::vector<Shot>& all) {
+    if (!test::is_among(made_.launch, all)) {
+      ++(hard_ ? t_.hard_lost : t_.lost);
+      if (!hard_) report("the shot it was made from is not among all");
+    }
+    if (!way_.force) return;
+    const Puzzle& p = made_.puzzle;
+    const double arrival = arrival_range(p).value_or(Range{0, 0}).low;
+    long flights = 0;
+    for (const test::Root& r :
+         test::roots_on_grid(test::Aimed(p), p.spin, {arrival}, {.aim = radians(0.05)}, flights)) {
+      ++t_.forced;
+      if (test::is_among(r.launch, all)) continue;
+      ++t_.missing;
+      report(fmt::format("all lack {} m/s at {} degrees", r.launch.speed, degrees(r.launch.angle)));
+    }
   }
 
   void verify(const Answer& a) {
@@ -216,15 +172,16 @@ void print(const Way& way, const std::string& physics, std::uint64_t seed, bool 
                              t.solved, t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
                              static_cast<double>(t.simulations) / static_cast<double>(t.puzzles),
                              t.us / static_cast<double>(t.puzzles), t.plain_unsolved(), t.hard, t.hard_unsolved,
-                             t.point_off, t.hard_point_off, t.over_budget, t.lost, t.hard_lost, t.steps());
+                             t.point_off, t.hard_point_off, t.over_budget, t.lost, t.hard_lost, t.forced, t.missing,
+                             t.steps());
   };
-  out(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{},{},{},{},{},{},{},{},{}\n"
+  out(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{},{},{},{},{},{},{},{},{},{},{}\n"
           : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the centre), {} unsolved through a "
             "corner, {} wrong, worst miss {:.2g} of the "
             "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each; {} plain ones unsolved, "
             "of {} hard ones {}; beside a centre that has a shot {} plain ones, {} hard ones; over budget {}; not "
             "among "
-            "all {} plain ones, {} hard ones; found by {}\n");
+            "all {} plain ones, {} hard ones; of {} shots by brute force {}; found by {}\n");
   std::cout << std::flush;
 }
 
@@ -275,10 +232,11 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   int bounces = -1;
   app.add_option("--cushions", bounces, "Exactly so many cushions; -1: as usual in the family")->capture_default_str();
-  bool csv = false, progress = false, verify = false;
+  bool csv = false, progress = false, verify = false, force = false;
   app.add_flag("--csv", csv);
   app.add_flag("--progress", progress, "Tell on standard error how far it is, a hundred times a family");
   app.add_flag("--all", options.all, "Ask for every shot, and look for the one that the puzzle was made from");
+  app.add_flag("--force", force, "With --all: look for every shot that brute force finds (0.3 s a puzzle)");
   app.add_flag("--verify", verify, "Hold every answer against 50 digits, as bankshot verify does");
   app.add_option("--planner", options.planner)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
@@ -295,9 +253,9 @@ int main(int argc, char** argv) {
   if (csv)
     std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_"
                  "diagonal,worst_speed_error,simulations_each,us_each,plain_unsolved,hard,hard_unsolved,plain_beside,"
-                 "hard_beside,over_budget,plain_lost,hard_lost,found_by\n";
+                 "hard_beside,over_budget,plain_lost,hard_lost,forced,missing,found_by\n";
   for (const test::NamedFamily* f : families(family)) {
-    const Way way{*f, model, bounces, options, verify};
+    const Way way{*f, model, bounces, options, verify, force};
     Tally t;
     clean = run(way, family == "all" ? count / 4 : count, seed, progress, csv ? std::cerr : std::cout, t) && clean;
     print(way, physics, seed, csv, t);

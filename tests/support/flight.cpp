@@ -17,7 +17,8 @@ std::uint64_t add(std::uint64_t route, Contact c) {
 
 /// The parameter at which an arc comes abreast of a point; negative where it does not.
 double abreast(const Arc<double>& arc, double end, const Vec2d& at) {
-  const auto ahead = [&](double p) { return dot(arc.tangent(p), at - arc.position(p)); };
+  // A straight arc keeps its direction to its very end, where the tangent of a ball that stops is rounding.
+  const auto ahead = [&](double p) { return dot(arc.bends ? arc.tangent(p) : arc.velocity, at - arc.position(p)); };
   double low = 0, high = end, f_low = ahead(low), f_high = ahead(high);
   if (!(f_low > 0) || f_high > 0) return -1;
   constexpr int steps = 60;

@@ -10,8 +10,8 @@ namespace {
 /// A crossing of the speed asked, on one aim: between two launch speeds, or beyond the last of them that has its route.
 struct Crossing {
   std::uint64_t route;
-  int bounces, arrival, nth;  ///< how many of the same came before it on this aim
-  double angle, speed, beside;
+  int bounces, arrival, nth;              ///< how many of the same came before it on this aim
+  double angle, speed, flown_at, beside;  ///< rad, m/s, m/s of a launch that was flown, m
   bool like(const Crossing& o) const { return route == o.route && arrival == o.arrival && nth == o.nth; }
 };
 using Column = std::vector<Crossing>;
@@ -79,9 +79,9 @@ class Map {
   }
 
  private:
-  /// What is left to do, in diagonals and in m/s (a stop: diagonals).
+  /// What is left to do, in diagonals and in m²/s² (a stop: diagonals), and in m/s.
   struct Residual {
-    double beside, fast, time, arrival;
+    double beside, fast, off, time, arrival;
     double size() const { return std::abs(beside) + std::abs(fast); }
   };
 
@@ -99,8 +99,9 @@ class Map {
     for (int i = 0; i < f.count; ++i) {
       const Pass& p = f.passes[static_cast<std::size_t>(i)];
       if (p.route != route) continue;
-      const double off = fixed() ? 0 : (p.fast - arrival) / (a_.stops ? diagonal : 1);
-      const Residual r{p.beside / diagonal, off, p.time, a_.stops ? 0 : p.fast};
+      const double scale = a_.stops ? diagonal : 1, off = fixed() ? 0 : (p.fast - arrival) / scale;
+      const double fast = fixed() ? 0 : (level(p.fast) - level(arrival)) / scale;
+      const Residual r{p.beside / diagonal, fast, off, p.time, a_.stops ? 0 : p.fast};
       if (!best || r.size() < best->size()) best = r;
     }
     return best;
@@ -108,7 +109,7 @@ class Map {
 
   std::optional<Root> proved(const Launch& found, std::uint64_t route, double arrival, const Residual& at) const {
     constexpr double exact = 1e-9;
-    if (!(std::abs(at.beside) <= exact && std::abs(at.fast) <= exact * std::max(1.0, arrival))) return {};
+    if (!(std::abs(at.beside) <= exact && std::abs(at.off) <= exact * std::max(1.0, arrival))) return {};
     const Puzzle& p = a_.puzzle;
     Root root{{found.speed, wrap_angle(found.angle)}, spin_, {}, route, at.arrival, at.time};
     const double slack = 1e-12 * std::max(1.0, p.speed.high);
@@ -152,46 +153,45 @@ class Map {
     return nullptr;
   }
 
+  /// What grows evenly with the square of the launch speed: that of the speed, or how far it rolls beyond.
+  double level(double fast) const { return a_.stops ? fast : fast * fast; }
+
+  /// A pass as far as it decides, and the launch speed.
+  struct Point {
+    double speed, level, beside;
+  };
+
   /// Those between a pass and the one of the next faster launch; before the first of a route and after its last
   /// between it and where the slope leads.
   void crossings(double angle, const std::vector<Flight>& flights, std::size_t i, int k, Column& out) const {
     const Pass& p = flights[i].passes[static_cast<std::size_t>(k)];
-    if (fixed()) return add(out, p, angle, 0, speeds_[i], p.beside);
+    if (fixed()) return add(out, {p.route, p.bounces, 0, 0, angle, speeds_[i], speeds_[i], p.beside});
     int nth = 0;
     for (int m = 0; m < k; ++m) nth += flights[i].passes[static_cast<std::size_t>(m)].route == p.route;
-    const Pass* const faster = same(flights, i + 1, p, nth);
-    const Pass* const slower = i > 0 ? same(flights, i - 1, p, nth) : nullptr;
     const double ratio = speeds_[1] / speeds_[0], v = speeds_[i];
-    Pass beyond = p;
-    if (faster) segment(out, angle, p, v, *faster, v * ratio);
-    if (!faster) {
-      beyond.fast = slower ? 2 * p.fast - slower->fast : p.fast + usual_gain(p, ratio);
-      if (slower) beyond.beside = 2 * p.beside - slower->beside;
-      segment(out, angle, p, v, beyond, v * ratio);
-    }
-    if (!slower) {
-      beyond.fast = faster ? 2 * p.fast - faster->fast : p.fast - usual_gain(p, ratio);
-      if (faster) beyond.beside = 2 * p.beside - faster->beside;
-      segment(out, angle, beyond, v / ratio, p, v);
-    }
+    const Pass *const faster = same(flights, i + 1, p, nth), *const slower = i ? same(flights, i - 1, p, nth) : nullptr;
+    const Point here{v, level(p.fast), p.beside};
+    const double usual = (ratio - 1) * (a_.stops ? a_.boundary.diagonal : v * v);
+    const auto beyond = [&](double speed, const Pass* before, double gain) {
+      return before ? Point{speed, 2 * here.level - level(before->fast), 2 * here.beside - before->beside}
+                    : Point{speed, here.level + gain, here.beside};
+    };
+    segment(out, angle, p, v, here,
+            faster ? Point{v * ratio, level(faster->fast), faster->beside} : beyond(v * ratio, slower, usual));
+    if (!slower) segment(out, angle, p, v, beyond(v / ratio, faster, -usual), here);
   }
 
-  double usual_gain(const Pass& p, double ratio) const {
-    return (ratio - 1) * (a_.stops ? a_.boundary.diagonal : 3 * p.fast);
-  }
-
-  void segment(Column& out, double angle, const Pass& slow, double v, const Pass& fast, double w) const {
+  void segment(Column& out, double angle, const Pass& p, double flown_at, const Point& from, const Point& to) const {
     for (std::size_t s = 0; s < arrivals_.size(); ++s) {
-      const double a = slow.fast - arrivals_[s], b = fast.fast - arrivals_[s];
+      const double a = from.level - level(arrivals_[s]), b = to.level - level(arrivals_[s]);
       if ((a > 0) == (b > 0)) continue;
       const double share = a / (a - b);
-      add(out, slow, angle, static_cast<int>(s), v + (w - v) * share,
-          slow.beside + (fast.beside - slow.beside) * share);
+      add(out, {p.route, p.bounces, static_cast<int>(s), 0, angle, from.speed + (to.speed - from.speed) * share,
+                flown_at, from.beside + (to.beside - from.beside) * share});
     }
   }
 
-  static void add(Column& out, const Pass& p, double angle, int arrival, double speed, double beside) {
-    Crossing c{p.route, p.bounces, arrival, 0, angle, speed, beside};
+  static void add(Column& out, Crossing c) {
     while (find(out, c)) ++c.nth;
     out.push_back(c);
   }
@@ -217,7 +217,9 @@ class Map {
   }
 
   bool try_at(const Crossing& c) {
-    const auto root = refine({c.speed, c.angle}, c.route, fixed() ? 0 : arrivals_[static_cast<std::size_t>(c.arrival)]);
+    const double arrival = fixed() ? 0 : arrivals_[static_cast<std::size_t>(c.arrival)];
+    auto root = refine({c.speed, c.angle}, c.route, arrival);
+    if (!root) root = refine({c.flown_at, c.angle}, c.route, arrival);
     if (!root) return false;
     constexpr double same = 1e-8;
     const bool known = std::any_of(found_.begin(), found_.end(), [&](const Root& r) {
