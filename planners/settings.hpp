@@ -20,8 +20,9 @@ struct Neighbourhood {
 /// The cells of a map: rad of aim, and of ln speed.
 struct Spacing {
   double aim, speed;
-  bool whole = false;  ///< also speeds at which neighbouring paths arrive too fast or never
-  bool locked = true;  ///< follow a route that is given on its locked path, not where it really occurs
+  bool whole = false;       ///< also speeds at which neighbouring paths arrive too fast or never
+  bool locked = true;       ///< follow a route that is given on its locked path, not where it really occurs
+  double narrowest = 1e-4;  ///< rad: routes narrower than this between two others are not looked for
 };
 
 inline constexpr Range whole_turn{0, radians(360)};
@@ -163,8 +164,8 @@ inline constexpr int plain_bounces = 3;
 inline constexpr double band = 1.5;
 /// Rows below those where the neighbour's band began.
 inline constexpr std::size_t before_band = 2;
-/// rad: where the division between two routes ends, and between two ways to leave the one that is given.
-inline constexpr double narrowest = 1e-4, narrowest_given = 1e-7;
+/// rad: where the division between two ways to leave a route that is given ends.
+inline constexpr double narrowest_given = 1e-7;
 /// By how much farther than predicted a new node lies beyond the end of a cushion, to be surely past it.
 inline constexpr double past_the_end = 1.02;
 }  // namespace forward_map
@@ -233,7 +234,7 @@ inline constexpr double first_share_of_parts = 0.2;
 /// The maps that follow the usual one: finer; where the route really occurs; the last, for pockets.
 /// Of chance: no rival of such a shot is worth a map.
 inline constexpr double sure_enough = 0.995;
-inline constexpr Spacing rival{radians(4), 0.24};
+inline constexpr Spacing rival{.aim = radians(4), .speed = 0.24, .narrowest = radians(0.5)};
 inline constexpr Spacing fine{radians(0.7), 0.08, true};
 inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
 inline constexpr Spacing finest{radians(0.8), 0.05, true, false};

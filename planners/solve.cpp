@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bankshot/plan/planner.hpp"
+#include "planners/family/family.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/merit/safest.hpp"
 #include "planners/message.hpp"
@@ -70,6 +71,8 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   if (options.robustness && distinct > 0) {
     const auto begin = std::chrono::steady_clock::now();
     Ledger aside(std::numeric_limits<long>::max());  // margin and success are no part of the search
+    if (q.puzzle.prefer == Prefer::robust && !q.all()) planning::likeliest_first(q, aside, found.shots);
+    planning::family::tune(q, aside, found);
     planning::add_robustness(q, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }

@@ -286,7 +286,7 @@ std::vector<Vector> Family::ways(const Tried& from, double turned) const {
   return out;
 }
 
-Shot Family::tune(const Shot& shot) {
+Shot Family::tuned(const Shot& shot) {
   Shot best = shot;
   if (!best.success) find_success(q_, ledger_, best);
   auto at = settle(vector_of({best.launch.speed, near_window(best.launch.angle, q_.angle)}, best.spin), box_);
@@ -320,6 +320,19 @@ Shot Family::tune(const Shot& shot) {
 void Family::keep(const Tried& t) {
   q_.spin = spin_of(t.at.x);
   planning::keep(q_, ledger_, found_, t.proof->shot, step_);
+}
+
+Lead lead_of(const Question& q, const Shot& shot) {
+  return {shot.launch, route_by(shot.cushions), q.nearest_mark(shot.arrival.at), shot.spin};
+}
+
+void tune(const Question& q, Ledger& ledger, Findings& found) {
+  const Puzzle& p = q.puzzle;
+  if (p.prefer != Prefer::robust || p.aim != Aim::centre || is_straight(p.physics) || Family::freedom(q) == 0) return;
+  for (Shot& shot : std::span(found.shots).first(q.all() ? found.shots.size() : 1)) {
+    const Lead lead = lead_of(q, shot);
+    if (!shot.off_centre) shot = Family(q, ledger, found, lead, shot.planner).tuned(shot);
+  }
 }
 
 }  // namespace bankshot::planning::family

@@ -40,7 +40,7 @@ class Family {
 
   /// Along the family from a shot to where its chance of success is largest, found by simulation: the last touch, for
   /// the few shots that are printed.
-  Shot tune(const Shot& shot);
+  Shot tuned(const Shot& shot);
 
   /// How many things are free.
   static int freedom(const Question& q);
@@ -87,5 +87,11 @@ class Family {
   Vary vary_;
   Vector scale_;
 };
+
+/// The last touch: the shots that are printed, all or the first, along their families to where success is largest.
+void tune(const Question& q, Ledger& ledger, Findings& found);
+
+/// A shot as the start of its family.
+Lead lead_of(const Question& q, const Shot& shot);
 
 }  // namespace bankshot::planning::family

@@ -38,26 +38,6 @@ double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
                     is_ideal(q.puzzle.physics) ? 0 : count(a.speed - b.speed, q.puzzle.noise.speed));
 }
 
-/// Success of those that can still have the largest, which comes first.
-void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
-  struct Candidate {
-    double at_most;
-    std::size_t shot;
-  };
-  std::vector<Candidate> candidates;
-  for (const Shot& shot : shots) candidates.push_back({success_at_most(q, shots, shot), candidates.size()});
-  // The shots are in the order of their margins, which decides between equals.
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.at_most > b.at_most; });
-  std::size_t best = candidates.front().shot;
-  for (const Candidate& c : candidates) {
-    if (shots[best].success && c.at_most <= *shots[best].success) break;
-    find_success(q, ledger, shots[c.shot], shots);
-    if (*shots[c.shot].success > *shots[best].success) best = c.shot;
-  }
-  std::swap(shots.front(), shots[best]);
-}
-
 }  // namespace
 
 double first_merit(const Puzzle& p, const Shot& shot) {
@@ -87,10 +67,28 @@ double success_at_most(const Question& q, std::span<const Shot> shots, const Sho
   return std::min(1.0, at_cushion ? at_cushion_times * chance + at_cushion_more : times * chance + more);
 }
 
+void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
+  struct Candidate {
+    double at_most;
+    std::size_t shot;
+  };
+  std::vector<Candidate> candidates;
+  for (const Shot& shot : shots) candidates.push_back({success_at_most(q, shots, shot), candidates.size()});
+  // The shots are in the order of their margins, which decides between equals.
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.at_most > b.at_most; });
+  std::size_t best = candidates.front().shot;
+  for (const Candidate& c : candidates) {
+    if (shots[best].success && c.at_most <= *shots[best].success) break;
+    find_success(q, ledger, shots[c.shot], shots);
+    if (*shots[c.shot].success > *shots[best].success) best = c.shot;
+  }
+  std::swap(shots.front(), shots[best]);
+}
+
 void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
   std::vector<Shot>& shots = found.shots;
   const bool by_success = q.puzzle.prefer == Prefer::robust;
-  if (!q.all() && by_success) likeliest_first(q, ledger, shots);
   for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
     if (!shot.success) find_success(q, ledger, shot, shots);
     find_margin(q, ledger, shot);

@@ -21,9 +21,11 @@ void rank(const Question& q, std::vector<Shot>& shots);
 /// that settings::rank measures.
 double success_at_most(const Question& q, std::span<const Shot> shots, const Shot& shot);
 
-/// Margin and success: of every shot where all are wanted, else of the best. Where success decides the order, and only
-/// the best is wanted, the success of a shot that cannot be first is not computed. What that costs is no part of the
-/// search: `ledger` is one of its own.
+/// Brings the shot with the largest success to the front; of shots that cannot be first it is not computed.
+void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
+
+/// Margin and success: of every shot where all are wanted, else of the first. What that costs is no part of the search:
+/// `ledger` is one of its own.
 void add_robustness(const Question& q, Ledger& ledger, Findings& found);
 
 }  // namespace bankshot::planning

@@ -21,8 +21,9 @@ using namespace settings::automatic;
 
 Spacing rival_cells(const Question&) {
   const char* e = std::getenv("RIVAL");
+  const char* n = std::getenv("NARROW");
   const double k = e ? std::atof(e) : 1;
-  return {rival.aim * k, rival.speed * k};
+  return {.aim = rival.aim * k, .speed = rival.speed * k, .narrowest = n ? radians(std::atof(n)) : rival.narrowest};
 }
 
 /// A route by straight cushions unfolds to one line, so its image is its only shot.
@@ -135,7 +136,7 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
 void improve(const Question& q, Ledger& ledger, Findings& found) {
   const std::vector<Shot> shots = found.shots;
   for (const Shot& shot : shots) {
-    const Lead lead{shot.launch, route_by(shot.cushions), q.nearest_mark(shot.arrival.at), shot.spin};
+    const Lead lead = family::lead_of(q, shot);
     if (!ledger.spent()) family::Family(q, ledger, found, lead, shot.planner).search();
   }
 }

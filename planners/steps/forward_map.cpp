@@ -133,7 +133,7 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
 void ForwardMap::between(const Node& a, const Node& b) {
   if (a.route == b.route || hopeless(a, b) || ledger_.spent()) return;
   if (q_.route && cell_.locked) return;
-  if (b.angle - a.angle < (q_.route ? narrowest_given : narrowest)) return;
+  if (b.angle - a.angle < (q_.route ? narrowest_given : cell_.narrowest)) return;
   const Node other = node(change(a, b), a.speed);
   between(a, other);
   between(other, b);
@@ -158,7 +158,7 @@ double ForwardMap::change(const Node& a, const Node& b) const {
     if (!line) continue;
     const BouncePlace& at = node->places[m];
     const double end = dot(line->along, at.by_aim * way > 0 ? line->to : line->from);
-    const double turn = std::max(narrowest / 3, past_the_end * (end - at.along) / at.by_aim * way);
+    const double turn = std::max(cell_.narrowest / 3, past_the_end * (end - at.along) / at.by_aim * way);
     if (turn < nearest) best = node->angle + way * turn, nearest = turn;
   }
   return best;
