@@ -54,8 +54,8 @@ class Scan {
 
   /// Steps that halve, from each of the best.
   void climb() {
-    const auto starts = best_;
-    for (const Miss& start : starts) {
+    const auto from = best_;
+    for (const Miss& start : from) {
       if (!(start.launch.speed > 0)) continue;
       Miss at = start;
       double turn = (aims_.high - aims_.low) / launches * speeds_across / 2;
