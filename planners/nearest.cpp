@@ -110,14 +110,14 @@ class Scan {
 }  // namespace
 
 std::optional<Launch> nearest_launch(const Question& q, const Findings& found, bool scan) {
-  Scan launches(q);
-  if (found.nearest.launch.speed > 0) launches.look(found.nearest.launch);
-  for (const Lead& lead : found.leads) launches.look(lead.launch);
+  Scan tries(q);
+  if (found.nearest.launch.speed > 0) tries.look(found.nearest.launch);
+  for (const Lead& lead : found.leads) tries.look(lead.launch);
   if (scan) {
-    launches.grid();
-    launches.climb();
+    tries.grid();
+    tries.climb();
   }
-  return launches.best();
+  return tries.best();
 }
 
 }  // namespace bankshot::planning
