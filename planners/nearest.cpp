@@ -54,8 +54,8 @@ class Scan {
 
   /// Steps that halve, from each of the best.
   void climb() {
-    const auto starts = best_;
-    for (const Miss& start : starts) {
+    const auto from = best_;
+    for (const Miss& start : from) {
       if (!(start.launch.speed > 0)) continue;
       Miss at = start;
       double turn = (aims_.high - aims_.low) / launches * speeds_across / 2;
@@ -110,14 +110,14 @@ class Scan {
 }  // namespace
 
 std::optional<Launch> nearest_launch(const Question& q, const Findings& found, bool scan) {
-  Scan launches(q);
-  if (found.nearest.launch.speed > 0) launches.look(found.nearest.launch);
-  for (const Lead& lead : found.leads) launches.look(lead.launch);
+  Scan tries(q);
+  if (found.nearest.launch.speed > 0) tries.look(found.nearest.launch);
+  for (const Lead& lead : found.leads) tries.look(lead.launch);
   if (scan) {
-    launches.grid();
-    launches.climb();
+    tries.grid();
+    tries.climb();
   }
-  return launches.best();
+  return tries.best();
 }
 
 }  // namespace bankshot::planning

@@ -54,10 +54,11 @@ class Path {
   bool run(const Motion& motion, const Cushion& cushion, const Vec2d& at, double capture) {
     State<Number> state = dual_start<Number, 2>(q_, launch_);
     Contact before{};
+    bool complete = true;
     for (const Meeting& meeting : aim_.route) {
       const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(arc, t, before, meeting.with); };
       const auto path = follow_locked(boundary_, motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
-      if (path.end != LockedEnd::complete) return false;
+      complete = complete && path.end == LockedEnd::complete;
       state = path.state;
       bounce(meeting.with, state.at);
       before = meeting.with;
@@ -66,16 +67,20 @@ class Path {
     const auto arrival = arrive_locked(motion, boundary_.body, state, at, capture, q_.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > Number(0))) return false;
     q_.stop ? rests(arrival) : passes(arrival, at);
-    return true;
+    arrives_ = true;
+    return complete;
   }
 
   /// The margin and the chance too.
   FirstOrder first_order() const {
     FirstOrder out = out_;
+    if (!arrives_) return out;
     const double by_push = norm(out.by_log_speed) * unit_.speed / launch_.speed;
     out.margin = aim_.mark.reach / std::hypot(norm(out.by_angle) * unit_.angle, by_push);
     const double steep = norm(slope_);
-    out.chance = q_.stop ? limits_.chance() : steep > 0 ? limits_.chance(slope_ / steep, half_ / steep) : limits_.chance({1, 0}, 1);
+    out.chance = q_.stop     ? limits_.chance()
+                 : steep > 0 ? limits_.chance(slope_ / steep, half_ / steep)
+                             : limits_.chance({1, 0}, 1);
     return out;
   }
 
@@ -147,6 +152,7 @@ class Path {
   const Noise& unit_;
   Limits limits_;
   FirstOrder out_{};
+  bool arrives_ = false;
   Vec2d slope_{};    ///< of the lateral miss, in deviations
   double half_ = 0;  ///< m, of the target's width
 };
@@ -155,10 +161,10 @@ class Path {
 
 FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
   Path path(aim, launch, aim.q.puzzle.noise);
-  const bool arrives = with_physics(aim.q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    return path.run(motion, cushion, at, 0);
-  });
-  return arrives ? path.first_order() : FirstOrder{};
+  // A replay may have met what rounding lets the locked path miss: the derivatives are the best there are.
+  with_physics(aim.q.puzzle.physics,
+               [&](const auto& motion, const auto& cushion) { return path.run(motion, cushion, at, 0); });
+  return path.first_order();
 }
 
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit) {

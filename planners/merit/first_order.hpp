@@ -4,7 +4,10 @@
 // to first order its margin and its chance of success. Limits of the chance: the target's two sides (of a pocket, as
 // far as a ball's centre can go), the speed that just gets there, pockets and vertices beside the legs, the ends of
 // cushions where their order is asked.
-// Cost: one simulation with dual numbers, which no ledger is charged.
+// How near: of 1,832 shots of random puzzles (every family of tables; ideal, rolling, spin) the chance is half of the
+// time within 0.0003 of success, in nine of ten within 0.002. Far off are points beside a cushion line and reflex
+// vertices, by 0.5 at most; success_at_most (rank.hpp) is the bound to build on. Cost: one simulation with dual
+// numbers, which no ledger is charged.
 #pragma once
 
 #include "bankshot/plan/shot.hpp"
@@ -23,8 +26,8 @@ struct FirstOrder {
 /// Of a launch along a route; `at` is where it arrives, or the mark where no replay has told.
 FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at);
 
-/// What limits a launch along a route, where errors are counted in units of `unit`; none where the path never gets to its
-/// last leg.
+/// What limits a launch along a route, where errors are counted in units of `unit`; none where the path never gets to
+/// its last leg.
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit);
 
 /// Fills `by_angle`, `by_speed`, `condition`, `first_order` and `chance`.

@@ -124,6 +124,7 @@ int main(int argc, char** argv) {
       run(std::string(planner.name), [&](const Puzzle& p) {
         return by_planner(p, {.planner = std::string(planner.name), .robustness = false, .suggest = false});
       });
+  run("auto with margin and success", [&](const Puzzle& p) { return by_planner(p, {.suggest = false}); });
   run("auto --first",
       [&](const Puzzle& p) { return by_planner(p, {.first = true, .robustness = false, .suggest = false}); });
   run("auto --all",
