@@ -19,4 +19,7 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
 /// The same of a root along a route; one that something blocks is kept as a lead.
 bool certify_root(const LockedAim& aim, Ledger& ledger, Findings& found, const Launch& root, std::string_view step);
 
+/// See Shot::digits.
+std::optional<int> promised_digits(const Question& q, const Shot& shot);
+
 }  // namespace bankshot::planning
