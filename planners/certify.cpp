@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "planners/certify.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/merit/first_order.hpp"
+#include "planners/settings.hpp"
+#include "planners/steps/steps.hpp"
 
 namespace bankshot::planning {
 namespace {
@@ -43,21 +46,78 @@ bool make_room(const Question& q, std::vector<Shot>& shots, const Shot& shot) {
   return true;
 }
 
-}  // namespace
+/// m: what rounding can do to an arrival (simulate/simulator.hpp, property 6).
+double rounding(const Question& q, const Shot& shot) {
+  const bool integrated = std::holds_alternative<Mathavan2010>(q.puzzle.physics.cushion);
+  const double unit = integrated ? tolerance::impact : tolerance::simulation_error * 0x1p-53;
+  return unit * (1 + static_cast<double>(shot.cushions.size())) * (q.boundary.extent + shot.condition);
+}
 
-bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& launch, int bounces,
-             std::string_view step, Demand demand) {
-  Proof proof = prove(q, ledger, launch, Goal::exactly(q, bounces, demand));
-  if (!proof.holds()) return count_failure(found, proof, bounces), false;
-  keep(q, ledger, found, std::move(proof.shot), step);
+/// How much a launch changes to move the arrival by so many metres: rad, and a share of the speed.
+struct Turn {
+  double aim, speed;
+};
+Turn turn_by(double metres, const Shot& shot) {
+  const auto change = [&](double by) { return by * settings::edge::farthest > metres ? metres / by : 0; };
+  return {change(norm(shot.by_angle)), change(norm(shot.by_speed) * shot.launch.speed)};
+}
+
+Launch turned(const Launch& l, const Turn& t, int aim, int speed) {
+  return {l.speed * (1 + speed * t.speed), wrap_angle(l.angle + aim * t.aim)};
+}
+
+/// Launches that rounding can tell from the shot's no better bounce as often as it does.
+bool is_firm(const Question& q, Ledger& ledger, const Shot& shot) {
+  const Turn t = turn_by(settings::edge::surely * rounding(q, shot), shot);
+  const Goal goal = Goal::along(shot.cushions);
+  for (const auto& [aim, speed] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+    if (!replay(q, ledger, turned(shot.launch, t, aim, speed), goal).made) return false;
   return true;
 }
 
-void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, std::string_view step) {
+/// Of a target on a cushion's line rounding may decide whether the ball bounces there. Then a launch beside, as near as
+/// an exact answer must be, on the side that keeps the bounces; false where there is none.
+bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) {
+  if (ledger.spent() || is_firm(q, ledger, shot)) return true;
+  for (const double metres : settings::edge::beside) {
+    const Turn t = turn_by(metres * q.boundary.diagonal, shot);
+    for (const auto& [aim, speed] : {std::pair{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}}) {
+      Proof proof = prove(q, ledger, turned(shot.launch, t, aim, speed), goal);
+      if (!proof.holds()) continue;
+      add_first_order(q, proof.shot);
+      if (!is_firm(q, ledger, proof.shot)) continue;
+      shot = std::move(proof.shot);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<int> promised_digits(const Question& q, const Shot& shot) {
+  const double of_diagonal = rounding(q, shot) / q.boundary.diagonal;
+  if (!(of_diagonal > tolerance::exact_miss)) return {};
+  return std::max(1, static_cast<int>(-std::log10(of_diagonal)));
+}
+
+bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& launch, int bounces,
+             std::string_view step, Demand demand) {
+  const Goal goal = Goal::exactly(q, bounces, demand);
+  Proof proof = prove(q, ledger, launch, goal);
+  if (!proof.holds()) return count_failure(found, proof, bounces), false;
+  keep(q, ledger, found, std::move(proof.shot), goal, step);
+  return true;
+}
+
+void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const Goal& goal, std::string_view step) {
   if (!make_room(q, found.shots, shot)) return;
+  add_first_order(q, shot);
+  const bool on_a_line = q.boundary.clearance(shot.arrival.at) <= tolerance::exact_miss * q.boundary.diagonal;
+  const bool looked_at = goal.demand == Demand::exact && on_a_line && step != steps::word::along;
+  shot.digits = !looked_at || make_firm(q, ledger, goal, shot) ? promised_digits(q, shot) : 0;
   shot.planner = step;
   shot.simulations = ledger.simulations();
-  add_first_order(q, shot);
   found.shots.push_back(std::move(shot));
 }
 

@@ -17,9 +17,12 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
              std::string_view step, Demand demand = Demand::exact);
 
 /// Keeps a shot that was proved, unless it is known.
-void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, std::string_view step);
+void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const Goal& goal, std::string_view step);
 
 /// The same of a root along a route; one that something blocks is kept as a lead.
 bool certify_root(const LockedAim& aim, Ledger& ledger, Findings& found, const Launch& root, std::string_view step);
+
+/// See Shot::digits.
+std::optional<int> promised_digits(const Question& q, const Shot& shot);
 
 }  // namespace bankshot::planning

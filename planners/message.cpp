@@ -94,11 +94,10 @@ std::string asked_cushions(const CushionRule& c) {
 
 /// A warning where double precision is not enough for an exact answer: the replay's miss is then rounding, too.
 std::string uncertain(const Question& q, const Shot& shot) {
-  const double error = tolerance::simulation_error * 0x1p-53 * shot.condition, diagonal = q.boundary.diagonal;
-  if (!(error > tolerance::exact_miss * diagonal)) return "";
-  return fmt::format(
-      "; its condition leaves about {:.0f} of 16 digits: in exact numbers the arrival may be {:.1g} m off",
-      std::max(0.0, -std::log10(error / diagonal)), error);
+  if (!shot.digits) return "";
+  if (*shot.digits == 0) return "; how often it bounces at its target is up to rounding";
+  return fmt::format("; its condition leaves {} digits: in exact numbers the arrival may be {:.1g} m off", *shot.digits,
+                     q.boundary.diagonal * std::pow(10, -*shot.digits));
 }
 
 std::string solved(const Question& q, const Ledger& ledger, const Findings& found, const Answer& a,

@@ -146,6 +146,10 @@ inline constexpr std::ptrdiff_t most_of_a_route = 64;
 /// Cells around a root at which Newton's method starts again to find its twin across a fold, in so many directions.
 inline constexpr std::array rings{0.02, 0.1, 0.3};
 inline constexpr int ways = 8;
+/// Of the diagonal: so near a rail the map bends within a hundredth of a cell.
+inline constexpr double hugging = 1e-3;
+/// Cells beside a root of such a mark at which the other side is looked for, and how they grow.
+inline constexpr double nearest_beside = 0.003, farthest_beside = 1, beside_grows = 1.25;
 /// Of the diagonal: a mark nearer to the last cushion is reached soon after it, by balls hardly fast enough.
 inline constexpr double beside = 0.2;
 /// Halvings of ln speed towards the slowest launch that reaches the last cushion, and by how much faster seeds are.
@@ -239,6 +243,16 @@ inline constexpr Spacing fine{radians(0.7), 0.08, true};
 inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
 inline constexpr Spacing finest{radians(0.8), 0.05, true, false};
 }  // namespace automatic
+
+namespace edge {
+/// Times what rounding can do: so far beside a launch its bounces are tried where it arrives on a cushion's line. Less
+/// would trust the bound to a digit.
+inline constexpr double surely = 100;
+/// Of the diagonal: how far beside such a target the ball is sent, well inside tolerance::exact_miss.
+inline constexpr std::array beside{2e-11, 2e-10, 8e-10};
+/// rad, or a share of the speed: an arrival that hardly moves with one of them is not moved by it.
+inline constexpr double farthest = 1e-6;
+}  // namespace edge
 
 namespace nlopt {
 /// Evaluations at most: a start of a local method, a search of a global one, a local search inside MLSL.

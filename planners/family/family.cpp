@@ -319,7 +319,7 @@ Shot Family::tuned(const Shot& shot) {
 
 void Family::keep(const Tried& t) {
   q_.spin = spin_of(t.at.x);
-  planning::keep(q_, ledger_, found_, t.proof->shot, step_);
+  planning::keep(q_, ledger_, found_, t.proof->shot, Goal::exactly(q_, static_cast<int>(aim_.route.size())), step_);
 }
 
 Lead lead_of(const Question& q, const Shot& shot) {

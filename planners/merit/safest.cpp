@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bankshot/numbers/tolerances.hpp"
+#include "planners/certify.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/success.hpp"
 #include "planners/proof/prove.hpp"
@@ -22,6 +23,7 @@ std::optional<Shot> moved(const Question& q, Ledger& ledger, const Shot& from, c
   shot.planner = from.planner;
   shot.simulations = from.simulations;
   add_first_order(q, shot);
+  shot.digits = promised_digits(q, shot);
   find_success(q, ledger, shot);
   if (ledger.spent()) return {};  // its success may have been cut short
   return std::move(shot);

@@ -5,6 +5,7 @@
 
 #include "planners/certify.hpp"
 #include "planners/line_search.hpp"
+#include "planners/locked/speed.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::steps {
@@ -88,7 +89,50 @@ void Roots::add(const LockedAim& aim, const Launch& root) {
   roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark.at, root});
   const bool shot = certify_root(aim, ledger_, found_, root, step_);
   const bool blocked = !shot && !aim.mark.captures() && q_.speed.contains(root.speed);
-  if (q_.all() || blocked) across_fold(aim, root);
+  if (!q_.all() && !blocked) return;
+  across_fold(aim, root);
+  for (const Wall& rail : q_.boundary.walls) {
+    if (!(dot(rail.normal, aim.mark.at) - rail.offset < hugging * q_.boundary.diagonal)) continue;
+    beside_rail(aim, root);
+    const bool just_left = !aim.route.empty() && aim.route.back().with == rail.contact;
+    if (q_.route || just_left || static_cast<int>(aim.route.size()) >= q_.cushions().max) continue;
+    Route on(aim.route.begin(), aim.route.end());
+    on.push_back({0, rail.contact});
+    beside_rail({q_, on, aim.mark}, root);
+  }
+}
+
+std::optional<Roots::Side> Roots::side_at(const LockedAim& aim, double angle, double guess) {
+  const auto speed = speed_near(aim, ledger_, angle, guess);
+  const auto l = speed ? linearise(aim, ledger_, {*speed, angle}) : std::nullopt;
+  if (!l) return {};
+  return Side{angle, *speed, q_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0]};
+}
+
+/// Near a rail the map bends within a hundredth of a cell, so that a route has roots closer than rings see, and one
+/// that meets the rail just before the mark has a root beside that of the route that does not. Aims at both sides of a
+/// root, ever farther: where the ball changes its side of the mark there is another.
+void Roots::beside_rail(const LockedAim& aim, const Launch& root) {
+  for (const double way : {1.0, -1.0}) {
+    std::optional<Side> last = side_at(aim, root.angle, root.speed);
+    for (double cells = nearest_beside; cells < farthest_beside && !ledger_.spent(); cells *= beside_grows) {
+      const auto now = side_at(aim, root.angle + way * cells * cell_.step_aim, last ? last->speed : root.speed);
+      if (now && last && (now->side > 0) != (last->side > 0)) {
+        double low = last->angle, high = now->angle, speed = last->speed;
+        int left = halvings;
+        bisect(
+            low, high, [&](double, double) { return left-- > 0; },
+            [&](double angle) {
+              const auto middle = side_at(aim, angle, speed);
+              if (middle) speed = middle->speed;
+              return middle && (middle->side > 0) == (last->side > 0);
+            });
+        const auto other = newton(aim, ledger_, {speed, low}, {std::abs(now->angle - last->angle), cell_.step_speed});
+        if (other && !known(aim, other.launch, 0)) add(aim, other.launch);
+      }
+      last = now;
+    }
+  }
 }
 
 /// Roots come in pairs on the two sides of a fold or a kink, where the determinant often changes its sign; nodes are

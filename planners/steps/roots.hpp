@@ -67,6 +67,12 @@ class Roots {
   void add(const LockedAim& aim, const Launch& root);
   void across_fold(const LockedAim& aim, const Launch& root);
   void from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn, double cells);
+  void beside_rail(const LockedAim& aim, const Launch& root);
+  /// At an aim, the speed that arrives as asked, and on which side of the mark the ball then passes or rests.
+  struct Side {
+    double angle, speed, side;
+  };
+  std::optional<Side> side_at(const LockedAim& aim, double angle, double guess);
   bool beside_last(const LockedAim& aim) const;
   NewtonResult after_last(const LockedAim& aim, const Launch& from);
 

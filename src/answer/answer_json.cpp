@@ -52,6 +52,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, const std::str
   write_path(w, p, shot);
   if (shot.off_centre && !why) w.boolean("off_centre", true);
   w.number("condition", shot.condition);
+  if (shot.digits) w.integer("digits", *shot.digits);
   if (shot.margin) {
     w.key("margin");
     w.open('{');

@@ -14,8 +14,6 @@
 namespace bankshot::truth {
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
-
 /// The checks of one shot.
 class ShotCheck {
  public:
@@ -24,6 +22,7 @@ class ShotCheck {
   std::vector<Check> run() {
     bounds();
     asked_cushions();
+    if (shot_.digits == 0) return std::move(out_);  // rounding decides how often it bounces: nothing is promised
     const Arrived there = scene_.replay(shot_.launch, shot_, place_);
     const bool all = there.cushions.size() == shot_.cushions.size();
     if (all && !there.in_order)
@@ -65,14 +64,9 @@ class ShotCheck {
     return other;
   }
 
-  /// The solver runs in double: 2^-53 at each bounce, times what the shot makes of it. An impact that is
-  /// integrated has its own tolerance.
+  /// What is promised: nine digits of the diagonal, or as many as the shot says.
   double place_tolerance() const {
-    const bool integrated = std::holds_alternative<Mathavan2010>(p_.physics.cushion);
-    const double rounding = integrated ? tolerance::impact : tolerance::simulation_error * unit_roundoff;
-    const double steps = 1 + static_cast<double>(shot_.cushions.size());
-    return std::max(tolerance::exact_miss * scene_.boundary.diagonal,
-                    rounding * steps * (scene_.boundary.extent + shot_.condition));
+    return (shot_.digits ? std::pow(10, -*shot_.digits) : tolerance::exact_miss) * scene_.boundary.diagonal;
   }
 
   void bounds() {
@@ -151,21 +145,25 @@ class ShotCheck {
     std::string what;
     const auto end = [&](std::optional<double> m, double turned, double pushed, const char* which) {
       if (!m) return;
-      const auto launch = [&](double k) {
-        const double by = *m * k + std::copysign(least, turned + pushed) * (k > 1);
+      const auto launch = [&](double k, double beyond = 0) {
+        const double by = *m * k + std::copysign(least, turned + pushed) * beyond;
         return Launch{shot_.launch.speed + std::abs(pushed) * by,
                       wrap_angle(shot_.launch.angle + std::abs(turned) * by)};
       };
-      const auto made = [&](double k) { return launch(k).speed > 0 && scene_.replay(launch(k), shot_, 0).made(); };
+      const auto made = [&](const Launch& l) { return l.speed > 0 && scene_.replay(l, shot_, 0).made(); };
       const auto gap = [&] {
-        for (int i = 0; i < places; ++i)
-          if (const double k = (i + 0.5) / places; !scene_.seems_made(launch(k), shot_) && !made(k)) return true;
+        for (int i = 0; i < places; ++i) {
+          const Launch l = launch((i + 0.5) / places);
+          if (!scene_.seems_made(l, shot_) && !made(l)) return true;
+        }
         return false;
       };
-      const char* const trouble = !made(1 - beside)  ? "is not made"
-                                  : made(1 + beside) ? "does not break it"
-                                  : gap()            ? "jumps launches that are not made"
-                                                     : nullptr;
+      // Nearer than `least` no launch is told from the shot's.
+      const bool inside = std::abs(*m) <= least || made(launch(1 - beside, -1));
+      const char* const trouble = !inside                       ? "is not made"
+                                  : made(launch(1 + beside, 1)) ? "does not break it"
+                                  : gap()                       ? "jumps launches that are not made"
+                                                                : nullptr;
       if (!trouble) return;
       wrong += 1;
       what +=

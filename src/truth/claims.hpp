@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Every claim of an answer, held against a replay in 50 digits.
-// What may differ: a place by `exact_miss` of the diagonal or, where that is more, by what rounding can
-// do under the shot's `condition`; a speed by `exact_speed`; a time by that place at the ball's speed.
-// With mathavan2010 the impacts of the replay are integrated 1e7 times finer than those of the solver.
+// What may differ: a place by `exact_miss` of the diagonal or, where the shot promises fewer `digits`, by as many of
+// the diagonal (of a shot that promises none its bounds alone are held to it); a speed by `exact_speed`; a time by that
+// place at the ball's speed. With mathavan2010 the impacts of the replay are integrated 1e7 times finer than those of
+// the solver.
 #pragma once
 
 #include <string>

@@ -175,6 +175,8 @@ TEST_CASE("an answer warns when its condition leaves fewer digits than an exact 
   const planning::Findings found;
   Answer a{.status = Status::solved, .shots = {Shot{.condition = 1e3}}};
   CHECK(!says(planning::message(q, ledger, found, a, 1), "digits"));
-  a.shots[0].condition = 1e8;
-  CHECK(says(planning::message(q, ledger, found, a, 1), "leaves about 8 of 16 digits"));
+  a.shots[0].digits = 8;
+  CHECK(says(planning::message(q, ledger, found, a, 1), "leaves 8 digits"));
+  a.shots[0].digits = 0;
+  CHECK(says(planning::message(q, ledger, found, a, 1), "up to rounding"));
 }

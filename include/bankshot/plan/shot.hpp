@@ -35,6 +35,9 @@ struct Shot {
   double miss = 0;          ///< m, from the replay
   bool off_centre = false;  ///< it is made, but beside the exact line or point
   double condition = 0;     ///< m of arrival per rad of aim or per unit of relative speed, the larger
+  /// Decimal digits of the arrival, of the table's diagonal, that can be promised; none: nine or more. 0: rounding
+  /// decides how often the ball bounces at its target.
+  std::optional<int> digits{};
   /// Derivatives of the arrival: where the ball rests, or else the closest point of its line of travel
   /// to the target, which moves across the line only.
   Vec2d by_angle{};  ///< m/rad
