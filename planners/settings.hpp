@@ -211,8 +211,8 @@ inline constexpr double scale_of_aim = 0.05, scale_of_speed = 0.15, scale_of_spi
 /// Starts from which a surface of one route is climbed: it may have more than one top.
 inline constexpr int most_starts = 3;
 /// Newton's steps onto the family; the step after one so short is exact to rounding, if the miss was so small.
-inline constexpr int most_steps = 12;
-inline constexpr double settled = 1e-7, nearly = 1e-6;
+inline constexpr int most_steps = 40;
+inline constexpr double longest_step = 2, settled = 1e-7, nearly = 1e-6;
 /// Steps along a curve: the first, the longest, the least before it is given up; and how many each way.
 inline constexpr double first_walk = 1, longest_walk = 2, least_walk = 0.02;
 inline constexpr int most_walked = 60;

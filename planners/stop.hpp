@@ -10,6 +10,8 @@
 //   nothing_yet   there is no shot, and the budget is not spent: the next step of `auto` has its turn
 #pragma once
 
+#include <algorithm>
+
 #include "planners/findings.hpp"
 #include "planners/ledger.hpp"
 #include "planners/question.hpp"
@@ -33,7 +35,10 @@ inline bool enough_seeds(const Question& q, Ledger& ledger, Findings& found) {
 inline bool enough_images(const Question& q, const Findings& found, bool shortest_first) {
   if (satisfied(q, found)) return true;
   if (q.all() || !shortest_first) return false;
-  return found.shots.size() >= (q.puzzle.prefer == Prefer::robust ? settings::enough_to_compare : 1);
+  // Those into a cushion that the ball touches come last.
+  const auto counts = [&](const Shot& s) { return !q.into_touched_cushion(direction(s.launch.angle)); };
+  const auto seen = static_cast<std::size_t>(std::ranges::count_if(found.shots, counts));
+  return seen >= (q.puzzle.prefer == Prefer::robust ? settings::enough_to_compare : 1);
 }
 
 inline bool route_settled(const Question& q, const Findings& found) {

@@ -83,7 +83,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
     const double size = step.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
     if (!std::isfinite(size)) return {};
     before = x;
-    x += size > 1 ? Vector(step / size) : step;
+    x += size > longest_step ? Vector(step * (longest_step / size)) : step;
     if (size < settled) {
       const bool solved =
           std::ranges::all_of(equations(*p, at_bound), [](const Value& e) { return std::abs(e.a) < nearly; });

@@ -16,9 +16,16 @@ double merit(const Puzzle& p, const Shot& shot) {
   return p.prefer == Prefer::robust && shot.success ? *shot.success : first_merit(p, shot);
 }
 
-void order(const Puzzle& p, std::span<Shot> shots) {
+/// Nobody strikes a ball straight into the cushion it touches while there is another shot.
+bool last_choice(const Question& q, const Shot& shot) {
+  return !shot.cushions.empty() && !q.route && q.into_touched_cushion(direction(shot.launch.angle));
+}
+
+void order(const Question& q, std::span<Shot> shots) {
   std::stable_sort(shots.begin(), shots.end(), [&](const Shot& a, const Shot& b) {
-    const double x = merit(p, a), y = merit(p, b);
+    const bool first = last_choice(q, b), second = last_choice(q, a);
+    if (first != second) return first;
+    const double x = merit(q.puzzle, a), y = merit(q.puzzle, b);
     if (x != y) return x > y;
     if (a.first_order != b.first_order) return a.first_order > b.first_order;
     return a.launch.angle < b.launch.angle;
@@ -54,7 +61,9 @@ double first_merit(const Puzzle& p, const Shot& shot) {
 
 void rank(const Question& q, std::vector<Shot>& shots) {
   keep_centred(shots);
-  order(q.puzzle, shots);
+  const auto last = [&](const Shot& shot) { return last_choice(q, shot); };
+  if (!q.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
+  order(q, shots);
 }
 
 double success_at_most(const Question& q, std::span<const Shot> shots, const Shot& shot) {
@@ -97,7 +106,7 @@ void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
     if (!shot.success) find_success(q, ledger, shot, shots);
     find_margin(q, ledger, shot);
   }
-  if (q.all() && by_success) order(q.puzzle, shots);
+  if (q.all() && by_success) order(q, shots);
 }
 
 }  // namespace bankshot::planning

@@ -17,14 +17,26 @@ Puzzle read(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE("of a range of spin the least that works is used") {
-  const Puzzle free =
-      read(R"(, "spin": {"top": [0, 1], "side": [-1, 1]}}, "target": {"point": [1.9, 0.9]}, "cushions": 1})");
-  const Answer a = solve(free, {.robustness = false});
-  REQUIRE(a.status == Status::solved);
-  CHECK(a.shots[0].spin.top == 0);
-  CHECK(a.shots[0].spin.side == 0);
-  CHECK(test::check_shot(free, a.shots[0]).problem == "");
+TEST_CASE("of a range of spin the one that prefer likes best is used") {
+  for (const char* prefer : {"soft", "quick"}) {
+    Puzzle p = read(
+        std::string(
+            R"(, "spin": {"top": [0, 1], "side": [-1, 1]}}, "target": {"point": [1.9, 0.9]}, "cushions": 1, "prefer": ")") +
+        prefer + "\"}");
+    const auto worth = [&](const Answer& a) {
+      REQUIRE(a.status == Status::solved);
+      CHECK(test::check_shot(p, a.shots[0]).problem == "");
+      return p.prefer == Prefer::soft ? a.shots[0].launch.speed : a.shots[0].arrival.time;
+    };
+    const double best = worth(solve(p, {.robustness = false}));
+    p.spin_range.reset();
+    for (int i = 0; i < 9; ++i)
+      for (int k = 0; k < 9; ++k) {
+        p.spin = {i / 8.0, k / 4.0 - 1, 0};
+        INFO(prefer << ", top " << p.spin.top << ", side " << p.spin.side);
+        CHECK(best <= worth(solve(p, {.all = true, .robustness = false})) * 1.001);
+      }
+  }
 }
 
 TEST_CASE("spin is used where nothing works without") {
@@ -37,7 +49,6 @@ TEST_CASE("spin is used where nothing works without") {
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].spin.side != 0);
   CHECK(test::check_shot(p, a.shots[0]).problem == "");
-  CHECK(a.message.find("spins were tried") != std::string::npos);
 }
 
 TEST_CASE("of a range of arrival speeds one that can be reached is found") {

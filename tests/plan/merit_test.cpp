@@ -99,6 +99,7 @@ TEST_CASE("the winner is the one with the largest success, and few are computed"
       std::vector<Shot> each = found.shots;
       if (each.size() < 2) continue;
       planning::Ledger some(plenty), all(plenty);
+      planning::likeliest_first(q, some, found.shots);
       planning::add_robustness(q, some, found);
       double best = 0;
       for (Shot& shot : each) {
