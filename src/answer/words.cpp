@@ -114,8 +114,14 @@ std::string aim_words(const ShotRequest& r, const Pocket* straight_into) {
   if (!r.table.is_rectangle())
     return fmt::format("{:.0f} % of the way along cushion {} from vertex v{}", 100 * s->part, cushion, i) + angle;
   const bool level = r.table.vertices[i].y == r.table.vertices[(i + 1) % 4].y;
-  return fmt::format("diamond {:.2f} of {} on the {} rail, counted from the {}", s->diamonds,
-                     diamonds_along(r.table, s->cushion), cushion, level ? "left" : "bottom") +
+  const char *first = level ? "left" : "bottom", *last = level ? "right" : "top";
+  const int all = diamonds_along(r.table, s->cushion);
+  const double beyond = std::max(-s->diamonds, s->diamonds - all);
+  if (beyond > 0)
+    return fmt::format("{:.2f} diamonds beyond the {} end of the {} rail", beyond, s->diamonds < 0 ? first : last,
+                       cushion) +
+           angle;
+  return fmt::format("diamond {:.2f} of {} on the {} rail, counted from the {}", s->diamonds, all, cushion, first) +
          angle;
 }
 
@@ -157,7 +163,11 @@ std::string title_words(const Puzzle& p, const Shot& shot) {
   const std::string to = pocket                   ? "into " + pocket->name
                          : shot.arrival.speed > 0 ? "through the ring"
                                                   : "to rest in the ring";
-  return (shot.cushions.empty() ? "Straight " : "By " + cushion_names(p.table, shot.cushions) + " ") + to;
+  constexpr std::size_t most_named = 5;
+  if (shot.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.cushions.size(), to);
+  return (shot.cushions.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
+                                : "By " + cushion_names(p.table, shot.cushions) + " ") +
+         to;
 }
 
 std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {

@@ -171,6 +171,53 @@ TEST_CASE("solve --svg draws the shot") {
   CHECK_THAT(svg.text(), Contains("<svg ") && Catch::EndsWith("</svg>\n"));
 }
 
+TEST_CASE("the picture says in words how to play the shot, and names table, bounces and diamonds") {
+  const ScratchFile svg("solve-words.svg"), dark("solve-dark.svg");
+  CHECK(run_program("solve --svg \"" + svg.path + "\"", bank).exit == 0);
+  for (const char* part : {">By top, right into bottom-middle<", ">aim<", "counted from the left", ">speed<",
+                           "medium: ", ">tip<", ">chance<", ">one every 0.5 s<", ">1<", ">2<", ">top-left<", ">right<"})
+    CHECK_THAT(svg.text(), Contains(part));
+  CHECK(run_program("solve --theme dark --svg \"" + dark.path + "\"", bank).exit == 0);
+  CHECK(dark.text() != svg.text());
+  CHECK(run_program("solve --theme grey", bank).exit == 2);
+}
+
+TEST_CASE("the picture of all shots numbers and lists them, that of none shows the nearest miss") {
+  const ScratchFile all("solve-all.svg"), none("solve-none.svg");
+  Json puzzle = Json::parse(bank);
+  puzzle["cushions"] = 2;
+  const std::size_t found = solve_json("--all", puzzle.dump()).at("shots").size();
+  REQUIRE((found > 2 && found <= 16));
+  CHECK(run_program("solve --all --svg \"" + all.path + "\"", puzzle.dump()).exit == 0);
+  CHECK_THAT(all.text(), Contains(std::to_string(found) + " shots, the best first") && Contains("top, right: 34.6°"));
+  puzzle["cushions"] = {"top", "right"};
+  puzzle["speed"] = {0.1, 0.5};
+  REQUIRE(!solve_json("", puzzle.dump()).at("nearest").is_null());
+  CHECK(run_program("solve --svg \"" + none.path + "\"", puzzle.dump()).exit == 1);
+  CHECK_THAT(none.text(), Contains("stroke-dasharray=\"9 6\"") && Contains("No shot; dashed is the nearest miss") &&
+                              Contains(">why<"));
+}
+
+TEST_CASE("a closed pipe behind the text loses no picture") {
+  const ScratchFile svg("solve-closed.svg");
+  const auto run = bankshot::test::run_shell("PROGRAM solve --svg \"" + svg.path + "\" >&-", bank);
+  CHECK(run.exit == 2);
+  CHECK_THAT(svg.text(), Catch::EndsWith("</svg>\n"));
+}
+
+TEST_CASE("option --png writes a PNG, or says which library it lacks") {
+  const ScratchFile png("solve.png");
+  const auto run = run_program("solve --png \"" + png.path + "\"", bank);
+  if (run.exit == 2) {
+    CHECK_THAT(run.err, Contains("built without librsvg"));
+  } else {
+    CHECK(run.exit == 0);
+    CHECK_THAT(png.text(), Catch::StartsWith("\x89PNG\r\n"));
+    CHECK(png.text().size() > 20000);
+  }
+  CHECK_THAT(run_program("solve --png x.svg", bank).err, Contains("must end in .png"));
+}
+
 TEST_CASE("solve --planner list names the planners without reading a puzzle") {
   const auto run = run_program("solve --planner list", "no puzzle");
   CHECK(run.exit == 0);

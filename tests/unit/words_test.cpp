@@ -62,6 +62,7 @@ TEST_CASE("the line of aim is named by rail, diamond and corner, on a polygon by
   // From (0.635, 0.4) at 45 degrees it crosses the diamonds behind the top at x = 0.635 + (1.27 + 0.0936625 - 0.4).
   CHECK(aim_words(shot(1, 45)) == "diamond 5.04 of 8 on the top rail, counted from the left (45.00 degrees)");
   CHECK_THAT(aim_words(shot(1, 180)), Contains("diamond 1.26 of 4 on the left rail, counted from the bottom"));
+  CHECK_THAT(aim_words(shot(1, 215.8)), Contains(" diamonds beyond the left end of the bottom rail"));
   ShotRequest l = shot(1, 0);
   l.table = polygon_table({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
   CHECK(aim_words(l) == "40 % of the way along cushion c1 from vertex v1 (0.00 degrees)");
