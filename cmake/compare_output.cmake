@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 # Runs PROGRAM, with ARGUMENTS if given, and compares its standard output with the file EXPECTED; also the
-# file WRITTEN, if given, with the PICTURE in the repository.
+# file WRITTEN, if given, with the PICTURE in the repository. It must end with EXIT, 0 if not given.
 execute_process(COMMAND ${PROGRAM} ${ARGUMENTS} OUTPUT_VARIABLE actual RESULT_VARIABLE result)
-if(NOT result EQUAL 0)
+if(NOT DEFINED EXIT)
+  set(EXIT 0)
+endif()
+if(NOT result EQUAL EXIT)
   message(FATAL_ERROR "${PROGRAM} ended with ${result}")
 endif()
 file(READ ${EXPECTED} expected)

@@ -39,6 +39,14 @@ if(BANKSHOT_PROGRAM)
   bankshot_need(TBB 2021 libtbb-dev)
   bankshot_need(ZLIB 1.2 zlib1g-dev)
   bankshot_need(Boost 1.74 libboost-dev)
+  # Makes PNG of pictures; without it the program writes SVG alone.
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(rsvg QUIET IMPORTED_TARGET librsvg-2.0>=2.52)
+  endif()
+  if(NOT rsvg_FOUND)
+    message(STATUS "bankshot: no --png (apt-get install librsvg2-dev)")
+  endif()
 endif()
 
 # Their headers are not ours to warn about, and only tiny_solver.h and jet.h of Ceres are used, so

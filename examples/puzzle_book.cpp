@@ -153,7 +153,8 @@ Entry entry(const Puzzle& puzzle, std::size_t number) {
                        100 * *shot.success);
   }
   fmt::print("{:3}  {:<32} {}\n", number, told, question(puzzle));
-  return {kind, {draw(puzzle, answer), fmt::format("{}", number), {question(puzzle), scene(puzzle), told}}};
+  return {kind,
+          {draw(puzzle, answer, {.words = false}), fmt::format("{}", number), {question(puzzle), scene(puzzle), told}}};
 }
 
 int make_book(const char* puzzles, const char* page) {

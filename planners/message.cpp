@@ -8,6 +8,7 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/scene/tip.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/nearest.hpp"
 #include "planners/proof/prove.hpp"
@@ -104,10 +105,13 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
                    std::size_t distinct) {
   std::string text = q.first()       ? "the first shot found, there may be better ones"
                      : distinct == 1 ? "one shot found"
-                                     : fmt::format("{} distinct shots found", distinct);
+                     : q.all()       ? fmt::format("{} distinct shots found", distinct)
+                                     : fmt::format("the best of {} shots found; --all prints each", distinct);
   if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
   if (a.shots.front().off_centre && q.puzzle.aim == Aim::centre)
-    text += "; nothing found reaches the target's centre, this reaches part of it";
+    text += "; it is made beside the middle of the target: no line through it was found";
+  if (may_miscue(a.shots.front().spin))
+    text += "; the tip may slip off the ball: it meets it more than half the radius from the centre";
   text += uncertain(q, a.shots.front());
   if (ledger.cut())
     text +=

@@ -99,6 +99,14 @@ bool Question::frozen() const {
   return std::ranges::any_of(boundary.walls, touched) || std::ranges::any_of(boundary.tips, touched);
 }
 
+bool Question::into_touched_cushion(const Vec2d& direction) const {
+  for (const Wall& w : boundary.walls)
+    if (dot(w.normal, direction) < 0 && touches(w.contact)) return true;
+  for (const Circle& tip : boundary.tips)
+    if (dot(puzzle.ball.at - tip.centre, direction) < 0 && touches(tip.contact)) return true;
+  return false;
+}
+
 double angle_difference(double a, double b) { return wrap_angle(b - a + radians(180)) - radians(180); }
 
 }  // namespace bankshot::planning

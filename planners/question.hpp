@@ -65,6 +65,8 @@ struct Question {
 
   /// The ball touches this contact at the start; any at all.
   bool touches(Contact contact) const;
+  /// The launch would drive the ball into a cushion that it touches: a bounce before it moves.
+  bool into_touched_cushion(const Vec2d& direction) const;
   bool frozen() const;
 };
 

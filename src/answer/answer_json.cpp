@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
+#include "bankshot/scene/tip.hpp"
 #include "json/writer.hpp"
 
 namespace bankshot {
@@ -46,10 +50,12 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, const std::str
   w.close('}');
   w.key("tip");
   w.open('{');
-  w.number("right", 0.4 * p.ball.body.radius * spin.side);
-  w.number("up", 0.4 * p.ball.body.radius * spin.top);
+  const Tip tip = tip_of(spin, p.ball.body.radius);
+  w.number("right", tip.right);
+  w.number("up", tip.up);
   w.close('}');
   write_path(w, p, shot);
+  if (const Pocket* pocket = why ? nullptr : pocket_reached(p, shot)) w.string("pocket", pocket->name);
   if (shot.off_centre && !why) w.boolean("off_centre", true);
   w.number("condition", shot.condition);
   if (shot.digits) w.integer("digits", *shot.digits);
@@ -139,6 +145,14 @@ ShotRequest as_request(const Puzzle& p, const Shot& shot) {
   ShotRequest r{p.id, p.table, p.physics, p.ball, shot.launch, shot.spin, {}};
   r.until.time = shot.arrival.time;
   return r;
+}
+
+const Pocket* pocket_reached(const Puzzle& p, const Shot& shot) {
+  const auto* target = std::get_if<PocketTarget>(&p.target);
+  if (!target || p.table.pockets.empty()) return nullptr;
+  if (target->pocket) return &p.table.pockets[static_cast<std::size_t>(*target->pocket)];
+  const auto off_rim = [&](const Pocket& k) { return std::abs(norm(shot.arrival.at - k.at) - k.radius); };
+  return &*std::ranges::min_element(p.table.pockets, {}, off_rim);
 }
 
 }  // namespace bankshot

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::string_view answer_keys[] = {"id",          "status",  "shots",   "nearest", "modelled",
                                             "simulations", "time_us", "message", "error"};
-constexpr std::string_view shot_keys[] = {"speed",  "angle",      "spin",    "tip",         "cushions",
-                                          "miss",   "off_centre", "arrival", "condition",   "margin",
-                                          "digits", "success",    "planner", "simulations", "why"};
+constexpr std::string_view shot_keys[] = {"speed",      "angle",   "spin",        "tip",    "cushions", "miss",
+                                          "off_centre", "arrival", "condition",   "margin", "digits",   "pocket",
+                                          "success",    "planner", "simulations", "why"};
 
 void note_unread(const Json& object, std::span<const std::string_view> known, std::set<std::string>* unread) {
   if (!unread) return;
@@ -64,6 +64,11 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();
   const Reader arrival = r.need("arrival");
   s.arrival = {arrival.need("time").at_least(0), arrival.need("speed").at_least(0), arrival.need("at").point()};
+  if (const auto v = r.find("pocket")) {
+    const Pocket* reached = pocket_reached(p, s);
+    if (!reached || v->text() != reached->name)
+      v->fail("is not the pocket that this shot reaches" + (reached ? ", " + reached->name : ""));
+  }
   s.condition = r.need("condition").at_least(0);
   if (const auto v = r.find("digits")) s.digits = static_cast<int>(std::min(v->count(), 9L));
   if (const auto m = r.find("margin"))

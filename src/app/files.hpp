@@ -31,6 +31,18 @@ void write_file(const std::string& path, const std::string& text);
 /// To standard output; a failure to write is an error, not silence.
 void print(const std::string& text);
 
+/// Files first, then the text: a pipe that closes loses no file, and a file that cannot be written loses no text.
+template <class Write>
+void print_after(const Write& write, const std::string& text) {
+  try {
+    write();
+  } catch (const WriteError&) {
+    print(text);
+    throw;
+  }
+  print(text);
+}
+
 /// A check of an option's value: why it cannot be a file to write, empty when it can. "--svg --json"
 /// would write a file of that name, and standard output carries the answer.
 std::string file_name(const std::string& text);

@@ -8,12 +8,11 @@
 #include <cmath>
 
 #include "bankshot/draw/page.hpp"
+#include "draw/caption.hpp"
+#include "draw/table.hpp"
 
 namespace bankshot {
 namespace {
-
-constexpr const char* hole = "#f4f1ea";
-constexpr const char* cloth = "#1f7a4d";
 
 /// Of the colour map viridis (Smith and van der Walt, 2015, CC0): its lightness rises evenly, so that it
 /// reads the same to colour-blind people and in print.
@@ -48,7 +47,8 @@ const Shot* shot_from(const StartMap& m, std::size_t i) {
 /// One table; `part` of a shot picks its colour.
 template <class Part>
 std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> legend, const std::string& title,
-                 Part&& part) {
+                 Theme theme, Part&& part) {
+  const char *hole = drawing::colours(theme).page, *cloth = drawing::colours(theme).cloth;
   std::vector<Cell> cells;
   bool holes = false;
   for (std::size_t i = 0; i < m.starts.size(); ++i) {
@@ -61,12 +61,45 @@ std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> le
   }
   if (holes) legend.push_back({"no shot", hole});
   if (cells.size() < m.starts.size()) legend.push_back({"no start", cloth});
-  return draw(p, cells, legend, title);
+  return draw(p, cells, legend, title, {.theme = theme});
+}
+
+/// A narrow triangle that points along the aim.
+void draw_arrow(drawing::Canvas& c, const Cell& cell) {
+  const Vec2d size = cell.high - cell.low, middle = c.at(cell.low + size / 2.0);
+  const double half = 0.38 * c.px(std::min(size.x, size.y));
+  constexpr double least = 3, slender = 0.42;  // px; width over length
+  if (!cell.aim || half < least) return;
+  const Vec2d u = drawing::Canvas::flipped(direction(*cell.aim)) * half, side = perpendicular(u) * slender;
+  const Vec2d tip = middle + u, a = side - u * 2.0, b = side * -2.0;
+  c.add(R"(<path class="aim" d="M{:.1f} {:.1f}l{:.1f} {:.1f}l{:.1f} {:.1f}z" fill="{}" fill-opacity="0.7"/>)", tip.x,
+        tip.y, a.x, a.y, b.x, b.y, cell.ink);
 }
 
 }  // namespace
 
-std::string draw(const Puzzle& p, const StartMap& m) {
+std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend,
+                 const std::string& title, const PictureStyle& style) {
+  drawing::Canvas c(puzzle.table, style);
+  drawing::draw_table(c, style.words);
+  constexpr double seam = 0.5;  // px more than its size: no cloth shines through between two cells
+  c.add(R"(<g shape-rendering="crispEdges">)");
+  for (const Cell& cell : cells) {
+    const Vec2d a = c.at({cell.low.x, cell.high.y}), b = c.at({cell.high.x, cell.low.y});
+    c.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a.x, a.y, b.x - a.x + seam,
+          b.y - a.y + seam, cell.fill);
+  }
+  c.add("</g>");
+  for (const Cell& cell : cells) draw_arrow(c, cell);
+  drawing::draw_holes(c);
+  drawing::draw_target(c, puzzle);
+  std::vector<drawing::Swatch> swatches;
+  for (const LegendEntry& entry : legend) swatches.push_back({entry.label, entry.colour});
+  drawing::draw_legend(c, swatches);
+  return c.document(title);
+}
+
+std::string draw(const Puzzle& p, const StartMap& m, Theme theme) {
   double slowest = HUGE_VAL, fastest = 0;
   bool success = false;
   for (std::size_t i = 0; i < m.starts.size(); ++i)
@@ -85,15 +118,15 @@ std::string draw(const Puzzle& p, const StartMap& m) {
   }
   Chapter page{"", "", {}};
   if (success)
-    page.plates.push_back({heat(p, m, chance, "chance", [](const Shot& s) { return s.success.value_or(0); }),
+    page.plates.push_back({heat(p, m, chance, "chance", theme, [](const Shot& s) { return s.success.value_or(0); }),
                            "How robust? The chance that the best shot from here is made",
                            {}});
   const double decades = fastest > slowest ? std::log(fastest / slowest) : 1;
-  page.plates.push_back(
-      {heat(p, m, speed, "speed", [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }),
-       "How slow? Its launch speed",
-       {}});
-  return draw_page(std::array{page}, {.letter = 20});
+  page.plates.push_back({heat(p, m, speed, "speed", theme,
+                              [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }),
+                         "How slow? Its launch speed",
+                         {}});
+  return draw_page(std::array{page}, {.letter = 20, .theme = theme});
 }
 
 }  // namespace bankshot

@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <sstream>
 
+#include "draw/colours.hpp"
 #include "draw/escape.hpp"
 
 namespace bankshot {
 namespace {
-
-constexpr const char* ink = "#2b2118";
-constexpr const char* faint = "#8a7a66";
-constexpr const char* paper = "#fbf7ee";
-/// Paths stay as wide however small the picture is.
-constexpr const char* thin_lines = "<style>polyline{vector-effect:non-scaling-stroke;stroke-width:2}</style>\n";
 
 /// A picture's own svg element, placed and sized; its title stays as a tooltip.
 std::string placed(const std::string& svg, double x, double y, double width, double height) {
@@ -39,16 +34,17 @@ class Page {
         gap_(style.plate * 0.09),
         margin_(style.plate * (style.columns > 1 ? 0.2 : 0.06)),
         width_(2 * margin_ + style.columns * style.plate + (style.columns - 1) * gap_),
-        y_(margin_) {}
+        y_(margin_),
+        c_(drawing::colours(style.theme)) {}
 
   void heading(const std::string& title, const std::string& subtitle, double size) {
     if (title.empty()) return;
     y_ += 1.2 * size;
-    text(width_ / 2, y_, size, ink, title, "middle");
-    if (!subtitle.empty()) text(width_ / 2, y_ += 0.75 * size, 0.48 * size, faint, subtitle, "middle", true);
+    text(width_ / 2, y_, size, c_.ink, title, "middle");
+    if (!subtitle.empty()) text(width_ / 2, y_ += 0.75 * size, 0.48 * size, c_.faint, subtitle, "middle", true);
     const double half = 0.12 * width_;
     body_ += fmt::format(R"(<path d="M{:.0f} {:.0f}h{:.0f}" stroke="{}" stroke-width="1.5"/>)", width_ / 2 - half,
-                         y_ += 0.5 * size, 2 * half, faint) +
+                         y_ += 0.5 * size, 2 * half, c_.faint) +
              "\n";
     y_ += 0.5 * size;
   }
@@ -66,11 +62,11 @@ class Page {
       for (std::size_t k = 0; k < row; ++k, ++i) {
         const Plate& p = all[i];
         const double x = margin_ + static_cast<double>(k) * (style_.plate + gap_);
-        if (titled) text(x, y_ + line, 1.15 * style_.letter, ink, p.title, "start");
+        if (titled) text(x, y_ + line, 1.15 * style_.letter, c_.ink, p.title, "start");
         body_ += placed(p.svg, x, top, style_.plate, picture);
         for (std::size_t n = 0; n < p.caption.size(); ++n)
-          text(x, top + picture + line * static_cast<double>(n + 1), style_.letter, n == 0 ? ink : faint, p.caption[n],
-               "start");
+          text(x, top + picture + line * static_cast<double>(n + 1), style_.letter, n == 0 ? c_.ink : c_.faint,
+               p.caption[n], "start");
         lines = std::max(lines, p.caption.size());
       }
       y_ = top + picture + line * (static_cast<double>(lines) + 1.4);
@@ -81,8 +77,8 @@ class Page {
     const double height = y_ + 0.5 * margin_;
     return fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" height="{1:.0f}" font-family="Georgia, 'DejaVu Serif', serif">)"
-        "\n<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n{4}{5}</svg>\n",
-        width_, height, escaped(style_.title), paper, thin_lines, body_);
+        "\n<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n{4}</svg>\n",
+        width_, height, escaped(style_.title), c_.page, body_);
   }
 
  private:
@@ -96,6 +92,7 @@ class Page {
   const PageStyle& style_;
   double gap_, margin_, width_;
   double y_;  ///< px, how far the page is filled
+  const drawing::Colours& c_;
   std::string body_;
 };
 

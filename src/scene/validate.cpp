@@ -10,6 +10,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/puzzle.hpp"
+#include "bankshot/scene/tip.hpp"
 
 namespace bankshot {
 namespace {
@@ -187,6 +188,16 @@ void check_range(const Range& r, const std::string& path) {
   if (!(r.low <= r.high)) fail(path, fmt::format("[{}, {}] must have its lower end first", r.low, r.high));
 }
 
+/// In a puzzle: a cue meets the ball somewhere.
+void check_tip(const LaunchSpin& spin, const Body& body) {
+  const double R = body.radius, from_centre = tip_of(spin, R).from_centre();
+  if (from_centre > R)
+    fail("/ball/spin",
+         fmt::format("top {}, side {} would need a tip {:.3g} mm from the ball's centre, and the ball ends "
+                     "at {:.3g} mm",
+                     spin.top, spin.side, 1e3 * from_centre, 1e3 * R));
+}
+
 void check_target(const Puzzle& p, const Boundary& boundary) {
   const std::vector<Mark> marks = marks_of(p.target, boundary);
   if (marks.empty())
@@ -214,6 +225,7 @@ void check_cushions(const CushionRule& c, const Boundary& boundary) {
 
 void validate(const Puzzle& p) {
   const Boundary boundary = check_scene(p.table, p.ball, p.physics);
+  if (!is_straight(p.physics) && !p.spin_range) check_tip(p.spin, p.ball.body);
   check_target(p, boundary);
   check_cushions(p.cushions, boundary);
   check_range(p.speed, "/speed");

@@ -70,9 +70,9 @@ TEST_CASE("map: each row is the answer of solve from there") {
   CHECK((solved > 8 && solved < 18));
   CHECK_THAT(run.out, Contains(fmt::format("18 starts: {} with a shot, {} without", solved, 18 - solved)) &&
                           Contains("slowest: ") && Contains("most robust: "));
-  // Two tables, a rectangle for each cell, a line where it is aimed.
+  // Two tables, a rectangle for each cell, an arrowhead where it is aimed.
   CHECK(count(svg.text(), "<svg ") == 3);
-  CHECK(count(svg.text(), "stroke-opacity=\"0.7\"") == 2 * static_cast<std::size_t>(solved));
+  CHECK(count(svg.text(), "class=\"aim\"") == 2 * static_cast<std::size_t>(solved));
   CHECK_THAT(svg.text(), Contains("no shot") && Contains("100 %") && Contains(" m/s") && !Contains("no start"));
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("map: starts in cushions, in pockets and at the target are marked") {
 
 TEST_CASE("map: a file that is no picture and no table is refused before the work") {
   const auto [arguments, reason] = GENERATE(Catch::Generators::table<std::string, std::string>({
-      {"map - --grid 4 4 -o x.png", "\"x.png\" must end in .svg or .csv"},
+      {"map - --grid 4 4 -o x.gif", "\"x.gif\" must end in .svg, .png or .csv"},
       {"map - --grid 4 4 -o -", "standard output"},
       {"map - --grid 4 4", "-o is required"},
       {"map - --grid 0 4 -o x.svg", "--grid"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // `solve` as typed in a shell: what it prints, which files it writes, exit codes.
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -27,8 +28,11 @@ TEST_CASE("solve prints what a player needs") {
   const auto run = run_program("solve", bank);
   CHECK(run.exit == 0);
   CHECK(run.err.empty());
-  for (const char* part : {"solved: ", "aim", "degrees", "speed", "m/s", "top, right", "first at", "diamond", "hit",
-                           "margin", "0.1 degrees of aim moves the arrival by"})
+  for (const char* part :
+       {"solved: ", "aim       diamond ", " of 8 on the top rail", "degrees", "speed     medium: ", "m/s", "mph",
+        "lag speed", "tip       11.4 mm above the centre", "top, right", "falls into bottom-middle after",
+        "through its middle", "for a player whose standard errors are 0.125 degrees of aim and 0.075 m/s of speed",
+        "margin", "0.1 degrees of aim moves the arrival by"})
     CHECK_THAT(run.out, Contains(part));
 }
 
@@ -50,6 +54,41 @@ TEST_CASE("solve --json prints one line with every field of the format") {
   CHECK(s.at("margin").at("speed").size() == 2);
   for (const char* key : {"speed", "angle", "spin", "tip", "miss", "condition", "success", "planner", "simulations"})
     CHECK(s.contains(key));
+}
+
+TEST_CASE("a shot into any pocket names the one that it reaches, a shot to a point none") {
+  Json puzzle = Json::parse(bank);
+  CHECK(solve_json("").at("shots").at(0).at("pocket") == "bottom-middle");
+  puzzle["target"] = {{"pocket", "any"}};
+  puzzle["cushions"] = 1;
+  const Json shots = solve_json("--all", puzzle.dump()).at("shots");
+  REQUIRE(shots.size() > 3);
+  for (const Json& s : shots) {
+    // The ball falls half a mouth away from the pocket's centre.
+    const std::string name = s.at("pocket");
+    const double x = name.ends_with("left") ? 0 : name.ends_with("right") ? 2.54 : 1.27;
+    const double y = name.starts_with("top") ? 1.27 : 0, mouth = name.ends_with("middle") ? 0.129 : 0.116;
+    const double dx = s.at("arrival").at("at")[0].get<double>() - x, dy = s.at("arrival").at("at")[1].get<double>() - y;
+    CHECK(std::hypot(dx, dy) == Approx(mouth / 2));
+  }
+  CHECK_THAT(run_program("solve", puzzle.dump()).out, Contains(" shots found; --all prints each"));
+  puzzle["target"] = {{"point", {1.9, 0.9}}};
+  CHECK(!solve_json("", puzzle.dump()).at("shots").at(0).contains("pocket"));
+}
+
+TEST_CASE("a tip beside the ball is refused, one that may slip off is warned of") {
+  Json puzzle = Json::parse(bank);
+  puzzle.erase("physics");
+  puzzle["ball"]["spin"] = {{"top", 2.4}, {"side", 0.8}};
+  const auto run = run_program("solve", puzzle.dump());
+  CHECK(run.exit == 2);
+  CHECK_THAT(run.err, Contains("/ball/spin: ") && Contains("28.9 mm") && Contains("28.6 mm"));
+  puzzle["ball"]["spin"] = {{"top", 1}, {"side", 0.8}};
+  const Json a = solve_json("", puzzle.dump());
+  REQUIRE(a.at("status") == "solved");
+  CHECK_THAT(a.at("message").get<std::string>(), Contains("the tip may slip off the ball"));
+  puzzle["ball"]["spin"] = {{"top", 0.9}, {"side", 0.8}};
+  CHECK_THAT(solve_json("", puzzle.dump()).at("message").get<std::string>(), !Contains("slip"));
 }
 
 TEST_CASE("solve reads standard input with and without a dash, and files") {
@@ -130,6 +169,53 @@ TEST_CASE("solve --svg draws the shot") {
   CHECK(run.exit == 0);
   CHECK_THAT(run.out, Catch::StartsWith("solved: "));
   CHECK_THAT(svg.text(), Contains("<svg ") && Catch::EndsWith("</svg>\n"));
+}
+
+TEST_CASE("the picture says in words how to play the shot, and names table, bounces and diamonds") {
+  const ScratchFile svg("solve-words.svg"), dark("solve-dark.svg");
+  CHECK(run_program("solve --svg \"" + svg.path + "\"", bank).exit == 0);
+  for (const char* part : {">By top, right into bottom-middle<", ">aim<", "counted from the left", ">speed<",
+                           "medium: ", ">tip<", ">chance<", ">one every 0.5 s<", ">1<", ">2<", ">top-left<", ">right<"})
+    CHECK_THAT(svg.text(), Contains(part));
+  CHECK(run_program("solve --theme dark --svg \"" + dark.path + "\"", bank).exit == 0);
+  CHECK(dark.text() != svg.text());
+  CHECK(run_program("solve --theme grey", bank).exit == 2);
+}
+
+TEST_CASE("the picture of all shots numbers and lists them, that of none shows the nearest miss") {
+  const ScratchFile all("solve-all.svg"), none("solve-none.svg");
+  Json puzzle = Json::parse(bank);
+  puzzle["cushions"] = 2;
+  const std::size_t found = solve_json("--all", puzzle.dump()).at("shots").size();
+  REQUIRE((found > 2 && found <= 16));
+  CHECK(run_program("solve --all --svg \"" + all.path + "\"", puzzle.dump()).exit == 0);
+  CHECK_THAT(all.text(), Contains(std::to_string(found) + " shots, the best first") && Contains("top, right: 34.6°"));
+  puzzle["cushions"] = {"top", "right"};
+  puzzle["speed"] = {0.1, 0.5};
+  REQUIRE(!solve_json("", puzzle.dump()).at("nearest").is_null());
+  CHECK(run_program("solve --svg \"" + none.path + "\"", puzzle.dump()).exit == 1);
+  CHECK_THAT(none.text(), Contains("stroke-dasharray=\"9 6\"") && Contains("No shot; dashed is the nearest miss") &&
+                              Contains(">why<"));
+}
+
+TEST_CASE("a closed pipe behind the text loses no picture") {
+  const ScratchFile svg("solve-closed.svg");
+  const auto run = bankshot::test::run_shell("PROGRAM solve --svg \"" + svg.path + "\" >&-", bank);
+  CHECK(run.exit == 2);
+  CHECK_THAT(svg.text(), Catch::EndsWith("</svg>\n"));
+}
+
+TEST_CASE("option --png writes a PNG, or says which library it lacks") {
+  const ScratchFile png("solve.png");
+  const auto run = run_program("solve --png \"" + png.path + "\"", bank);
+  if (run.exit == 2) {
+    CHECK_THAT(run.err, Contains("built without librsvg"));
+  } else {
+    CHECK(run.exit == 0);
+    CHECK_THAT(png.text(), Catch::StartsWith("\x89PNG\r\n"));
+    CHECK(png.text().size() > 20000);
+  }
+  CHECK_THAT(run_program("solve --png x.svg", bank).err, Contains("must end in .png"));
 }
 
 TEST_CASE("solve --planner list names the planners without reading a puzzle") {

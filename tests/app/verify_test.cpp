@@ -190,10 +190,14 @@ TEST_CASE("verify: a shot of several is named by its number, and keys it does no
 
 TEST_CASE("verify: bad files are told with their line") {
   const std::string good = answer_to(bank);
+  Json other = Json::parse(good);
+  other["shots"][0]["pocket"] = "top-left";
+  const std::string elsewhere = other.dump() + "\n";
   const auto [puzzles, answers, reason] = GENERATE_COPY(table<std::string, std::string, std::string>({
       {bank + "\n", "nonsense\n", "shots.jsonl:1: not JSON"},
       {bank + "\n" + bank + "\n", good + "{\"id\":\"bank\"}\n", "shots.jsonl:2: /status: this key is required"},
       {bank + "\n" + bank + "\n", good, "shots.jsonl:2: ends here, and "},
+      {bank + "\n", elsewhere, "/shots/0/pocket: \"top-left\" is not the pocket that this shot reaches"},
       {bank + "\n", good + good, "shots.jsonl:2: has an answer more than "},
   }));
   const Run run = verify(puzzles, answers);

@@ -78,7 +78,7 @@ TEST_CASE("where no line reaches a pocket's centre the shot is beside it and say
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].miss > 1e-3);
-  CHECK(says(a.message, "part of it"));
+  CHECK(says(a.message, "beside the middle of the target"));
 }
 
 TEST_CASE("a margin is where the shot stops being made") {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bankshot/draw/style.hpp"
+
 namespace bankshot {
 
 struct Plate {
@@ -26,6 +28,7 @@ struct PageStyle {
   double ratio = 0;     ///< of the space for a picture, height over width; 0: a row is as high as its highest
   double letter = 18;   ///< px, of captions
   std::string title{}, subtitle{};
+  Theme theme = Theme::light;
 };
 
 std::string draw_page(std::span<const Chapter> chapters, const PageStyle& style);

@@ -55,4 +55,7 @@ struct Shot {
 /// The shot as a `simulate` request that ends where the ball reaches its target.
 ShotRequest as_request(const Puzzle& puzzle, const Shot& shot);
 
+/// The pocket that takes the ball of a made shot; null where a point is the target.
+const Pocket* pocket_reached(const Puzzle& puzzle, const Shot& shot);
+
 }  // namespace bankshot

@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/picture.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
@@ -14,7 +15,8 @@ namespace bankshot::app::simulate {
 namespace {
 
 struct Arguments {
-  std::string file = "-", svg, csv;
+  std::string file = "-", csv;
+  PictureFlags picture;
   double rate = 60;
   bool json = false;
 };
@@ -69,9 +71,11 @@ int run(const Arguments& a) {
   try {
     const ShotRequest request = read_shot(text);
     const Trajectory t = bankshot::simulate(request);
-    print(a.json ? to_json(request, t) + "\n" : text_of(request, t));
-    if (!a.svg.empty()) write_file(a.svg, draw(request, t));
-    if (!a.csv.empty()) write_file(a.csv, csv_of(request, t, a.rate));
+    const auto write = [&] {
+      a.picture.write([&](Theme theme) { return draw(request, t, {.theme = theme}); });
+      if (!a.csv.empty()) write_file(a.csv, csv_of(request, t, a.rate));
+    };
+    print_after(write, a.json ? to_json(request, t) + "\n" : text_of(request, t));
     return done;
   } catch (const InvalidInput& e) {
     std::cerr << complaint(a.file, e) << '\n';
@@ -86,7 +90,7 @@ Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("simulate", "Simulate one shot and list its events");
   command->add_option("shot", a->file, "A shot in JSON; - reads standard input")->capture_default_str();
-  command->add_option("--svg", a->svg, "Write a picture to this file")->check(file_name);
+  add_picture_flags(*command, a->picture);
   command->add_option("--csv", a->csv, "Write t,ball,x,y,vx,vy,wx,wy,wz to this file")->check(file_name);
   command->add_option("--rate", a->rate, "Rows per second of the CSV")
       ->capture_default_str()

@@ -3,6 +3,7 @@
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/picture.hpp"
 #include "app/solve/solve_flags.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/scene/json.hpp"
@@ -11,8 +12,9 @@ namespace bankshot::app::solve {
 namespace {
 
 struct Arguments {
-  std::string file = "-", svg;
+  std::string file = "-";
   SolveFlags flags;
+  PictureFlags picture;
   bool json = false;
 };
 
@@ -29,8 +31,8 @@ int run(const Arguments& a) {
   try {
     const Puzzle puzzle = a.flags.read(text);
     const Answer answer = bankshot::solve(puzzle, a.flags.solve_options());
-    print(a.json ? to_json(puzzle, answer, !a.flags.no_timing) + "\n" : to_text(puzzle, answer));
-    if (!a.svg.empty()) write_file(a.svg, draw(puzzle, answer));
+    print_after([&] { a.picture.write([&](Theme theme) { return draw(puzzle, answer, {.theme = theme}); }); },
+                a.json ? to_json(puzzle, answer, !a.flags.no_timing) + "\n" : to_text(puzzle, answer));
     return answer.status == Status::solved ? done : nothing_solved;
   } catch (const InvalidInput& e) {
     return invalid(a, text, e);
@@ -44,8 +46,17 @@ Run add(CLI::App& app) {
   CLI::App* command = app.add_subcommand("solve", "Find the aim and the speed for a puzzle");
   command->add_option("puzzle", a->file, "A puzzle in JSON; - reads standard input")->capture_default_str();
   add_solve_flags(*command, a->flags);
-  command->add_option("--svg", a->svg, "Write a picture to this file")->check(file_name);
+  add_picture_flags(*command, a->picture);
   command->add_flag("--json", a->json, "One line of JSON instead of text");
+  command->footer(
+      "Where to aim is told in diamonds: where the line of aim crosses the line of diamonds, 94 mm (3 11/16 inches, as "
+      "the\n"
+      "WPA has it) behind the nose of the cushion. They count from 0 at the left or at the bottom, to 8 on long rails "
+      "and 4\n"
+      "on short ones. Speeds are named after Alciatore: soft below 2 mph, medium below 4, firm below 7, hard below 10; "
+      "a lag\n"
+      "goes from the head string to the foot cushion and back to the head cushion.\n"
+      "Exit 1: no shot was found.");
   return [a] { return run(*a); };
 }
 

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "answer/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "answer/sights.hpp"
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/tip.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+
+namespace bankshot {
+namespace {
+
+/// D. Alciatore's typical speeds (billiards.colostate.edu, "Typical speeds"), in miles an hour.
+std::string_view pace(double mph) {
+  if (mph < 2) return "soft";
+  if (mph < 4) return "medium";
+  if (mph < 7) return "firm";
+  return mph < 10 ? "hard" : "as hard as a break";
+}
+
+/// Of this table, cloth and ball; none where no ball comes back.
+std::optional<double> lag_speed(const ShotRequest& shot) {
+  if (!shot.table.is_rectangle() || deceleration(shot.physics) == 0) return {};
+  ShotRequest lag = shot;
+  const Vec2d low = shot.table.lowest(), size = shot.table.highest() - low;
+  const bool wide = size.x >= size.y;
+  lag.table.pockets.clear();
+  lag.spin = {};
+  lag.ball.at = low + (wide ? Vec2d{size.x / 4, size.y / 2} : Vec2d{size.x / 2, size.y / 4});
+  lag.launch.angle = wide ? 0 : radians(90);
+  lag.until = {.time = {}, .cushions = 2, .length = {}};
+  const auto comes_back = [&](double speed) {
+    lag.launch.speed = speed;
+    return simulate(lag).cushions == 2;
+  };
+  constexpr double fastest = 20;  // m/s, faster than any break
+  double slow = 0, fast = fastest;
+  if (!comes_back(fast)) return {};
+  for (int i = 0; i < 20; ++i) (comes_back((slow + fast) / 2) ? fast : slow) = (slow + fast) / 2;
+  return fast;
+}
+
+std::string side_words(double v, std::string_view more, std::string_view less) {
+  return fmt::format("{:.1f} mm {}", 1e3 * std::abs(v), v > 0 ? more : less);
+}
+
+/// How far a line passes a point, "through its middle" where nobody sees a difference.
+std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
+  constexpr double seen = 5e-4;  // m
+  const double right = cross(aim, centre - at) / norm(aim);
+  return std::abs(right) < seen
+             ? "through its middle"
+             : fmt::format("{:.0f} mm {} of its middle", 1e3 * std::abs(right), right > 0 ? "right" : "left");
+}
+
+std::string arrival_words(const Puzzle& p, const Shot& s) {
+  const auto [time, speed, at] = s.arrival;
+  if (const Pocket* pocket = pocket_reached(p, s)) {
+    const State<double> end = simulate(as_request(p, s)).events.back().state;
+    return fmt::format("falls into {} after {:.2f} s at {:.2f} m/s, {}", pocket->name, time, speed,
+                       speed > 0 ? beside(end.at, end.velocity, pocket->at) : "at its rim");
+  }
+  const std::string off = distance_words(s.miss, p.table);
+  const std::string where = off == "exact" ? (speed == 0 ? "exactly on" : "exactly over") : off + " off";
+  return speed == 0 ? fmt::format("rests {} the point after {:.2f} s", where, time)
+                    : fmt::format("passes {} the point after {:.2f} s at {:.2f} m/s", where, time, speed);
+}
+
+std::string interval(const std::array<std::optional<double>, 2>& m, double unit, std::string_view name) {
+  if (!m[0] && !m[1]) return fmt::format("any {}", name);
+  const auto side = [&](const std::optional<double>& v, char sign) {
+    return v ? fmt::format("{}{:.3g}", sign, std::abs(*v) * unit) : sign == '-' ? "any less" : "any more";
+  };
+  return fmt::format("{} to {} {}", side(m[0], '-'), side(m[1], '+'), name);
+}
+
+std::string cushion_names(const Table& table, const std::vector<Contact>& cushions) {
+  constexpr std::size_t most_named = 12;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most_named, cushions.size()); ++i)
+    names += (i ? ", " : "") + contact_name(table, cushions[i]);
+  if (cushions.size() > most_named) names += fmt::format(" and {} more", cushions.size() - most_named);
+  return names;
+}
+
+}  // namespace
+
+std::string distance_words(double metres, const Table& table) {
+  constexpr double exact = 1e-6, mm = 1e-3;
+  if (metres <= exact * table.diagonal()) return "exact";
+  if (metres >= 1) return fmt::format("{:.2f} m", metres);
+  return metres < 10 * mm ? fmt::format("{:.2g} mm", metres / mm) : fmt::format("{:.0f} mm", metres / mm);
+}
+
+bool aims_into(const ShotRequest& r, const Pocket& pocket) {
+  const Vec2d aim = direction(r.launch.angle), to = pocket.at - r.ball.at;
+  return dot(aim, to) > 0 && std::abs(cross(aim, to)) < pocket.radius;
+}
+
+std::string aim_words(const ShotRequest& r, const Pocket* straight_into) {
+  const Vec2d aim = direction(r.launch.angle);
+  const std::string angle = fmt::format(" ({:.2f} degrees)", degrees(r.launch.angle));
+  if (straight_into && aims_into(r, *straight_into))
+    return "straight at " + straight_into->name + ", " + beside(r.ball.at, aim, straight_into->at) + angle;
+  const auto s = sight(r.table, r.ball.at, aim);
+  if (!s) return fmt::format("{:.2f} degrees", degrees(r.launch.angle));
+  const auto i = static_cast<std::size_t>(s->cushion);
+  const std::string& cushion = r.table.cushions[i];
+  if (!r.table.is_rectangle())
+    return fmt::format("{:.0f} % of the way along cushion {} from vertex v{}", 100 * s->part, cushion, i) + angle;
+  const bool level = r.table.vertices[i].y == r.table.vertices[(i + 1) % 4].y;
+  const char *first = level ? "left" : "bottom", *last = level ? "right" : "top";
+  const int all = diamonds_along(r.table, s->cushion);
+  const double beyond = std::max(-s->diamonds, s->diamonds - all);
+  if (beyond > 0)
+    return fmt::format("{:.2f} diamonds beyond the {} end of the {} rail", beyond, s->diamonds < 0 ? first : last,
+                       cushion) +
+           angle;
+  return fmt::format("diamond {:.2f} of {} on the {} rail, counted from the {}", s->diamonds, all, cushion, first) +
+         angle;
+}
+
+std::string speed_words(const ShotRequest& r) {
+  constexpr double mile_an_hour = 0.44704;  // m/s
+  const double v = r.launch.speed, mph = v / mile_an_hour;
+  const auto lag = lag_speed(r);
+  return fmt::format("{}: {:.2f} m/s, {:.1f} mph", pace(mph), v, mph) +
+         (lag ? fmt::format(", {:.1f} times lag speed", v / *lag) : "");
+}
+
+std::string tip_words(const ShotRequest& r) {
+  const LaunchSpin& s = r.spin;
+  Tip tip = tip_of(is_straight(r.physics) ? LaunchSpin{.top = 1} : s, r.ball.body.radius);
+  std::string raised;
+  if (s.masse != 0) {
+    if (!(s.masse * s.side > 0)) return "no cue gives this spin: a ball curves towards the side that it is struck on";
+    const double cue = std::atan(s.masse / s.side);
+    raised = fmt::format(", the cue raised by {:.0f} degrees and seen along it", degrees(cue));
+    tip.up *= std::cos(cue);
+  }
+  std::string text;
+  if (tip.up != 0) text = side_words(tip.up, "above", "below") + " the centre";
+  if (tip.right != 0) text += (text.empty() ? "" : ", ") + side_words(tip.right, "to the right", "to the left");
+  if (text.empty()) text = "in the centre";
+  if (is_straight(r.physics)) return text + ", so that it rolls from the start";
+  if (may_miscue(s))
+    raised += fmt::format("; it may slip off, {:.0f} % of the radius from the centre, where half is the limit",
+                          100 * tip_of(s, 1).from_centre());
+  return text + raised;
+}
+
+std::string noise_words(const Noise& n) {
+  return fmt::format("{:.3g} degrees of aim and {:.3g} m/s of speed", degrees(n.angle), n.speed);
+}
+
+std::string title_words(const Puzzle& p, const Shot& shot) {
+  const Pocket* pocket = pocket_reached(p, shot);
+  const std::string to = pocket                   ? "into " + pocket->name
+                         : shot.arrival.speed > 0 ? "through the ring"
+                                                  : "to rest in the ring";
+  constexpr std::size_t most_named = 5;
+  if (shot.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.cushions.size(), to);
+  return (shot.cushions.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
+                                : "By " + cushion_names(p.table, shot.cushions) + " ") +
+         to;
+}
+
+std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
+  const ShotRequest r = as_request(p, shot);
+  std::vector<Row> rows{{"aim", aim_words(r, shot.cushions.empty() ? pocket_reached(p, shot) : nullptr)},
+                        {"speed", speed_words(r)}};
+  if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
+  rows.push_back({"cushions", shot.cushions.empty() ? "none" : cushion_names(p.table, shot.cushions)});
+  rows.push_back({"arrives", arrival_words(p, shot)});
+  if (shot.success)
+    rows.push_back({"chance", fmt::format("{:.0f} % for a player whose standard errors are {}", 100 * *shot.success,
+                                          noise_words(p.noise))});
+  if (shot.margin) {
+    rows.push_back({"margin", interval(shot.margin->angle, degrees(1), "degrees of aim")});
+    rows.push_back({"", interval(shot.margin->speed, 1, "m/s of speed")});
+  }
+  rows.push_back({"note", "0.1 degrees of aim moves the arrival by " +
+                              distance_words(norm(shot.by_angle) * radians(0.1), p.table)});
+  return rows;
+}
+
+}  // namespace bankshot

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "app/picture.hpp"
+
+#include <map>
+
+#if BANKSHOT_PNG
+#include <librsvg/rsvg.h>
+
+#include <cmath>
+#include <memory>
+#endif
+
+namespace bankshot::app {
+namespace {
+
+#if BANKSHOT_PNG
+constexpr double zoom = 2;  // pixels of the PNG for each of the SVG: sharp in print and on dense screens
+
+template <auto release>
+struct Releases {
+  template <class T>
+  void operator()(T* p) const {
+    release(p);
+  }
+};
+
+void write_png(const std::string& path, const std::string& svg) {
+  const auto* data = reinterpret_cast<const guint8*>(svg.data());
+  const std::unique_ptr<RsvgHandle, Releases<g_object_unref>> handle(
+      rsvg_handle_new_from_data(data, svg.size(), nullptr));
+  double width = 0, height = 0;
+  if (!handle || !rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height))
+    throw WriteError(path + ": librsvg cannot read the picture");
+  const std::unique_ptr<cairo_surface_t, Releases<cairo_surface_destroy>> surface(cairo_image_surface_create(
+      CAIRO_FORMAT_ARGB32, static_cast<int>(std::ceil(zoom * width)), static_cast<int>(std::ceil(zoom * height))));
+  const std::unique_ptr<cairo_t, Releases<cairo_destroy>> context(cairo_create(surface.get()));
+  const RsvgRectangle whole{0, 0, zoom * width, zoom * height};
+  if (!rsvg_handle_render_document(handle.get(), context.get(), &whole, nullptr))
+    throw WriteError(path + ": librsvg cannot draw the picture");
+  const cairo_status_t status = cairo_surface_write_to_png(surface.get(), path.c_str());
+  if (status != CAIRO_STATUS_SUCCESS) throw WriteError(path + ": cannot be written: " + cairo_status_to_string(status));
+}
+#else
+void write_png(const std::string& path, const std::string&) { throw WriteError(path + ": " + picture_name(path)); }
+#endif
+
+}  // namespace
+
+void write_picture(const std::string& path, const std::string& svg) {
+  path.ends_with(".png") ? write_png(path, svg) : write_file(path, svg);
+}
+
+std::string picture_name(const std::string& path) {
+#if !BANKSHOT_PNG
+  if (path.ends_with(".png")) return "this bankshot was built without librsvg (librsvg2-dev), which makes PNG";
+#endif
+  return file_name(path);
+}
+
+void add_theme_flag(CLI::App& command, Theme& theme) {
+  const std::map<std::string, Theme> names{{"light", Theme::light}, {"dark", Theme::dark}};
+  command.add_option("--theme", theme, "Colours of pictures: light (for paper) or dark")
+      ->transform(CLI::CheckedTransformer(names).description(""))
+      ->default_str("light");
+}
+
+void add_picture_flags(CLI::App& command, PictureFlags& flags) {
+  command.add_option("--svg", flags.svg, "Write a picture to this file")->check(file_name);
+  command.add_option("--png", flags.png, "The same as PNG, to a name that ends in .png")
+      ->check([](const std::string& path) {
+        return path.ends_with(".png") ? picture_name(path) : "\"" + path + "\" must end in .png";
+      });
+  add_theme_flag(command, flags.theme);
+}
+
+}  // namespace bankshot::app

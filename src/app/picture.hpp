@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Pictures to files, as SVG or, where librsvg was there at the build, as PNG; and the flags that ask for them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/files.hpp"
+#include "bankshot/draw/style.hpp"
+
+namespace bankshot::app {
+
+/// As PNG where the name ends so.
+void write_picture(const std::string& path, const std::string& svg);
+
+/// A check of a file's name: why no picture can go there, empty when one can.
+std::string picture_name(const std::string& path);
+
+struct PictureFlags {
+  std::string svg, png;
+  Theme theme = Theme::light;
+
+  /// `draw(theme)` makes the SVG text; it runs only when a picture is wanted.
+  template <class Draw>
+  void write(const Draw& draw) const {
+    if (svg.empty() && png.empty()) return;
+    const std::string text = draw(theme);
+    if (!svg.empty()) write_file(svg, text);
+    if (!png.empty()) write_picture(png, text);
+  }
+};
+
+void add_theme_flag(CLI::App& command, Theme& theme);
+void add_picture_flags(CLI::App& command, PictureFlags& flags);
+
+}  // namespace bankshot::app

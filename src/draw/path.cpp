@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "draw/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bankshot/geometry/boundary.hpp"
+
+namespace bankshot::drawing {
+namespace {
+
+/// Points along one arc: its ends, and points between where it bends.
+std::vector<Vec2d> outline(const Leg& leg, int pieces) {
+  if (!(std::abs(cross(leg.arc.velocity, leg.arc.acceleration)) > 1e-12)) pieces = 1;
+  std::vector<Vec2d> points;
+  for (int i = 0; i <= pieces; ++i) points.push_back(leg.arc.position(leg.duration * i / pieces));
+  return points;
+}
+
+/// The path from one bounce to the next, each a row of points.
+std::vector<std::vector<Vec2d>> stretches(const Trajectory& t) {
+  constexpr int pieces = 24;
+  std::vector<std::vector<Vec2d>> out{{t.events.front().state.at}};
+  auto bounce = t.events.begin();
+  for (const Leg& leg : t.legs) {
+    bool bounced = false;
+    for (; bounce != t.events.end() && bounce->time <= leg.begin; ++bounce)
+      bounced = bounced || bounce->kind == EventKind::cushion;
+    if (bounced) out.push_back({leg.start.at});
+    const std::vector<Vec2d> more = outline(leg, pieces);
+    out.back().insert(out.back().end(), more.begin() + 1, more.end());
+  }
+  return out;
+}
+
+/// A filled head whose tip is past the middle of a stretch, where there is room for one.
+void draw_head(Canvas& c, const std::vector<Vec2d>& stretch, const PathStyle& style) {
+  constexpr double place = 0.58, least_length = 11;  // part of the stretch; px
+  const double length = std::max(least_length, 5 * style.width), half_width = 0.36 * length, least = 3.5 * length;
+  double all = 0;
+  for (std::size_t i = 1; i < stretch.size(); ++i) all += norm(stretch[i] - stretch[i - 1]);
+  if (c.px(all) < least) return;
+  double left = place * all;
+  for (std::size_t i = 1; i < stretch.size(); ++i) {
+    const Vec2d step = stretch[i] - stretch[i - 1];
+    if (left > norm(step)) {
+      left -= norm(step);
+      continue;
+    }
+    const Vec2d u = Canvas::flipped(step) / norm(step), tip = c.at(stretch[i - 1] + step * (left / norm(step)));
+    const Vec2d back = tip - u * length, side = perpendicular(u) * half_width;
+    c.add(R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}z" fill="{}" fill-opacity="{}"/>)", tip.x, tip.y,
+          back.x + side.x, back.y + side.y, back.x - side.x, back.y - side.y, style.colour, style.opacity);
+    return;
+  }
+}
+
+/// Where a number stands that belongs to a bounce: on the rubber that the ball meets.
+Vec2d on_cushion(const Canvas& c, const Boundary& b, const Record& bounce) {
+  const Vec2d out = Canvas::flipped(-b.normal(bounce.contact, bounce.state.at));
+  return c.at(bounce.state.at) + out * (c.px(b.body.radius) + c.nose / 2);
+}
+
+/// Labels on cushions that would cover each other are moved along it.
+Vec2d apart(Vec2d at, std::vector<Vec2d>& taken, const Vec2d& along, double room) {
+  const auto covers = [&](const Vec2d& other) { return norm(other - at) < room; };
+  while (norm(along) > 0 && std::any_of(taken.begin(), taken.end(), covers)) at += along * (room / 2);
+  taken.push_back(at);
+  return at;
+}
+
+void draw_bounces(Canvas& c, const Ball& ball, const Trajectory& t, const PathStyle& style) {
+  constexpr std::size_t most = 60;  // more would hide the path
+  if (t.sequence().size() > most) return;
+  const Boundary boundary(c.table, ball.body);
+  std::vector<Vec2d> taken;
+  int number = 0;
+  for (const Record& e : t.events) {
+    if (e.kind != EventKind::cushion) continue;
+    c.circle(c.at(e.state.at), std::max(c.px(ball.body.radius), 3.0),
+             fmt::format(R"(fill="none" stroke="{}" stroke-width="1.2" stroke-opacity="0.75")", style.colour));
+    if (!style.numbers) continue;
+    constexpr double size = 14;
+    const Vec2d along = perpendicular(boundary.normal(e.contact, e.state.at));
+    const Vec2d at = apart(on_cushion(c, boundary, e), taken, Canvas::flipped(along), size);
+    c.words(at + Vec2d{0, 0.36 * size}, std::to_string(++number), {size, c.c.cushion_words, "middle", true});
+  }
+}
+
+}  // namespace
+
+void draw_path(Canvas& c, const Ball& ball, const Trajectory& t, const PathStyle& style) {
+  const auto parts = stretches(t);
+  std::vector<Vec2d> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin() + (all.empty() ? 0 : 1), part.end());
+  c.line(all, "polyline",
+         fmt::format(R"(fill="none" stroke="{}" stroke-width="{}" stroke-linejoin="round" stroke-linecap="round"{}{})",
+                     style.colour, style.width,
+                     style.opacity < 1 ? fmt::format(R"( stroke-opacity="{}")", style.opacity) : "",
+                     style.dashed ? R"( stroke-dasharray="9 6")" : ""));
+  constexpr std::size_t most_heads = 24;
+  if (parts.size() <= most_heads)
+    for (const auto& part : parts) draw_head(c, part, style);
+  if (style.ghosts) draw_bounces(c, ball, t, style);
+}
+
+double dot_step(const Trajectory& t) {
+  constexpr double most = 40;
+  double step = 0.5;
+  while (t.events.back().time > most * step) step *= 2;
+  return step;
+}
+
+void draw_dots(Canvas& c, const ShotRequest& shot, const Trajectory& t, std::string_view colour) {
+  const double step = dot_step(t);
+  std::size_t leg = 0;
+  for (int i = 1; i * step < t.events.back().time; ++i) {
+    while (leg + 1 < t.legs.size() && t.legs[leg + 1].begin <= i * step) ++leg;
+    const Vec2d at = c.at(state_at(shot, t.legs[leg], i * step - t.legs[leg].begin).at);
+    c.circle(at, 3.4, fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.8")", c.c.cloth, colour));
+  }
+}
+
+void draw_tag(Canvas& c, const Ball& ball, const Trajectory& t, int number, std::string_view colour) {
+  const auto bounce =
+      std::find_if(t.events.begin(), t.events.end(), [](const Record& e) { return e.kind == EventKind::cushion; });
+  const Vec2d at = bounce != t.events.end() ? on_cushion(c, Boundary(c.table, ball.body), *bounce)
+                                            : c.at((ball.at + t.events.back().state.at) * 0.5);
+  c.circle(at, 9, fmt::format(R"(fill="{}" stroke="{}")", colour, c.c.halo));
+  c.words(at + Vec2d{0, 4.4}, std::to_string(number), {12, c.c.halo, "middle", true});
+}
+
+void draw_band(Canvas& c, const Puzzle& p, const Shot& shot) {
+  if (!shot.margin || !shot.margin->angle[0] || !shot.margin->angle[1]) return;
+  const double low = *shot.margin->angle[0], high = *shot.margin->angle[1];
+  constexpr int strips = 8, pieces = 8;
+  // Opaque inside a group that is not: where strips overlap or meet nothing is seen of it.
+  c.add(R"(<g opacity="0.2" fill="{0}" stroke="{0}" stroke-width="0.6">)", c.c.band);
+  std::vector<Leg> before;
+  for (int i = 0; i <= strips; ++i) {
+    Shot edge = shot;
+    edge.launch.angle = wrap_angle(shot.launch.angle + low + (high - low) * i / strips);
+    const std::vector<Leg> legs = simulate(as_request(p, edge)).legs;
+    for (std::size_t k = 0; k < std::min(legs.size(), before.size()); ++k) {
+      std::vector<Vec2d> strip = outline(before[k], pieces), back = outline(legs[k], pieces);
+      strip.insert(strip.end(), back.rbegin(), back.rend());
+      c.line(strip, "polygon", "");
+    }
+    before = legs;
+  }
+  c.add("</g>");
+}
+
+void draw_aim(Canvas& c, const Vec2d& from, const Sight& aim) {
+  const Table& t = c.table;
+  const auto i = static_cast<std::size_t>(aim.cushion);
+  const Vec2d a = t.vertices[i], b = t.vertices[(i + 1) % t.vertices.size()];
+  const Vec2d out = Canvas::flipped(-perpendicular(b - a) / norm(b - a));
+  const Vec2d begin = c.at(from), u = (c.at(aim.at) - begin) / norm(c.at(aim.at) - begin);
+  // Diamonds are drawn elsewhere where their true place would be hidden.
+  const double shifted = t.is_rectangle() ? (c.sight - c.px(sight_distance(t))) / dot(u, out) : 0;
+  const Vec2d end = c.at(aim.at) + u * shifted;
+  c.add(
+      R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}" stroke="{}" stroke-width="1.6" stroke-dasharray="2 5" stroke-linecap="round"/>)",
+      begin.x, begin.y, end.x, end.y, c.c.aim);
+  c.circle(end, 4.5, fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.5")", c.c.aim, c.c.sight));
+  if (!t.is_rectangle()) return;
+  const double beyond = c.rail - c.sight + (out.y == 0 ? 20 : 12);
+  c.words(end + out * beyond + Vec2d{0, 5}, fmt::format("{:.2f}", aim.diamonds), {14, c.c.aim, "middle", true});
+}
+
+void draw_ball(Canvas& c, const Ball& ball, const Vec2d& at, double opacity, std::string_view edge) {
+  c.circle(c.at(at), std::max(c.px(ball.body.radius), 4.0),
+           fmt::format(R"(fill="{}" fill-opacity="{}" stroke="{}" stroke-width="1.3")", c.c.ball, opacity,
+                       edge.empty() ? c.c.ball_edge : edge));
+}
+
+}  // namespace bankshot::drawing

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "draw/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/geometry/boundary.hpp"
+
+namespace bankshot::drawing {
+namespace {
+
+/// Cushion `i`, from the left or from the bottom on a rectangle.
+struct Edge {
+  Vec2d from, to, out;  ///< out: unit, away from the table
+  Vec2d at(double part) const { return from + (to - from) * part; }
+};
+
+Edge edge(const Table& t, std::size_t i) {
+  const Vec2d a = t.vertices[i], b = t.vertices[(i + 1) % t.vertices.size()], out = -perpendicular(b - a) / norm(b - a);
+  const bool reversed = t.is_rectangle() && (b.x < a.x || b.y < a.y);
+  return reversed ? Edge{b, a, out} : Edge{a, b, out};
+}
+
+/// The direction in which a pocket leaves the table: away from the cushions that it cuts.
+Vec2d outward(const Table& t, const Pocket& p) {
+  Vec2d sum{};
+  for (std::size_t i = 0; i < t.vertices.size(); ++i) {
+    const Edge e = edge(t, i);
+    const Vec2d along = (e.to - e.from) / norm(e.to - e.from), to = p.at - e.from;
+    const double s = dot(to, along);
+    if (std::abs(dot(to, e.out)) < p.radius && s > -p.radius && s < norm(e.to - e.from) + p.radius) sum += e.out;
+  }
+  return norm(sum) > 0 ? sum / norm(sum) : sum;
+}
+
+double radius_px(const Canvas& c, const Pocket& p) { return std::max(c.px(p.radius), 3.0); }
+
+/// A pocket's hole, or with `grow` the leather round it: from the capture circle outwards into the rail.
+void draw_hole(Canvas& c, const Pocket& p, double grow, const char* colour) {
+  const Vec2d from = c.at(p.at), way = Canvas::flipped(outward(c.table, p)) * (0.75 * c.nose);
+  c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="{}" stroke-width="{:.1f}" stroke-linecap="round"/>)", from.x,
+        from.y, way.x, way.y + 0.01, colour, 2 * (radius_px(c, p) + grow));
+}
+
+bool under_pocket(const Canvas& c, const Vec2d& at) {
+  return std::any_of(c.table.pockets.begin(), c.table.pockets.end(),
+                     [&](const Pocket& p) { return norm(p.at - at) < p.radius; });
+}
+
+double turned_along(const Edge& e) {
+  const double turn = -degrees(std::atan2(e.to.y - e.from.y, e.to.x - e.from.x));
+  constexpr double upright = 89.5;  // such rails are read upwards, all of them
+  return turn > upright ? turn - 180 : turn < -upright - 1 ? turn + 180 : turn;
+}
+
+/// On the wood, between two diamonds where there are any, and not where the line of aim crosses it.
+void draw_name(Canvas& c, std::size_t i, const std::optional<Sight>& aim) {
+  const Edge e = edge(c.table, i);
+  const int spaces = c.table.is_rectangle() ? diamonds_along(c.table, static_cast<int>(i)) : 1;
+  double part = spaces == 1 ? 0.5 : (spaces / 2 + 0.5) / spaces;
+  if (aim && aim->cushion == static_cast<int>(i) && std::abs(aim->part - part) < 0.6 / spaces) part = 1 - part;
+  constexpr double size = 13, down = 0.35;  // of the size: from the middle of the letters to their line
+  const std::string& name = c.table.cushions[i];
+  if (width_of(name, size) > c.px(norm(e.to - e.from)) / spaces) return;
+  const double turn = turned_along(e);
+  const Vec2d line = Vec2d{-std::sin(radians(turn)), std::cos(radians(turn))} * (down * size);
+  c.words(c.at(e.at(part)) + Canvas::flipped(e.out) * ((c.nose + c.rail) / 2) + line, name,
+          {size, c.c.wood_words, "middle", false, turn});
+}
+
+void draw_diamonds(Canvas& c, std::size_t i, bool words, const std::optional<Sight>& aim) {
+  const Edge e = edge(c.table, i);
+  const int spaces = diamonds_along(c.table, static_cast<int>(i));
+  const Vec2d out = Canvas::flipped(e.out);
+  std::string shapes;
+  for (int k = 0; k <= spaces; ++k) {
+    const Vec2d p = e.at(static_cast<double>(k) / spaces);
+    if (under_pocket(c, p)) continue;
+    const Vec2d at = c.at(p) + out * c.sight;
+    if (k > 0 && k < spaces) shapes += fmt::format("M{:.1f} {:.1f}l4 5l-4 5l-4-5z", at.x, at.y - 5);
+    const bool aimed = aim && aim->cushion == static_cast<int>(i) && std::abs(aim->diamonds - k) < 0.4;
+    const Vec2d beside = at + out * (c.rail - c.sight + 12) + Vec2d{0, 4};
+    if (words && !aimed) c.words(beside, std::to_string(k), {12, c.c.faint, "middle"});
+  }
+  c.add(R"(<path d="{}" fill="{}"/>)", shapes, c.c.sight);
+}
+
+/// Gives way to the number where the line of aim ends.
+void draw_pocket_name(Canvas& c, const Pocket& p, const std::optional<Sight>& aim) {
+  const Vec2d out = Canvas::flipped(outward(c.table, p));
+  constexpr double room = 70;  // px, of the two
+  if (norm(out) == 0 || (aim && c.px(norm(aim->at - p.at)) < room)) return;
+  const bool corner = out.x != 0 && out.y != 0;
+  const Vec2d at = c.at(p.at) + (corner ? Vec2d{out.x > 0 ? c.rail : -c.rail, 0} : Vec2d{}) +
+                   Vec2d{0, out.y > 0 ? c.rail + 17 : -c.rail - 9};
+  c.words(at, p.name, {12, c.c.faint, !corner ? "middle" : out.x > 0 ? "end" : "start"});
+}
+
+}  // namespace
+
+void draw_holes(Canvas& c) {
+  for (const Pocket& p : c.table.pockets) draw_hole(c, p, 0, c.c.hole);
+}
+
+void draw_table(Canvas& c, bool words, const std::optional<Sight>& aim) {
+  const Table& t = c.table;
+  const auto outline = [&](double width, const char* colour, const char* join) {
+    c.line(
+        t.vertices, "polygon",
+        fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.1f}" stroke-linejoin="{}")", colour, 2 * width, join));
+  };
+  outline(c.rail, c.c.wood, "round");
+  for (const Pocket& p : t.pockets) draw_hole(c, p, 5, c.c.leather);
+  outline(c.nose, c.c.cushion, "miter");
+  c.line(t.vertices, "polygon", fmt::format(R"(fill="{}")", c.c.cloth));
+  for (std::size_t i = 0; i < t.vertices.size(); ++i) {
+    if (t.is_rectangle()) draw_diamonds(c, i, words, aim);
+    if (words) draw_name(c, i, aim);
+  }
+  draw_holes(c);
+  if (words)
+    for (const Pocket& p : t.pockets) draw_pocket_name(c, p, aim);
+}
+
+void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
+  const auto ring = [&](const Vec2d& at, double radius, double width) {
+    c.circle(at, radius, fmt::format(R"(fill="none" stroke="{}" stroke-width="{}")", c.c.halo, width + 3));
+    c.circle(at, radius, fmt::format(R"(fill="none" stroke="{}" stroke-width="{}")", c.c.target, width));
+  };
+  for (const Mark& mark : marks_of(p.target, Boundary(p.table, p.ball.body))) {
+    const Vec2d at = c.at(mark.at);
+    if (reached && reached->at != mark.at) continue;
+    if (mark.captures()) {
+      ring(at, std::max(c.px(mark.reach), 4.0) + 2, 3);
+      continue;
+    }
+    // What counts as there, as wide as it is, and a ring that is seen however narrow that is.
+    const double reach = c.px(mark.reach);
+    c.circle(at, reach, fmt::format(R"(fill="{0}" fill-opacity="0.3" stroke="{0}")", c.c.target));
+    ring(at, std::max(reach, c.px(p.ball.body.radius)) + 5, 2);
+    c.circle(at, 2.2, fmt::format(R"(fill="{}")", c.c.target));
+  }
+}
+
+}  // namespace bankshot::drawing
