@@ -81,3 +81,15 @@ TEST_CASE("the slip of a ball on a cushion turns across it, as its equations say
       CHECK(std::isfinite(t.length));
     }
 }
+
+TEST_CASE("a ball that leaves a corner along either cushion is held by it until it rolls") {
+  for (const auto& [aim, masse] :
+       {std::pair{0.0, 1.0}, std::pair{0.0, 0.2}, std::pair{90.0, -1.0}, std::pair{90.0, -0.2}}) {
+    INFO("aim " << aim << ", masse " << masse);
+    const ShotRequest shot = spin_shot({R, R}, 1, aim, {.masse = masse});
+    const Boundary boundary(shot.table, shot.ball.body);
+    const Trajectory t = simulate(shot);
+    CHECK(t.legs.size() > 20);  // pieces of 2 ms
+    for (const Leg& leg : t.legs) CHECK(boundary.clearance(leg.arc.position(leg.duration)) >= -boundary.touch);
+  }
+}

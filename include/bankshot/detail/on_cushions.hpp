@@ -49,6 +49,7 @@ class OnCushions {
   void leave() {
     on_[0] = held_[0];
     on_[1] = held_[1];
+    if (!on_[0]) std::swap(on_[0], on_[1]);  // the only one is the first
   }
 
   /// Remembers that the centre is on the contact.
