@@ -70,6 +70,7 @@ struct Findings {
   bool complete = false;            ///< every candidate there can be was tried
   bool proved = false;              ///< and nothing else can reach any part of the target
   bool rounding_decided = false;    ///< some path through a corner or along a line failed by rounding, perhaps
+  bool rivals_sought = false;       ///< on a map of wide cells
   bool plenty = false;              ///< with so many shots that no more were looked for
 
   /// Counts a failed candidate, and keeps it if it came nearest.

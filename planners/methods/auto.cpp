@@ -5,7 +5,6 @@
 // global search are for what is left, and are not run when the images proved that nothing is.
 // With spin images are only seeds: the steps of planners/steps follow, in the order of their numbers.
 #include <algorithm>
-#include <cstdlib>
 #include <vector>
 
 #include "planners/family/family.hpp"
@@ -18,13 +17,6 @@ namespace bankshot::planning::methods {
 namespace {
 
 using namespace settings::automatic;
-
-Spacing rival_cells(const Question&) {
-  const char* e = std::getenv("RIVAL");
-  const char* n = std::getenv("NARROW");
-  const double k = e ? std::atof(e) : 1;
-  return {.aim = rival.aim * k, .speed = rival.speed * k, .narrowest = n ? radians(std::atof(n)) : rival.narrowest};
-}
 
 /// A route by straight cushions unfolds to one line, so its image is its only shot.
 bool settled(const Question& q, const Ledger& ledger, const Findings& found) {
@@ -46,7 +38,9 @@ bool rivals_wanted(const Question& q, const Ledger& ledger, const Findings& foun
 }
 
 void rivals(const Question& q, Ledger& ledger, Findings& found) {
-  if (rivals_wanted(q, ledger, found)) steps::map(q.better_than(best_of(q, found)), ledger, found, rival_cells(q));
+  if (!rivals_wanted(q, ledger, found)) return;
+  found.rivals_sought = true;
+  steps::map(q.better_than(best_of(q, found)), ledger, found, rival);
 }
 
 /// One arrival speed aimed for, or one launch speed.
@@ -124,10 +118,11 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
     follow(starts, steps::word::images);
   }
   for (const Question& sample : samples) {
-    const bool rival = rivals_wanted(q, ledger, found) && &sample == &samples.front();
-    if (!q.all() && !rival) break;
+    const bool better = rivals_wanted(q, ledger, found) && &sample == &samples.front();
+    if (!q.all() && !better) break;
+    found.rivals_sought = better;
     Findings starts;
-    steps::map(sample, ledger, starts, q.all() ? steps::usual_spacing(q) : rival_cells(q));
+    steps::map(sample, ledger, starts, q.all() ? steps::usual_spacing(q) : rival);
     follow(starts, steps::word::map);
   }
 }

@@ -73,6 +73,7 @@ struct SlideRollOf {
   void finish(const Body& body, State<T>& s, const Arc<T>& arc) const {
     if (arc.end == PhaseEnd::piece) return;
     if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
+    if (arc.bends && value(dot(arc.taken, arc.taken)) > Real<T>(0)) slow_to_roll(body, s, arc.taken);
     set_rolling(body, s);
   }
 
@@ -84,6 +85,14 @@ struct SlideRollOf {
   C deceleration() const { return rolling_friction.at_rest * g; }
 
  private:
+  /// What is left of a slip that turned (held.hpp) still takes its share, 2/7, of the speed along the cushion, which
+  /// took the rest across it: without that the last of the slip would come back as energy.
+  template <class T>
+  static void slow_to_roll(const Body& body, State<T>& s, const Vec2<T>& across) {
+    const Vec2<T> u = slip(body, s);
+    const T part = dot(u, across) / dot(across, across), share(Real<T>(2) / Real<T>(7));
+    s.velocity -= (u - across * part) * share;
+  }
   template <class T>
   static void set_rolling(const Body& body, State<T>& s) {
     s.spin.x = -s.velocity.y / Real<T>(body.radius);
