@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "app/clock.hpp"
+#include "app/gzip.hpp"
 #include "app/interrupt.hpp"
 #include "bankshot/plan/batch.hpp"
 #include "bankshot/scene/json.hpp"
@@ -48,7 +49,7 @@ struct Parsed {
 };
 
 std::string answer_to_bad(std::string_view line, const InvalidInput& e) {
-  return to_json(invalid_answer(read_id(line), e));
+  return to_json(invalid_answer(read_id(line), e, read_about(line)));
 }
 
 Parsed parse(const Lines& lines, const solve::SolveFlags& flags) {
@@ -101,7 +102,7 @@ void work(Chunk& c, const solve::SolveFlags& flags, bool gzip, bool measure) {
       c.out += bad ? parsed.bad[i] : to_json(*a);
       c.tally.add_invalid(c.in.after.lines - static_cast<long>(parsed.bad.size() - i) + 1);
     } else {
-      c.out += to_json(parsed.puzzles[next], *a, !flags.no_timing);
+      c.out += to_json(parsed.puzzles[next], *a, !flags.no_timing, flags.path);
       c.tally.add(parsed.puzzles[next], *a);
     }
     c.out += '\n';
@@ -173,7 +174,7 @@ void run_pipeline(Batch& b) {
 std::string answer_line(std::string_view line, const solve::SolveFlags& flags) {
   try {
     const Puzzle puzzle = flags.read(line);
-    return to_json(puzzle, bankshot::solve(puzzle, flags.solve_options()), !flags.no_timing);
+    return to_json(puzzle, bankshot::solve(puzzle, flags.solve_options()), !flags.no_timing, flags.path);
   } catch (const InvalidInput& e) {
     return answer_to_bad(line, e);
   }
