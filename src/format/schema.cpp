@@ -7,7 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "bankshot/scene/table.hpp"
 #include "format/objects.hpp"
+#include "format/puzzle_keys.hpp"
 #include "json/document.hpp"
 
 namespace bankshot::format {
@@ -112,6 +114,19 @@ std::string row(const Key& key) {
                      fallback, key.example, key.meaning);
 }
 
+/// The tables that have a name.
+std::string presets() {
+  std::string out =
+      "### tables\n\n| name | length × width, m | mouth of a corner, middle pocket, m | radius, m, and mass, kg, of "
+      "the "
+      "ball | height of the noses, m |\n|---|---|---|---|---|\n";
+  for (const TablePreset& t : table_presets())
+    out += fmt::format("| `{}` | {} × {} | {} | {}, {} | {:.4g} |\n", t.name, t.length, t.width,
+                       t.mouth ? fmt::format("{}, {}", t.mouth->corner, t.mouth->middle) : "no pockets", t.body.radius,
+                       t.body.mass, t.nose());
+  return out + "\n";
+}
+
 }  // namespace
 
 std::span<const std::string_view> documents() {
@@ -138,7 +153,7 @@ std::string markdown(std::string_view document) {
       if (key.type != later) out += row(key);
     out += "\n";
   }
-  return out;
+  return document == puzzle.name ? out + presets() : out;
 }
 
 }  // namespace bankshot::format

@@ -20,8 +20,11 @@ const std::vector<std::string> commands{"solve", "simulate", "batch",  "verify",
                                         "book",  "report",   "schema", "help",   "man",      "completion"};
 
 /// Runs lines in a folder of their own that holds the files they speak of, and `bankshot` as a command.
+/// `puzzle.json` is the one of three lines in docs/format.md.
 Run type(const std::string& lines) {
-  const std::string puzzle = read_repository_file("examples/puzzles/two-cushion-bank.json");
+  const std::string text = read_repository_file("docs/format.md"), begin = "```json\n";
+  const std::size_t at = text.find(begin) + begin.size();
+  const std::string puzzle = text.substr(at, text.find("```", at) - at);
   return run_shell(R"(set -e; folder=$(mktemp -d); trap 'rm -rf "$folder"' EXIT; cd "$folder"
 printf '#!/bin/sh\nexec %s "$@"\n' PROGRAM >bankshot; chmod +x bankshot; PATH=$folder:$PATH
 cat >puzzle.json; tr -d '\n' <puzzle.json >puzzles.jsonl; echo >>puzzles.jsonl

@@ -80,6 +80,8 @@ for path in sorted(p for folder in folders for p in folder.rglob("*.jsonl")):
 text = (args.repository / "docs/format.md").read_text()
 documents += [json.loads(block) for block in re.findall(r"```json\n(.*?)```", text, re.S)]
 puzzles = [d for d in documents if "target" in d and "table" in d]
+for physics in "ideal", "rolling", "spin":
+    puzzles += jsonl(run("generate", "--count", "20", "--seed", "1", "--physics", physics))
 shots = [d for d in documents if "shot" in d and "table" in d]
 for document in shots:
     document.pop("expect", None)  # a test's own
@@ -146,7 +148,7 @@ for mutant, verdict in zip(mutants, verdicts):
     counts["both refuse it" if errors else "the program alone refuses it" if refused else "both take it"] += 1
     if refused and not errors:
         reason = verdict["error"]["reason"]
-        known = ("lower end first", "span at most", "must lie between", "inside the table", "too fast", "per_speed is", "min", "pair", "cannot be reached")
+        known = ("friction · g", "lower end first", "span at most", "must lie between", "inside the table", "too fast", "per_speed is", "min", "pair", "cannot be reached")
         if of_form.search(reason) and not any(k in reason for k in known):
             print(f"the program alone: {verdict['error']['path']}: {reason}")
             if verdict["error"]["path"].split("/")[-1] not in ("max", "radius", "spin", "speed", "mass", "at_rest"):
