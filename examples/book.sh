@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Writes examples/puzzles/book.jsonl: 100 puzzles of rising difficulty, 30 easy, 30 medium, 30 hard and 10
 # with exactly one shot, each part from the surest shot to the least. Every choice is a line below; the
-# page is drawn by examples/puzzle_book.cpp.
+# page is drawn by `bankshot book`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bankshot=${BANKSHOT:-build/release/bankshot}

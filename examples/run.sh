@@ -22,5 +22,5 @@ done
 echo "== where the two-cushion bank can be played from"
 "$bin/bankshot" map examples/puzzles/two-cushion-bank.json --grid 40 20 -o examples/figures/two-cushion-map.svg
 echo "== the puzzle book"
-"$bin/examples/puzzle_book" examples/puzzles/book.jsonl examples/figures/book.svg
+"$bin/bankshot" book examples/puzzles/book.jsonl -o examples/figures/book.svg
 echo "Pictures: examples/figures/*.svg"

@@ -16,9 +16,10 @@ Answer solve_one(const Puzzle& puzzle, const SolveOptions& options) {
   try {
     return solve(puzzle, options);
   } catch (const InvalidInput& e) {
-    return invalid_answer(puzzle.id, e);
+    return invalid_answer(puzzle.id, e, puzzle.about);
   } catch (const std::exception& e) {
-    return invalid_answer(puzzle.id, InvalidInput("", std::string("this puzzle could not be worked on: ") + e.what()));
+    return invalid_answer(puzzle.id, InvalidInput("", std::string("this puzzle could not be worked on: ") + e.what()),
+                          puzzle.about);
   }
 }
 

@@ -61,7 +61,7 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
 
 /// Margins, order and words of what a search found.
 Answer finish(const Question& q, const Ledger& ledger, Findings& found, const SolveOptions& options, double time_us) {
-  Answer a{.id = q.puzzle.id};
+  Answer a{.id = q.puzzle.id, .about = q.puzzle.about};
   a.simulations = ledger.simulations();
   a.time_us = time_us;
   a.cost.certify_us = ledger.proof_us;

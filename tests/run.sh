@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/packages.sh
-need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium
+need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium python3-jsonschema jq
 preset=${1:-release}
 case $preset in *clang | fuzz) need clang ;; esac
 [ $# -gt 0 ] && shift

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer/answer_path.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/tip.hpp"
@@ -36,7 +37,7 @@ void write_path(JsonWriter& w, const Puzzle& p, const Shot& shot) {
 }
 
 /// `why` is the reason of a nearest miss; none for a shot.
-void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, const std::string* why = nullptr) {
+void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, const std::string* why = nullptr) {
   // Without the physics `spin` the ball rolls from the start: natural roll, hit 2/5 R above centre.
   const LaunchSpin spin = is_straight(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
   w.open('{');
@@ -67,6 +68,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, const std::str
     w.close('}');
   }
   if (shot.success) w.number("success", *shot.success);
+  if (path) write_points(w, p, shot);
   w.string("planner", shot.planner);
   w.integer("simulations", shot.simulations);
   if (why) w.string("why", *why);
@@ -80,6 +82,12 @@ void write_head(JsonWriter& w, const Answer& a) {
   w.string("status", name(a.status));
   w.key("shots");
   w.open('[');
+}
+
+void write_tail(JsonWriter& w, const Answer& a) {
+  w.string("message", a.message);
+  if (!a.about.empty()) w.key("about"), w.raw(a.about);
+  w.close('}');
 }
 
 }  // namespace
@@ -98,28 +106,27 @@ const char* name(Status status) {
   return "invalid";
 }
 
-Answer invalid_answer(std::string id, const InvalidInput& error) {
-  Answer a{.id = std::move(id), .status = Status::invalid};
+Answer invalid_answer(std::string id, const InvalidInput& error, std::string about) {
+  Answer a{.id = std::move(id), .about = std::move(about), .status = Status::invalid};
   a.error = {error.path, error.line ? "line " + std::to_string(error.line) + ": " + error.what() : error.what()};
   a.message = a.error->path.empty() ? a.error->reason : a.error->path + ": " + a.error->reason;
   return a;
 }
 
-std::string to_json(const Puzzle& puzzle, const Answer& a, bool timing) {
+std::string to_json(const Puzzle& puzzle, const Answer& a, bool timing, bool path) {
   JsonWriter w;
   write_head(w, a);
-  for (const Shot& s : a.shots) write_shot(w, puzzle, s);
+  for (const Shot& s : a.shots) write_shot(w, puzzle, s, path);
   w.close(']');
   w.key("nearest");
-  a.nearest ? write_shot(w, puzzle, a.nearest->shot, &a.nearest->why) : w.null();
+  a.nearest ? write_shot(w, puzzle, a.nearest->shot, false, &a.nearest->why) : w.null();
   w.key("modelled");
   w.open('[');
   for (const std::string& m : a.modelled) w.string(m);
   w.close(']');
   w.integer("simulations", a.simulations);
   if (timing) w.number("time_us", a.time_us);
-  w.string("message", a.message);
-  w.close('}');
+  write_tail(w, a);
   return w.take();
 }
 
@@ -136,8 +143,7 @@ std::string to_json(const Answer& a) {
     w.string("reason", a.error->reason);
     w.close('}');
   }
-  w.string("message", a.message);
-  w.close('}');
+  write_tail(w, a);
   return w.take();
 }
 

@@ -5,21 +5,17 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/json.hpp"
+#include "format/answer_keys.hpp"
 #include "json/reader.hpp"
 
 namespace bankshot {
 namespace {
 
-constexpr std::string_view answer_keys[] = {"id",          "status",  "shots",   "nearest", "modelled",
-                                            "simulations", "time_us", "message", "error"};
-constexpr std::string_view shot_keys[] = {"speed",      "angle",   "spin",        "tip",    "cushions", "miss",
-                                          "off_centre", "arrival", "condition",   "margin", "digits",   "pocket",
-                                          "success",    "planner", "simulations", "why"};
-
-void note_unread(const Json& object, std::span<const std::string_view> known, std::set<std::string>* unread) {
+void note_unread(const Json& object, const format::Object& known, std::set<std::string>* unread) {
   if (!unread) return;
-  for (const auto& [key, value] : object.items())
-    if (std::find(known.begin(), known.end(), key) == known.end()) unread->insert(key);
+  for (auto member = object.begin(); member != object.end(); ++member)
+    if (std::none_of(known.keys.begin(), known.keys.end(), [&](const auto& key) { return key.name == member.key(); }))
+      unread->insert(member.key());
 }
 
 std::vector<Contact> read_contacts(const Reader& r, const Table& table) {
@@ -79,25 +75,22 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   return s;
 }
 
-Status read_status(const Reader& r) {
-  constexpr std::array<std::string_view, 4> words{"solved", "no-shot", "budget", "invalid"};
-  return static_cast<Status>(r.word("status", words));
-}
+Status read_status(const Reader& r) { return static_cast<Status>(r.word("status", format::statuses)); }
 
 }  // namespace
 
 Answer read_answer(std::string_view text, const Puzzle* puzzle, std::set<std::string>* unread) {
   const Json json = parse_document(text);
   const Reader doc(json);
-  Answer a{.id = read_id(text), .status = read_status(doc.need("status"))};
-  note_unread(json, answer_keys, unread);
+  Answer a{.id = read_id(text), .about = read_about(text), .status = read_status(doc.need("status"))};
+  note_unread(json, format::answer, unread);
   const auto shots = doc.need("shots").items();
   a.message = doc.need("message").text();
   if (const auto e = doc.find("error")) a.error = {e->need("path").text(), e->need("reason").text()};
   if (!puzzle) return a;
   for (std::size_t i = 0; i < shots.size(); ++i) {
     a.shots.push_back(read_shot(shots[i], *puzzle));
-    note_unread(json["shots"][i], shot_keys, unread);
+    note_unread(json["shots"][i], format::answer_shot, unread);
   }
   if (const auto n = doc.find("nearest"); n && !n->is_null())
     a.nearest = Answer::Nearest{read_shot(*n, *puzzle), n->need("why").text()};

@@ -10,6 +10,15 @@ namespace bankshot::app {
 
 using Run = std::function<int()>;
 
+/// A line to type, and what it does.
+struct Example {
+  std::string line, what;
+};
+
+/// What stands under the options of `--help`, and in the manual page (manual/man.cpp, which knows its headings).
+void explain(CLI::App& command, const std::string& text, const std::vector<Example>& examples,
+             const std::string& exit_codes);
+
 // A folder and a namespace a command.
 namespace solve {
 Run add(CLI::App& app);
@@ -32,5 +41,17 @@ Run add(CLI::App& app);
 namespace report {
 Run add(CLI::App& app);
 }
+namespace book {
+Run add(CLI::App& app);
+}
+namespace schema {
+Run add(CLI::App& app);
+}
+// Written from the command line's own definitions.
+namespace manual {
+Run add_help(CLI::App& app);
+Run add_man(CLI::App& app);
+Run add_completion(CLI::App& app);
+}  // namespace manual
 
 }  // namespace bankshot::app

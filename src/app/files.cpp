@@ -7,24 +7,21 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <iterator>
-#include <sstream>
+
+#include "app/gzip.hpp"
 
 namespace bankshot::app {
 
 std::string read_file(const std::string& path) {
-  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;  // unlike an iterator, it turns a failure (a folder) into a flag
-  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-  if (!in.is_open() || in.bad() || text.bad())
-    throw FileError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  return text.str();
+  ByteReader in(path);
+  std::string text;
+  for (std::string_view piece; !(piece = in.next()).empty();) text += piece;
+  return text;
 }
 
 void write_file(const std::string& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
+  out << (is_packed(path) ? gzipped(text) : text) << std::flush;
   if (!out) throw WriteError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
 }
 
@@ -33,9 +30,22 @@ void print(const std::string& text) {
   if (!std::cout) throw FileError("standard output: cannot be written");
 }
 
+void write(const std::string& path, const std::string& text) {
+  if (path == "-") return print(text);
+  write_file(path, text);
+}
+
 std::string file_name(const std::string& text) {
   if (text == "-") return "\"-\" is standard output, which carries the answer; name a file";
+  return file_or_output(text);
+}
+
+std::string file_or_output(const std::string& text) {
   return text.starts_with("--") ? "\"" + text + "\" is an option, not a file" : "";
+}
+
+void output_is_free(const std::string& csv, bool json) {
+  if (csv == "-" && json) throw FileError("--csv - and --json both go to standard output; name a file for one");
 }
 
 std::string whole_number(const std::string& text) {

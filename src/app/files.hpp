@@ -25,11 +25,13 @@ class WriteError : public FileError {
   using FileError::FileError;
 };
 
-/// The whole file, or standard input for "-".
+/// The whole file, or standard input for "-". A name that ends in .gz is a packed file, here and in write_file.
 std::string read_file(const std::string& path);
 void write_file(const std::string& path, const std::string& text);
 /// To standard output; a failure to write is an error, not silence.
 void print(const std::string& text);
+/// To a file, or to standard output for "-".
+void write(const std::string& path, const std::string& text);
 
 /// Files first, then the text: a pipe that closes loses no file, and a file that cannot be written loses no text.
 template <class Write>
@@ -46,6 +48,10 @@ void print_after(const Write& write, const std::string& text) {
 /// A check of an option's value: why it cannot be a file to write, empty when it can. "--svg --json"
 /// would write a file of that name, and standard output carries the answer.
 std::string file_name(const std::string& text);
+/// The same where "-" may take the text's place.
+std::string file_or_output(const std::string& text);
+/// Throws FileError where a table goes to standard output and JSON was asked there as well.
+void output_is_free(const std::string& csv, bool json);
 
 /// The same for a whole number, at least 0; CLI11's own check prints its bounds with 309 digits.
 std::string whole_number(const std::string& text);

@@ -60,7 +60,7 @@ std::string picture_name(const std::string& path) {
 void add_theme_flag(CLI::App& command, Theme& theme) {
   const std::map<std::string, Theme> names{{"light", Theme::light}, {"dark", Theme::dark}};
   command.add_option("--theme", theme, "Colours of pictures: light (for paper) or dark")
-      ->transform(CLI::CheckedTransformer(names).description(""))
+      ->transform(CLI::CheckedTransformer(names).description("{light,dark}"))
       ->default_str("light");
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace bankshot {
@@ -62,10 +63,14 @@ double Reader::at_least(double low) const {
   return v;
 }
 
-double Reader::between(double low, double high) const {
-  const double v = number();
-  if (!(v >= low && v <= high)) fail(fmt::format("must be between {} and {}", low, high));
-  return v;
+double Reader::number(const format::Bounds& b) const {
+  if (std::isfinite(b.high)) {
+    const double v = number();
+    if (!(v >= b.low && v <= b.high)) fail(fmt::format("must be between {} and {}", b.low, b.high));
+    return v;
+  }
+  if (b.open) return positive();
+  return std::isfinite(b.low) ? at_least(b.low) : number();
 }
 
 int Reader::integer(int low, int high) const {
@@ -73,6 +78,10 @@ int Reader::integer(int low, int high) const {
   if (v != std::floor(v)) fail("must be a whole number");
   if (v < low || v > high) fail(fmt::format("must be between {} and {}", low, high));
   return static_cast<int>(v);
+}
+
+int Reader::integer(const format::Bounds& b) const {
+  return integer(static_cast<int>(b.low), static_cast<int>(b.high));
 }
 
 long Reader::count() const {
@@ -133,15 +142,33 @@ Reader Reader::need(const std::string& key) const {
   throw InvalidInput(path_ + "/" + key, "this key is required");
 }
 
-void Reader::only(std::initializer_list<std::string_view> known) const {
-  if (!is_object()) fail(fmt::format("must be an object with these keys: {}", fmt::join(known, ", ")));
-  for (const auto& [key, value] : value_->items())
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
-      const std::span<const std::string_view> words{known.begin(), known.size()};
-      const std::string near = suggestion(key, words);
-      throw InvalidInput(path_ + "/" + quote_key(key),
-                         "this key is unknown" + (near.empty() ? known_words(key, words) : near));
-    }
+void Reader::only(const format::Object& object) const {
+  const auto supported = [&] {
+    std::vector<std::string_view> names;
+    for (const format::Key& key : object.keys)
+      if (key.type != format::later) names.push_back(key.name);
+    return names;
+  };
+  const auto stands_in = [](std::string_view name, std::span<const format::Key> keys) {
+    return std::find_if(keys.begin(), keys.end(), [&](const format::Key& key) { return key.name == name; });
+  };
+  if (!is_object()) fail(fmt::format("must be an object with these keys: {}", fmt::join(supported(), ", ")));
+  for (const auto& [key, value] : value_->items()) {
+    const auto known = stands_in(key, object.keys);
+    if (known != object.keys.end() && known->type != format::later) continue;
+    if (known != object.keys.end()) Reader(value, path_ + "/" + key).fail("is not supported yet");
+    if (stands_in(key, object.unread) != object.unread.end()) continue;
+    const std::vector<std::string_view> words = supported();
+    const std::string near = suggestion(key, words);
+    throw InvalidInput(path_ + "/" + quote_key(key),
+                       "this key is unknown" + (near.empty() ? known_words(key, words) : near));
+  }
+}
+
+double Reader::need(const format::Key& key) const { return need(std::string(key.name)).number(key.bounds); }
+
+void Reader::read(const format::Key& key, double& value) const {
+  if (const auto v = find(std::string(key.name))) value = v->number(key.bounds);
 }
 
 }  // namespace bankshot

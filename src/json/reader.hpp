@@ -4,7 +4,6 @@
 // rule. Private to the readers.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "bankshot/scene/puzzle.hpp"
+#include "format/key.hpp"
 #include "json/document.hpp"
 
 namespace bankshot {
@@ -31,9 +31,10 @@ class Reader {
   double number() const;
   double positive() const;
   double at_least(double low) const;
-  double between(double low, double high) const;
+  double number(const format::Bounds& bounds) const;
   int integer(int low, int high) const;
-  long count() const;  ///< a whole number, at least 0
+  int integer(const format::Bounds& bounds) const;  ///< of a key whose numbers are whole
+  long count() const;                               ///< a whole number, at least 0
   bool boolean() const;
   std::string text() const;
   Vec2d point() const;
@@ -47,8 +48,12 @@ class Reader {
   /// A member of an object; `find` gives none where it is missing, `need` complains.
   std::optional<Reader> find(const std::string& key) const;
   Reader need(const std::string& key) const;
-  /// Complains about any key but these, naming the nearest one.
-  void only(std::initializer_list<std::string_view> known) const;
+  /// Complains about any key but those of the object, naming the nearest one.
+  void only(const format::Object& object) const;
+  /// The number of a key that is required.
+  double need(const format::Key& key) const;
+  /// Sets `value` where a number is given for this key.
+  void read(const format::Key& key, double& value) const;
 
  private:
   const Json* value_;

@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "format/shot_keys.hpp"
 #include "json/reader.hpp"
+#include "scene/read_physics.hpp"
 #include "scene/read_table.hpp"
 
 namespace bankshot {
@@ -16,28 +17,25 @@ namespace {
 
 Ball read_ball(const Reader& scene, Ball ball) {
   const Reader r = scene.need("ball");
-  r.only({"at", "radius", "mass", "spin"});
+  r.only(format::ball);
   ball.at = r.need("at").point();
-  if (const auto v = r.find("radius")) ball.body.radius = v->at_least(0);
-  if (const auto v = r.find("mass")) ball.body.mass = v->positive();
+  r.read(format::ball["radius"], ball.body.radius);
+  r.read(format::ball["mass"], ball.body.mass);
   return ball;
 }
 
 LaunchSpin read_spin(const Reader& r) {
-  r.only({"top", "side", "masse"});
+  r.only(format::launch_spin);
   LaunchSpin spin;
-  const auto read = [&](const char* key, double& value) {
-    if (const auto v = r.find(key)) value = v->number();
-  };
-  read("top", spin.top);
-  read("side", spin.side);
-  read("masse", spin.masse);
+  r.read(format::launch_spin["top"], spin.top);
+  r.read(format::launch_spin["side"], spin.side);
+  r.read(format::launch_spin["masse"], spin.masse);
   return spin;
 }
 
 /// None when every spin is one number.
 std::optional<SpinRange> read_spin_range(const Reader& r) {
-  r.only({"top", "side", "masse"});
+  r.only(format::spins);
   SpinRange range;
   bool any = false;
   const auto read = [&](const char* key, Range& value) {
@@ -62,94 +60,16 @@ LaunchSpin read_spin(const Reader& r, const Physics& physics, bool printed) {
   r.fail("needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
 }
 
-Restitution read_restitution(const Reader& r) {
-  if (!r.is_object()) return r.between(0, 1);
-  r.only({"at_rest", "per_speed"});
-  return {r.need("at_rest").between(0, 1), r.need("per_speed").number()};
-}
-
-RollingFriction read_rolling_friction(const Reader& r) {
-  if (!r.is_object()) return r.at_least(0);
-  r.only({"at_rest", "per_speed"});
-  const RollingFriction f{r.need("at_rest").at_least(0), r.need("per_speed").at_least(0)};
-  if (f.per_speed > 0 && f.at_rest == 0)
-    r.need("at_rest").fail("must be greater than 0 where per_speed is: else the ball never comes to rest");
-  return f;
-}
-
-/// `sliding_friction` of the cloth acts in mathavan2010 also during the impact.
-decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
-  constexpr std::array<std::string_view, 3> models{"han2005", "mathavan2010", "mirror"};
-  r.only({"model", "restitution", "friction", "height"});
-  std::size_t which = 0;
-  if (const auto v = r.find("model")) which = v->word("cushion model", models);
-  if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
-  if (const auto v = r.find("friction")) han.friction = v->at_least(0);
-  if (const auto v = r.find("height")) han.height = v->number();
-  if (which == 2) return Mirror{han.restitution};
-  if (which == 1)
-    return Mathavan2010{.height = han.height,
-                        .restitution = han.restitution,
-                        .friction = han.friction,
-                        .sliding_friction = sliding_friction};
-  return han;
-}
-
-Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body) {
-  const TablePreset* preset = table.is_string() ? find_table_preset(table.text()) : nullptr;
-  Physics p = spin_physics(body, preset ? std::optional(preset->nose()) : std::nullopt);
-  SlideRoll& motion = std::get<SlideRoll>(p.motion);
-  Han2005& cushion = std::get<Han2005>(p.cushion);
-  if (!r) return p;
-  r->only({"model", "sliding_friction", "rolling_friction", "spinning_friction", "cushion", "ball_ball", "g"});
-  if (const auto v = r->find("ball_ball")) v->fail("is not supported yet");
-  if (const auto v = r->find("sliding_friction")) motion.sliding_friction = v->at_least(0);
-  if (const auto v = r->find("rolling_friction")) motion.rolling_friction = read_rolling_friction(*v);
-  if (const auto v = r->find("spinning_friction")) motion.spinning_friction = v->at_least(0);
-  if (const auto v = r->find("g")) motion.g = v->positive();
-  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion, motion.sliding_friction);
-  return p;
-}
-
-Physics read_physics(const Reader& scene, const Ball& ball) {
-  const auto r = scene.find("physics");
-  const Reader table = scene.need("table");
-  constexpr std::array<std::string_view, 3> presets{"ideal", "rolling", "spin"};
-  if (r && !r->is_string() && !r->is_object()) r->fail("must be the name of a physics or an object");
-  const Reader* overrides = r && r->is_object() ? &*r : nullptr;
-  const Reader model = !r ? scene : r->is_string() ? *r : r->need("model");
-  const std::size_t which = r ? model.word("physics", presets) : 2;
-  if (which == 2) {
-    if (ball.body.radius == 0)
-      throw InvalidInput("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
-    return read_spin_physics(overrides, table, ball.body);
-  }
-  if (which == 0) {
-    if (overrides) r->only({"model"});
-    return {Ideal{}, Mirror{1.0}};
-  }
-  Rolling rolling;
-  Mirror mirror;
-  if (overrides) {
-    r->only({"model", "friction", "restitution", "g"});
-    if (const auto v = r->find("friction")) rolling.friction = v->at_least(0);
-    if (const auto v = r->find("restitution")) mirror.restitution = v->between(0, 1);
-    if (const auto v = r->find("g")) rolling.g = v->positive();
-  }
-  return {rolling, mirror};
-}
-
 Target read_target(const Reader& r, const Table& table) {
-  if (r.find("ball")) r.find("ball")->fail("is not supported yet");
   if (const auto point = r.find("point")) {
-    r.only({"point", "within"});
+    r.only(format::to_point);
     PointTarget t{point->point()};
-    if (const auto w = r.find("within")) t.within = w->positive();
+    r.read(format::to_point["within"], t.within);
     return t;
   }
-  r.only({"pocket", "point", "ball"});
+  r.only(format::to_pocket);
   const auto pocket = r.find("pocket");
-  if (!pocket) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\"");
+  if (!pocket) r.fail("must have one of the keys \"point\", \"pocket\"");
   if (table.pockets.empty()) pocket->fail("cannot be reached: this table has no pockets");
   std::vector<std::string_view> names{"any"};
   for (const Pocket& p : table.pockets) names.push_back(p.name);
@@ -159,11 +79,11 @@ Target read_target(const Reader& r, const Table& table) {
 }
 
 CushionRule read_cushions(const Reader& r, const Table& table) {
-  if (r.is_number()) return CushionRule::exactly(r.integer(0, max_cushions));
+  if (r.is_number()) return CushionRule::exactly(r.integer(format::puzzle["cushions"].bounds));
   if (r.is_object()) {
-    r.only({"min", "max"});
+    r.only(format::count);
     CushionRule rule;
-    if (const auto v = r.find("min")) rule.min = v->integer(0, max_cushions);
+    if (const auto v = r.find("min")) rule.min = v->integer(format::count["min"].bounds);
     rule.max = std::max(rule.max, rule.min);
     if (const auto v = r.find("max")) rule.max = v->integer(rule.min, max_cushions);
     return rule;
@@ -181,7 +101,8 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
 
 Range read_angle(const Reader& r) {
   if (!r.is_array() || r.size() != 2) r.fail("must be a pair of degrees [from, to]");
-  double from = r.items()[0].between(-720, 720), to = r.items()[1].between(-720, 720);
+  constexpr format::Bounds bounds = format::puzzle["angle"].bounds;
+  double from = r.items()[0].number(bounds), to = r.items()[1].number(bounds);
   constexpr double turn = 360, rounding = 1e-9;
   if (to - from > turn + rounding) r.fail("must span at most 360 degrees");
   const auto rotate = [&](double by) { from += by, to += by; };
@@ -192,10 +113,10 @@ Range read_angle(const Reader& r) {
 }
 
 Noise read_noise(const Reader& r) {
-  r.only({"angle", "speed"});
+  r.only(format::noise);
   Noise n;
-  if (const auto v = r.find("angle")) n.angle = radians(v->at_least(0));
-  if (const auto v = r.find("speed")) n.speed = v->at_least(0);
+  if (const auto v = r.find("angle")) n.angle = radians(v->number(format::noise["angle"].bounds));
+  r.read(format::noise["speed"], n.speed);
   return n;
 }
 
@@ -206,19 +127,27 @@ std::string read_id(const Reader& doc, std::string written) {
 }
 
 void read_choices(const Reader& doc, Puzzle& p) {
-  if (const auto v = doc.find("prefer")) {
-    constexpr std::array<std::string_view, 3> words{"robust", "soft", "quick"};
-    p.prefer = static_cast<Prefer>(v->word("preference", words));
-  }
-  if (const auto v = doc.find("aim")) {
-    constexpr std::array<std::string_view, 2> words{"centre", "safest"};
-    p.aim = static_cast<Aim>(v->word("aim", words));
-  }
+  if (const auto v = doc.find("prefer")) p.prefer = static_cast<Prefer>(v->word("preference", format::preferences));
+  if (const auto v = doc.find("aim")) p.aim = static_cast<Aim>(v->word("aim", format::aims));
   if (const auto v = doc.find("noise")) p.noise = read_noise(*v);
   if (const auto v = doc.find("budget")) {
-    v->only({"simulations"});
+    v->only(format::budget);
     p.budget = v->need("simulations").count();
   }
+}
+
+ShotRequest::Until read_until(const Reader& r) {
+  r.only(format::until);
+  ShotRequest::Until until;
+  if (const auto v = r.find("time")) until.time = v->number(format::until["time"].bounds);
+  if (const auto v = r.find("cushions")) until.cushions = v->integer(format::until["cushions"].bounds);
+  if (const auto v = r.find("length")) until.length = v->number(format::until["length"].bounds);
+  return until;
+}
+
+std::string about_of(const Json& doc) {
+  const auto about = doc.find("about");
+  return about == doc.end() ? "" : write_json(*about);
 }
 
 }  // namespace
@@ -227,10 +156,10 @@ Puzzle read_puzzle(std::string_view text) {
   std::string id;
   const Json json = parse_document(text, &id);
   const Reader doc(json);
-  doc.only({"id", "table", "physics", "ball", "others", "target", "cushions", "arrive", "speed", "angle", "prefer",
-            "aim", "noise", "budget"});
+  doc.only(format::puzzle);
   Puzzle p;
   p.id = read_id(doc, std::move(id));
+  p.about = about_of(json);
   const Reader table = doc.need("table");
   p.ball = read_ball(doc, default_ball(table));
   p.table = read_table(table, p.ball.body.radius);
@@ -244,7 +173,7 @@ Puzzle read_puzzle(std::string_view text) {
   if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);
   if (const auto v = doc.find("speed")) p.speed = v->range();
   if (const auto v = doc.find("arrive")) {
-    v->only({"speed"});
+    v->only(format::arrive);
     p.arrive = v->need("speed").range();
   }
   if (const auto v = doc.find("angle")) p.angle = read_angle(*v);
@@ -257,25 +186,22 @@ ShotRequest read_shot(std::string_view text) {
   std::string id;
   const Json json = parse_document(text, &id);
   const Reader doc(json);
-  doc.only({"id", "table", "physics", "ball", "others", "shot", "until"});
+  doc.only(format::shot);
   ShotRequest s;
   s.id = read_id(doc, std::move(id));
   const Reader table = doc.need("table");
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.body.radius);
   s.physics = read_physics(doc, s.ball);
-  if (const auto v = doc.need("ball").find("spin")) s.spin = read_spin(*v, s.physics, false);
   if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
   const Reader shot = doc.need("shot");
-  shot.only({"speed", "angle", "spin"});
-  if (const auto v = shot.find("spin")) s.spin = read_spin(*v, s.physics, true);
-  s.launch = {shot.need("speed").at_least(0), wrap_angle(radians(shot.need("angle").number()))};
-  if (const auto until = doc.find("until")) {
-    until->only({"time", "cushions", "length"});
-    if (const auto v = until->find("time")) s.until.time = v->at_least(0);
-    if (const auto v = until->find("cushions")) s.until.cushions = v->integer(1, 1000000);
-    if (const auto v = until->find("length")) s.until.length = v->at_least(0);
-  }
+  shot.only(format::launch);
+  if (const auto v = shot.find("spin"))
+    s.spin = read_spin(*v, s.physics, true);
+  else if (const auto of_ball = doc.need("ball").find("spin"))
+    s.spin = read_spin(*of_ball, s.physics, false);
+  s.launch = {shot.need(format::launch["speed"]), wrap_angle(radians(shot.need("angle").number()))};
+  if (const auto until = doc.find("until")) s.until = read_until(*until);
   validate(s);
   return s;
 }
@@ -291,5 +217,15 @@ Scene read_scene(std::string_view table, std::string_view physics) {
 }
 
 std::string read_id(std::string_view text) { return find_id(text); }
+
+std::string read_about(std::string_view text) {
+  if (text.find("\"about\"") == std::string_view::npos) return "";
+  try {
+    const Json json = parse_document(text);
+    return json.is_object() ? about_of(json) : "";
+  } catch (const InvalidInput&) {
+    return "";
+  }
+}
 
 }  // namespace bankshot

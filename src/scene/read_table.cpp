@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_table.hpp"
 
-#include <array>
+#include "format/scene_keys.hpp"
 
 namespace bankshot {
 namespace {
 
-const TablePreset& read_preset(const Reader& r) {
-  std::vector<std::string_view> names;
-  for (const auto& p : table_presets()) names.push_back(p.name);
-  return table_presets()[r.word("table", names)];
-}
+const TablePreset& read_preset(const Reader& r) { return table_presets()[r.word("table", format::table_names)]; }
 
 /// A level one is all there is yet.
 void read_tilt(const Reader& table) {
@@ -23,20 +19,17 @@ Mouth read_mouth(const Reader& table, double radius) {
   Mouth m{pool_7ft_mouth.corner * scale, pool_7ft_mouth.middle * scale};
   const auto r = table.find("mouth");
   if (!r) return m;
-  r->only({"corner", "middle"});
-  if (const auto c = r->find("corner")) m.corner = c->positive();
-  if (const auto c = r->find("middle")) m.middle = c->positive();
+  r->only(format::mouth);
+  r->read(format::mouth["corner"], m.corner);
+  r->read(format::mouth["middle"], m.middle);
   return m;
 }
 
 std::vector<Pocket> read_pockets(const Reader& table, const Table& shape, double radius) {
   const auto r = table.find("pockets");
-  if (r && r->is_string()) {
-    constexpr std::array<std::string_view, 2> words{"none", "six"};
-    if (r->word("layout of pockets", words) == 1) {
-      if (!shape.is_rectangle()) r->fail("needs a rectangle; list the pockets of a polygon");
-      return six_pockets(shape, read_mouth(table, radius));
-    }
+  if (r && r->is_string() && r->word("layout of pockets", format::layouts) == 1) {
+    if (!shape.is_rectangle()) r->fail("needs a rectangle; list the pockets of a polygon");
+    return six_pockets(shape, read_mouth(table, radius));
   }
   if (const auto mouth = table.find("mouth"))
     mouth->fail("is the size of the pockets \"six\", which are not asked for");
@@ -44,8 +37,9 @@ std::vector<Pocket> read_pockets(const Reader& table, const Table& shape, double
   if (!r->is_array()) r->fail("must be \"none\", \"six\" or a list of pockets");
   std::vector<Pocket> pockets;
   for (const Reader& p : r->items()) {
-    p.only({"name", "at", "radius"});
-    pockets.push_back({p.need("name").text(), p.need("at").point(), p.need("radius").at_least(0)});
+    p.only(format::pocket);
+    const double capture = p.need("radius").number(format::pocket["radius"].bounds);
+    pockets.push_back({p.need("name").text(), p.need("at").point(), capture});
   }
   return pockets;
 }
@@ -80,12 +74,12 @@ Table read_table(const Reader& table, double radius) {
   if (const auto jaws = table.find("jaws"); jaws && jaws->boolean()) jaws->fail("is not supported yet");
   Table shape;
   if (table.find("vertices")) {
-    table.only({"vertices", "names", "pockets", "mouth", "jaws", "tilt"});
+    table.only(format::polygon);
     shape = read_polygon(table);
   } else {
-    table.only({"length", "width", "pockets", "mouth", "jaws", "tilt", "vertices"});
-    const double length = table.need("length").positive();
-    shape = rectangle_table(length, table.need("width").positive());
+    table.only(format::rectangle);
+    const double length = table.need("length").number(format::rectangle["length"].bounds);
+    shape = rectangle_table(length, table.need("width").number(format::rectangle["width"].bounds));
   }
   if (shape.vertices.size() >= 3) shape.pockets = read_pockets(table, shape, radius);
   return shape;

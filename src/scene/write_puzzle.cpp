@@ -78,6 +78,7 @@ Json cushions_json(const Puzzle& p) {
 Json question_json(const Puzzle& p) {
   constexpr const char* preferences[] = {"robust", "soft", "quick"};
   Json j = Json::object();
+  if (!p.about.empty()) j["about"] = parse_document(p.about);
   j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.body.radius}, {"mass", p.ball.body.mass}};
   if (p.spin_range)
     j["ball"]["spin"] = {

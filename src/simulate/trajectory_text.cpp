@@ -6,6 +6,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "json/document.hpp"
+#include "simulate/csv.hpp"
 
 namespace bankshot {
 namespace {
@@ -39,25 +40,30 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
   return write_json(r.id, j);
 }
 
-std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
-  std::string out = "t,ball,x,y,vx,vy,wx,wy,wz\n";
-  const auto row = [&](double time, const State<double>& s) {
-    const Vec3<double>& w = s.spin;
-    out +=
-        fmt::format("{},cue,{},{},{},{},{},{},{}\n", time, s.at.x, s.at.y, s.velocity.x, s.velocity.y, w.x, w.y, w.z);
-  };
+void sample(const ShotRequest& r, const Trajectory& t, double rate,
+            const std::function<void(double, const State<double>&)>& see) {
   auto event = t.events.begin();
   const auto events_until = [&](double time) {
-    for (; event != t.events.end() && event->time <= time; ++event) row(event->time, event->state);
+    for (; event != t.events.end() && event->time <= time; ++event) see(event->time, event->state);
   };
-  long sample = 1;  // the launch is an event
+  long number = 1;  // the launch is an event
   for (const Leg& leg : t.legs) {
     events_until(leg.begin);
     const double end = leg.begin + leg.arc.seconds(leg.duration);
-    for (double s = static_cast<double>(sample) / rate; s < end; s = static_cast<double>(++sample) / rate)
-      if (s > leg.begin) row(s, state_at(r, leg, s - leg.begin));
+    for (double s = static_cast<double>(number) / rate; s < end; s = static_cast<double>(++number) / rate)
+      if (s > leg.begin) see(s, state_at(r, leg, s - leg.begin));
   }
   events_until(forever);
+}
+
+std::string csv_row(double time, const State<double>& s) {
+  const Vec3<double>& w = s.spin;
+  return fmt::format("{},cue,{},{},{},{},{},{},{}", time, s.at.x, s.at.y, s.velocity.x, s.velocity.y, w.x, w.y, w.z);
+}
+
+std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
+  std::string out = std::string(csv_header) + "\n";
+  sample(r, t, rate, [&](double time, const State<double>& s) { out += csv_row(time, s) + "\n"; });
   return out;
 }
 

@@ -222,7 +222,8 @@ std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answ
   const auto text = [](const std::string& s) { return s.empty() ? std::string("none") : s; };
   out.push_back({Claim::id, id == a.id ? 0.0 : 1.0, 0,
                  id == a.id ? "" : fmt::format("the answer's is {}, the puzzle's {}", text(a.id), text(id))});
-  const std::string missing = form(a);
+  const bool other = puzzle && puzzle->about != a.about;
+  const std::string missing = other ? "does not bring back the puzzle's \"about\"" : form(a);
   out.push_back({Claim::form, missing.empty() ? 0.0 : 1.0, 0, missing});
   const bool invalid = a.status == Status::invalid;
   if (invalid == (puzzle != nullptr))

@@ -72,7 +72,7 @@ const std::vector<Case>& cases() {
       {"empty document", "", "", "line 1: the document is empty", nullptr},
       {"cut short", "{\"id\": 7,\n\"speed\": 1", "", "line 2: not JSON: unexpected end of input"},
       {"text after the document", puzzle("{}") + "\nx", "", "line 2: not JSON at 'x'"},
-      {"no object", "[1, 2]", "", "must be an object with these keys: id, table", nullptr},
+      {"no object", "[1, 2]", "", "must be an object with these keys: id, about, table", nullptr},
       {"duplicate key", R"({"id": 7, "others": [{}, {"a": 1, "a": 2}]})", "/others/1/a", "twice in one object"},
       {"duplicate id", R"({"id": 7, "id": 8})", "/id", "twice in one object", nullptr},
       {"unknown key", puzzle(R"({"tabel": 1})"), "/tabel", "unknown; did you mean \"table\"?"},

@@ -94,7 +94,7 @@ TEST_CASE("map: a file that is no picture and no table is refused before the wor
   const auto [arguments, reason] = GENERATE(Catch::Generators::table<std::string, std::string>({
       {"map - --grid 4 4 -o x.gif", "\"x.gif\" must end in .svg, .png or .csv"},
       {"map - --grid 4 4 -o -", "standard output"},
-      {"map - --grid 4 4", "-o is required"},
+      {"map - --grid 4 4", "--output is required"},
       {"map - --grid 0 4 -o x.svg", "--grid"},
       {"map - --grid 4 -o x.svg", "--grid"},
       {"map - --grid 4 4 -o /no/such/folder/x.svg", "/no/such/folder/x.svg: cannot be written"},

@@ -47,6 +47,13 @@ const std::string pass = R"({"id":"pass","table":"seed","physics":"rolling","bal
 
 }  // namespace
 
+TEST_CASE("verify: an answer brings back what the puzzle is about") {
+  const std::string said = "{\"about\":{\"title\":\"x\"}," + pass.substr(1), other = "{\"about\":[]," + pass.substr(1);
+  CHECK(verify(said + "\n", answer_to(said)).exit == 0);
+  CHECK_THAT(verify(said + "\n", answer_to(other)).out, Contains("form: does not bring back the puzzle's \"about\""));
+  CHECK(verify(said + "\n", answer_to(pass)).exit == 1);
+}
+
 TEST_CASE("verify: honest answers of every kind hold") {
   std::string puzzles, answers;
   Random random(11);

@@ -12,6 +12,13 @@ step(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH
   -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS=${FLAGS}")
 step(${CMAKE_COMMAND} --build ${WORK}/build)
 step(${WORK}/build/consumer)
+foreach(file IN ITEMS share/man/man1/bankshot.1 share/man/man1/bankshot-solve.1 share/doc/bankshot/format.md
+    share/bash-completion/completions/bankshot share/zsh/site-functions/_bankshot share/fish/vendor_completions.d/bankshot.fish)
+  file(SIZE ${WORK}/prefix/${file} size)  # fails where it is not there
+  if(size LESS 500)
+    message(FATAL_ERROR "${file} is empty")
+  endif()
+endforeach()
 # No optimiser in an installed header.
 file(GLOB_RECURSE headers ${WORK}/prefix/include/*.hpp)
 foreach(header IN LISTS headers)

@@ -31,7 +31,7 @@ void refused_in_one_line(Read&& read, std::string_view text) {
   try {
     read();
   } catch (const InvalidInput& e) {
-    const std::string line = to_json(invalid_answer(read_id(text), e));
+    const std::string line = to_json(invalid_answer(read_id(text), e, read_about(text)));
     require(line.find('\n') == std::string::npos, "the answer is more than a line", text);
     require(nlohmann::json::accept(line), "the answer is no JSON", text);
   }

@@ -19,7 +19,8 @@ enum class Status { solved, no_shot, budget, invalid };
 const char* name(Status status);
 
 struct Answer {
-  std::string id{};  ///< JSON text of the puzzle's identifier; empty without
+  std::string id{};     ///< JSON text of the puzzle's identifier; empty without
+  std::string about{};  ///< the same of the puzzle's `about`
   Status status = Status::no_shot;
   std::vector<Shot> shots{};  ///< best first
   struct Nearest {
@@ -42,10 +43,10 @@ struct Answer {
 };
 
 /// The answer to input that could not be read or breaks a rule.
-Answer invalid_answer(std::string id, const InvalidInput& error);
+Answer invalid_answer(std::string id, const InvalidInput& error, std::string about = "");
 
-/// One line of JSON. `timing` writes time_us.
-std::string to_json(const Puzzle& puzzle, const Answer& answer, bool timing = true);
+/// One line of JSON. `timing` writes time_us, `path` the points of each shot's path.
+std::string to_json(const Puzzle& puzzle, const Answer& answer, bool timing = true, bool path = false);
 /// The same for an `invalid` answer, which has no puzzle.
 std::string to_json(const Answer& invalid);
 
@@ -53,6 +54,10 @@ std::string to_json(const Answer& invalid);
 /// the JSON path. Of an answer to a puzzle that cannot be read (null) only id, status and error are
 /// read. `unread`, if given, receives the keys of answer and shots that are no part of the format.
 Answer read_answer(std::string_view text, const Puzzle* puzzle, std::set<std::string>* unread = nullptr);
+
+/// The path of each shot up to its target, as `to_csv` of a trajectory writes it; with `numbered` the last column says
+/// which shot it is, from 1.
+std::string to_csv(const Puzzle& puzzle, const Answer& answer, bool numbered);
 
 /// A short text for a person: where to aim, how hard, what happens.
 std::string to_text(const Puzzle& puzzle, const Answer& answer);

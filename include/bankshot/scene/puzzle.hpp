@@ -54,7 +54,8 @@ struct Noise {
 };
 
 struct Puzzle {
-  std::string id{};  ///< JSON text of the identifier, echoed in the answer; empty without
+  std::string id{};     ///< JSON text of the identifier, echoed in the answer; empty without
+  std::string about{};  ///< JSON text of whatever the author wrote there, echoed too; empty without
   Table table{};
   Physics physics = rolling_physics();
   Ball ball{};

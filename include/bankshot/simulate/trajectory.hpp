@@ -3,6 +3,7 @@
 // A shot, simulated and recorded: its events and the arcs between them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,12 @@ State<double> start_state(const ShotRequest& request);
 
 /// The `simulate --json` document, one line.
 std::string to_json(const ShotRequest& request, const Trajectory& trajectory);
+
+inline constexpr double usual_rate = 60;  ///< points a second, where nothing else is asked
+
+/// `see(time, state)` at each event, and `rate` times a second between them.
+void sample(const ShotRequest& request, const Trajectory& trajectory, double rate,
+            const std::function<void(double, const State<double>&)>& see);
 
 /// t,ball,x,y,vx,vy,wx,wy,wz: `rate` rows a second and one at each event.
 std::string to_csv(const ShotRequest& request, const Trajectory& trajectory, double rate);

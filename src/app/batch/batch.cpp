@@ -10,6 +10,7 @@
 #include "app/batch/pipeline.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/gzip.hpp"
 #include "app/interrupt.hpp"
 
 namespace bankshot::app::batch {
@@ -21,7 +22,7 @@ struct Arguments {
   std::string file, output = "-", cost;
   solve::SolveFlags flags;
   int threads = 0;
-  bool resume = false, quiet = false, json = true;
+  bool resume = false, quiet = false, strict = false, json = true;
 };
 
 std::string without_time(std::string line) {
@@ -29,9 +30,16 @@ std::string without_time(std::string line) {
   return begin == std::string::npos || end == std::string::npos ? line : line.erase(begin, end - begin);
 }
 
+bool is_invalid(std::string_view answer) {
+  constexpr std::string_view key =
+      "\"status\":\"";  // no string of JSON holds it, and nothing stands before it but an id
+  const std::size_t at = answer.find(key);
+  return at != std::string_view::npos && answer.substr(at + key.size()).starts_with("invalid\"");
+}
+
 /// Whether an output without a journal is all of the answer already: as many lines, and those of the
-/// first and the last chunk are what this input and these flags give.
-bool finished(LineReader& in, const Arguments& a) {
+/// first and the last chunk are what this input and these flags give. Counts its invalid ones.
+bool finished(LineReader& in, const Arguments& a, long& invalid) {
   LineReader out(a.output, true);
   Lines asked, told;
   const auto same = [&](bool from_the_end) {
@@ -49,11 +57,14 @@ bool finished(LineReader& in, const Arguments& a) {
     lines = std::move(more);
     return true;
   };
+  const auto count = [&] {
+    for (std::size_t i = 0; i < told.lines.size(); ++i) invalid += is_invalid(told.line(i));
+  };
   if (!in.next(asked) || !out.next(told) || !same(false)) return false;
+  count();
   while (next(in, asked)) {
   }
-  while (next(out, told)) {
-  }
+  while (next(out, told)) count();
   return asked.after.lines == told.after.lines && same(true);
 }
 
@@ -116,7 +127,7 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
   if (journal) journal->remove();
   if (!a.quiet) std::cerr << closing_line(batch.at.tally, kept, progress);
   write_cost(a, cost, batch.at, kept, progress);
-  return done;
+  return a.strict && batch.at.tally.invalid > 0 ? some_fail : done;
 }
 
 int run(Arguments a) {
@@ -133,14 +144,15 @@ int run(Arguments a) {
   if (!out.regular()) return run_batch(a, in, out, nullptr, {});
   const std::string progress_file = Journal::path_for(a.output);
   if (a.resume && out.size() > 0 && !std::filesystem::exists(progress_file)) {
-    const bool whole = finished(in, a);
+    long invalid = 0;
+    const bool whole = finished(in, a, invalid);
     if (interrupted()) return by_signal + interrupted();
     if (!whole)
       throw FileError(fmt::format(
           "{}: cannot be gone on with: {} is missing, and it is not all of the answer to this input with these flags",
           a.output, progress_file));
     if (!a.quiet) std::cerr << a.output << ": is whole already\n";
-    return done;
+    return a.strict && invalid > 0 ? some_fail : done;
   }
   Journal journal(a.output, a.flags.words(), in.identity());
   const Journal::Mark from = a.resume ? go_on(journal, in, out, a.output) : begin(journal, out);
@@ -152,13 +164,16 @@ int run(Arguments a) {
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("batch", "Solve many puzzles, one a line");
-  command->footer(
-      "Each line is answered by one line, in order; one that is no puzzle is answered \"invalid\". While a batch runs, "
-      "SHOTS.jsonl.progress\n"
-      "stands beside its output: after a kill, a full disk or Ctrl-C the same command with --resume checks the input "
-      "and the flags against it\n"
-      "and goes on; a few hundred puzzles are solved again at most. A packed output is a row of gzip members of 64 "
-      "lines.");
+  explain(
+      *command,
+      "Each line is answered by one line, in order; one that is no puzzle is answered \"invalid\". While a batch\n"
+      "runs, SHOTS.jsonl.progress stands beside its output: after a kill, a full disk or Ctrl-C the same command\n"
+      "with --resume checks the input and the flags against it and goes on; a few hundred puzzles are solved again\n"
+      "at most. A packed output (.gz) is a row of gzip members of 64 lines.",
+      {{"bankshot batch puzzles.jsonl -o shots.jsonl", "the best shot of each"},
+       {"bankshot batch puzzles.jsonl -o shots.jsonl --resume", "goes on where that was cut off"},
+       {"bankshot batch puzzles.jsonl -o all.jsonl.gz --all --strict", "every shot, packed; 1 where a line is bad"}},
+      "0 done; 1 a line was invalid (--strict); 2 bad input or usage; 128 + n ended by signal n.");
   command->add_option("puzzles", a->file, "A puzzle in JSON on each line; - reads standard input, *.gz is unpacked")
       ->required();
   command->add_option("-o,--output", a->output, "Write the answers here, one a line; *.gz is packed")
@@ -168,6 +183,7 @@ Run add(CLI::App& app) {
       ->check(CLI::Range(0, 1024));
   command->add_flag("--resume", a->resume, "Go on where an earlier run of this command was cut off");
   command->add_flag("--quiet", a->quiet, "Nothing on standard error but errors");
+  command->add_flag("--strict", a->strict, "Exit code 1 when a line was invalid");
   solve::add_solve_flags(*command, a->flags);
   command->add_flag("--json", a->json, "Answers are JSON with or without it");
   command->add_option("--cost", a->cost, "Write where the time went to this file (CSV)")->check(file_name);

@@ -5,17 +5,17 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
 #include "app/files.hpp"
+#include "app/gzip.hpp"
 
 namespace bankshot::app::batch {
 
-Output::Output(const std::string& path) : name_(path == "-" ? "standard output" : path), gzip_(path.ends_with(".gz")) {
+Output::Output(const std::string& path) : name_(path == "-" ? "standard output" : path), gzip_(is_packed(path)) {
   constexpr mode_t everybody = 0666;  // less the umask
   fd_ = path == "-" ? STDOUT_FILENO : open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, everybody);
   if (fd_ < 0) fail();
@@ -55,22 +55,6 @@ void Output::write(std::string_view bytes) {
 
 void Output::finish() {
   if (fd_ > STDERR_FILENO && close(std::exchange(fd_, -1)) != 0) fail();
-}
-
-std::string gzipped(std::string_view text) {
-  constexpr int level = 6, gzip_header = 16, memory = 8;  // zlib's defaults but for the header
-  z_stream z{};
-  if (deflateInit2(&z, level, Z_DEFLATED, MAX_WBITS + gzip_header, memory, Z_DEFAULT_STRATEGY) != Z_OK)
-    throw WriteError("zlib cannot begin to compress: out of memory");
-  std::string out(deflateBound(&z, text.size()), '\0');
-  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  z.avail_in = static_cast<uInt>(text.size());
-  z.next_out = reinterpret_cast<Bytef*>(out.data());
-  z.avail_out = static_cast<uInt>(out.size());
-  deflate(&z, Z_FINISH);
-  out.resize(z.total_out);
-  deflateEnd(&z);
-  return out;
 }
 
 }  // namespace bankshot::app::batch

@@ -39,7 +39,4 @@ class Output {
   long at_ = 0;
 };
 
-/// A gzip member of its own; the same bytes each time.
-std::string gzipped(std::string_view text);
-
 }  // namespace bankshot::app::batch

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "app/clock.hpp"
+#include "app/gzip.hpp"
 #include "app/interrupt.hpp"
 #include "bankshot/plan/batch.hpp"
 #include "bankshot/scene/json.hpp"
@@ -51,7 +52,7 @@ struct Parsed {
 std::string answer_to_bad(std::string_view line, long number, InvalidInput e) {
   if (line.find_first_not_of(" \t\r") == std::string_view::npos) e = InvalidInput("", "blank line", 1);
   if (e.line) e.line = number;
-  return to_json(invalid_answer(read_id(line), e));
+  return to_json(invalid_answer(read_id(line), e, read_about(line)));
 }
 
 Parsed parse(const Lines& lines, const solve::SolveFlags& flags) {
@@ -104,7 +105,7 @@ void work(Chunk& c, const solve::SolveFlags& flags, bool gzip, bool measure) {
       c.out += bad ? parsed.bad[i] : to_json(*a);
       c.tally.add_invalid(c.in.number(i));
     } else {
-      c.out += to_json(parsed.puzzles[next], *a, !flags.no_timing);
+      c.out += to_json(parsed.puzzles[next], *a, !flags.no_timing, flags.path);
       c.tally.add(parsed.puzzles[next], *a);
     }
     c.out += '\n';
@@ -177,7 +178,7 @@ std::string answer_line(const Lines& lines, std::size_t i, const solve::SolveFla
   const std::string_view line = lines.line(i);
   try {
     const Puzzle puzzle = flags.read(line);
-    return to_json(puzzle, bankshot::solve(puzzle, flags.solve_options()), !flags.no_timing);
+    return to_json(puzzle, bankshot::solve(puzzle, flags.solve_options()), !flags.no_timing, flags.path);
   } catch (const InvalidInput& e) {
     return answer_to_bad(line, lines.number(i), e);
   }

@@ -7,11 +7,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
+#include <sstream>
 
+#include "app/batch/output.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/gzip.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/json.hpp"
 #include "json/reader.hpp"
@@ -91,33 +93,32 @@ Made make(const Arguments& a, const Wish& w, long number) {
   auto g = bankshot::generate(w, random, &made.tries);
   if (!g) return made;
   g->puzzle.id = fmt::format("\"{}-{}\"", a.seed, number);
+  g->puzzle.about = fmt::format(R"({{"difficulty":"{}"}})", name(difficulty(g->answer.shots.front())));
   made.line = write_puzzle(g->puzzle, as_json(a.table), as_json(a.physics)) + "\n";
   return made;
 }
 
 int run(const Arguments& a) {
   const Wish wish = read_wish(a);
-  if (a.out != "-") write_file(a.out, "");  // a name that cannot be written is told before the work
-  std::ofstream file(a.out == "-" ? "" : a.out, std::ios::binary);
+  batch::Output out(a.out);  // a name that cannot be written is told before the work
+  if (out.regular()) out.cut(0);
   // The first alone: an impossible wish is told after one puzzle's tries.
   constexpr long block = 64;
   for (long done_so_far = 0; done_so_far < a.count;) {
     std::vector<Made> made(static_cast<std::size_t>(std::min(done_so_far ? block : 1, a.count - done_so_far)));
     tbb::parallel_for(std::size_t{0}, made.size(),
                       [&](std::size_t i) { made[i] = make(a, wish, done_so_far + static_cast<long>(i) + 1); });
-    for (const Made& m : made) {
-      if (m.line.empty()) {
-        std::cerr << fmt::format("bankshot: puzzle {} of {} was not found: {}\n", done_so_far + 1, a.count,
-                                 m.tries.text());
-        return nothing_solved;
-      }
-      if (a.out == "-")
-        print(m.line);
-      else if (!(file << m.line << std::flush))
-        throw WriteError(a.out + ": cannot be written");
-      ++done_so_far;
-    }
+    std::string lines;
+    const auto missing = std::find_if(made.begin(), made.end(), [](const Made& m) { return m.line.empty(); });
+    for (auto m = made.begin(); m != missing; ++m, ++done_so_far) lines += m->line;
+    if (!lines.empty()) out.write(out.gzip() ? gzipped(lines) : lines);
+    if (missing == made.end()) continue;
+    std::cerr << fmt::format("bankshot: puzzle {} of {} was not found: {}\n", done_so_far + 1, a.count,
+                             missing->tries.text());
+    return nothing_solved;
   }
+  if (out.gzip() && out.written() == 0) out.write(gzipped(""));  // an empty file is no gzip file
+  out.finish();
   return done;
 }
 
@@ -130,7 +131,8 @@ std::string help() {
       "  hard    made in less than {:.0f} % of tries, or less than {:.3g} degrees to one side\n"
       "  medium  between\n"
       "--unique: `solve --all` finds exactly one shot. With spin its completeness is measured, not proved.\n"
-      "Exit 1 where a puzzle is not found in {} tries; standard error says what became of them.",
+      "A puzzle is given up after {} tries; standard error says what became of them. Its difficulty stands in the\n"
+      "key \"about\".",
       100 * easy_success, degrees(easy_margin), 100 * hard_success, degrees(hard_margin), Wish{}.tries);
 }
 
@@ -151,8 +153,13 @@ Run add(CLI::App& app) {
   command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; else any")
       ->check(CLI::IsMember({"easy", "medium", "hard"}));
   command->add_flag("--unique", a->unique, "Puzzles with exactly one shot");
-  command->add_option("-o", a->out, "Write to this file; - is standard output")->capture_default_str();
-  command->footer(help());
+  command->add_option("-o,--output", a->out, "Write to this file, packed where it ends in .gz; - is standard output")
+      ->capture_default_str();
+  explain(*command, help(),
+          {{"bankshot generate --count 20 --seed 1 -o puzzles.jsonl", "20 puzzles on a 9-foot table"},
+           {"bankshot generate --count 3 --seed 7 --table carom-10ft --cushions 3 --difficulty easy",
+            "three easy ones by three cushions"}},
+          "0 done; 1 a puzzle was not found; 2 bad input or usage.");
   return [a] { return run(*a); };
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/gzip.hpp"
 #include "app/picture.hpp"
 #include "bankshot/draw/map.hpp"
 #include "bankshot/plan/batch.hpp"
@@ -71,7 +72,8 @@ std::string summary(const StartMap& map) {
 /// Told before the work.
 std::string picture_or_table(const std::string& path) {
   if (std::string bad = picture_name(path); !bad.empty()) return bad;
-  const bool known = path.ends_with(".svg") || path.ends_with(".png") || path.ends_with(".csv");
+  const std::string_view name = unpacked_name(path);
+  const bool known = name.ends_with(".svg") || path.ends_with(".png") || name.ends_with(".csv");
   return known ? "" : "\"" + path + "\" must end in .svg, .png or .csv";
 }
 
@@ -83,7 +85,8 @@ int run(const Arguments& a) {
     for (const std::string& path : a.out) write_file(path, "");
     const StartMap map = map_of(puzzle, a);
     for (const std::string& path : a.out)
-      path.ends_with(".csv") ? write_file(path, to_csv(puzzle, map)) : write_picture(path, draw(puzzle, map, a.theme));
+      unpacked_name(path).ends_with(".csv") ? write_file(path, to_csv(puzzle, map))
+                                            : write_picture(path, draw(puzzle, map, a.theme));
     print(summary(map));
     return std::any_of(map.answers.begin(), map.answers.end(),
                        [](const Answer& found) { return found.status == Status::solved; })
@@ -105,16 +108,21 @@ Run add(CLI::App& app) {
   command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")
       ->required();
   command->add_option("--grid", a->grid, "Columns and rows of starts")->required()->check(CLI::Range(1, most));
-  command->add_option("-o", a->out, "Write a heat map (.svg, .png) or a table (.csv) to this file; may be given twice")
+  command
+      ->add_option("-o,--output", a->out,
+                   "Write a heat map (.svg, .png) or a table (.csv) to this file; may be given twice")
       ->required()
       ->allow_extra_args(false)
       ->check(picture_or_table);
   command->add_option("--budget", a->budget, "Simulations to spend on a start at most")->check(whole_number);
   add_theme_flag(*command, a->theme);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
-  command->footer(
-      "The grid covers all places of the ball's centre; each start is the middle of a cell. Starts in a cushion,\n"
-      "in a pocket or at the target already are left out and counted. Exit 1: no start has a shot.");
+  explain(*command,
+          "The grid covers all places of the ball's centre; each start is the middle of a cell. Starts in a cushion,\n"
+          "in a pocket or at the target already are left out and counted.",
+          {{"bankshot map puzzle.json --grid 40 20 -o map.svg", "a picture"},
+           {"bankshot map puzzle.json --grid 8 4 -o map.csv -o map.svg", "a table and a picture"}},
+          "0 done; 1 no start has a shot; 2 bad input or usage.");
   return [a] { return run(*a); };
 }
 

@@ -17,7 +17,7 @@ namespace {
 struct Arguments {
   std::string file = "-", csv;
   PictureFlags picture;
-  double rate = 60;
+  double rate = usual_rate;
   bool json = false;
 };
 
@@ -73,9 +73,11 @@ int run(const Arguments& a) {
     const Trajectory t = bankshot::simulate(request);
     const auto write = [&] {
       a.picture.write([&](Theme theme) { return draw(request, t, {.theme = theme}); });
-      if (!a.csv.empty()) write_file(a.csv, csv_of(request, t, a.rate));
+      if (!a.csv.empty() && a.csv != "-") write_file(a.csv, csv_of(request, t, a.rate));
     };
-    print_after(write, a.json ? to_json(request, t) + "\n" : text_of(request, t));
+    print_after(write, a.csv == "-" ? csv_of(request, t, a.rate)
+                       : a.json     ? to_json(request, t) + "\n"
+                                    : text_of(request, t));
     return done;
   } catch (const InvalidInput& e) {
     std::cerr << complaint(a.file, e) << '\n';
@@ -91,12 +93,23 @@ Run add(CLI::App& app) {
   CLI::App* command = app.add_subcommand("simulate", "Simulate one shot and list its events");
   command->add_option("shot", a->file, "A shot in JSON; - reads standard input")->capture_default_str();
   add_picture_flags(*command, a->picture);
-  command->add_option("--csv", a->csv, "Write t,ball,x,y,vx,vy,wx,wy,wz to this file")->check(file_name);
+  command->add_option("--csv", a->csv, "Write t,ball,x,y,vx,vy,wx,wy,wz to this file; - writes it in the text's place")
+      ->check(file_or_output);
   command->add_option("--rate", a->rate, "Rows per second of the CSV")
       ->capture_default_str()
       ->check(CLI::Range(1e-3, 1e6));
   command->add_flag("--json", a->json, "One line of JSON instead of text");
-  return [a] { return run(*a); };
+  explain(*command,
+          "A shot is a scene and a launch; a puzzle with a shot of its answer is one too, and its other keys are not\n"
+          "read. It ends at rest, in a pocket, or where \"until\" says. A name that ends in .gz is packed.",
+          {{"bankshot simulate shot.json", "its events, one a line"},
+           {"bankshot simulate shot.json --csv - --rate 100", "its path, 100 points a second"},
+           {"bankshot simulate shot.json --json --svg shot.svg", "its events as JSON, and a picture"}},
+          "0 done; 2 bad input or usage.");
+  return [a] {
+    output_is_free(a->csv, a->json);
+    return run(*a);
+  };
 }
 
 }  // namespace bankshot::app::simulate

@@ -12,7 +12,7 @@ namespace bankshot::app::solve {
 namespace {
 
 struct Arguments {
-  std::string file = "-";
+  std::string file = "-", csv;
   SolveFlags flags;
   PictureFlags picture;
   bool json = false;
@@ -20,7 +20,7 @@ struct Arguments {
 
 int invalid(const Arguments& a, const std::string& text, const InvalidInput& e) {
   std::cerr << complaint(a.file, e) << '\n';
-  if (a.json) print(to_json(invalid_answer(read_id(text), e)) + "\n");
+  if (a.json) print(to_json(invalid_answer(read_id(text), e, read_about(text))) + "\n");
   return bad_input;
 }
 
@@ -31,8 +31,13 @@ int run(const Arguments& a) {
   try {
     const Puzzle puzzle = a.flags.read(text);
     const Answer answer = bankshot::solve(puzzle, a.flags.solve_options());
-    print_after([&] { a.picture.write([&](Theme theme) { return draw(puzzle, answer, {.theme = theme}); }); },
-                a.json ? to_json(puzzle, answer, !a.flags.no_timing) + "\n" : to_text(puzzle, answer));
+    const auto write = [&] {
+      a.picture.write([&](Theme theme) { return draw(puzzle, answer, {.theme = theme}); });
+      if (!a.csv.empty() && a.csv != "-") write_file(a.csv, to_csv(puzzle, answer, a.flags.options.all));
+    };
+    print_after(write, a.csv == "-" ? to_csv(puzzle, answer, a.flags.options.all)
+                       : a.json     ? to_json(puzzle, answer, !a.flags.no_timing, a.flags.path) + "\n"
+                                    : to_text(puzzle, answer));
     return answer.status == Status::solved ? done : nothing_solved;
   } catch (const InvalidInput& e) {
     return invalid(a, text, e);
@@ -47,17 +52,31 @@ Run add(CLI::App& app) {
   command->add_option("puzzle", a->file, "A puzzle in JSON; - reads standard input")->capture_default_str();
   add_solve_flags(*command, a->flags);
   add_picture_flags(*command, a->picture);
+  command
+      ->add_option(
+          "--csv", a->csv,
+          "Write the path, t,ball,x,y,vx,vy,wx,wy,wz, to this file; - writes it in the text's place; with --all "
+          "the last column is the shot's number")
+      ->check(file_or_output);
   command->add_flag("--json", a->json, "One line of JSON instead of text");
-  command->footer(
-      "Where to aim is told in diamonds: where the line of aim crosses the line of diamonds, 94 mm (3 11/16 inches, as "
-      "the\n"
-      "WPA has it) behind the nose of the cushion. They count from 0 at the left or at the bottom, to 8 on long rails "
-      "and 4\n"
-      "on short ones. Speeds are named after Alciatore: soft below 2 mph, medium below 4, firm below 7, hard below 10; "
-      "a lag\n"
-      "goes from the head string to the foot cushion and back to the head cushion.\n"
-      "Exit 1: no shot was found.");
-  return [a] { return run(*a); };
+  explain(
+      *command,
+      "Where to aim is told in diamonds: where the line of aim crosses the line of diamonds, 94 mm (3 11/16\n"
+      "inches, as the WPA has it) behind the nose of the cushion. They count from 0 at the left or at the bottom,\n"
+      "to 8 on long rails and 4 on short ones. Speeds are named after Alciatore: soft below 2 mph, medium below 4,\n"
+      "firm below 7, hard below 10; a lag goes from the head string to the foot cushion and back to the head\n"
+      "cushion. docs/format.md says what a puzzle and an answer hold, `bankshot schema` prints it as a JSON\n"
+      "Schema. A name that ends in .gz is packed.",
+      {{"bankshot solve puzzle.json", "the best shot, as text"},
+       {"bankshot solve puzzle.json --svg shot.svg", "and a picture of it"},
+       {"bankshot solve puzzle.json --json --all --path", "every shot with its path, as JSON"},
+       {"bankshot solve puzzle.json --csv -", "the path as a table"},
+       {"bankshot solve --planner list", "the planners"}},
+      "0 solved; 1 no shot, or the budget ran out; 2 bad input or usage.");
+  return [a] {
+    output_is_free(a->csv, a->json);
+    return run(*a);
+  };
 }
 
 }  // namespace bankshot::app::solve

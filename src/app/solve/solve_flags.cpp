@@ -30,6 +30,7 @@ std::string SolveFlags::words() const {
   if (budget >= 0) out += fmt::format(" --budget {}", budget);
   if (no_timing) out += " --no-timing";
   if (no_robustness) out += " --no-robustness";
+  if (path) out += " --path";
   return out;
 }
 
@@ -40,6 +41,7 @@ void add_solve_flags(CLI::App& command, SolveFlags& flags) {
   command.add_option("--budget", flags.budget, "Simulations to spend at most")->check(whole_number);
   command.add_flag("--no-timing", flags.no_timing, "Leave out time_us: same input, same bytes");
   command.add_flag("--no-robustness", flags.no_robustness, "Leave out margin and success");
+  command.add_flag("--path", flags.path, "Each shot in JSON with the points of its path");
 }
 
 void check_planner(const std::string& wanted) {

@@ -13,7 +13,7 @@ namespace bankshot::app::solve {
 struct SolveFlags {
   SolveOptions options;
   long budget = -1;  ///< -1: the puzzle's own
-  bool no_timing = false, no_robustness = false;
+  bool no_timing = false, no_robustness = false, path = false;
 
   SolveOptions solve_options() const;
   Puzzle read(std::string_view text) const;  ///< a puzzle with the budget of the flags; throws InvalidInput

@@ -6,11 +6,11 @@
 #include <tbb/parallel_for.h>
 
 #include <array>
-#include <fstream>
 #include <iostream>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/line_file.hpp"
 #include "bankshot/scene/json.hpp"
 #include "truth/claims.hpp"
 
@@ -19,28 +19,6 @@ namespace {
 
 using truth::Check;
 using truth::Claim;
-
-/// The lines of a file or of standard input, numbered from 1.
-class Lines {
- public:
-  explicit Lines(const std::string& path) : name(path == "-" ? "standard input" : path) {
-    if (path == "-") return;
-    file_.open(path, std::ios::binary);
-    file_.peek();                                          // a folder opens, and fails here
-    if (!file_.is_open() || file_.bad()) read_file(path);  // which says what is wrong
-  }
-  bool next(std::string& line) {
-    std::istream& in = file_.is_open() ? static_cast<std::istream&>(file_) : std::cin;
-    if (!std::getline(in, line)) return false;
-    ++number;
-    return true;
-  }
-  const std::string name;
-  long number = 0;
-
- private:
-  std::ifstream file_;
-};
 
 /// One puzzle, its answer, and what came out.
 struct Pair {
@@ -145,7 +123,7 @@ std::string failure_text(const Pair& p, const std::string& file) {
 }
 
 /// The next pairs of lines; fewer than `most` at the end. Throws where one file is longer.
-std::vector<Pair> next_pairs(Lines& puzzles, Lines& answers, std::size_t most) {
+std::vector<Pair> next_pairs(LineFile& puzzles, LineFile& answers, std::size_t most) {
   std::vector<Pair> out;
   while (out.size() < most) {
     Pair p;
@@ -162,7 +140,7 @@ std::vector<Pair> next_pairs(Lines& puzzles, Lines& answers, std::size_t most) {
 
 int run(const std::string& puzzle_file, const std::string& answer_file) {
   if (puzzle_file == "-" && answer_file == "-") throw FileError("puzzles and answers cannot both be standard input");
-  Lines puzzles(puzzle_file), answers(answer_file);
+  LineFile puzzles(puzzle_file), answers(answer_file);
   constexpr std::size_t block = 2000;  // keeps both cores busy and memory flat
   Tally tally;
   for (;;) {
@@ -194,12 +172,15 @@ Run add(CLI::App& app) {
   command->add_option("puzzles", a->puzzles, "Puzzles, one JSON a line; - reads standard input")->required();
   command->add_option("shots", a->answers, "Their answers, line by line in the same order; - reads standard input")
       ->required();
-  command->footer(
+  explain(
+      *command,
       "Checked of each shot: launch speed and aim inside their bounds, the spin, the cushions (as asked, and as\n"
       "met), the target made with nothing in the way, its miss, place, time and speed of arrival, condition,\n"
       "both ends of each margin and 50 launches inside, and success against 1,000 seeded draws. A place may be off\n"
-      "by 1e-9 of the table's diagonal, or by what rounding does under the shot's condition where that is more.\n"
-      "Exit 0: every claim holds. 1: some answer fails; each is a line FILE:LINE: ID. 2: a file is bad.");
+      "by 1e-9 of the table's diagonal, or by what rounding does under the shot's condition where that is more. An\n"
+      "answer that fails is a line FILE:LINE: ID. A name that ends in .gz is unpacked.",
+      {{"bankshot verify puzzles.jsonl shots.jsonl", "the claims, and how far off the worst is"}},
+      "0 every claim holds; 1 some answer fails; 2 a file is bad, or bad usage.");
   return [a] { return run(a->puzzles, a->answers); };
 }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// The table of keys: what may stand in an object of a file. The readers ask it which keys are known and which numbers
+// are allowed, `bankshot schema` prints it as a JSON Schema, and docs/format.md shows it. One row a key:
+//   {"radius", "number", "m", "the preset's ball", "0.03", "half its diameter", at_least(0)}
+// A type is a word or several with " | " between them, any of which will do:
+// clang-format off
+//   any null boolean string       as in JSON
+//   number whole                  within the bounds of the key
+//   pair                          [a, b] within the bounds
+//   range                         a number or a pair, low end first
+//   sides                         a pair that may hold null
+//   point place vector            [x, y]; [t, x, y]; [x, y, z]
+//   word                          one of the key's words
+//   never                         nothing but `false`
+//   [T] {name}                    a list of T; an object of that name
+//   later                         of the format, and not supported yet
+// clang-format on
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace bankshot::format {
+
+/// Numbers from `low` to `high`, without `low` itself where it is `open`.
+struct Bounds {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  bool open = false;
+};
+
+constexpr Bounds at_least(double low) { return {.low = low}; }
+constexpr Bounds between(double low, double high) { return {low, high}; }
+inline constexpr Bounds positive{.low = 0, .open = true};
+
+/// The default of a key that must stand there.
+inline constexpr std::string_view required = "required";
+/// The type of a key that is not supported yet.
+inline constexpr std::string_view later = "later";
+
+struct Key {
+  std::string_view name, type;
+  std::string_view unit{};
+  std::string_view fallback{};  ///< what holds where the key is missing: JSON, words or `required`
+  std::string_view example{};   ///< JSON
+  std::string_view meaning{};
+  Bounds bounds{};
+  std::span<const std::string_view> words{};
+};
+
+struct Object {
+  std::string_view name, meaning;
+  std::span<const Key> keys;
+  std::span<const Key> unread{};  ///< keys that may stand there too, and are not read
+
+  /// The row of a key; a name that is not there does not compile.
+  consteval const Key& operator[](std::string_view wanted) const {
+    for (const Key& key : keys)
+      if (key.name == wanted) return key;
+    throw "this object has no such key";
+  }
+};
+
+}  // namespace bankshot::format

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// The objects of a puzzle, key by key (format/key.hpp says how a row is read).
+#pragma once
+
+#include "bankshot/scene/puzzle.hpp"
+#include "format/scene_keys.hpp"
+
+namespace bankshot::format {
+
+inline constexpr std::string_view preferences[] = {"robust", "soft", "quick"};
+inline constexpr std::string_view aims[] = {"centre", "safest"};
+
+inline constexpr Key point_keys[] = {
+    {"point", "point", "m", required, "[1.9, 0.635]",
+     "where the ball's centre is to pass or, when it arrives at speed 0, to rest"},
+    {"within", "number", "m", "0.01", "0.05", "how far off still counts as made, in `margin` and `success`", positive},
+    {"ball", later},
+    {"carom", later},
+};
+inline constexpr Object to_point{"to_point", "Pass over a point, or stop on it.", point_keys};
+
+inline constexpr Key to_pocket_keys[] = {
+    {"pocket", "string", "", required, R"("top-right")", "a pocket of the table, or `any`"},
+    {"ball", later},
+    {"carom", later},
+};
+inline constexpr Object to_pocket{"to_pocket", "Fall into a pocket.", to_pocket_keys};
+
+inline constexpr Key count_keys[] = {
+    {"min", "whole", "", "0", "1", "", between(0, max_cushions)},
+    {"max", "whole", "", "3, or min where that is more", "3", "", between(0, max_cushions)},
+};
+inline constexpr Object count{"count", "So many cushions, from `min` to `max`.", count_keys};
+
+inline constexpr Key arrive_keys[] = {
+    {"speed", "range", "m/s", required, "1.5", "at the target; 0 rests there", at_least(0)},
+};
+inline constexpr Object arrive{"arrive", "How fast the ball is to be at its target.", arrive_keys};
+
+inline constexpr Key noise_keys[] = {
+    {"angle", "number", "degrees", "0.125", "0.3", "of aim", at_least(0)},
+    {"speed", "number", "m/s", "0.075", "0.1", "of launch speed", at_least(0)},
+    {"side", later},
+    {"top", later},
+    {"at", later},
+};
+inline constexpr Object noise{"noise", "How far a player is off, one standard deviation.", noise_keys};
+
+inline constexpr Key budget_keys[] = {
+    {"simulations", "whole", "", required, "20000", "at most; 0 is allowed", at_least(0)},
+};
+inline constexpr Object budget{"budget", "How long to search.", budget_keys};
+
+inline constexpr Key id_key{.name = "id",
+                            .type = "string | number",
+                            .fallback = "none",
+                            .example = R"("two-rail-1")",
+                            .meaning = "comes back in the answer"};
+inline constexpr Key about_key{"about",
+                               "any",
+                               "",
+                               "none",
+                               R"({"title": "The long bank", "difficulty": "hard"})",
+                               "anything; carried to the answer, never interpreted"};
+inline constexpr Key table_key{"table",         "word | {rectangle} | {polygon}",   "", required,
+                               R"("pool-9ft")", "a table by its name, or your own", {}, table_names};
+inline constexpr Key physics_key{
+    "physics",      "word | {ideal} | {rolling} | {spin_physics}",        "", R"("spin")",
+    R"("rolling")", "the laws, by name or with coefficients of your own", {}, physics_names};
+inline constexpr Key ball_key{"ball", "{ball}", "", required, R"({"at": [0.635, 0.4]})", "the ball that is struck"};
+inline constexpr Key others_key{"others", "empty", "",
+                                "[]",     "[]",    "balls at rest; not supported yet, so the list is empty"};
+
+inline constexpr Key puzzle_keys[] = {
+    id_key,
+    about_key,
+    table_key,
+    physics_key,
+    ball_key,
+    others_key,
+    {"target", "{to_point} | {to_pocket}", "", required, R"({"pocket": "top-right"})", "what the ball is to reach"},
+    {"cushions", "whole | [string] | {count}", "", R"({"min": 0, "max": 3})", R"(["bottom", "right"])",
+     "bounces before the target: how many, which in order, or from `min` to `max`", between(0, max_cushions)},
+    {"arrive", "{arrive}", "", "a point: 0; a pocket: 0.5", R"({"speed": 0.5})",
+     "speed at the target; not with a launch speed that is fixed"},
+    {"speed", "range", "m/s", "[0.1, 10]", "[0.5, 6]", "of the launch; one number fixes it", at_least(0)},
+    {"angle", "pair", "degrees", "every aim", "[350, 20]",
+     "bounds of the aim, from the first anticlockwise to the second, at most a turn", between(-720, 720)},
+    {"prefer",
+     "word",
+     "",
+     R"("robust")",
+     R"("soft")",
+     "which shot is best: the likeliest, the slowest or the quickest to arrive",
+     {},
+     preferences},
+    {"aim",
+     "word",
+     "",
+     R"("centre")",
+     R"("safest")",
+     "`safest` may aim beside the centre where that is likelier made",
+     {},
+     aims},
+    {"noise", "{noise}", "", R"({"angle": 0.125, "speed": 0.075})", R"({"angle": 0.3})", "the player"},
+    {"budget", "{budget}", "", R"({"simulations": 100000})", R"({"simulations": 20000})", "how long to search"},
+};
+inline constexpr Object puzzle{"puzzle", "What is asked: the input of `solve`, a line of `batch`.", puzzle_keys};
+
+}  // namespace bankshot::format

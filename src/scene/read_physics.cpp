@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "scene/read_physics.hpp"
+
+#include "format/scene_keys.hpp"
+#include "scene/read_table.hpp"
+
+namespace bankshot {
+namespace {
+
+Restitution read_restitution(const Reader& r) {
+  if (!r.is_object()) return r.number(format::cushion["restitution"].bounds);
+  r.only(format::restitution_of_speed);
+  return {r.need(format::restitution_of_speed["at_rest"]), r.need(format::restitution_of_speed["per_speed"])};
+}
+
+RollingFriction read_rolling_friction(const Reader& r) {
+  if (!r.is_object()) return r.number(format::spin_physics["rolling_friction"].bounds);
+  r.only(format::friction_of_speed);
+  const RollingFriction f{r.need(format::friction_of_speed["at_rest"]), r.need(format::friction_of_speed["per_speed"])};
+  if (f.per_speed > 0 && f.at_rest == 0)
+    r.need("at_rest").fail("must be greater than 0 where per_speed is: else the ball never comes to rest");
+  return f;
+}
+
+/// `sliding_friction` of the cloth acts in mathavan2010 also during the impact.
+decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
+  r.only(format::cushion);
+  std::size_t which = 0;
+  if (const auto v = r.find("model")) which = v->word("cushion model", format::cushion_models);
+  if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
+  r.read(format::cushion["friction"], han.friction);
+  r.read(format::cushion["height"], han.height);
+  if (which == 2) return Mirror{han.restitution};
+  if (which == 1)
+    return Mathavan2010{.height = han.height,
+                        .restitution = han.restitution,
+                        .friction = han.friction,
+                        .sliding_friction = sliding_friction};
+  return han;
+}
+
+Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body) {
+  const TablePreset* preset = table.is_string() ? find_table_preset(table.text()) : nullptr;
+  Physics p = spin_physics(body, preset ? std::optional(preset->nose()) : std::nullopt);
+  SlideRoll& motion = std::get<SlideRoll>(p.motion);
+  Han2005& cushion = std::get<Han2005>(p.cushion);
+  if (!r) return p;
+  r->only(format::spin_physics);
+  r->read(format::spin_physics["sliding_friction"], motion.sliding_friction);
+  if (const auto v = r->find("rolling_friction")) motion.rolling_friction = read_rolling_friction(*v);
+  r->read(format::spin_physics["spinning_friction"], motion.spinning_friction);
+  r->read(format::spin_physics["g"], motion.g);
+  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion, motion.sliding_friction);
+  return p;
+}
+
+}  // namespace
+
+Physics read_physics(const Reader& scene, const Ball& ball) {
+  const auto r = scene.find("physics");
+  const Reader table = scene.need("table");
+  if (r && !r->is_string() && !r->is_object()) r->fail("must be the name of a physics or an object");
+  const Reader* overrides = r && r->is_object() ? &*r : nullptr;
+  const Reader model = !r ? scene : r->is_string() ? *r : r->need("model");
+  const std::size_t which = r ? model.word("physics", format::physics_names) : 2;
+  if (which == 2) {
+    if (ball.body.radius == 0)
+      throw InvalidInput("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
+    return read_spin_physics(overrides, table, ball.body);
+  }
+  if (which == 0) {
+    if (overrides) r->only(format::ideal);
+    return {Ideal{}, Mirror{1.0}};
+  }
+  Rolling rolling;
+  Mirror mirror;
+  if (overrides) {
+    r->only(format::rolling);
+    r->read(format::rolling["friction"], rolling.friction);
+    r->read(format::rolling["restitution"], mirror.restitution.at_rest);
+    r->read(format::rolling["g"], rolling.g);
+  }
+  return {rolling, mirror};
+}
+
+}  // namespace bankshot

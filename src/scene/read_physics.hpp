@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bankshot/scene/ball.hpp"
+#include "bankshot/scene/physics.hpp"
+#include "json/reader.hpp"
+
+namespace bankshot {
+
+/// What a document says of its physics; what it does not say depends on its table and on the ball.
+Physics read_physics(const Reader& scene, const Ball& ball);
+
+}  // namespace bankshot

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// The table of keys: the schema and docs/format.md are made from it, and it says what the readers do.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "bankshot/scene/table.hpp"
+#include "format/objects.hpp"
+#include "format/scene_keys.hpp"
+#include "format/schema.hpp"
+#include "support/catch.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using namespace bankshot;
+using test::run_program;
+using Json = nlohmann::json;
+
+}  // namespace
+
+TEST_CASE("docs/format.md holds the tables that the program prints") {
+  const std::string text = test::read_repository_file("docs/format.md");
+  for (const std::string_view document : format::documents()) {
+    INFO(document << ": bash docs/tables.sh writes them anew");
+    const std::string begin = fmt::format("<!-- bankshot schema {} --markdown -->\n", document);
+    REQUIRE(text.find(begin) != std::string::npos);
+    const std::size_t at = text.find(begin) + begin.size();
+    CHECK(text.substr(at, text.find("<!-- end -->", at) - at) == format::markdown(document));
+    CHECK(run_program(fmt::format("schema {} --markdown", document)).out == format::markdown(document));
+    CHECK(Json::parse(run_program(fmt::format("schema {}", document)).out).at("type") == "object");
+  }
+  CHECK(run_program("schema").out == run_program("schema puzzle").out);
+}
+
+TEST_CASE("the format names every table that there is") {
+  REQUIRE(table_presets().size() == std::size(format::table_names));
+  for (std::size_t i = 0; i < table_presets().size(); ++i) CHECK(table_presets()[i].name == format::table_names[i]);
+}
+
+TEST_CASE("each object has its keys once, and each example is JSON") {
+  int rows = 0;
+  for (const std::string_view document : format::documents())
+    for (const format::Object* object : format::objects_of(document))
+      for (const format::Key& key : object->keys) {
+        INFO(object->name << "." << key.name);
+        const auto same = [&](const format::Key& other) { return other.name == key.name; };
+        CHECK(std::count_if(object->keys.begin(), object->keys.end(), same) == 1);
+        if (key.type == format::later) continue;
+        CHECK(Json::accept(key.example));
+        CHECK(!key.fallback.empty());
+        ++rows;
+      }
+  CHECK(rows > 100);
+}
+
+TEST_CASE("a key that is not supported yet is refused as such, and is in no schema") {
+  const auto [change, path] = GENERATE(table<std::string, std::string>({
+      {R"("others": [{"id": "8", "at": [1, 1]}])", "/others"},
+      {R"("table": {"preset": "pool-9ft"})", "/table/preset"},
+      {R"("table": {"length": 2, "width": 1, "cushions": {}})", "/table/cushions"},
+      {R"("physics": {"model": "rolling", "ball_ball": {}})", "/physics/ball_ball"},
+      {R"("physics": {"model": "spin", "cushion": {"frequency_ratio": 1.8}}, "table": "seed")",
+       "/physics/cushion/frequency_ratio"},
+      {R"("target": {"carom": ["1", "2"]})", "/target/carom"},
+      {R"("target": {"point": [1, 1], "ball": "1"})", "/target/ball"},
+      {R"("noise": {"side": 0.1})", "/noise/side"},
+  }));
+  Json puzzle = Json::parse(R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.4]}, "target": {"pocket": "any"}})");
+  puzzle.update(Json::parse("{" + change + "}"));
+  const Json answer = Json::parse(run_program("solve --json", puzzle.dump()).out);
+  INFO(answer);
+  CHECK(answer.at("error").at("path") == path);
+  CHECK_THAT(answer["error"]["reason"].get<std::string>(), Catch::Contains("not supported yet"));
+}
+
+TEST_CASE("an unknown document is refused, a recording is still to come") {
+  CHECK_THAT(run_program("schema puzle").err, Catch::Contains("did you mean \"puzzle\"?"));
+  CHECK_THAT(run_program("schema recording").err, Catch::Contains("not supported yet"));
+  CHECK(run_program("schema recording").exit == 2);
+}
