@@ -73,7 +73,7 @@ struct SlideRollOf {
   void finish(const Body& body, State<T>& s, const Arc<T>& arc) const {
     if (arc.end == PhaseEnd::piece) return;
     if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
-    if (arc.bends && value(dot(arc.taken, arc.taken)) > Real<T>(0)) slow_to_roll(body, s, arc.taken);
+    if (arc.bends && value(dot(arc.taken, arc.taken)) > Real<T>(0)) slow_to_roll(body, s);
     set_rolling(body, s);
   }
 
@@ -88,10 +88,12 @@ struct SlideRollOf {
   /// What is left of a slip that turned (held.hpp) still takes its share, 2/7, of the speed along the cushion, which
   /// took the rest across it: without that the last of the slip would come back as energy.
   template <class T>
-  static void slow_to_roll(const Body& body, State<T>& s, const Vec2<T>& across) {
-    const Vec2<T> u = slip(body, s);
-    const T part = dot(u, across) / dot(across, across), share(Real<T>(2) / Real<T>(7));
-    s.velocity -= (u - across * part) * share;
+  static void slow_to_roll(const Body& body, State<T>& s) {
+    const T speed2 = dot(s.velocity, s.velocity);
+    if (!(value(speed2) > Real<T>(0))) return;
+    // The velocity is along the cushion already, and stays exactly so.
+    const T part = dot(slip(body, s), s.velocity) / speed2;
+    s.velocity -= s.velocity * T(part * (Real<T>(2) / Real<T>(7)));
   }
   template <class T>
   static void set_rolling(const Body& body, State<T>& s) {
