@@ -78,17 +78,19 @@ std::vector<Question> samples_of(const Question& q) {
     arrivals.push_back((q.arrival->low + q.arrival->high) / 2);
     arrivals.push_back(q.arrival->low + q.arrival->high - q.asked);
   }
-  std::vector<LaunchSpin> spins{q.spin};
+  // Corners first: a ball without side spin has no derivative by it, since its spin is gone at once.
+  std::vector<LaunchSpin> spins;
+  const auto add = [&](const LaunchSpin& spin) {
+    if (std::ranges::find(spins, spin) == spins.end()) spins.push_back(spin);
+  };
   if (const auto& r = q.puzzle.spin_range)
     for (const double top : {r->top.high, r->top.low})
       for (const double side : {r->side.low, r->side.high})
-        for (const double masse : {r->masse.low, r->masse.high}) {
-          const LaunchSpin spin{top, side, masse};
-          if (std::ranges::find(spins, spin) == spins.end()) spins.push_back(spin);
-        }
+        for (const double masse : {r->masse.low, r->masse.high}) add({top, side, masse});
+  add(q.spin);
   std::vector<Question> out;
-  for (const LaunchSpin& spin : spins)
-    for (const double asked : arrivals) out.push_back(q.starts_at(asked, spin));
+  for (const double asked : arrivals)
+    for (const LaunchSpin& spin : spins) out.push_back(q.starts_at(asked, spin));
   return out;
 }
 
