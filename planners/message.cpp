@@ -117,7 +117,7 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
     text +=
         fmt::format("; the {} ended the search, so there may be better ones", ledger.cancelled() ? "caller" : "budget");
   if (found.rivals_sought && !ledger.cut())
-    text += fmt::format("; routes narrower than {:.1g}° of aim were not looked at, and may hold a better one",
+    text += fmt::format("; routes narrower than {:.0f}° of aim were not all looked at, and one may hold a better shot",
                         degrees(settings::automatic::rival.narrowest));
   if (q.all() && !found.complete && !ledger.cut())
     text += "; there may be more: shots in a narrow range of aims can be missed";
