@@ -70,6 +70,12 @@ struct Question {
   bool frozen() const;
 };
 
+/// `f` of the question with the spin of a shot, which is the shot's own where the puzzle leaves it free.
+template <class F>
+decltype(auto) as_struck(const Question& q, const Shot& shot, F&& f) {
+  return shot.spin == q.spin ? f(q) : f(q.spinning(shot.spin));
+}
+
 /// b − a brought into (−π, π].
 double angle_difference(double a, double b);
 

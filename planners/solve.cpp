@@ -121,7 +121,9 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     if (!ledger.spent()) method.plan(q, ledger, found);
     if (found.shots.empty() && !ledger.exhausted() && i + 1 < spins.size()) continue;
     planning::rank(q, found.shots);
-    if (puzzle.aim == Aim::safest && !found.shots.empty()) planning::make_safest(q, ledger, found.shots.front());
+    if (puzzle.aim == Aim::safest && !found.shots.empty())
+      planning::as_struck(q, found.shots.front(),
+                          [&](const Question& own) { planning::make_safest(own, ledger, found.shots.front()); });
     const double took = microseconds_since(begin);
     if (spins.size() > 1)
       found.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Core>
 #include "planners/locked/clearance.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/success.hpp"
@@ -55,7 +54,7 @@ int Family::freedom(const Question& q) {
 }
 
 Family::Family(const Question& q, Ledger& ledger, Findings& found, const Lead& start, std::string_view step)
-    : q_(q),
+    : q_(q.spinning(start.spin)),
       ledger_(ledger),
       found_(found),
       start_(start),
@@ -110,7 +109,8 @@ Family::Tried Family::attempt(const Point& p) {
   t.proof = prove(q_, ledger_, launch_of(p.x), Goal::exactly(q_, static_cast<int>(aim_.route.size())));
   if (t.made() && q_.puzzle.prefer == Prefer::robust) {
     ledger_.charge(aim_.route.size());
-    t.merit = log_odds(first_order(aim_, t.proof->shot.launch, t.proof->shot.arrival.at).chance);
+    add_first_order(q_, t.proof->shot);
+    t.merit = log_odds(t.proof->shot.chance);
   }
   return t;
 }
@@ -297,7 +297,6 @@ Shot Family::tuned(const Shot& shot) {
       const auto next = settle(at->x + step * scale_.cwiseProduct(way), box_);
       Tried t = next ? attempt(*next) : Tried{};
       if (!t.made()) continue;
-      add_first_order(q_, t.proof->shot);
       find_success(q_, ledger_, t.proof->shot);
       ++tried;
       if (!(*t.proof->shot.success > *best.success + worth_tuning)) continue;

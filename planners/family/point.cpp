@@ -58,9 +58,7 @@ std::optional<Point> look_at(const LockedAim& a, const Vector& x) {
   }
   const Vec2<T> u = arrival->heading / norm(arrival->heading);
   p.off[0] = value_of<N>(cross(u, off) / diagonal);
-  T speed2 = dot(arrival->state.velocity, arrival->state.velocity);
-  if (arrival->at_rest) speed2 = dot(u, off) * (-2 * deceleration(q.puzzle.physics));
-  p.speed2 = value_of<N>(speed2);
+  p.speed2 = value_of<N>(arrival_square(q.puzzle.physics, *arrival, u, off));
   return p;
 }
 

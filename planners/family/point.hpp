@@ -34,8 +34,8 @@ struct Point {
   Vector x = Vector::Zero();
   int equations = 1;  ///< that say where it passes: across the line of travel, or both coordinates where it rests
   std::array<Value, 2> off{};  ///< of the diagonal
-  Value speed2{};              ///< m²/s² on arrival, continued below 0; not of a ball that rests
-  Value time{};                ///< s
+  Value speed2{};  ///< m²/s² on arrival, as residual [1] counts it (locked/residual.hpp); not of a ball that rests
+  Value time{};    ///< s
 };
 
 /// What is varied: the derivatives by spin cost twice as much.

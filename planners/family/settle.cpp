@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "planners/family/family.hpp"
+#include "planners/locked/arrival.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
@@ -14,10 +15,10 @@ using namespace settings::family;
 
 namespace {
 
-/// What must be 0 of the arrival speed, of the larger of 1 m/s and the speed asked.
-Value speed_off(const Point& p, double asked) {
-  const double unit = std::max(1.0, asked * asked);
-  return {(p.speed2.a - asked * asked) / unit, p.speed2.by / unit};
+/// What must be 0 of the squared arrival speed, of the larger of 1 m²/s² and the square asked.
+Value speed_off(const Point& p, double square) {
+  const double unit = std::max(1.0, square);
+  return {(p.speed2.a - square) / unit, p.speed2.by / unit};
 }
 
 /// The least step, in scales, that solves the linear equations; not finite where they are singular.
@@ -57,10 +58,10 @@ Vector least_step(const Point& p, std::span<const Value> equations, std::array<b
 std::vector<Value> Family::equations(const Point& p, bool& at_bound) const {
   std::vector<Value> out(p.off.begin(), p.off.begin() + p.equations);
   if (q_.stop || q_.pinned || !q_.arrival) return out;
-  const Range& asked = *q_.arrival;
-  const double square = p.speed2.a, low = asked.low * asked.low, high = asked.high * asked.high;
+  const auto counted = [&](double speed) { return even_square(q_.puzzle.physics, speed * speed); };
+  const double square = p.speed2.a, low = counted(q_.arrival->low), high = counted(q_.arrival->high);
   at_bound = at_bound || !(square > low && square < high);
-  if (at_bound) out.push_back(speed_off(p, square < (low + high) / 2 ? asked.low : asked.high));
+  if (at_bound) out.push_back(speed_off(p, square < (low + high) / 2 ? low : high));
   return out;
 }
 

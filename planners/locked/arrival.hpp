@@ -32,6 +32,14 @@ T even_square(const Physics& physics, const T& square) {
   return drag.none() || !(square > T(0)) ? square : T(drag.length(T(sqrt(square)), T(0)) * (2 * drag.constant));
 }
 
+/// The squared speed on arrival as residual [1] counts it, of a ball that moves along the unit vector u with the mark
+/// this far off: continued below 0 where it rests before.
+template <class T>
+T arrival_square(const Physics& physics, const LockedArrival<T>& arrival, const Vec2<T>& u, const Vec2<T>& off) {
+  if (arrival.at_rest) return T(-2 * deceleration(physics)) * dot(u, off);
+  return even_square(physics, T(dot(arrival.state.velocity, arrival.state.velocity)));
+}
+
 /// The N residuals of residual.hpp; false where the ball arrives with no direction.
 template <int N, class T>
 bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
@@ -48,8 +56,7 @@ bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
   r[0] = cross(u, off) / diagonal;
   if constexpr (N > 1) {
     const Physics& physics = a.q.puzzle.physics;
-    const T square = arrival.at_rest ? T(T(-2 * deceleration(physics)) * dot(u, off))
-                                     : even_square(physics, T(dot(arrival.state.velocity, arrival.state.velocity)));
+    const T square = arrival_square(physics, arrival, u, off);
     const double asked = even_square(physics, a.q.asked * a.q.asked);
     r[1] = (square - T(asked)) / T(std::max(1.0, asked));
   }

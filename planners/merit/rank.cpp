@@ -93,7 +93,7 @@ void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots
   std::size_t best = candidates.front().shot;
   for (const Candidate& c : candidates) {
     if (shots[best].success && c.at_most <= *shots[best].success) break;
-    find_success(q, ledger, shots[c.shot], shots);
+    as_struck(q, shots[c.shot], [&](const Question& own) { find_success(own, ledger, shots[c.shot], shots); });
     if (*shots[c.shot].success > *shots[best].success) best = c.shot;
   }
   std::swap(shots.front(), shots[best]);
@@ -103,8 +103,10 @@ void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
   std::vector<Shot>& shots = found.shots;
   const bool by_success = q.puzzle.prefer == Prefer::robust;
   for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
-    if (!shot.success) find_success(q, ledger, shot, shots);
-    find_margin(q, ledger, shot);
+    as_struck(q, shot, [&](const Question& own) {
+      if (!shot.success) find_success(own, ledger, shot, shots);
+      find_margin(own, ledger, shot);
+    });
   }
   if (q.all() && by_success) order(q, shots);
 }

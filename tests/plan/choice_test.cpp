@@ -6,6 +6,7 @@
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
 #include "support/replay_check.hpp"
+#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -37,6 +38,26 @@ TEST_CASE("of a range of spin the one that prefer likes best is used") {
         CHECK(best <= worth(solve(p, {.all = true, .robustness = false})) * 1.001);
       }
   }
+}
+
+TEST_CASE("margin and chance of a free spin are the shot's own") {
+  int shots = 0;
+  for (const char* prefer : {"robust", "soft", "quick"})
+    for (const char* aim : {"centre", "safest"}) {
+      const Puzzle p = read(
+          std::string(
+              R"(, "spin": {"top": [0.3, 1], "side": [-0.8, 0.5]}}, "target": {"point": [1.9, 0.9]}, "cushions": 1, "arrive": {"speed": [0.5, 2]}, "prefer": ")") +
+          prefer + R"(", "aim": ")" + aim + "\"}");
+      const Answer a = solve(p);
+      REQUIRE(a.status == Status::solved);
+      CHECK(*a.shots[0].success > 0);
+      for (const truth::Check& c : truth::check(&p, a.id, a)) {
+        INFO(prefer << ", " << aim << ": " << truth::name(c.claim) << ": " << c.what);
+        CHECK(c.holds());
+      }
+      ++shots;
+    }
+  CHECK(shots == 6);
 }
 
 TEST_CASE("spin is used where nothing works without") {
