@@ -84,7 +84,8 @@ std::string reasons(const Question& q, const Findings& found) {
   if (by_count.size() > settings::most_reasons_named)
     out += fmt::format("; and {} other reason{}", by_count.size() - settings::most_reasons_named,
                        by_count.size() > settings::most_reasons_named + 1 ? "s" : "");
-  return out.empty() ? "no path has the bounces asked" : out;
+  if (!out.empty()) return out;
+  return found.proved ? "no path has the bounces asked" : "no launch was found that reaches the target as asked";
 }
 
 std::string asked_cushions(const CushionRule& c) {

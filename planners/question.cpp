@@ -67,7 +67,7 @@ Question Question::spinning(const LaunchSpin& launch_spin) const {
 
 double Question::fixed_speed() const {
   if (pinned) return *pinned;
-  return is_ideal(puzzle.physics) ? std::clamp(1.0, speed.low, speed.high) : speed.low;
+  return is_ideal(puzzle.physics) ? ideal_speed(puzzle) : speed.low;
 }
 
 Question Question::better_than(const Shot& shot) const {

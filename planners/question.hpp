@@ -55,7 +55,7 @@ struct Question {
   const CushionRule& cushions() const { return puzzle.cushions; }
   /// Only the aim is unknown.
   bool one_unknown() const { return !arrival || pinned; }
-  /// The launch speed where only the aim is unknown: the fixed one; in `ideal` 1 m/s brought inside the bounds.
+  /// The launch speed where only the aim is unknown: the fixed one, or `ideal_speed`.
   double fixed_speed() const;
   /// Some mark takes the ball: a pocket.
   bool captures() const { return !marks.empty() && marks.front().captures(); }

@@ -19,16 +19,31 @@ std::optional<Shot> opened(Puzzle p, const Solve& solve) {
   return a.shots.empty() ? std::nullopt : std::optional(a.shots.front());
 }
 
+/// With launches as fast as a strong break, or as slow as any.
+std::string of_speed(const Puzzle& puzzle, const Solve& solve) {
+  const Range& v = puzzle.speed;
+  const double fastest = std::max(v.high, settings::hints::strong_break), slowest = std::min(v.low, Puzzle{}.speed.low);
+  if (is_ideal(puzzle.physics)) return "";
+  for (const Range wider : {Range{v.low, fastest}, Range{slowest, v.high}}) {
+    if (wider.low == v.low && wider.high == v.high) continue;
+    Puzzle p = puzzle;
+    p.speed = wider;
+    if (v.fixed()) p.arrive = Range{0, fastest};  // as it may arrive now
+    const auto shot = opened(p, solve);
+    if (!shot) continue;
+    const double speed = shot->launch.speed;
+    if (v.contains(speed)) return fmt::format("a wider search finds a launch at {:.4g} m/s", speed);
+    return fmt::format("a launch at {:.4g} m/s would do it, and the bound is {:.4g} m/s", speed,
+                       speed > v.high ? v.high : v.low);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string what_would_open(const Puzzle& puzzle, const Solve& solve) {
+  if (std::string text = of_speed(puzzle, solve); !text.empty()) return text;
   Puzzle p = puzzle;
-  if (p.speed.high < settings::hints::strong_break && !is_ideal(p.physics)) {
-    p.speed.high = settings::hints::strong_break;
-    if (const auto shot = opened(p, solve))
-      return fmt::format("a launch at {:.4g} m/s would do it", shot->launch.speed);
-  }
-  p = puzzle;
   if (p.angle) {
     p.angle.reset();
     if (const auto shot = opened(p, solve))

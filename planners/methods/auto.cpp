@@ -44,12 +44,11 @@ void rivals(const Question& q, Ledger& ledger, Findings& found) {
 }
 
 /// One arrival speed aimed for, or one launch speed.
-void with_spin(const Question& q, Ledger& ledger, Findings& found) {
+void look(const Question& q, Ledger& ledger, Findings& found, steps::Parts& parts) {
   const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
   steps::images(q, ledger, found);
   if (ledger.cut()) return;
   // What blocks a pocket's centre is often there; a point's hardly ever: so parts of points come last.
-  steps::Parts parts;
   const bool pocket = q.captures();
   if (q.route && nothing_yet()) {
     steps::fan(q, ledger, found);
@@ -62,13 +61,27 @@ void with_spin(const Question& q, Ledger& ledger, Findings& found) {
     parts.climb(q, ledger, found);
     parts.bisect(q, ledger, found, first_share_of_parts);
   }
+}
+
+/// What costs ten times as much, where nothing was found.
+void look_closely(const Question& q, Ledger& ledger, Findings& found, steps::Parts& parts) {
+  const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
   if (nothing_yet()) steps::map(q, ledger, found, fine);
   if (q.route && nothing_yet()) steps::map(q, ledger, found, as_it_occurs);
   parts.climb(q, ledger, found);
-  if (pocket && nothing_yet()) steps::map(q, ledger, found, finest);
-  parts.climb(q, ledger, found);
+}
+
+void with_spin(const Question& q, Ledger& ledger, Findings& found) {
+  steps::Parts parts;
+  look(q, ledger, found, parts);
+  if (ledger.cut()) return;
+  look_closely(q, ledger, found, parts);
+  if (q.captures() && stop::nothing_yet(ledger, found)) {
+    steps::map(q, ledger, found, finest);
+    parts.climb(q, ledger, found);
+  }
   parts.bisect(q, ledger, found, 1);
-  if (nothing_yet()) search_box(q, ledger, found, steps::word::global);
+  if (stop::nothing_yet(ledger, found)) search_box(q, ledger, found, steps::word::global);
 }
 
 /// The arrival speeds and spins at which families are looked for: the ends that are preferred first.
@@ -138,18 +151,26 @@ void improve(const Question& q, Ledger& ledger, Findings& found) {
   }
 }
 
-/// Arrival speeds or spins are free. Where images lead to no shot: all steps, at each of a few speeds and spins, and
-/// launches at the bounds of their own speed, which arrive as they may.
+/// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
+/// launches at the bounds of their own speed, which arrive as they may; fine maps at the first of them alone.
 void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
   along_families(q, ledger, found);
   const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
   if (!nothing_yet()) return;
-  for (const Question& sample : samples_of(q)) {
-    if (nothing_yet()) with_spin(q.spinning(sample.spin).asking(sample.asked), ledger, found);
-    if (!q.arrival || q.arrival->fixed()) continue;
+  const auto look_at = [&](const Question& one) {
+    steps::Parts parts;
+    if (nothing_yet()) look(one, ledger, found, parts);
+  };
+  const std::vector<Question> samples = samples_of(q);
+  for (const Question& sample : samples) {
+    look_at(q.spinning(sample.spin).asking(sample.asked));
+    if (!q.arrival || q.arrival->fixed() || sample.asked != q.asked) continue;
     for (const double speed : {q.speed.high, q.speed.low})
-      if (nothing_yet() && speed > 0) with_spin(q.spinning(sample.spin).launched_at(speed), ledger, found);
+      if (speed > 0) look_at(q.spinning(sample.spin).launched_at(speed));
   }
+  steps::Parts parts;
+  if (nothing_yet()) look_closely(q.spinning(samples.front().spin), ledger, found, parts);
+  parts.bisect(q.spinning(samples.front().spin), ledger, found, 1);
   if (!q.first()) improve(q, ledger, found);
 }
 

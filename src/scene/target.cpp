@@ -14,8 +14,6 @@ std::vector<Mark> marks_of(const Target& target, const Boundary& boundary) {
 
 bool is_pocket(const Target& target) { return std::holds_alternative<PocketTarget>(target); }
 
-double usual_arrival(const Target& target) { return is_pocket(target) ? 0.5 : 0; }
-
 std::string in_words(const Target& target, const Table& table, bool rests) {
   if (!is_pocket(target)) return rests ? "to rest in the ring" : "through the ring";
   const auto& wanted = std::get<PocketTarget>(target).pocket;

@@ -221,6 +221,12 @@ void check_cushions(const CushionRule& c, const Boundary& boundary) {
   }
 }
 
+/// Speeds that are launched and, where it is asked, arrive.
+Range ideal_speeds(const Puzzle& p) {
+  const Range& asked = p.arrive ? *p.arrive : p.speed;
+  return {std::max(p.speed.low, asked.low), std::min(p.speed.high, asked.high)};
+}
+
 }  // namespace
 
 void validate(const Puzzle& p) {
@@ -234,6 +240,10 @@ void validate(const Puzzle& p) {
     check_range(*p.arrive, "/arrive/speed");
     if (p.speed.fixed())
       fail("/arrive", "the launch speed is fixed, so the speed at the target cannot be asked as well");
+    const Range speeds = ideal_speeds(p);
+    if (is_ideal(p.physics) && !(speeds.low <= speeds.high && speeds.high > 0))
+      fail("/arrive/speed", speeds.high > 0 ? "in ideal physics a ball keeps its speed, and none asked here is within \"speed\""
+                                            : "in ideal physics no ball comes to rest");
   }
   if (p.angle && !(p.angle->low <= p.angle->high && std::isfinite(p.angle->high)))
     fail("/angle", "must be a finite range");
@@ -252,8 +262,13 @@ void validate(const ShotRequest& s) {
 std::optional<Range> arrival_range(const Puzzle& p) {
   if (is_ideal(p.physics) || p.speed.fixed()) return {};
   if (p.arrive) return p.arrive;
-  const double s = usual_arrival(p.target);
-  return Range{s, s};
+  constexpr Range rests{0, 0}, rolls_or_is_hit{0.2, 3};
+  return is_pocket(p.target) ? rolls_or_is_hit : rests;
+}
+
+double ideal_speed(const Puzzle& p) {
+  const Range speeds = ideal_speeds(p);
+  return std::clamp(1.0, speeds.low, speeds.high);
 }
 
 }  // namespace bankshot

@@ -74,6 +74,9 @@ class ShotCheck {
     const auto outside = [](double x, const Range& r) { return std::max({0.0, r.low - x, x - r.high}); };
     compare(Claim::speed, outside(v, p_.speed), tolerance::bound * std::max(1.0, p_.speed.high),
             fmt::format("{} m/s is outside {} to {}", v, p_.speed.low, p_.speed.high));
+    if (is_ideal(p_.physics))
+      compare(Claim::speed, std::abs(v - ideal_speed(p_)), tolerance::bound,
+              fmt::format("{} m/s, and it keeps {}", v, ideal_speed(p_)));
     if (p_.angle) {
       constexpr double turn = radians(360);
       const double a = shot_.launch.angle,

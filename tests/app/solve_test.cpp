@@ -17,7 +17,7 @@ using Catch::Contains;
 using Json = nlohmann::json;
 
 const char* const bank = R"({"id": "bank", "table": "pool-9ft", "physics": "rolling", "ball": {"at": [0.635, 0.4]},
-  "target": {"pocket": "bottom-middle"}, "cushions": ["top", "right"]})";
+  "target": {"pocket": "bottom-middle"}, "cushions": ["top", "right"], "arrive": {"speed": 0.5}})";
 Json solve_json(const std::string& flags, const std::string& puzzle = bank) {
   return Json::parse(run_program("solve --json " + flags, puzzle).out);
 }

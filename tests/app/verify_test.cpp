@@ -35,7 +35,7 @@ std::string answer_to(const std::string& puzzle, bool all = false) {
 
 const std::string bank =
     R"({"id":"bank","table":"pool-9ft","ball":{"at":[0.635,0.4],"spin":{"top":0.5,"side":[0,0.4]}},"target":)"
-    R"({"pocket":"bottom-middle"},"cushions":["top","right"],"angle":[0,90],"speed":[0.1,9]})";
+    R"({"pocket":"bottom-middle"},"cushions":["top","right"],"angle":[0,90],"speed":[0.1,9],"arrive":{"speed":0.5}})";
 const std::string stop =
     R"({"id":7,"table":"carom-10ft","ball":{"at":[0.7,0.5]},"target":{"point":[2.1,0.9]},"cushions":2})";
 /// Made by every draw: what is allowed is the tolerance and little more.

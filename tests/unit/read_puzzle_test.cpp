@@ -86,7 +86,8 @@ TEST_CASE("what is left out takes its default") {
   CHECK(restitution(p.physics).at_rest == 0.85);
   const Puzzle pocket = read_puzzle(minimal({{"target", {{"point", nullptr}, {"pocket", "any"}}}}));
   CHECK(!std::get<PocketTarget>(pocket.target).pocket);
-  CHECK(arrival_range(pocket)->low == 0.5);
+  CHECK(arrival_range(pocket)->low == 0.2);
+  CHECK(arrival_range(pocket)->high == 3);
 }
 
 TEST_CASE("an angle range may wrap through 0 and be written with negative degrees") {

@@ -60,7 +60,7 @@ struct Puzzle {
   Physics physics = rolling_physics();
   Ball ball{};
   LaunchSpin spin{};                      ///< at launch, where `spin_range` is not given
-  std::optional<SpinRange> spin_range{};  ///< then the least spin that works is chosen
+  std::optional<SpinRange> spin_range{};  ///< then `prefer` chooses
   Target target{};
   CushionRule cushions{};
   std::optional<Range> arrive{};  ///< speed at the target [m/s]; the default depends on the target
@@ -89,6 +89,10 @@ struct ShotRequest {
 
 /// Speed asked at the target, none where any speed does (`ideal`, or a fixed launch speed).
 std::optional<Range> arrival_range(const Puzzle& puzzle);
+
+/// The speed of a ball that never slows, where the physics is `ideal` [m/s]: the one launched or asked at the target
+/// that is nearest to 1.
+double ideal_speed(const Puzzle& puzzle);
 
 /// Input that breaks a rule: `path` is the JSON path of the offender ("/ball/at/0"), empty for the
 /// document itself; `line` is set when the text is no JSON at all.

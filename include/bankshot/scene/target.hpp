@@ -46,9 +46,6 @@ std::vector<Mark> marks_of(const Target& target, const Boundary& boundary);
 /// Whether the ball must fall to reach it.
 bool is_pocket(const Target& target);
 
-/// Arrival speed asked where a puzzle says nothing [m/s].
-double usual_arrival(const Target& target);
-
 /// As the end of a sentence about a ball: "into top-right", "to rest in the ring", "through the ring". `rests`: the
 /// arrival speed asked is 0.
 std::string in_words(const Target& target, const Table& table, bool rests);
