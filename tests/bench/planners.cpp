@@ -3,7 +3,8 @@
 // Every planner on the same random puzzles with spin: a ball that must rest at a point after exactly so
 // many cushions, on rectangles without pockets. One line of CSV a planner; "mirror" only aims at the
 // mirror image, at the speed that carries the ball abreast of its target.
-//   planners --count 300 --seed 4 --cushions 3 [--sequence]
+// `--pocket`: as people write them, a ball on a 9-foot table, a pocket and so many cushions, those that have a shot.
+//   planners --count 300 --seed 4 --cushions 3 [--sequence | --pocket]
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include <iostream>
 
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/scene.hpp"
 #include "planners/images/unfold.hpp"
 #include "planners/locked/speed.hpp"
 #include "planners/proof/replay.hpp"
@@ -33,6 +35,21 @@ std::vector<Puzzle> puzzles(int count, std::uint64_t seed, int cushions, bool se
     const Puzzle p = test::random_puzzle(random, test::Family::uniform, test::Model::spin, cushions).puzzle;
     const bool rests = std::holds_alternative<PointTarget>(p.target) && !p.arrive && !p.speed.fixed();
     if (p.table.pockets.empty() && rests && sequence == p.cushions.sequence.has_value()) out.push_back(p);
+  }
+  return out;
+}
+
+std::vector<Puzzle> into_pockets(int count, std::uint64_t seed, int cushions) {
+  test::Random random(seed);
+  std::vector<Puzzle> out;
+  while (static_cast<int>(out.size()) < count) {
+    const Scene scene = preset_scene("pool-9ft");
+    Puzzle p{.table = scene.table, .physics = scene.physics, .ball = scene.ball};
+    const Vec2d room = p.table.highest();
+    p.ball.at = {random.uniform(0.1, room.x - 0.1), random.uniform(0.1, room.y - 0.1)};
+    p.target = PocketTarget{random.integer(0, 5)};
+    p.cushions = CushionRule::exactly(cushions);
+    if (solve(p, {.robustness = false, .suggest = false}).status == Status::solved) out.push_back(p);
   }
   return out;
 }
@@ -78,7 +95,7 @@ double part(std::vector<double> v, double share) {
   return v[std::min(v.size() - 1, static_cast<std::size_t>(share * static_cast<double>(v.size())))];
 }
 
-void print(const std::string& name, int cushions, bool sequence, const std::vector<Outcome>& all) {
+void print(const std::string& name, int cushions, const char* given, const std::vector<Outcome>& all) {
   std::vector<double> simulations, us;
   double exact = 0, near = 0;
   for (const Outcome& o : all) {
@@ -89,7 +106,7 @@ void print(const std::string& name, int cushions, bool sequence, const std::vect
   }
   const double n = static_cast<double>(all.size());
   std::cout << fmt::format("{},{},{},{},{:.4f},{:.4f},{:.0f},{:.0f},{:.1f},{:.1f}\n", name, cushions,
-                           sequence ? "sequence" : "count", all.size(), exact / n, near / n, part(simulations, 0.5),
+                           given, all.size(), exact / n, near / n, part(simulations, 0.5),
                            part(simulations, 0.99), part(us, 0.5), part(us, 0.99));
 }
 
@@ -99,16 +116,18 @@ int main(int argc, char** argv) {
   CLI::App app("Every planner on the same puzzles");
   int count = 300, cushions = 3;
   std::uint64_t seed = 4;
-  bool sequence = false, header = false;
+  bool sequence = false, pocket = false, header = false;
   std::string only;
   app.add_option("--count", count)->capture_default_str();
   app.add_option("--seed", seed)->capture_default_str();
   app.add_option("--cushions", cushions)->capture_default_str();
   app.add_option("--only", only, "One planner");
   app.add_flag("--sequence", sequence, "The sequence is given, not only the count");
+  app.add_flag("--pocket", pocket, "Into a pocket, arriving as prefer likes");
   app.add_flag("--header", header);
   CLI11_PARSE(app, argc, argv);
-  const std::vector<Puzzle> set = puzzles(count, seed, cushions, sequence);
+  const std::vector<Puzzle> set =
+      pocket ? into_pockets(count, seed, cushions) : puzzles(count, seed, cushions, sequence);
   if (header)
     std::cout << "planner,cushions,given,puzzles,exact,within_ball_radius,simulations_median,simulations_p99,us_median,"
                  "us_p99\n";
@@ -116,7 +135,7 @@ int main(int argc, char** argv) {
     if (!only.empty() && only != name) return;
     std::vector<Outcome> all;
     for (const Puzzle& p : set) all.push_back(solve_one(p));
-    print(name, cushions, sequence, all);
+    print(name, cushions, pocket ? "pocket" : sequence ? "sequence" : "count", all);
   };
   run("mirror", by_mirror);
   for (const PlannerInfo& planner : planners())
@@ -124,9 +143,13 @@ int main(int argc, char** argv) {
       run(std::string(planner.name), [&](const Puzzle& p) {
         return by_planner(p, {.planner = std::string(planner.name), .robustness = false, .suggest = false});
       });
-  run("auto with margin and success", [&](const Puzzle& p) { return by_planner(p, {.suggest = false}); });
-  run("auto --first",
-      [&](const Puzzle& p) { return by_planner(p, {.first = true, .robustness = false, .suggest = false}); });
-  run("auto --all",
-      [&](const Puzzle& p) { return by_planner(p, {.all = true, .robustness = false, .suggest = false}); });
+  const auto bare_and_whole = [&](const std::string& name, SolveOptions options) {
+    options.suggest = false;
+    run(name + " with margin and success", [&](const Puzzle& p) { return by_planner(p, options); });
+    options.robustness = false;
+    if (name != "auto") run(name, [&](const Puzzle& p) { return by_planner(p, options); });
+  };
+  bare_and_whole("auto", {});
+  bare_and_whole("auto --first", {.first = true});
+  bare_and_whole("auto --all", {.all = true});
 }
