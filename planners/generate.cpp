@@ -72,7 +72,10 @@ void tidy(Puzzle& p) {
     p.speed = plain.speed;
   else
     p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
-  if (p.arrive && !stops && !is_pocket(p.target))
+  constexpr double dropping = 0.5;  // m/s: one speed, so that a pocket has one answer, too
+  if (is_pocket(p.target) && !is_ideal(p.physics) && !p.speed.fixed())
+    p.arrive = Range{dropping, dropping};
+  else if (p.arrive && !stops)
     p.arrive = Range{in_tenths(p.arrive->low), in_tenths(p.arrive->low)};
   else
     p.arrive.reset();

@@ -110,7 +110,8 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
                                      : fmt::format("the best of {} shots found; --all prints each", distinct);
   if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
   if (a.shots.front().off_centre && q.puzzle.aim == Aim::centre)
-    text += "; it is made beside the middle of the target: no line through it was found";
+    text += q.beside_will_do() ? "; it goes in beside the middle of the pocket, where it is likelier"
+                               : "; it is made beside the middle of the target: no line through it was found";
   if (may_miscue(a.shots.front().spin))
     text += "; the tip may slip off the ball: it meets it more than half the radius from the centre";
   text += uncertain(q, a.shots.front());

@@ -82,6 +82,10 @@ const Mark& Question::nearest_mark(const Vec2d& arrived) const {
   return *std::min_element(marks.begin(), marks.end(), nearer);
 }
 
+bool Question::beside_will_do() const {
+  return puzzle.prefer == Prefer::robust && captures() && arrival && !arrival->fixed();
+}
+
 bool Question::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }
 
 bool Question::touches(Contact contact) const {

@@ -186,6 +186,10 @@ namespace parts {
 inline constexpr std::size_t aims_across = 17;
 /// A lead whose speed is this much outside its bounds may lead to a shot inside.
 inline constexpr double nearly_allowed = 1.3;
+/// Of a range of arrival speeds, those at which parts of pockets are looked for.
+inline constexpr int arrivals = 8;
+/// The likeliest of them, which are tried at speeds between as well.
+inline constexpr std::size_t refined = 2;
 }  // namespace parts
 
 namespace widest {

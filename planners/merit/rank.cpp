@@ -33,7 +33,8 @@ void order(const Question& q, std::span<Shot> shots) {
 }
 
 /// Where some line reaches the target's centre, shots beside it are no answer.
-void keep_centred(std::vector<Shot>& shots) {
+void keep_centred(const Question& q, std::vector<Shot>& shots) {
+  if (q.beside_will_do()) return;
   const auto beside = [](const Shot& shot) { return shot.off_centre; };
   if (!std::all_of(shots.begin(), shots.end(), beside)) std::erase_if(shots, beside);
 }
@@ -60,7 +61,7 @@ double first_merit(const Puzzle& p, const Shot& shot) {
 }
 
 void rank(const Question& q, std::vector<Shot>& shots) {
-  keep_centred(shots);
+  keep_centred(q, shots);
   const auto last = [&](const Shot& shot) { return last_choice(q, shot); };
   if (!q.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
   order(q, shots);

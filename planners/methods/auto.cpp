@@ -151,10 +151,18 @@ void improve(const Question& q, Ledger& ledger, Findings& found) {
   }
 }
 
+/// Where no line leads through the middle of a pocket at any arrival speed, or one beside it may be likelier.
+bool parts_wanted(const Question& q, const Ledger& ledger, const Findings& found) {
+  if (!q.captures() || !q.arrival || q.arrival->fixed() || q.first() || ledger.cut()) return false;
+  const auto enough = [&](const Shot& s) { return q.beside_will_do() ? s.chance > sure_enough : !s.off_centre; };
+  return std::ranges::none_of(found.shots, enough);
+}
+
 /// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
 /// launches at the bounds of their own speed, which arrive as they may; fine maps at the first of them alone.
 void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
   along_families(q, ledger, found);
+  if (parts_wanted(q, ledger, found)) steps::parts_by_arrival(q, ledger, found);
   const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
   if (!nothing_yet()) return;
   const auto look_at = [&](const Question& one) {

@@ -242,8 +242,9 @@ void validate(const Puzzle& p) {
       fail("/arrive", "the launch speed is fixed, so the speed at the target cannot be asked as well");
     const Range speeds = ideal_speeds(p);
     if (is_ideal(p.physics) && !(speeds.low <= speeds.high && speeds.high > 0))
-      fail("/arrive/speed", speeds.high > 0 ? "in ideal physics a ball keeps its speed, and none asked here is within \"speed\""
-                                            : "in ideal physics no ball comes to rest");
+      fail("/arrive/speed", speeds.high > 0
+                                ? "in ideal physics a ball keeps its speed, and none asked here is within \"speed\""
+                                : "in ideal physics no ball comes to rest");
   }
   if (p.angle && !(p.angle->low <= p.angle->high && std::isfinite(p.angle->high)))
     fail("/angle", "must be a finite range");

@@ -54,7 +54,8 @@ TEST_CASE("generate: wishes are in the puzzles") {
   CHECK(of(R"(--table '{"length": 3, "width": 1.5}' --physics '{"model": "rolling", "friction": 0.02}')")["table"]
                                                                                                          ["length"] ==
         3);
-  CHECK(!of("--target pocket --physics rolling").contains("arrive"));
+  CHECK(of("--target pocket --physics rolling")["arrive"] == Json{{"speed", 0.5}});
+  CHECK(!of("--target pocket --physics ideal").contains("arrive"));
 }
 
 TEST_CASE("generate: what cannot be is refused or given up") {

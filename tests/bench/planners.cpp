@@ -105,9 +105,9 @@ void print(const std::string& name, int cushions, const char* given, const std::
     near += o.near;
   }
   const double n = static_cast<double>(all.size());
-  std::cout << fmt::format("{},{},{},{},{:.4f},{:.4f},{:.0f},{:.0f},{:.1f},{:.1f}\n", name, cushions,
-                           given, all.size(), exact / n, near / n, part(simulations, 0.5),
-                           part(simulations, 0.99), part(us, 0.5), part(us, 0.99));
+  std::cout << fmt::format("{},{},{},{},{:.4f},{:.4f},{:.0f},{:.0f},{:.1f},{:.1f}\n", name, cushions, given, all.size(),
+                           exact / n, near / n, part(simulations, 0.5), part(simulations, 0.99), part(us, 0.5),
+                           part(us, 0.99));
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ answer() {  # SET COUNT THREADS FLAGS
 }
 
 part() {
+  local name more n physics family free planner
   header=yes
   case $1 in
     simulate) google '^(simulate|locked)' ;;

@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "planners/message.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
+#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -74,11 +76,44 @@ TEST_CASE("where no line reaches a pocket's centre the shot is beside it and say
            .physics = rolling_physics(),
            .ball = {.at = {0.635, 0.4}},
            .target = PocketTarget{5},
-           .cushions = CushionRule::exactly(0)};
+           .cushions = CushionRule::exactly(0),
+           .arrive = Range{0.5, 0.5}};
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].miss > 1e-3);
   CHECK(says(a.message, "beside the middle of the target"));
+  p.arrive.reset();
+  CHECK(says(solve(p).message, "beside the middle of the pocket, where it is likelier"));
+}
+
+TEST_CASE("into a pocket any arrival speed will do, and the likeliest shot is the answer") {
+  struct Bank {
+    Vec2d ball;
+    int pocket, cushions;
+  };
+  double gained = 0;
+  for (const Bank& bank :
+       {Bank{{0.635, 0.4}, 1, 2}, Bank{{1.9, 0.9}, 0, 1}, Bank{{2.2, 0.3}, 4, 1}, Bank{{0.5, 1.0}, 5, 0}}) {
+    Scene scene = preset_scene("pool-9ft");
+    Puzzle p{.table = scene.table, .physics = scene.physics, .ball = scene.ball};
+    p.ball.at = bank.ball;
+    p.target = PocketTarget{bank.pocket};
+    p.cushions = CushionRule::exactly(bank.cushions);
+    const Answer free = solve(p);
+    REQUIRE(free.status == Status::solved);
+    const Shot& best = free.shots[0];
+    CHECK((best.arrival.speed >= 0.2 - 1e-9 && best.arrival.speed <= 3 + 1e-9));
+    for (const truth::Check& c : truth::check(&p, free.id, free)) CHECK(c.holds());
+    for (const double speed : {0.2, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
+      p.arrive = Range{speed, speed};
+      const Answer a = solve(p);
+      if (a.shots.empty()) continue;
+      CAPTURE(bank.ball.x, bank.cushions, speed, *best.success, *a.shots[0].success);
+      CHECK(*a.shots[0].success <= *best.success + 0.01);
+      if (speed == 0.5) gained += *best.success - *a.shots[0].success;
+    }
+  }
+  CHECK(gained > 0.1);  // else nothing was chosen
 }
 
 TEST_CASE("a margin is where the shot stops being made") {
