@@ -187,9 +187,9 @@ inline constexpr std::size_t aims_across = 17;
 /// A lead whose speed is this much outside its bounds may lead to a shot inside.
 inline constexpr double nearly_allowed = 1.3;
 /// Of a range of arrival speeds, those at which parts of pockets are looked for.
-inline constexpr int arrivals = 8;
+inline constexpr int arrivals = 3;
 /// The likeliest of them, which are tried at speeds between as well.
-inline constexpr std::size_t refined = 2;
+inline constexpr std::size_t refined = 4;
 }  // namespace parts
 
 namespace widest {

@@ -87,7 +87,7 @@ void refine_arrival(const Question& q, Ledger& ledger, Findings& found) {
   const Arrivals speeds(*q.arrival);
   std::ranges::sort(found.shots, std::greater{}, &Shot::chance);
   for (std::size_t i = 0; i < std::min(refined, found.shots.size()); ++i)
-    for (const double steps : {-0.5, 0.5, -0.25, 0.25}) {
+    for (const double steps : {-0.5, 0.5, -0.25, 0.25, -0.125, 0.125}) {
       if (ledger.spent()) return;
       const Shot shot = found.shots[i];
       const Question one = q.asking(speeds.beside(shot.arrival.speed, steps));

@@ -85,8 +85,8 @@ part() {
     batch)
       answer rolling 1000000 2 --no-robustness
       answer rolling 1000000 1 --no-robustness
-      answer rolling 1000000 2
-      answer spin 1000000 2 --no-robustness
+      answer rolling 200000 2
+      answer spin 100000 2 --no-robustness
       answer spin 100000 2
       ;;
     *) echo "no part is called $1" >&2 && exit 2 ;;
