@@ -97,9 +97,12 @@ std::string distance_words(double metres, const Table& table) {
   return metres < 10 * mm ? fmt::format("{:.2g} mm", metres / mm) : fmt::format("{:.0f} mm", metres / mm);
 }
 
-std::string chance_words(double chance) {
+std::string chance_words(const Shot& shot) {
   constexpr double nearly = 0.995, hardly = 0.005;
-  if (chance >= nearly && chance < 1) return "over 99 %";
+  const double chance = *shot.success;
+  const auto fails = [](const auto& sides) { return sides[0] || sides[1]; };
+  const bool may_fail = chance < 1 || (shot.margin && (fails(shot.margin->angle) || fails(shot.margin->speed)));
+  if (chance >= nearly && may_fail) return "over 99 %";
   if (chance <= hardly && chance > 0) return "under 1 %";
   return fmt::format("{:.0f} %", 100 * chance);
 }
@@ -185,8 +188,7 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   rows.push_back({"cushions", shot.cushions.empty() ? "none" : cushion_names(p.table, shot.cushions)});
   rows.push_back({"arrives", arrival_words(p, shot)});
   if (shot.success)
-    rows.push_back(
-        {"chance", chance_words(*shot.success) + " for a player whose standard errors are " + noise_words(p.noise)});
+    rows.push_back({"chance", chance_words(shot) + " for a player whose standard errors are " + noise_words(p.noise)});
   if (shot.margin) {
     rows.push_back({"margin", interval(shot.margin->angle, degrees(1), "degrees of aim")});
     rows.push_back({"", interval(shot.margin->speed, 1, "m/s of speed")});

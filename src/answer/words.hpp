@@ -19,8 +19,8 @@ struct Row {
 /// "exact", "0.2 mm", "20 mm", "1.4 m": `metres` on a table of this size; exact is below its millionth part.
 std::string distance_words(double metres, const Table& table);
 
-/// "87 %"; "over 99 %" and "under 1 %" of what may still fail or succeed.
-std::string chance_words(double chance);
+/// Of a shot with success: "87 %"; "over 99 %" where something breaks it, "under 1 %" where it can be made.
+std::string chance_words(const Shot& shot);
 
 /// Whether the line of aim runs into this pocket.
 bool aims_into(const ShotRequest& shot, const Pocket& pocket);

@@ -51,7 +51,7 @@ std::string listed(const Puzzle& p, const Shot& s) {
   std::string names;
   for (const Contact cushion : s.cushions) names += (names.empty() ? "" : ", ") + contact_name(p.table, cushion);
   return fmt::format("{}: {:.1f}°, {:.2f} m/s{}", names.empty() ? "straight" : names, degrees(s.launch.angle),
-                     s.launch.speed, s.success ? ", chance " + chance_words(*s.success) : "");
+                     s.launch.speed, s.success ? ", chance " + chance_words(s) : "");
 }
 
 /// The best in front, those that are not listed faintly behind.

@@ -48,8 +48,8 @@ Entry entry(const Puzzle& puzzle) {
   const Shot& shot = answer.shots.front();
   e.difficulty = difficulty(shot);
   e.unique = bankshot::solve(puzzle, {.all = true, .robustness = false, .suggest = false}).shots.size() == 1;
-  e.answer = fmt::format("{:.2f}°, {:.2f} m/s, chance {}", degrees(shot.launch.angle), shot.launch.speed,
-                         chance_words(*shot.success));
+  e.answer =
+      fmt::format("{:.2f}°, {:.2f} m/s, chance {}", degrees(shot.launch.angle), shot.launch.speed, chance_words(shot));
   return e;
 }
 

@@ -66,7 +66,7 @@ std::string summary(const StartMap& map) {
       "target\n",
       map.starts.size(), of_status[0], of_status[1], of_status[2], of_start[1], of_start[2], of_start[3]);
   if (slowest) out += fmt::format("slowest: {:.4g} m/s from {}\n", slowest->launch.speed, place(slowest_at));
-  if (safest) out += fmt::format("most robust: {} from {}\n", chance_words(*safest->success), place(safest_at));
+  if (safest) out += fmt::format("most robust: {} from {}\n", chance_words(*safest), place(safest_at));
   return out;
 }
 
