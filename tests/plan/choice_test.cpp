@@ -113,6 +113,35 @@ TEST_CASE("a no-shot says what would open it") {
              Catch::Contains("there is a shot with"));
 }
 
+TEST_CASE("a no-shot names the bound of the speed, from either side") {
+  const auto message = [](const std::string& rest) {
+    const Answer a = solve(read(R"(}, "target": {"point": [1.9, 0.9]}, )" + rest));
+    CHECK(a.status == Status::no_shot);
+    return a.message;
+  };
+  CHECK_THAT(message(R"("cushions": 5, "speed": [0.1, 1]})"), Catch::Contains("would do it, and the bound is 1 m/s"));
+  CHECK_THAT(message(R"("cushions": 2, "speed": [8, 9], "arrive": {"speed": 0.3}})"),
+             Catch::Contains("would do it, and the bound is 8 m/s") && !Catch::Contains("no path has the bounces"));
+}
+
+TEST_CASE("in ideal physics the ball keeps the speed that is asked at its target") {
+  const auto with = [](const std::string& rest) {
+    return read(R"(}, "physics": "ideal", "target": {"point": [1.9, 0.9]}, "cushions": 1, )" + rest + "}");
+  };
+  const auto speed = [&](const std::string& rest) {
+    const Answer a = solve(with(rest));
+    REQUIRE(a.status == Status::solved);
+    return a.shots[0].launch.speed;
+  };
+  CHECK(speed(R"("arrive": {"speed": 0.5})") == 0.5);
+  CHECK(speed(R"("arrive": {"speed": [2, 3]})") == 2);
+  CHECK(speed(R"("arrive": {"speed": [0, 3]})") == 1);
+  CHECK(speed(R"("arrive": {"speed": [2, 5]}, "speed": [3, 9])") == 3);
+  CHECK(speed(R"("speed": 4)") == 4);
+  CHECK_THROWS_WITH(solve(with(R"("arrive": {"speed": 0})")), Catch::Contains("no ball comes to rest"));
+  CHECK_THROWS_WITH(solve(with(R"("arrive": {"speed": 2}, "speed": [3, 9])")), Catch::Contains("keeps its speed"));
+}
+
 TEST_CASE("puzzles with friction that grows with speed are solved") {
   const Puzzle p = read(R"(}, "physics": {"model": "spin", "rolling_friction": {"at_rest": 0.008, "per_speed": 0.004}},
                         "target": {"point": [1.9, 0.9]}, "cushions": 2})");

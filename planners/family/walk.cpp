@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+//
+// Along a family that is a curve: steps both ways, to where what is free ends or the curve leaves the bounds for good;
+// then, of what the replay made of the points, the best of each part that is made.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planners/family/family.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::family {
+
+using namespace settings::family;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Family::Curve Family::walk(const Point& from) {
+  Curve curve;
+  walk_way(from, -1, curve);
+  std::reverse(curve.begin(), curve.end());
+  curve.push_back({from});
+  walk_way(from, 1, curve);
+  return curve;
+}
+
+void Family::walk_way(const Point& from, double way, Curve& out) {
+  Point at = from;
+  Vector t = tangents(at).col(0) * way;
+  double h = first_walk;
+  for (int i = 0; i < most_walked && !ledger_.spent();) {
+    const Vector guess = at.x + h * scale_.cwiseProduct(t);
+    const auto next = settle(guess, wide_);
+    const double gone = next ? (next->x - at.x).cwiseQuotient(scale_).dot(t) : 0,
+                 pulled = next ? (next->x - guess).cwiseQuotient(scale_).norm() : infinite;
+    const bool ends = next && at_end(*next);
+    if (ends && gone > least_walk * h) out.push_back({*next});
+    if (ends) return;
+    if (!(pulled < h / 2)) {
+      h /= 2;
+      if (h < least_walk) return;
+      continue;
+    }
+    out.push_back({*next});
+    ++i;
+    const Vector on = tangents(*next).col(0);
+    t = on.dot(t) < 0 ? Vector(-on) : on;
+    at = *next;
+    if (pulled < h / 8) h = std::min(2 * h, longest_walk);
+  }
+}
+
+/// The arrival speed or a spin is at the end of its range.
+bool Family::at_end(const Point& p) const {
+  bool at_bound = false;
+  equations(p, at_bound);
+  if (at_bound && !q_.arrival->fixed()) return true;
+  for (int i = top; i < coordinates; ++i)
+    if (wide_.free(i) && (p.x[i] <= wide_.low[i] || p.x[i] >= wide_.high[i])) return true;
+  return false;
+}
+
+/// Where the curve enters and leaves the bounds of aim and speed.
+void Family::add_crossings(Curve& curve) {
+  for (const int c : {aim, log_speed})
+    for (const double bound : {box_.low[c], box_.high[c]})
+      for (std::size_t i = 1; i < curve.size() && std::isfinite(bound) && !ledger_.spent(); ++i) {
+        const Vector &a = curve[i - 1].at.x, &b = curve[i].at.x;
+        if (!((a[c] - bound) * (b[c] - bound) < 0)) continue;
+        Vector x = a + (b - a) * ((bound - a[c]) / (b[c] - a[c]));
+        x[c] = bound;
+        if (const auto on = settle(x, wide_, c)) curve.insert(curve.begin() + static_cast<std::ptrdiff_t>(i++), {*on});
+      }
+}
+
+void Family::keep_parts(Curve& curve) {
+  for (Tried& t : curve) {
+    t = attempt(t.at);
+    if (q_.first() && t.made()) return keep(t);
+  }
+  for (std::size_t begin = 0, end = 0; begin < curve.size(); begin = end + 1) {
+    end = begin;
+    while (end < curve.size() && curve[end].made()) ++end;
+    if (end == begin) continue;
+    std::size_t best = begin;
+    for (std::size_t i = begin; i < end; ++i)
+      if (curve[i].merit > curve[best].merit) best = i;
+    const bool first = best == 0, last = best + 1 == curve.size();
+    if (!first && !last && curve[best - 1].made() && curve[best + 1].made())
+      keep(peak(curve[best - 1], curve[best], curve[best + 1]));
+    else if (!first && best == begin && curve[best - 1].merit > curve[best].merit)
+      keep(edge(curve[best], curve[best - 1]));
+    else if (!last && best + 1 == end && curve[best + 1].merit > curve[best].merit)
+      keep(edge(curve[best], curve[best + 1]));
+    else
+      keep(curve[best]);
+  }
+}
+
+/// The last shot on the way to a point that is none.
+Family::Tried Family::edge(const Tried& inside_, const Tried& outside_) {
+  Tried in = inside_, out = outside_;
+  if (q_.puzzle.prefer == Prefer::robust) return in;  // beside the edge little is made: no better place to be
+  while (std::abs(out.merit - in.merit) > fine_merit * std::max(1.0, std::abs(in.merit)) && !ledger_.spent()) {
+    const auto middle = settle((in.at.x + out.at.x) / 2, wide_);
+    if (!middle) break;
+    Tried t = attempt(*middle);
+    const bool made = t.made();
+    if ((made ? t.merit - in.merit : out.merit - t.merit) <= 0) break;  // it turned round
+    (made ? in : out) = std::move(t);
+  }
+  return in;
+}
+
+/// The top of the parabola through three points of a curve, twice.
+Family::Tried Family::peak(const Tried& before, const Tried& best, const Tried& after) {
+  Tried low = before, top_ = best, high = after;
+  for (int i = 0; i < parabolas && !ledger_.spent(); ++i) {
+    const double a = -(top_.at.x - low.at.x).cwiseQuotient(scale_).norm(),
+                 b = (high.at.x - top_.at.x).cwiseQuotient(scale_).norm();
+    const double fa = low.merit - top_.merit, fb = high.merit - top_.merit;
+    const double denominator = fa * b - fb * a;
+    if (!(denominator != 0) || !(a < 0 && b > 0)) break;
+    const double to = (fa * b * b - fb * a * a) / (2 * denominator);
+    if (!(to > a && to < b)) break;
+    const Tried& end = to < 0 ? low : high;
+    const auto p = settle(top_.at.x + (end.at.x - top_.at.x) * (to / (to < 0 ? a : b)), wide_);
+    if (!p) break;
+    Tried t = attempt(*p);
+    if (!t.made() || !(t.merit > top_.merit)) break;
+    (to < 0 ? high : low) = top_;
+    top_ = std::move(t);
+  }
+  return top_;
+}
+
+}  // namespace bankshot::planning::family
