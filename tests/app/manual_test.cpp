@@ -26,7 +26,7 @@ Run type(const std::string& lines) {
   const std::size_t at = text.find(begin) + begin.size();
   const std::string puzzle = text.substr(at, text.find("```", at) - at);
   return run_shell(R"(set -e; folder=$(mktemp -d); trap 'rm -rf "$folder"' EXIT; cd "$folder"
-printf '#!/bin/sh\nexec %s "$@"\n' PROGRAM >bankshot; chmod +x bankshot; PATH=$folder:$PATH
+ln -s PROGRAM bankshot; PATH=$folder:$PATH
 cat >puzzle.json; tr -d '\n' <puzzle.json >puzzles.jsonl; echo >>puzzles.jsonl
 echo '{"table": "seed", "ball": {"at": [0.5, 0.5]}, "shot": {"speed": 1, "angle": 20}}' >shot.json
 bankshot batch puzzles.jsonl -o shots.jsonl --quiet
