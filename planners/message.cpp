@@ -80,7 +80,8 @@ std::string reasons(const Question& q, const Findings& found) {
   std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.times > b.times; });
   std::string out;
   for (std::size_t i = 0; i < std::min(settings::most_reasons_named, by_count.size()); ++i)
-    out += fmt::format("{}it {} ({}×)", i ? "; " : "", explain(q, by_count[i].failure), by_count[i].times);
+    out +=
+        fmt::format("{}it {} ({} of those tried)", i ? "; " : "", explain(q, by_count[i].failure), by_count[i].times);
   if (by_count.size() > settings::most_reasons_named)
     out += fmt::format("; and {} other reason{}", by_count.size() - settings::most_reasons_named,
                        by_count.size() > settings::most_reasons_named + 1 ? "s" : "");
@@ -119,7 +120,7 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
     text +=
         fmt::format("; the {} ended the search, so there may be better ones", ledger.cancelled() ? "caller" : "budget");
   if (found.rivals_sought && !ledger.cut())
-    text += fmt::format("; routes narrower than {:.0f}° of aim were not all looked at, and one may hold a better shot",
+    text += fmt::format("; routes narrower than {:.0f}° of aim were not all looked at: there may be a better one",
                         degrees(settings::automatic::rival.narrowest));
   if (q.all() && !found.complete && !ledger.cut())
     text += "; there may be more: shots in a narrow range of aims can be missed";

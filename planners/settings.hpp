@@ -307,7 +307,7 @@ inline constexpr int most_looks = 20;
 /// Where the first look saw the end so nearly, limits are nearly straight and few steps inside are enough; else many:
 /// with half of them 2 of 90,000 ends hid a band that is not made.
 inline constexpr double nearly = 0.1;
-inline constexpr int few_parts = 2, many_parts = 20;
+inline constexpr int few_parts = 8, many_parts = 20;
 /// Bands thinner than the aims that are one which may be passed over.
 inline constexpr int most_passed = 4;
 /// rad or m/s: a margin this small is 0.

@@ -6,6 +6,7 @@
 
 #include "planners/merit/margin.hpp"
 #include "planners/merit/success.hpp"
+#include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning {
@@ -67,8 +68,18 @@ void rank(const Question& q, std::vector<Shot>& shots) {
   order(q, shots);
 }
 
-double success_at_most(const Question& q, std::span<const Shot> shots, const Shot& shot) {
+/// A ball that arrives slowly may have passed the point before, after fewer cushions: that counts too.
+bool passes_before(const Question& q, Ledger& ledger, const Shot& shot) {
+  const int bounces = static_cast<int>(shot.cushions.size());
+  if (q.captures() || q.stop || q.route || bounces <= q.cushions().min) return false;
+  Goal sooner = Goal::of(q, Demand::made);
+  sooner.max = bounces - 1;
+  return replay(q, ledger, shot.launch, sooner).made;
+}
+
+double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot) {
   using namespace settings::rank;
+  if (passes_before(q, ledger, shot)) return 1;
   double chance = shot.chance;
   for (const Shot& other : shots)
     if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
@@ -87,7 +98,7 @@ void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots
     std::size_t shot;
   };
   std::vector<Candidate> candidates;
-  for (const Shot& shot : shots) candidates.push_back({success_at_most(q, shots, shot), candidates.size()});
+  for (const Shot& shot : shots) candidates.push_back({success_at_most(q, ledger, shots, shot), candidates.size()});
   // The shots are in the order of their margins, which decides between equals.
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.at_most > b.at_most; });

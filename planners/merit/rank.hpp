@@ -18,8 +18,8 @@ double first_merit(const Puzzle& puzzle, const Shot& shot);
 void rank(const Question& q, std::vector<Shot>& shots);
 
 /// What the success of a shot may be, as its first-order chance and those of the shots beside it say: an upper bound
-/// that settings::rank measures.
-double success_at_most(const Question& q, std::span<const Shot> shots, const Shot& shot);
+/// that settings::rank measures. One simulation.
+double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot);
 
 /// Brings the shot with the largest success to the front; of shots that cannot be first it is not computed.
 void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots);

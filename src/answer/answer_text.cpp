@@ -12,10 +12,7 @@ std::string to_text(const Puzzle& p, const Answer& a) {
     if (a.shots.size() > 1) out += fmt::format("\nshot {} of {}\n", i + 1, a.shots.size());
     for (const Row& row : rows_of(p, a.shots[i])) out += fmt::format("  {:<10}{}\n", row.what, row.text);
   }
-  if (a.nearest)
-    out +=
-        fmt::format("  nearest   {:.2f} degrees at {:.2f} m/s: {} off; it {}\n", degrees(a.nearest->shot.launch.angle),
-                    a.nearest->shot.launch.speed, distance_words(a.nearest->shot.miss, p.table), a.nearest->why);
+  if (a.nearest) out += fmt::format("  nearest   {}\n", nearest_words(*a.nearest, p.table));
   return out;
 }
 

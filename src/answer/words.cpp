@@ -53,9 +53,9 @@ std::string side_words(double v, std::string_view more, std::string_view less) {
 std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
   constexpr double seen = 5e-4;  // m
   const double right = cross(aim, centre - at) / norm(aim);
-  return std::abs(right) < seen
-             ? "through its middle"
-             : fmt::format("{:.0f} mm {} of its middle", 1e3 * std::abs(right), right > 0 ? "right" : "left");
+  return std::abs(right) < seen ? "through its middle"
+                                : fmt::format("{:.0f} mm {} of its middle as the ball rolls", 1e3 * std::abs(right),
+                                              right > 0 ? "right" : "left");
 }
 
 std::string arrival_words(const Puzzle& p, const Shot& s) {
@@ -74,7 +74,10 @@ std::string arrival_words(const Puzzle& p, const Shot& s) {
 std::string interval(const std::array<std::optional<double>, 2>& m, double unit, std::string_view name) {
   if (!m[0] && !m[1]) return fmt::format("any {}", name);
   const auto side = [&](const std::optional<double>& v, char sign) {
-    return v ? fmt::format("{}{:.3g}", sign, std::abs(*v) * unit) : sign == '-' ? "any less" : "any more";
+    constexpr double least = 1e-6;  // degrees, m/s: nobody aims more finely
+    if (!v) return std::string(sign == '-' ? "any less" : "any more");
+    const double by = std::abs(*v) * unit;
+    return by < least ? std::string("0") : fmt::format("{}{:.3g}", sign, by);
   };
   return fmt::format("{} to {} {}", side(m[0], '-'), side(m[1], '+'), name);
 }
@@ -105,6 +108,13 @@ std::string chance_words(const Shot& shot) {
   if (chance >= nearly && may_fail) return "over 99 %";
   if (chance <= hardly && chance > 0) return "under 1 %";
   return fmt::format("{:.0f} %", 100 * chance);
+}
+
+std::string nearest_words(const Answer::Nearest& nearest, const Table& table) {
+  const Launch& l = nearest.shot.launch;
+  const std::string off = distance_words(nearest.shot.miss, table);
+  return fmt::format("{:.2f} degrees at {:.2f} m/s: {}; it {}", degrees(l.angle), l.speed,
+                     off == "exact" ? "right on the target" : off + " off", nearest.why);
 }
 
 bool aims_into(const ShotRequest& r, const Pocket& pocket) {

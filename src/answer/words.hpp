@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bankshot/plan/shot.hpp"
+#include "bankshot/plan/answer.hpp"
 
 namespace bankshot {
 
@@ -21,6 +21,9 @@ std::string distance_words(double metres, const Table& table);
 
 /// Of a shot with success: "87 %"; "over 99 %" where something breaks it, "under 1 %" where it can be made.
 std::string chance_words(const Shot& shot);
+
+/// The nearest miss: its launch, how far off, and why.
+std::string nearest_words(const Answer::Nearest& nearest, const Table& table);
 
 /// Whether the line of aim runs into this pocket.
 bool aims_into(const ShotRequest& shot, const Pocket& pocket);

@@ -65,7 +65,9 @@ void add_theme_flag(CLI::App& command, Theme& theme) {
 }
 
 void add_picture_flags(CLI::App& command, PictureFlags& flags) {
-  command.add_option("--svg", flags.svg, "Write a picture to this file")->check(file_name);
+  command.add_option("--svg", flags.svg, "Write a picture to this file")->check([](const std::string& path) {
+    return path.ends_with(".png") ? "\"" + path + "\" is a PNG: that is --png" : file_name(path);
+  });
   command.add_option("--png", flags.png, "The same as PNG, to a name that ends in .png")
       ->check([](const std::string& path) {
         return path.ends_with(".png") ? picture_name(path) : "\"" + path + "\" must end in .png";

@@ -91,8 +91,7 @@ void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& 
     draw_path(c, p.ball, simulate(as_request(p, s)),
               {.colour = c.c.aim, .width = line_width(style), .dashed = true, .numbers = style.words});
     draw_ball(c, p.ball, s.arrival.at, 0.4);
-    rows.push_back({"nearest", fmt::format("{:.2f} degrees at {:.2f} m/s: {} off; it {}", degrees(s.launch.angle),
-                                           s.launch.speed, distance_words(s.miss, p.table), a.nearest->why)});
+    rows.push_back({"nearest", nearest_words(*a.nearest, p.table)});
   }
   draw_ball(c, p.ball, p.ball.at);
   if (!style.words || a.message.empty()) return;
@@ -103,7 +102,8 @@ void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& 
 std::string ending(const Trajectory& t, const Table& table) {
   const Record& end = t.events.back();
   const std::string after = fmt::format(" after {:.2f} s and {:.2f} m", end.time, t.length);
-  if (t.end == EventKind::pocket) return "in " + contact_name(table, end.contact) + after;
+  const auto fell = std::ranges::find(t.events, EventKind::pocket, &Record::kind);
+  if (fell != t.events.end()) return "in " + contact_name(table, fell->contact) + after;
   return (t.end == EventKind::rest ? "at rest" : "stopped") + after;
 }
 

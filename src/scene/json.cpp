@@ -62,6 +62,7 @@ LaunchSpin read_spin(const Reader& r, const Physics& physics, bool printed) {
 
 Target read_target(const Reader& r, const Table& table) {
   if (const auto point = r.find("point")) {
+    if (r.find("pocket")) r.fail("has a point and a pocket: one of them is the target");
     r.only(format::to_point);
     PointTarget t{point->point()};
     r.read(format::to_point["within"], t.within);
