@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/json.hpp"
 #include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "planners/message.hpp"
@@ -114,6 +115,29 @@ TEST_CASE("into a pocket any arrival speed will do, and the likeliest shot is th
     }
   }
   CHECK(gained > 0.1);  // else nothing was chosen
+}
+
+TEST_CASE("a ball that passes the point on its way is as likely as it is") {
+  // The first shot by its margin arrives at a crawl; the likeliest one has passed the point before.
+  const Puzzle p = read_puzzle(R"({"table": {"length": 2.54, "width": 1.27, "pockets": "none"},
+    "ball": {"at": [0.6800484348540151, 1.2328861295438833],
+             "spin": {"top": 0.04016349286834631, "side": 0.5501743267156756}},
+    "target": {"point": [0.3752395085952283, 1.1506604279625545]}, "arrive": {"speed": 0.014387817542625482}})");
+  const double best = *solve(p, {.all = true}).shots.at(0).success;
+  CHECK(best > 0.99);
+  CHECK(*solve(p).shots.at(0).success > best - 0.005);
+}
+
+TEST_CASE("a margin ends before a narrow band that is not made") {
+  // Between 2.967 and 2.995 m/s, 4 % of the way to the end that comes after, the ball misses the pocket.
+  const Puzzle p = read_puzzle(R"({"table": "pool-8ft", "ball": {"at": [1.978, 0.073]},
+    "target": {"pocket": "top-middle"}, "cushions": 3, "arrive": {"speed": 0.5}})");
+  const Answer a = solve(p);
+  for (const truth::Check& c : truth::check(&p, a.id, a)) {
+    INFO(truth::name(c.claim) << ": " << c.what);
+    CHECK(c.holds());
+  }
+  CHECK(*a.shots.at(0).margin->speed[0] > -0.57);
 }
 
 TEST_CASE("a margin is where the shot stops being made") {
