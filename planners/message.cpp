@@ -9,6 +9,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/tip.hpp"
+#include "planners/locked/newton.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/nearest.hpp"
 #include "planners/proof/prove.hpp"
@@ -103,6 +104,19 @@ std::string uncertain(const Question& q, const Shot& shot) {
                      q.boundary.diagonal * std::pow(10, -*shot.digits));
 }
 
+/// Why a shot is not on the exact line or point: what its route meets there.
+std::string why_beside(const Question& q, const Shot& shot) {
+  const Route route = route_by(shot.cushions);
+  Ledger aside(settings::most_spent_on_words);  // what an answer says is no part of the search
+  const Question own = q.pinned || q.one_unknown() ? q : q.asking(shot.arrival.speed);
+  const auto root = newton({own, route, q.nearest_mark(shot.arrival.at)}, aside, shot.launch, settings::wide);
+  const std::string where =
+      fmt::format("; it is made beside the {}: ", q.captures() ? "exact line" : "middle of the target");
+  if (!root) return where + "no launch by its cushions leads there";
+  const Proof proof = prove(own, aside, root.launch, Goal::along(shot.cushions, Demand::exact));
+  return where + "there it " + explain(q, proof.failure);
+}
+
 std::string solved(const Question& q, const Ledger& ledger, const Findings& found, const Answer& a,
                    std::size_t distinct) {
   std::string text = q.first()       ? "the first shot found, there may be better ones"
@@ -111,8 +125,7 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
                                      : fmt::format("the best of {} shots found; --all prints each", distinct);
   if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
   if (a.shots.front().off_centre && q.puzzle.aim == Aim::centre)
-    text += q.beside_will_do() ? "; it goes in beside the middle of the pocket, where it is likelier"
-                               : "; it is made beside the middle of the target: no line through it was found";
+    text += as_struck(q, a.shots.front(), [&](const Question& own) { return why_beside(own, a.shots.front()); });
   if (may_miscue(a.shots.front().spin))
     text += "; the tip may slip off the ball: it meets it more than half the radius from the centre";
   text += uncertain(q, a.shots.front());

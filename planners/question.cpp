@@ -78,12 +78,8 @@ Question Question::better_than(const Shot& shot) const {
 }
 
 const Mark& Question::nearest_mark(const Vec2d& arrived) const {
-  const auto nearer = [&](const Mark& a, const Mark& b) { return norm(a.at - arrived) < norm(b.at - arrived); };
+  const auto nearer = [&](const Mark& a, const Mark& b) { return a.apart(arrived) < b.apart(arrived); };
   return *std::min_element(marks.begin(), marks.end(), nearer);
-}
-
-bool Question::beside_will_do() const {
-  return puzzle.prefer == Prefer::robust && captures() && arrival && !arrival->fixed();
 }
 
 bool Question::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }

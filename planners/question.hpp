@@ -60,8 +60,6 @@ struct Question {
   /// Some mark takes the ball: a pocket.
   bool captures() const { return !marks.empty() && marks.front().captures(); }
   const Mark& nearest_mark(const Vec2d& arrived) const;
-  /// Of a pocket, with an arrival speed that is free: the likeliest shot is wanted, beside its middle or through it.
-  bool beside_will_do() const;
   /// A miss this small is one of the exact line or point.
   bool centred(double miss) const;
 

@@ -50,6 +50,9 @@ inline constexpr Neighbourhood wide{0.3, 0.5};
 /// Parts into which each range of spin is divided: five values a component, so 125 searches at most.
 inline constexpr int steps_of_spin = 4;
 
+/// Simulations that may go into the words of an answer.
+inline constexpr long most_spent_on_words = 200;
+
 /// Reasons of failure that an answer names; a person reads no more.
 inline constexpr std::size_t most_reasons_named = 3;
 
@@ -66,6 +69,17 @@ inline constexpr std::size_t usual_nodes = 64;
 /// Walls for which the distances of all pairs are kept; beyond, the table would cost more than it saves.
 inline constexpr std::size_t most_walls_paired = 64;
 }  // namespace unfolding
+
+namespace exact_lines {
+/// A tangent of a small circle is found by turning: each turn is nearer by the circle's size to the distance, 1/100 or
+/// less.
+inline constexpr int most_turns = 12;
+/// rad: where turning ends.
+inline constexpr double settled = 1e-15;
+/// Of the pocket's radius: a line so near to the exact one in its direction is that line; the kinks between two kinds
+/// of lines are told apart no better.
+inline constexpr double nearly = 1e-9;
+}  // namespace exact_lines
 
 namespace image {
 /// Aims tried across the part of a target that a ray may reach: windows narrower than a thirtieth of it are missed.
@@ -186,10 +200,6 @@ namespace parts {
 inline constexpr std::size_t aims_across = 17;
 /// A lead whose speed is this much outside its bounds may lead to a shot inside.
 inline constexpr double nearly_allowed = 1.3;
-/// Of a range of arrival speeds, those at which parts of pockets are looked for.
-inline constexpr int arrivals = 3;
-/// The likeliest of them, which are tried at speeds between as well.
-inline constexpr std::size_t refined = 4;
 }  // namespace parts
 
 namespace widest {

@@ -57,7 +57,7 @@ std::optional<Point> look_at(const LockedAim& a, const Vector& x) {
     return p;
   }
   const Vec2<T> u = arrival->heading / norm(arrival->heading);
-  p.off[0] = value_of<N>(cross(u, off) / diagonal);
+  p.off[0] = value_of<N>(beside_exact(a.mark, u, off) / diagonal);
   p.speed2 = value_of<N>(arrival_square(q.puzzle.physics, *arrival, u, off));
   return p;
 }

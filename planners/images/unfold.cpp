@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planners/images/exact_lines.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning {
@@ -41,8 +42,6 @@ double distance_to(const Vec2d& a, const Vec2d& b) {
 }
 
 }  // namespace
-
-double Unfolding::Affine::stretch() const { return std::sqrt((xx * xx + xy * xy + yx * yx + yy * yy) / 2); }
 
 Unfolding::Unfolding(const Question& q, const Options& options)
     : q_(q), options_(options), longest_(q.speed.high * q.speed.high / (2 * deceleration(q.puzzle.physics))) {
@@ -106,38 +105,48 @@ void Unfolding::visit(Node node) {
 }
 
 void Unfolding::propose(const Node& node) {
-  for (std::size_t i = 0; i < q_.marks.size(); ++i) propose(node, i);
+  for (std::size_t i = 0; i < q_.marks.size(); ++i) propose(node, i, [&](const Candidate& c) { candidates_.push(c); });
 }
 
-void Unfolding::propose(const Node& node, std::size_t mark) {
-  const Vec2d ray = node.image.apply(q_.marks[mark].at) - q_.puzzle.ball.at;
-  const double distance = norm(ray);
-  if (!(distance > 0) || !std::isfinite(distance)) return;
-  const bool centred = !node.closed && (node.open || in_beam(node.from, node.to, ray));
-  Candidate c{0, node.bounces, std::max(0.0, distance - q_.marks[mark].capture()), 0, 0, mark, node.self, ray};
-  if (!node.closed && !(centred && options_.keep_routes)) find_window(node, q_.marks[mark].reach, distance, c);
-  const bool only_part = options_.parts && c.low < c.high;
-  if (centred || only_part || q_.route) candidates_.push(c);
-}
-
-/// The aims beside a candidate's that are in the beam and may reach some part of the target.
-void Unfolding::find_window(const Node& node, double reach, double distance, Candidate& c) const {
-  // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
-  const double covers = reach * (options_.restitution == 1 ? 1 : 2 * node.image.stretch()) / distance;
-  const double half = covers < 1 ? std::asin(covers) : radians(180);
-  c.low = -half;
-  c.high = half;
-  if (node.open || half >= radians(90)) return;
-  // The centre's ray may leave the beam while part of the target is still inside.
-  const double begin = angle_between(c.ray, node.from), end = begin + angle_between(node.from, node.to);
-  c.low = c.high = 0;
-  for (const double turn : {0.0, radians(-360)}) {
-    const double low = std::max(-half, begin + turn), high = std::min(half, end + turn);
-    if (low < high) c.low = low, c.high = high;
+template <class Add>
+void Unfolding::propose(const Node& node, std::size_t i, const Add& add) const {
+  const Mark& mark = q_.marks[i];
+  bool first = true;  // the others have the same window
+  for (const Vec2d& to : ExactLines(mark, node.image, q_.puzzle.ball.at)) {
+    const Vec2d ray = node.image.apply(to) - q_.puzzle.ball.at;
+    const double distance = norm(ray);
+    if (!(distance > 0) || !std::isfinite(distance)) continue;
+    const bool passes = !node.closed && (node.open || in_beam(node.from, node.to, ray));
+    Candidate c{0, node.bounces, std::max(0.0, distance - mark.capture()), 0, 0, i, node.self, ray};
+    if (first && !node.closed && !(passes && options_.keep_routes)) find_window(node, mark, c);
+    const bool only_part = options_.parts && c.low < c.high;
+    if (passes || only_part || q_.route) add(c);
+    first = false;
   }
 }
 
-Unfolding::Affine Unfolding::through(const Affine& image, int wall) const {
+/// The aims beside a candidate's that are in the beam and may reach some part of the target.
+void Unfolding::find_window(const Node& node, const Mark& mark, Candidate& c) const {
+  const Vec2d middle = node.image.apply(mark.at) - q_.puzzle.ball.at;
+  const double distance = norm(middle);
+  // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
+  const double covers = mark.reach * (options_.restitution == 1 ? 1 : 2 * node.image.stretch()) / distance;
+  const double half = covers < 1 ? std::asin(covers) : radians(180),
+               turned = c.ray == middle ? 0 : angle_between(c.ray, middle);
+  double low = -half, high = half;
+  if (!node.open && half < radians(90)) {
+    // The centre's ray may leave the beam while part of the target is still inside.
+    const double begin = angle_between(middle, node.from), end = begin + angle_between(node.from, node.to);
+    low = high = 0;
+    for (const double turn : {0.0, radians(-360)}) {
+      const double from = std::max(-half, begin + turn), to = std::min(half, end + turn);
+      if (from < to) low = from, high = to;
+    }
+  }
+  if (low < high) c.low = turned + low, c.high = turned + high;
+}
+
+Affine Unfolding::through(const Affine& image, int wall) const {
   const Wall& w = q_.boundary.walls[static_cast<std::size_t>(wall)];
   const double k = 1 + 1 / options_.restitution;
   const Vec2d n = w.normal;
@@ -235,18 +244,15 @@ void Unfolding::lattice() {
   const auto& walls = q_.boundary.walls;
   const double x0 = walls[3].from.x, y0 = walls[0].from.y;
   const double width = walls[1].from.x - x0, height = walls[2].from.y - y0;
-  const auto cell = [](int i, double size, double x) { return i % 2 == 0 ? i * size + x : (i + 1) * size - x; };
+  // Along one side: even images are moved, odd ones mirrored.
+  const auto sign = [](int i) { return i % 2 == 0 ? 1.0 : -1.0; };
+  const auto shift = [](int i, double size, double x) { return i % 2 == 0 ? i * size : (i + 1) * size + 2 * x; };
   std::vector<Candidate> found;
   const auto add = [&](int i, int j, std::size_t k) {
-    const Mark& mark = q_.marks[k];
-    const Vec2d image{x0 + cell(i, width, mark.at.x - x0), y0 + cell(j, height, mark.at.y - y0)};
-    const Vec2d ray = image - q_.puzzle.ball.at;
-    const double distance = norm(ray);
-    const int n = std::abs(i) + std::abs(j);
-    if (!(distance > 0)) return;
-    const double covers = mark.reach / distance;
-    const double half = covers < 1 ? std::asin(covers) : radians(180);
-    found.push_back({0, n, std::max(0.0, distance - mark.capture()), -half, half, k, -1, ray});
+    Node node;
+    node.image = {sign(i), 0, 0, sign(j), {shift(i, width, x0), shift(j, height, y0)}};
+    node.bounces = std::abs(i) + std::abs(j);
+    propose(node, k, [&](const Candidate& c) { found.push_back(c); });
   };
   const CushionRule& rule = q_.cushions();
   for (std::size_t k = 0; k < q_.marks.size(); ++k)

@@ -22,6 +22,7 @@
 #include <queue>
 #include <vector>
 
+#include "planners/images/affine.hpp"
 #include "planners/question.hpp"
 
 namespace bankshot::planning {
@@ -35,7 +36,7 @@ struct Candidate {
   double high = 0;       ///< may reach any part of the target; low = high = 0 when none may
   std::size_t mark = 0;  ///< which of the question's
   int node = -1;         ///< where its sequence is kept; -1 in a lattice
-  Vec2d ray{};           ///< from the ball to the image
+  Vec2d ray{};           ///< from the ball to the image, of the mark or of a point on an exact line of it
 };
 
 class Unfolding {
@@ -62,13 +63,6 @@ class Unfolding {
   bool shortest_first() const { return options_.restitution == 1; }
 
  private:
-  struct Affine {
-    double xx = 1, xy = 0, yx = 0, yy = 1;
-    Vec2d shift{};
-    Vec2d apply(const Vec2d& p) const { return {xx * p.x + xy * p.y + shift.x, yx * p.x + yy * p.y + shift.y}; }
-    /// Frobenius norm over √2: 1 for a reflection, never less than half the largest stretch.
-    double stretch() const;
-  };
   struct Node {
     Affine image;
     Vec2d from{}, to{};  ///< the beam's first and last ray, anticlockwise, unless it is open
@@ -96,8 +90,10 @@ class Unfolding {
   void add(const Node& node);
   void visit(Node node);
   void propose(const Node& node);
-  void propose(const Node& node, std::size_t mark);
-  void find_window(const Node& node, double reach, double distance, Candidate& c) const;
+  /// Hands each candidate for a mark to `add`.
+  template <class Add>
+  void propose(const Node& node, std::size_t mark, const Add& add) const;
+  void find_window(const Node& node, const Mark& mark, Candidate& c) const;
   std::optional<Node> child(const Node& node, int wall);
   std::optional<Node> at_start(const Node& node, int wall) const;
   /// The least distance between centres that touch two cushions; 0 for neighbours and for none (-1).

@@ -40,6 +40,14 @@ T arrival_square(const Physics& physics, const LockedArrival<T>& arrival, const 
   return even_square(physics, T(dot(arrival.state.velocity, arrival.state.velocity)));
 }
 
+/// How far the exact line is on the left of the ball's [m], which moves along the unit vector u with the mark this far
+/// off.
+template <class T>
+T beside_exact(const Mark& mark, const Vec2<T>& u, const Vec2<T>& off) {
+  const T centre = cross(u, off);
+  return mark.exact_offset(u, -value(centre)) + centre;
+}
+
 /// The N residuals of residual.hpp; false where the ball arrives with no direction.
 template <int N, class T>
 bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
@@ -53,7 +61,7 @@ bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
     return true;
   }
   const Vec2<T> u = heading / norm(heading);
-  r[0] = cross(u, off) / diagonal;
+  r[0] = beside_exact(a.mark, u, off) / diagonal;
   if constexpr (N > 1) {
     const Physics& physics = a.q.puzzle.physics;
     const T square = arrival_square(physics, arrival, u, off);

@@ -40,7 +40,11 @@ class Clearance {
 
   void arrival(const LockedArrival<double>& a) {
     const Vec2d off = aim_.mark.at - a.state.at;
-    consider(aim_.mark.reach - (a.at_rest ? norm(off) : std::abs(cross(a.heading, off)) / norm(a.heading)));
+    const Vec2d u = a.heading / norm(a.heading);
+    const double offset = -cross(u, off);
+    const Gap<double> gap =
+        aim_.mark.captures() ? aim_.mark.opening.gap(u, offset) : Gap<double>{-aim_.mark.reach, aim_.mark.reach};
+    consider(a.at_rest ? aim_.mark.reach - norm(off) : std::min(offset - gap.low, gap.high - offset));
     if (aim_.mark.capture() > 0 && !a.at_rest)
       consider(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
                (2 * deceleration(aim_.q.puzzle.physics)));

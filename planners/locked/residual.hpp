@@ -4,7 +4,8 @@
 // Unknowns: aim [rad] and ln speed, or the aim alone where the launch speed is fixed (unknown.hpp).
 // Residuals, as many:
 //   to stop at a point   where the ball rests, less the mark, over the diagonal
-//   else                 [0] the signed lateral miss at the closest approach over the diagonal,
+//   else                 [0] the signed lateral miss at the closest approach over the diagonal (of a pocket, of its
+//                            exact line: geometry/opening.hpp),
 //                        [1] v² − s² there (at capture for a pocket) over max(1, s²); v² is continued below 0, by what
 //                            rolling on would have cost, when the ball rests before. Where rolling friction grows with
 //                            the speed, both squares are counted by the metres to rest instead: v² bends like √v²

@@ -14,30 +14,21 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
-/// How far beside a mark, right and left of it, a ball may pass on its way in direction u [m]: a point is passed where
-/// part of its disc is inside the table, a pocket is entered where the front of its circle is. `lateral` is one way
-/// that goes.
-Range sides(const Boundary& boundary, const Mark& mark, const Vec2d& u, double lateral) {
+/// The offsets at which a ball in direction u passes a point, or enters a pocket; `near` is one of them [m]. A point is
+/// passed where part of its disc is inside the table.
+Gap<Number> sides(const Boundary& boundary, const Mark& mark, const Vec2<Number>& u, double near) {
+  if (mark.captures()) return mark.opening.gap(u, near);
   Range out{-mark.reach, mark.reach};
-  const Vec2d right = -perpendicular(u);
+  const Vec2d left = perpendicular(value(u));
   for (const Wall& w : boundary.walls) {
     const double above = dot(w.normal, mark.at) - w.offset, half2 = mark.reach * mark.reach - above * above;
     if (!(half2 > 0)) continue;
     const Vec2d foot = w.normal * -above, half = w.along * std::sqrt(half2);
-    Range wall = out;
-    for (const Vec2d& end : {foot + half, foot - half}) {
-      const double along = dot(w.along, mark.at + end), at = dot(right, end);
-      if (along < w.begin || along > w.end) continue;
-      if (mark.captures() && dot(end, u) <= 0) (at > lateral ? wall.high : wall.low) = at;
-    }
-    if (!mark.captures()) {
-      const double a = dot(right, foot + half), b = dot(right, foot - half), tilt = mark.reach * dot(w.normal, right);
-      if (above + tilt < 0) wall.high = std::max(a, b);
-      if (above - tilt < 0) wall.low = std::min(a, b);
-    }
-    out = {std::max(out.low, wall.low), std::min(out.high, wall.high)};
+    const double a = dot(left, foot + half), b = dot(left, foot - half), tilt = mark.reach * dot(w.normal, left);
+    if (above + tilt < 0) out.high = std::min(out.high, std::max(a, b));
+    if (above - tilt < 0) out.low = std::max(out.low, std::min(a, b));
   }
-  return out;
+  return {Number(out.low), Number(out.high)};
 }
 
 /// One locked path with derivatives, and what limits it.
@@ -122,14 +113,14 @@ class Path {
     const Vec2d line{-u.y.a, u.x.a};
     const Number lateral = cross(u, to<Number>(at) - a.state.at);
     moves({lateral * line.x, lateral * line.y});
-    const Number miss = cross(u, to<Number>(aim_.mark.at) - a.state.at);
-    const Range room = sides(boundary_, aim_.mark, value(u), miss.a);
-    limits_.keep(miss - room.low);
-    limits_.keep(room.high - miss);
+    const Number offset = cross(u, a.state.at - to<Number>(aim_.mark.at));
+    const Gap<Number> room = sides(boundary_, aim_.mark, u, offset.a);
+    limits_.keep(offset - room.low);
+    limits_.keep(room.high - offset);
     const double rolls_on = aim_.mark.captures() ? 0 : 2 * deceleration(q_.puzzle.physics) * aim_.mark.reach;
     fast_enough(dot(a.state.velocity, a.state.velocity) + rolls_on);
-    slope_ = limits_.in_deviations(miss);
-    half_ = (room.high - room.low) / 2;
+    slope_ = limits_.in_deviations(offset);
+    half_ = (room.high - room.low).a / 2;
   }
 
   /// The squared speed of arrival grows with that of the launch: no slower launch than where it is 0 gets there.

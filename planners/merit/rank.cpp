@@ -33,9 +33,8 @@ void order(const Question& q, std::span<Shot> shots) {
   });
 }
 
-/// Where some line reaches the target's centre, shots beside it are no answer.
-void keep_centred(const Question& q, std::vector<Shot>& shots) {
-  if (q.beside_will_do()) return;
+/// Where some shot is on the exact line or point, those beside it are no answer.
+void keep_centred(std::vector<Shot>& shots) {
   const auto beside = [](const Shot& shot) { return shot.off_centre; };
   if (!std::all_of(shots.begin(), shots.end(), beside)) std::erase_if(shots, beside);
 }
@@ -45,6 +44,32 @@ double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
   const auto count = [](double apart, double noise) { return apart == 0 ? 0 : std::abs(apart) / noise; };
   return std::hypot(count(angle_difference(a.angle, b.angle), q.puzzle.noise.angle),
                     is_ideal(q.puzzle.physics) ? 0 : count(a.speed - b.speed, q.puzzle.noise.speed));
+}
+
+/// A ball that arrives slowly may have passed the point before, after fewer cushions: that counts too.
+bool passes_before(const Question& q, Ledger& ledger, const Shot& shot) {
+  const int bounces = static_cast<int>(shot.cushions.size());
+  if (q.captures() || q.stop || q.route || bounces <= q.cushions().min) return false;
+  Goal sooner = Goal::of(q, Demand::made);
+  sooner.max = bounces - 1;
+  return replay(q, ledger, shot.launch, sooner).made;
+}
+
+/// What the success of a shot may be, as its first-order chance and those of the shots beside it say: an upper bound
+/// that settings::rank measures. One simulation. `q` has the spin of the shot.
+double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot) {
+  using namespace settings::rank;
+  if (passes_before(q, ledger, shot)) return 1;
+  double chance = shot.chance;
+  for (const Shot& other : shots)
+    if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
+  const Mark& mark = q.nearest_mark(shot.arrival.at);
+  const bool at_cushion = !mark.captures() && q.boundary.clearance(mark.at) < mark.reach;
+  // A ball that a cushion beside the pocket turns away may fall all the same, where another bounce is allowed.
+  const int bounces = static_cast<int>(shot.cushions.size());
+  if (mark.captures() && !q.route && bounces < q.cushions().max)
+    chance = std::max(chance, std::erf(shot.first_order / std::sqrt(2.0)));
+  return std::min(1.0, at_cushion ? at_cushion_times * chance + at_cushion_more : times * chance + more);
 }
 
 }  // namespace
@@ -62,34 +87,10 @@ double first_merit(const Puzzle& p, const Shot& shot) {
 }
 
 void rank(const Question& q, std::vector<Shot>& shots) {
-  keep_centred(q, shots);
+  keep_centred(shots);
   const auto last = [&](const Shot& shot) { return last_choice(q, shot); };
   if (!q.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
   order(q, shots);
-}
-
-/// A ball that arrives slowly may have passed the point before, after fewer cushions: that counts too.
-bool passes_before(const Question& q, Ledger& ledger, const Shot& shot) {
-  const int bounces = static_cast<int>(shot.cushions.size());
-  if (q.captures() || q.stop || q.route || bounces <= q.cushions().min) return false;
-  Goal sooner = Goal::of(q, Demand::made);
-  sooner.max = bounces - 1;
-  return replay(q, ledger, shot.launch, sooner).made;
-}
-
-double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot) {
-  using namespace settings::rank;
-  if (passes_before(q, ledger, shot)) return 1;
-  double chance = shot.chance;
-  for (const Shot& other : shots)
-    if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
-  const Mark& mark = q.nearest_mark(shot.arrival.at);
-  const bool at_cushion = !mark.captures() && q.boundary.clearance(mark.at) < mark.reach;
-  // A ball that a cushion beside the pocket turns away may fall all the same, where another bounce is allowed.
-  const int bounces = static_cast<int>(shot.cushions.size());
-  if (mark.captures() && !q.route && bounces < q.cushions().max)
-    chance = std::max(chance, std::erf(shot.first_order / std::sqrt(2.0)));
-  return std::min(1.0, at_cushion ? at_cushion_times * chance + at_cushion_more : times * chance + more);
 }
 
 void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
@@ -98,7 +99,10 @@ void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots
     std::size_t shot;
   };
   std::vector<Candidate> candidates;
-  for (const Shot& shot : shots) candidates.push_back({success_at_most(q, ledger, shots, shot), candidates.size()});
+  for (const Shot& shot : shots)
+    candidates.push_back(
+        {as_struck(q, shot, [&](const Question& own) { return success_at_most(own, ledger, shots, shot); }),
+         candidates.size()});
   // The shots are in the order of their margins, which decides between equals.
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.at_most > b.at_most; });

@@ -14,12 +14,8 @@ namespace bankshot::planning {
 /// How good a shot is by `prefer`, before its success is known; larger is better.
 double first_merit(const Puzzle& puzzle, const Shot& shot);
 
-/// Drops shots beside the centre where some line reaches it, and orders the rest, best first.
+/// Drops shots beside the exact line or point where others are on it, and orders the rest, best first.
 void rank(const Question& q, std::vector<Shot>& shots);
-
-/// What the success of a shot may be, as its first-order chance and those of the shots beside it say: an upper bound
-/// that settings::rank measures. One simulation.
-double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot);
 
 /// Brings the shot with the largest success to the front; of shots that cannot be first it is not computed.
 void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots);

@@ -111,15 +111,15 @@ std::vector<Question> samples_of(const Question& q) {
 void along_families(const Question& q, Ledger& ledger, Findings& found) {
   struct Followed {
     Route route;
-    Vec2d mark;
+    Mark mark;
     int times;
   };
   std::vector<Followed> followed;
   const int most = family::Family::freedom(q) > 1 ? settings::family::most_starts : 1;
   const auto enough = [&](const Lead& lead) {
-    const auto same = [&](const Followed& f) { return f.mark == lead.mark.at && f.route == lead.route; };
+    const auto same = [&](const Followed& f) { return f.mark == lead.mark && f.route == lead.route; };
     auto it = std::ranges::find_if(followed, same);
-    if (it == followed.end()) it = followed.insert(it, {lead.route, lead.mark.at, 0});
+    if (it == followed.end()) it = followed.insert(it, {lead.route, lead.mark, 0});
     return ++it->times > most;
   };
   const auto follow = [&](const Findings& starts, std::string_view step) {
@@ -151,18 +151,10 @@ void improve(const Question& q, Ledger& ledger, Findings& found) {
   }
 }
 
-/// Where no line leads through the middle of a pocket at any arrival speed, or one beside it may be likelier.
-bool parts_wanted(const Question& q, const Ledger& ledger, const Findings& found) {
-  if (!q.captures() || !q.arrival || q.arrival->fixed() || q.first() || ledger.cut()) return false;
-  const auto enough = [&](const Shot& s) { return q.beside_will_do() ? s.chance > sure_enough : !s.off_centre; };
-  return std::ranges::none_of(found.shots, enough);
-}
-
 /// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
 /// launches at the bounds of their own speed, which arrive as they may; fine maps at the first of them alone.
 void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
   along_families(q, ledger, found);
-  if (parts_wanted(q, ledger, found)) steps::parts_by_arrival(q, ledger, found);
   const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
   if (!nothing_yet()) return;
   const auto look_at = [&](const Question& one) {

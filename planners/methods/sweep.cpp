@@ -66,8 +66,8 @@ class Sweep {
       const State<double> leg = sim.state();
       out.directions.push_back(leg.velocity / norm(leg.velocity));
       for (const Mark& mark : q_.marks) {
-        const Vec2d d = mark.at - leg.at;
-        out.sides.push_back({cross(leg.velocity, d), dot(leg.velocity, d) > 0});
+        const Vec2d d = mark.at - leg.at, u = out.directions.back();
+        out.sides.push_back({mark.exact_offset(u, -cross(u, d)) + cross(u, d), dot(u, d) > 0});
       }
       if (static_cast<int>(out.contacts.size()) == q_.cushions().max) break;
       const Event e = sim.step();

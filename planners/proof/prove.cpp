@@ -46,6 +46,7 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   proof.shot.cushion_stick = r.cushion_stick;
   proof.shot.arrival = r.arrival;
   proof.shot.miss = r.miss;
+  proof.shot.offset = r.offset;
   proof.shot.off_centre = !q.centred(r.miss);
   proof.failure = r.failure;
   if (r.made && !good_enough(q, r, goal.demand)) proof.failure = {Foul::inexact};

@@ -118,16 +118,17 @@ class Follower {
   }
 
   Trace pocketed(Contact pocket) {
-    const auto wanted = [&](const Mark& mark) { return mark.taken_by == pocket; };
-    const auto mark = std::find_if(q_.marks.begin(), q_.marks.end(), wanted);
-    if (mark == q_.marks.end() || !counts()) return fail(Foul::pocketed, pocket);
     const State<double>& now = sim_.state();
-    const Vec2d to_centre = mark->at - now.at;
+    const Mark& mark = q_.nearest_mark(now.at);
+    if (mark.taken_by != pocket || !counts()) return fail(Foul::pocketed, pocket);
     out_.replay.made = true;
     out_.replay.bounces = k_;
     // A ball that stops on the circle still has the line of its last arc.
     const Vec2d heading = norm(now.velocity) > 0 ? now.velocity : sim_.arc().velocity;
-    out_.replay.miss = std::abs(cross(heading, to_centre)) / norm(heading);
+    const Vec2d u = heading / norm(heading);
+    const double offset = cross(u, now.at - mark.at), exact = mark.exact_offset(u, offset);
+    out_.replay.miss = std::abs(offset - exact);
+    out_.replay.offset = q_.centred(out_.replay.miss) ? exact : offset;
     out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
     return out_;
   }

@@ -16,6 +16,7 @@ namespace bankshot::planning {
 struct Replay {
   bool made = false;  ///< in the contract's sense: within reach, after the bounces asked
   double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
+  double offset = 0;                                      ///< m, see Shot::offset
   Arrival arrival;
   Failure failure;             ///< when it is not made
   int bounces = 0;             ///< at arrival or at the foul

@@ -123,7 +123,7 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
   if (!(std::abs(lateral) < wide && std::abs(step) < settings::roots::seed_reach * cell_.speed)) return;
   const std::span<const Meeting> route(forward_.route.data(), p.bounces);
   for (const Lead& known : leads_)
-    if (known.mark.at == mark.at && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
+    if (known.mark == mark && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
         std::ranges::equal(known.route, route))
       return;
   leads_.push_back(

@@ -86,7 +86,7 @@ NewtonResult Roots::after_last(const LockedAim& aim, const Launch& from) {
 void Roots::add(const LockedAim& aim, const Launch& root) {
   if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >= most_of_a_route)
     return;
-  roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark.at, root});
+  roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark, root});
   const bool shot = certify_root(aim, ledger_, found_, root, step_);
   const bool blocked = !shot && !aim.mark.captures() && q_.speed.contains(root.speed);
   if (!q_.all() && !blocked) return;

@@ -24,7 +24,7 @@ class Roots {
   Roots(const Question& q, Ledger& ledger, Findings& found, const Neighbourhood& cell, std::string_view step)
       : q_(q), ledger_(ledger), found_(found), cell_(cell), step_(step) {
     for (const Shot& s : found.shots)
-      if (!s.off_centre) roots_.push_back({route_by(s.cushions), q.nearest_mark(s.arrival.at).at, s.launch});
+      if (!s.off_centre) roots_.push_back({route_by(s.cushions), q.nearest_mark(s.arrival.at), s.launch});
   }
 
   /// A node that meets these cushions, and how it misses the mark.
@@ -40,7 +40,7 @@ class Roots {
   /// Of one route and mark.
   struct Root {
     Route route;
-    Vec2d mark;
+    Mark mark;
     Launch launch;
   };
   static constexpr double none = std::numeric_limits<double>::infinity();
@@ -55,10 +55,10 @@ class Roots {
     std::array<Nearest, 3> nearest{};
   };
   static bool belongs(const Root& x, const LockedAim& aim) {
-    return x.mark == aim.mark.at && std::ranges::equal(x.route, aim.route);
+    return x.mark == aim.mark && std::ranges::equal(x.route, aim.route);
   }
   static bool belongs(const Seen& x, const LockedAim& aim) {
-    return x.mark.at == aim.mark.at && std::ranges::equal(x.route, aim.route);
+    return x.mark == aim.mark && std::ranges::equal(x.route, aim.route);
   }
 
   Seen& seen(const LockedAim& aim);

@@ -44,7 +44,4 @@ class Parts {
   std::vector<Lead> tried_;
 };
 
-/// Where arrival speeds are free: parts of pockets at some of them, of each route the best by `prefer`.
-void parts_by_arrival(const Question& q, Ledger& ledger, Findings& found);
-
 }  // namespace bankshot::planning::steps

@@ -46,6 +46,8 @@ inline constexpr Key answer_shot_keys[] = {
     {"miss", "number", "m", required, "3.1e-13", "how far a replay is off", at_least(0)},
     {"arrival", "{arrival}", "", required, R"({"time": 2.31, "speed": 0.5, "at": [2.5, 1.24]})", "at the target"},
     {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that it reaches"},
+    {"offset", "number", "m", "0", "-0.0124",
+     "how far the line of travel passes beside the pocket's centre, positive on its left"},
     {"off_centre", "boolean", "", "false", "true", "it is made, but beside the exact line or point"},
     {"condition", "number", "m/rad", required, "41",
      "how far the arrival moves for a radian of aim, or for a relative change of speed", at_least(0)},

@@ -7,9 +7,16 @@ std::vector<Mark> marks_of(const Target& target, const Boundary& boundary) {
   if (const auto* point = std::get_if<PointTarget>(&target)) return {{point->at, point->within}};
   const auto& wanted = std::get<PocketTarget>(target).pocket;
   std::vector<Mark> marks;
-  for (const Circle& pocket : boundary.pockets)
-    if (!wanted || pocket.contact.index == *wanted) marks.push_back({pocket.centre, pocket.radius, pocket.contact});
+  for (const Circle& pocket : boundary.pockets) {
+    if (wanted && pocket.contact.index != *wanted) continue;
+    for (const Opening& opening : openings(boundary, pocket))
+      marks.push_back({pocket.centre, pocket.radius, pocket.contact, opening});
+  }
   return marks;
+}
+
+double Mark::apart(const Vec2d& arrived) const {
+  return captures() ? opening.distance(arrived - at) : norm(arrived - at);
 }
 
 bool is_pocket(const Target& target) { return std::holds_alternative<PocketTarget>(target); }

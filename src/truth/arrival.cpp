@@ -71,6 +71,32 @@ struct Scene::Goal {
   double slack = 0;  ///< m, beyond `within`
 };
 
+double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double own) {
+  if (rim.radius <= tolerance::point_pocket * boundary.diagonal) return 0;
+  const Vec2d u = heading / norm(heading), left{-u.y, u.x};
+  const auto enters = [&](double offset) {
+    const double ahead = std::sqrt(std::max(rim.radius * rim.radius - offset * offset, 0.0));
+    return boundary.clearance(rim.centre + left * offset - u * ahead) >= -boundary.touch;
+  };
+  const auto last = [&](double limit) {
+    constexpr int steps = 2000;
+    double in = own;
+    for (int i = 1; i <= steps; ++i) {
+      double out = own + (limit - own) * i / steps;
+      if (enters(out)) {
+        in = out;
+        continue;
+      }
+      for (double middle = (in + out) / 2; middle != in && middle != out; middle = (in + out) / 2)
+        (enters(middle) ? in : out) = middle;
+      return in;
+    }
+    return limit;
+  };
+  const double low = last(-rim.radius), high = last(rim.radius), eighth = (high - low) / 8;
+  return std::clamp(0.0, low + eighth, high - eighth);
+}
+
 Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.body), physics_(refined(p.physics)) {
   const auto asked = arrival_range(p);
   stops_ = std::holds_alternative<PointTarget>(p.target) && asked && asked->high == 0;
@@ -86,15 +112,23 @@ Run Scene::run(const Launch& launch, const LaunchSpin& spin, int cushions) const
 
 Arrived Scene::at_point(Arrived a, const Passing& p) const {
   a.why = "";
-  a.time = p.time, a.speed = p.speed, a.miss = p.miss, a.at = p.at;
+  a.time = p.time, a.speed = p.speed, a.passed = p.miss, a.at = p.at;
   return a;
+}
+
+double Scene::miss(const Arrived& there) const {
+  if (!there.pocket) return there.passed;
+  return std::abs(there.offset - exact_offset(boundary, *boundary.rim(there.pocket), there.heading, there.offset));
 }
 
 Arrived Scene::at_pocket(Arrived a, const TruthEvent& e) const {
   a.why = "";
-  a.time = e.time, a.speed = norm(e.state.velocity), a.miss = e.passing.miss, a.at = e.state.at;
+  a.time = e.time, a.speed = norm(e.state.velocity), a.at = e.state.at;
   const Circle& rim = *boundary.rim(e.contact);
-  if (rim.radius > 0) a.incidence = std::sqrt(std::max(1 - std::pow(a.miss / rim.radius, 2), 1e-12));
+  a.offset = -e.passing.lateral;
+  a.heading = e.state.velocity;
+  a.pocket = e.contact;
+  if (rim.radius > 0) a.incidence = std::sqrt(std::max(1 - std::pow(a.offset / rim.radius, 2), 1e-12));
   return a;
 }
 

@@ -19,11 +19,18 @@ struct Arrived {
   std::string why{};                ///< it is not made; empty when it is
   std::vector<Contact> cushions{};  ///< met before it arrived, or failed to
   bool in_order = false;            ///< those are the ones named; two met in one instant may come in either order
-  double time = 0, speed = 0, miss = 0;
-  Vec2d at{};
+  double time = 0, speed = 0;
+  double passed = 0;  ///< m, how near it came to a point
+  double offset = 0;  ///< m, of the line into a pocket, positive on the left of its centre
+  Vec2d at{}, heading{};
+  Contact pocket{};      ///< that took it
   double incidence = 1;  ///< sine of the angle between the path and the pocket's rim
   bool made() const { return why.empty() && in_order; }
 };
+
+/// The offset of a pocket's exact line [m], from its definition: lines beside the ball's own enter farther and farther
+/// off, up to the last one that enters where a ball's centre can be. `heading` need not be a unit vector.
+double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double own);
 
 class Scene {
  public:
@@ -32,6 +39,8 @@ class Scene {
   /// Of a launch along the cushions of `claim`; of several passes by a point the one nearest in time to the claim's.
   /// `slack` [m] more than `within` still counts as made.
   Arrived replay(const Launch& launch, const Shot& claim, double slack) const;
+  /// How far an arrival is off the point, or off the pocket's exact line [m].
+  double miss(const Arrived& there) const;
   /// By differences in 50 digits; none where no launch beside this one meets the same events.
   std::optional<double> condition(const Shot& shot) const;
   /// Whether a launch is made along the cushions of `claim`, in double: many launches have no use for more digits.

@@ -113,10 +113,12 @@ class ShotCheck {
 
   void arrives(const Arrived& there) {
     const Arrival& said = shot_.arrival;
-    const double place = place_ / there.incidence;
-    compare(Claim::miss, std::abs(there.miss - shot_.miss), place_,
-            fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, there.miss));
-    if (!shot_.off_centre) compare(Claim::centre, there.miss, place_, "does not reach the centre and does not say so");
+    const double place = place_ / there.incidence, miss = scene_.miss(there);
+    compare(Claim::miss, std::abs(miss - shot_.miss), place_,
+            fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, miss));
+    if (!shot_.off_centre) compare(Claim::centre, miss, place_, "does not reach the centre and does not say so");
+    compare(Claim::offset, std::abs(there.offset - shot_.offset), place_,
+            fmt::format("says {:.6g} m and passes the pocket's centre at {:.6g} m", shot_.offset, there.offset));
     compare(Claim::place, norm(said.at - there.at), place,
             fmt::format("says ({}, {}) and arrives at ({}, {})", said.at.x, said.at.y, there.at.x, there.at.y));
     compare(Claim::time, std::abs(said.time - there.time),
@@ -208,14 +210,15 @@ std::string form(const Answer& a) {
 }  // namespace
 
 std::string_view name(Claim c) {
-  constexpr std::string_view names[claims] = {
-      "id",     "form", "status", "launch speed", "aim",           "spin",        "rule",      "cushions", "target",
-      "centre", "miss", "place",  "time",         "arrival speed", "speed asked", "condition", "margin",   "success"};
+  constexpr std::string_view names[claims] = {"id",          "form",      "status",   "launch speed", "aim",
+                                              "spin",        "rule",      "cushions", "target",       "centre",
+                                              "miss",        "offset",    "place",    "time",         "arrival speed",
+                                              "speed asked", "condition", "margin",   "success"};
   return names[static_cast<int>(c)];
 }
 
 std::string_view unit(Claim c) {
-  constexpr std::string_view units[claims] = {"",  "",  "",  "m/s", "rad", "",    "",      "",     "",
+  constexpr std::string_view units[claims] = {"",  "",  "",  "m/s", "rad", "",    "",      "",     "", "m",
                                               "m", "m", "m", "s",   "m/s", "m/s", "of it", "ends", ""};
   return units[static_cast<int>(c)];
 }

@@ -72,7 +72,7 @@ TEST_CASE("a pocket in the way is named") {
   CHECK(says(a.message, "falls into pocket hole"));
 }
 
-TEST_CASE("where no line reaches a pocket's centre the shot is beside it and says so") {
+TEST_CASE("where the line through a pocket's centre has no room the shot is on the exact line beside it") {
   Puzzle p{.table = make_table(*find_table_preset("pool-9ft")),
            .physics = rolling_physics(),
            .ball = {.at = {0.635, 0.4}},
@@ -81,10 +81,16 @@ TEST_CASE("where no line reaches a pocket's centre the shot is beside it and say
            .arrive = Range{0.5, 0.5}};
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
-  CHECK(a.shots[0].miss > 1e-3);
-  CHECK(says(a.message, "beside the middle of the target"));
-  p.arrive.reset();
-  CHECK(says(solve(p).message, "beside the middle of the pocket, where it is likelier"));
+  CHECK_FALSE(a.shots[0].off_centre);
+  CHECK(a.shots[0].miss < 1e-9);
+  CHECK(std::abs(a.shots[0].offset) > 1e-3);
+  CHECK_FALSE(says(a.message, "beside"));
+  // Turned into the rail beside the pocket, only a part of it is left.
+  p.angle = Range{a.shots[0].launch.angle + radians(0.05), radians(90)};
+  const Answer beside = solve(p);
+  REQUIRE(beside.status == Status::solved);
+  CHECK(beside.shots[0].off_centre);
+  CHECK(says(beside.message, "beside the exact line: there it needs an aim outside the bounds"));
 }
 
 TEST_CASE("into a pocket any arrival speed will do, and the likeliest shot is the answer") {

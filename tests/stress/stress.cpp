@@ -110,7 +110,7 @@ class Case {
       return;
     }
     ++t_.off_centre;
-    if (!way_.family.solvable || !test::has_centre(made_)) return;
+    if (!way_.family.solvable || !test::is_exact(made_)) return;
     const bool excused = hard_ || test::through_corner(made_, beside_corner);
     ++(excused ? t_.hard_point_off : t_.point_off);
     if (!excused) report(fmt::format("miss {:.3g} of the diagonal", miss));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bankshot/simulate/simulator.hpp"
+#include "support/drop.hpp"
 
 namespace bankshot::test {
 namespace {
@@ -39,10 +40,9 @@ bool in_order(const CushionRule& rule, int bounces, Contact c) {
 }
 
 template <class Sim>
-double side_of(const Sim& sim, const Vec2d& at) {
+double side_of(const Boundary& boundary, const Sim& sim, Contact pocket) {
   const Vec2d v = sim.arc().velocity + sim.arc().acceleration * sim.travelled();
-  const Vec2d line = norm(v) > 0 ? v / norm(v) : sim.arc().velocity / norm(sim.arc().velocity);
-  return cross(line, at - sim.state().at);
+  return left_of_drop(boundary, pocket, sim.state().at, norm(v) > 0 ? v : sim.arc().velocity);
 }
 
 /// What a flight is watched for: `on_leg` after each arc, `on_end` at a rest or in a pocket; either may end it.
@@ -105,8 +105,7 @@ Flight fly(const Aimed& a, const Launch& launch, const LaunchSpin& spin, double 
   const auto on_end = [&](const auto& sim, const Event& e, int bounces, std::uint64_t route) {
     ended = true;
     if (a.falls && e.kind == EventKind::pocket && (a.pocket < 0 || a.pocket == e.contact.index)) {
-      const Vec2d& centre = a.boundary.pockets[static_cast<std::size_t>(e.contact.index)].centre;
-      keep({bounces, route, norm(sim.state().velocity), side_of(sim, centre), sim.time()});
+      keep({bounces, route, norm(sim.state().velocity), side_of(a.boundary, sim, e.contact), sim.time()});
     } else if (a.stops && e.kind == EventKind::rest) {
       const Vec2d line = sim.arc().velocity / norm(sim.arc().velocity), off = a.at - sim.state().at;
       keep({bounces, route, -dot(line, off), cross(line, off), sim.time()});

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "bankshot/geometry/boundary.hpp"
+#include "support/drop.hpp"
 
 namespace bankshot::test {
 namespace {
@@ -20,15 +20,13 @@ int bounces_before(const Trajectory& t, const Leg& leg) {
 
 struct Drop {
   int pocket;
-  double speed, offset;  ///< m/s; m, of the line of travel from the centre of the pocket
+  double left;  ///< m, how far the exact line is on the left of the line of travel
 };
 
-std::optional<Drop> drop_of(const Table& table, const Trajectory& t) {
+std::optional<Drop> drop_of(const Boundary& boundary, const Trajectory& t) {
   if (t.end != EventKind::pocket || t.events.size() < 2) return {};
   const Record& e = t.events[t.events.size() - 2];
-  const double speed = norm(e.state.velocity);
-  const Vec2d to_centre = table.pockets[static_cast<std::size_t>(e.contact.index)].at - e.state.at;
-  return Drop{e.contact.index, speed, cross(e.state.velocity, to_centre) / speed};
+  return Drop{e.contact.index, left_of_drop(boundary, e.contact, e.state.at, e.state.velocity)};
 }
 
 }  // namespace
@@ -78,23 +76,24 @@ Made asked(Random& r, const ShotRequest& shot, const Trajectory& t, const Deed& 
   return m;
 }
 
-ShotRequest through_centre(const ShotRequest& shot) {
+ShotRequest on_exact_line(const ShotRequest& shot) {
   constexpr int steps = 30;
   constexpr double first = 1e-6, exact = 1e-13;  // rad; of the diagonal
   const Trajectory made = simulate(shot);
-  const auto start = drop_of(shot.table, made);
+  const Boundary boundary(shot.table, shot.ball.body);
+  const auto start = drop_of(boundary, made);
   if (!start) return shot;
-  double a = shot.launch.angle, fa = start->offset, b = a + first;
+  double a = shot.launch.angle, fa = start->left, b = a + first;
   for (int i = 0; i < steps; ++i) {
     ShotRequest turned = shot;
     turned.launch.angle = wrap_angle(b);
     const Trajectory t = simulate(turned);
-    const auto drop = drop_of(shot.table, t);
+    const auto drop = drop_of(boundary, t);
     if (!drop || drop->pocket != start->pocket || t.sequence() != made.sequence()) return shot;
-    if (std::abs(drop->offset) < exact * shot.table.diagonal()) return turned;
-    const double next = b - drop->offset * (b - a) / (drop->offset - fa);
+    if (std::abs(drop->left) < exact * shot.table.diagonal()) return turned;
+    const double next = b - drop->left * (b - a) / (drop->left - fa);
     if (!std::isfinite(next)) return shot;
-    a = b, fa = drop->offset, b = next;
+    a = b, fa = drop->left, b = next;
   }
   return shot;
 }
@@ -120,7 +119,7 @@ Made ask_for_some(Random& r, int bounces, int most, const DrawShot& draw) {
     shot->until.cushions = limit + 1;
     Trajectory t = simulate(*shot);
     if (t.end == EventKind::pocket) {
-      *shot = through_centre(*shot);
+      *shot = on_exact_line(*shot);
       t = simulate(*shot);
     }
     const auto deed = some_deed(r, t, least, limit);

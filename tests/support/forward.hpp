@@ -31,8 +31,8 @@ std::optional<Deed> passed(const Trajectory& t, const Leg& leg, double p);
 /// shot, or exactly that one and any arrival; the number of its bounces, or their sequence.
 Made asked(Random& random, const ShotRequest& shot, const Trajectory& t, const Deed& deed);
 
-/// The shot turned until it drops through the centre of the pocket; itself where that changes its cushions or fails.
-ShotRequest through_centre(const ShotRequest& shot);
+/// The shot turned until it drops on the pocket's exact line; itself where that changes its cushions or fails.
+ShotRequest on_exact_line(const ShotRequest& shot);
 
 /// Draws shots until one does something within so many bounces, and asks for that. `shot` may give none; a scene that
 /// breaks a rule of the format is drawn again. `bounces`: exactly so many, -1 for up to `most`.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bankshot/simulate/trajectory.hpp"
+#include "support/drop.hpp"
 #include "support/truth.hpp"
 
 namespace bankshot::test {
@@ -42,22 +43,21 @@ bool is_hard(const Made& made) {
   return kappa(made) >= steep || through_corner(made, margin);
 }
 
-bool has_centre(const Made& made) {
+bool is_exact(const Made& made) {
   if (!is_pocket(made.puzzle.target)) return true;
   const Puzzle& p = made.puzzle;
   const Trajectory t =
       simulate({.table = p.table, .physics = p.physics, .ball = p.ball, .launch = made.launch, .spin = p.spin});
   if (t.end != EventKind::pocket) return false;
   const Record& drop = t.events[t.events.size() - 2];
-  const Vec2d off = p.table.pockets[static_cast<std::size_t>(drop.contact.index)].at - drop.state.at;
   constexpr double exact = 1e-11;  // of the diagonal
-  return std::abs(cross(drop.state.velocity, off)) < exact * p.table.diagonal() * norm(drop.state.velocity);
+  return std::abs(left_of_drop(Boundary(p.table, p.ball.body), drop.contact, drop.state.at, drop.state.velocity)) <
+         exact * p.table.diagonal();
 }
 
 bool nothing_free(const Made& made) {
   const auto arrival = arrival_range(made.puzzle);
-  return !made.puzzle.spin_range && !is_ideal(made.puzzle.physics) && (!arrival || arrival->fixed()) &&
-         has_centre(made);
+  return !made.puzzle.spin_range && !is_ideal(made.puzzle.physics) && (!arrival || arrival->fixed()) && is_exact(made);
 }
 
 bool is_among(const Launch& launch, const std::vector<Shot>& shots) {

@@ -16,8 +16,8 @@ bool through_corner(const Made& made, double beside);
 /// κ (simulate/simulator.hpp, property 6) up to the event after its target is 1e6 or more, or 1e-9 rad beside its aim
 /// it meets other cushions.
 bool is_hard(const Made& made);
-/// Some root is at the centre of the target: that of the shot.
-bool has_centre(const Made& made);
+/// Some root is on the point or on the pocket's exact line: that of the shot.
+bool is_exact(const Made& made);
 /// Only single launches are asked for, not families of them, and the shot is one.
 bool nothing_free(const Made& made);
 /// A launch as one of a list, to 1e-5 rad and 1e-5 of its speed.

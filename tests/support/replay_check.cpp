@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bankshot/simulate/trajectory.hpp"
+#include "truth/arrival.hpp"
 
 namespace bankshot::test {
 namespace {
@@ -109,9 +110,12 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
     const auto& wanted = std::get<PocketTarget>(p.target).pocket;
     if (t.end != EventKind::pocket || (wanted && drop.contact != Contact::pocket(*wanted)))
       return {"is not pocketed as asked", 0};
-    const Vec2d d = p.table.pockets[static_cast<std::size_t>(drop.contact.index)].at - drop.state.at;
-    speed = norm(drop.state.velocity);
-    miss = std::abs(cross(drop.state.velocity, d)) / speed;
+    const Boundary boundary(p.table, p.ball.body);
+    const Circle& rim = *boundary.rim(drop.contact);
+    const Vec2d v = drop.state.velocity;
+    speed = norm(v);
+    const double offset = cross(v, drop.state.at - rim.centre) / speed;
+    miss = std::abs(offset - truth::exact_offset(boundary, rim, v, offset));
   }
   if (miss > allowed) c.problem = fmt::format("misses by {} m", miss);
   if (!same_sequence(shot.cushions, t, n)) c.problem = "does not meet the cushions it names";
