@@ -80,11 +80,11 @@ unique() {
   some 1 pool-9ft spin 1 pocket
   some 1 pool-8ft rolling 2 pocket
   some 1 snooker-12ft spin 1 pocket
-  some 1 snooker-12ft rolling 2 pocket
+  some 1 pool-9ft rolling left,bottom pocket
   some 1 "$hexagon" spin 2 pocket
   some 1 "$ell" spin 2 pass
   level="--unique --difficulty hard"
-  some 1 pool-7ft spin 3 pocket
+  some 1 pool-7ft spin left,top,right pocket
   some 1 pool-9ft spin top,bottom,top,bottom pass
   some 1 carom-10ft spin left,right,left stop
   some 1 "$kite" rolling south-east,north-west,south-west stop

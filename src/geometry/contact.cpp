@@ -16,6 +16,8 @@ std::string contact_name(const Table& table, Contact contact) {
       return "v" + std::to_string(i);
     case ContactKind::pocket:
       return table.pockets[i].name;
+    case ContactKind::jaw:
+      return table.pockets[i / Contact::jaws].name;
     case ContactKind::none:
       break;
   }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/geometry/obstacle.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "bankshot/scene/ball.hpp"
 
 namespace bankshot {
 namespace {
@@ -21,6 +24,64 @@ Bend corner(const Segment& before, const Segment& after, const Vec2d& u, const V
           .after = after.contact};
 }
 
+/// The end of a rail at a pocket, seen from `from`, the corner or the middle of the mouth: `a` leads along the rail away
+/// from there, n into the table. `half`: how far the rail would begin without a tip.
+struct RailEnd {
+  double seam;  ///< m from `from`: where the rail begins
+  Bend tip;
+  Segment facing;  ///< from the tip inwards
+};
+RailEnd rail_end(const Jaws& jaws, const Vec2d& from, const Vec2d& a, const Vec2d& n, double half) {
+  const double turn = jaws.angle - radians(90), d = jaws.tip / std::tan(jaws.angle / 2);
+  const double along = std::sin(turn), across = std::cos(turn);
+  const Vec2d inwards = -a * along - n * across, facing = n * along - a * across, edge = from + a * half;
+  const Vec2d near = edge + inwards * d, far = edge + inwards * (jaws.depth / across), middle = n + facing;
+  RailEnd out{.seam = half + d};
+  out.tip = {.centre = from + a * (half + d) - n * jaws.tip,
+             .radius = jaws.tip,
+             .middle = middle / norm(middle),
+             .half = (radians(180) - jaws.angle) / 2};
+  out.facing = {near, jaws.depth / across > d ? far : near};
+  return out;
+}
+
+Mouth mouth_of(const Table& table, int pocket) {
+  const Jaws& jaws = *table.pockets[static_cast<std::size_t>(pocket)].jaws;
+  const int n = static_cast<int>(table.vertices.size());
+  const auto corner = std::find(table.vertices.begin(), table.vertices.end(), jaws.at) - table.vertices.begin();
+  const bool at_corner = corner < n;
+  const auto vertex = [&](int i) { return table.vertices[static_cast<std::size_t>((i + n) % n)]; };
+  const auto along = [&](int rail) { return (vertex(rail + 1) - vertex(rail)) / norm(vertex(rail + 1) - vertex(rail)); };
+  int after = static_cast<int>(corner);
+  if (!at_corner) {
+    const auto off = [&](int rail) {
+      return std::abs(cross(along(rail), jaws.at - vertex(rail)));
+    };
+    after = 0;
+    for (int rail = 1; rail < n; ++rail)
+      if (off(rail) < off(after)) after = rail;
+  }
+  const int before = at_corner ? (after + n - 1) % n : after;
+  const double half = at_corner ? jaws.mouth / std::sqrt(2.0) : jaws.mouth / 2;
+  const RailEnd ends[] = {rail_end(jaws, jaws.at, -along(before), perpendicular(along(before)), half),
+                          rail_end(jaws, jaws.at, along(after), perpendicular(along(after)), half)};
+  Mouth out;
+  const double length = norm(vertex(before + 1) - vertex(before)), middle = norm(jaws.at - vertex(after));
+  if (at_corner)
+    out.breaks = {Break{before, length - ends[0].seam, length}, Break{after, 0, ends[1].seam}};
+  else
+    out.breaks.fill({after, middle - ends[0].seam, middle + ends[1].seam});
+  out.tips = {ends[0].tip, ends[1].tip};
+  out.facings = {ends[0].facing, Segment{ends[1].facing.to, ends[1].facing.from}};
+  out.tips[0].contact = Contact::jaw(pocket, 0);
+  out.facings[0].contact = Contact::jaw(pocket, 1);
+  out.facings[1].contact = Contact::jaw(pocket, 2);
+  out.tips[1].contact = Contact::jaw(pocket, 3);
+  out.tips[0].before = Contact::rail(before), out.tips[0].after = out.facings[0].contact;
+  out.tips[1].before = out.facings[1].contact, out.tips[1].after = Contact::rail(after);
+  return out;
+}
+
 }  // namespace
 
 Obstacles obstacles(const Table& table) {
@@ -36,6 +97,8 @@ Obstacles obstacles(const Table& table) {
     if (cross(u, v) < 0) out.bends.push_back(corner(before, after, u, v, static_cast<int>(i)));
     u = v;
   }
+  for (int k = 0; k < static_cast<int>(table.pockets.size()); ++k)
+    if (table.pockets[static_cast<std::size_t>(k)].jaws) out.mouths.push_back(mouth_of(table, k));
   return out;
 }
 

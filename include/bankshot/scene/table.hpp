@@ -15,11 +15,24 @@
 
 namespace bankshot {
 
+/// How the cushions end at a pocket: each rail in a round tip, and that in a straight facing which leads in. Source: the
+/// shape of pooltool's tables.
+struct Jaws {
+  Vec2d at{};    ///< the corner of the nose lines, or the middle of the mouth
+  double mouth;  ///< m, between the points where the rails would end without tips
+  double angle;  ///< rad, inside the rubber, between rail and facing
+  double tip;    ///< m, its radius
+  double depth;  ///< m, how far the facings reach behind the nose line
+
+  bool operator==(const Jaws&) const = default;
+};
+
 /// A ball whose centre comes within `radius` of `at` is pocketed.
 struct Pocket {
   std::string name;
   Vec2d at;
   double radius;
+  std::optional<Jaws> jaws{};
 };
 
 /// Widths of the pocket mouths [m]; a capture radius is half of one.
