@@ -70,16 +70,12 @@ inline constexpr std::size_t usual_nodes = 64;
 inline constexpr std::size_t most_walls_paired = 64;
 }  // namespace unfolding
 
-namespace exact_lines {
-/// A tangent of a small circle is found by turning: each turn is nearer by the circle's size to the distance, 1/100 or
-/// less.
-inline constexpr int most_turns = 12;
-/// rad: where turning ends.
+namespace exact_line {
+/// Each turn is nearer by the pocket's size over the distance, a tenth or less; a ball closer than that needs a search.
+inline constexpr int most_turns = 30;
+/// Of the pocket's radius: where turning ends, at rounding.
 inline constexpr double settled = 1e-15;
-/// Of the pocket's radius: a line so near to the exact one in its direction is that line; the kinks between two kinds
-/// of lines are told apart no better.
-inline constexpr double nearly = 1e-9;
-}  // namespace exact_lines
+}  // namespace exact_line
 
 namespace image {
 /// Aims tried across the part of a target that a ray may reach: windows narrower than a thirtieth of it are missed.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planners/images/exact_lines.hpp"
+#include "planners/images/exact_line.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning {
@@ -105,24 +105,21 @@ void Unfolding::visit(Node node) {
 }
 
 void Unfolding::propose(const Node& node) {
-  for (std::size_t i = 0; i < q_.marks.size(); ++i) propose(node, i, [&](const Candidate& c) { candidates_.push(c); });
+  for (std::size_t i = 0; i < q_.marks.size(); ++i)
+    if (const auto c = candidate(node, i)) candidates_.push(*c);
 }
 
-template <class Add>
-void Unfolding::propose(const Node& node, std::size_t i, const Add& add) const {
+std::optional<Candidate> Unfolding::candidate(const Node& node, std::size_t i) const {
   const Mark& mark = q_.marks[i];
-  bool first = true;  // the others have the same window
-  for (const Vec2d& to : ExactLines(mark, node.image, q_.puzzle.ball.at)) {
-    const Vec2d ray = node.image.apply(to) - q_.puzzle.ball.at;
-    const double distance = norm(ray);
-    if (!(distance > 0) || !std::isfinite(distance)) continue;
-    const bool passes = !node.closed && (node.open || in_beam(node.from, node.to, ray));
-    Candidate c{0, node.bounces, std::max(0.0, distance - mark.capture()), 0, 0, i, node.self, ray};
-    if (first && !node.closed && !(passes && options_.keep_routes)) find_window(node, mark, c);
-    const bool only_part = options_.parts && c.low < c.high;
-    if (passes || only_part || q_.route) add(c);
-    first = false;
-  }
+  const Vec2d& ball = q_.puzzle.ball.at;
+  const Vec2d ray = node.image.apply(on_exact_line(mark, node.image, ball)) - ball;
+  const double distance = norm(ray);
+  if (!(distance > 0) || !std::isfinite(distance)) return {};
+  const bool passes = !node.closed && (node.open || in_beam(node.from, node.to, ray));
+  Candidate c{0, node.bounces, std::max(0.0, distance - mark.capture()), 0, 0, i, node.self, ray};
+  if (!node.closed && !(passes && options_.keep_routes)) find_window(node, mark, c);
+  const bool only_part = options_.parts && c.low < c.high;
+  return passes || only_part || q_.route ? std::optional(c) : std::nullopt;
 }
 
 /// The aims beside a candidate's that are in the beam and may reach some part of the target.
@@ -252,7 +249,7 @@ void Unfolding::lattice() {
     Node node;
     node.image = {sign(i), 0, 0, sign(j), {shift(i, width, x0), shift(j, height, y0)}};
     node.bounces = std::abs(i) + std::abs(j);
-    propose(node, k, [&](const Candidate& c) { found.push_back(c); });
+    if (const auto c = candidate(node, k)) found.push_back(*c);
   };
   const CushionRule& rule = q_.cushions();
   for (std::size_t k = 0; k < q_.marks.size(); ++k)

@@ -90,9 +90,8 @@ class Unfolding {
   void add(const Node& node);
   void visit(Node node);
   void propose(const Node& node);
-  /// Hands each candidate for a mark to `add`.
-  template <class Add>
-  void propose(const Node& node, std::size_t mark, const Add& add) const;
+  /// For a mark; none where no ray gets near it.
+  std::optional<Candidate> candidate(const Node& node, std::size_t mark) const;
   void find_window(const Node& node, const Mark& mark, Candidate& c) const;
   std::optional<Node> child(const Node& node, int wall);
   std::optional<Node> at_start(const Node& node, int wall) const;

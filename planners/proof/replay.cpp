@@ -69,6 +69,9 @@ class Follower {
             out_.replay.cushion_stick = true;
           if (contacts) contacts->push_back(e.contact);
           break;
+        case EventKind::jaw:
+          out_.replay.rattles = true;
+          break;
         case EventKind::slide_to_roll:
           break;
         case EventKind::pocket:

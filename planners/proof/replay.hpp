@@ -19,6 +19,7 @@ struct Replay {
   double offset = 0;                                      ///< m, see Shot::offset
   Arrival arrival;
   Failure failure;             ///< when it is not made
+  bool rattles = false;        ///< it touched the jaws of a pocket
   int bounces = 0;             ///< at arrival or at the foul
   bool cushion_stick = false;  ///< see Shot::cushion_stick
 };

@@ -58,6 +58,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   write_path(w, p, shot);
   if (const Pocket* pocket = why ? nullptr : pocket_reached(p, shot)) w.string("pocket", pocket->name);
   if (shot.offset != 0 && !why) w.number("offset", shot.offset);
+  if (shot.rattles && !why) w.boolean("rattles", true);
   if (shot.off_centre && !why) w.boolean("off_centre", true);
   w.number("condition", shot.condition);
   if (shot.digits) w.integer("digits", *shot.digits);

@@ -58,6 +58,7 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   s.cushions = read_contacts(r.need("cushions"), p.table);
   s.miss = r.need("miss").at_least(0);
   if (const auto v = r.find("offset")) s.offset = v->number();
+  if (const auto v = r.find("rattles")) s.rattles = v->boolean();
   if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();
   const Reader arrival = r.need("arrival");
   s.arrival = {arrival.need("time").at_least(0), arrival.need("speed").at_least(0), arrival.need("at").point()};

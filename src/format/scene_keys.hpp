@@ -40,8 +40,8 @@ inline constexpr Key mouth_key{"mouth",
                                "pool-7ft's, scaled with the ball",
                                R"({"corner": 0.115})",
                                "of the layout `six`, and of no other"};
-inline constexpr Key jaws_key{"jaws",  "never", "",
-                              "false", "false", "cushions that end in jaws; `true` is not supported yet"};
+inline constexpr Key jaws_key{"jaws",  "boolean", "",
+                              "false", "true", "the cushions end in jaws at the pockets `six`"};
 inline constexpr Key tilt_key{
     "tilt",       "pair", "", "[0, 0]", "[0, 0]", "rise of the cloth per metre; another than 0 is not supported yet",
     between(0, 0)};
@@ -55,10 +55,18 @@ inline constexpr Key rectangle_keys[] = {
     jaws_key,
     tilt_key,
     own_cushions_key,
-    {"preset", later},
 };
 inline constexpr Object rectangle{"rectangle", "A table of your own with four cushions: bottom, right, top, left.",
                                   rectangle_keys};
+
+inline constexpr Key preset_keys[] = {
+    {"preset", "word", "", required, R"("pool-9ft")", "the table to change", {}, table_names},
+    {"jaws", "boolean", "", "false", "true", "the cushions end in jaws at the pockets"},
+    {"mouth", "{mouth}", "", "the preset's", R"({"corner": 0.115})", "how wide the pockets are"},
+    tilt_key,
+    own_cushions_key,
+};
+inline constexpr Object preset{"preset", "A ready-made table, changed.", preset_keys};
 
 inline constexpr Key polygon_keys[] = {
     {"vertices", "[point]", "m", required, "[[0, 0], [2, 0], [1, 1.5]]",

@@ -18,6 +18,13 @@ double distance_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
   return norm(p - (a + d * s));
 }
 
+double distance_to_bend(const Vec2d& p, const Bend& b) {
+  const Vec2d d = p - b.centre;
+  if (dot(d, b.middle) >= norm(d) * std::cos(b.half)) return std::abs(norm(d) - b.radius);
+  const Vec2d along = b.middle * std::cos(b.half), across = perpendicular(b.middle) * std::sin(b.half);
+  return std::min(norm(d - (along + across) * b.radius), norm(d - (along - across) * b.radius));
+}
+
 /// The edge from `b` to `a` lies to the right of p, at its height: a polygon has p inside when an odd
 /// number of edges do.
 bool passes_right_of(const Vec2d& a, const Vec2d& b, const Vec2d& p) {
@@ -50,7 +57,8 @@ Wall moved(const Segment& s, double radius) {
 Circle moved(const Bend& b, double radius, double touch) {
   constexpr double hardly_larger = 16;
   Circle c{b.centre, b.radius + radius, b.contact, b.before, b.after};
-  if (c.radius > hardly_larger * touch) c.middle = b.middle, c.least = -std::sin(b.half / 2);
+  if (c.radius > hardly_larger * touch)
+    c.middle = b.middle, c.least = -std::sin(b.half / 2), c.extent = std::cos(b.half);
   return c;
 }
 
@@ -64,7 +72,9 @@ Boundary::Boundary(const Table& table, const Body& of) : body(of), diagonal(tabl
   walls.reserve(there.segments.size());
   pockets.reserve(table.pockets.size());
   for (const Segment& s : there.segments) walls.push_back(moved(s, radius));
+  outline_ = table.vertices;
   segments_ = std::move(there.segments);
+  if (!there.jaws.empty()) open(table, there.jaws);
   for (std::size_t i = 0, n = walls.size(); i < n; ++i) {
     Wall &before = walls[(i + n - 1) % n], &after = walls[i];
     if (cross(before.along, after.along) > 0)
@@ -84,13 +94,64 @@ Boundary::Boundary(const Table& table, const Body& of) : body(of), diagonal(tabl
   }
 }
 
+/// The rails end at the tips of jaws, and what is inside goes on between them.
+void Boundary::open(const Table& table, const std::vector<JawPieces>& jaw_pieces) {
+  outline_ = outline(table, jaw_pieces);
+  std::vector<Segment> pieces;
+  breaks_.resize(walls.size());
+  for (std::size_t k = 0; k < jaw_pieces.size(); ++k) {
+    const JawPieces& m = jaw_pieces[k];
+    jaws.push_back({{moved(m.tips[0], body.radius, touch), moved(m.tips[1], body.radius, touch)}, {}, m.faced()});
+    bends_.insert(bends_.end(), m.tips.begin(), m.tips.end());
+    for (std::size_t i = 0; m.faced() && i < 2; ++i) {
+      jaws.back().facings[i] = moved(m.facings[i], body.radius);
+      pieces.push_back(m.facings[i]);
+    }
+    for (const Break& b : m.breaks) {
+      const auto rail = static_cast<std::size_t>(b.rail);
+      breaks_[rail].push_back({walls[rail].begin + b.begin, walls[rail].begin + b.end, static_cast<int>(k)});
+    }
+  }
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const Wall& w = walls[i];
+    std::vector<Breach>& breaks = breaks_[i];
+    std::ranges::sort(breaks, {}, &Breach::begin);
+    double from = w.begin;
+    const auto add = [&](double to) {
+      const Vec2d start = segments_[i].from - w.along * w.begin;
+      if (to > from) pieces.push_back({start + w.along * from, start + w.along * to, w.contact});
+    };
+    for (Breach& b : breaks) {
+      add(b.begin);
+      from = b.end;
+      // Beyond the end of a rail there is nothing to meet.
+      if (b.begin <= w.begin) b.begin = -std::numeric_limits<double>::infinity();
+      if (b.end >= w.end) b.end = std::numeric_limits<double>::infinity();
+    }
+    add(w.end);
+  }
+  segments_ = std::move(pieces);
+}
+
+const Wall* Boundary::facing(Contact jaw) const {
+  const int piece = jaw.index % Contact::jaws;
+  if (piece == 0 || piece == 3) return nullptr;
+  return &jaws[static_cast<std::size_t>(jaw.index / Contact::jaws)].facings[piece == 1 ? 0 : 1];
+}
+
+const Circle* Boundary::tip(Contact jaw) const {
+  const int piece = jaw.index % Contact::jaws;
+  if (piece == 1 || piece == 2) return nullptr;
+  return &jaws[static_cast<std::size_t>(jaw.index / Contact::jaws)].tips[piece == 0 ? 0 : 1];
+}
+
 double Boundary::clearance(const Vec2d& at) const {
   double nearest = std::numeric_limits<double>::infinity();
   bool inside = false;
-  for (const Segment& s : segments_) {
-    nearest = std::min(nearest, distance_to_segment(at, s.from, s.to));
-    inside = inside != passes_right_of(s.to, s.from, at);
-  }
+  for (const Segment& s : segments_) nearest = std::min(nearest, distance_to_segment(at, s.from, s.to));
+  for (const Bend& b : bends_) nearest = std::min(nearest, distance_to_bend(at, b));
+  for (std::size_t i = 0, n = outline_.size(); i < n; ++i)
+    inside = inside != passes_right_of(outline_[(i + 1) % n], outline_[i], at);
   return (inside ? nearest : -nearest) - body.radius;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bankshot/scene/ball.hpp"
 
@@ -36,7 +37,8 @@ RailEnd rail_end(const Jaws& jaws, const Vec2d& from, const Vec2d& a, const Vec2
   const double along = std::sin(turn), across = std::cos(turn);
   const Vec2d inwards = -a * along - n * across, facing = n * along - a * across, edge = from + a * half;
   const Vec2d near = edge + inwards * d, far = edge + inwards * (jaws.depth / across), middle = n + facing;
-  RailEnd out{.seam = half + d};
+  RailEnd out{};
+  out.seam = half + d;
   out.tip = {.centre = from + a * (half + d) - n * jaws.tip,
              .radius = jaws.tip,
              .middle = middle / norm(middle),
@@ -45,7 +47,7 @@ RailEnd rail_end(const Jaws& jaws, const Vec2d& from, const Vec2d& a, const Vec2
   return out;
 }
 
-Mouth mouth_of(const Table& table, int pocket) {
+JawPieces jaw_pieces(const Table& table, int pocket) {
   const Jaws& jaws = *table.pockets[static_cast<std::size_t>(pocket)].jaws;
   const int n = static_cast<int>(table.vertices.size());
   const auto corner = std::find(table.vertices.begin(), table.vertices.end(), jaws.at) - table.vertices.begin();
@@ -65,7 +67,7 @@ Mouth mouth_of(const Table& table, int pocket) {
   const double half = at_corner ? jaws.mouth / std::sqrt(2.0) : jaws.mouth / 2;
   const RailEnd ends[] = {rail_end(jaws, jaws.at, -along(before), perpendicular(along(before)), half),
                           rail_end(jaws, jaws.at, along(after), perpendicular(along(after)), half)};
-  Mouth out;
+  JawPieces out;
   const double length = norm(vertex(before + 1) - vertex(before)), middle = norm(jaws.at - vertex(after));
   if (at_corner)
     out.breaks = {Break{before, length - ends[0].seam, length}, Break{after, 0, ends[1].seam}};
@@ -98,7 +100,33 @@ Obstacles obstacles(const Table& table) {
     u = v;
   }
   for (int k = 0; k < static_cast<int>(table.pockets.size()); ++k)
-    if (table.pockets[static_cast<std::size_t>(k)].jaws) out.mouths.push_back(mouth_of(table, k));
+    if (table.pockets[static_cast<std::size_t>(k)].jaws) out.jaws.push_back(jaw_pieces(table, k));
+  return out;
+}
+
+std::vector<Vec2d> outline(const Table& table, const std::vector<JawPieces>& jaws) {
+  std::vector<Vec2d> out;
+  const std::size_t n = table.vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2d from = table.vertices[i], along = direction_of({from, table.vertices[(i + 1) % n]});
+    const auto on_rail = [&](const Break& b) { return b.rail == static_cast<int>(i); };
+    // Of each mouth at this rail the half that begins the rail, both halves, or the half that ends it.
+    std::vector<std::pair<double, std::vector<Vec2d>>> parts;
+    bool starts = false;
+    for (const JawPieces& m : jaws) {
+      std::vector<Vec2d> corners;
+      if (on_rail(m.breaks[0]))
+        corners.insert(corners.end(), {from + along * m.breaks[0].begin, m.facings[0].from, m.facings[0].to});
+      if (on_rail(m.breaks[1])) {
+        corners.insert(corners.end(), {m.facings[1].from, m.facings[1].to, from + along * m.breaks[1].end});
+        starts = starts || !on_rail(m.breaks[0]);
+      }
+      if (!corners.empty()) parts.emplace_back(on_rail(m.breaks[0]) ? m.breaks[0].begin : 0, std::move(corners));
+    }
+    std::ranges::sort(parts, {}, &std::pair<double, std::vector<Vec2d>>::first);
+    if (!starts) out.push_back(from);
+    for (const auto& [place, corners] : parts) out.insert(out.end(), corners.begin(), corners.end());
+  }
   return out;
 }
 

@@ -35,6 +35,19 @@ void add_crossings(const Circle& tip, const Circle& circle, std::vector<Vec2d>& 
   }
 }
 
+const JawWalls* jaws_of(const Boundary& boundary, const Circle& pocket) {
+  return boundary.jaws.empty() ? nullptr : &boundary.jaws[static_cast<std::size_t>(pocket.contact.index)];
+}
+
+/// From a pocket with jaws to the table.
+Vec2d inwards(const JawWalls& jaws, const Circle& pocket) {
+  return jaws.tips[0].centre + jaws.tips[1].centre - pocket.centre * 2.0;
+}
+
+OpeningTip seen(const Circle& tip, const Circle& pocket) {
+  return {tip.centre - pocket.centre, tip.radius, tip.middle, tip.extent};
+}
+
 }  // namespace
 
 bool Opening::covers(const Vec2d& ray) const {
@@ -54,13 +67,19 @@ std::vector<Opening> openings(const Boundary& boundary, const Circle& pocket) {
   std::vector<Vec2d> ends;
   for (const Wall& w : boundary.walls) add_crossings(w, pocket, boundary.touch, ends);
   for (const Circle& tip : boundary.tips) add_crossings(tip, pocket, ends);
+  const JawWalls* const jaws = jaws_of(boundary, pocket);
+  if (jaws) {
+    for (const Circle& tip : jaws->tips) add_crossings(tip, pocket, ends);
+    for (std::size_t i = 0; jaws->faced && i < 2; ++i) add_crossings(jaws->facings[i], pocket, boundary.touch, ends);
+  }
   std::ranges::sort(ends, {}, [](const Vec2d& v) { return std::atan2(v.y, v.x); });
   std::vector<Opening> out;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const Opening piece{pocket.radius, ends[i], ends[(i + 1) % ends.size()]};
     const Vec2d chord = piece.last - piece.first, apex = Vec2d{chord.y, -chord.x};
     if (piece.whole()) continue;
-    if (boundary.clearance(pocket.centre + apex * (pocket.radius / norm(apex))) < 0) continue;
+    const Vec2d middle = pocket.centre + apex * (pocket.radius / norm(apex));
+    if (boundary.clearance(middle) < 0 || (jaws && dot(middle - pocket.centre, inwards(*jaws, pocket)) < 0)) continue;
     if (!out.empty() && out.back().last == piece.first)
       out.back().last = piece.last;
     else
@@ -70,7 +89,10 @@ std::vector<Opening> openings(const Boundary& boundary, const Circle& pocket) {
     out.front().first = out.back().first;
     out.pop_back();
   }
-  return out.empty() ? std::vector{whole} : out;
+  if (out.empty()) return {whole};
+  if (jaws)
+    for (Opening& o : out) o.tips[0] = seen(jaws->tips[1], pocket), o.tips[1] = seen(jaws->tips[0], pocket);
+  return out;
 }
 
 }  // namespace bankshot

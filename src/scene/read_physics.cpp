@@ -40,7 +40,7 @@ decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sli
 }
 
 Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body) {
-  const TablePreset* preset = table.is_string() ? find_table_preset(table.text()) : nullptr;
+  const TablePreset* const preset = preset_of(table);
   Physics p = spin_physics(body, preset ? std::optional(preset->nose()) : std::nullopt);
   SlideRoll& motion = std::get<SlideRoll>(p.motion);
   Han2005& cushion = std::get<Han2005>(p.cushion);

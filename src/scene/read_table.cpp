@@ -6,17 +6,13 @@
 namespace bankshot {
 namespace {
 
-const TablePreset& read_preset(const Reader& r) { return table_presets()[r.word("table", format::table_names)]; }
-
 /// A level one is all there is yet.
 void read_tilt(const Reader& table) {
   const auto r = table.find("tilt");
   if (r && !(r->point() == Vec2d{0, 0})) r->fail("other than [0, 0] is not supported yet");
 }
 
-Mouth read_mouth(const Reader& table, double radius) {
-  const double scale = radius / Body{}.radius;
-  Mouth m{pool_7ft_mouth.corner * scale, pool_7ft_mouth.middle * scale};
+Mouth read_mouth(const Reader& table, Mouth m) {
   const auto r = table.find("mouth");
   if (!r) return m;
   r->only(format::mouth);
@@ -25,12 +21,36 @@ Mouth read_mouth(const Reader& table, double radius) {
   return m;
 }
 
+bool wants_jaws(const Reader& table, bool usual) {
+  const auto r = table.find("jaws");
+  return r ? r->boolean() : usual;
+}
+
+/// A preset, with what changes it.
+Table changed(const Reader& table, const TablePreset& preset) {
+  table.only(format::preset);
+  const bool jaws = wants_jaws(table, false);
+  if (!preset.mouth) {
+    if (jaws) table.find("jaws")->fail("needs pockets, and this table has none");
+    if (const auto mouth = table.find("mouth")) mouth->fail("is the size of pockets, and this table has none");
+    return make_table(preset);
+  }
+  TablePreset own = preset;
+  own.mouth = read_mouth(table, *preset.mouth);
+  own.jaws = with_mouth(*preset.jaws, *own.mouth);
+  return make_table(own, jaws);
+}
+
 std::vector<Pocket> read_pockets(const Reader& table, const Table& shape, double radius) {
   const auto r = table.find("pockets");
   if (r && r->is_string() && r->word("layout of pockets", format::layouts) == 1) {
     if (!shape.is_rectangle()) r->fail("needs a rectangle; list the pockets of a polygon");
-    return six_pockets(shape, read_mouth(table, radius));
+    const double scale = radius / Body{}.radius;
+    const Mouth mouth = read_mouth(table, scaled(pool_7ft_mouth, scale));
+    if (!wants_jaws(table, false)) return six_pockets(shape, mouth);
+    return six_pockets(shape, with_mouth(scaled(pool_7ft_jaws, scale), mouth));
   }
+  if (wants_jaws(table, false)) table.find("jaws")->fail("needs the pockets \"six\", or a preset");
   if (const auto mouth = table.find("mouth"))
     mouth->fail("is the size of the pockets \"six\", which are not asked for");
   if (!r || r->is_string()) return {};
@@ -59,19 +79,24 @@ Table read_polygon(const Reader& table) {
 
 }  // namespace
 
+const TablePreset* preset_of(const Reader& table) {
+  if (table.is_string()) return &table_presets()[table.word("table", format::table_names)];
+  const auto r = table.is_object() ? table.find("preset") : std::nullopt;
+  return r ? &table_presets()[r->word("table", format::table_names)] : nullptr;
+}
+
 Ball default_ball(const Reader& table) {
   Ball ball{};
-  if (!table.is_string()) return ball;
-  const TablePreset& p = read_preset(table);
-  ball.body = p.body;
+  if (const TablePreset* const p = preset_of(table)) ball.body = p->body;
   return ball;
 }
 
 Table read_table(const Reader& table, double radius) {
-  if (table.is_string()) return make_table(read_preset(table));
+  const TablePreset* const preset = preset_of(table);
+  if (table.is_string()) return make_table(*preset);
   if (!table.is_object()) table.fail("must be the name of a table or an object");
   read_tilt(table);
-  if (const auto jaws = table.find("jaws"); jaws && jaws->boolean()) jaws->fail("is not supported yet");
+  if (preset) return changed(table, *preset);
   Table shape;
   if (table.find("vertices")) {
     table.only(format::polygon);

@@ -2,6 +2,9 @@
 #include "bankshot/scene/table.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "bankshot/scene/ball.hpp"
 
 namespace bankshot {
 
@@ -43,12 +46,54 @@ std::vector<Pocket> six_pockets(const Table& rectangle, Mouth mouth) {
           {"top-left", {x0, y1}, corner},    {"top-middle", {middle, y1}, side},    {"top-right", {x1, y1}, corner}};
 }
 
+std::vector<Pocket> six_pockets(const Table& rectangle, const JawShapes& jaws) {
+  std::vector<Pocket> pockets = six_pockets(rectangle, Mouth{jaws.corner.mouth, jaws.middle.mouth});
+  const Vec2d centre = (rectangle.lowest() + rectangle.highest()) / 2;
+  for (std::size_t i = 0; i < pockets.size(); ++i) {
+    Pocket& p = pockets[i];
+    const bool middle = i % 3 == 1;
+    const JawShape& shape = middle ? jaws.middle : jaws.corner;
+    const auto sign = [](double x) { return x > 0 ? 1.0 : -1.0; };
+    const Vec2d out = p.at - centre, back = middle ? Vec2d{0, sign(out.y)} : Vec2d{sign(out.x), sign(out.y)} / std::sqrt(2.0);
+    p.jaws = Jaws{p.at, shape.mouth, shape.angle, shape.tip, jaws.depth};
+    p.at += back * shape.set_back;
+    p.radius = shape.capture;
+  }
+  return pockets;
+}
+
+const JawShapes pool_7ft_jaws{
+    {0.118, radians(142), 0.021, 0.062, 0.0417}, {0.137, radians(104), 0.008, 0.0645, 0.0685}, 0.0508};
+
+JawShapes with_mouth(JawShapes jaws, Mouth mouth) {
+  jaws.corner.mouth = mouth.corner;
+  jaws.middle.mouth = mouth.middle;
+  return jaws;
+}
+
+Mouth scaled(Mouth mouth, double by) { return {mouth.corner * by, mouth.middle * by}; }
+
+JawShapes scaled(const JawShapes& jaws, double by) {
+  const auto shape = [&](const JawShape& s) {
+    return JawShape{s.mouth * by, s.angle, s.tip * by, s.capture * by, s.set_back * by};
+  };
+  return {shape(jaws.corner), shape(jaws.middle), jaws.depth * by};
+}
+
+namespace {
+
+const JawShapes snooker_jaws{
+    {0.083, radians(135), 0.0889, 0.0889, 0.06735}, {0.087, radians(90), 0.0669, 0.05319, 0.05159}, 0.04763};
+
+}  // namespace
+
 const std::vector<TablePreset>& table_presets() {
+  constexpr Mouth pool_9ft{0.116, 0.129}, snooker{0.083, 0.087};
   static const std::vector<TablePreset> presets{
-      {"pool-7ft", 1.9812, 0.9906, {0.028575, 0.170097}, pool_7ft_mouth},
-      {"pool-8ft", 2.2352, 1.1176, {0.028575, 0.170097}, pool_7ft_mouth},
-      {"pool-9ft", 2.54, 1.27, {0.028575, 0.170097}, Mouth{0.116, 0.129}},
-      {"snooker-12ft", 3.569, 1.778, {0.02625, 0.1406}, Mouth{0.083, 0.087}, 0.03675},
+      {"pool-7ft", 1.9812, 0.9906, {0.028575, 0.170097}, pool_7ft_mouth, {}, pool_7ft_jaws},
+      {"pool-8ft", 2.2352, 1.1176, {0.028575, 0.170097}, pool_7ft_mouth, {}, pool_7ft_jaws},
+      {"pool-9ft", 2.54, 1.27, {0.028575, 0.170097}, pool_9ft, {}, with_mouth(pool_7ft_jaws, pool_9ft)},
+      {"snooker-12ft", 3.569, 1.778, {0.02625, 0.1406}, snooker, 0.03675, snooker_jaws},
       {"carom-10ft", 2.84, 1.42, {0.03075, 0.21}, {}, 0.037},
       {"seed", 2.5, 1.25, {0.0285, 0.17}, {}},
   };
@@ -61,9 +106,9 @@ const TablePreset* find_table_preset(std::string_view name) {
   return it == all.end() ? nullptr : &*it;
 }
 
-Table make_table(const TablePreset& preset) {
+Table make_table(const TablePreset& preset, bool jaws) {
   Table t = rectangle_table(preset.length, preset.width);
-  if (preset.mouth) t.pockets = six_pockets(t, *preset.mouth);
+  if (preset.mouth) t.pockets = jaws && preset.jaws ? six_pockets(t, *preset.jaws) : six_pockets(t, *preset.mouth);
   return t;
 }
 

@@ -3,6 +3,7 @@
 // The rules a scene must keep, whether it came from a file or from a C++ program.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -92,10 +93,36 @@ void check_names(const Table& t) {
          fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", pockets[*i]));
 }
 
+/// Between two mouths there is a cushion.
+void check_mouths(const Table& t) {
+  std::vector<Break> breaks;
+  for (const JawPieces& m : obstacles(t).jaws)
+    for (const Break& each : m.breaks) breaks.push_back(each);
+  const auto ends_first = [](const Break& x, const Break& y) {
+    return std::pair(x.rail, x.begin) < std::pair(y.rail, y.begin);
+  };
+  std::ranges::sort(breaks, ends_first);
+  for (std::size_t i = 1; i < breaks.size(); ++i) {
+    const Break &x = breaks[i - 1], &y = breaks[i];
+    const bool same = x.rail == y.rail && x.begin == y.begin && x.end == y.end;  // a middle pocket has it twice
+    if (x.rail == y.rail && !same && !(x.end < y.begin))
+      fail("/table/jaws", fmt::format("the jaws leave nothing of cushion {} between two pockets",
+                                      t.cushions[static_cast<std::size_t>(x.rail)]));
+  }
+}
+
 void check_pockets(const Table& t, const Boundary& b) {
+  check_mouths(t);
   for (std::size_t i = 0; i < t.pockets.size(); ++i) {
     const Pocket& p = t.pockets[i];
     need_finite(p.at, [&] { return at("/table/pockets", i) + "/at"; });
+    if (p.jaws) {
+      const Vec2d way = p.at - p.jaws->at;
+      const Gap<double> gap = openings(b, b.pockets[i]).front().gap(way / norm(way), 0);
+      if (!(gap.low < gap.high))
+        fail("/table/mouth", fmt::format("no ball passes between the jaws of pocket \"{}\"", p.name));
+      continue;
+    }
     const double distance = b.distance_to_centres(p.at);
     const bool point = p.radius == 0 && b.body.radius == 0;
     if (p.radius == 0 && b.body.radius > 0)

@@ -14,8 +14,18 @@ Json pair(const Vec2d& p) { return pair(p.x, p.y); }
 Json both(const Range& r) { return pair(r.low, r.high); }
 Json range(const Range& r) { return r.fixed() ? Json(r.low) : both(r); }
 
+/// A table with jaws is told by what it was made of.
+Json jaws_json(const Table& t) {
+  for (const TablePreset& preset : table_presets())
+    if (preset.jaws && t == make_table(preset, true)) return {{"preset", preset.name}, {"jaws", true}};
+  const Mouth mouth{t.pockets[0].jaws->mouth, t.pockets[1].jaws->mouth};
+  return {{"pockets", "six"}, {"jaws", true}, {"mouth", {{"corner", mouth.corner}, {"middle", mouth.middle}}}};
+}
+
 Json table_json(const Table& t) {
   Json j = Json::object();
+  if (!t.pockets.empty() && t.pockets[0].jaws) j = jaws_json(t);
+  if (j.contains("preset")) return j;
   const Vec2d size = t.highest();
   const bool plain = t.is_rectangle() && t.lowest() == Vec2d{0, 0};
   if (plain && t.cushions == rectangle_table(size.x, size.y).cushions) {
@@ -26,6 +36,7 @@ Json table_json(const Table& t) {
     for (const Vec2d& v : t.vertices) j["vertices"].push_back(pair(v));
     j["names"] = t.cushions;
   }
+  if (j.contains("jaws")) return j;
   j["pockets"] = "none";
   if (t.pockets.empty()) return j;
   j["pockets"] = Json::array();

@@ -7,6 +7,7 @@ namespace bankshot {
 
 const EventWords& words(EventKind kind) {
   static constexpr EventWords all[] = {{"cushion", "cushion", "cushion"},
+                                       {"jaw", "jaw", "jaw"},
                                        {"pocket", "pocketed", "pocket"},
                                        {"slide-to-roll", "slide-to-roll", "slide to roll"},
                                        {"roll-to-rest", "rest", "rest"},

@@ -159,6 +159,9 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
         out.cushions.push_back(e.contact);
         update();
         break;
+      case EventKind::jaw:
+        out.rattles = true;
+        break;
       case EventKind::slide_to_roll:
         break;
       case EventKind::pocket: {

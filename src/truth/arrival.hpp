@@ -24,6 +24,7 @@ struct Arrived {
   double offset = 0;  ///< m, of the line into a pocket, positive on the left of its centre
   Vec2d at{}, heading{};
   Contact pocket{};      ///< that took it
+  bool rattles = false;  ///< it touched jaws on its way
   double incidence = 1;  ///< sine of the angle between the path and the pocket's rim
   bool made() const { return why.empty() && in_order; }
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The first thing an arc meets: a cushion, a vertex, a pocket, its own end or the horizon. Found and
+// The first thing an arc meets: a cushion, a vertex, a jaw, a pocket, its own end or the horizon. Found and
 // ordered on values; `lift_event` then gives the time of the one that happens its derivatives.
 // Property, numbered as in simulator.hpp:
 //  2. One instant: a pocket captures before a cushion bounces; two cushions both bounce, larger
 //     approach speed first, ties in the order of edges. Same instant means equal computed times.
 #pragma once
+
+#include <algorithm>
 
 #include "bankshot/detail/on_cushions.hpp"
 #include "bankshot/detail/roots/roots.hpp"
@@ -42,6 +44,7 @@ struct EventFinder {
     constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest, EventKind::horizon};
     NextEvent<N> first{arc.duration, {ends[static_cast<int>(arc.end)]}, {}, arc.end == PhaseEnd::piece};
     if (horizon < first.time) first.set(horizon, EventKind::horizon, {});
+    if (!boundary.jaws.empty()) return consider_rails_and_jaws(first), first;
     for (const Wall& w : boundary.walls) consider(first, w.contact, wall_hit(w, first.time));
     if (!boundary.tips.empty() || !boundary.pockets.empty()) consider_circles(first);
     return first;
@@ -50,21 +53,69 @@ struct EventFinder {
  private:
   /// Apart from the walls, so that a table without vertices to hit and without pockets does not pay for them.
   void consider_circles(NextEvent<N>& first) const {
-    for (const Circle& c : boundary.tips)
-      if (!cushions.held(c.contact) && !passes_tangent(c)) {
-        const N t = first_entry(arc, c.centre, c.radius, first.time, cushions.on(c.contact));
-        if (t < N(forever) && c.covers(arc.position(t))) consider(first, c.contact, t);
-      }
-    for (const Circle& c : boundary.pockets) {
-      const N t = first_entry(arc, c.centre, c.radius, first.time);
-      if (t <= first.time && t < N(forever)) first.set(t, EventKind::pocket, c.contact);
+    for (const Circle& c : boundary.tips) consider_tip(first, c);
+    for (const Circle& c : boundary.pockets) consider_pocket(first, c);
+  }
+
+  void consider_tip(NextEvent<N>& first, const Circle& c) const {
+    if (cushions.held(c.contact) || passes_tangent(c)) return;
+    const N t = first_entry(arc, c.centre, c.radius, first.time, cushions.on(c.contact));
+    if (t < N(forever) && c.covers(arc.position(t))) consider(first, c.contact, t);
+  }
+
+  void consider_pocket(NextEvent<N>& first, const Circle& c) const {
+    const N t = first_entry(arc, c.centre, c.radius, first.time);
+    if (t <= first.time && t < N(forever)) first.set(t, EventKind::pocket, c.contact);
+  }
+
+  /// A centre that leaves the rectangle of centres does so between the jaws of a pocket: only those are looked at, and
+  /// of legs that bounce off rails none.
+  void consider_rails_and_jaws(NextEvent<N>& first) const {
+    int pockets[4];
+    int count = 0;
+    const auto look = [&](int pocket) {
+      if (pocket >= 0 && std::find(pockets, pockets + count, pocket) == pockets + count && count < 4)
+        pockets[count++] = pocket;
+    };
+    look(boundary.between_jaws(arc.at));
+    for (const Wall& w : boundary.walls) {
+      const N t = wall_hit(w, first.time);
+      if (!(t <= first.time) || !(t < N(forever))) continue;
+      const int pocket = boundary.break_at(w, static_cast<double>(dot(w.along, arc.position(t))));
+      pocket < 0 ? consider(first, w.contact, t) : look(pocket);
     }
+    for (int i = 0; i < count; ++i) consider_jaws(first, pockets[i]);
+    for (const Wall& w : boundary.walls)
+      if (cushions.held(w.contact)) end_hold(first, w);
+  }
+
+  /// A rail holds a ball no farther than to its end: there a piece of the arc ends.
+  void end_hold(NextEvent<N>& first, const Wall& w) const {
+    const N s = dot(w.along, arc.at), speed = dot(w.along, arc.velocity), a = dot(w.along, arc.acceleration);
+    const auto [low, high] = boundary.whole_around(w, static_cast<double>(s));
+    for (const N& t : {first_descent(N(s - N(low)), speed, a), first_descent(N(N(high) - s), N(-speed), N(-a))})
+      if (t < first.time) {
+        first.set(t, EventKind::horizon, {});
+        first.piece = true;
+      }
+  }
+
+  void consider_jaws(NextEvent<N>& first, int pocket) const {
+    const auto k = static_cast<std::size_t>(pocket);
+    const JawWalls& jaws = boundary.jaws[k];
+    for (const Circle& tip : jaws.tips) consider_tip(first, tip);
+    if (jaws.faced)
+      for (const Wall& f : jaws.facings) {
+        const N t = wall_hit(f, first.time);
+        if (t <= first.time && ends_hold(f, t)) consider(first, f.contact, t);
+      }
+    consider_pocket(first, boundary.pockets[k]);
   }
 
   static void consider(NextEvent<N>& first, Contact contact, const N& t) {
     if (t < first.time)
-      first.set(t, EventKind::cushion, contact);
-    else if (t == first.time && first.event.kind == EventKind::cushion && !first.second)
+      first.set(t, contact.kind == ContactKind::jaw ? EventKind::jaw : EventKind::cushion, contact);
+    else if (t == first.time && first.event.bounces() && !first.second)
       first.second = contact;
   }
 
@@ -87,10 +138,14 @@ struct EventFinder {
       if (runs_parallel(speed, acceleration)) return N(forever);
     }
     const N t = first_descent(gap, speed, acceleration);
-    if (boundary.strictly_convex || !(t <= limit)) return t;
+    return boundary.strictly_convex || !(t <= limit) || ends_hold(w, t) ? t : N(forever);
+  }
+
+  /// At this time the foot is inside the wall's ends.
+  bool ends_hold(const Wall& w, const N& t) const {
     const N s = dot(w.along, arc.position(t));
     const double slack = tolerance::edge_end * boundary.extent;
-    return s >= N(w.begin - slack) && s <= N(w.end + slack) ? t : N(forever);
+    return s >= N(w.begin - slack) && s <= N(w.end + slack);
   }
 
   /// Speed to and from a line, now and when the arc ends, is the rounding of the velocity.
@@ -120,6 +175,7 @@ T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc
   const Contact contact = next.event.contact;
   switch (next.event.kind) {
     case EventKind::cushion:
+    case EventKind::jaw:
       if (const Wall* const w = boundary.line(contact)) return lift_line(arc, w->normal, w->offset, on, next.time);
       return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::pocket:

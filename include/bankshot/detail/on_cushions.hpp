@@ -78,9 +78,18 @@ class OnCushions {
       if (found == 2) return;
       const N s = dot(w.along, at), gap = dot(w.normal, at) - N(w.offset);
       if (!(abs(gap) <= near && s >= w.begin - near && s <= w.end + near)) continue;
+      if (boundary.break_at(w, static_cast<double>(s)) >= 0) continue;
       settle(boundary, w.contact, centre);
       ++found;
     }
+    for (const JawWalls& jaws : boundary.jaws)
+      for (const Wall& w : jaws.facings) {
+        if (found == 2 || !jaws.faced) break;
+        const N s = dot(w.along, at), gap = dot(w.normal, at) - N(w.offset);
+        if (!(abs(gap) <= near && s >= w.begin - near && s <= w.end + near)) continue;
+        settle(boundary, w.contact, centre);
+        ++found;
+      }
   }
 
   /// Where the ball rests on a cushion and friction drives it in: no normal motion on this arc. Between
@@ -89,6 +98,7 @@ class OnCushions {
   void hold(const Boundary& boundary, Arc<T>& arc) {
     held_[0] = held_[1] = {};
     if (!on_[0]) return;
+    if (!boundary.jaws.empty()) leave_ends(boundary, value(arc.at));
     const Arc<N>& plain = value(arc);
     const Contact corner = corner_to_crawl_in(boundary, plain);
     const Contact at[] = {on_[0], corner ? corner : on_[1]};
@@ -116,6 +126,18 @@ class OnCushions {
   }
 
  private:
+  /// A rail that ends at a pocket's jaws holds nothing beyond.
+  void leave_ends(const Boundary& boundary, const Vec2<N>& at) {
+    for (Contact& c : on_) {
+      if (c.kind != ContactKind::rail) continue;
+      const Wall& w = *boundary.line(c);
+      const double along = static_cast<double>(dot(w.along, at));
+      for (const double beside : {-boundary.touch, boundary.touch})
+        if (boundary.break_at(w, along + beside) >= 0) c = {};
+    }
+    if (!on_[0]) std::swap(on_[0], on_[1]);
+  }
+
   /// The arc ends with a speed towards the cushion. Otherwise the ball is not pressed to it, and an acceleration
   /// along the cushion, whose normal part has the sign of rounding, decides nothing. A ball that rolls away
   /// ends with speed 0, up to rounding: a hundredth more tells them apart.
@@ -131,7 +153,9 @@ class OnCushions {
     constexpr double more = tolerance::crawling / tolerance::resting;
     if (dot(arc.velocity, arc.velocity) > resting2_ * (more * more) || !boundary.line(on_[0])) return {};
     for (const Wall& w : boundary.walls)
-      if (w.contact != on_[0] && abs(N(dot(w.normal, arc.at) - N(w.offset))) <= N(boundary.touch)) return w.contact;
+      if (w.contact != on_[0] && abs(N(dot(w.normal, arc.at) - N(w.offset))) <= N(boundary.touch) &&
+          boundary.break_at(w, static_cast<double>(dot(w.along, arc.at))) < 0)
+        return w.contact;
     return {};
   }
 

@@ -4,9 +4,14 @@
 //   walls    each segment moved inwards by R: n·r >= offset
 //   tips     each bend with R added to its radius: a corner that points into the table is one
 //   pockets  capture circles
+//   jaws     of a table with jaws, those of each pocket: a centre beyond a wall's line is between some pocket's jaws,
+//            and meets nothing but them
 // Each knows which contact it is (contact.hpp).
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "bankshot/geometry/contact.hpp"
@@ -31,7 +36,8 @@ struct Circle {
   Contact contact{};
   Contact before{}, after{};  ///< of a tip: the walls that it joins, tangent to both
   Vec2d middle{};             ///< of its extent; 0 where it is whole
-  double least = -1;          ///< cosine of half its extent
+  double least = -1;          ///< cosine of half its extent, and a little more
+  double extent = -1;         ///< cosine of half its extent
 
   /// Whether a centre on the circle touches the part that is there.
   template <class N>
@@ -40,10 +46,18 @@ struct Circle {
   }
 };
 
+/// Of one pocket.
+struct JawWalls {
+  std::array<Circle, 2> tips;
+  std::array<Wall, 2> facings;
+  bool faced = true;  ///< there are facings
+};
+
 struct Boundary {
-  std::vector<Wall> walls;
+  std::vector<Wall> walls;  ///< whole rails; where there are jaws a ball meets them only outside `breaks`
   std::vector<Circle> tips;
   std::vector<Circle> pockets;
+  std::vector<JawWalls> jaws{};  ///< in the order of pockets; empty without
   Body body;  ///< of the ball that sees it
   double diagonal = 0;
   double extent = 0;            ///< m; diagonal or largest coordinate: what positions are rounded in units of
@@ -57,11 +71,13 @@ struct Boundary {
 
   /// The line of a contact; null where it has none.
   const Wall* line(Contact contact) const {
-    return contact.kind == ContactKind::rail ? &walls[static_cast<std::size_t>(contact.index)] : nullptr;
+    if (contact.kind == ContactKind::rail) return &walls[static_cast<std::size_t>(contact.index)];
+    return contact.kind == ContactKind::jaw ? facing(contact) : nullptr;
   }
   /// The rim of a contact that is round; null where it is not, or is no corner that points into the table.
   const Circle* rim(Contact contact) const {
     if (contact.kind == ContactKind::pocket) return &pockets[static_cast<std::size_t>(contact.index)];
+    if (contact.kind == ContactKind::jaw) return tip(contact);
     for (const Circle& c : tips)
       if (c.contact == contact) return &c;
     return nullptr;
@@ -75,13 +91,50 @@ struct Boundary {
     const Vec2<T> out = at - to<T>(c->centre);
     return out / norm(out);
   }
+  /// The pocket between whose jaws a wall is interrupted at this place along it; -1: there the wall is whole.
+  int break_at(const Wall& wall, double along) const {
+    if (jaws.empty()) return -1;
+    for (const Breach& b : breaks_[static_cast<std::size_t>(wall.contact.index)])
+      if (along > b.begin && along < b.end) return b.pocket;
+    return -1;
+  }
+  /// The ends of the part of a wall that is whole around this place along it.
+  std::pair<double, double> whole_around(const Wall& wall, double along) const {
+    std::pair<double, double> out{wall.begin, wall.end};
+    for (const Breach& b : breaks_[static_cast<std::size_t>(wall.contact.index)]) {
+      if (b.end <= along) out.first = std::max(out.first, b.end);
+      if (b.begin >= along) out.second = std::min(out.second, b.begin);
+    }
+    return out;
+  }
+  /// The pocket between whose jaws a centre is; -1 where it is on the table.
+  template <class N>
+  int between_jaws(const Vec2<N>& at) const {
+    if (jaws.empty()) return -1;
+    for (const Wall& w : walls)
+      if (dot(w.normal, at) - N(w.offset) < N(touch))
+        if (const int pocket = break_at(w, static_cast<double>(dot(w.along, at))); pocket >= 0) return pocket;
+    return -1;
+  }
   /// Distance a centre at `at` is inside the allowed region (negative: outside it).
   double clearance(const Vec2d& at) const;
   /// Distance from `point` to the nearest place where the centre can be.
   double distance_to_centres(const Vec2d& point) const;
 
  private:
+  /// m along a wall.
+  struct Breach {
+    double begin, end;
+    int pocket;
+  };
+  const Wall* facing(Contact jaw) const;
+  const Circle* tip(Contact jaw) const;
+  void open(const Table& table, const std::vector<JawPieces>& jaw_pieces);
+
   std::vector<Segment> segments_;  ///< where they are, not moved
+  std::vector<Bend> bends_{};      ///< the tips of jaws, not moved
+  std::vector<Vec2d> outline_;     ///< the corners of what is inside, up to the bends
+  std::vector<std::vector<Breach>> breaks_{};  ///< of each wall
   bool unfolds_ = true;
 };
 

@@ -39,7 +39,7 @@ struct Break {
   double begin, end;
 };
 
-struct Mouth {
+struct JawPieces {
   std::array<Break, 2> breaks;      ///< of the rail before and the rail after, which may be one
   std::array<Bend, 2> tips;         ///< in the order of the outline, as the facings
   std::array<Segment, 2> facings;   ///< of no length where the tips reach as deep
@@ -49,9 +49,12 @@ struct Mouth {
 struct Obstacles {
   std::vector<Segment> segments;  ///< whole rails, in the order of the outline
   std::vector<Bend> bends;        ///< corners that point into the table
-  std::vector<Mouth> mouths{};    ///< of every pocket, or none
+  std::vector<JawPieces> jaws{};  ///< of every pocket, or none
 };
 
 Obstacles obstacles(const Table& table);
+
+/// The corners of what is inside, anticlockwise; round tips are cut short.
+std::vector<Vec2d> outline(const Table& table, const std::vector<JawPieces>& jaws);
 
 }  // namespace bankshot

@@ -33,6 +33,8 @@ struct Pocket {
   Vec2d at;
   double radius;
   std::optional<Jaws> jaws{};
+
+  bool operator==(const Pocket&) const = default;
 };
 
 /// Widths of the pocket mouths [m]; a capture radius is half of one.
@@ -47,6 +49,7 @@ struct Table {
   std::vector<std::string> cushions{};  ///< cushions[i] runs from vertex i to vertex i+1
   std::vector<Pocket> pockets{};
 
+  bool operator==(const Table&) const = default;
   bool is_rectangle() const;
   /// Diagonal of the bounding box: the length that tolerances are scaled with.
   double diagonal() const;
@@ -58,8 +61,24 @@ struct Table {
 Table rectangle_table(double length, double width);
 Table polygon_table(std::vector<Vec2d> vertices);
 
+/// A pocket with jaws: lengths in metres, the angle in radians (see Jaws). `capture`: the radius of its circle, whose centre
+/// is `set_back` behind the corner of the nose lines or the middle of the mouth.
+struct JawShape {
+  double mouth, angle, tip, capture, set_back;
+};
+struct JawShapes {
+  JawShape corner, middle;
+  double depth;  ///< of the facings
+};
+extern const JawShapes pool_7ft_jaws;
+JawShapes with_mouth(JawShapes jaws, Mouth mouth);
+/// All lengths times `by`.
+Mouth scaled(Mouth mouth, double by);
+JawShapes scaled(const JawShapes& jaws, double by);
+
 /// bottom-left, bottom-middle, bottom-right, top-left, top-middle, top-right of a rectangle.
 std::vector<Pocket> six_pockets(const Table& rectangle, Mouth mouth);
+std::vector<Pocket> six_pockets(const Table& rectangle, const JawShapes& jaws);
 
 /// A ready-made table with the ball that is played on it.
 struct TablePreset {
@@ -68,6 +87,7 @@ struct TablePreset {
   Body body;                            ///< the ball
   std::optional<Mouth> mouth;           ///< no pockets without
   std::optional<double> nose_height{};  ///< of the cushions over the cloth [m]; without, 1.28 R of that ball
+  std::optional<JawShapes> jaws{};
 
   double nose() const { return nose_height.value_or(1.28 * body.radius); }
 };
@@ -75,6 +95,7 @@ struct TablePreset {
 /// Sources: WPA equipment specification, WPBSA and UMB rules; `seed` is the seed article's table.
 const std::vector<TablePreset>& table_presets();
 const TablePreset* find_table_preset(std::string_view name);
-Table make_table(const TablePreset& preset);
+/// Its pockets with jaws, or as plain circles half as wide as their mouths.
+Table make_table(const TablePreset& preset, bool jaws = false);
 
 }  // namespace bankshot

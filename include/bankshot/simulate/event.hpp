@@ -9,14 +9,16 @@ namespace bankshot {
 
 /// horizon: no more was asked for. Only a record has `start` and, last of all, `end`; as what ended a shot `end` means
 /// that there were too many events.
-enum class EventKind { cushion, pocket, slide_to_roll, rest, horizon, start, end };
+enum class EventKind { cushion, jaw, pocket, slide_to_roll, rest, horizon, start, end };
 
 struct Event {
   EventKind kind = EventKind::horizon;
-  Contact contact{};          ///< that a cushion event bounced off, or the pocket
+  Contact contact{};          ///< that the ball bounced off, or the pocket
   bool same_instant = false;  ///< the second of two cushions met at once
   /// True when the ball moves no more: at rest, pocketed, or stopped at the horizon.
-  bool final() const { return kind != EventKind::cushion && kind != EventKind::slide_to_roll; }
+  bool final() const { return !bounces() && kind != EventKind::slide_to_roll; }
+  /// Off a cushion or a jaw.
+  bool bounces() const { return kind == EventKind::cushion || kind == EventKind::jaw; }
 };
 
 /// Its words: the type of an event in JSON, the reason of a shot's end in JSON, and for a person.

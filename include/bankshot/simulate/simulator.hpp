@@ -77,9 +77,13 @@ class Simulator {
   using Next = NextEvent<Number>;
 
   Event happens(const Next& next) {
-    if (next.event.kind == EventKind::cushion) return first_of_instant(next);
+    if (next.event.bounces()) return first_of_instant(next);
     if (next.event.kind == EventKind::rest || next.event.kind == EventKind::slide_to_roll) track_.finish(motion_);
     return next.event;
+  }
+
+  static EventKind kind_of(Contact contact) {
+    return contact.kind == ContactKind::jaw ? EventKind::jaw : EventKind::cushion;
   }
 
   Event first_of_instant(const Next& next) {
@@ -87,13 +91,13 @@ class Simulator {
     if (second && track_.approach(second) > track_.approach(first)) std::swap(first, second);
     track_.meet(cushion_, first, second);
     pending_ = second;
-    return {EventKind::cushion, first};
+    return {kind_of(first), first};
   }
 
   Event second_of_instant(Contact contact) {
     track_.meet_also(motion_, cushion_, contact);
     if constexpr (has_derivatives<T>) time_ += track_.travelled();
-    return {EventKind::cushion, contact, true};
+    return {kind_of(contact), contact, true};
   }
 
   BallTrack<T> track_;

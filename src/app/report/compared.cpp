@@ -49,7 +49,7 @@ const Boundary& comparison_table(bool pockets) {
   static const Boundary plain(rectangle_table(length, width), {radius});
   static const Boundary with_pockets = [] {
     Table t = rectangle_table(length, width);
-    t.pockets = six_pockets(t, {0.116, 0.129});
+    t.pockets = six_pockets(t, Mouth{0.116, 0.129});
     return Boundary(t, {radius});
   }();
   return pockets ? with_pockets : plain;
