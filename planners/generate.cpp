@@ -143,7 +143,8 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
   Puzzle& p = q.puzzle;
   const Record& last = t.events.back();
   double arrival = 0;
-  if (t.legs.empty()) return {};
+  const auto rattles = [](const Record& e) { return e.kind == EventKind::jaw; };
+  if (t.legs.empty() || std::ranges::any_of(t.events, rattles)) return {};
   if (t.end == EventKind::pocket) {
     p.target = PocketTarget{t.events[t.events.size() - 2].contact.index};
     q.bounces = t.cushions;

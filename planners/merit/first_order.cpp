@@ -167,7 +167,7 @@ std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, cons
 }
 
 void add_first_order(const Question& q, Shot& shot) {
-  const Route route = route_by(shot.cushions);
+  const Route route = route_by(shot.rattles ? shot.met : shot.cushions);
   const FirstOrder f = first_order({q, route, q.nearest_mark(shot.arrival.at)}, shot.launch, shot.arrival.at);
   shot.by_angle = f.by_angle;
   shot.by_speed = f.by_log_speed / shot.launch.speed;

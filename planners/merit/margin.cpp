@@ -115,12 +115,15 @@ class Way {
       bad_ = good_;
       good_ = 0;
     }
+    // Balls that jaws turn in and out lie in bands.
+    double longest = aim_.q.boundary.jaws.empty() ? never : std::max(bad_ * rattling_step, limit * least_rattling_step);
     double by = tolerance::margin * bad_ + finest;
     while (made(bad_)) {
       if (bad_ >= limit) return void(bad_ = never);
       good_ = bad_;
       bad_ = std::min(bad_ + by, limit);
-      by *= 2;
+      by = std::min(2 * by, longest);
+      longest *= 1 + rattling_step;
     }
     narrow();
   }
@@ -184,7 +187,7 @@ std::optional<double> downwards(std::optional<double> distance) {
 
 void find_margin(const Question& q, Ledger& ledger, Shot& shot) {
   const Mark& mark = q.nearest_mark(shot.arrival.at);
-  const Route route = route_by(shot.cushions);
+  const Route route = route_by(shot.rattles ? shot.met : shot.cushions);
   const LockedAim aim{q, route, mark};
   const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
     return Way(aim, ledger, shot, towards).how_far(scale, limit);

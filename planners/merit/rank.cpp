@@ -33,10 +33,13 @@ void order(const Question& q, std::span<Shot> shots) {
   });
 }
 
-/// Where some shot is on the exact line or point, those beside it are no answer.
+/// Where some shot is on the exact line or point, those beside it are no answer; nor those that count on a rattle where
+/// one does without.
 void keep_centred(std::vector<Shot>& shots) {
   const auto beside = [](const Shot& shot) { return shot.off_centre; };
-  if (!std::all_of(shots.begin(), shots.end(), beside)) std::erase_if(shots, beside);
+  const auto rattles = [](const Shot& shot) { return shot.rattles; };
+  if (!std::ranges::all_of(shots, beside)) std::erase_if(shots, beside);
+  if (!std::ranges::all_of(shots, rattles)) std::erase_if(shots, rattles);
 }
 
 /// Between two launches, in deviations of the player.

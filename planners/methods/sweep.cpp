@@ -72,7 +72,7 @@ class Sweep {
       if (static_cast<int>(out.contacts.size()) == q_.cushions().max) break;
       const Event e = sim.step();
       account.add(sim.arc(), sim.travelled());
-      if (e.final() || account.beyond(q_.speed.high)) break;
+      if (e.kind != EventKind::cushion || account.beyond(q_.speed.high)) break;
       out.contacts.push_back(e.contact);
     }
     ledger_.charge(out.contacts.size());

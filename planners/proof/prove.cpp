@@ -27,7 +27,7 @@ bool fast_as_asked(const Question& q, double arrival_speed) {
 
 bool good_enough(const Question& q, const Replay& r, Demand demand) {
   return demand == Demand::made ||
-         (fast_as_asked(q, r.arrival.speed) && (demand == Demand::off_centre || (q.centred(r.miss) && !r.rattles)));
+         (fast_as_asked(q, r.arrival.speed) && (demand == Demand::off_centre || (q.centred(r.miss) && !(r.rattles && q.captures()))));
 }
 
 Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Goal& goal) {
@@ -47,8 +47,9 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   proof.shot.arrival = r.arrival;
   proof.shot.miss = r.miss;
   proof.shot.offset = r.offset;
-  proof.shot.rattles = r.rattles && q.captures();
-  proof.shot.off_centre = proof.shot.rattles || !q.centred(r.miss);
+  proof.shot.rattles = r.rattles;
+  if (r.rattles) proof.shot.met = r.met;
+  proof.shot.off_centre = !q.centred(r.miss) || (r.rattles && q.captures());
   proof.failure = r.failure;
   if (r.made && !good_enough(q, r, goal.demand)) proof.failure = {Foul::inexact};
   return proof;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "bankshot/simulate/simulator.hpp"
@@ -68,9 +69,12 @@ class Follower {
           if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.contact), sim_.state().velocity) > 0))
             out_.replay.cushion_stick = true;
           if (contacts) contacts->push_back(e.contact);
+          if (out_.replay.rattles) out_.replay.met.push_back(e.contact);
           break;
         case EventKind::jaw:
-          out_.replay.rattles = true;
+          if (!out_.replay.rattles && contacts) out_.replay.met = *contacts;
+          out_.replay.met.push_back(e.contact);
+          rattle(e.contact);
           break;
         case EventKind::slide_to_roll:
           break;
@@ -128,12 +132,28 @@ class Follower {
     out_.replay.bounces = k_;
     // A ball that stops on the circle still has the line of its last arc.
     const Vec2d heading = norm(now.velocity) > 0 ? now.velocity : sim_.arc().velocity;
-    const Vec2d u = heading / norm(heading);
-    const double offset = cross(u, now.at - mark.at), exact = mark.exact_offset(u, offset);
-    out_.replay.miss = std::abs(offset - exact);
-    out_.replay.offset = q_.centred(out_.replay.miss) ? exact : offset;
+    measure(mark, first_jaw_ ? *first_jaw_ : Line{now.at, heading});
     out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
     return out_;
+  }
+
+  /// What it touches first of the jaws of the pocket it may fall into tells the line of travel there.
+  void rattle(Contact jaw) {
+    const Arc<double>& arc = sim_.arc();
+    const auto of_jaws = [&](const Mark& mark) { return mark.taken_by.index == jaw.index / Contact::jaws; };
+    if (!first_jaw_ && std::ranges::any_of(q_.marks, of_jaws))
+      first_jaw_ = Line{sim_.state().at, arc.velocity_at(sim_.travelled())};
+    out_.replay.rattles = true;
+  }
+
+  struct Line {
+    Vec2d at, heading;
+  };
+  void measure(const Mark& mark, const Line& line) {
+    const Vec2d u = line.heading / norm(line.heading);
+    const double offset = cross(u, line.at - mark.at), exact = mark.exact_offset(u, offset);
+    out_.replay.miss = std::abs(offset - exact);
+    out_.replay.offset = q_.centred(out_.replay.miss) && !out_.replay.rattles ? exact : offset;
   }
 
   Trace rest() {
@@ -169,6 +189,7 @@ class Follower {
   SequenceCheck check_;
   Simulator<double, Motion, Cushion> sim_;
   int k_ = 0;
+  std::optional<Line> first_jaw_{};
   double closest_ = 0;  ///< s into the arc
   Trace out_;
 };

@@ -20,6 +20,7 @@ struct Replay {
   Arrival arrival;
   Failure failure;             ///< when it is not made
   bool rattles = false;        ///< it touched the jaws of a pocket
+  std::vector<Contact> met{};  ///< if so, and bounces were asked for: all that it bounced off
   int bounces = 0;             ///< at arrival or at the foul
   bool cushion_stick = false;  ///< see Shot::cushion_stick
 };

@@ -48,7 +48,7 @@ inline constexpr Key answer_shot_keys[] = {
     {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that it reaches"},
     {"offset", "number", "m", "0", "-0.0124",
      "how far the line of travel passes beside the pocket's centre, positive on its left"},
-    {"rattles", "boolean", "", "false", "true", "it touches the jaws of its pocket before it drops"},
+    {"rattles", "boolean", "", "false", "true", "it touches the jaws of a pocket on its way"},
     {"off_centre", "boolean", "", "false", "true", "it is made, but beside the exact line or point"},
     {"condition", "number", "m/rad", required, "41",
      "how far the arrival moves for a radian of aim, or for a relative change of speed", at_least(0)},

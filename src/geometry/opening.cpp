@@ -39,10 +39,8 @@ const JawWalls* jaws_of(const Boundary& boundary, const Circle& pocket) {
   return boundary.jaws.empty() ? nullptr : &boundary.jaws[static_cast<std::size_t>(pocket.contact.index)];
 }
 
-/// From a pocket with jaws to the table.
-Vec2d inwards(const JawWalls& jaws, const Circle& pocket) {
-  return jaws.tips[0].centre + jaws.tips[1].centre - pocket.centre * 2.0;
-}
+/// From a pocket with jaws to the table, of no particular length.
+Vec2d inwards(const JawWalls& jaws) { return jaws.tips[0].middle + jaws.tips[1].middle; }
 
 OpeningTip seen(const Circle& tip, const Circle& pocket) {
   return {tip.centre - pocket.centre, tip.radius, tip.middle, tip.extent};
@@ -79,7 +77,7 @@ std::vector<Opening> openings(const Boundary& boundary, const Circle& pocket) {
     const Vec2d chord = piece.last - piece.first, apex = Vec2d{chord.y, -chord.x};
     if (piece.whole()) continue;
     const Vec2d middle = pocket.centre + apex * (pocket.radius / norm(apex));
-    if (boundary.clearance(middle) < 0 || (jaws && dot(middle - pocket.centre, inwards(*jaws, pocket)) < 0)) continue;
+    if (boundary.clearance(middle) < 0 || (jaws && dot(middle - pocket.centre, inwards(*jaws)) < 0)) continue;
     if (!out.empty() && out.back().last == piece.first)
       out.back().last = piece.last;
     else

@@ -48,7 +48,7 @@ std::vector<Pocket> read_pockets(const Reader& table, const Table& shape, double
     const double scale = radius / Body{}.radius;
     const Mouth mouth = read_mouth(table, scaled(pool_7ft_mouth, scale));
     if (!wants_jaws(table, false)) return six_pockets(shape, mouth);
-    return six_pockets(shape, with_mouth(scaled(pool_7ft_jaws, scale), mouth));
+    return six_pockets_with_jaws(shape, with_mouth(scaled(pool_7ft_jaws, scale), mouth));
   }
   if (wants_jaws(table, false)) table.find("jaws")->fail("needs the pockets \"six\", or a preset");
   if (const auto mouth = table.find("mouth"))

@@ -46,7 +46,7 @@ std::vector<Pocket> six_pockets(const Table& rectangle, Mouth mouth) {
           {"top-left", {x0, y1}, corner},    {"top-middle", {middle, y1}, side},    {"top-right", {x1, y1}, corner}};
 }
 
-std::vector<Pocket> six_pockets(const Table& rectangle, const JawShapes& jaws) {
+std::vector<Pocket> six_pockets_with_jaws(const Table& rectangle, const JawShapes& jaws) {
   std::vector<Pocket> pockets = six_pockets(rectangle, Mouth{jaws.corner.mouth, jaws.middle.mouth});
   const Vec2d centre = (rectangle.lowest() + rectangle.highest()) / 2;
   for (std::size_t i = 0; i < pockets.size(); ++i) {
@@ -108,7 +108,7 @@ const TablePreset* find_table_preset(std::string_view name) {
 
 Table make_table(const TablePreset& preset, bool jaws) {
   Table t = rectangle_table(preset.length, preset.width);
-  if (preset.mouth) t.pockets = jaws && preset.jaws ? six_pockets(t, *preset.jaws) : six_pockets(t, *preset.mouth);
+  if (preset.mouth) t.pockets = jaws && preset.jaws ? six_pockets_with_jaws(t, *preset.jaws) : six_pockets(t, *preset.mouth);
   return t;
 }
 

@@ -71,18 +71,47 @@ struct Scene::Goal {
   double slack = 0;  ///< m, beyond `within`
 };
 
-double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double own) {
-  if (rim.radius <= tolerance::point_pocket * boundary.diagonal) return 0;
-  const Vec2d u = heading / norm(heading), left{-u.y, u.x};
-  const auto enters = [&](double offset) {
-    const double ahead = std::sqrt(std::max(rim.radius * rim.radius - offset * offset, 0.0));
-    return boundary.clearance(rim.centre + left * offset - u * ahead) >= -boundary.touch;
-  };
-  const auto last = [&](double limit) {
-    constexpr int steps = 2000;
-    double in = own;
+/// Lines in one direction into a pocket.
+class LineIn {
+ public:
+  LineIn(const Boundary& boundary, const Circle& rim, const Vec2d& heading)
+      : boundary_(boundary), rim_(rim), u_(heading / norm(heading)), left_{-u_.y, u_.x} {}
+
+  bool enters(double offset) const {
+    const auto least = room(offset);
+    return least && *least >= -boundary_.touch;
+  }
+
+  std::optional<double> room(double offset) const {
+    if (!(std::abs(offset) <= rim_.radius)) return {};
+    const double ahead = std::sqrt(std::max(rim_.radius * rim_.radius - offset * offset, 0.0));
+    const Vec2d entry = rim_.centre + left_ * offset - u_ * ahead;
+    const auto at = [&](double back) { return boundary_.clearance(entry - u_ * back); };
+    if (boundary_.jaws.empty()) return at(0);
+    double low = 0, high = 0;  // m back to the table
+    for (const Wall& w : boundary_.walls) {
+      const double inside = dot(w.normal, entry) - w.offset, slope = -dot(w.normal, u_);
+      if (inside < 0 && !(slope > 0)) return {};
+      if (inside < 0) high = std::max(high, -inside / slope);
+    }
+    constexpr int samples = 48, halvings = 60;
+    double least = at(0), nearest = 0;
+    for (int i = 1; i <= samples; ++i)
+      if (const double r = at(high * i / samples); r < least) least = r, nearest = high * i / samples;
+    low = std::max(0.0, nearest - high / samples), high = std::min(high, nearest + high / samples);
+    for (int i = 0; i < halvings; ++i) {
+      const double a = low + (high - low) * 0.4, b = low + (high - low) * 0.6;
+      (at(a) < at(b) ? high : low) = at(a) < at(b) ? b : a;
+    }
+    return std::min(least, at(low));
+  }
+
+  /// Of lines from `in`, which enters, towards `out`: the last that does.
+  double last(double in, double out) const {
+    constexpr int steps = 100;
+    const double from = in, to = out;
     for (int i = 1; i <= steps; ++i) {
-      double out = own + (limit - own) * i / steps;
+      out = from + (to - from) * i / steps;
       if (enters(out)) {
         in = out;
         continue;
@@ -91,9 +120,31 @@ double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& he
         (enters(middle) ? in : out) = middle;
       return in;
     }
-    return limit;
-  };
-  const double low = last(-rim.radius), high = last(rim.radius), eighth = (high - low) / 8;
+    return to;
+  }
+
+ private:
+  const Boundary& boundary_;
+  const Circle& rim_;
+  Vec2d u_, left_;
+};
+
+std::optional<double> room_of_line(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double offset) {
+  return LineIn(boundary, rim, heading).room(offset);
+}
+
+double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double own) {
+  if (rim.radius <= tolerance::point_pocket * boundary.diagonal) return 0;
+  const LineIn line(boundary, rim, heading);
+  constexpr int grid = 400;
+  std::optional<double> in;
+  if (line.enters(own)) in = own;
+  for (int i = 0; i <= grid && !line.enters(own); ++i) {
+    const double offset = rim.radius * (2.0 * i / grid - 1);
+    if ((!in || std::abs(offset - own) < std::abs(*in - own)) && line.enters(offset)) in = offset;
+  }
+  if (!in) return NAN;
+  const double low = line.last(*in, -rim.radius), high = line.last(*in, rim.radius), eighth = (high - low) / 8;
   return std::clamp(0.0, low + eighth, high - eighth);
 }
 
@@ -121,14 +172,14 @@ double Scene::miss(const Arrived& there) const {
   return std::abs(there.offset - exact_offset(boundary, *boundary.rim(there.pocket), there.heading, there.offset));
 }
 
-Arrived Scene::at_pocket(Arrived a, const TruthEvent& e) const {
+Arrived Scene::at_pocket(Arrived a, const TruthEvent& e, const TruthEvent& line) const {
   a.why = "";
   a.time = e.time, a.speed = norm(e.state.velocity), a.at = e.state.at;
   const Circle& rim = *boundary.rim(e.contact);
-  a.offset = -e.passing.lateral;
-  a.heading = e.state.velocity;
   a.pocket = e.contact;
-  if (rim.radius > 0) a.incidence = std::sqrt(std::max(1 - std::pow(a.offset / rim.radius, 2), 1e-12));
+  a.offset = -line.passing.lateral;
+  a.heading = line.passing.velocity;
+  if (rim.radius > 0) a.incidence = std::sqrt(std::max(1 - std::pow(e.passing.lateral / rim.radius, 2), 1e-12));
   return a;
 }
 
@@ -141,6 +192,7 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
   const auto update = [&] { out.in_order = !goal.sequence || same_order(*goal.sequence, met); };
   update();
   bool found = false;
+  const TruthEvent* jaw = nullptr;  // the first touched of those of a pocket that is asked for
   const auto fails = [&](std::string why) {
     if (!found) out.why = std::move(why);
     return out;
@@ -159,22 +211,26 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
         out.cushions.push_back(e.contact);
         update();
         break;
-      case EventKind::jaw:
+      case EventKind::jaw: {
+        const auto* pocket = std::get_if<PocketTarget>(&puzzle.target);
+        if (pocket && !jaw && pocket->pocket.value_or(e.contact.index / Contact::jaws) == e.contact.index / Contact::jaws)
+          jaw = &e;
         out.rattles = true;
         break;
+      }
       case EventKind::slide_to_roll:
         break;
       case EventKind::pocket: {
         const auto* pocket = std::get_if<PocketTarget>(&puzzle.target);
         if (!pocket || (pocket->pocket && Contact::pocket(*pocket->pocket) != e.contact) || !counts())
           return fails(fmt::format("falls into pocket {}", contact_name(puzzle.table, e.contact)));
-        return at_pocket(std::move(out), e);
+        return at_pocket(std::move(out), e, jaw ? *jaw : e);
       }
       case EventKind::rest: {
         if (!stops_ || !counts()) return fails("stops before the target");
         const double miss = norm((e.state.at - point->at) + e.at_rest);
         if (miss > within) return fails(fmt::format("stops {:.6g} m from the target", miss));
-        return at_point(std::move(out), {.time = e.time, .speed = 0, .at = e.state.at, .miss = miss});
+        return at_point(std::move(out), {.time = e.time, .speed = 0, .at = e.state.at, .velocity = {}, .miss = miss});
       }
       default:
         return fails("passes by the target");

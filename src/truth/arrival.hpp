@@ -29,7 +29,11 @@ struct Arrived {
   bool made() const { return why.empty() && in_order; }
 };
 
-/// The offset of a pocket's exact line [m], from its definition: lines beside the ball's own enter farther and farther
+/// How far a ball's centre keeps from what it may not touch, by less than 0 where it does [m]: on a line of this offset,
+/// where it enters the pocket's circle and, with jaws, since it left the table; none where it cannot come from there.
+std::optional<double> room_of_line(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double offset);
+
+/// The offset of a pocket's exact line [m], not a number where no line leads straight in; from its definition: lines beside the ball's own enter farther and farther
 /// off, up to the last one that enters where a ball's centre can be. `heading` need not be a unit vector.
 double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double own);
 
@@ -59,7 +63,8 @@ class Scene {
   Run in_double(const Launch& launch, const LaunchSpin& spin, int cushions) const;
   Arrived judge(const Path& path, const Goal& goal) const;
   Arrived at_point(Arrived a, const Passing& p) const;
-  Arrived at_pocket(Arrived a, const TruthEvent& e) const;
+  /// `line`: the event whose line of travel counts.
+  Arrived at_pocket(Arrived a, const TruthEvent& e, const TruthEvent& line) const;
 
   Physics physics_;  ///< integrated impacts far finer than the solver's
   bool stops_;

@@ -114,8 +114,12 @@ class ShotCheck {
   void arrives(const Arrived& there) {
     const Arrival& said = shot_.arrival;
     const double place = place_ / there.incidence, miss = scene_.miss(there);
-    compare(Claim::miss, std::abs(miss - shot_.miss), place_,
+    // In a direction in which no line leads straight in there is none to miss.
+    const bool no_line = std::isnan(miss) && shot_.rattles;
+    compare(Claim::miss, no_line ? 0 : std::abs(miss - shot_.miss), place_,
             fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, miss));
+    if (there.rattles != shot_.rattles)
+      return fails(Claim::form, there.rattles ? "touches jaws and does not say so" : "says that it rattles"), void();
     if (!shot_.off_centre) compare(Claim::centre, miss, place_, "does not reach the centre and does not say so");
     compare(Claim::offset, std::abs(there.offset - shot_.offset), place_,
             fmt::format("says {:.6g} m and passes the pocket's centre at {:.6g} m", shot_.offset, there.offset));

@@ -45,16 +45,22 @@ Passing passing(const Sim& sim, const T& t, const Vec2d& target) {
   const T speed = norm(v), time = sim.time() - arc.seconds(sim.travelled()) + arc.seconds(t);
   const T lateral = speed > T(0) ? T(cross(v, off) / speed) : T(0);
   const double side = rounded(lateral);
-  return {rounded(time),         rounded(speed), {rounded(at.x), rounded(at.y)},
-          rounded(T(norm(off))), side,           rounded(T(lateral - side))};
+  return {rounded(time),
+          rounded(speed),
+          {rounded(at.x), rounded(at.y)},
+          {rounded(v.x), rounded(v.y)},
+          rounded(T(norm(off))),
+          side,
+          rounded(T(lateral - side))};
 }
 
 template <class T, class Sim>
 Passing passing_of(const Run& run, const Event& e, const Sim& sim) {
   if (e.kind == EventKind::horizon) return {};
   if (run.target) return passing<T>(sim, closest_time(sim.arc(), sim.travelled(), *run.target), *run.target);
-  if (e.kind != EventKind::pocket) return {};
-  Passing p = passing<T>(sim, sim.travelled(), run.boundary.rim(e.contact)->centre);
+  if (e.kind != EventKind::pocket && e.kind != EventKind::jaw) return {};
+  const int pocket = e.kind == EventKind::pocket ? e.contact.index : e.contact.index / Contact::jaws;
+  Passing p = passing<T>(sim, sim.travelled(), run.boundary.pockets[static_cast<std::size_t>(pocket)].centre);
   p.miss = std::abs(p.lateral);
   return p;
 }

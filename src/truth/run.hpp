@@ -14,11 +14,12 @@
 
 namespace bankshot::truth {
 
-/// The closest approach of one arc to the run's target; without one, at a pocket, the line of travel at capture.
+/// The closest approach of one arc to the run's target; without one, the line of travel into a pocket or its jaws, seen from
+/// the pocket's centre.
 struct Passing {
   double time = 0;   ///< s since the launch
   double speed = 0;  ///< m/s
-  Vec2d at{};
+  Vec2d at{}, velocity{};
   double miss = std::numeric_limits<double>::infinity();  ///< m
   double lateral = 0, lateral_rest = 0;  ///< m, signed, across the line of travel: their sum has about 32 digits
 };

@@ -12,6 +12,7 @@
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/table.hpp"
 #include "support/catch.hpp"
+#include "truth/arrival.hpp"
 
 using namespace bankshot;
 
@@ -74,6 +75,38 @@ TEST_CASE("the gap of an opening holds the lines that enter where a ball's centr
   }
   CHECK(all.lines > 500'000);
   CHECK(all.inside > 100'000);
+}
+
+TEST_CASE("with jaws the gap holds the lines that touch none of them") {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  long lines = 0, inside = 0;
+  for (const TablePreset& preset : table_presets()) {
+    if (!preset.jaws) continue;
+    const Boundary boundary(make_table(preset, true), preset.body);
+    for (const Circle& pocket : boundary.pockets) {
+      const auto arcs = openings(boundary, pocket);
+      REQUIRE(arcs.size() == 1);
+      const Opening& arc = arcs.front();
+      const Vec2d in = pocket.centre - make_table(preset).pockets[static_cast<std::size_t>(pocket.contact.index)].at;
+      for (int i = 0; i < 1500; ++i) {
+        // Out of the table: no other direction leads in.
+        const bool corner = std::abs(in.x) > 1e-6;
+        const Vec2d u = direction(std::atan2(in.y, in.x) + radians(corner ? 44.9 : 89) * uniform(random));
+        const double offset = pocket.radius * uniform(random);
+        const Gap<double> gap = arc.gap(u, offset);
+        const auto clear = truth::room_of_line(boundary, pocket, u, offset);
+        if (clear && std::abs(*clear) < 1e-7) continue;  // within what its samples miss
+        const bool leads_in = clear && *clear > 0, says = gap.low < offset && offset < gap.high;
+        CAPTURE(preset.name, pocket.contact.index, u.x, u.y, offset, gap.low, gap.high, clear.value_or(-1));
+        CHECK(says == leads_in);
+        ++lines;
+        inside += says;
+      }
+    }
+  }
+  CHECK(lines > 30'000);
+  CHECK(inside > 5'000);
 }
 
 TEST_CASE("the exact line of a corner keeps an eighth of the gap from its ends") {

@@ -87,10 +87,11 @@ struct Opening {
 
   /// `side`: 1 where the tip is on the left of the line, else -1.
   template <class T>
-  static void pass_tip(const Vec2<T>& u, const OpeningTip& tip, int side, Gap<T>& gap) {
+  void pass_tip(const Vec2<T>& u, const OpeningTip& tip, int side, Gap<T>& gap) const {
     if (!(tip.radius > 0)) return;
-    const Vec2d way = value(u), towards_line{side * way.y, -side * way.x};
-    if (dot(tip.middle, towards_line) < tip.least) return;  // the tangent's point is not on the tip
+    const Vec2d way = value(u), towards_line{side * way.y, -side * way.x}, met = tip.centre + towards_line * tip.radius;
+    // The tangent's point is not on the tip, or the ball has fallen before.
+    if (dot(tip.middle, towards_line) < tip.least || dot(met, met) < radius * radius) return;
     const T bound = cross(u, to<T>(tip.centre)) - T(side * tip.radius);
     if (side > 0 && bound < gap.high) gap.high = bound;
     if (side < 0 && bound > gap.low) gap.low = bound;

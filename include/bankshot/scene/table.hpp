@@ -78,7 +78,7 @@ JawShapes scaled(const JawShapes& jaws, double by);
 
 /// bottom-left, bottom-middle, bottom-right, top-left, top-middle, top-right of a rectangle.
 std::vector<Pocket> six_pockets(const Table& rectangle, Mouth mouth);
-std::vector<Pocket> six_pockets(const Table& rectangle, const JawShapes& jaws);
+std::vector<Pocket> six_pockets_with_jaws(const Table& rectangle, const JawShapes& jaws);
 
 /// A ready-made table with the ball that is played on it.
 struct TablePreset {

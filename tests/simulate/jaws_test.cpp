@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+//
+// Pockets with jaws: where their pieces lie, how wide a pocket is to a ball that comes straight, and what no ball does.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "bankshot/simulate/trajectory.hpp"
+#include "support/catch.hpp"
+#include "support/seed.hpp"
+#include "truth/follow.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+const TablePreset& preset(const char* name) { return *find_table_preset(name); }
+
+ShotRequest request(const TablePreset& p, const Vec2d& at, const Launch& launch) {
+  ShotRequest r{.table = make_table(p, true), .physics = spin_physics(p.body, p.nose())};
+  r.ball = {.at = at, .body = p.body};
+  r.launch = launch;
+  return r;
+}
+
+/// mm, of parallel lines this far off a pocket's axis whose ball, rolling, drops into it within three seconds.
+double width(int pocket, double off_axis, double speed) {
+  constexpr double step = 0.0005, widest = 0.12, back = 0.35;
+  const TablePreset& p = preset("pool-7ft");
+  const bool middle = pocket == 1;
+  const double angle = radians((middle ? 270 : 225) + off_axis);
+  const Vec2d u = direction(angle), mouth = middle ? Vec2d{p.length / 2, 0} : Vec2d{0, 0};
+  int drops = 0;
+  for (double k = -widest; k <= widest; k += step) {
+    const Vec2d at = mouth - u * back + perpendicular(u) * k;
+    const double R = p.body.radius;
+    if (at.x < R || at.y < R || at.x > p.length - R || at.y > p.width - R) continue;
+    ShotRequest r = request(p, at, {speed, angle});
+    r.spin = {.top = 1};
+    r.until.time = 3;
+    const Trajectory t = simulate(r);
+    drops += t.end == EventKind::pocket && t.events[t.events.size() - 2].contact == Contact::pocket(pocket);
+  }
+  return 1e3 * drops * step;
+}
+
+/// Launched from anywhere on the table into some mouth.
+ShotRequest into_a_mouth(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const char* names[] = {"pool-7ft", "pool-8ft", "pool-9ft", "snooker-12ft"};
+  const TablePreset& p = preset(names[random() % 4]);
+  const double R = p.body.radius;
+  const Vec2d at{R + (p.length - 2 * R) * uniform(random), R + (p.width - 2 * R) * uniform(random)};
+  const Table plain = make_table(p);
+  const Vec2d mouth = plain.pockets[random() % 6].at + Vec2d{uniform(random) - 0.5, uniform(random) - 0.5} * 0.2;
+  ShotRequest r = request(p, at, {0.2 * std::pow(50, uniform(random)), 0});
+  r.launch.angle = wrap_angle(std::atan2(mouth.y - at.y, mouth.x - at.x));
+  r.spin = {2 * uniform(random) - 1, 2 * uniform(random) - 1, random() % 4 == 0 ? uniform(random) - 0.5 : 0};
+  return r;
+}
+
+void check_into_mouths(int count) {
+  std::mt19937_64 random(test::seed_or_fresh(7));
+  long touched = 0, dropped = 0, out = 0;
+  for (int i = 0; i < count; ++i) {
+    const ShotRequest r = into_a_mouth(random);
+    const Trajectory t = simulate(r);
+    const Boundary boundary(r.table, r.ball.body);
+    CAPTURE(i, r.ball.at.x, r.ball.at.y, r.launch.speed, r.launch.angle, r.spin.top, r.spin.side, r.spin.masse);
+    CHECK(t.end != EventKind::end);
+    double before = energy(r.ball.body, t.events.front().state);
+    bool jaw = false;
+    for (const Record& e : t.events) {
+      jaw = jaw || e.kind == EventKind::jaw;
+      const double now = energy(r.ball.body, e.state);
+      CHECK(now <= before * (1 + 1e-12));
+      before = now;
+      CHECK(boundary.clearance(e.state.at) >= -1e-12 * boundary.diagonal);
+    }
+    for (const Leg& leg : t.legs)
+      for (const double share : {0.25, 0.5, 0.75})
+        if (leg.duration < forever)
+          CHECK(boundary.clearance(leg.arc.position(leg.duration * share)) >= -1e-12 * boundary.diagonal);
+    touched += jaw;
+    dropped += jaw && t.end == EventKind::pocket;
+    out += jaw && t.end != EventKind::pocket;
+  }
+  CHECK(touched > count / 6);
+  CHECK(dropped > count / 30);
+  CHECK(out > count / 30);
+}
+
+}  // namespace
+
+TEST_CASE("the pieces of a pool table's pockets are where the published numbers are") {
+  const auto jaws = obstacles(make_table(preset("pool-7ft"), true)).jaws;
+  REQUIRE(jaws.size() == 6);
+  const auto at = [](const Vec2d& p, double x, double y) { return norm(p - Vec2d{x, y}) < 1e-6; };
+  CHECK(jaws[0].breaks[1].end == Approx(0.090669).margin(1e-6));
+  CHECK(jaws[1].breaks[0].begin == Approx(0.915850).margin(1e-6));
+  CHECK(at(jaws[0].facings[1].to, 0.077741, -0.004452));
+  CHECK(at(jaws[0].facings[1].from, 0.018418, -0.050800));
+  CHECK(at(jaws[0].facings[0].from, -0.004452, 0.077741));
+  CHECK_FALSE(obstacles(make_table(preset("snooker-12ft"), true)).jaws[1].faced());
+}
+
+TEST_CASE("as many parallel lines drop as published") {
+  constexpr double grid = 1.1;  // mm: a line more or less at either side
+  CHECK(width(0, 0, 1) == Approx(78.5).margin(grid));
+  CHECK(width(0, 0, 3) == Approx(70.5).margin(grid));
+  CHECK(width(0, 20, 1) == Approx(92.5).margin(grid));
+  CHECK(width(0, 35, 1) == Approx(95).margin(grid));
+  CHECK(width(0, 35, 3) == Approx(57.5).margin(grid));
+  CHECK(width(1, 0, 1) == Approx(93.5).margin(grid));
+  CHECK(width(1, 0, 3) == Approx(90.5).margin(grid));
+  CHECK(width(1, 50, 1) == Approx(45.5).margin(grid));
+  CHECK(width(1, 50, 3) == Approx(44.5).margin(grid));
+}
+
+TEST_CASE("a ball between jaws stays inside them, gains no energy and comes to an end") { check_into_mouths(3000); }
+TEST_CASE("a million balls between jaws", "[.][long]") { check_into_mouths(1'000'000); }
+
+TEST_CASE("paths by jaws agree with 50 digits within the error bound") {
+  std::mt19937_64 random(test::seed_or_fresh(8));
+  int compared = 0, other_events = 0;
+  for (int i = 0; i < 400; ++i) {
+    const ShotRequest r = into_a_mouth(random);
+    const Boundary boundary(r.table, r.ball.body);
+    truth::Run run{boundary, r.physics,
+                   launched(r.ball.at, r.ball.body.radius, direction(r.launch.angle) * r.launch.speed, r.spin), 2, 12};
+    const truth::Path exact = truth::run_truth(run), plain = truth::recorded<double>(run);
+    if (std::ranges::none_of(exact.events, [](const auto& e) { return e.kind == EventKind::jaw; })) continue;
+    ++compared;
+    double steep = 1;
+    for (std::size_t k = 0; k < std::min(exact.events.size(), plain.events.size()); ++k) {
+      const truth::TruthEvent &x = exact.events[k], &y = plain.events[k];
+      if (x.kind != y.kind || x.contact != y.contact) {
+        ++other_events;
+        break;
+      }
+      steep *= x.kind == EventKind::jaw ? 100 : 3;  // what a bounce off a round tip multiplies
+      CHECK(norm((x.state.at - y.state.at) + x.at_rest) <= 1e-14 * steep);
+    }
+  }
+  CHECK(compared > 100);
+  CHECK(other_events <= compared / 50);
+}
+
+TEST_CASE("a rail that ends at a tip neither loses a ball nor bounces it twice") {
+  const TablePreset& p = preset("pool-9ft");
+  const auto jaws = obstacles(make_table(p, true)).jaws;
+  const double seam = jaws[1].breaks[1].end, R = p.body.radius;
+  for (int i = -200; i <= 200; ++i) {
+    // Straight down onto the seam, to within rounding.
+    const double x = seam + i * 1e-17 * (1 << (std::abs(i) / 10));
+    const Trajectory t = simulate(request(p, {x, 0.5}, {1, radians(270)}));
+    long hits = 0;
+    for (const Record& e : t.events) hits += (e.kind == EventKind::jaw || e.kind == EventKind::cushion) && e.state.at.y < 2 * R;
+    CAPTURE(i, x);
+    CHECK(hits == 1);
+  }
+}
+
+TEST_CASE("a ball may start between jaws, against a facing, and at rest in both") {
+  const TablePreset& p = preset("pool-7ft");
+  const Boundary boundary(make_table(p, true), p.body);
+  const Wall& facing = boundary.jaws[0].facings[1];
+  const Vec2d against = (facing.from * 3 + facing.to) / 4;
+  for (const double angle : {45.0, 100.0, 225.0, 300.0}) {
+    ShotRequest r = request(p, against, {1, radians(angle)});
+    validate(r);
+    const Trajectory t = simulate(r);
+    CHECK(t.end != EventKind::end);
+    const bool into = dot(facing.normal, direction(radians(angle))) < 0;
+    CHECK((t.events[1].kind == EventKind::jaw && t.events[1].time == 0) == into);
+  }
+}
