@@ -305,9 +305,9 @@ inline constexpr int halvings = 20, most_steps = 60;
 }  // namespace nearest
 
 namespace margin {
-/// Of the margin to where jaws are first touched, and of the widest there is: the longest step beyond, and by how much each is
-/// longer than the one before. Balls that rattle in lie in bands between balls that come out; narrower bands than this may be
-/// jumped.
+/// Of the margin to where jaws are first touched, and of the widest there is: the longest step beyond, and by how much
+/// each is longer than the one before. Balls that rattle in lie in bands between balls that come out; narrower bands
+/// than this may be jumped.
 inline constexpr double rattling_step = 0.02, least_rattling_step = 1e-4;
 /// rad, m/s: margins beyond are none.
 inline constexpr double widest_angle = radians(180), widest_speed = 30;

@@ -29,12 +29,28 @@ std::optional<Shot> moved(const Question& q, Ledger& ledger, const Shot& from, c
   return std::move(shot);
 }
 
+/// The turn of the aim that leads to the middle of what the pocket offers in the shot's direction, to first order; 0 of
+/// a point.
+double turn_to_middle(const Question& q, const Shot& shot) {
+  const Mark& mark = q.nearest_mark(shot.arrival.at);
+  const double by_aim = norm(shot.by_angle);
+  if (!mark.captures() || !(by_aim > 0)) return 0;
+  // The arrival moves across the line of travel, which leads to the pocket.
+  const Vec2d left = shot.by_angle / by_aim;
+  const bool turned = cross(mark.at - shot.arrival.at, left) < 0;
+  const Vec2d across = turned ? -left : left;
+  const Gap<double> gap = mark.opening.gap(Vec2d{across.y, -across.x}, shot.offset);
+  return ((gap.low + gap.high) / 2 - shot.offset) / (turned ? -by_aim : by_aim);
+}
+
 }  // namespace
 
 void make_safest(const Question& q, Ledger& ledger, Shot& shot) {
   using namespace settings::safest;
   if (!shot.success) find_success(q, ledger, shot);
   if (ledger.spent()) return shot.success.reset();
+  const Launch middle{shot.launch.speed, wrap_angle(shot.launch.angle + turn_to_middle(q, shot))};
+  if (auto start = moved(q, ledger, shot, middle); start && *start->success > *shot.success) shot = std::move(*start);
   const Noise& noise = q.puzzle.noise;
   // Neither number of the player may be 0: a step must lead somewhere.
   const double least = tolerance::same_aim;

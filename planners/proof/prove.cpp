@@ -27,7 +27,8 @@ bool fast_as_asked(const Question& q, double arrival_speed) {
 
 bool good_enough(const Question& q, const Replay& r, Demand demand) {
   return demand == Demand::made ||
-         (fast_as_asked(q, r.arrival.speed) && (demand == Demand::off_centre || (q.centred(r.miss) && !(r.rattles && q.captures()))));
+         (fast_as_asked(q, r.arrival.speed) &&
+          (demand == Demand::off_centre || (q.centred(r.miss) && !(r.rattles && q.captures()))));
 }
 
 Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Goal& goal) {

@@ -63,7 +63,7 @@ std::string arrival_words(const Puzzle& p, const Shot& s) {
   if (const Pocket* pocket = pocket_reached(p, s)) {
     const State<double> end = simulate(as_request(p, s)).events.back().state;
     return fmt::format("falls into {} after {:.2f} s at {:.2f} m/s, {}", pocket->name, time, speed,
-                       speed > 0 ? beside(end.at, end.velocity, pocket->at) : "at its rim");
+                       speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim");
   }
   const std::string off = distance_words(s.miss, p.table);
   const std::string where = off == "exact" ? (speed == 0 ? "exactly on" : "exactly over") : off + " off";
@@ -118,15 +118,15 @@ std::string nearest_words(const Answer::Nearest& nearest, const Table& table) {
 }
 
 bool aims_into(const ShotRequest& r, const Pocket& pocket) {
-  const Vec2d aim = direction(r.launch.angle), to = pocket.at - r.ball.at;
-  return dot(aim, to) > 0 && std::abs(cross(aim, to)) < pocket.radius;
+  const Vec2d aim = direction(r.launch.angle), to = pocket.place() - r.ball.at;
+  return dot(aim, to) > 0 && std::abs(cross(aim, to)) < pocket.half();
 }
 
 std::string aim_words(const ShotRequest& r, const Pocket* straight_into) {
   const Vec2d aim = direction(r.launch.angle);
   const std::string angle = fmt::format(" ({:.2f} degrees)", degrees(r.launch.angle));
   if (straight_into && aims_into(r, *straight_into))
-    return "straight at " + straight_into->name + ", " + beside(r.ball.at, aim, straight_into->at) + angle;
+    return "straight at " + straight_into->name + ", " + beside(r.ball.at, aim, straight_into->place()) + angle;
   const auto s = sight(r.table, r.ball.at, aim);
   if (!s) return fmt::format("{:.2f} degrees", degrees(r.launch.angle));
   const auto i = static_cast<std::size_t>(s->cushion);

@@ -44,6 +44,7 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
   draw_ball(c, p.ball, shot.arrival.at, 0.6);
   draw_ball(c, p.ball, p.ball.at);
+  draw_opening(c, p, shot, t.events.back().state.velocity);
   if (style.words) draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot), t), &request);
 }
 

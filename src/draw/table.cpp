@@ -26,25 +26,48 @@ Vec2d outward(const Table& t, const Pocket& p) {
   Vec2d sum{};
   for (std::size_t i = 0; i < t.vertices.size(); ++i) {
     const Edge e = edge(t, i);
-    const Vec2d along = (e.to - e.from) / norm(e.to - e.from), to = p.at - e.from;
+    const Vec2d along = (e.to - e.from) / norm(e.to - e.from), to = p.place() - e.from;
     const double s = dot(to, along);
-    if (std::abs(dot(to, e.out)) < p.radius && s > -p.radius && s < norm(e.to - e.from) + p.radius) sum += e.out;
+    if (std::abs(dot(to, e.out)) < p.half() && s > -p.half() && s < norm(e.to - e.from) + p.half()) sum += e.out;
   }
   return norm(sum) > 0 ? sum / norm(sum) : sum;
 }
 
 double radius_px(const Canvas& c, const Pocket& p) { return std::max(c.px(p.radius), 3.0); }
 
-/// A pocket's hole, or with `grow` the leather round it: from the capture circle outwards into the rail.
+/// A pocket's hole, or with `grow` the leather round it: from the capture circle outwards into the rail, where jaws do
+/// not put it there already.
 void draw_hole(Canvas& c, const Pocket& p, double grow, const char* colour) {
-  const Vec2d from = c.at(p.at), way = Canvas::flipped(outward(c.table, p)) * (0.75 * c.nose);
+  const Vec2d from = c.at(p.at), way = Canvas::flipped(outward(c.table, p)) * (p.jaws ? 0 : 0.75 * c.nose);
   c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="{}" stroke-width="{:.1f}" stroke-linecap="round"/>)", from.x,
         from.y, way.x, way.y + 0.01, colour, 2 * (radius_px(c, p) + grow));
 }
 
+/// The cloth between the jaws of a pocket: along a tip and a facing into the hole, and out again.
+void draw_mouth(Canvas& c, const JawPieces& j) {
+  std::string path;
+  const auto point = [&](const char* to, const Vec2d& p) {
+    path += fmt::format("{}{:.1f} {:.1f}", to, c.at(p).x, c.at(p).y);
+  };
+  const auto seam = [](const Bend& tip, const Vec2d& along) { return tip.centre + perpendicular(along) * tip.radius; };
+  const auto arc = [&](const Bend& tip) { return fmt::format("A{0:.2f} {0:.2f} 0 0 1 ", c.px(tip.radius)); };
+  const auto along = [&](const Break& b) {
+    const auto i = static_cast<std::size_t>(b.rail);
+    const Vec2d way = c.table.vertices[(i + 1) % c.table.vertices.size()] - c.table.vertices[i];
+    return way / norm(way);
+  };
+  point("M", seam(j.tips[0], along(j.breaks[0])));
+  point(arc(j.tips[0]).c_str(), j.facings[0].from);
+  point("L", j.facings[0].to);
+  point("L", j.facings[1].from);
+  point("L", j.facings[1].to);
+  point(arc(j.tips[1]).c_str(), seam(j.tips[1], along(j.breaks[1])));
+  c.add(R"(<path d="{}z" fill="{}"/>)", path, c.c.cloth);
+}
+
 bool under_pocket(const Canvas& c, const Vec2d& at) {
   return std::any_of(c.table.pockets.begin(), c.table.pockets.end(),
-                     [&](const Pocket& p) { return norm(p.at - at) < p.radius; });
+                     [&](const Pocket& p) { return norm(p.place() - at) < p.half(); });
 }
 
 double turned_along(const Edge& e) {
@@ -89,9 +112,9 @@ void draw_diamonds(Canvas& c, std::size_t i, bool words, const std::optional<Sig
 void draw_pocket_name(Canvas& c, const Pocket& p, const std::optional<Sight>& aim) {
   const Vec2d out = Canvas::flipped(outward(c.table, p));
   constexpr double room = 70;  // px, of the two
-  if (norm(out) == 0 || (aim && c.px(norm(aim->at - p.at)) < room)) return;
+  if (norm(out) == 0 || (aim && c.px(norm(aim->at - p.place())) < room)) return;
   const bool corner = out.x != 0 && out.y != 0;
-  const Vec2d at = c.at(p.at) + (corner ? Vec2d{out.x > 0 ? c.rail : -c.rail, 0} : Vec2d{}) +
+  const Vec2d at = c.at(p.place()) + (corner ? Vec2d{out.x > 0 ? c.rail : -c.rail, 0} : Vec2d{}) +
                    Vec2d{0, out.y > 0 ? c.rail + 17 : -c.rail - 9};
   c.words(at, p.name, {12, c.c.faint, !corner ? "middle" : out.x > 0 ? "end" : "start"});
 }
@@ -113,6 +136,7 @@ void draw_table(Canvas& c, bool words, const std::optional<Sight>& aim) {
   for (const Pocket& p : t.pockets) draw_hole(c, p, 5, c.c.leather);
   outline(c.nose, c.c.cushion, "miter");
   c.line(t.vertices, "polygon", fmt::format(R"(fill="{}")", c.c.cloth));
+  for (const JawPieces& j : obstacles(t).jaws) draw_mouth(c, j);
   for (std::size_t i = 0; i < t.vertices.size(); ++i) {
     if (t.is_rectangle()) draw_diamonds(c, i, words, aim);
     if (words) draw_name(c, i, aim);
@@ -140,6 +164,18 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
     ring(at, std::max(reach, c.px(p.ball.body.radius)) + 5, 2);
     c.circle(at, 2.2, fmt::format(R"(fill="{}")", c.c.target));
   }
+}
+
+void draw_opening(Canvas& c, const Puzzle& p, const Shot& shot, const Vec2d& heading) {
+  const Pocket* const pocket = pocket_reached(p, shot);
+  if (!pocket || shot.rattles || !(norm(heading) > 0)) return;
+  const auto marks = marks_of(p.target, Boundary(p.table, p.ball.body));
+  const auto mark = std::ranges::min_element(marks, {}, [&](const Mark& m) { return m.apart(shot.arrival.at); });
+  const Vec2d u = heading / norm(heading), left = perpendicular(u);
+  const Gap<double> gap = mark->opening.gap(u, shot.offset);
+  const Vec2d across = mark->at + u * dot(u, (pocket->jaws ? pocket->jaws->at : shot.arrival.at) - mark->at);
+  c.line({across + left * gap.low, across + left * gap.high}, "polyline",
+         fmt::format(R"(fill="none" stroke="{}" stroke-width="3" stroke-linecap="round")", c.c.target));
 }
 
 }  // namespace bankshot::drawing

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "answer/sights.hpp"
+#include "bankshot/plan/shot.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "draw/canvas.hpp"
 
@@ -20,5 +21,9 @@ void draw_holes(Canvas& c);
 
 /// Of several pockets only `reached`, where one was.
 void draw_target(Canvas& c, const Puzzle& puzzle, const Pocket* reached = nullptr);
+
+/// Of the pocket that a shot falls into: the lines beside its own that lead straight in, as a bar across the mouth.
+/// `heading`: as it arrives.
+void draw_opening(Canvas& c, const Puzzle& puzzle, const Shot& shot, const Vec2d& heading);
 
 }  // namespace bankshot::drawing

@@ -63,8 +63,8 @@ inline constexpr Key about_key{"about",
                                "none",
                                R"({"title": "The long bank", "difficulty": "hard"})",
                                "anything; carried to the answer, never interpreted"};
-inline constexpr Key table_key{"table",         "word | {preset} | {rectangle} | {polygon}",   "", required,
-                               R"("pool-9ft")", "a table by its name, or your own", {}, table_names};
+inline constexpr Key table_key{"table",         "word | {preset} | {rectangle} | {polygon}", "", required,
+                               R"("pool-9ft")", "a table by its name, or your own",          {}, table_names};
 inline constexpr Key physics_key{
     "physics",      "word | {ideal} | {rolling} | {spin_physics}",        "", R"("spin")",
     R"("rolling")", "the laws, by name or with coefficients of your own", {}, physics_names};

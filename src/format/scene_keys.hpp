@@ -40,8 +40,7 @@ inline constexpr Key mouth_key{"mouth",
                                "pool-7ft's, scaled with the ball",
                                R"({"corner": 0.115})",
                                "of the layout `six`, and of no other"};
-inline constexpr Key jaws_key{"jaws",  "boolean", "",
-                              "false", "true", "the cushions end in jaws at the pockets `six`"};
+inline constexpr Key jaws_key{"jaws", "boolean", "", "false", "true", "the cushions end in jaws at the pockets `six`"};
 inline constexpr Key tilt_key{
     "tilt",       "pair", "", "[0, 0]", "[0, 0]", "rise of the cloth per metre; another than 0 is not supported yet",
     between(0, 0)};
@@ -61,7 +60,8 @@ inline constexpr Object rectangle{"rectangle", "A table of your own with four cu
 
 inline constexpr Key preset_keys[] = {
     {"preset", "word", "", required, R"("pool-9ft")", "the table to change", {}, table_names},
-    {"jaws", "boolean", "", "false", "true", "the cushions end in jaws at the pockets"},
+    {"jaws", "boolean", "", "true where it has pockets", "false",
+     "the cushions end in jaws at the pockets; else those are circles half as wide as their mouths"},
     {"mouth", "{mouth}", "", "the preset's", R"({"corner": 0.115})", "how wide the pockets are"},
     tilt_key,
     own_cushions_key,

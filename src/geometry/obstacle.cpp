@@ -25,8 +25,8 @@ Bend corner(const Segment& before, const Segment& after, const Vec2d& u, const V
           .after = after.contact};
 }
 
-/// The end of a rail at a pocket, seen from `from`, the corner or the middle of the mouth: `a` leads along the rail away
-/// from there, n into the table. `half`: how far the rail would begin without a tip.
+/// The end of a rail at a pocket, seen from `from`, the corner or the middle of the mouth: `a` leads along the rail
+/// away from there, n into the table. `half`: how far the rail would begin without a tip.
 struct RailEnd {
   double seam;  ///< m from `from`: where the rail begins
   Bend tip;
@@ -53,12 +53,12 @@ JawPieces jaw_pieces(const Table& table, int pocket) {
   const auto corner = std::find(table.vertices.begin(), table.vertices.end(), jaws.at) - table.vertices.begin();
   const bool at_corner = corner < n;
   const auto vertex = [&](int i) { return table.vertices[static_cast<std::size_t>((i + n) % n)]; };
-  const auto along = [&](int rail) { return (vertex(rail + 1) - vertex(rail)) / norm(vertex(rail + 1) - vertex(rail)); };
+  const auto along = [&](int rail) {
+    return (vertex(rail + 1) - vertex(rail)) / norm(vertex(rail + 1) - vertex(rail));
+  };
   int after = static_cast<int>(corner);
   if (!at_corner) {
-    const auto off = [&](int rail) {
-      return std::abs(cross(along(rail), jaws.at - vertex(rail)));
-    };
+    const auto off = [&](int rail) { return std::abs(cross(along(rail), jaws.at - vertex(rail))); };
     after = 0;
     for (int rail = 1; rail < n; ++rail)
       if (off(rail) < off(after)) after = rail;
@@ -115,10 +115,10 @@ std::vector<Vec2d> outline(const Table& table, const std::vector<JawPieces>& jaw
     bool starts = false;
     for (const JawPieces& m : jaws) {
       std::vector<Vec2d> corners;
-      if (on_rail(m.breaks[0]))
-        corners.insert(corners.end(), {from + along * m.breaks[0].begin, m.facings[0].from, m.facings[0].to});
+      const auto add = [&](const Vec2d& p) { corners.push_back(p); };
+      if (on_rail(m.breaks[0])) add(from + along * m.breaks[0].begin), add(m.facings[0].from), add(m.facings[0].to);
       if (on_rail(m.breaks[1])) {
-        corners.insert(corners.end(), {m.facings[1].from, m.facings[1].to, from + along * m.breaks[1].end});
+        add(m.facings[1].from), add(m.facings[1].to), add(from + along * m.breaks[1].end);
         starts = starts || !on_rail(m.breaks[0]);
       }
       if (!corners.empty()) parts.emplace_back(on_rail(m.breaks[0]) ? m.breaks[0].begin : 0, std::move(corners));

@@ -87,7 +87,7 @@ std::vector<Opening> openings(const Boundary& boundary, const Circle& pocket) {
     out.front().first = out.back().first;
     out.pop_back();
   }
-  if (out.empty()) return {whole};
+  if (out.empty() && !jaws) return {whole};
   if (jaws)
     for (Opening& o : out) o.tips[0] = seen(jaws->tips[1], pocket), o.tips[1] = seen(jaws->tips[0], pocket);
   return out;

@@ -29,7 +29,7 @@ bool wants_jaws(const Reader& table, bool usual) {
 /// A preset, with what changes it.
 Table changed(const Reader& table, const TablePreset& preset) {
   table.only(format::preset);
-  const bool jaws = wants_jaws(table, false);
+  const bool jaws = wants_jaws(table, preset.mouth.has_value());
   if (!preset.mouth) {
     if (jaws) table.find("jaws")->fail("needs pockets, and this table has none");
     if (const auto mouth = table.find("mouth")) mouth->fail("is the size of pockets, and this table has none");

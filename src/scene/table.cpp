@@ -54,7 +54,8 @@ std::vector<Pocket> six_pockets_with_jaws(const Table& rectangle, const JawShape
     const bool middle = i % 3 == 1;
     const JawShape& shape = middle ? jaws.middle : jaws.corner;
     const auto sign = [](double x) { return x > 0 ? 1.0 : -1.0; };
-    const Vec2d out = p.at - centre, back = middle ? Vec2d{0, sign(out.y)} : Vec2d{sign(out.x), sign(out.y)} / std::sqrt(2.0);
+    const Vec2d out = p.at - centre,
+                back = middle ? Vec2d{0, sign(out.y)} : Vec2d{sign(out.x), sign(out.y)} / std::sqrt(2.0);
     p.jaws = Jaws{p.at, shape.mouth, shape.angle, shape.tip, jaws.depth};
     p.at += back * shape.set_back;
     p.radius = shape.capture;
@@ -108,7 +109,8 @@ const TablePreset* find_table_preset(std::string_view name) {
 
 Table make_table(const TablePreset& preset, bool jaws) {
   Table t = rectangle_table(preset.length, preset.width);
-  if (preset.mouth) t.pockets = jaws && preset.jaws ? six_pockets_with_jaws(t, *preset.jaws) : six_pockets(t, *preset.mouth);
+  if (preset.mouth)
+    t.pockets = jaws && preset.jaws ? six_pockets_with_jaws(t, *preset.jaws) : six_pockets(t, *preset.mouth);
   return t;
 }
 

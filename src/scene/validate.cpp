@@ -118,7 +118,8 @@ void check_pockets(const Table& t, const Boundary& b) {
     need_finite(p.at, [&] { return at("/table/pockets", i) + "/at"; });
     if (p.jaws) {
       const Vec2d way = p.at - p.jaws->at;
-      const Gap<double> gap = openings(b, b.pockets[i]).front().gap(way / norm(way), 0);
+      const auto arcs = openings(b, b.pockets[i]);
+      const Gap<double> gap = arcs.empty() ? Gap<double>{0, 0} : arcs.front().gap(way / norm(way), 0);
       if (!(gap.low < gap.high))
         fail("/table/mouth", fmt::format("no ball passes between the jaws of pocket \"{}\"", p.name));
       continue;

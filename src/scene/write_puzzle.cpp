@@ -17,7 +17,7 @@ Json range(const Range& r) { return r.fixed() ? Json(r.low) : both(r); }
 /// A table with jaws is told by what it was made of.
 Json jaws_json(const Table& t) {
   for (const TablePreset& preset : table_presets())
-    if (preset.jaws && t == make_table(preset, true)) return {{"preset", preset.name}, {"jaws", true}};
+    if (preset.jaws && t == make_table(preset)) return preset.name;
   const Mouth mouth{t.pockets[0].jaws->mouth, t.pockets[1].jaws->mouth};
   return {{"pockets", "six"}, {"jaws", true}, {"mouth", {{"corner", mouth.corner}, {"middle", mouth.middle}}}};
 }
@@ -25,7 +25,7 @@ Json jaws_json(const Table& t) {
 Json table_json(const Table& t) {
   Json j = Json::object();
   if (!t.pockets.empty() && t.pockets[0].jaws) j = jaws_json(t);
-  if (j.contains("preset")) return j;
+  if (j.is_string()) return j;
   const Vec2d size = t.highest();
   const bool plain = t.is_rectangle() && t.lowest() == Vec2d{0, 0};
   if (plain && t.cushions == rectangle_table(size.x, size.y).cushions) {

@@ -45,13 +45,8 @@ Passing passing(const Sim& sim, const T& t, const Vec2d& target) {
   const T speed = norm(v), time = sim.time() - arc.seconds(sim.travelled()) + arc.seconds(t);
   const T lateral = speed > T(0) ? T(cross(v, off) / speed) : T(0);
   const double side = rounded(lateral);
-  return {rounded(time),
-          rounded(speed),
-          {rounded(at.x), rounded(at.y)},
-          {rounded(v.x), rounded(v.y)},
-          rounded(T(norm(off))),
-          side,
-          rounded(T(lateral - side))};
+  return {rounded(time),         rounded(speed), {rounded(at.x), rounded(at.y)}, {rounded(v.x), rounded(v.y)},
+          rounded(T(norm(off))), side,           rounded(T(lateral - side))};
 }
 
 template <class T, class Sim>

@@ -14,8 +14,8 @@
 
 namespace bankshot::truth {
 
-/// The closest approach of one arc to the run's target; without one, the line of travel into a pocket or its jaws, seen from
-/// the pocket's centre.
+/// The closest approach of one arc to the run's target; without one, the line of travel into a pocket or its jaws, seen
+/// from the pocket's centre.
 struct Passing {
   double time = 0;   ///< s since the launch
   double speed = 0;  ///< m/s

@@ -59,7 +59,7 @@ TEST_CASE("each object has its keys once, and each example is JSON") {
 TEST_CASE("a key that is not supported yet is refused as such, and is in no schema") {
   const auto [change, path] = GENERATE(table<std::string, std::string>({
       {R"("others": [{"id": "8", "at": [1, 1]}])", "/others"},
-      {R"("table": {"preset": "pool-9ft"})", "/table/preset"},
+      {R"("table": {"preset": "pool-9ft", "cushions": {}})", "/table/cushions"},
       {R"("table": {"length": 2, "width": 1, "cushions": {}})", "/table/cushions"},
       {R"("physics": {"model": "rolling", "ball_ball": {}})", "/physics/ball_ball"},
       {R"("physics": {"model": "spin", "cushion": {"frequency_ratio": 1.8}}, "table": "seed")",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // `generate` as typed in a shell.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -54,7 +55,8 @@ TEST_CASE("generate: wishes are in the puzzles") {
   CHECK(of(R"(--table '{"length": 3, "width": 1.5}' --physics '{"model": "rolling", "friction": 0.02}')")["table"]
                                                                                                          ["length"] ==
         3);
-  CHECK(of("--target pocket --physics rolling")["arrive"] == Json{{"speed", 0.5}});
+  const auto drops = lines(run_program("generate --count 6 --seed 2 --target pocket --physics rolling").out);
+  CHECK(std::ranges::any_of(drops, [](const Json& p) { return p.value("arrive", Json()) == Json{{"speed", 0.5}}; }));
   CHECK(!of("--target pocket --physics ideal").contains("arrive"));
 }
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|best|shots|all-shots|planners-rolling|planners-spin|batch|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|best|shots|all-shots|planners-rolling|planners-spin|pockets|batch|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -67,6 +67,16 @@ part() {
       ;;
     shots) "$bin/shots" --count 1000000 --seed 1 --truth 10000 --csv || failed=1 ;;
     all-shots) "$bin/test_plan" "the map misses hardly a shot with three to five cushions" | grep -E '^(cushions|[0-9]+),' ;;
+    pockets)
+      more=--header
+      for physics in spin rolling; do
+        for kind in "" --jaws; do
+          # shellcheck disable=SC2086  # flags that may be none
+          "$bin/bench/pockets" --count 100000 --physics $physics $kind $more 2>"build/pockets-$physics$kind.log" || failed=1
+          more=
+        done
+      done
+      ;;
     planners-rolling)  # Not every planner looks for parts of pockets.
       for planner in auto image sweep ceres nlopt-bobyqa nlopt-direct; do
         look "planners-rolling-$planner" --count 2000 --seed 2 --physics rolling --family uniform --planner $planner

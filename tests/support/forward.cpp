@@ -29,22 +29,29 @@ std::optional<Drop> drop_of(const Boundary& boundary, const Trajectory& t) {
   return Drop{e.contact.index, left_of_drop(boundary, e.contact, e.state.at, e.state.velocity)};
 }
 
+/// No puzzle is asked by a shot that rattles: planners look for those that do without.
+bool rattles(const Trajectory& t) {
+  return std::ranges::any_of(t.events, [](const Record& e) { return e.kind == EventKind::jaw; });
+}
+
 }  // namespace
 
 std::optional<Deed> its_rest(const Trajectory& t) {
+  if (rattles(t)) return {};
   if (t.end != EventKind::rest || t.legs.empty()) return {};
   return Deed{PointTarget{t.events.back().state.at}, 0, t.cushions, true};
 }
 
 std::optional<Deed> passed(const Trajectory& t, const Leg& leg, double p) {
   const double speed = norm(leg.arc.velocity_at(p));
+  if (rattles(t)) return {};
   if (!(speed > slowest_pass)) return {};
   return Deed{PointTarget{leg.arc.position(p)}, speed, bounces_before(t, leg), false};
 }
 
 std::optional<Deed> some_deed(Random& r, const Trajectory& t, int least, int most) {
   std::optional<Deed> deed;
-  if (t.legs.empty()) return {};
+  if (t.legs.empty() || rattles(t)) return {};
   if (t.end == EventKind::pocket) {
     const Record& e = t.events[t.events.size() - 2];
     deed = Deed{PocketTarget{e.contact.index}, norm(e.state.velocity), t.cushions, false};

@@ -18,7 +18,7 @@ using namespace bankshot;
 
 namespace {
 
-Table preset(const char* name) { return make_table(*find_table_preset(name)); }
+Table preset(const char* name) { return make_table(*find_table_preset(name), false); }
 
 Vec2d entry(const Circle& pocket, const Vec2d& u, double offset) {
   const double ahead = std::sqrt(std::max(pocket.radius * pocket.radius - offset * offset, 0.0));
@@ -88,7 +88,8 @@ TEST_CASE("with jaws the gap holds the lines that touch none of them") {
       const auto arcs = openings(boundary, pocket);
       REQUIRE(arcs.size() == 1);
       const Opening& arc = arcs.front();
-      const Vec2d in = pocket.centre - make_table(preset).pockets[static_cast<std::size_t>(pocket.contact.index)].at;
+      const Vec2d in =
+          pocket.centre - make_table(preset, false).pockets[static_cast<std::size_t>(pocket.contact.index)].at;
       for (int i = 0; i < 1500; ++i) {
         // Out of the table: no other direction leads in.
         const bool corner = std::abs(in.x) > 1e-6;

@@ -31,7 +31,7 @@ TEST_CASE("presets have the published sizes, balls and mouths") {
                                             {"carom-10ft", 2.84, 1.42, 0.03075, 0.21, 0, 0},
                                             {"seed", 2.5, 1.25, 0.0285, 0.17, 0, 0}}));
   INFO(p.name);
-  const Puzzle z = with_table(p.name);
+  const Puzzle z = with_table({{"preset", p.name}, {"jaws", false}});
   CHECK(z.table.is_rectangle());
   CHECK(z.table.lowest() == Vec2d{0, 0});
   CHECK(z.table.highest() == Vec2d{p.length, p.width});
@@ -39,11 +39,28 @@ TEST_CASE("presets have the published sizes, balls and mouths") {
   CHECK(z.ball.body.mass == p.mass);
   if (p.corner == 0) {
     CHECK(z.table.pockets.empty());
+    CHECK(with_table(p.name).table == z.table);
     return;
   }
+  const Table jaws = with_table(p.name).table;
+  CHECK(with_table({{"preset", p.name}}).table == jaws);
+  REQUIRE(jaws.pockets[1].jaws);
+  CHECK(jaws.pockets[0].jaws->mouth == p.corner);
+  CHECK(jaws.pockets[1].jaws->mouth == p.middle);
   REQUIRE(z.table.pockets.size() == 6);
   CHECK(z.table.pockets[0].radius == p.corner / 2);
   CHECK(z.table.pockets[1].radius == p.middle / 2);
+}
+
+TEST_CASE("six pockets of one's own table have jaws where asked, as large as the ball") {
+  const Table t =
+      with_table({{"length", 3}, {"width", 1.5}, {"pockets", "six"}, {"jaws", true}, {"mouth", {{"corner", 0.12}}}})
+          .table;
+  REQUIRE(t.pockets[0].jaws);
+  CHECK(t.pockets[0].jaws->mouth == 0.12);
+  CHECK(t.pockets[1].jaws->mouth == 0.137);
+  CHECK(t.pockets[1].radius == Approx(0.0645));
+  CHECK(t.pockets[1].at.y == Approx(-0.0685));
 }
 
 TEST_CASE("six pockets stand in the corners and in the middle of the long cushions") {

@@ -58,7 +58,7 @@ struct Boundary {
   std::vector<Circle> tips;
   std::vector<Circle> pockets;
   std::vector<JawWalls> jaws{};  ///< in the order of pockets; empty without
-  Body body;  ///< of the ball that sees it
+  Body body;                     ///< of the ball that sees it
   double diagonal = 0;
   double extent = 0;            ///< m; diagonal or largest coordinate: what positions are rounded in units of
   double touch = 0;             ///< m; a centre this far beyond a cushion line still touches it
@@ -131,9 +131,9 @@ struct Boundary {
   const Circle* tip(Contact jaw) const;
   void open(const Table& table, const std::vector<JawPieces>& jaw_pieces);
 
-  std::vector<Segment> segments_;  ///< where they are, not moved
-  std::vector<Bend> bends_{};      ///< the tips of jaws, not moved
-  std::vector<Vec2d> outline_;     ///< the corners of what is inside, up to the bends
+  std::vector<Segment> segments_;              ///< where they are, not moved
+  std::vector<Bend> bends_{};                  ///< the tips of jaws, not moved
+  std::vector<Vec2d> outline_;                 ///< the corners of what is inside, up to the bends
   std::vector<std::vector<Breach>> breaks_{};  ///< of each wall
   bool unfolds_ = true;
 };

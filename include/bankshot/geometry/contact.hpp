@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What a ball can meet, as a value: which kind of thing, and which of them. It bounces off a rail along the
-// rail's line, off a vertex that points into the table and off the jaws of a pocket; a pocket takes it. What shape a contact has, the
-// Boundary says (boundary.hpp): ask that for its line or its rim rather than a contact for its kind.
+// rail's line, off a vertex that points into the table and off the jaws of a pocket; a pocket takes it. What shape a
+// contact has, the Boundary says (boundary.hpp): ask that for its line or its rim rather than a contact for its kind.
 #pragma once
 
 #include <compare>

@@ -40,9 +40,9 @@ struct Break {
 };
 
 struct JawPieces {
-  std::array<Break, 2> breaks;      ///< of the rail before and the rail after, which may be one
-  std::array<Bend, 2> tips;         ///< in the order of the outline, as the facings
-  std::array<Segment, 2> facings;   ///< of no length where the tips reach as deep
+  std::array<Break, 2> breaks;     ///< of the rail before and the rail after, which may be one
+  std::array<Bend, 2> tips;        ///< in the order of the outline, as the facings
+  std::array<Segment, 2> facings;  ///< of no length where the tips reach as deep
   bool faced() const { return !(facings[0].from == facings[0].to); }
 };
 

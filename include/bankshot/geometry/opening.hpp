@@ -4,10 +4,10 @@
 // A line in direction u is told by its *offset*, its distance from the pocket's centre, positive where the line passes
 // on the left of that centre as the ball travels. Lines that enter through the arc fill an interval of offsets, the
 // *gap*. With jaws the gap holds those that touch none of them: a line may pass the round tip at either end of the arc
-// no nearer than a tangent of it. The *exact line* is the one nearest to the centre that keeps an eighth of the gap from both its ends.
-// Worked number: a corner pocket of radius 58 mm and a ball of 28.575 mm: the arc is that from 29.5° to 60.5°, its ends
-// 31 mm apart. Seen along the bisector the gap is ±15.4 mm and the exact line has offset 0; seen 30° beside it the gap
-// goes from 15.5 to 42 mm, and the exact line, 3.3 mm inside it, has offset 18.8 mm.
+// no nearer than a tangent of it. The *exact line* is the one nearest to the centre that keeps an eighth of the gap
+// from both its ends. Worked number: a corner pocket of radius 58 mm and a ball of 28.575 mm: the arc is that
+// from 29.5° to 60.5°, its ends 31 mm apart. Seen along the bisector the gap is ±15.4 mm and the exact line has offset
+// 0; seen 30° beside it the gap goes from 15.5 to 42 mm, and the exact line, 3.3 mm inside it, has offset 18.8 mm.
 #pragma once
 
 #include <algorithm>
@@ -98,7 +98,8 @@ struct Opening {
   }
 };
 
-/// The arcs of a pocket's circle, as walls and tips cut it. A pocket without a size has one that is whole.
+/// The arcs of a pocket's circle, as walls and tips cut it. A pocket without a size has one that is whole;
+/// one whose jaws are too narrow has none.
 std::vector<Opening> openings(const Boundary& boundary, const Circle& pocket);
 
 }  // namespace bankshot

@@ -34,10 +34,10 @@ struct Shot {
   Arrival arrival{};
   double miss = 0;    ///< m, from the replay: to the point, or from the pocket's exact line
   double offset = 0;  ///< m, into a pocket: of the line of travel (geometry/opening.hpp); exactly 0 through its centre
-  bool rattles = false;     ///< it touches the jaws of a pocket on its way
+  bool rattles = false;        ///< it touches the jaws of a pocket on its way
   std::vector<Contact> met{};  ///< if so, jaws and cushions in order
-  bool off_centre = false;  ///< it is made, but beside the exact line or point
-  double condition = 0;     ///< m of arrival per rad of aim or per unit of relative speed, the larger
+  bool off_centre = false;     ///< it is made, but beside the exact line or point
+  double condition = 0;        ///< m of arrival per rad of aim or per unit of relative speed, the larger
   /// Decimal digits of the arrival, of the table's diagonal, that can be promised; none: nine or more. 0: rounding
   /// decides how often the ball bounces at its target.
   std::optional<int> digits{};

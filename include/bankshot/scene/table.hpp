@@ -15,8 +15,8 @@
 
 namespace bankshot {
 
-/// How the cushions end at a pocket: each rail in a round tip, and that in a straight facing which leads in. Source: the
-/// shape of pooltool's tables.
+/// How the cushions end at a pocket: each rail in a round tip, and that in a straight facing which leads in. Source:
+/// the shape of pooltool's tables.
 struct Jaws {
   Vec2d at{};    ///< the corner of the nose lines, or the middle of the mouth
   double mouth;  ///< m, between the points where the rails would end without tips
@@ -34,6 +34,10 @@ struct Pocket {
   double radius;
   std::optional<Jaws> jaws{};
 
+  /// On the nose lines: its corner, or the middle of its mouth; without jaws its centre.
+  const Vec2d& place() const { return jaws ? jaws->at : at; }
+  /// Half its mouth [m].
+  double half() const { return jaws ? jaws->mouth / 2 : radius; }
   bool operator==(const Pocket&) const = default;
 };
 
@@ -61,8 +65,8 @@ struct Table {
 Table rectangle_table(double length, double width);
 Table polygon_table(std::vector<Vec2d> vertices);
 
-/// A pocket with jaws: lengths in metres, the angle in radians (see Jaws). `capture`: the radius of its circle, whose centre
-/// is `set_back` behind the corner of the nose lines or the middle of the mouth.
+/// A pocket with jaws: lengths in metres, the angle in radians (see Jaws). `capture`: the radius of its circle, whose
+/// centre is `set_back` behind the corner of the nose lines or the middle of the mouth.
 struct JawShape {
   double mouth, angle, tip, capture, set_back;
 };
@@ -96,6 +100,6 @@ struct TablePreset {
 const std::vector<TablePreset>& table_presets();
 const TablePreset* find_table_preset(std::string_view name);
 /// Its pockets with jaws, or as plain circles half as wide as their mouths.
-Table make_table(const TablePreset& preset, bool jaws = false);
+Table make_table(const TablePreset& preset, bool jaws = true);
 
 }  // namespace bankshot

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <iostream>
 
 #include "app/commands.hpp"
@@ -24,6 +26,23 @@ int invalid(const Arguments& a, const std::string& text, const InvalidInput& e) 
   return bad_input;
 }
 
+/// A line for the reader where leaving the exact line would help much.
+std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions& options) {
+  constexpr double much = 0.05;  // of chance
+  if (puzzle.aim == Aim::safest || answer.shots.size() != 1) return "";
+  const Shot& shot = answer.shots.front();
+  if (!is_pocket(puzzle.target) || !shot.success || *shot.success > 1 - much) return "";
+  Puzzle other = puzzle;
+  other.aim = Aim::safest;
+  const Answer best = bankshot::solve(other, options);
+  if (best.shots.empty() || !(best.shots.front().success.value_or(0) > *shot.success + much)) return "";
+  const Shot& s = best.shots.front();
+  return fmt::format(
+      "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, makes it {:.0f} % of the time: \"aim\": "
+      "\"safest\"\n",
+      degrees(s.launch.angle), s.launch.speed, 100 * *s.success);
+}
+
 int run(const Arguments& a) {
   if (a.flags.options.planner == "list") return list_planners();
   check_planner(a.flags.options.planner);
@@ -37,7 +56,7 @@ int run(const Arguments& a) {
     };
     print_after(write, a.csv == "-" ? to_csv(puzzle, answer, a.flags.options.all)
                        : a.json     ? to_json(puzzle, answer, !a.flags.no_timing, a.flags.path) + "\n"
-                                    : to_text(puzzle, answer));
+                                    : to_text(puzzle, answer) + safer(puzzle, answer, a.flags.solve_options()));
     return answer.status == Status::solved ? done : nothing_solved;
   } catch (const InvalidInput& e) {
     return invalid(a, text, e);
