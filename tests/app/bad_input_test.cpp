@@ -97,7 +97,7 @@ const std::vector<Case>& cases() {
        "this table has none"},
       {"narrow jaws", puzzle(R"({"table": {"preset": "pool-9ft", "mouth": {"corner": 0.02}}})"), "/table/mouth",
        "no ball passes between the jaws"},
-      {"many jaws", puzzle(R"({"table": {"length": 0.3, "width": 0.2, "pockets": "six", "jaws": true}})"),
+      {"many jaws", puzzle(R"({"table": {"length": 2, "width": 1, "pockets": "six", "jaws": true, "mouth": {"corner": 1.2}}})"),
        "/table/jaws", "leave nothing of cushion"},
       {"tilt", puzzle(R"({"table": {"length": 2, "width": 1, "tilt": [0, 0.01]}})"), "/table/tilt",
        "not supported yet"},
