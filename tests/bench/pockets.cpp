@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Random shots that drop, each asked as a puzzle: the pocket, the number of cushions or their sequence, and the speed at
-// which it fell. Every one has a shot. A row for the kind of pockets: how many are solved, on the exact line or how else,
-// and at what cost. Puzzles that are not solved go to standard error.
+// Random shots that drop, each asked as a puzzle: the pocket, the number of cushions or their sequence, and the speed
+// at which it fell. Every one has a shot. A row for the kind of pockets: how many are solved, on the exact line or how
+// else, and at what cost. Puzzles that are not solved go to standard error.
 //   pockets --count 100000 --jaws --physics spin
 #include <fmt/format.h>
 
@@ -66,7 +66,8 @@ int main(int argc, char** argv) {
   app.add_flag("--jaws", jaws);
   app.add_flag("--header", header);
   CLI11_PARSE(app, argc, argv);
-  long solved = 0, offset = 0, beside = 0, rattling = 0, parts = 0, simulations = 0, from_rattle = 0, lost = 0, lost_clean = 0;
+  long solved = 0, offset = 0, beside = 0, rattling = 0, parts = 0, simulations = 0, from_rattle = 0, lost = 0,
+       lost_clean = 0;
   double us = 0;
   for (long i = 0; i < count; ++i) {
     test::Random random(seed, static_cast<std::uint64_t>(i));
@@ -91,8 +92,9 @@ int main(int argc, char** argv) {
   if (header)
     std::cout << "pockets,physics,seed,puzzles,by_rattle,solved,unsolved,unsolved_clean,offset,beside,rattles,parts,"
                  "simulations,us\n";
-  std::cout << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{:.1f},{:.1f}\n", jaws ? "jaws" : "circles", physics, seed,
-                           count, from_rattle, solved, lost, lost_clean, offset, beside, rattling, parts,
-                           static_cast<double>(simulations) / static_cast<double>(count), us / static_cast<double>(count));
+  std::cout << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{:.1f},{:.1f}\n", jaws ? "jaws" : "circles", physics,
+                           seed, count, from_rattle, solved, lost, lost_clean, offset, beside, rattling, parts,
+                           static_cast<double>(simulations) / static_cast<double>(count),
+                           us / static_cast<double>(count));
   return lost_clean > 0 ? 1 : 0;
 }
