@@ -134,6 +134,16 @@ TEST_CASE("a ball that passes the point on its way is as likely as it is") {
   CHECK(*solve(p).shots.at(0).success > best - 0.005);
 }
 
+TEST_CASE("where jaws may turn a ball in, nothing is proved by straight lines") {
+  // A shot by these cushions drops off the jaws; no line leads straight in.
+  const Puzzle p = read_puzzle(R"({"table": "pool-8ft", "physics": "rolling",
+    "ball": {"at": [0.5226075263862454, 0.09239981811862226]}, "target": {"pocket": "top-middle"},
+    "cushions": ["bottom", "left", "bottom"], "arrive": {"speed": 2.0900407724829204}})");
+  const Answer a = solve(p);
+  CHECK_FALSE(says(a.message, "proved"));
+  CHECK((a.status == Status::no_shot || a.shots.at(0).rattles));
+}
+
 TEST_CASE("a margin ends before a narrow band that is not made") {
   // Between 2.967 and 2.995 m/s, 4 % of the way to the end that comes after, the ball misses the pocket.
   const Puzzle p = read_puzzle(R"({"table": {"preset": "pool-8ft", "jaws": false}, "ball": {"at": [1.978, 0.073]},
