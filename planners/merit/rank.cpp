@@ -68,9 +68,10 @@ double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> 
     if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
   const Mark& mark = q.nearest_mark(shot.arrival.at);
   const bool at_cushion = !mark.captures() && q.boundary.clearance(mark.at) < mark.reach;
-  // A ball that a cushion beside the pocket turns away may fall all the same, where another bounce is allowed.
+  // A ball that a jaw or, where another bounce is allowed, a cushion beside the pocket turns away may fall all the
+  // same.
   const int bounces = static_cast<int>(shot.cushions.size());
-  if (mark.captures() && !q.route && bounces < q.cushions().max)
+  if (mark.captures() && (!q.boundary.jaws.empty() || (!q.route && bounces < q.cushions().max)))
     chance = std::max(chance, std::erf(shot.first_order / std::sqrt(2.0)));
   return std::min(1.0, at_cushion ? at_cushion_times * chance + at_cushion_more : times * chance + more);
 }

@@ -35,7 +35,7 @@ Json any_of(std::vector<Json> all) {
 
 /// One alternative of a type.
 Json one_of(const Key& key, std::string_view type) {
-  const Json number = numbers(key.bounds, "number"), free{{"type", "number"}};
+  Json number = numbers(key.bounds, "number"), free{{"type", "number"}};
   if (type.starts_with('[')) return {{"type", "array"}, {"items", one_of(key, type.substr(1, type.size() - 2))}};
   if (type.starts_with('{')) return reference(type.substr(1, type.size() - 2));
   if (type == "any") return Json::object();

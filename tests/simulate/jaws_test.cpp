@@ -25,14 +25,15 @@ ShotRequest request(const TablePreset& p, const Vec2d& at, const Launch& launch)
 
 /// mm, of parallel lines this far off a pocket's axis whose ball, rolling, drops into it within three seconds.
 double width(int pocket, double off_axis, double speed) {
-  constexpr double step = 0.0005, widest = 0.12, back = 0.35;
+  constexpr double step = 0.0005, back = 0.35;
+  constexpr int lines = 240;  // to either side
   const TablePreset& p = preset("pool-7ft");
   const bool middle = pocket == 1;
   const double angle = radians((middle ? 270 : 225) + off_axis);
   const Vec2d u = direction(angle), mouth = middle ? Vec2d{p.length / 2, 0} : Vec2d{0, 0};
   int drops = 0;
-  for (double k = -widest; k <= widest; k += step) {
-    const Vec2d at = mouth - u * back + perpendicular(u) * k;
+  for (int i = -lines; i <= lines; ++i) {
+    const Vec2d at = mouth - u * back + perpendicular(u) * (i * step);
     const double R = p.body.radius;
     if (at.x < R || at.y < R || at.x > p.length - R || at.y > p.width - R) continue;
     ShotRequest r = request(p, at, {speed, angle});
