@@ -25,10 +25,12 @@ bool fast_as_asked(const Question& q, double arrival_speed) {
   return arrival_speed >= q.arrival->low - slack && arrival_speed <= q.arrival->high + slack;
 }
 
+/// It counts on the jaws of its pocket.
+bool rattles_in(const Question& q, const Replay& r) { return r.rattles && q.captures(); }
+
 bool good_enough(const Question& q, const Replay& r, Demand demand) {
-  return demand == Demand::made ||
-         (fast_as_asked(q, r.arrival.speed) &&
-          (demand == Demand::off_centre || (q.centred(r.miss) && !(r.rattles && q.captures()))));
+  return demand == Demand::made || (fast_as_asked(q, r.arrival.speed) &&
+                                    (demand == Demand::off_centre || (q.centred(r.miss) && !rattles_in(q, r))));
 }
 
 Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Goal& goal) {
@@ -50,7 +52,7 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   proof.shot.offset = r.offset;
   proof.shot.rattles = r.rattles;
   if (r.rattles) proof.shot.met = r.met;
-  proof.shot.off_centre = !q.centred(r.miss) || (r.rattles && q.captures());
+  proof.shot.off_centre = !q.centred(r.miss) || rattles_in(q, r);
   proof.failure = r.failure;
   if (r.made && !good_enough(q, r, goal.demand)) proof.failure = {Foul::inexact};
   return proof;

@@ -2,7 +2,6 @@
 #include "bankshot/geometry/opening.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include "bankshot/numbers/tolerances.hpp"
 

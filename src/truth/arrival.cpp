@@ -138,8 +138,9 @@ double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& he
   const LineIn line(boundary, rim, heading);
   constexpr int grid = 400;
   std::optional<double> in;
-  if (line.enters(own)) in = own;
-  for (int i = 0; i <= grid && !line.enters(own); ++i) {
+  const bool enters = line.enters(own);
+  if (enters) in = own;
+  for (int i = 0; i <= grid && !enters; ++i) {
     const double offset = rim.radius * (2.0 * i / grid - 1);
     if ((!in || std::abs(offset - own) < std::abs(*in - own)) && line.enters(offset)) in = offset;
   }

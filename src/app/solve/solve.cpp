@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "answer/words.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/picture.hpp"
@@ -38,9 +39,9 @@ std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions
   if (best.shots.empty() || !(best.shots.front().success.value_or(0) > *shot.success + much)) return "";
   const Shot& s = best.shots.front();
   return fmt::format(
-      "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, makes it {:.0f} % of the time: \"aim\": "
+      "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, makes it {} of the time: \"aim\": "
       "\"safest\"\n",
-      degrees(s.launch.angle), s.launch.speed, 100 * *s.success);
+      degrees(s.launch.angle), s.launch.speed, chance_words(s));
 }
 
 int run(const Arguments& a) {
