@@ -140,7 +140,7 @@ class Follower {
   /// What it touches first of the jaws of the pocket it may fall into tells the line of travel there.
   void rattle(Contact jaw) {
     const Arc<double>& arc = sim_.arc();
-    const auto of_jaws = [&](const Mark& mark) { return mark.taken_by.index == jaw.index / Contact::jaws; };
+    const auto of_jaws = [&](const Mark& mark) { return mark.taken_by.index == jaw.jaw_pocket(); };
     if (!first_jaw_ && std::ranges::any_of(q_.marks, of_jaws))
       first_jaw_ = Line{sim_.state().at, arc.velocity_at(sim_.travelled())};
     out_.replay.rattles = true;

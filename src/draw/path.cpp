@@ -26,7 +26,7 @@ std::vector<std::vector<Vec2d>> stretches(const Trajectory& t) {
   for (const Leg& leg : t.legs) {
     bool bounced = false;
     for (; bounce != t.events.end() && bounce->time <= leg.begin; ++bounce)
-      bounced = bounced || bounce->kind == EventKind::cushion || bounce->kind == EventKind::jaw;
+      bounced = bounced || is_bounce(bounce->kind);
     if (bounced) out.push_back({leg.start.at});
     const std::vector<Vec2d> more = outline(leg, pieces);
     out.back().insert(out.back().end(), more.begin() + 1, more.end());

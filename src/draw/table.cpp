@@ -49,19 +49,18 @@ void draw_mouth(Canvas& c, const JawPieces& j) {
   const auto point = [&](const char* to, const Vec2d& p) {
     path += fmt::format("{}{:.1f} {:.1f}", to, c.at(p).x, c.at(p).y);
   };
-  const auto seam = [](const Bend& tip, const Vec2d& along) { return tip.centre + perpendicular(along) * tip.radius; };
   const auto arc = [&](const Bend& tip) { return fmt::format("A{0:.2f} {0:.2f} 0 0 1 ", c.px(tip.radius)); };
-  const auto along = [&](const Break& b) {
-    const auto i = static_cast<std::size_t>(b.rail);
-    const Vec2d way = c.table.vertices[(i + 1) % c.table.vertices.size()] - c.table.vertices[i];
-    return way / norm(way);
+  const auto on_rail = [&](int rail, double s) {
+    const auto i = static_cast<std::size_t>(rail);
+    const Vec2d from = c.table.vertices[i], way = c.table.vertices[(i + 1) % c.table.vertices.size()] - from;
+    return from + way * (s / norm(way));
   };
-  point("M", seam(j.tips[0], along(j.breaks[0])));
+  point("M", on_rail(j.breaks.front().rail, j.breaks.front().begin));
   point(arc(j.tips[0]).c_str(), j.facings[0].from);
   point("L", j.facings[0].to);
   point("L", j.facings[1].from);
   point("L", j.facings[1].to);
-  point(arc(j.tips[1]).c_str(), seam(j.tips[1], along(j.breaks[1])));
+  point(arc(j.tips[1]).c_str(), on_rail(j.breaks.back().rail, j.breaks.back().end));
   c.add(R"(<path d="{}z" fill="{}"/>)", path, c.c.cloth);
 }
 

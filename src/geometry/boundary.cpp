@@ -134,15 +134,15 @@ void Boundary::open(const Table& table, const std::vector<JawPieces>& jaw_pieces
 }
 
 const Wall* Boundary::facing(Contact jaw) const {
-  const int piece = jaw.index % Contact::jaws;
+  const int piece = jaw.jaw_piece();
   if (piece == 0 || piece == 3) return nullptr;
-  return &jaws[static_cast<std::size_t>(jaw.index / Contact::jaws)].facings[piece == 1 ? 0 : 1];
+  return &jaws[static_cast<std::size_t>(jaw.jaw_pocket())].facings[piece == 1 ? 0 : 1];
 }
 
 const Circle* Boundary::tip(Contact jaw) const {
-  const int piece = jaw.index % Contact::jaws;
+  const int piece = jaw.jaw_piece();
   if (piece == 1 || piece == 2) return nullptr;
-  return &jaws[static_cast<std::size_t>(jaw.index / Contact::jaws)].tips[piece == 0 ? 0 : 1];
+  return &jaws[static_cast<std::size_t>(jaw.jaw_pocket())].tips[piece == 0 ? 0 : 1];
 }
 
 double Boundary::clearance(const Vec2d& at) const {

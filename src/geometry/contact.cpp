@@ -17,7 +17,7 @@ std::string contact_name(const Table& table, Contact contact) {
     case ContactKind::pocket:
       return table.pockets[i].name;
     case ContactKind::jaw:
-      return table.pockets[i / Contact::jaws].name;
+      return table.pockets[static_cast<std::size_t>(contact.jaw_pocket())].name;
     case ContactKind::none:
       break;
   }

@@ -72,7 +72,7 @@ JawPieces jaw_pieces(const Table& table, int pocket) {
   if (at_corner)
     out.breaks = {Break{before, length - ends[0].seam, length}, Break{after, 0, ends[1].seam}};
   else
-    out.breaks.fill({after, middle - ends[0].seam, middle + ends[1].seam});
+    out.breaks = {Break{after, middle - ends[0].seam, middle + ends[1].seam}};
   out.tips = {ends[0].tip, ends[1].tip};
   out.facings = {ends[0].facing, Segment{ends[1].facing.to, ends[1].facing.from}};
   out.tips[0].contact = Contact::jaw(pocket, 0);
@@ -116,12 +116,13 @@ std::vector<Vec2d> outline(const Table& table, const std::vector<JawPieces>& jaw
     for (const JawPieces& m : jaws) {
       std::vector<Vec2d> corners;
       const auto add = [&](const Vec2d& p) { corners.push_back(p); };
-      if (on_rail(m.breaks[0])) add(from + along * m.breaks[0].begin), add(m.facings[0].from), add(m.facings[0].to);
-      if (on_rail(m.breaks[1])) {
-        add(m.facings[1].from), add(m.facings[1].to), add(from + along * m.breaks[1].end);
-        starts = starts || !on_rail(m.breaks[0]);
+      const Break &first = m.breaks.front(), &last = m.breaks.back();
+      if (on_rail(first)) add(from + along * first.begin), add(m.facings[0].from), add(m.facings[0].to);
+      if (on_rail(last)) {
+        add(m.facings[1].from), add(m.facings[1].to), add(from + along * last.end);
+        starts = starts || !on_rail(first);
       }
-      if (!corners.empty()) parts.emplace_back(on_rail(m.breaks[0]) ? m.breaks[0].begin : 0, std::move(corners));
+      if (!corners.empty()) parts.emplace_back(on_rail(first) ? first.begin : 0, std::move(corners));
     }
     std::ranges::sort(parts, {}, &std::pair<double, std::vector<Vec2d>>::first);
     if (!starts) out.push_back(from);

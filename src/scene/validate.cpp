@@ -96,16 +96,14 @@ void check_names(const Table& t) {
 /// Between two mouths there is a cushion.
 void check_mouths(const Table& t) {
   std::vector<Break> breaks;
-  for (const JawPieces& m : obstacles(t).jaws)
-    for (const Break& each : m.breaks) breaks.push_back(each);
+  for (const JawPieces& m : obstacles(t).jaws) breaks.insert(breaks.end(), m.breaks.begin(), m.breaks.end());
   const auto ends_first = [](const Break& x, const Break& y) {
     return std::pair(x.rail, x.begin) < std::pair(y.rail, y.begin);
   };
   std::ranges::sort(breaks, ends_first);
   for (std::size_t i = 1; i < breaks.size(); ++i) {
     const Break &x = breaks[i - 1], &y = breaks[i];
-    const bool same = x.rail == y.rail && x.begin == y.begin && x.end == y.end;  // a middle pocket has it twice
-    if (x.rail == y.rail && !same && !(x.end < y.begin))
+    if (x.rail == y.rail && !(x.end < y.begin))
       fail("/table/jaws", fmt::format("the jaws leave nothing of cushion {} between two pockets",
                                       t.cushions[static_cast<std::size_t>(x.rail)]));
   }

@@ -19,7 +19,7 @@ Json event_json(const ShotRequest& r, const Record& e) {
          {"at", {e.state.at.x, e.state.at.y}},
          {"velocity", {e.state.velocity.x, e.state.velocity.y}},
          {"spin", {w.x, w.y, w.z}}};
-  if (e.kind == EventKind::cushion || e.kind == EventKind::jaw) j["cushion"] = contact_name(r.table, e.contact);
+  if (is_bounce(e.kind)) j["cushion"] = contact_name(r.table, e.contact);
   if (e.kind == EventKind::pocket) j["pocket"] = contact_name(r.table, e.contact);
   return j;
 }

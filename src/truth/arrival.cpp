@@ -214,9 +214,7 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
         break;
       case EventKind::jaw: {
         const auto* pocket = std::get_if<PocketTarget>(&puzzle.target);
-        if (pocket && !jaw &&
-            pocket->pocket.value_or(e.contact.index / Contact::jaws) == e.contact.index / Contact::jaws)
-          jaw = &e;
+        if (pocket && !jaw && pocket->pocket.value_or(e.contact.jaw_pocket()) == e.contact.jaw_pocket()) jaw = &e;
         out.rattles = true;
         break;
       }

@@ -54,7 +54,7 @@ Passing passing_of(const Run& run, const Event& e, const Sim& sim) {
   if (e.kind == EventKind::horizon) return {};
   if (run.target) return passing<T>(sim, closest_time(sim.arc(), sim.travelled(), *run.target), *run.target);
   if (e.kind != EventKind::pocket && e.kind != EventKind::jaw) return {};
-  const int pocket = e.kind == EventKind::pocket ? e.contact.index : e.contact.index / Contact::jaws;
+  const int pocket = e.kind == EventKind::pocket ? e.contact.index : e.contact.jaw_pocket();
   Passing p = passing<T>(sim, sim.travelled(), run.boundary.pockets[static_cast<std::size_t>(pocket)].centre);
   p.miss = std::abs(p.lateral);
   return p;

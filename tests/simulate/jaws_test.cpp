@@ -97,8 +97,8 @@ TEST_CASE("the pieces of a pool table's pockets are where the published numbers 
   const auto jaws = obstacles(make_table(preset("pool-7ft"), true)).jaws;
   REQUIRE(jaws.size() == 6);
   const auto at = [](const Vec2d& p, double x, double y) { return norm(p - Vec2d{x, y}) < 1e-6; };
-  CHECK(jaws[0].breaks[1].end == Approx(0.090669).margin(1e-6));
-  CHECK(jaws[1].breaks[0].begin == Approx(0.915850).margin(1e-6));
+  CHECK(jaws[0].breaks.back().end == Approx(0.090669).margin(1e-6));
+  CHECK(jaws[1].breaks.front().begin == Approx(0.915850).margin(1e-6));
   CHECK(at(jaws[0].facings[1].to, 0.077741, -0.004452));
   CHECK(at(jaws[0].facings[1].from, 0.018418, -0.050800));
   CHECK(at(jaws[0].facings[0].from, -0.004452, 0.077741));
@@ -150,7 +150,7 @@ TEST_CASE("paths by jaws agree with 50 digits within the error bound") {
 TEST_CASE("a rail that ends at a tip neither loses a ball nor bounces it twice") {
   const TablePreset& p = preset("pool-9ft");
   const auto jaws = obstacles(make_table(p, true)).jaws;
-  const double seam = jaws[1].breaks[1].end, R = p.body.radius;
+  const double seam = jaws[1].breaks.back().end, R = p.body.radius;
   for (int i = -200; i <= 200; ++i) {
     // Straight down onto the seam, to within rounding.
     const double x = seam + i * 1e-17 * (1 << (std::abs(i) / 10));

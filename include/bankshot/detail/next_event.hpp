@@ -41,21 +41,50 @@ struct EventFinder {
   const Arc<N>& arc;
 
   NextEvent<N> next(const N& horizon) const {
-    constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest, EventKind::horizon};
-    NextEvent<N> first{arc.duration, {ends[static_cast<int>(arc.end)]}, {}, arc.end == PhaseEnd::piece};
-    if (horizon < first.time) first.set(horizon, EventKind::horizon, {});
-    if (!boundary.jaws.empty()) return consider_rails_and_jaws(first), first;
+    NextEvent<N> first;
+    meet_nothing(first, horizon);
     for (const Wall& w : boundary.walls) consider(first, w.contact, wall_hit(w, first.time));
-    if (!boundary.tips.empty() || !boundary.pockets.empty()) consider_circles(first);
+    if (boundary.jaws.empty()) {
+      if (!boundary.tips.empty() || !boundary.pockets.empty()) consider_circles(first);
+    } else if (is_at_mouth(first)) {
+      meet_nothing(first, horizon);
+      consider_rails_and_jaws(first);
+    }
     return first;
   }
 
  private:
+  void meet_nothing(NextEvent<N>& first, const N& horizon) const {
+    constexpr EventKind ends[] = {EventKind::horizon, EventKind::slide_to_roll, EventKind::rest, EventKind::horizon};
+    first.set(arc.duration, ends[static_cast<int>(arc.end)], {});
+    first.piece = arc.end == PhaseEnd::piece;
+    if (horizon < first.time) first.set(horizon, EventKind::horizon, {});
+  }
+
   /// Apart from the walls, so that a table without vertices to hit and without pockets does not pay for them.
   void consider_circles(NextEvent<N>& first) const {
-    for (const Circle& c : boundary.tips) consider_tip(first, c);
-    for (const Circle& c : boundary.pockets) consider_pocket(first, c);
+    const Reach<N> reach(arc, first.time, N(boundary.touch));
+    for (const Circle& c : boundary.tips)
+      if (!reach.misses(c.centre, c.radius)) consider_tip(first, c);
+    for (const Circle& c : boundary.pockets)
+      if (!reach.misses(c.centre, c.radius)) consider_pocket(first, c);
   }
+
+  /// Rails alone do not tell what comes first: the ball crosses a rail's line where there is a mouth, has done so, or
+  /// is held by a rail that ends there.
+  bool is_at_mouth(const NextEvent<N>& first) const {
+    if (cushions.any_holds()) return true;
+    const auto breached = [&](Contact rail) {
+      const Wall& w = boundary.walls[static_cast<std::size_t>(rail.index)];
+      return boundary.break_at(w, static_cast<double>(dot(w.along, arc.position(first.time)))) >= 0;
+    };
+    if (first.event.bounces() && (breached(first.event.contact) || (first.second && breached(first.second))))
+      return true;
+    return between_jaws() >= 0;
+  }
+
+  /// The pocket between whose jaws the arc starts; -1 where that is on the table, as on a rail.
+  int between_jaws() const { return cushions.on_rail() ? -1 : boundary.between_jaws(arc.at); }
 
   void consider_tip(NextEvent<N>& first, const Circle& c) const {
     if (cushions.held(c.contact) || passes_tangent(c)) return;
@@ -77,7 +106,7 @@ struct EventFinder {
       if (pocket >= 0 && std::find(pockets, pockets + count, pocket) == pockets + count && count < 4)
         pockets[count++] = pocket;
     };
-    look(boundary.between_jaws(arc.at));
+    look(between_jaws());
     for (const Wall& w : boundary.walls) {
       const N t = wall_hit(w, first.time);
       if (!(t <= first.time) || !(t < N(forever))) continue;
@@ -114,7 +143,7 @@ struct EventFinder {
 
   static void consider(NextEvent<N>& first, Contact contact, const N& t) {
     if (t < first.time)
-      first.set(t, contact.kind == ContactKind::jaw ? EventKind::jaw : EventKind::cushion, contact);
+      first.set(t, bounce_off(contact), contact);
     else if (t == first.time && first.event.bounces() && !first.second)
       first.second = contact;
   }

@@ -33,8 +33,12 @@ class OnCushions {
 
   /// The centre is exactly on the contact.
   bool on(Contact contact) const { return contact == on_[0] || contact == on_[1]; }
+  bool on_rail() const { return on_[0].kind == ContactKind::rail || on_[1].kind == ContactKind::rail; }
   /// Friction drives the ball into the contact, which holds it.
   bool held(Contact contact) const { return contact == held_[0] || contact == held_[1]; }
+
+  /// Some contact holds the ball.
+  bool any_holds() const { return static_cast<bool>(held_[0]); }
 
   /// Says that a ball of this squared_scale is about to bounce.
   void bounces(const N& scale2) { bounced2_ = scale2; }
@@ -74,22 +78,17 @@ class OnCushions {
     const N near(boundary.touch);
     const Vec2<N> at = value(centre);
     int found = 0;
-    for (const Wall& w : boundary.walls) {
-      if (found == 2) return;
+    const auto try_wall = [&](const Wall& w) {
       const N s = dot(w.along, at), gap = dot(w.normal, at) - N(w.offset);
-      if (!(abs(gap) <= near && s >= w.begin - near && s <= w.end + near)) continue;
-      if (boundary.break_at(w, static_cast<double>(s)) >= 0) continue;
+      if (found == 2 || !(abs(gap) <= near && s >= w.begin - near && s <= w.end + near)) return;
+      if (w.contact.kind == ContactKind::rail && boundary.break_at(w, static_cast<double>(s)) >= 0) return;
       settle(boundary, w.contact, centre);
       ++found;
-    }
+    };
+    for (const Wall& w : boundary.walls) try_wall(w);
     for (const JawWalls& jaws : boundary.jaws)
-      for (const Wall& w : jaws.facings) {
-        if (found == 2 || !jaws.faced) break;
-        const N s = dot(w.along, at), gap = dot(w.normal, at) - N(w.offset);
-        if (!(abs(gap) <= near && s >= w.begin - near && s <= w.end + near)) continue;
-        settle(boundary, w.contact, centre);
-        ++found;
-      }
+      if (jaws.faced)
+        for (const Wall& w : jaws.facings) try_wall(w);
   }
 
   /// Where the ball rests on a cushion and friction drives it in: no normal motion on this arc. Between
@@ -98,13 +97,13 @@ class OnCushions {
   void hold(const Boundary& boundary, Arc<T>& arc) {
     held_[0] = held_[1] = {};
     if (!on_[0]) return;
-    if (!boundary.jaws.empty()) leave_ends(boundary, value(arc.at));
     const Arc<N>& plain = value(arc);
     const Contact corner = corner_to_crawl_in(boundary, plain);
     const Contact at[] = {on_[0], corner ? corner : on_[1]};
     const auto is_slow = [&](Contact contact) { return corner || rests_at(boundary, contact, plain); };
     const bool slow[] = {is_slow(at[0]), is_slow(at[1])};
     if (!slow[0] && !slow[1]) return;
+    if (leaves_ends(boundary, plain.at)) return hold(boundary, arc);
     const Vec2<N> a = plain.acceleration;
     bool pressed = false;
     for (int k = 0; k < 2; ++k) {
@@ -126,16 +125,21 @@ class OnCushions {
   }
 
  private:
-  /// A rail that ends at a pocket's jaws holds nothing beyond.
-  void leave_ends(const Boundary& boundary, const Vec2<N>& at) {
+  /// A rail that ends at a pocket's jaws holds nothing beyond. True if it let the ball go.
+  bool leaves_ends(const Boundary& boundary, const Vec2<N>& at) {
+    if (boundary.jaws.empty()) return false;
+    bool left = false;
     for (Contact& c : on_) {
       if (c.kind != ContactKind::rail) continue;
       const Wall& w = *boundary.line(c);
       const double along = static_cast<double>(dot(w.along, at));
-      for (const double beside : {-boundary.touch, boundary.touch})
-        if (boundary.break_at(w, along + beside) >= 0) c = {};
+      if (boundary.break_at(w, along - boundary.touch) < 0 && boundary.break_at(w, along + boundary.touch) < 0)
+        continue;
+      c = {};
+      left = true;
     }
     if (!on_[0]) std::swap(on_[0], on_[1]);
+    return left;
   }
 
   /// The arc ends with a speed towards the cushion. Otherwise the ball is not pressed to it, and an acceleration

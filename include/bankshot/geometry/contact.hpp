@@ -28,6 +28,8 @@ struct Contact {
   /// Of a pocket's four pieces, anticlockwise: tip and facing at the end of one rail, facing and tip of the next.
   static constexpr Contact jaw(int pocket, int piece) { return {ContactKind::jaw, jaws * pocket + piece}; }
   static constexpr int jaws = 4;
+  constexpr int jaw_pocket() const { return index / jaws; }  ///< of a jaw
+  constexpr int jaw_piece() const { return index % jaws; }   ///< of a jaw
 
   /// False of none.
   constexpr explicit operator bool() const { return kind != ContactKind::none; }

@@ -40,7 +40,7 @@ struct Break {
 };
 
 struct JawPieces {
-  std::array<Break, 2> breaks;     ///< of the rail before and the rail after, which may be one
+  std::vector<Break> breaks;       ///< of the rail before and the rail after, or of the one that both are
   std::array<Bend, 2> tips;        ///< in the order of the outline, as the facings
   std::array<Segment, 2> facings;  ///< of no length where the tips reach as deep
   bool faced() const { return !(facings[0].from == facings[0].to); }

@@ -11,14 +11,20 @@ namespace bankshot {
 /// that there were too many events.
 enum class EventKind { cushion, jaw, pocket, slide_to_roll, rest, horizon, start, end };
 
+/// Off a cushion or a jaw.
+constexpr bool is_bounce(EventKind kind) { return kind == EventKind::cushion || kind == EventKind::jaw; }
+/// What a bounce off this contact is.
+constexpr EventKind bounce_off(Contact contact) {
+  return contact.kind == ContactKind::jaw ? EventKind::jaw : EventKind::cushion;
+}
+
 struct Event {
   EventKind kind = EventKind::horizon;
   Contact contact{};          ///< that the ball bounced off, or the pocket
   bool same_instant = false;  ///< the second of two cushions met at once
   /// True when the ball moves no more: at rest, pocketed, or stopped at the horizon.
   bool final() const { return !bounces() && kind != EventKind::slide_to_roll; }
-  /// Off a cushion or a jaw.
-  bool bounces() const { return kind == EventKind::cushion || kind == EventKind::jaw; }
+  bool bounces() const { return is_bounce(kind); }
 };
 
 /// Its words: the type of an event in JSON, the reason of a shot's end in JSON, and for a person.

@@ -82,22 +82,18 @@ class Simulator {
     return next.event;
   }
 
-  static EventKind kind_of(Contact contact) {
-    return contact.kind == ContactKind::jaw ? EventKind::jaw : EventKind::cushion;
-  }
-
   Event first_of_instant(const Next& next) {
     Contact first = next.event.contact, second = next.second;
     if (second && track_.approach(second) > track_.approach(first)) std::swap(first, second);
     track_.meet(cushion_, first, second);
     pending_ = second;
-    return {kind_of(first), first};
+    return {bounce_off(first), first};
   }
 
   Event second_of_instant(Contact contact) {
     track_.meet_also(motion_, cushion_, contact);
     if constexpr (has_derivatives<T>) time_ += track_.travelled();
-    return {kind_of(contact), contact, true};
+    return {bounce_off(contact), contact, true};
   }
 
   BallTrack<T> track_;

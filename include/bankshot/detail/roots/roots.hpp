@@ -136,6 +136,38 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
 }
 
+/// Where an arc gets to within `limit`: the triangle of its control points, and the box of that.
+template <class T>
+struct Reach {
+  Vec2<T> start, bend, end, low, high;
+  T slack;
+  bool bounded;  ///< false where the arc has no end: then nothing is missed
+
+  /// `close`: what comes so close is not missed [m].
+  Reach(const Arc<T>& arc, const T& limit, const T& close)
+      : start(arc.at),
+        bend(arc.at + arc.velocity * T(limit * 0.5)),
+        end(arc.position(limit)),
+        slack(close),
+        bounded(limit < T(forever)) {
+    using std::max, std::min;
+    low = {min(start.x, T(min(bend.x, end.x))), min(start.y, T(min(bend.y, end.y)))};
+    high = {max(start.x, T(max(bend.x, end.x))), max(start.y, T(max(bend.y, end.y)))};
+  }
+
+  /// No place of it is inside the circle.
+  bool misses(const Vec2d& centre, double radius) const {
+    if (!bounded) return false;
+    const T near = slack + radius;
+    const bool beside = low.x > centre.x + near || high.x < centre.x - near;
+    if (beside || low.y > centre.y + near || high.y < centre.y - near) return true;
+    // Farther than that from the chord's line, all three points on one side of it.
+    const Vec2<T> chord = end - start, to_start = start - to<T>(centre), to_bend = bend - to<T>(centre);
+    const T a = cross(chord, to_start), b = cross(chord, to_bend), least2 = dot(chord, chord) * T(near * near);
+    return a * b > T(0) && a * a > least2 && b * b > least2;
+  }
+};
+
 /// When, within `duration`, an arc is closest to `point`.
 template <class T>
 T closest_time(const Arc<T>& arc, const T& duration, const Vec2d& point) {
