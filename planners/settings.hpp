@@ -198,6 +198,21 @@ inline constexpr std::size_t aims_across = 17;
 inline constexpr double nearly_allowed = 1.3;
 }  // namespace parts
 
+namespace rattles {
+/// Cells from which launches are sent into mouths. Of 384 random shots that only drop by the jaws they fall between, 12
+/// are not found, from bands of less than 0.0005 rad; rows eight times as dense find none of them.
+inline constexpr Spacing cell{radians(2), 0.1};
+/// Of a pocket's radius of capture: how far to either side of its exact line launches are sent, and how many.
+inline constexpr double mouths_across = 1.5;
+inline constexpr int launches_across = 24;
+/// Of ln arrival speed by ln launch speed: the first slope, the farthest that a secant goes, how many at most; and how
+/// often one is shortened, by how much, where the ball does not drop.
+inline constexpr double usual_slope = 2, farthest = 0.3, shorter = 4;
+inline constexpr int most_secants = 12, most_shortened = 3;
+/// Shots enough to choose from.
+inline constexpr std::size_t enough = 8;
+}  // namespace rattles
+
 namespace widest {
 /// rad: where golden sections end.
 inline constexpr double finest = 1e-15;

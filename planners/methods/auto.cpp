@@ -74,6 +74,7 @@ void look_closely(const Question& q, Ledger& ledger, Findings& found, steps::Par
 void with_spin(const Question& q, Ledger& ledger, Findings& found) {
   steps::Parts parts;
   look(q, ledger, found, parts);
+  if (stop::nothing_yet(ledger, found)) steps::rattles(q, ledger, found);
   if (ledger.cut()) return;
   look_closely(q, ledger, found, parts);
   if (q.captures() && stop::nothing_yet(ledger, found)) {
@@ -168,6 +169,8 @@ void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
     for (const double speed : {q.speed.high, q.speed.low})
       if (speed > 0) look_at(q.spinning(sample.spin).launched_at(speed));
   }
+  for (const Question& sample : samples)
+    if (nothing_yet()) steps::rattles(q.spinning(sample.spin), ledger, found);
   steps::Parts parts;
   if (nothing_yet()) look_closely(q.spinning(samples.front().spin), ledger, found, parts);
   parts.bisect(q.spinning(samples.front().spin), ledger, found, 1);

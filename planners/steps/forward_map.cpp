@@ -11,11 +11,35 @@ namespace bankshot::planning::steps {
 
 using namespace settings::forward_map;
 
+namespace {
+
+/// m/s. No slower launch rolls as far as the nearest mark, nor arrives as fast as asked.
+double slowest_arrival(const Question& q) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Mark& m : q.marks) nearest = std::min(nearest, norm(m.at - q.puzzle.ball.at) - m.capture());
+  const double asked = q.arrival ? q.arrival->low : 0;
+  const double energy = asked * asked + 2 * deceleration(q.puzzle.physics) * std::max(0.0, nearest);
+  return std::max(std::sqrt(energy), settings::slowest_of_fastest * q.speed.high);
+}
+
+}  // namespace
+
+std::vector<double> speeds_to_try(const Question& q, double cell) {
+  const Range& v = q.speed;
+  if (q.pinned || v.fixed()) return {q.pinned.value_or(v.low)};
+  const double low = std::max(v.low, slowest_arrival(q));
+  if (!(low < v.high)) return {v.high};
+  const int rows = 1 + static_cast<int>(std::ceil(std::log(v.high / low) / cell));
+  std::vector<double> out;
+  for (int i = 0; i < rows; ++i) out.push_back(low * std::pow(v.high / low, static_cast<double>(i) / (rows - 1)));
+  return out;
+}
+
 void ForwardMap::run() {
   const Range aims = q_.angle.value_or(whole_turn);
   const int columns = std::max(1, static_cast<int>(std::ceil((aims.high - aims.low) / cell_.aim)));
   const auto aim = [&](int i) { return aims.low + (aims.high - aims.low) * i / columns; };
-  const std::vector<double> rows = speeds();
+  const std::vector<double> rows = speeds_to_try(q_, cell_.speed);
   Column before = column(aim(0), rows, {});
   for (int i = 1; i <= columns && !roots_.done(); ++i) {
     Column after = column(aim(i), rows, before);
@@ -28,26 +52,6 @@ void ForwardMap::run() {
   }
   if (q_.all() || found_.shots.empty()) roots_.seek_rest();
   if (found_.shots.empty() && !q_.starts()) found_.leads.insert(found_.leads.end(), leads_.begin(), leads_.end());
-}
-
-std::vector<double> ForwardMap::speeds() const {
-  const Range& v = q_.speed;
-  if (q_.pinned || v.fixed()) return {q_.pinned.value_or(v.low)};
-  const double low = std::max(v.low, slowest_arrival());
-  if (!(low < v.high)) return {v.high};
-  const int rows = 1 + static_cast<int>(std::ceil(std::log(v.high / low) / cell_.speed));
-  std::vector<double> out;
-  for (int i = 0; i < rows; ++i) out.push_back(low * std::pow(v.high / low, static_cast<double>(i) / (rows - 1)));
-  return out;
-}
-
-/// m/s. No slower launch rolls as far as the nearest mark, nor arrives as fast as asked.
-double ForwardMap::slowest_arrival() const {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Mark& m : q_.marks) nearest = std::min(nearest, norm(m.at - q_.puzzle.ball.at) - m.capture());
-  const double asked = q_.arrival ? q_.arrival->low : 0;
-  const double energy = asked * asked + 2 * deceleration(q_.puzzle.physics) * std::max(0.0, nearest);
-  return std::max(std::sqrt(energy), settings::slowest_of_fastest * q_.speed.high);
 }
 
 /// Only the speeds around those that arrive as asked matter. They change little from one aim to the next, so begin near

@@ -22,6 +22,10 @@
 
 namespace bankshot::planning::steps {
 
+/// Launch speeds that a map tries, so far apart in ln speed: none too slow for the nearest mark, nor to arrive as
+/// asked.
+std::vector<double> speeds_to_try(const Question& q, double cell);
+
 class ForwardMap {
  public:
   ForwardMap(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing, std::string_view step)
@@ -52,8 +56,6 @@ class ForwardMap {
   using Column = std::vector<std::optional<Node>>;  ///< one aim at all speeds, where it is worth while
 
   static bool within(const std::optional<Node>& n) { return n && n->place == Place::within; }
-  std::vector<double> speeds() const;
-  double slowest_arrival() const;
   Column column(double angle, const std::vector<double>& rows, const Column& neighbour);
   Node node(double angle, double speed);
   Place place() const;

@@ -17,7 +17,7 @@ namespace bankshot::planning::steps {
 /// The names of steps in answers.
 namespace word {
 inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan", map = "map", along = "along",
-                                  parts = "parts", global = "global";
+                                  parts = "parts", rattles = "rattles", global = "global";
 }  // namespace word
 
 using Step = void (*)(const Question&, Ledger&, Findings&);
@@ -27,6 +27,8 @@ void fan(const Question& q, Ledger& ledger, Findings& found);     ///< a given r
 /// All aims and speeds, in cells of this size.
 void map(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing);
 void along(const Question& q, Ledger& ledger, Findings& found);  ///< exactly along a cushion that the ball touches
+
+void rattles(const Question& q, Ledger& ledger, Findings& found);  ///< by the jaws of a pocket
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
 Spacing usual_spacing(const Question& q);

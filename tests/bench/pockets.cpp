@@ -7,50 +7,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
-#include "bankshot/simulate/trajectory.hpp"
-#include "support/random_puzzle.hpp"
-
-namespace {
+#include "support/random_drop.hpp"
 
 using namespace bankshot;
-
-struct Dropped {
-  Puzzle puzzle;
-  bool rattles;
-};
-
-Dropped random_drop(test::Random& r, bool jaws, bool spin, int most_cushions) {
-  constexpr const char* names[] = {"pool-7ft", "pool-8ft", "pool-9ft", "snooker-12ft"};
-  for (;;) {
-    const TablePreset& preset = *find_table_preset(names[r.integer(0, 3)]);
-    ShotRequest s{.table = make_table(preset, jaws), .physics = rolling_physics()};
-    s.ball.body = preset.body;
-    if (spin) s.physics = spin_physics(preset.body, preset.nose());
-    const double R = preset.body.radius;
-    s.ball.at = {r.uniform(R, preset.length - R), r.uniform(R, preset.width - R)};
-    s.launch = {r.log_uniform(0.3, 8), radians(r.uniform(0, 360))};
-    if (spin && r.chance(0.5)) s.spin = {r.uniform(-0.5, 1), r.uniform(-0.5, 0.5), 0};
-    s.until.cushions = most_cushions + 1;
-    const Trajectory t = simulate(s);
-    if (t.end != EventKind::pocket) continue;
-    const Record& drop = t.events[t.events.size() - 2];
-    if (!(norm(drop.state.velocity) > 0)) continue;
-    Puzzle p{.table = s.table, .physics = s.physics, .ball = s.ball, .spin = s.spin};
-    p.target = PocketTarget{drop.contact.index};
-    const double speed = norm(drop.state.velocity);
-    p.arrive = Range{speed, speed};
-    p.cushions = r.chance(0.5) ? CushionRule::in_order(t.sequence()) : CushionRule::exactly(t.cushions);
-    const auto jaw = [](const Record& e) { return e.kind == EventKind::jaw; };
-    return {p, std::ranges::any_of(t.events, jaw)};
-  }
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Random shots that drop, as puzzles");
@@ -67,19 +30,20 @@ int main(int argc, char** argv) {
   app.add_flag("--header", header);
   CLI11_PARSE(app, argc, argv);
   long solved = 0, offset = 0, beside = 0, rattling = 0, parts = 0, simulations = 0, from_rattle = 0, lost = 0,
-       lost_clean = 0;
+       lost_clean = 0, lost_at_the_end = 0;
   double us = 0;
   for (long i = 0; i < count; ++i) {
     test::Random random(seed, static_cast<std::uint64_t>(i));
-    const Dropped d = random_drop(random, jaws, physics == "spin", cushions);
+    const test::Drop d = test::random_drop(random, jaws, physics == "spin", cushions);
     const Answer a = solve(d.puzzle, {.robustness = false, .suggest = false});
     simulations += a.simulations;
     us += a.time_us;
-    from_rattle += d.rattles;
+    from_rattle += d.rattles();
     if (a.shots.empty()) {
       ++lost;
-      lost_clean += !d.rattles;
-      std::cerr << write_puzzle(d.puzzle) << (d.rattles ? " by a rattle\n" : "\n");
+      lost_clean += !d.rattles();
+      lost_at_the_end += d.rattles() && d.only_at_the_end();
+      std::cerr << write_puzzle(d.puzzle) << (d.rattles() ? " by a rattle\n" : "\n");
       continue;
     }
     const Shot& shot = a.shots.front();
@@ -90,11 +54,12 @@ int main(int argc, char** argv) {
     parts += shot.planner == "parts";
   }
   if (header)
-    std::cout << "pockets,physics,seed,puzzles,by_rattle,solved,unsolved,unsolved_clean,offset,beside,rattles,parts,"
+    std::cout << "pockets,physics,seed,puzzles,by_rattle,solved,unsolved,unsolved_clean,unsolved_at_the_end,offset,"
+                 "beside,rattles,parts,"
                  "simulations,us\n";
-  std::cout << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{:.1f},{:.1f}\n", jaws ? "jaws" : "circles", physics,
-                           seed, count, from_rattle, solved, lost, lost_clean, offset, beside, rattling, parts,
-                           static_cast<double>(simulations) / static_cast<double>(count),
+  std::cout << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{:.1f},{:.1f}\n", jaws ? "jaws" : "circles", physics,
+                           seed, count, from_rattle, solved, lost, lost_clean, lost_at_the_end, offset, beside,
+                           rattling, parts, static_cast<double>(simulations) / static_cast<double>(count),
                            us / static_cast<double>(count));
   return lost_clean > 0 ? 1 : 0;
 }

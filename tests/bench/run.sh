@@ -72,7 +72,7 @@ part() {
       for physics in spin rolling; do
         for kind in "" --jaws; do
           # shellcheck disable=SC2086  # flags that may be none
-          "$bin/bench/pockets" --count 5000 --physics $physics $kind $more 2>"build/pockets-$physics$kind.log" || failed=1
+          "$bin/bench/pockets" --count 100000 --physics $physics $kind $more 2>"build/pockets-$physics$kind.log" || failed=1
           more=
         done
       done

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+//
+// Shots that count on the jaws of their pocket, for where none enters cleanly.
+// Method: the forward map tells which aims lead from each cell across a mouth; rows of launches across it are replayed.
+// Between two that drop by the jaws, one too fast and one too slow, the aim is bisected; of others the speed is corrected
+// by secants, which keep to launches that drop, until it falls as fast as asked. Cost: a simulation a cell, and some twenty for each mouth that a cell looks into.
+// Guarantee: none; balls rattle in from bands of aims, of which narrow ones lie between the launches of a row, as do
+// nearly all that meet a cushion after a jaw.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "bankshot/numbers/tolerances.hpp"
+#include "planners/certify.hpp"
+#include "planners/line_search.hpp"
+#include "planners/locked/forward.hpp"
+#include "planners/settings.hpp"
+#include "planners/steps/forward_map.hpp"
+#include "planners/steps/steps.hpp"
+
+namespace bankshot::planning::steps {
+namespace {
+
+using namespace settings::rattles;
+
+class Rattles {
+ public:
+  Rattles(const Question& q, Ledger& ledger, Findings& found)
+      : q_(q), ledger_(ledger), found_(found) {}
+
+  void run() {
+    const Range aims = q_.angle.value_or(whole_turn);
+    const int columns = static_cast<int>(std::ceil((aims.high - aims.low) / cell.aim));
+    const double width = columns > 0 ? (aims.high - aims.low) / columns : 0;
+    for (const double speed : speeds_to_try(q_, cell.speed))
+      for (int i = 0; i < std::max(columns, 1); ++i) {
+        look_into_mouths(aims.low + width * (i + 0.5), width / 2, speed);
+        if (done()) return;
+      }
+  }
+
+ private:
+  bool done() const {
+    return ledger_.spent() || (!q_.all() && found_.shots.size() >= (q_.first() ? 1 : enough));
+  }
+
+  /// A launch that drops by the jaws.
+  struct Dropped {
+    Launch launch;
+    double arrival;  ///< m/s
+  };
+
+  /// From a cell: launches at one speed, in a row across each mouth that its aims lead into.
+  void look_into_mouths(double aim, double half, double speed) {
+    forward(q_, ledger_, {speed, wrap_angle(aim)}, true, forward_);
+    for (const Passage& p : forward_.passages) {
+      const double by_aim = p.linear.by_aim(0) * q_.boundary.diagonal, across = p.linear.r[0] * q_.boundary.diagonal;
+      const double middle = aim - across / by_aim, wide = mouths_across * q_.marks[p.mark].reach / std::abs(by_aim);
+      const double low = std::max(aim - half, middle - wide), high = std::min(aim + half, middle + wide);
+      if (!(low <= high)) continue;
+      const int launches = 1 + static_cast<int>(launches_across * (high - low) / (2 * wide));
+      const Goal goal = Goal::exactly(q_, static_cast<int>(p.bounces), Demand::made);
+      std::optional<Dropped> before;
+      for (int i = 0; i < launches && !done(); ++i) {
+        const auto here = drop({speed, low + (high - low) * (i + 0.5) / launches}, goal);
+        if (here && !(before && keep_between(*before, *here, goal))) keep_near(*here, goal);
+        before = here;
+      }
+    }
+  }
+
+  std::optional<Dropped> drop(const Launch& launch, const Goal& goal) {
+    if (ledger_.spent() || launch.speed < q_.speed.low || launch.speed > q_.speed.high) return {};
+    const Replay r = replay(q_, ledger_, launch, goal);
+    if (!r.made || !r.rattles) return {};
+    return Dropped{launch, r.arrival.speed};
+  }
+
+  /// Too slow: below 0.
+  double excess(const Dropped& d) const {
+    if (q_.one_unknown() || (d.arrival >= q_.arrival->low && d.arrival <= q_.arrival->high)) return 0;
+    const double fine = tolerance::exact_speed * std::max(1.0, q_.asked) / 4, by = d.arrival - q_.asked;
+    return std::abs(by) < fine ? 0 : by;
+  }
+
+  bool keep(const Dropped& d, const Goal& goal) {
+    return excess(d) == 0 && certify(q_, ledger_, found_, d.launch, goal.min, word::rattles, Demand::off_centre);
+  }
+
+  /// One of them is too fast, the other too slow: the aim between.
+  bool keep_between(Dropped a, Dropped b, const Goal& goal) {
+    while (excess(a) * excess(b) < 0) {
+      const double aim = arithmetic_mean(a.launch.angle, b.launch.angle);
+      if (aim == a.launch.angle || aim == b.launch.angle) return false;
+      const auto middle = drop({a.launch.speed, aim}, goal);
+      if (!middle) return false;
+      (excess(*middle) * excess(a) > 0 ? a : b) = *middle;
+    }
+    return keep(a, goal) || keep(b, goal);
+  }
+
+  /// With the same aim, by secants of the logarithms that are shortened where they lead out of what drops.
+  bool keep_near(Dropped at, const Goal& goal) {
+    double slope = usual_slope;
+    for (int i = 0; i < most_secants && excess(at) != 0; ++i) {
+      double by = std::log(q_.asked / at.arrival) / slope;
+      if (!(std::abs(by) < farthest)) return false;
+      auto next = drop({at.launch.speed * std::exp(by), at.launch.angle}, goal);
+      for (int k = 0; !next && k < most_shortened; ++k)
+        next = drop({at.launch.speed * std::exp(by /= shorter), at.launch.angle}, goal);
+      if (!next) return false;
+      slope = std::log(next->arrival / at.arrival) / by;
+      at = *next;
+    }
+    return keep(at, goal);
+  }
+
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+  Forward forward_{};
+};
+
+}  // namespace
+
+void rattles(const Question& q, Ledger& ledger, Findings& found) {
+  if (q.captures() && !q.boundary.jaws.empty()) Rattles(q, ledger, found).run();
+}
+
+}  // namespace bankshot::planning::steps
