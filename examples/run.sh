@@ -21,6 +21,8 @@ for example in "$bin"/examples/[0-9]*; do
 done
 echo "== where the two-cushion bank can be played from"
 "$bin/bankshot" map examples/puzzles/two-cushion-bank.json --grid 40 20 -o examples/figures/two-cushion-map.svg
+echo "== what a corner takes"
+"$bin/bankshot" pocket pool-9ft bottom-left -o examples/figures/pocket.svg
 echo "== the puzzle book"
 "$bin/bankshot" book examples/puzzles/book.jsonl -o examples/figures/book.svg
 echo "Pictures: examples/figures/*.svg"

@@ -5,8 +5,9 @@
 // bankshot::sim.
 #pragma once
 
-#include "bankshot/contact/custom.hpp"  // a cushion of your own
-#include "bankshot/draw/map.hpp"        // pictures
+#include "bankshot/contact/custom.hpp"   // a cushion of your own
+#include "bankshot/draw/acceptance.hpp"  // pictures
+#include "bankshot/draw/map.hpp"
 #include "bankshot/draw/page.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/geometry/boundary.hpp"  // a table as a ball sees it
@@ -19,6 +20,7 @@
 #include "bankshot/scene/json.hpp"      // puzzles and shots as text
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/scene.hpp"          // tables, balls and physics by name
+#include "bankshot/simulate/acceptance.hpp"  // what a pocket takes
 #include "bankshot/simulate/locked.hpp"      // a path along given cushions
 #include "bankshot/simulate/simulator.hpp"   // event by event, in any scalar
 #include "bankshot/simulate/trajectory.hpp"  // a whole shot, recorded

@@ -2,10 +2,10 @@
 //
 // Shots that count on the jaws of their pocket, for where none enters cleanly.
 // Method: the forward map tells which aims lead from each cell across a mouth; rows of launches across it are replayed.
-// Between two that drop by the jaws, one too fast and one too slow, the aim is bisected; of others the speed is corrected
-// by secants, which keep to launches that drop, until it falls as fast as asked. Cost: a simulation a cell, and some twenty for each mouth that a cell looks into.
-// Guarantee: none; balls rattle in from bands of aims, of which narrow ones lie between the launches of a row, as do
-// nearly all that meet a cushion after a jaw.
+// Between two that drop by the jaws, one too fast and one too slow, the aim is bisected; of others the speed is
+// corrected by secants, which keep to launches that drop, until it falls as fast as asked. Cost: a simulation a cell,
+// and some twenty for each mouth that a cell looks into. Guarantee: none; balls rattle in from bands of aims, of which
+// narrow ones lie between the launches of a row, as do nearly all that meet a cushion after a jaw.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -26,8 +26,7 @@ using namespace settings::rattles;
 
 class Rattles {
  public:
-  Rattles(const Question& q, Ledger& ledger, Findings& found)
-      : q_(q), ledger_(ledger), found_(found) {}
+  Rattles(const Question& q, Ledger& ledger, Findings& found) : q_(q), ledger_(ledger), found_(found) {}
 
   void run() {
     const Range aims = q_.angle.value_or(whole_turn);
@@ -41,9 +40,7 @@ class Rattles {
   }
 
  private:
-  bool done() const {
-    return ledger_.spent() || (!q_.all() && found_.shots.size() >= (q_.first() ? 1 : enough));
-  }
+  bool done() const { return ledger_.spent() || (!q_.all() && found_.shots.size() >= (q_.first() ? 1 : enough)); }
 
   /// A launch that drops by the jaws.
   struct Dropped {

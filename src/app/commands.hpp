@@ -38,6 +38,9 @@ Run add(CLI::App& app);
 namespace map {
 Run add(CLI::App& app);
 }
+namespace pocket {
+Run add(CLI::App& app);
+}
 namespace report {
 Run add(CLI::App& app);
 }

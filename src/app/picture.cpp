@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include "app/gzip.hpp"
+
 #if BANKSHOT_PNG
 #include <librsvg/rsvg.h>
 
@@ -55,6 +57,22 @@ std::string picture_name(const std::string& path) {
   if (path.ends_with(".png")) return "this bankshot was built without librsvg (librsvg2-dev), which makes PNG";
 #endif
   return file_name(path);
+}
+
+bool is_table(const std::string& path) { return unpacked_name(path).ends_with(".csv"); }
+
+void add_output_option(CLI::App& command, std::vector<std::string>& files, const std::string& what) {
+  const auto picture_or_table = [](const std::string& path) -> std::string {
+    if (std::string bad = picture_name(path); !bad.empty()) return bad;
+    if (is_table(path) || unpacked_name(path).ends_with(".svg") || path.ends_with(".png")) return "";
+    return "\"" + path + "\" must end in .svg, .png or .csv";
+  };
+  command
+      .add_option("-o,--output", files,
+                  "Write " + what + " (.svg, .png) or a table (.csv) to this file; may be given twice")
+      ->required()
+      ->allow_extra_args(false)
+      ->check(picture_or_table);
 }
 
 void add_theme_flag(CLI::App& command, Theme& theme) {

@@ -21,24 +21,12 @@ Edge edge(const Table& t, std::size_t i) {
   return reversed ? Edge{b, a, out} : Edge{a, b, out};
 }
 
-/// The direction in which a pocket leaves the table: away from the cushions that it cuts.
-Vec2d outward(const Table& t, const Pocket& p) {
-  Vec2d sum{};
-  for (std::size_t i = 0; i < t.vertices.size(); ++i) {
-    const Edge e = edge(t, i);
-    const Vec2d along = (e.to - e.from) / norm(e.to - e.from), to = p.place() - e.from;
-    const double s = dot(to, along);
-    if (std::abs(dot(to, e.out)) < p.half() && s > -p.half() && s < norm(e.to - e.from) + p.half()) sum += e.out;
-  }
-  return norm(sum) > 0 ? sum / norm(sum) : sum;
-}
-
 double radius_px(const Canvas& c, const Pocket& p) { return std::max(c.px(p.radius), 3.0); }
 
 /// A pocket's hole, or with `grow` the leather round it: from the capture circle outwards into the rail, where jaws do
 /// not put it there already.
 void draw_hole(Canvas& c, const Pocket& p, double grow, const char* colour) {
-  const Vec2d from = c.at(p.at), way = Canvas::flipped(outward(c.table, p)) * (p.jaws ? 0 : 0.75 * c.nose);
+  const Vec2d from = c.at(p.at), way = Canvas::flipped(view(c.table, p).out) * (p.jaws ? 0 : 0.75 * c.nose);
   c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="{}" stroke-width="{:.1f}" stroke-linecap="round"/>)", from.x,
         from.y, way.x, way.y + 0.01, colour, 2 * (radius_px(c, p) + grow));
 }
@@ -109,7 +97,7 @@ void draw_diamonds(Canvas& c, std::size_t i, bool words, const std::optional<Sig
 
 /// Gives way to the number where the line of aim ends.
 void draw_pocket_name(Canvas& c, const Pocket& p, const std::optional<Sight>& aim) {
-  const Vec2d out = Canvas::flipped(outward(c.table, p));
+  const Vec2d out = Canvas::flipped(view(c.table, p).out);
   constexpr double room = 70;  // px, of the two
   if (norm(out) == 0 || (aim && c.px(norm(aim->at - p.place())) < room)) return;
   const bool corner = out.x != 0 && out.y != 0;

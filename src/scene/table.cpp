@@ -107,6 +107,23 @@ const TablePreset* find_table_preset(std::string_view name) {
   return it == all.end() ? nullptr : &*it;
 }
 
+PocketView view(const Table& table, const Pocket& pocket) {
+  std::vector<Vec2d> outs;
+  for (std::size_t i = 0, n = table.vertices.size(); i < n; ++i) {
+    const Vec2d from = table.vertices[i], along = table.vertices[(i + 1) % n] - from, u = along / norm(along);
+    const Vec2d to = pocket.place() - from, out = -perpendicular(u);
+    const double s = dot(to, u), half = pocket.half();
+    if (std::abs(dot(to, out)) < half && s > -half && s < norm(along) + half) outs.push_back(out);
+  }
+  Vec2d sum{};
+  for (const Vec2d& out : outs) sum += out;
+  if (!(norm(sum) > 0)) return {{}, 0};
+  PocketView seen{sum / norm(sum), radians(90)};
+  for (const Vec2d& out : outs)
+    seen.half_view = std::min(seen.half_view, radians(90) - std::acos(std::min(1.0, dot(seen.out, out))));
+  return seen;
+}
+
 Table make_table(const TablePreset& preset, bool jaws) {
   Table t = rectangle_table(preset.length, preset.width);
   if (preset.mouth)

@@ -16,7 +16,7 @@ namespace {
 using namespace bankshot::test;
 using Catch::Contains;
 
-const std::vector<std::string> commands{"solve", "simulate", "batch",  "verify", "generate", "map",
+const std::vector<std::string> commands{"solve", "simulate", "batch",  "verify", "generate", "map",       "pocket",
                                         "book",  "report",   "schema", "help",   "man",      "completion"};
 
 /// Runs lines in a folder of their own that holds the files they speak of, and `bankshot` as a command.
@@ -95,12 +95,14 @@ TEST_CASE("docs/csv.md has every column of every table") {
   const Run run = type(R"(bankshot simulate shot.json --csv - | head -n 1
 bankshot solve puzzle.json --all --csv - | head -n 1
 bankshot map puzzle.json --grid 2 2 -o map.csv >map.txt; head -n 1 map.csv
+bankshot pocket pool-9ft top-left -o window.csv >window.txt; head -n 1 window.csv
 bankshot batch puzzles.jsonl --cost cost.csv --quiet >shots.txt; head -n 1 cost.csv
 bankshot report -o report --quick --shots 2 2>log.txt >page.txt
 for table in report/*.csv; do head -n 1 "$table"; done)");
   REQUIRE(run.exit == 0);
   std::string heads = run.out;
-  for (const char* table : {"all-shots", "batch", "planners-rolling", "planners-spin", "shots", "stress", "simulate"}) {
+  for (const char* table : {"acceptance", "all-shots", "batch", "planners-rolling", "planners-spin", "pockets", "shots",
+                            "stress", "simulate"}) {
     const std::string csv = read_repository_file(fmt::format("tests/bench/results/{}.csv", table));
     heads += csv.substr(0, csv.find('\n') + 1);
   }

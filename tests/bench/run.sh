@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|best|shots|all-shots|planners-rolling|planners-spin|pockets|batch|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|batch|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -77,6 +77,22 @@ part() {
         done
       done
       ;;
+    acceptance)
+      echo table,pocket,pockets,speed_m_per_s,angle_deg,clean_mm,drop_mm
+      for table in pool-7ft pool-8ft pool-9ft snooker-12ft; do
+        for jaws in true false; do
+          for pocket in "bottom-left 0|20|35" "bottom-middle 0|30|50"; do
+            "$bankshot" pocket "{\"preset\": \"$table\", \"jaws\": $jaws}" ${pocket% *} --speed 1 3 -o "$scratch/window.csv" >"$scratch/text"
+            kind=circles
+            [ $jaws = true ] && kind=jaws
+            awk -F, -v row="$table,${pocket% *},$kind" -v angles="^(${pocket#* })\$" '
+              $2 ~ angles { key = $1 "," $2; if (!(key in clean)) order[++n] = key
+                            clean[key] += ($4 == "clean") / 2; drop[key] += ($4 == "clean" || $4 == "rattles-in") / 2 }
+              END { for (i = 1; i <= n; ++i) print row "," order[i] "," clean[order[i]] "," drop[order[i]] }' "$scratch/window.csv"
+          done
+        done
+      done
+      ;;
     planners-rolling)  # Not every planner looks for parts of pockets.
       for planner in auto image sweep ceres nlopt-bobyqa nlopt-direct; do
         look "planners-rolling-$planner" --count 2000 --seed 2 --physics rolling --family uniform --planner $planner
@@ -113,7 +129,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families best shots all-shots planners-rolling planners-spin batch report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families best shots all-shots planners-rolling planners-spin pockets acceptance batch report
 for name; do
   if [ "$name" = report ]; then
     report

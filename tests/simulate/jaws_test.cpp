@@ -23,28 +23,6 @@ ShotRequest request(const TablePreset& p, const Vec2d& at, const Launch& launch)
   return r;
 }
 
-/// mm, of parallel lines this far off a pocket's axis whose ball, rolling, drops into it within three seconds.
-double width(int pocket, double off_axis, double speed) {
-  constexpr double step = 0.0005, back = 0.35;
-  constexpr int lines = 240;  // to either side
-  const TablePreset& p = preset("pool-7ft");
-  const bool middle = pocket == 1;
-  const double angle = radians((middle ? 270 : 225) + off_axis);
-  const Vec2d u = direction(angle), mouth = middle ? Vec2d{p.length / 2, 0} : Vec2d{0, 0};
-  int drops = 0;
-  for (int i = -lines; i <= lines; ++i) {
-    const Vec2d at = mouth - u * back + perpendicular(u) * (i * step);
-    const double R = p.body.radius;
-    if (at.x < R || at.y < R || at.x > p.length - R || at.y > p.width - R) continue;
-    ShotRequest r = request(p, at, {speed, angle});
-    r.spin = {.top = 1};
-    r.until.time = 3;
-    const Trajectory t = simulate(r);
-    drops += t.end == EventKind::pocket && t.events[t.events.size() - 2].contact == Contact::pocket(pocket);
-  }
-  return 1e3 * drops * step;
-}
-
 /// Launched from anywhere on the table into some mouth.
 ShotRequest into_a_mouth(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -103,19 +81,6 @@ TEST_CASE("the pieces of a pool table's pockets are where the published numbers 
   CHECK(at(jaws[0].facings[1].from, 0.018418, -0.050800));
   CHECK(at(jaws[0].facings[0].from, -0.004452, 0.077741));
   CHECK_FALSE(obstacles(make_table(preset("snooker-12ft"), true)).jaws[1].faced());
-}
-
-TEST_CASE("as many parallel lines drop as published") {
-  constexpr double grid = 1.1;  // mm: a line more or less at either side
-  CHECK(width(0, 0, 1) == Approx(78.5).margin(grid));
-  CHECK(width(0, 0, 3) == Approx(70.5).margin(grid));
-  CHECK(width(0, 20, 1) == Approx(92.5).margin(grid));
-  CHECK(width(0, 35, 1) == Approx(95).margin(grid));
-  CHECK(width(0, 35, 3) == Approx(57.5).margin(grid));
-  CHECK(width(1, 0, 1) == Approx(93.5).margin(grid));
-  CHECK(width(1, 0, 3) == Approx(90.5).margin(grid));
-  CHECK(width(1, 50, 1) == Approx(45.5).margin(grid));
-  CHECK(width(1, 50, 3) == Approx(44.5).margin(grid));
 }
 
 TEST_CASE("a ball between jaws stays inside them, gains no energy and comes to an end") { check_into_mouths(3000); }

@@ -61,6 +61,14 @@ struct Table {
   Vec2d highest() const;  ///< upper-right corner of the bounding box
 };
 
+/// How a pocket is seen from the table. `out`: unit, away from the rails that it cuts; 0 in the open. `half_view`
+/// [rad]: a line that turns so far from `out` is parallel to one of them.
+struct PocketView {
+  Vec2d out;
+  double half_view;
+};
+PocketView view(const Table& table, const Pocket& pocket);
+
 /// A table without pockets.
 Table rectangle_table(double length, double width);
 Table polygon_table(std::vector<Vec2d> vertices);

@@ -14,6 +14,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
+#include "app/scene_flags.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/json.hpp"
 #include "json/reader.hpp"
@@ -27,9 +28,6 @@ struct Arguments {
   std::string table = "pool-9ft", physics = "spin", cushions = "1-3", difficulty, target, out = "-";
   bool unique = false;
 };
-
-/// A name, or the JSON of an object, as JSON.
-std::string as_json(const std::string& text) { return text.starts_with('{') ? text : write_json(Json(text)); }
 
 int whole(const std::string& text) {
   constexpr std::size_t most_digits = 5;
@@ -61,13 +59,8 @@ CushionRule read_rule(const std::string& text, const Table& table) {
 
 Wish read_wish(const Arguments& a) {
   Wish w;
-  try {
-    const Scene scene = read_scene(as_json(a.table), as_json(a.physics));
-    w.table = scene.table, w.physics = scene.physics, w.ball = scene.ball;
-  } catch (const InvalidInput& e) {
-    throw FileError(e.path.empty() ? fmt::format("--table or --physics: {}", e.what())
-                                   : fmt::format("--{}: {}", e.path.substr(1), e.what()));
-  }
+  const Scene scene = read_scene_flags(a.table, a.physics, "--");
+  w.table = scene.table, w.physics = scene.physics, w.ball = scene.ball;
   w.cushions = read_rule(a.cushions, w.table);
   for (const Difficulty d : {Difficulty::easy, Difficulty::medium, Difficulty::hard})
     if (a.difficulty == name(d)) w.difficulty = d;

@@ -70,14 +70,6 @@ std::string summary(const StartMap& map) {
   return out;
 }
 
-/// Told before the work.
-std::string picture_or_table(const std::string& path) {
-  if (std::string bad = picture_name(path); !bad.empty()) return bad;
-  const std::string_view name = unpacked_name(path);
-  const bool known = name.ends_with(".svg") || path.ends_with(".png") || name.ends_with(".csv");
-  return known ? "" : "\"" + path + "\" must end in .svg, .png or .csv";
-}
-
 int run(const Arguments& a) {
   const std::string text = read_file(a.file);
   try {
@@ -85,9 +77,8 @@ int run(const Arguments& a) {
     if (a.budget >= 0) puzzle.budget = a.budget;
     for (const std::string& path : a.out) write_file(path, "");
     const StartMap map = map_of(puzzle, a);
-    for (const std::string& path : a.out)
-      unpacked_name(path).ends_with(".csv") ? write_file(path, to_csv(puzzle, map))
-                                            : write_picture(path, draw(puzzle, map, a.theme));
+    write_outputs(
+        a.out, [&] { return to_csv(puzzle, map); }, [&] { return draw(puzzle, map, a.theme); });
     print(summary(map));
     return std::any_of(map.answers.begin(), map.answers.end(),
                        [](const Answer& found) { return found.status == Status::solved; })
@@ -109,12 +100,7 @@ Run add(CLI::App& app) {
   command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")
       ->required();
   command->add_option("--grid", a->grid, "Columns and rows of starts")->required()->check(CLI::Range(1, most));
-  command
-      ->add_option("-o,--output", a->out,
-                   "Write a heat map (.svg, .png) or a table (.csv) to this file; may be given twice")
-      ->required()
-      ->allow_extra_args(false)
-      ->check(picture_or_table);
+  add_output_option(*command, a->out, "a heat map");
   command->add_option("--budget", a->budget, "Simulations to spend on a start at most")->check(whole_number);
   add_theme_flag(*command, a->theme);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");

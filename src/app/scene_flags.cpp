@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "app/scene_flags.hpp"
+
+#include <fmt/format.h>
+
+#include "app/files.hpp"
+#include "bankshot/scene/json.hpp"
+#include "json/document.hpp"
+
+namespace bankshot::app {
+
+std::string as_json(const std::string& text) { return text.starts_with('{') ? text : write_json(Json(text)); }
+
+Scene read_scene_flags(const std::string& table, const std::string& physics, std::string_view dashes) {
+  try {
+    return read_scene(as_json(table), as_json(physics));
+  } catch (const InvalidInput& e) {
+    throw FileError(e.path.empty() ? fmt::format("{0}table or {0}physics: {1}", dashes, e.what())
+                                   : fmt::format("{}{}: {}", dashes, e.path.substr(1), e.what()));
+  }
+}
+
+}  // namespace bankshot::app
