@@ -205,6 +205,10 @@ inline constexpr Spacing cell{radians(2), 0.1};
 /// Of a pocket's radius of capture: how far to either side of its exact line launches are sent, and how many.
 inline constexpr double mouths_across = 1.5;
 inline constexpr int launches_across = 24;
+/// rad: apart where the launch speed is fixed; so many times finer beside launches that meet jaws. Brute force in steps
+/// of 0.02 degrees then finds none of 200 no-shots to have a shot; 18 without this, 4 with launches so far apart alone.
+inline constexpr double coarse_aim = radians(0.02);
+inline constexpr int finer = 5;
 /// Of ln arrival speed by ln launch speed: the first slope, the farthest that a secant goes, how many at most; and how
 /// often one is shortened, by how much, where the ball does not drop.
 inline constexpr double usual_slope = 2, farthest = 0.3, shorter = 4;

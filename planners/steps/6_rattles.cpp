@@ -30,6 +30,7 @@ class Rattles {
 
   void run() {
     const Range aims = q_.angle.value_or(whole_turn);
+    if (q_.one_unknown()) return all_aims(aims);
     const int columns = static_cast<int>(std::ceil((aims.high - aims.low) / cell.aim));
     const double width = columns > 0 ? (aims.high - aims.low) / columns : 0;
     for (const double speed : speeds_to_try(q_, cell.speed))
@@ -47,6 +48,28 @@ class Rattles {
     Launch launch;
     double arrival;  ///< m/s
   };
+
+  /// At one launch speed nothing but the aim is left: those that come off other jaws first are found as well. Beside an
+  /// aim that meets jaws the next are nearer.
+  void all_aims(const Range& aims) {
+    const int launches = 1 + static_cast<int>((aims.high - aims.low) / coarse_aim);
+    const double step = (aims.high - aims.low) / launches;
+    bool before = false;
+    for (int i = 0; i <= launches && !done(); ++i) {
+      const double aim = aims.low + step * i;
+      const bool here = meets_jaws(aim);
+      for (int k = 1; k < finer && (before || here) && !done(); ++k) meets_jaws(aim - step * k / finer);
+      before = here;
+    }
+  }
+
+  /// Kept, where it is made.
+  bool meets_jaws(double aim) {
+    const Launch launch{q_.fixed_speed(), aim};
+    const Replay r = replay(q_, ledger_, launch, Goal::of(q_, Demand::made));
+    if (r.made) certify(q_, ledger_, found_, launch, r.bounces, word::rattles, Demand::off_centre);
+    return r.rattles;
+  }
 
   /// From a cell: launches at one speed, in a row across each mouth that its aims lead into.
   void look_into_mouths(double aim, double half, double speed) {

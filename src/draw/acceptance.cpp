@@ -82,7 +82,9 @@ class Plot {
       words(at + 30, y(-highest_) + 78, "start", label);
       at += 60 + 9.5 * static_cast<double>(std::string_view(label).size());
     };
-    const auto box = [&](Entry e) { return fmt::format(R"(<rect width="22" height="16" fill="{}"/>)", fill(e, theme_)); };
+    const auto box = [&](Entry e) {
+      return fmt::format(R"(<rect width="22" height="16" fill="{}"/>)", fill(e, theme_));
+    };
     entry("clean", box(Entry::clean));
     entry("off a jaw or a rail, and in", box(Entry::rattles));
     entry("off a jaw, and out", box(Entry::out));
@@ -109,8 +111,8 @@ class Plot {
   }
   void bar(int degree, int from, int to, const char* colour) {
     const double a = x(degree - 0.5), b = x(degree + 0.5), low = y(from - 0.5), high = y(to - 0.5);
-    add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a, high, b - a + 0.5, low - high + 0.5,
-        colour);
+    add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", a, high, b - a + 0.5,
+        low - high + 0.5, colour);
   }
   void grid(double x1, double y1, double x2, double y2) {
     add(R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}" stroke="{}" stroke-width="1" stroke-opacity="0.3"/>)", x1, y1, x2, y2,

@@ -44,9 +44,7 @@ class Rolls {
  private:
   double reach() const { return 6 * pocket_.half(); }
 
-  Vec2d turned(double angle) const {
-    return view_.out * std::cos(angle) + perpendicular(view_.out) * std::sin(angle);
-  }
+  Vec2d turned(double angle) const { return view_.out * std::cos(angle) + perpendicular(view_.out) * std::sin(angle); }
 
   template <class Sim>
   Entry followed(Sim sim) const {
@@ -78,8 +76,8 @@ const char* name(Entry entry) {
 
 double Acceptance::width(int degrees, Entry at_least) const {
   const auto first = std::next(entries.begin(), (degrees + steepest) * (2 * widest + 1));
-  return step * static_cast<double>(std::count_if(first, std::next(first, 2 * widest + 1),
-                                                  [&](Entry e) { return e >= at_least; }));
+  return step * static_cast<double>(
+                    std::count_if(first, std::next(first, 2 * widest + 1), [&](Entry e) { return e >= at_least; }));
 }
 
 Acceptance acceptance(const Scene& scene, int pocket, double speed) {

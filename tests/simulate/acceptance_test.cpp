@@ -32,8 +32,11 @@ TEST_CASE("as many parallel lines drop as published") {
   const struct {
     int pocket, degrees;
     double slow, fast;  // mm at 1 and 3 m/s
-  } published[] = {{corner, 0, 78.5, 70.5}, {corner, 20, 92.5, 62.5}, {corner, 35, 95, 57.5},
-                   {middle, 0, 93.5, 90.5}, {middle, 50, 45.5, 44.5}};
+  } published[] = {{corner, 0, 78.5, 70.5},
+                   {corner, 20, 92.5, 62.5},
+                   {corner, 35, 95, 57.5},
+                   {middle, 0, 93.5, 90.5},
+                   {middle, 50, 45.5, 44.5}};
   for (const auto& [pocket, degrees, slow, fast] : published) {
     INFO(pocket << ", " << degrees << " degrees");
     CHECK(drops(jaws, pocket, degrees, 1) == Approx(slow).margin(grid));
@@ -67,7 +70,8 @@ TEST_CASE("the lines that drop cleanly are those of the opening, at every speed"
             const double offset = k * Acceptance::step, inside = std::min(offset - gap.low, gap.high - offset);
             constexpr double rounding = 1e-9;  // m
             if (std::abs(inside) < rounding) continue;
-            INFO(preset << ", jaws " << jaws << ", pocket " << pocket << ", " << degree << " degrees, " << offset << " m");
+            INFO(preset << ", jaws " << jaws << ", pocket " << pocket << ", " << degree << " degrees, " << offset
+                        << " m");
             // Nearly along a rail a ball may meet it on the way; that is not the opening's.
             const bool along_rail = slow.steepest - std::abs(degree) < 10;
             if (inside < 0 || !along_rail) {

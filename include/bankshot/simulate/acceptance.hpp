@@ -25,8 +25,8 @@ struct Acceptance {
   int widest = 0;                ///< steps: ... with offsets from -widest to widest
   std::vector<Entry> entries{};  ///< angle by angle, the offsets of each in order
 
-  /// `degrees`: of the line of travel, anticlockwise from straight out of the table. `steps`: of its offset from the centre
-  /// of the capture circle, positive where it passes on the left of it.
+  /// `degrees`: of the line of travel, anticlockwise from straight out of the table. `steps`: of its offset from the
+  /// centre of the capture circle, positive where it passes on the left of it.
   Entry at(int degrees, int steps) const {
     return entries[static_cast<std::size_t>((degrees + steepest) * (2 * widest + 1) + steps + widest)];
   }

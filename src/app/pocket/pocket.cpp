@@ -43,7 +43,8 @@ std::string summary(const std::vector<Acceptance>& windows) {
   for (int degree = -most; degree <= most; degree += each) {
     out += fmt::format("{:>6}°", degree);
     for (const Acceptance& w : windows)
-      out += fmt::format("{:>10.1f}{:>8.1f}", 1e3 * w.width(degree, Entry::clean), 1e3 * w.width(degree, Entry::rattles));
+      out +=
+          fmt::format("{:>10.1f}{:>8.1f}", 1e3 * w.width(degree, Entry::clean), 1e3 * w.width(degree, Entry::rattles));
     out += '\n';
   }
   return out;
@@ -55,7 +56,8 @@ int run(const Arguments& a) {
   for (const std::string& path : a.out) write_file(path, "");
   std::vector<Acceptance> windows;
   for (const double speed : a.speeds) windows.push_back(acceptance(scene, pocket, speed));
-  write_outputs(a.out, [&] { return to_csv(windows); }, [&] { return draw(scene, pocket, windows, a.theme); });
+  write_outputs(
+      a.out, [&] { return to_csv(windows); }, [&] { return draw(scene, pocket, windows, a.theme); });
   print(summary(windows));
   return done;
 }
@@ -73,14 +75,15 @@ Run add(CLI::App& app) {
       ->capture_default_str();
   add_output_option(*command, a->out, "a picture");
   add_theme_flag(*command, a->theme);
-  explain(*command,
-          "Balls roll at the pocket along straight lines: in directions a degree apart, from straight out of the table,\n"
-          "anticlockwise; and with offsets half a millimetre apart, from the middle of what captures, to the left of the\n"
-          "line of travel. Each is simulated: clean, off a jaw or a rail and in, off a jaw and out, or past.",
-          {{"bankshot pocket pool-9ft bottom-left -o corner.svg", "a corner at 1 and 3 m/s"},
-           {"bankshot pocket pool-9ft top-middle --speed 0.5 1 2 -o middle.csv", "as a table"},
-           {R"(bankshot pocket '{"preset": "pool-9ft", "jaws": false}' top-left -o circle.svg)", "a plain circle"}},
-          "0 done; 2 bad input or usage.");
+  explain(
+      *command,
+      "Balls roll at the pocket along straight lines: in directions a degree apart, from straight out of the table,\n"
+      "anticlockwise; and with offsets half a millimetre apart, from the middle of what captures, to the left of the\n"
+      "line of travel. Each is simulated: clean, off a jaw or a rail and in, off a jaw and out, or past.",
+      {{"bankshot pocket pool-9ft bottom-left -o corner.svg", "a corner at 1 and 3 m/s"},
+       {"bankshot pocket pool-9ft top-middle --speed 0.5 1 2 -o middle.csv", "as a table"},
+       {R"(bankshot pocket '{"preset": "pool-9ft", "jaws": false}' top-left -o circle.svg)", "a plain circle"}},
+      "0 done; 2 bad input or usage.");
   return [a] { return run(*a); };
 }
 
