@@ -88,7 +88,9 @@ bool Question::touches(Contact contact) const {
   const double slack = boundary.touch;
   if (const Wall* const w = boundary.line(contact)) {
     const double s = dot(w->along, puzzle.ball.at);
-    return dot(w->normal, puzzle.ball.at) - w->offset <= slack && s >= w->begin - slack && s <= w->end + slack;
+    const bool in_mouth = contact.kind == ContactKind::rail && boundary.break_at(*w, s) >= 0;
+    return dot(w->normal, puzzle.ball.at) - w->offset <= slack && s >= w->begin - slack && s <= w->end + slack &&
+           !in_mouth;
   }
   const Circle* const rim = boundary.rim(contact);
   return rim && norm(puzzle.ball.at - rim->centre) - rim->radius <= slack;

@@ -209,9 +209,10 @@ inline constexpr int launches_across = 24;
 /// of 0.02 degrees then finds none of 200 no-shots to have a shot; 18 without this, 4 with launches so far apart alone.
 inline constexpr double coarse_aim = radians(0.02);
 inline constexpr int finer = 5;
-/// Of ln arrival speed by ln launch speed: the first slope, the farthest that a secant goes, how many at most; and how
-/// often one is shortened, by how much, where the ball does not drop.
-inline constexpr double usual_slope = 2, farthest = 0.3, shorter = 4;
+/// Of the squared arrival speed by the squared launch speed, in units of their ratio: the first slope. Of the squared
+/// launch speed, relative: the farthest that a secant goes where the path's shape changes with it, and where not; how
+/// many at most; and how often one is shortened, by how much, where the ball does not drop.
+inline constexpr double usual_slope = 2, farthest = 0.6, most_braked = 0.9, most_pushed = 3, shorter = 4;
 inline constexpr int most_secants = 12, most_shortened = 3;
 /// Shots enough to choose from.
 inline constexpr std::size_t enough = 8;

@@ -7,6 +7,7 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/certify.hpp"
 #include "planners/merit/first_order.hpp"
+#include "planners/merit/room.hpp"
 #include "planners/merit/success.hpp"
 #include "planners/proof/prove.hpp"
 #include "planners/settings.hpp"
@@ -32,15 +33,10 @@ std::optional<Shot> moved(const Question& q, Ledger& ledger, const Shot& from, c
 /// The turn of the aim that leads to the middle of what the pocket offers in the shot's direction, to first order; 0 of
 /// a point.
 double turn_to_middle(const Question& q, const Shot& shot) {
-  const Mark& mark = q.nearest_mark(shot.arrival.at);
   const double by_aim = norm(shot.by_angle);
-  if (!mark.captures() || !(by_aim > 0)) return 0;
-  // The arrival moves across the line of travel, which leads to the pocket.
-  const Vec2d left = shot.by_angle / by_aim;
-  const bool turned = cross(mark.at - shot.arrival.at, left) < 0;
-  const Vec2d across = turned ? -left : left;
-  const Gap<double> gap = mark.opening.gap(Vec2d{across.y, -across.x}, shot.offset);
-  return ((gap.low + gap.high) / 2 - shot.offset) / (turned ? -by_aim : by_aim);
+  if (!q.captures() || !(by_aim > 0)) return 0;
+  const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
+  return (room.low + room.high) / 2 / by_aim;
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planners/merit/room.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
 
@@ -106,19 +107,11 @@ class Chance {
     if (is_ideal(q_.puzzle.physics)) across_ = {1, 0};
     const Vec2d most = by_angle * across_.x + by_speed * across_.y, least = by_speed * across_.x - by_angle * across_.y;
     const Mark& mark = q_.nearest_mark(shot_.arrival.at);
-    const Vec2d off = mark.at - shot_.arrival.at;
     const double moved = norm(most);
     if (q_.stop && norm(least) > 0) length_ = mark.reach / norm(least);
     if (!(moved > 0)) return;
-    Vec2d left = most / moved;  // of the line of travel
-    Gap<double> room{-mark.reach, mark.reach};
-    if (mark.captures()) {
-      if (cross(off, left) < 0) left = -left;
-      room = mark.opening.gap(Vec2d{left.y, -left.x}, -dot(left, off));
-    }
-    const double at = -dot(left, off), way = dot(left, most) < 0 ? -moved : moved;
-    expected_ = {(room.low - at) / way, (room.high - at) / way};
-    std::ranges::sort(expected_);
+    const Gap<double> room = room_beside(q_, shot_, most / moved);
+    expected_ = {room.low / moved, room.high / moved};
   }
 
   /// Errors that are known to make it, for another shot is there.

@@ -184,6 +184,7 @@ void automatic(const Question& q, Ledger& ledger, Findings& found) {
     return family::Family::freedom(q) > 0 ? with_freedom(q, ledger, found) : with_spin(q, ledger, found);
   image(q, ledger, found);
   if (!settled(q, ledger, found)) sweep(q, ledger, found);
+  if (stop::nothing_yet(ledger, found)) steps::rattles(q, ledger, found);
   if (stop::nothing_yet(ledger, found) && !found.complete) ceres(q, ledger, found);
   if (stop::nothing_yet(ledger, found) && !found.complete) search_box(q, ledger, found, steps::word::global);
 }

@@ -26,11 +26,12 @@ using namespace settings::rattles;
 
 class Rattles {
  public:
-  Rattles(const Question& q, Ledger& ledger, Findings& found) : q_(q), ledger_(ledger), found_(found) {}
+  Rattles(const Question& q, Ledger& ledger, Findings& found)
+      : q_(q), ledger_(ledger), found_(found), straight_(is_straight(q.puzzle.physics)) {}
 
   void run() {
     const Range aims = q_.angle.value_or(whole_turn);
-    if (q_.one_unknown()) return all_aims(aims);
+    if (q_.one_unknown() || straight_) return all_aims(aims);
     const int columns = static_cast<int>(std::ceil((aims.high - aims.low) / cell.aim));
     const double width = columns > 0 ? (aims.high - aims.low) / columns : 0;
     for (const double speed : speeds_to_try(q_, cell.speed))
@@ -49,8 +50,8 @@ class Rattles {
     double arrival;  ///< m/s
   };
 
-  /// At one launch speed nothing but the aim is left: those that come off other jaws first are found as well. Beside an
-  /// aim that meets jaws the next are nearer.
+  /// Where one launch speed is all there is, or shows the shape of all: those that come off other jaws first are found
+  /// as well. Beside an aim that meets jaws the next are nearer.
   void all_aims(const Range& aims) {
     const int launches = 1 + static_cast<int>((aims.high - aims.low) / coarse_aim);
     const double step = (aims.high - aims.low) / launches;
@@ -65,9 +66,9 @@ class Rattles {
 
   /// Kept, where it is made.
   bool meets_jaws(double aim) {
-    const Launch launch{q_.fixed_speed(), aim};
+    const Launch launch{q_.one_unknown() ? q_.fixed_speed() : q_.speed.high, aim};
     const Replay r = replay(q_, ledger_, launch, Goal::of(q_, Demand::made));
-    if (r.made) certify(q_, ledger_, found_, launch, r.bounces, word::rattles, Demand::off_centre);
+    if (r.made && r.rattles) keep_near({launch, r.arrival.speed}, Goal::exactly(q_, r.bounces, Demand::made));
     return r.rattles;
   }
 
@@ -120,17 +121,19 @@ class Rattles {
     return keep(a, goal) || keep(b, goal);
   }
 
-  /// With the same aim, by secants of the logarithms that are shortened where they lead out of what drops.
+  /// With the same aim, by secants of the squared speeds that are shortened where they lead out of what drops.
   bool keep_near(Dropped at, const Goal& goal) {
-    double slope = usual_slope;
+    const auto square = [](double x) { return x * x; };
+    double slope = (straight_ ? 1 : usual_slope) * square(at.arrival / at.launch.speed);
     for (int i = 0; i < most_secants && excess(at) != 0; ++i) {
-      double by = std::log(q_.asked / at.arrival) / slope;
-      if (!(std::abs(by) < farthest)) return false;
-      auto next = drop({at.launch.speed * std::exp(by), at.launch.angle}, goal);
-      for (int k = 0; !next && k < most_shortened; ++k)
-        next = drop({at.launch.speed * std::exp(by /= shorter), at.launch.angle}, goal);
+      double by = (square(q_.asked) - square(at.arrival)) / (slope * square(at.launch.speed));
+      if (!straight_ && !(std::abs(by) < farthest)) return false;
+      by = std::clamp(by, -most_braked, most_pushed);
+      const auto changed = [&] { return drop({at.launch.speed * std::sqrt(1 + by), at.launch.angle}, goal); };
+      auto next = changed();
+      for (int k = 0; !next && k < most_shortened; ++k) by /= shorter, next = changed();
       if (!next) return false;
-      slope = std::log(next->arrival / at.arrival) / by;
+      slope = (square(next->arrival) - square(at.arrival)) / (square(next->launch.speed) - square(at.launch.speed));
       at = *next;
     }
     return keep(at, goal);
@@ -139,6 +142,7 @@ class Rattles {
   const Question& q_;
   Ledger& ledger_;
   Findings& found_;
+  bool straight_;  ///< the speed does not change the shape of a path
   Forward forward_{};
 };
 

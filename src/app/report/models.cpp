@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/report/circles.hpp"
 #include "app/report/compared.hpp"
 #include "app/report/sections.hpp"
 #include "bankshot/plan/generate.hpp"
@@ -16,6 +17,7 @@ namespace bankshot::app::report {
 namespace {
 
 constexpr int most_cushions = 5;
+constexpr int puzzles_a_shot = 25;  // puzzles with pockets for each shot of a point
 
 struct Model {
   const char* name;
@@ -125,7 +127,7 @@ constexpr const char* about =
 
 Section models(const Settings& settings, Progress& progress) {
   const std::vector<Model> all = models_in_order();
-  progress.begin("models", all.size() * most_cushions);
+  progress.begin("models", all.size() * most_cushions + circle_steps);
   Section s{.name = "2-models", .title = "Models", .about = about};
   s.table = {
       {"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
@@ -168,6 +170,8 @@ Section models(const Settings& settings, Progress& progress) {
   }
   s.figure.panels = {by_cushions, by_cost};
   share_y(s.figure.panels);
+  const CirclesForJaws circles = circles_for_jaws(settings.shots * puzzles_a_shot, progress);
+  s.figure.panels.push_back(circles.panel);
   s.figure.columns = 2;
   s.figure.row_height = 300;
   s.caption = fmt::format("Medians of {} shots a point, with 10–90 % bands on the left.", settings.shots);
@@ -177,7 +181,8 @@ Section models(const Settings& settings, Progress& progress) {
                                 short_length(at_three[k].miss.median), short_time(at_three[k].seconds.median));
   s.conclusion +=
       fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
-  s.data = {{s.name, medians}, {s.name + "-shots", csv}};
+  s.conclusion += circles.told;
+  s.data = {{s.name, medians}, {s.name + "-shots", csv}, {s.name + "-circles", circles.csv}};
   return s;
 }
 
