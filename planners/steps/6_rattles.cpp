@@ -2,10 +2,12 @@
 //
 // Shots that count on the jaws of their pocket, for where none enters cleanly.
 // Method: the forward map tells which aims lead from each cell across a mouth; rows of launches across it are replayed.
-// Between two that drop by the jaws, one too fast and one too slow, the aim is bisected; of others the speed is
-// corrected by secants, which keep to launches that drop, until it falls as fast as asked. Cost: a simulation a cell,
-// and some twenty for each mouth that a cell looks into. Guarantee: none; balls rattle in from bands of aims, of which
-// narrow ones lie between the launches of a row, as do nearly all that meet a cushion after a jaw.
+// Between two that drop, one too fast and one too slow, the aim is bisected; of others the speed is
+// corrected by secants, which keep to launches that drop, until it falls as fast as asked. Where one launch speed is
+// all there is, or shows the shape of all paths, all aims are tried instead, in steps of 0.02°.
+// Cost: a simulation a cell, and some twenty for each mouth that a cell looks into; 20,000 for all aims.
+// Guarantee: none; balls rattle in from bands of aims, of which narrow ones lie between the launches of a row, as do
+// nearly all that meet a cushion after a jaw.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -44,7 +46,7 @@ class Rattles {
  private:
   bool done() const { return ledger_.spent() || (!q_.all() && found_.shots.size() >= (q_.first() ? 1 : enough)); }
 
-  /// A launch that drops by the jaws.
+  /// A launch that drops.
   struct Dropped {
     Launch launch;
     double arrival;  ///< m/s
@@ -59,7 +61,7 @@ class Rattles {
     for (int i = 0; i <= launches && !done(); ++i) {
       const double aim = aims.low + step * i;
       const bool here = meets_jaws(aim);
-      for (int k = 1; k < finer && (before || here) && !done(); ++k) meets_jaws(aim - step * k / finer);
+      for (int k = 1; k < finer && i > 0 && (before || here) && !done(); ++k) meets_jaws(aim - step * k / finer);
       before = here;
     }
   }
@@ -68,7 +70,7 @@ class Rattles {
   bool meets_jaws(double aim) {
     const Launch launch{q_.one_unknown() ? q_.fixed_speed() : q_.speed.high, aim};
     const Replay r = replay(q_, ledger_, launch, Goal::of(q_, Demand::made));
-    if (r.made && r.rattles) keep_near({launch, r.arrival.speed}, Goal::exactly(q_, r.bounces, Demand::made));
+    if (r.made) keep_near({launch, r.arrival.speed}, Goal::exactly(q_, r.bounces, Demand::made));
     return r.rattles;
   }
 
@@ -94,7 +96,7 @@ class Rattles {
   std::optional<Dropped> drop(const Launch& launch, const Goal& goal) {
     if (ledger_.spent() || launch.speed < q_.speed.low || launch.speed > q_.speed.high) return {};
     const Replay r = replay(q_, ledger_, launch, goal);
-    if (!r.made || !r.rattles) return {};
+    if (!r.made) return {};
     return Dropped{launch, r.arrival.speed};
   }
 

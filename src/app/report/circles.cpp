@@ -39,7 +39,8 @@ double chance_of(const Puzzle& p, const Shot& shot, Random& random) {
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double r = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))), a = random.uniform(0, radians(360));
-    const Launch l{shot.launch.speed + p.noise.speed * r * std::cos(a), shot.launch.angle + p.noise.angle * r * std::sin(a)};
+    const Launch l{shot.launch.speed + p.noise.speed * r * std::cos(a),
+                   shot.launch.angle + p.noise.angle * r * std::sin(a)};
     made += l.speed > 0 && is_made(p, l, shot.spin);
   }
   return made / static_cast<double>(draws);
@@ -82,7 +83,8 @@ CirclesForJaws circles_for_jaws(int puzzles, Progress& progress) {
   int off = 0;
   for (std::size_t i = 0; i < told.size(); ++i) off += std::abs(told[i] - with_jaws[i]) > 0.1;
   out.told = fmt::format(
-      " Of {} shots into pockets that plain circles choose, circles say that {:.0f} % are made, and between jaws {:.0f} "
+      " Of {} shots into pockets that plain circles choose, circles say that {:.0f} % are made, and between jaws "
+      "{:.0f} "
       "% are; {:.0f} % are off by more than 10. The best shots between jaws make {:.0f} %{}.",
       told.size(), mean(told), mean(with_jaws), told.empty() ? 0 : 100.0 * off / static_cast<double>(told.size()),
       mean(best), none > 0 ? fmt::format(", but {} puzzles then have none", none) : "");
