@@ -75,9 +75,7 @@ const char* name(Entry entry) {
 }
 
 double Acceptance::width(int degrees, Entry at_least) const {
-  const auto first = std::next(entries.begin(), (degrees + steepest) * (2 * widest + 1));
-  return step * static_cast<double>(
-                    std::count_if(first, std::next(first, 2 * widest + 1), [&](Entry e) { return e >= at_least; }));
+  return step * static_cast<double>(std::ranges::count_if(offsets(degrees), [&](Entry e) { return e >= at_least; }));
 }
 
 Acceptance acceptance(const Scene& scene, int pocket, double speed) {
