@@ -27,10 +27,14 @@ struct Acceptance {
 
   /// `degrees`: of the line of travel, anticlockwise from straight out of the table. `steps`: of its offset from the
   /// centre of the capture circle, positive where it passes on the left of it.
-  Entry at(int degrees, int steps) const { return offsets(degrees)[static_cast<std::size_t>(steps + widest)]; }
+  Entry at(int degrees, int steps) const {
+    const int row = steps + widest;
+    return offsets(degrees)[static_cast<std::size_t>(row)];
+  }
   std::span<const Entry> offsets(int degrees) const {
-    const auto lines = static_cast<std::size_t>(2 * widest + 1);
-    return std::span(entries).subspan(static_cast<std::size_t>(degrees + steepest) * lines, lines);
+    const int column = degrees + steepest, lines = 2 * widest + 1;
+    return std::span(entries).subspan(static_cast<std::size_t>(column) * static_cast<std::size_t>(lines),
+                                      static_cast<std::size_t>(lines));
   }
   /// So wide is a strip of parallel lines as many as drop, or as are clean [m].
   double width(int degrees, Entry at_least) const;
