@@ -2,9 +2,9 @@
 //
 // Shots that count on the jaws of their pocket, for where none enters cleanly.
 // Method: the forward map tells which aims lead from each cell across a mouth; rows of launches across it are replayed.
-// Between two that drop, one too fast and one too slow, the aim is bisected; of others the speed is
-// corrected by secants, which keep to launches that drop, until it falls as fast as asked. Where one launch speed is
-// all there is, or shows the shape of all paths, all aims are tried instead, in steps of 0.02°.
+// Between two that drop, one too fast and one too slow, the aim is bisected; of others the speed is corrected by
+// secants, which keep to launches that drop, until the ball falls as fast as asked. Where one launch speed is all there
+// is, or shows the shape of all paths, all aims are tried instead, in steps of 0.02°.
 // Cost: a simulation a cell, and some twenty for each mouth that a cell looks into; 20,000 for all aims.
 // Guarantee: none; balls rattle in from bands of aims, of which narrow ones lie between the launches of a row, as do
 // nearly all that meet a cushion after a jaw.

@@ -26,8 +26,7 @@ void images(const Question& q, Ledger& ledger, Findings& found);  ///< stretched
 void fan(const Question& q, Ledger& ledger, Findings& found);     ///< a given route, outward from its image
 /// All aims and speeds, in cells of this size.
 void map(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing);
-void along(const Question& q, Ledger& ledger, Findings& found);  ///< exactly along a cushion that the ball touches
-
+void along(const Question& q, Ledger& ledger, Findings& found);    ///< exactly along a cushion that the ball touches
 void rattles(const Question& q, Ledger& ledger, Findings& found);  ///< by the jaws of a pocket
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.

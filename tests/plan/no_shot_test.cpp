@@ -3,28 +3,16 @@
 // Where a pocket is said to have no shot at a launch speed, brute force over the aims that shares only the simulator
 // with the planners finds none.
 // By hand, at length: test_plan "[long]"
-#include <algorithm>
-
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
-#include "bankshot/simulate/trajectory.hpp"
 #include "support/catch.hpp"
+#include "support/flight.hpp"
 #include "support/random_puzzle.hpp"
 #include "support/seed.hpp"
 
 using namespace bankshot;
 
 namespace {
-
-bool is_made(const Puzzle& p, double angle) {
-  ShotRequest shot{.table = p.table, .physics = p.physics, .ball = p.ball, .launch = {p.speed.low, angle}};
-  shot.spin = p.spin;
-  shot.until.cushions = p.cushions.max + 1;
-  const Trajectory t = simulate(shot);
-  if (t.end != EventKind::pocket || t.cushions < p.cushions.min || t.cushions > p.cushions.max) return false;
-  if (p.cushions.sequence && t.sequence() != *p.cushions.sequence) return false;
-  return t.events[t.events.size() - 2].contact.index == std::get<PocketTarget>(p.target).pocket;
-}
 
 Puzzle random_pocket(test::Random& r, bool jaws) {
   const TablePreset& preset = *find_table_preset(r.chance(0.5) ? "pool-9ft" : "snooker-12ft");
@@ -57,9 +45,10 @@ int missed_of(int count, bool jaws) {
     const Answer a = solve(p, {.first = true, .suggest = false});
     if (a.status == Status::solved) continue;
     --count;
+    const test::Aimed aimed(p);
     for (int k = 0; k < aims; ++k) {
       const double angle = radians(360.0 * k / aims);
-      if (!is_made(p, angle)) continue;
+      if (!test::makes(aimed, {p.speed.low, angle}, p.spin)) continue;
       ++missed;
       UNSCOPED_INFO("seed " << seed << ", puzzle " << i << " at " << degrees(angle) << " degrees: " << write_puzzle(p));
       break;

@@ -45,9 +45,11 @@ double side_of(const Boundary& boundary, const Sim& sim, Contact pocket) {
   return left_of_drop(boundary, pocket, sim.state().at, norm(v) > 0 ? v : sim.arc().velocity);
 }
 
-/// What a flight is watched for: `on_leg` after each arc, `on_end` at a rest or in a pocket; either may end it.
+/// What a flight is watched for: `on_leg` after each arc, `on_end` at a rest or in a pocket; either may end it, and so
+/// does a jaw where those are not `passed`.
+enum class AtJaws { end, passed };
 template <class OnLeg, class OnEnd>
-void follow(const Aimed& a, const Launch& launch, const LaunchSpin& spin, OnLeg&& on_leg, OnEnd&& on_end,
+void follow(const Aimed& a, const Launch& launch, const LaunchSpin& spin, OnLeg&& on_leg, OnEnd&& on_end, AtJaws jaws,
             std::vector<Contact>* contacts) {
   const CushionRule& rule = a.puzzle.cushions;
   with_physics(a.puzzle.physics, [&](const auto& motion, const auto& cushion) {
@@ -62,7 +64,7 @@ void follow(const Aimed& a, const Launch& launch, const LaunchSpin& spin, OnLeg&
         if (bounces >= rule.min) on_end(sim, e, bounces, e.kind == EventKind::pocket ? add(route, e.contact) : route);
         return;
       }
-      if (e.kind == EventKind::slide_to_roll) continue;
+      if (e.kind == EventKind::slide_to_roll || (e.kind == EventKind::jaw && jaws == AtJaws::passed)) continue;
       if (e.kind != EventKind::cushion || bounces == rule.max || !in_order(rule, bounces, e.contact)) return;
       route = add(route, e.contact);
       if (contacts) contacts->push_back(e.contact);
@@ -111,7 +113,7 @@ Flight fly(const Aimed& a, const Launch& launch, const LaunchSpin& spin, double 
       keep({bounces, route, -dot(line, off), cross(line, off), sim.time()});
     }
   };
-  follow(a, launch, spin, on_leg, on_end, contacts);
+  follow(a, launch, spin, on_leg, on_end, AtJaws::end, contacts);
   constexpr double spare = 1.5;  // topspin may make it faster once more
   out.too_fast = !ended && last_speed > spare * arrival;
   return out;
@@ -132,7 +134,7 @@ bool makes(const Aimed& a, const Launch& launch, const LaunchSpin& spin) {
     if (a.falls) made = e.kind == EventKind::pocket && (a.pocket < 0 || a.pocket == e.contact.index);
     if (a.stops) made = e.kind == EventKind::rest && norm(sim.state().at - a.at) <= within;
   };
-  follow(a, launch, spin, on_leg, on_end, nullptr);
+  follow(a, launch, spin, on_leg, on_end, AtJaws::passed, nullptr);
   return made;
 }
 

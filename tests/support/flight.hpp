@@ -40,7 +40,7 @@ struct Flight {
 Flight fly(const Aimed& aimed, const Launch& launch, const LaunchSpin& spin, double arrival,
            std::vector<Contact>* contacts = nullptr);
 
-/// Whether it is made in the format's sense.
+/// Whether it is made in the format's sense, by the jaws of pockets too.
 bool makes(const Aimed& aimed, const Launch& launch, const LaunchSpin& spin);
 
 }  // namespace bankshot::test
