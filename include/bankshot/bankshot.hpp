@@ -22,5 +22,6 @@
 #include "bankshot/scene/scene.hpp"          // tables, balls and physics by name
 #include "bankshot/simulate/acceptance.hpp"  // what a pocket takes
 #include "bankshot/simulate/locked.hpp"      // a path along given cushions
+#include "bankshot/simulate/many_balls.hpp"  // event by event, with other balls
 #include "bankshot/simulate/simulator.hpp"   // event by event, in any scalar
 #include "bankshot/simulate/trajectory.hpp"  // a whole shot, recorded

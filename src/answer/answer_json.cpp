@@ -150,7 +150,7 @@ std::string to_json(const Answer& a) {
 }
 
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {
-  ShotRequest r{p.id, p.table, p.physics, p.ball, shot.launch, shot.spin, {}};
+  ShotRequest r{p.id, p.table, p.physics, p.ball, {}, shot.launch, shot.spin, {}};
   r.until.time = shot.arrival.time;
   return r;
 }

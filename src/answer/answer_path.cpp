@@ -13,7 +13,8 @@ void write_points(JsonWriter& w, const Puzzle& p, const Shot& shot) {
   w.key("path");
   w.open('[');
   std::array<double, 3> before{-1, 0, 0};
-  sample(request, simulate(request), usual_rate, [&](double time, const State<double>& s) {
+  sample(request, simulate(request), usual_rate, [&](double time, int ball, const State<double>& s) {
+    if (ball != 0) return;
     const std::array<double, 3> point{time, s.at.x, s.at.y};
     if (point == before) return;  // two events in one instant
     before = point;
@@ -29,8 +30,9 @@ std::string to_csv(const Puzzle& p, const Answer& a, bool numbered) {
   for (std::size_t i = 0; i < a.shots.size(); ++i) {
     const ShotRequest request = as_request(p, a.shots[i]);
     const std::string end = numbered ? "," + std::to_string(i + 1) + "\n" : "\n";
-    sample(request, simulate(request), usual_rate,
-           [&](double time, const State<double>& s) { out += csv_row(time, s) + end; });
+    sample(request, simulate(request), usual_rate, [&](double time, int ball, const State<double>& s) {
+      out += csv_row(time, csv_field(ball_of(request, ball).id), s) + end;
+    });
   }
   return out;
 }

@@ -15,6 +15,7 @@ struct Colours {
   const char *wood, *wood_words, *sight, *leather, *cushion, *cushion_words, *cloth, *hole;
   const char *band, *aim, *target, *halo, *ball, *ball_edge;
   std::array<const char*, 8> paths;
+  std::array<const char*, 8> pool;  ///< of the balls 1 to 8; 9 to 15 have stripes of 1 to 7
 };
 
 inline constexpr Colours light{
@@ -35,7 +36,8 @@ inline constexpr Colours light{
     "#ffffff",
     "#ffffff",
     "#1c2530",  //
-    {"#0b2545", "#b45309", "#1d4ed8", "#7e22ce", "#0f766e", "#be123c", "#4d5b00", "#57534e"}};
+    {"#0b2545", "#b45309", "#1d4ed8", "#7e22ce", "#0f766e", "#be123c", "#4d5b00", "#57534e"},
+    {"#d9a400", "#1d4ed8", "#d02020", "#6d28d9", "#e8710a", "#0b7a3b", "#7f1d1d", "#1a1a1a"}};
 
 inline constexpr Colours dark{"#14171b",
                               "#ece9e2",
@@ -54,7 +56,8 @@ inline constexpr Colours dark{"#14171b",
                               "#14171b",
                               "#ffffff",
                               "#04140d",  //
-                              {"#ffffff", "#ffb454", "#7cc7ff", "#ff9ec0", "#cdb8ff", "#ffe873", "#93efcd", "#d3d3d3"}};
+                              {"#ffffff", "#ffb454", "#7cc7ff", "#ff9ec0", "#cdb8ff", "#ffe873", "#93efcd", "#d3d3d3"},
+                              {"#f5c518", "#5b8cff", "#ff5a4f", "#a78bfa", "#ff9838", "#3ecf7a", "#c0555b", "#000000"}};
 
 inline const Colours& colours(Theme theme) { return theme == Theme::light ? light : dark; }
 

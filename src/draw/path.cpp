@@ -2,6 +2,7 @@
 #include "draw/path.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -26,7 +27,7 @@ std::vector<std::vector<Vec2d>> stretches(const Trajectory& t) {
   for (const Leg& leg : t.legs) {
     bool bounced = false;
     for (; bounce != t.events.end() && bounce->time <= leg.begin; ++bounce)
-      bounced = bounced || is_bounce(bounce->kind);
+      bounced = bounced || is_bounce(bounce->kind) || bounce->kind == EventKind::ball;
     if (bounced) out.push_back({leg.start.at});
     const std::vector<Vec2d> more = outline(leg, pieces);
     out.back().insert(out.back().end(), more.begin() + 1, more.end());
@@ -71,16 +72,16 @@ Vec2d apart(Vec2d at, std::vector<Vec2d>& taken, const Vec2d& along, double room
 }
 
 void draw_bounces(Canvas& c, const Ball& ball, const Trajectory& t, const PathStyle& style) {
-  constexpr std::size_t most = 60;  // more would hide the path
-  if (t.sequence().size() > most) return;
+  constexpr std::ptrdiff_t most = 60;  // more would hide the path
+  if (std::ranges::count(t.events, EventKind::ball, &Record::kind) + t.cushions > most) return;
   const Boundary boundary(c.table, ball.body);
   std::vector<Vec2d> taken;
   int number = 0;
   for (const Record& e : t.events) {
-    if (e.kind != EventKind::cushion) continue;
+    if (e.kind != EventKind::cushion && e.kind != EventKind::ball) continue;
     c.circle(c.at(e.state.at), std::max(c.px(ball.body.radius), 3.0),
              fmt::format(R"(fill="none" stroke="{}" stroke-width="1.2" stroke-opacity="0.75")", style.colour));
-    if (!style.numbers) continue;
+    if (!style.numbers || e.kind == EventKind::ball) continue;
     constexpr double size = 14;
     const Vec2d along = perpendicular(boundary.normal(e.contact, e.state.at));
     const Vec2d at = apart(on_cushion(c, boundary, e), taken, Canvas::flipped(along), size);
@@ -168,6 +169,43 @@ void draw_aim(Canvas& c, const Vec2d& from, const Sight& aim) {
   if (!t.is_rectangle()) return;
   const double beyond = c.rail - c.sight + (out.y == 0 ? 20 : 12);
   c.words(end + out * beyond + Vec2d{0, 5}, fmt::format("{:.2f}", aim.diamonds), {14, c.c.aim, "middle", true});
+}
+
+namespace {
+
+/// 1 to 15, or 0.
+int number_of(const Ball& ball) {
+  int number = 0;
+  const char* const end = ball.id.data() + ball.id.size();
+  const auto [rest, error] = std::from_chars(ball.id.data(), end, number);
+  return error == std::errc() && rest == end && number >= 1 && number <= 15 ? number : 0;
+}
+
+}  // namespace
+
+std::string_view colour_of(const Canvas& c, const Ball& ball) {
+  const int number = number_of(ball);
+  if (number == 0) return c.c.paths[5];
+  return c.c.pool[static_cast<std::size_t>((number - 1) % 8)];
+}
+
+void draw_other(Canvas& c, const Ball& ball, const Vec2d& at, double opacity) {
+  const double radius = std::max(c.px(ball.body.radius), 4.0);
+  const Vec2d centre = c.at(at);
+  const bool striped = number_of(ball) > 8;
+  c.add(R"(<g opacity="{}">)", opacity);
+  c.circle(centre, radius,
+           fmt::format(R"(fill="{}" stroke="{}" stroke-width="1")", striped ? "#ffffff" : colour_of(c, ball),
+                       c.c.ball_edge));
+  if (striped)  // a band of the colour, as wide as the ball
+    c.add(
+        R"(<path d="M{0:.1f} {1:.1f}A{2:.1f} {2:.1f} 0 0 1 {3:.1f} {1:.1f}L{3:.1f} {4:.1f}A{2:.1f} {2:.1f} 0 0 1 {0:.1f} {4:.1f}z" fill="{5}"/>)",
+        centre.x - 0.83 * radius, centre.y - 0.55 * radius, radius, centre.x + 0.83 * radius, centre.y + 0.55 * radius,
+        colour_of(c, ball));
+  c.circle(centre, 0.62 * radius, R"(fill="#ffffff")");
+  if (ball.id.size() <= 2)
+    c.words(centre + Vec2d{0, 0.33 * radius}, ball.id, {0.95 * radius, "#111111", "middle", true});
+  c.add("</g>");
 }
 
 void draw_ball(Canvas& c, const Ball& ball, const Vec2d& at, double opacity, std::string_view edge) {

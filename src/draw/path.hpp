@@ -35,6 +35,11 @@ void draw_band(Canvas& c, const Puzzle& puzzle, const Shot& shot);
 /// From the ball to the diamond, or to the nose where a table has none.
 void draw_aim(Canvas& c, const Vec2d& from, const Sight& aim);
 
+/// Another ball, with its name: in the colours of pool where that is a number from 1 to 15.
+void draw_other(Canvas& c, const Ball& ball, const Vec2d& at, double opacity = 1);
+/// The colour of its path.
+std::string_view colour_of(const Canvas& c, const Ball& ball);
+
 /// `edge`: its outline, the theme's where empty.
 void draw_ball(Canvas& c, const Ball& ball, const Vec2d& at, double opacity = 1, std::string_view edge = {});
 

@@ -100,6 +100,7 @@ void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& 
   draw_caption(c, a.nearest ? "No shot; dashed is the nearest miss" : "No shot", rows);
 }
 
+/// Of the struck ball's own path.
 std::string ending(const Trajectory& t, const Table& table) {
   const Record& end = t.events.back();
   const std::string after = fmt::format(" after {:.2f} s and {:.2f} m", end.time, t.length);
@@ -108,13 +109,38 @@ std::string ending(const Trajectory& t, const Table& table) {
   return (t.end == EventKind::rest ? "at rest" : "stopped") + after;
 }
 
+/// Which other balls fall, and where.
+std::string fallen(const ShotRequest& r, const Trajectory& t) {
+  std::string out;
+  for (const Record& e : t.events)
+    if (e.kind == EventKind::pocket && e.ball != 0)
+      out +=
+          fmt::format("{}{} in {}", out.empty() ? "" : ", ", ball_of(r, e.ball).id, contact_name(r.table, e.contact));
+  return out;
+}
+
+/// The other balls where they stand, and faintly where they go.
+void draw_others(Canvas& c, const ShotRequest& r, const Trajectory& t, const PictureStyle& style) {
+  for (int ball = 1; ball <= static_cast<int>(r.others.size()); ++ball) {
+    const Ball& other = ball_of(r, ball);
+    const Trajectory own = path_of(t, ball);
+    if (own.legs.empty()) continue;
+    draw_path(c, other, own,
+              {.colour = colour_of(c, other), .width = 0.7 * line_width(style), .ghosts = false, .numbers = false});
+    draw_other(c, other, end_of(own, ball).state.at, 0.6);
+  }
+  for (const Ball& other : r.others) draw_other(c, other, other.at);
+}
+
 }  // namespace
 
-std::string draw(const ShotRequest& r, const Trajectory& t, const PictureStyle& style) {
+std::string draw(const ShotRequest& r, const Trajectory& all, const PictureStyle& style) {
   Canvas c(r.table, style);
+  const Trajectory t = path_of(all, 0);
   const auto aim = r.launch.speed > 0 ? sight(r.table, r.ball.at, direction(r.launch.angle)) : std::nullopt;
   draw_table(c, style.words, aim);
   if (aim && style.words) draw_aim(c, r.ball.at, *aim);
+  draw_others(c, r, all, style);
   draw_path(c, r.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, r, t, c.c.paths[0]);
   draw_ball(c, r.ball, t.events.back().state.at, 0.6);
@@ -124,6 +150,7 @@ std::string draw(const ShotRequest& r, const Trajectory& t, const PictureStyle& 
     std::vector<Row> rows{{"aim", aim_words(r)}, {"speed", speed_words(r)}};
     if (r.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
     rows.push_back({"ends", ending(t, r.table)});
+    if (const std::string balls = fallen(r, all); !balls.empty()) rows.push_back({"balls", balls});
     rows.push_back({"dots", fmt::format("one every {:g} s", dot_step(t))});
     draw_caption(c, title, rows, &r);
   }

@@ -117,13 +117,28 @@ inline constexpr Key ideal_keys[] = {
 };
 inline constexpr Object ideal{"ideal", "No friction: constant speed, and cushions that are mirrors.", ideal_keys};
 
+inline constexpr Key rolling_balls_keys[] = {
+    {"restitution", "number", "", "0.95", "1", "speed at which two balls part over that at which they met",
+     between(0, 1)},
+};
+inline constexpr Object rolling_balls{"rolling_balls", "What a contact of two balls does that roll on at once.",
+                                      rolling_balls_keys};
+
+inline constexpr Key ball_ball_keys[] = {
+    {"restitution", "number", "", "0.95", "0.93", "speed at which two balls part over that at which they met",
+     between(0, 1)},
+    {"friction", "number", "", "0.05", "0.06", "between two balls: throw", at_least(0)},
+};
+inline constexpr Object ball_ball{"ball_ball", "What a contact of two balls does.", ball_ball_keys};
+
 inline constexpr Key rolling_keys[] = {
     {"model", "word", "", required, R"("rolling")", "", {}, only_rolling},
     {"friction", "number", "", "0.01", "0.05", "deceleration over g", at_least(0)},
     {"restitution", "number", "", "0.85", "1", "speed towards the cushion after a bounce over that before",
      between(0, 1)},
     gravity_key,
-    {"ball_ball", later},
+    {"ball_ball", "{rolling_balls}", "", "restitution 0.95", R"({"restitution": 1})",
+     "what a contact of two balls does"},
 };
 inline constexpr Object rolling{"rolling", "The ball rolls from the start, and cushions are mirrors that take speed.",
                                 rolling_keys};
@@ -137,7 +152,8 @@ inline constexpr Key spin_keys[] = {
      at_least(0)},
     gravity_key,
     {"cushion", "{cushion}", "", "han2005", R"({"model": "mathavan2010", "friction": 0.14})", "what a bounce does"},
-    {"ball_ball", later},
+    {"ball_ball", "{ball_ball}", "", "restitution 0.95, friction 0.05", R"({"friction": 0.06})",
+     "what a contact of two balls does"},
 };
 inline constexpr Object spin_physics{"spin_physics", "Sliding, rolling, side spin and massé, as on cloth.", spin_keys};
 
@@ -162,5 +178,13 @@ inline constexpr Key ball_keys[] = {
     {"spin", "{spins}", "", "no spin", R"({"side": 0.5})", "only with the physics `spin`"},
 };
 inline constexpr Object ball{"ball", "The ball that is struck.", ball_keys};
+
+inline constexpr Key other_keys[] = {
+    {"id", "string", "", required, R"("8")", "unique, and not `cue`"},
+    {"at", "point", "m", required, "[1.9, 0.635]", "its centre; balls may touch, and overlap by no more than 1e-9 m"},
+    {"radius", "number", "m", "the struck ball's", "0.0262", "", positive},
+    {"mass", "number", "kg", "the struck ball's", "0.17", "", positive},
+};
+inline constexpr Object other{"other", "A ball that stands on the table.", other_keys};
 
 }  // namespace bankshot::format

@@ -18,6 +18,8 @@ std::string contact_name(const Table& table, Contact contact) {
       return table.pockets[i].name;
     case ContactKind::jaw:
       return table.pockets[static_cast<std::size_t>(contact.jaw_pocket())].name;
+    case ContactKind::ball:
+      return "ball " + std::to_string(i);
     case ContactKind::none:
       break;
   }

@@ -24,6 +24,19 @@ Ball read_ball(const Reader& scene, Ball ball) {
   return ball;
 }
 
+std::vector<Ball> read_others(const Reader& scene, const Body& struck) {
+  std::vector<Ball> others;
+  const auto list = scene.find("others");
+  if (!list) return others;
+  for (const Reader& r : list->items()) {
+    r.only(format::other);
+    Ball& ball = others.emplace_back(Ball{r.need("at").point(), struck, std::string(r.need("id").text())});
+    r.read(format::other["radius"], ball.body.radius);
+    r.read(format::other["mass"], ball.body.mass);
+  }
+  return others;
+}
+
 LaunchSpin read_spin(const Reader& r) {
   r.only(format::launch_spin);
   LaunchSpin spin;
@@ -194,7 +207,7 @@ ShotRequest read_shot(std::string_view text) {
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.body.radius);
   s.physics = read_physics(doc, s.ball);
-  if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
+  s.others = read_others(doc, s.ball.body);
   const Reader shot = doc.need("shot");
   shot.only(format::launch);
   if (const auto v = shot.find("spin"))

@@ -26,7 +26,10 @@ RollingFriction read_rolling_friction(const Reader& r) {
 decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
   r.only(format::cushion);
   std::size_t which = 0;
-  if (const auto v = r.find("model")) which = v->word("cushion model", format::cushion_models);
+  if (const auto v = r.find("model"); v && v->is_string() && v->text() == "stronge")
+    v->fail("is not supported yet");
+  else if (v)
+    which = v->word("cushion model", format::cushion_models);
   if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
   r.read(format::cushion["friction"], han.friction);
   r.read(format::cushion["height"], han.height);
@@ -51,6 +54,12 @@ Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body
   r->read(format::spin_physics["spinning_friction"], motion.spinning_friction);
   r->read(format::spin_physics["g"], motion.g);
   if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion, motion.sliding_friction);
+  if (const auto v = r->find("ball_ball")) {
+    v->only(format::ball_ball);
+    v->read(format::ball_ball["restitution"], p.ball_ball.restitution);
+    if (const auto f = v->find("friction"); f && f->is_object()) f->fail("is not supported yet");
+    v->read(format::ball_ball["friction"], p.ball_ball.friction);
+  }
   return p;
 }
 
@@ -74,13 +83,18 @@ Physics read_physics(const Reader& scene, const Ball& ball) {
   }
   Rolling rolling;
   Mirror mirror;
+  BallBall balls;
   if (overrides) {
     r->only(format::rolling);
     r->read(format::rolling["friction"], rolling.friction);
     r->read(format::rolling["restitution"], mirror.restitution.at_rest);
     r->read(format::rolling["g"], rolling.g);
+    if (const auto v = r->find("ball_ball")) {
+      v->only(format::rolling_balls);
+      v->read(format::rolling_balls["restitution"], balls.restitution);
+    }
   }
-  return {rolling, mirror};
+  return {rolling, mirror, balls};
 }
 
 }  // namespace bankshot

@@ -183,15 +183,52 @@ void check_physics(const Physics& physics, const Body& body) {
     fail("/physics", fmt::format("friction · g is {} m/s² and must be between 0 and {}", a, tolerance::fastest));
 }
 
+/// `path`: of the ball.
+void check_body(const Body& body, const std::string& path) {
+  if (!(body.radius >= 0 && std::isfinite(body.radius)))
+    fail(path + "/radius", fmt::format("{} must be at least 0", body.radius));
+  if (!(body.mass > 0 && std::isfinite(body.mass)))
+    fail(path + "/mass", fmt::format("{} must be greater than 0", body.mass));
+  if (!std::isfinite(body.mass * tolerance::fastest * tolerance::fastest))
+    fail(path + "/mass", fmt::format("{} kg is too heavy to compute with", body.mass));
+}
+
+/// Balls that touch are legal.
+void check_apart(const Ball& ball, const Ball& other, const std::string& path) {
+  const double overlap = ball.body.radius + other.body.radius - norm(ball.at - other.at);
+  if (overlap > tolerance::overlap)
+    fail(path,
+         fmt::format("ball \"{}\" at {} overlaps ball \"{}\" by {:.6g} m", ball.id, show(ball.at), other.id, overlap));
+}
+
+void check_others(const Table& table, const Ball& struck, const std::vector<Ball>& others, const Physics& physics) {
+  if (others.empty()) return;
+  if (!(struck.body.radius > 0)) fail("/ball/radius", "0 is a point, which no other ball can meet");
+  const BallBall& law = physics.ball_ball;
+  if (!(law.restitution >= 0 && law.restitution <= 1))
+    fail("/physics/ball_ball/restitution", fmt::format("{} must be between 0 and 1", law.restitution));
+  if (!(law.friction >= 0 && std::isfinite(law.friction)))
+    fail("/physics/ball_ball/friction", fmt::format("{} must be at least 0", law.friction));
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const Ball& ball = others[i];
+    const std::string path = at("/others", i);
+    for (std::size_t k = 0; k <= i; ++k) {
+      const Ball& before = k == 0 ? struck : others[k - 1];
+      if (before.id == ball.id)
+        fail(path + "/id", fmt::format("\"{}\" is taken; names of balls are unique and not \"cue\"", ball.id));
+    }
+    check_body(ball.body, path);
+    if (!(ball.body.radius > 0)) fail(path + "/radius", "0 must be greater than 0");
+    check_nose(physics, ball.body);
+    check_inside(Boundary(table, ball.body), ball.at, path + "/at", "the centre of the ball");
+    for (std::size_t k = 0; k <= i; ++k) check_apart(ball, k == 0 ? struck : others[k - 1], path + "/at");
+  }
+}
+
 Boundary check_scene(const Table& table, const Ball& ball, const Physics& physics) {
   check_shape(table);
   check_names(table);
-  if (!(ball.body.radius >= 0 && std::isfinite(ball.body.radius)))
-    fail("/ball/radius", fmt::format("{} must be at least 0", ball.body.radius));
-  if (!(ball.body.mass > 0 && std::isfinite(ball.body.mass)))
-    fail("/ball/mass", fmt::format("{} must be greater than 0", ball.body.mass));
-  if (!std::isfinite(ball.body.mass * tolerance::fastest * tolerance::fastest))
-    fail("/ball/mass", fmt::format("{} kg is too heavy to compute with", ball.body.mass));
+  check_body(ball.body, "/ball");
   check_physics(physics, ball.body);
   Boundary boundary(table, ball.body);
   check_inside(boundary, ball.at, "/ball/at", "the centre of the ball");
@@ -278,6 +315,7 @@ void validate(const Puzzle& p) {
 
 void validate(const ShotRequest& s) {
   check_scene(s.table, s.ball, s.physics);
+  check_others(s.table, s.ball, s.others, s.physics);
   check_speed(s.launch.speed, "/shot/speed");
   need_finite(s.launch.angle, "/shot/angle");
   for (const double spin : {s.spin.top, s.spin.side, s.spin.masse})

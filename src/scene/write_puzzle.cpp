@@ -52,8 +52,11 @@ Json physics_json(const Physics& p) {
     return f.per_speed == 0 ? Json(f.at_rest) : Json{{"at_rest", f.at_rest}, {"per_speed", f.per_speed}};
   };
   const Json bounce = of_speed(e);
-  if (const auto* r = std::get_if<Rolling>(&p.motion))
-    return {{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
+  if (const auto* r = std::get_if<Rolling>(&p.motion)) {
+    Json j{{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
+    if (p.ball_ball.restitution != BallBall{}.restitution) j["ball_ball"] = {{"restitution", p.ball_ball.restitution}};
+    return j;
+  }
   const SlideRoll& m = std::get<SlideRoll>(p.motion);
   if (std::holds_alternative<CustomCushion>(p.cushion))
     throw InvalidInput("/physics/cushion", "a custom cushion is a function: JSON has no words for it");
@@ -62,12 +65,15 @@ Json physics_json(const Physics& p) {
     cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};
   if (const auto* c = std::get_if<Mathavan2010>(&p.cushion))
     cushion = {{"model", "mathavan2010"}, {"restitution", bounce}, {"friction", c->friction}, {"height", c->height}};
-  return {{"model", "spin"},
-          {"sliding_friction", m.sliding_friction},
-          {"rolling_friction", of_speed(m.rolling_friction)},
-          {"spinning_friction", m.spinning_friction},
-          {"g", m.g},
-          {"cushion", std::move(cushion)}};
+  Json j{{"model", "spin"},
+         {"sliding_friction", m.sliding_friction},
+         {"rolling_friction", of_speed(m.rolling_friction)},
+         {"spinning_friction", m.spinning_friction},
+         {"g", m.g},
+         {"cushion", std::move(cushion)}};
+  if (!(p.ball_ball == BallBall{}))
+    j["ball_ball"] = {{"restitution", p.ball_ball.restitution}, {"friction", p.ball_ball.friction}};
+  return j;
 }
 
 Json target_json(const Puzzle& p) {

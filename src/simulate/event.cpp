@@ -6,11 +6,15 @@
 namespace bankshot {
 
 const EventWords& words(EventKind kind) {
-  static constexpr EventWords all[] = {
-      {"cushion", "cushion", "cushion"}, {"jaw", "jaw", "jaw"},
-      {"pocket", "pocketed", "pocket"},  {"slide-to-roll", "slide-to-roll", "slide to roll"},
-      {"roll-to-rest", "rest", "rest"},  {"end", "until", "end"},
-      {"start", "start", "launch"},      {"end", "events", "end"}};
+  static constexpr EventWords all[] = {{"cushion", "cushion", "cushion"},
+                                       {"jaw", "jaw", "jaw"},
+                                       {"ball", "ball", "ball"},
+                                       {"pocket", "pocketed", "pocket"},
+                                       {"slide-to-roll", "slide-to-roll", "slide to roll"},
+                                       {"roll-to-rest", "rest", "rest"},
+                                       {"end", "until", "end"},
+                                       {"start", "start", "launch"},
+                                       {"end", "events", "end"}};
   return all[static_cast<std::size_t>(kind)];
 }
 

@@ -7,43 +7,11 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "simulate/path_length.hpp"
+#include "simulate/record_many.hpp"
 
 namespace bankshot {
 namespace {
-
-/// Metres that a ball covers in t seconds of an arc: ∫|v + a t| dt, split along and across a; written so that nothing
-/// cancels where a is small.
-double length(const Arc<double>& arc, double t) {
-  const double a = norm(arc.acceleration);
-  if (!arc.bends || a == 0) return norm(arc.position(t) - arc.at);
-  const double across = std::abs(cross(arc.acceleration, arc.velocity)) / a, across2 = across * across,
-               begin = dot(arc.acceleration, arc.velocity) / a, end = begin + a * t, slow = std::hypot(begin, across),
-               fast = std::hypot(end, across);
-  if (!(slow + fast > 0)) return 0;
-  const double part = begin * ((begin + end) / (slow + fast));
-  const double turned = across2 > 0 ? across2 / a * std::asinh(a * t * (slow - part) / across2) : 0;
-  return (t * (fast + part) + turned) / 2;
-}
-
-/// When a ball on this arc has covered `metres`; forever, where that lies beyond the arc's end.
-double time_to_length(const Arc<double>& arc, double duration, double metres) {
-  double low = 0, high = duration;
-  if (!(length(arc, high) > metres)) return forever;
-  if (!arc.bends) return arc.seconds(time_at_length(arc, metres));
-  for (double t = low + (high - low) / 2; t > low && t < high; t = low + (high - low) / 2)
-    (length(arc, t) < metres ? low : high) = t;
-  return high;
-}
-
-/// The same from the first of these legs on.
-double time_to_length(std::span<const Leg> legs, double metres) {
-  for (const Leg& leg : legs) {
-    const double t = time_to_length(leg.arc, leg.duration, metres);
-    if (t < forever) return leg.begin - legs.front().begin + t;
-    metres -= length(leg.arc, leg.duration);
-  }
-  return forever;
-}
 
 template <class Motion, class Cushion>
 class Recorder {
@@ -124,6 +92,7 @@ class Recorder {
 
 Trajectory simulate(const ShotRequest& request) {
   validate(request);
+  if (!request.others.empty()) return record_many(request);
   return with_physics(request.physics, [&](const auto& motion, const auto& cushion) {
     return Recorder(request, motion, cushion).run();
   });
@@ -132,19 +101,48 @@ Trajectory simulate(const ShotRequest& request) {
 std::vector<Contact> Trajectory::sequence() const {
   std::vector<Contact> out;
   for (const Record& e : events)
-    if (e.kind == EventKind::cushion) out.push_back(e.contact);
+    if (e.kind == EventKind::cushion && e.ball == events.front().ball) out.push_back(e.contact);
   return out;
+}
+
+Trajectory path_of(const Trajectory& t, int ball) {
+  Trajectory own;
+  for (const Record& e : t.events) {
+    if (e.ball == ball)
+      own.events.push_back(e);
+    else if (e.kind == EventKind::ball && e.contact.index == ball)
+      own.events.push_back({e.kind, e.time, e.other, Contact::ball(e.ball), ball, e.state});
+  }
+  for (const Leg& leg : t.legs)
+    if (leg.ball == ball) {
+      own.legs.push_back(leg);
+      own.length += length(leg.arc, leg.duration);
+    }
+  const auto count = [&](EventKind kind) { return std::ranges::count(own.events, kind, &Record::kind); };
+  own.cushions = static_cast<int>(count(EventKind::cushion));
+  own.end = ball == 0 ? t.end : count(EventKind::pocket) > 0 ? EventKind::pocket : t.end;
+  return own;
+}
+
+const Record& end_of(const Trajectory& t, int ball) {
+  const auto ends = [&](const Record& e) { return e.kind == EventKind::end && e.ball == ball; };
+  return *std::ranges::find_if(t.events, ends);
 }
 
 State<double> start_state(const ShotRequest& r) {
   return launched(r.ball.at, r.ball.body.radius, direction(r.launch.angle) * r.launch.speed, r.spin);
 }
 
+const Ball& ball_of(const ShotRequest& r, int ball) {
+  return ball == 0 ? r.ball : r.others[static_cast<std::size_t>(ball) - 1];
+}
+
 State<double> state_at(const ShotRequest& r, const Leg& leg, double t) {
+  const Body& body = ball_of(r, leg.ball).body;
   return std::visit(
       [&](const auto& motion) {
-        State<double> s = advance(motion, r.ball.body, leg.start, leg.arc, leg.arc.parameter(t));
-        s.spin = motion.spin(r.ball.body, s);
+        State<double> s = advance(motion, body, leg.start, leg.arc, leg.arc.parameter(t));
+        s.spin = motion.spin(body, s);
         return s;
       },
       r.physics.motion);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
@@ -11,17 +12,33 @@
 namespace bankshot {
 namespace {
 
+void put_state(Json& j, const ShotRequest& r, int ball, const State<double>& s) {
+  j["ball"] = ball_of(r, ball).id;
+  j["at"] = {s.at.x, s.at.y};
+  j["velocity"] = {s.velocity.x, s.velocity.y};
+  j["spin"] = {s.spin.x, s.spin.y, s.spin.z};
+}
+
 Json event_json(const ShotRequest& r, const Record& e) {
-  const Vec3<double>& w = e.state.spin;
-  Json j{{"type", words(e.kind).type},
-         {"time", e.time},
-         {"ball", "cue"},
-         {"at", {e.state.at.x, e.state.at.y}},
-         {"velocity", {e.state.velocity.x, e.state.velocity.y}},
-         {"spin", {w.x, w.y, w.z}}};
+  Json j{{"type", words(e.kind).type}, {"time", e.time}};
+  put_state(j, r, e.ball, e.state);
   if (is_bounce(e.kind)) j["cushion"] = contact_name(r.table, e.contact);
   if (e.kind == EventKind::pocket) j["pocket"] = contact_name(r.table, e.contact);
+  if (e.kind == EventKind::ball) put_state(j["other"], r, e.contact.index, e.other);
   return j;
+}
+
+/// Where there are others, of the balls in play alone.
+double energy_at_end(const ShotRequest& r, const Trajectory& t) {
+  if (r.others.empty()) return energy(r.ball.body, t.events.back().state);
+  double sum = 0;
+  std::vector<bool> fell(r.others.size() + 1);
+  for (const Record& e : t.events) {
+    const auto ball = static_cast<std::size_t>(e.ball);
+    if (e.kind == EventKind::pocket) fell[ball] = true;
+    if (e.kind == EventKind::end && !fell[ball]) sum += energy(ball_of(r, e.ball).body, e.state);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -30,40 +47,35 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
   Json j = Json::object();
   j["events"] = Json::array();
   for (const Record& e : t.events) j["events"].push_back(event_json(r, e));
-  const Record& last = t.events.back();
+  const Record& end = end_of(t, 0);
   j["end"] = {{"reason", words(t.end).reason},
-              {"time", last.time},
-              {"at", {last.state.at.x, last.state.at.y}},
+              {"time", t.events.back().time},
+              {"at", {end.state.at.x, end.state.at.y}},
               {"cushions", t.cushions},
               {"length", t.length}};
-  j["energy"] = {{"start", energy(r.ball.body, t.events.front().state)}, {"end", energy(r.ball.body, last.state)}};
+  // The others stand at the start.
+  j["energy"] = {{"start", energy(r.ball.body, t.events.front().state)}, {"end", energy_at_end(r, t)}};
   return write_json(r.id, j);
 }
 
-void sample(const ShotRequest& r, const Trajectory& t, double rate,
-            const std::function<void(double, const State<double>&)>& see) {
-  auto event = t.events.begin();
-  const auto events_until = [&](double time) {
-    for (; event != t.events.end() && event->time <= time; ++event) see(event->time, event->state);
-  };
-  long number = 1;  // the launch is an event
-  for (const Leg& leg : t.legs) {
-    events_until(leg.begin);
-    const double end = leg.begin + leg.arc.seconds(leg.duration);
-    for (double s = static_cast<double>(number) / rate; s < end; s = static_cast<double>(++number) / rate)
-      if (s > leg.begin) see(s, state_at(r, leg, s - leg.begin));
-  }
-  events_until(forever);
+std::string csv_row(double time, std::string_view ball, const State<double>& s) {
+  const Vec3<double>& w = s.spin;
+  return fmt::format("{},{},{},{},{},{},{},{},{}", time, ball, s.at.x, s.at.y, s.velocity.x, s.velocity.y, w.x, w.y,
+                     w.z);
 }
 
-std::string csv_row(double time, const State<double>& s) {
-  const Vec3<double>& w = s.spin;
-  return fmt::format("{},cue,{},{},{},{},{},{},{}", time, s.at.x, s.at.y, s.velocity.x, s.velocity.y, w.x, w.y, w.z);
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
 }
 
 std::string to_csv(const ShotRequest& r, const Trajectory& t, double rate) {
   std::string out = std::string(csv_header) + "\n";
-  sample(r, t, rate, [&](double time, const State<double>& s) { out += csv_row(time, s) + "\n"; });
+  sample(r, t, rate, [&](double time, int ball, const State<double>& s) {
+    out += csv_row(time, csv_field(ball_of(r, ball).id), s) + "\n";
+  });
   return out;
 }
 

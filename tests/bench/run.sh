@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|batch|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|batch|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -77,6 +77,7 @@ part() {
         done
       done
       ;;
+    breaks) "$bin/bench/breaks" --count 2000 ;;
     acceptance)
       echo table,pocket,pockets,speed_m_per_s,angle_deg,clean_mm,drop_mm
       for table in pool-7ft pool-8ft pool-9ft snooker-12ft; do

@@ -186,11 +186,12 @@ TEST_CASE("bounds on speed and aim are kept") {
 TEST_CASE("infeasible puzzles are never solved") {
   const std::string planner = GENERATE(from_range(planner_names));
   INFO(planner);
-  Puzzle same_twice{.table = rectangle_table(2, 1),
-                    .physics = ideal_physics(),
-                    .ball = {.at = {0.4, 0.3}},
-                    .target = PointTarget{{1.5, 0.7}},
-                    .cushions = CushionRule::in_order({Contact::rail(0), Contact::rail(0)})};
+  Puzzle same_twice;
+  same_twice.table = rectangle_table(2, 1);
+  same_twice.physics = ideal_physics();
+  same_twice.ball.at = {0.4, 0.3};
+  same_twice.target = PointTarget{{1.5, 0.7}};
+  same_twice.cushions = CushionRule::in_order({Contact::rail(0), Contact::rail(0)});
   CHECK(solve(same_twice, {.planner = planner}).status == Status::no_shot);
   Puzzle too_slow = easy_set()[1];
   too_slow.speed = {0.01, 0.02};

@@ -144,6 +144,10 @@ std::string write_shot(const ShotRequest& shot) {
   json j = json::parse(write_puzzle(p));
   for (const char* key : {"target", "cushions", "speed", "prefer", "noise", "budget"}) j.erase(key);
   j["shot"] = {{"speed", shot.launch.speed}, {"angle", exact_degrees(shot.launch.angle)}};
+  for (const Ball& other : shot.others)
+    j["others"].push_back(
+        {{"id", other.id}, {"at", {other.at.x, other.at.y}}, {"radius", other.body.radius}, {"mass", other.body.mass}});
+  if (shot.until.time) j["until"] = {{"time", *shot.until.time}};
   if (shot.until.cushions) j["until"] = {{"cushions", *shot.until.cushions}};
   return j.dump();
 }

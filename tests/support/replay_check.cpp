@@ -88,7 +88,7 @@ std::string bound_broken(const Puzzle& p, const Shot& shot) {
 
 Checked check_shot(const Puzzle& p, const Shot& shot) {
   Checked c;
-  ShotRequest request{{}, p.table, p.physics, p.ball, shot.launch, shot.spin, {}};
+  ShotRequest request{{}, p.table, p.physics, p.ball, {}, shot.launch, shot.spin, {}};
   request.until.cushions = static_cast<int>(shot.cushions.size()) + 1;
   const Trajectory t = simulate(request);
   const std::size_t n = shot.cushions.size();

@@ -37,8 +37,13 @@ class OnCushions {
   /// Friction drives the ball into the contact, which holds it.
   bool held(Contact contact) const { return contact == held_[0] || contact == held_[1]; }
 
+  /// The first or the second of those that the centre is on; none.
+  Contact at(int k) const { return on_[k]; }
+  /// Other balls press the ball to this contact, which the centre is on.
+  void hold(Contact contact) { held_[contact == on_[0] ? 0 : 1] = contact; }
+
   /// Some contact holds the ball.
-  bool any_holds() const { return static_cast<bool>(held_[0]); }
+  bool any_holds() const { return held_[0] || held_[1]; }
 
   /// Says that a ball of this squared_scale is about to bounce.
   void bounces(const N& scale2) { bounced2_ = scale2; }

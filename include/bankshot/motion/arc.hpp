@@ -12,6 +12,7 @@
 //   arc(body, state)             the next arc
 //   turn(body, state, arc, t)    what t seconds on that arc do to the spin
 //   finish(body, state, arc)     makes the state exact where the arc ends by itself
+//   roll(body, state)            makes the spin that of a ball that rolls
 //   spin(body, state)            the spin of a state, also where the model does not carry it
 // It holds coefficients only; `body` is the ball's.
 //
@@ -20,6 +21,7 @@
 // closed form. Nothing happens where a piece ends.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "bankshot/detail/drag.hpp"
@@ -49,14 +51,19 @@ inline constexpr double forever = std::numeric_limits<double>::infinity();
 /// on along the next piece of the same motion.
 enum class PhaseEnd { none, roll, rest, piece };
 
+/// Other balls push the ball all along the arc, on which it slides, or rolls though it bends (detail/pressed.hpp).
+enum class Press : std::uint8_t { none, slides, rolls };
+
 template <class T>
 struct Arc {
   Vec2<T> at{}, velocity{}, acceleration{};
   T duration{};
   PhaseEnd end = PhaseEnd::none;
   bool bends = false;  ///< the acceleration need not be along the velocity
+  Press pressed = Press::none;
   Drag<T> drag{};
-  Vec2<T> taken{};  ///< m/s²: friction that a cushion takes from the centre, and that turns the ball all the same
+  Vec2<T> taken{};  ///< m/s²: friction that a cushion, or other balls, take from the centre, and that turns the ball
+                    ///< all the same
 
   /// The ball still moves where the arc ends.
   bool goes_on() const { return end == PhaseEnd::roll || end == PhaseEnd::piece; }
@@ -86,6 +93,8 @@ struct Arc {
   }
   [[gnu::noinline]] T slowed_seconds(const T& p) const {
     const T v0 = norm(velocity);
+    // At its end the ball rests: a speed found from the length would be the root of a rounding.
+    if (end == PhaseEnd::rest && !(value(p) < value(duration))) return drag.seconds(v0, T(0));
     return drag.seconds(v0, drag.speed_after(v0, T(p * v0)));
   }
   [[gnu::noinline]] T slowed_parameter(const T& t) const {
@@ -105,6 +114,7 @@ decltype(auto) value(const Arc<T>& a) {
                         value(a.duration),
                         a.end,
                         a.bends,
+                        a.pressed,
                         {value(a.drag.constant), value(a.drag.linear)},
                         value(a.taken)};
   else

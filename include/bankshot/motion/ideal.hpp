@@ -20,6 +20,8 @@ struct Ideal {
   template <class T>
   void finish(const Body&, State<T>&, const Arc<T>&) const {}
   template <class T>
+  void roll(const Body&, State<T>&) const {}
+  template <class T>
   Vec3<T> spin(const Body& body, const State<T>& s) const {
     return natural_roll(s.velocity, body.radius);
   }

@@ -65,6 +65,8 @@ struct RollingOf {
     if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
   }
   template <class T>
+  void roll(const Body&, State<T>&) const {}
+  template <class T>
   Vec3<T> spin(const Body& body, const State<T>& s) const {
     return natural_roll(s.velocity, body.radius);
   }

@@ -52,13 +52,13 @@ struct SlideRollOf {
   template <class T>
   void turn(const Body& body, State<T>& s, const Arc<T>& arc, const T& t) const {
     using Number = Real<T>;
-    if (arc.bends) {
+    if (arc.bends && arc.pressed != Press::rolls) {
       // ẑ × û (5 μs g / 2R) t, with û taken from the friction −μs g û.
       const T by_radius = t * Number(Number(2.5) / body.radius);
       s.spin.x += (arc.acceleration.y + arc.taken.y) * by_radius;
       s.spin.y -= (arc.acceleration.x + arc.taken.x) * by_radius;
     } else if (arc.end != PhaseEnd::none) {
-      set_rolling(body, s);
+      roll(body, s);
     }
     const T lost = t * Coefficient<T, C>(Number(2.5) * spinning_friction * g / body.radius);
     if (value(s.spin.z) > value(lost))
@@ -73,10 +73,18 @@ struct SlideRollOf {
   void finish(const Body& body, State<T>& s, const Arc<T>& arc) const {
     if (arc.end == PhaseEnd::piece) return;
     if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
-    if (arc.bends && value(dot(arc.taken, arc.taken)) > Real<T>(0)) slow_to_roll(body, s);
-    set_rolling(body, s);
+    if (arc.pressed == Press::slides)
+      s.velocity -= slip(body, s) * T(Real<T>(2) / Real<T>(7));
+    else if (arc.bends && value(dot(arc.taken, arc.taken)) > Real<T>(0))
+      slow_to_roll(body, s);
+    roll(body, s);
   }
 
+  template <class T>
+  static void roll(const Body& body, State<T>& s) {
+    s.spin.x = -s.velocity.y / Real<T>(body.radius);
+    s.spin.y = s.velocity.x / Real<T>(body.radius);
+  }
   template <class T>
   Vec3<T> spin(const Body&, const State<T>& s) const {
     return s.spin;
@@ -85,8 +93,8 @@ struct SlideRollOf {
   C deceleration() const { return rolling_friction.at_rest * g; }
 
  private:
-  /// What is left of a slip that turned (held.hpp) still takes its share, 2/7, of the speed along the cushion, which
-  /// took the rest across it: without that the last of the slip would come back as energy.
+  /// What is left of a slip that turned (held.hpp, pressed.hpp) still takes its share, 2/7, of the speed: without that
+  /// the last of the slip would come back as energy. Along a cushion, which took the rest across it:
   template <class T>
   static void slow_to_roll(const Body& body, State<T>& s) {
     const T speed2 = dot(s.velocity, s.velocity);
@@ -94,11 +102,6 @@ struct SlideRollOf {
     // The velocity is along the cushion already, and stays exactly so.
     const T part = dot(slip(body, s), s.velocity) / speed2;
     s.velocity -= s.velocity * T(part * (Real<T>(2) / Real<T>(7)));
-  }
-  template <class T>
-  static void set_rolling(const Body& body, State<T>& s) {
-    s.spin.x = -s.velocity.y / Real<T>(body.radius);
-    s.spin.y = s.velocity.x / Real<T>(body.radius);
   }
 };
 using SlideRoll = SlideRollOf<double>;

@@ -59,6 +59,26 @@ inline constexpr double longest_piece = 2e-3, last_piece = 1e-6;
 /// slows down by a factor a bounce for ever; much smaller and the squares of its speed would underflow.
 inline constexpr double still = 1e-100;
 
+/// m/s. Two balls that meet slower than this stay together, by a law without restitution and friction: two that roll
+/// side by side would else meet ever more slowly without end. Larger would be seen, smaller takes more events.
+inline constexpr double slow_contact = 1e-4;
+
+/// m/s, and of the launch's |v| + R|ω| where that is less. Balls that touch and approach or part slower than this while
+/// friction drives them together are held, which is no event. Larger would pull on balls that part; smaller takes
+/// thousands of events where several balls crowd together.
+inline constexpr double held_contact = 1e-5, held_part = 1e-3;
+
+/// Of the launch's |v| + R|ω|. Balls that touch and approach slower than this do not, where friction soon stops them.
+/// Larger would let them overlap by more than rounding; smaller takes hundreds of events where a ball rolls past
+/// another.
+inline constexpr double still_contact = 1e-12;
+
+/// Of slow_contact. A ball that others press on, and that rolls slower than this where a piece of its path ends, rests.
+inline constexpr double pressed_rest = 0.1;
+
+/// m. Balls may overlap so much at the start, by the rounding of whoever wrote the file; they count as touching.
+inline constexpr double overlap = 1e-9;
+
 /// Of the normal approach speed. What the steps of an integrated cushion impact may neglect. Larger
 /// saves little time and shows sooner in paths of many cushions; smaller is below rounding.
 inline constexpr double impact = 1e-13;

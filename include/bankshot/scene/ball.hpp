@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/scene/body.hpp"
 
@@ -9,6 +11,7 @@ namespace bankshot {
 struct Ball {
   Vec2d at{};  ///< centre [m]
   Body body{};
+  std::string id = "cue";  ///< the name of the one that is struck
 };
 
 /// The two numbers a player chooses.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "bankshot/contact/ball_ball.hpp"
 #include "bankshot/contact/custom.hpp"
 #include "bankshot/contact/han2005.hpp"
 #include "bankshot/contact/mathavan2010.hpp"
@@ -22,7 +23,11 @@ namespace bankshot {
 struct Physics {
   std::variant<Ideal, Rolling, SlideRoll> motion = Rolling{};
   std::variant<Mirror, Han2005, Mathavan2010, CustomCushion> cushion = Mirror{};
+  BallBall ball_ball{};
 };
+
+/// How balls of this physics collide: elastically in `ideal`, without friction where no spin is carried.
+BallBall collisions(const Physics& physics);
 
 inline Physics ideal_physics() { return {Ideal{}, Mirror{.restitution = 1}}; }
 inline Physics rolling_physics() { return {Rolling{}, Mirror{}}; }

@@ -78,6 +78,7 @@ struct ShotRequest {
   Table table{};
   Physics physics = rolling_physics();
   Ball ball{};
+  std::vector<Ball> others{};  ///< at rest; number k of them is ball k + 1
   Launch launch{1, 0};
   LaunchSpin spin{};
   struct Until {

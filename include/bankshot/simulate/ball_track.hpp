@@ -11,6 +11,7 @@
 #pragma once
 
 #include "bankshot/detail/next_event.hpp"
+#include "bankshot/detail/pressed.hpp"
 
 namespace bankshot {
 
@@ -21,18 +22,32 @@ class BallTrack {
 
   /// `boundary` must outlive it.
   BallTrack(const Boundary& boundary, const State<T>& start)
-      : boundary_(&boundary), state_(start), cushions_(squared_scale(start, boundary.body.radius)) {}
+      : BallTrack(boundary, start, squared_scale(start, boundary.body.radius)) {}
+  /// `launch2`: squared_scale of the launch, where another ball is struck.
+  BallTrack(const Boundary& boundary, const State<T>& start, const Number& launch2)
+      : boundary_(&boundary), state_(start), cushions_(launch2) {}
 
   /// A ball that starts against a cushion is put exactly on its line.
   void settle() { cushions_.settle_at_start(*boundary_, state_.at); }
 
-  /// Makes the arc from here, and tells what ends it within `limit` seconds; its time is the arc's parameter.
+  /// Makes the arc from here.
   template <class Motion>
-  NextEvent<Number> next(const Motion& motion, const T& limit) {
+  void begin(const Motion& motion) {
     set_out(motion);
     if constexpr (!Motion::straight) cushions_.hold(*boundary_, arc_);
+  }
+
+  /// What ends the arc within `limit` seconds; its time is the arc's parameter. `straight`: the arc does not bend.
+  template <bool straight>
+  NextEvent<Number> find(const T& limit) {
     limit_ = arc_.parameter(limit);
-    return EventFinder<Motion::straight, Number>{*boundary_, cushions_, value(arc_)}.next(value(limit_));
+    return EventFinder<straight, Number>{*boundary_, cushions_, value(arc_)}.next(value(limit_));
+  }
+
+  template <class Motion>
+  NextEvent<Number> next(const Motion& motion, const T& limit) {
+    begin(motion);
+    return find<Motion::straight>(limit);
   }
 
   /// The time of what `next` told, with its derivatives.
@@ -73,6 +88,27 @@ class BallTrack {
     }
     bounce(cushion, contact);
   }
+
+  /// Time passes for a ball that stands: only its vertical spin fades.
+  template <class Motion>
+  void wait(const Motion& motion, const T& seconds) {
+    if (value(state_.spin.z) != Number(0)) motion.turn(boundary_->body, state_, arc_, seconds);
+  }
+
+  /// A little more velocity; where it rolls, it goes on rolling.
+  template <class Motion>
+  void nudge(const Motion& motion, const Vec2<T>& velocity) {
+    const bool rolls = !slides(arc_);
+    state_.velocity += velocity;
+    if (rolls) motion.roll(boundary_->body, state_);
+  }
+
+  /// Others push its centre with this acceleration all along the arc.
+  void press(const Vec2<T>& push) { bankshot::press(arc_, push); }
+  /// It stays at this cushion, which the centre is on, all along the arc.
+  void hold(Contact contact) { cushions_.hold(contact); }
+  /// The cushion, tip or facing that the centre is exactly on: none, one or two.
+  Contact on(int k) const { return cushions_.at(k); }
 
   /// Speed towards a contact.
   Number approach(Contact contact) const {

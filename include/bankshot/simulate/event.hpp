@@ -9,7 +9,7 @@ namespace bankshot {
 
 /// horizon: no more was asked for. Only a record has `start` and, last of all, `end`; as what ended a shot `end` means
 /// that there were too many events.
-enum class EventKind { cushion, jaw, pocket, slide_to_roll, rest, horizon, start, end };
+enum class EventKind { cushion, jaw, ball, pocket, slide_to_roll, rest, horizon, start, end };
 
 /// Off a cushion or a jaw.
 constexpr bool is_bounce(EventKind kind) { return kind == EventKind::cushion || kind == EventKind::jaw; }
@@ -20,7 +20,7 @@ constexpr EventKind bounce_off(Contact contact) {
 
 struct Event {
   EventKind kind = EventKind::horizon;
-  Contact contact{};          ///< that the ball bounced off, or the pocket
+  Contact contact{};          ///< that the ball met: cushion, jaw, pocket or another ball
   bool same_instant = false;  ///< the second of two cushions met at once
   /// True when the ball moves no more: at rest, pocketed, or stopped at the horizon.
   bool final() const { return !bounces() && kind != EventKind::slide_to_roll; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/commands.hpp"
@@ -21,11 +22,37 @@ struct Arguments {
   bool json = false;
 };
 
-std::string event_text(const ShotRequest& r, const Record& e) {
-  std::string what = words(e.kind).plain;
-  if (e.contact) what += ' ' + contact_name(r.table, e.contact);
-  return fmt::format("{:10.4f} s  {:<22} at ({:.4f}, {:.4f}) m, {:.4f} m/s\n", e.time, what, e.state.at.x, e.state.at.y,
-                     norm(e.state.velocity));
+std::string what_of(const ShotRequest& r, const Record& e) {
+  const std::string what = words(e.kind).plain;
+  if (e.kind == EventKind::ball) return fmt::format("{} {}", what, ball_of(r, e.contact.index).id);
+  return e.contact ? what + ' ' + contact_name(r.table, e.contact) : what;
+}
+
+/// Of a shot with other balls each line begins with the ball's name, in a column so wide.
+std::string event_text(const ShotRequest& r, const Record& e, std::size_t names) {
+  const std::string name = names > 0 ? fmt::format("{:<{}}  ", ball_of(r, e.ball).id, names) : "";
+  return fmt::format("{:10.4f} s  {}{:<22} at ({:.4f}, {:.4f}) m, {:.4f} m/s\n", e.time, name, what_of(r, e),
+                     e.state.at.x, e.state.at.y, norm(e.state.velocity));
+}
+
+std::size_t width_of_names(const ShotRequest& r) {
+  std::size_t width = r.others.empty() ? 0 : r.ball.id.size();
+  for (const Ball& other : r.others) width = std::max(width, other.id.size());
+  return width;
+}
+
+/// Which other balls fell, and how many moved.
+std::string others_text(const ShotRequest& r, const Trajectory& t) {
+  std::string out;
+  std::vector<bool> moved(r.others.size() + 1);
+  for (const Record& e : t.events) {
+    if (e.kind == EventKind::ball)
+      moved[static_cast<std::size_t>(e.ball)] = moved[static_cast<std::size_t>(e.contact.index)] = true;
+    if (e.kind == EventKind::pocket && e.ball != 0)
+      out += fmt::format("{} falls into {}.\n", ball_of(r, e.ball).id, contact_name(r.table, e.contact));
+  }
+  const auto count = std::count(moved.begin() + 1, moved.end(), true);
+  return out + fmt::format("{} of {} other ball{} moved.\n", count, r.others.size(), r.others.size() == 1 ? "" : "s");
 }
 
 /// What the ball does in the end.
@@ -45,16 +72,20 @@ std::string_view ending(EventKind end) {
 std::string text_of(const ShotRequest& r, const Trajectory& t) {
   constexpr std::size_t most_lines = 60;  // a longer list is for --json
   std::string out;
+  const std::size_t names = width_of_names(r);
   const std::size_t skipped = t.events.size() > most_lines ? t.events.size() - most_lines : 0;
   for (std::size_t i = 0; i < t.events.size(); ++i) {
     if (skipped && i == most_lines / 2) {
       out += fmt::format("  ... {} events not shown; --json has them all\n", skipped);
       i += skipped;
     }
-    out += event_text(r, t.events[i]);
+    if (r.others.empty() || t.events[i].kind != EventKind::start || t.events[i].ball == 0)  // the others only stand
+      out += event_text(r, t.events[i], names);
   }
-  return out + fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ending(t.end), t.cushions,
-                           t.cushions == 1 ? "" : "s", t.length);
+  return out +
+         fmt::format("The ball {} after {} cushion{} and {:.4f} m.\n", ending(t.end), t.cushions,
+                     t.cushions == 1 ? "" : "s", t.length) +
+         (r.others.empty() ? "" : others_text(r, t));
 }
 
 std::string csv_of(const ShotRequest& r, const Trajectory& t, double rate) {

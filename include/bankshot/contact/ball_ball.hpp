@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// Two balls meet: normal restitution along the line of centres, Coulomb friction across it, which throws the struck
+// ball and spins both (D. Alciatore, The Illustrated Principles of Pool and Billiards, TP A.14, here with constant
+// friction; for balls of any size and mass).
+//   n  from the first centre to the second, horizontal; balls count as discs, their lever arms are R₁ n and −R₂ n
+//   w = v₁ − v₂ + (R₁ ω₁ + R₂ ω₂) × n,  μ₁₂ = m₁ m₂/(m₁ + m₂)
+//   J = (1 + e)(w·n) μ₁₂,  T = min(μ J, 2/7 μ₁₂ |w_t|)
+//   P = −J n − T ŵ_t;  v₁ += P/m₁, v₂ −= P/m₂ without their vertical part;  ωᵢ += 5/(2 mᵢ Rᵢ) n × P
+// Two that approach slower than tolerance::slow_contact do not part again: e = 0 and no friction.
+#pragma once
+
+#include "bankshot/motion/arc.hpp"
+#include "bankshot/numbers/tolerances.hpp"
+
+namespace bankshot {
+
+template <class C>
+struct BallBallOf {
+  C restitution{0.95};  ///< e, in [0, 1]
+  C friction{0.05};     ///< μ, >= 0
+  bool lasts = true;    ///< slow contacts last
+
+  friend bool operator==(const BallBallOf&, const BallBallOf&) = default;
+
+  /// The speed at which they come nearer [m/s]; n as above.
+  template <class T>
+  static T approach(const State<T>& first, const State<T>& second, const Vec2<T>& n) {
+    return dot(first.velocity - second.velocity, n);
+  }
+
+  /// Both where they are now.
+  template <class T>
+  void collide(const Body& body1, State<T>& first, const Body& body2, State<T>& second) const {
+    using std::sqrt;
+    using Number = Real<T>;
+    using K = Coefficient<T, C>;
+    const Vec2<T> between = second.at - first.at, n = between / norm(between), t = perpendicular(n);
+    const T closing = approach(first, second, n);
+    const bool slow = lasts && value(closing) < Number(tolerance::slow_contact);
+    const Number m1(body1.mass), m2(body2.mass), mass = m1 * m2 / (m1 + m2);
+    const T normal = closing * T(K(slow ? K(1) : K(K(1) + K(restitution)))) * mass;
+    T along(0), up(0);  // of the impulse T ŵ_t
+    if (!slow && value(friction) > 0) {
+      const auto surface = [&](auto axis) {
+        return T(axis(first.spin) * Number(body1.radius) + axis(second.spin) * Number(body2.radius));
+      };
+      const T wx = surface([](const auto& w) { return w.x; }), wy = surface([](const auto& w) { return w.y; });
+      const T slip_along = dot(first.velocity - second.velocity, t) + surface([](const auto& w) { return w.z; });
+      const T slip_up = wx * n.y - wy * n.x;
+      // Squares are compared, for a root of 0 has no derivative.
+      const T slip2 = slip_along * slip_along + slip_up * slip_up, most = normal * T(K(friction));
+      const Number sticks = mass * Number(2) / Number(7);
+      const bool slides = value(slip2) * sticks * sticks > value(most) * value(most);
+      const T share = slides ? T(most / sqrt(slip2)) : T(sticks);
+      along = slip_along * share;
+      up = slip_up * share;
+    }
+    const Vec2<T> push = n * normal + t * along;
+    first.velocity -= push * T(Number(1) / m1);
+    second.velocity += push * T(Number(1) / m2);
+    turn(body1, first, n, along, up);
+    turn(body2, second, n, along, up);
+  }
+
+ private:
+  /// n × P = −along ẑ − up (n_y, −n_x, 0), as above.
+  template <class T>
+  static void turn(const Body& body, State<T>& s, const Vec2<T>& n, const T& along, const T& up) {
+    using Number = Real<T>;
+    const T by(Number(5) / (Number(2) * Number(body.mass) * Number(body.radius)));
+    s.spin.x -= by * up * n.y;
+    s.spin.y += by * up * n.x;
+    s.spin.z -= by * along;
+  }
+};
+using BallBall = BallBallOf<double>;
+
+}  // namespace bankshot

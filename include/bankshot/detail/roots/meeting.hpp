@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// When two balls meet that are both under way: the first time at which the distance of their centres falls through the
+// sum of their radii. Their arcs share a clock, but began at different times.
+// Method: the distance bends down no faster than the two accelerations differ, so from a gap and a speed of approach
+// follows a time before which they cannot meet; such steps rule out most pairs at once and close in on the root as
+// Newton's method does, from before. What is neither after a few of them (a graze) is a quartic, isolated between the
+// roots of its derivatives, and polished on the distance itself. Where a clock is no polynomial (drag) there are steps
+// alone.
+// Error: that of a few roundings of the gap, over the speed of approach. Limitation: a graze is found or missed by
+// rounding.
+#pragma once
+
+#include <optional>
+
+#include "bankshot/detail/roots/roots.hpp"
+
+namespace bankshot {
+
+/// The second ball as seen from the first: where, and with what velocity, at times from now on.
+template <class N>
+struct Apart {
+  Vec2<N> at, velocity, acceleration;
+  N bend;  ///< m/s²: the distance bends down no faster
+
+  /// They began so many seconds ago.
+  Apart(const Arc<N>& a, const N& a_began, const Arc<N>& b, const N& b_began) {
+    if (!a.drag.none() || !b.drag.none()) {
+      clocks_.emplace(Clocks{a, b, a_began, b_began});
+      bend = most(a) + most(b);
+      at = place(N(0)), velocity = speed(N(0));
+    } else {
+      at = b.position(b_began) - a.position(a_began);
+      velocity = b.tangent(b_began) - a.tangent(a_began);
+      acceleration = b.acceleration - a.acceleration;
+      bend = norm(acceleration);
+    }
+  }
+
+  /// Some clock is no polynomial.
+  bool clocked() const { return clocks_.has_value(); }
+  Vec2<N> place(const N& t) const {
+    if (!clocked()) return at + (velocity + acceleration * N(t * 0.5)) * t;
+    return on(clocks_->second, N(clocks_->second_began + t)) - on(clocks_->first, N(clocks_->first_began + t));
+  }
+  Vec2<N> speed(const N& t) const {
+    if (!clocked()) return velocity + acceleration * t;
+    const auto of = [&](const Arc<N>& arc, const N& began) { return arc.velocity_at(arc.parameter(N(began + t))); };
+    return of(clocks_->second, clocks_->second_began) - of(clocks_->first, clocks_->first_began);
+  }
+
+ private:
+  struct Clocks {
+    Arc<N> first, second;
+    N first_began, second_began;
+  };
+  std::optional<Clocks> clocks_{};
+
+  static Vec2<N> on(const Arc<N>& arc, const N& t) { return arc.position(arc.parameter(t)); }
+  static N most(const Arc<N>& arc) {
+    return norm(arc.acceleration) + arc.drag.constant + arc.drag.linear * norm(arc.velocity);
+  }
+};
+
+/// What counts as touching [m] and as not approaching [m/s].
+template <class N>
+struct Rounding {
+  N touch, still;
+};
+
+/// Seconds until the distance falls through `reach`, if within `limit`; else `forever`. Two that touch and approach
+/// meet now; two that touch and do not approach must part first.
+template <class N>
+N first_meeting(const Apart<N>& pair, N reach, const N& limit, const Rounding<N>& rounding) {
+  using std::sqrt;
+  constexpr int most_steps = 8;
+  N t(0);
+  Vec2<N> d = pair.at, v = pair.velocity;
+  N far = norm(d), closing = -dot(d, v) / far, gap = far - reach;
+  bool touching = gap < rounding.touch;
+  if (touching) {
+    if (closing > rounding.still) return N(0);
+    if (!(gap > N(0))) reach = far, gap = N(0);
+    if (closing > -rounding.still) closing = N(0);
+  }
+  const auto look = [&] {
+    d = pair.place(t), v = pair.speed(t);
+    far = norm(d), closing = -dot(d, v) / far, gap = far - reach;
+    touching = false;
+  };
+  for (int i = 0; pair.clocked() || i < most_steps; ++i) {
+    // The first root of gap − closing h − bend h²/2.
+    const N root = sqrt(N(closing * closing + 2 * pair.bend * gap));
+    N step = closing > N(0) ? N(2 * gap / (closing + root)) : pair.bend > N(0) ? N((root - closing) / pair.bend) : N(forever);
+    if (!(t + step < limit)) return N(forever);
+    if (!(t + step > t)) {
+      if (!touching) return closing > N(0) ? t : N(forever);
+      if (!pair.clocked()) break;
+      step = limit / N(1024);  // they lie still beside each other
+    }
+    t += step;
+    look();
+    if (!(gap > N(0))) {
+      if (closing > rounding.still) return t;
+      reach = far, gap = N(0), touching = true;
+      if (closing > N(0)) closing = N(0);
+    }
+  }
+  // Times counted from here, where the gap is as good as exact.
+  const N rest = limit - t;
+  const N f0 = gap * (far + reach), f1 = -2 * closing * far;
+  const Vec2<N>& a = pair.acceleration;
+  const N f2 = dot(v, v) + dot(d, a);
+  if (touching && closing == N(0) && f2 < N(0)) return t;  // they have parted no more than rounding, and are driven back
+  const N found = first_descent_of(Polynomial<N, 4>{f0, f1, f2, dot(v, a), N(dot(a, a) / 4)}, rest);
+  if (!(found < rest)) return N(forever);
+  t += found;
+  look();
+  // A step on the distance itself, whose rounding is that of a gap and not of the whole distance.
+  using std::abs;
+  const N rough = t, off = abs(gap);
+  if (!(closing > N(0)) || off > rounding.touch) return t;
+  t += gap / closing;
+  look();
+  return t > rough - found && t < limit && abs(gap) < off ? t : rough;
+}
+
+}  // namespace bankshot

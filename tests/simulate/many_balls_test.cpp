@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+//
+// Many balls on one table: nothing overlaps, is lost, gains energy or goes on for ever, and the same shot gives the same
+// bytes. What two balls do is held against formulas, and one ball among others against the simulator of one.
+#include "bankshot/simulate/many_balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "support/catch.hpp"
+#include "support/random_balls.hpp"
+#include "support/random_shot.hpp"
+#include "support/seed.hpp"
+#include "truth/many_balls.hpp"
+
+using namespace bankshot;
+using namespace bankshot::test;
+
+namespace {
+
+/// What a shot with others came to, looked at from event to event.
+struct Watched {
+  double overlap = -1;  ///< m, the worst
+  double gained = 0;    ///< of the energy at launch, the worst rise from one event to the next
+  double outside = 0;   ///< m, how far a centre was out of the table
+  long events = 0, meetings = 0;
+  double time = 0;  ///< s
+  bool ended = false;
+};
+
+template <class Sim>
+void look(const Sim& sim, const ShotRequest& shot, Watched& w, double& energy_before) {
+  double sum = 0;
+  std::vector<State<double>> now;
+  for (int i = 0; i < sim.count(); ++i) {
+    now.push_back(sim.state_now(i));
+    if (!sim.in_play(i)) continue;
+    State<double> s = now.back();
+    std::visit([&](const auto& motion) { s.spin = motion.spin(sim.body(i), s); }, shot.physics.motion);
+    sum += energy(sim.body(i), s);
+    for (int j = 0; j < i; ++j)
+      if (sim.in_play(j))
+        w.overlap = std::max(w.overlap, sim.body(i).radius + sim.body(j).radius -
+                                            norm(now.back().at - now[static_cast<std::size_t>(j)].at));
+  }
+  w.gained = std::max(w.gained, sum - energy_before);
+  energy_before = sum;
+}
+
+Watched watched(const ShotRequest& shot) {
+  const Starts starts(shot);
+  const BallBall law = collisions(shot.physics);
+  return with_physics(shot.physics, [&](const auto& motion, const auto& cushion) {
+    ManyBalls sim(starts.balls(), motion, cushion, law);
+    Watched w;
+    double before = 1e300;
+    look(sim, shot, w, before);
+    const double launch = before;
+    const auto unseen = [](int, double, const auto&, const auto&, double) {};
+    for (; w.events < 20000; ++w.events) {
+      const double left = shot.until.time.value_or(forever) - sim.time();
+      // Also between events.
+      const BallEvent e = sim.step(std::min(left, 0.05), unseen);
+      look(sim, shot, w, before);
+      if (e.event.kind == EventKind::ball) ++w.meetings;
+      bool moves = false;
+      for (int i = 0; i < sim.count(); ++i) moves = moves || sim.moves(i);
+      w.ended = !moves || (e.event.kind == EventKind::horizon && left <= 0.05);
+      if (w.ended) break;
+    }
+    w.gained /= launch;
+    w.time = sim.time();
+    return w;
+  });
+}
+
+ShotRequest two_balls(double cut_offset, double speed, double top) {
+  ShotRequest shot{.table = rectangle_table(40, 20), .physics = spin_physics()};
+  const double R = shot.ball.body.radius;
+  shot.physics.ball_ball = {1, 0};
+  shot.ball.at = {10, 10};
+  shot.others = {{{12, 10 + 2 * R * cut_offset}, shot.ball.body, "1"}};
+  shot.launch = {speed, 0};
+  shot.spin.top = top;
+  return shot;
+}
+
+/// The direction of the struck ball once it rolls again after the contact [degrees].
+double deflection(const Trajectory& t) {
+  bool met = false;
+  for (const Record& e : t.events) {
+    met = met || e.kind == EventKind::ball;
+    if (met && e.kind == EventKind::slide_to_roll && e.ball == 0)
+      return std::abs(degrees(std::atan2(e.state.velocity.y, e.state.velocity.x)));
+  }
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("a rolling ball leaves a quarter, half and three quarter hit at the angles of the theory") {
+  CHECK(deflection(simulate(two_balls(0.75, 2, 1))) == Approx(27.266855).margin(5e-7));
+  CHECK(deflection(simulate(two_balls(0.5, 2, 1))) == Approx(33.670497).margin(5e-7));
+  CHECK(deflection(simulate(two_balls(0.25, 2, 1))) == Approx(27.626486).margin(5e-7));
+  CHECK(deflection(simulate(two_balls(std::sin(radians(28.1)), 2, 1))) == Approx(33.749).margin(5e-4));
+}
+
+TEST_CASE("after a stun shot without friction two equal balls part at right angles") {
+  for (const double offset : {0.1, 0.5, 0.9}) {
+    ShotRequest shot = two_balls(offset, 2, 0);
+    shot.others[0].at.x = 10 + 0.0572;  // so near that it has not begun to roll
+    shot.physics.motion = SlideRoll{.sliding_friction = 0};
+    shot.until.time = 1;
+    const Trajectory t = simulate(shot);
+    const auto met = std::ranges::find(t.events, EventKind::ball, &Record::kind);
+    REQUIRE(met != t.events.end());
+    CHECK(std::abs(dot(met->state.velocity, met->other.velocity)) < 1e-14);
+  }
+}
+
+TEST_CASE("a ball that meets no other moves as if it were alone, to the bit") {
+  Random r(43);
+  int alone = 0;
+  for (int i = 0; i < 300; ++i) {
+    ShotRequest shot = random_shot(r, ShotFamily::uniform);
+    if (!(shot.ball.body.radius > 0) || shot.until.length) continue;
+    const Trajectory one = simulate(shot);
+    const Vec2d size = shot.table.highest(), low = shot.table.lowest();
+    Ball other{{r.uniform(low.x, size.x), r.uniform(low.y, size.y)}, {shot.ball.body.radius / 4, 0.1}, "1"};
+    if (!std::holds_alternative<SlideRoll>(shot.physics.motion) ||
+        Boundary(shot.table, other.body).clearance(other.at) < 0 ||
+        norm(other.at - shot.ball.at) < 2 * shot.ball.body.radius)
+      continue;
+    if (auto* han = std::get_if<Han2005>(&shot.physics.cushion); han && !(han->height < 2 * other.body.radius)) other.body = shot.ball.body;
+    if (Boundary(shot.table, other.body).clearance(other.at) < 0) continue;
+    shot.others = {other};
+    const Trajectory two = simulate(shot);
+    if (std::ranges::any_of(two.events, [](const Record& e) { return e.kind == EventKind::ball; })) continue;
+    ++alone;
+    std::vector<Record> own;
+    std::ranges::copy_if(two.events, std::back_inserter(own), [](const Record& e) { return e.ball == 0; });
+    INFO("number " << i << " of seed 43: " << write_shot(shot));
+    // A pocketed ball ends at its fall in both.
+    REQUIRE(own.size() == one.events.size());
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      REQUIRE(own[k].kind == one.events[k].kind);
+      REQUIRE(own[k].contact == one.events[k].contact);
+      REQUIRE(own[k].state.at == one.events[k].state.at);
+      REQUIRE(own[k].state.velocity == one.events[k].state.velocity);
+      REQUIRE(own[k].state.spin == one.events[k].state.spin);
+    }
+    REQUIRE(two.length == one.length);
+    REQUIRE(two.end == one.end);
+  }
+  CHECK(alone > 100);
+}
+
+namespace {
+
+void check(const ShotRequest& shot, const Watched& w) {
+  INFO(write_shot(shot));
+  CHECK(w.ended);
+  CHECK(w.overlap <= 1e-12 + (w.meetings == 0 ? tolerance::overlap : 0));
+  CHECK(w.gained <= 1e-12);
+}
+
+}  // namespace
+
+namespace {
+
+void try_families(int shots, std::uint64_t seed) {
+  for (const BallFamily family : ball_families) {
+    Random r(seed);
+    long events = 0, meetings = 0, most = 0;
+    for (int i = 0; i < shots; ++i) {
+      const ShotRequest shot = random_balls(r, family);
+      const Watched w = watched(shot);
+      INFO(name(family) << " number " << i << " of seed " << seed);
+      check(shot, w);
+      events += w.events, meetings += w.meetings, most = std::max(most, w.events);
+    }
+    std::printf("%s: %ld events, %ld between balls, at most %ld in a shot\n", name(family).c_str(), events, meetings, most);
+    CHECK(meetings > shots);
+  }
+}
+
+void try_breaks(int breaks, std::uint64_t seed) {
+  Random r(seed);
+  for (int i = 0; i < breaks; ++i) {
+    const double gaps[] = {0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-4};
+    const ShotRequest shot = break_shot(r, gaps[i % 6]);
+    INFO("number " << i << " of seed " << seed);
+    check(shot, watched(shot));
+    REQUIRE(to_json(shot, simulate(shot)) == to_json(shot, simulate(shot)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("many balls never overlap, gain no energy, and every shot ends") { try_families(40, 47); }
+TEST_CASE("thousands of shots with many balls", "[.][long]") { try_families(2000, seed_or_fresh(48)); }
+
+TEST_CASE("breaks: no overlap, no energy gained, all end, the same bytes twice") { try_breaks(30, 53); }
+TEST_CASE("two thousand breaks", "[.][long]") { try_breaks(2000, seed_or_fresh(54)); }
+
+TEST_CASE("of many balls the first events are those of 50 digits") {
+  // An error of rounding grows as a launch that is turned by as much does.
+  constexpr std::uint64_t seed = 59;
+  constexpr double turn = 1e-16, grain = 1e-15, most = 100;
+  int compared = 0, ties = 0, by_touching = 0;
+  double worst = 0;
+  for (const BallFamily family : {BallFamily::scattered, BallFamily::sizes, BallFamily::elastic, BallFamily::rolling}) {
+    Random r(seed);
+    for (int i = 0; i < 25; ++i) {
+      const ShotRequest shot = random_balls(r, family);
+      const auto exact = truth::run_many_truth(shot, 25), turned = truth::run_many_truth(shot, 25, turn);
+      const auto plain = truth::run_many_double(shot, 25);
+      for (std::size_t k = 0; k < std::min({exact.size(), turned.size(), plain.size()}); ++k) {
+        if (plain[k].event.ball != exact[k].event.ball || plain[k].event.event.kind != exact[k].event.event.kind) {
+          ++ties;  // two events so near each other that rounding orders them
+          break;
+        }
+        INFO(name(family) << " number " << i << " of seed " << seed << ", event " << k << ": " << write_shot(shot));
+        const double grown = norm(turned[k].at - exact[k].at) + grain, off = norm(plain[k].at - exact[k].at);
+        ++compared;
+        // What touches within the tolerance meets at once, on either side of which rounding may put a gap.
+        const double touch = Boundary(shot.table, shot.ball.body).touch;
+        const bool snapped = off > most * grown;
+        by_touching += snapped;
+        if (!snapped) worst = std::max(worst, off / grown);
+        CHECK(off <= std::max(most * grown, most * touch));
+      }
+    }
+  }
+  std::printf("%d events of many balls against 50 digits: off by %.3g times what a turn by 1e-16 does, %d more by a\n"
+              "touching gap, %d ties\n", compared, worst, by_touching, ties);
+  CHECK(by_touching < compared / 20);
+  CHECK(compared > 500);
+  CHECK(ties < 10);
+}
