@@ -16,11 +16,7 @@ class Recorder {
  public:
   /// `most`: seconds to look at.
   Recorder(const ShotRequest& r, const Motion& motion, const Cushion& cushion, double most)
-      : r_(r),
-        most_(most),
-        starts_(r),
-        motion_(motion),
-        sim_(starts_.balls(), motion, cushion, collisions(r.physics)) {
+      : r_(r), most_(most), starts_(r), motion_(motion), sim_(starts_.balls(), motion, cushion, collisions(r.physics)) {
     if (std::is_same_v<Motion, Ideal> && !r.until.time && !r.until.cushions && !r.until.length)
       cushions_ = ideal_cushions;
   }
@@ -29,6 +25,7 @@ class Recorder {
     for (int ball = 0; ball < sim_.count(); ++ball) note(EventKind::start, ball);
     if (r_.launch.speed == 0) return finish(EventKind::rest);
     for (long events = 0; events < max_events; ++events) {
+      if (!any_moves()) return finish(EventKind::rest);
       const BallEvent e = sim_.step(most_ - sim_.time(), keeper());
       if (e.event.kind == EventKind::horizon) return finish(most_ < forever ? EventKind::horizon : EventKind::rest);
       note(e.event.kind, e.ball, e.event.contact);
@@ -40,6 +37,12 @@ class Recorder {
   }
 
  private:
+  bool any_moves() const {
+    for (int ball = 0; ball < sim_.count(); ++ball)
+      if (sim_.moves(ball)) return true;
+    return false;
+  }
+
   auto keeper() {
     return [this](int ball, double begin, const State<double>& start, const Arc<double>& arc, double parameter) {
       if (!(parameter > 0)) return;

@@ -50,7 +50,8 @@ class Positions {
   State<double> state(int ball, const Ball& b, double time) const {
     if (b.leg < b.legs.size()) {
       const Leg& leg = *b.legs[b.leg];
-      if (leg.begin <= time && time < leg.begin + leg.arc.seconds(leg.duration)) return state_at(r_, leg, time - leg.begin);
+      if (leg.begin <= time && time < leg.begin + leg.arc.seconds(leg.duration))
+        return state_at(r_, leg, time - leg.begin);
     }
     State<double> s = b.state;  // it stands, and its vertical spin fades
     std::visit(

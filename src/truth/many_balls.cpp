@@ -31,10 +31,8 @@ std::vector<BallTruth> run(const ShotRequest& request, std::size_t most, double 
       const BallEvent e = sim.step(T(forever), unseen);
       if (e.event.kind == EventKind::horizon) break;
       const State<T>& s = sim.state(e.ball);
-      out.push_back({e,
-                     rounded(sim.time()),
-                     {rounded(s.at.x), rounded(s.at.y)},
-                     {rounded(s.velocity.x), rounded(s.velocity.y)}});
+      out.push_back(
+          {e, rounded(sim.time()), {rounded(s.at.x), rounded(s.at.y)}, {rounded(s.velocity.x), rounded(s.velocity.y)}});
     }
     return out;
   });

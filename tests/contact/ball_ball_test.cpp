@@ -59,9 +59,7 @@ Two collided(const BallBall& law, Two t) {
   return t;
 }
 
-double scale(const Two& t) {
-  return scale_of(t.first, t.body1.radius) + scale_of(t.second, t.body2.radius);
-}
+double scale(const Two& t) { return scale_of(t.first, t.body1.radius) + scale_of(t.second, t.body2.radius); }
 
 double difference(const Two& a, const Two& b) {
   return difference(a.first, b.first, a.body1.radius) + difference(a.second, b.second, a.body2.radius);
@@ -75,7 +73,10 @@ TEST_CASE("a contact of two balls keeps momentum, restitution, spin about the li
   constexpr int draws = 1000000;
   for (int i = 0; i < draws; ++i) {
     const Two t = draw(r);
-    const BallBall law{r.chance(0.2) ? 1.0 : r.chance(0.2) ? 0.0 : r.uniform(0, 1), r.chance(0.2) ? 0 : r.uniform(0, 0.5)};
+    const BallBall law{r.chance(0.2)   ? 1.0
+                       : r.chance(0.2) ? 0.0
+                                       : r.uniform(0, 1),
+                       r.chance(0.2) ? 0 : r.uniform(0, 0.5)};
     const Two u = collided(law, t);
     const Vec2d n = normal_of(t);
     const double m1 = t.body1.mass, m2 = t.body2.mass, most = scale(t) * (1 + std::max(m1 / m2, m2 / m1));
@@ -105,7 +106,8 @@ TEST_CASE("a contact is the same seen from the other ball, in a mirror, turned, 
     const Two t = draw(r);
     const BallBall law{r.uniform(0, 1), r.uniform(0, 0.5)};
     const Two u = collided(law, t);
-    const double angle = r.uniform(0, 6.28), most = 1e-14 * scale(t) * (1 + t.body1.mass / t.body2.mass + t.body2.mass / t.body1.mass);
+    const double angle = r.uniform(0, 6.28),
+                 most = 1e-14 * scale(t) * (1 + t.body1.mass / t.body2.mass + t.body2.mass / t.body1.mass);
     const auto each = [&](auto f) { return Two{t.body1, t.body2, f(t.first), f(t.second)}; };
     const auto of = [&](auto f) { return Two{u.body1, u.body2, f(u.first), f(u.second)}; };
     const auto mirror = [](const State<double>& s) { return mirrored(s); };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Many balls on one table: nothing overlaps, is lost, gains energy or goes on for ever, and the same shot gives the same
-// bytes. What two balls do is held against formulas, and one ball among others against the simulator of one.
+// Many balls on one table: nothing overlaps, is lost, gains energy or goes on for ever, and the same shot gives the
+// same bytes. What two balls do is held against formulas, and one ball among others against the simulator of one.
 #include "bankshot/simulate/many_balls.hpp"
 
 #include <algorithm>
@@ -132,7 +132,8 @@ TEST_CASE("a ball that meets no other moves as if it were alone, to the bit") {
         Boundary(shot.table, other.body).clearance(other.at) < 0 ||
         norm(other.at - shot.ball.at) < 2 * shot.ball.body.radius)
       continue;
-    if (auto* han = std::get_if<Han2005>(&shot.physics.cushion); han && !(han->height < 2 * other.body.radius)) other.body = shot.ball.body;
+    if (auto* han = std::get_if<Han2005>(&shot.physics.cushion); han && !(han->height < 2 * other.body.radius))
+      other.body = shot.ball.body;
     if (Boundary(shot.table, other.body).clearance(other.at) < 0) continue;
     shot.others = {other};
     const Trajectory two = simulate(shot);
@@ -180,7 +181,8 @@ void try_families(int shots, std::uint64_t seed) {
       check(shot, w);
       events += w.events, meetings += w.meetings, most = std::max(most, w.events);
     }
-    std::printf("%s: %ld events, %ld between balls, at most %ld in a shot\n", name(family).c_str(), events, meetings, most);
+    std::printf("%s: %ld events, %ld between balls, at most %ld in a shot\n", name(family).c_str(), events, meetings,
+                most);
     CHECK(meetings > shots);
   }
 }
@@ -233,8 +235,10 @@ TEST_CASE("of many balls the first events are those of 50 digits") {
       }
     }
   }
-  std::printf("%d events of many balls against 50 digits: off by %.3g times what a turn by 1e-16 does, %d more by a\n"
-              "touching gap, %d ties\n", compared, worst, by_touching, ties);
+  std::printf(
+      "%d events of many balls against 50 digits: off by %.3g times what a turn by 1e-16 does, %d more by a\n"
+      "touching gap, %d ties\n",
+      compared, worst, by_touching, ties);
   CHECK(by_touching < compared / 20);
   CHECK(compared > 500);
   CHECK(ties < 10);

@@ -48,7 +48,8 @@ Case draw(Random& r, Family family) {
   }
   double gap = scale * r.uniform(0.01, 2);
   if (family == Family::close) gap = r.log_uniform(1e-12, 1e-3);
-  if (family == Family::clustered) c.v = any(r, r.log_uniform(1e-6, 1e-2)), c.a = any(r, r.log_uniform(1e-6, 1e-2)), gap = r.log_uniform(1e-6, 1e-2);
+  if (family == Family::clustered)
+    c.v = any(r, r.log_uniform(1e-6, 1e-2)), c.a = any(r, r.log_uniform(1e-6, 1e-2)), gap = r.log_uniform(1e-6, 1e-2);
   if (family == Family::equal) c.a = any(r, r.chance(0.3) ? 0 : r.log_uniform(1e-18, 1e-6));
   c.d = any(r, c.reach + gap);
   if (r.chance(0.6)) c.v = c.d * (-norm(c.v) / norm(c.d)) + any(r, 0.2 * norm(c.v));
@@ -57,7 +58,8 @@ Case draw(Random& r, Family family) {
     const double after = r.log_uniform(1e-2, 2), least = (r.chance(0.5) ? 1 : -1) * r.log_uniform(1e-16, 1e-6);
     const Vec2d n = any(r, 1);
     c.v = perpendicular(n) * r.log_uniform(1e-2, 5);
-    if (family == Family::bent) c.a = n * (-dot(c.v, c.v) / c.reach * (1 + r.uniform(-1, 1) * r.log_uniform(1e-9, 1e-2)));
+    if (family == Family::bent)
+      c.a = n * (-dot(c.v, c.v) / c.reach * (1 + r.uniform(-1, 1) * r.log_uniform(1e-9, 1e-2)));
     c.d = n * (c.reach + least) - c.v * after + c.a * (after * after / 2);
     c.v = c.v - c.a * after;
     c.limit = 2 * after;
@@ -128,7 +130,8 @@ TEST_CASE("meetings of two balls are those of 50 digits: none lost, none made up
       // How deep the gap falls, or how near it comes to 0 without.
       const std::vector<Exact> roots = f.changes(c.limit);
       const auto gap = [&](const Exact& t) { return (f(t) / (2 * Exact(c.reach))).convert_to<double>(); };
-      const double size = norm(c.d) + norm(c.v) * c.limit + norm(c.a) * c.limit * c.limit, rounding = most * unit * size;
+      const double size = norm(c.d) + norm(c.v) * c.limit + norm(c.a) * c.limit * c.limit,
+                   rounding = most * unit * size;
       std::vector<Exact> slope;
       for (std::size_t k = 1; k < f.c.size(); ++k) slope.push_back(f.c[k] * k);
       double least = std::min(gap(0), gap(c.limit));

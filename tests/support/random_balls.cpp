@@ -21,7 +21,8 @@ bool fits(const ShotRequest& shot, const Ball& ball) {
 /// Beside another ball, touching it up to rounding, or at a cushion.
 Vec2d touching(Random& r, const ShotRequest& shot, const Body& body) {
   const Vec2d size = shot.table.highest();
-  if (r.chance(0.25)) return {r.uniform(body.radius, size.x - body.radius), r.chance(0.5) ? body.radius : size.y - body.radius};
+  if (r.chance(0.25))
+    return {r.uniform(body.radius, size.x - body.radius), r.chance(0.5) ? body.radius : size.y - body.radius};
   const int which = r.integer(0, static_cast<int>(shot.others.size()));
   const Ball& beside = which == 0 ? shot.ball : shot.others[static_cast<std::size_t>(which) - 1];
   const double way = r.chance(0.3) ? radians(60.0 * r.integer(0, 5)) : r.uniform(0, 7);
@@ -36,8 +37,7 @@ void place_others(Random& r, ShotRequest& shot, BallFamily family) {
   for (int i = 0, tries = 0; i < count && tries < 300; ++tries) {
     Ball ball{{}, shot.ball.body, std::to_string(i + 1)};
     if (family == BallFamily::sizes) ball.body = {r.uniform(0.02, 0.036), r.log_uniform(0.05, 0.5)};
-    ball.at = close && r.chance(0.8) ? touching(r, shot, ball.body)
-                                     : Vec2d{r.uniform(0, size.x), r.uniform(0, size.y)};
+    ball.at = close && r.chance(0.8) ? touching(r, shot, ball.body) : Vec2d{r.uniform(0, size.x), r.uniform(0, size.y)};
     if (!fits(shot, ball)) continue;
     shot.others.push_back(ball);
     ++i;

@@ -45,7 +45,7 @@ struct BallBallOf {
       const auto surface = [&](auto axis) {
         return T(axis(first.spin) * Number(body1.radius) + axis(second.spin) * Number(body2.radius));
       };
-      const T wx = surface([](const auto& w) { return w.x; }), wy = surface([](const auto& w) { return w.y; });
+      const T wx = surface([](const auto&w) { return w.x; }), wy = surface([](const auto&w) { return w.y; });
       const T slip_along = dot(first.velocity - second.velocity, t) + surface([](const auto& w) { return w.z; });
       const T slip_up = wx * n.y - wy * n.x;
       // Squares are compared, for a root of 0 has no derivative.

@@ -6,11 +6,11 @@
 //   f_c >= 0, n_c·(a_b − a_a) >= 0, f_c n_c·(a_b − a_a) = 0, a_i = its own + Σ ± f_c n_c / M_i
 // with M the mass of a ball that slides, and 7/5 of it where it rolls or rests: it has to be turned as well.
 // Method: contact by contact in the order given, what is left of its acceleration taken away, until nothing changes
-// (projected Gauss–Seidel); one contact alone is exact at once. What is left of speeds along the lines of centres, up to
-// tolerance::held_contact, is taken away in the same manner, since contact by contact it would take hundreds of events:
-// a ball that rolls goes on rolling. A ball that is pressed on moves with constant
-// acceleration for a piece of 2 ms at most. With neither speed nor acceleration along the line of centres the distance
-// is √(D² + (v t + a t²/2)²): two balls that are held never overlap.
+// (projected Gauss–Seidel); one contact alone is exact at once. What is left of speeds along the lines of centres, up
+// to tolerance::held_contact, is taken away in the same manner, since contact by contact it would take hundreds of
+// events: a ball that rolls goes on rolling. A ball that is pressed on moves with constant acceleration for a piece of
+// 2 ms at most. With neither speed nor acceleration along the line of centres the distance is √(D² + (v t + a t²/2)²):
+// two balls that are held never overlap.
 #pragma once
 
 #include <limits>
@@ -32,7 +32,8 @@ Vec2<T> first_acceleration(const Arc<T>& arc) {
 
 template <class T>
 bool slides(const Arc<T>& arc) {
-  return arc.end == PhaseEnd::roll || arc.end == PhaseEnd::none || (arc.end == PhaseEnd::piece && arc.pressed != Press::rolls);
+  return arc.end == PhaseEnd::roll || arc.end == PhaseEnd::none ||
+         (arc.end == PhaseEnd::piece && arc.pressed != Press::rolls);
 }
 
 /// What a push has to move [kg].
@@ -81,10 +82,10 @@ void press(Arc<T>& arc, const Vec2<T>& push) {
 /// A contact of two balls, by number; or of the first with a cushion.
 template <class T>
 struct Pressed {
-  int first, second;  ///< second: none is the cushion
-  Vec2<T> normal;     ///< unit, from the first to the second or to the cushion
-  T force{0};         ///< N, or an impulse [N s]
-  bool keeps = false; ///< it pulls as well
+  int first, second;   ///< second: none is the cushion
+  Vec2<T> normal;      ///< unit, from the first to the second or to the cushion
+  T force{0};          ///< N, or an impulse [N s]
+  bool keeps = false;  ///< it pulls as well
   static constexpr int none = -1;
 };
 
@@ -97,8 +98,8 @@ T parting_rate(const Pressed<T>& c, std::span<const Vec2<T>> rates) {
   return dot(c.normal, Vec2<T>(of(c.second) - of(c.first)));
 }
 
-/// Finds the forces. `rates`: accelerations of the balls alone, changed to what they are with the forces; or velocities,
-/// and the forces are impulses. `inertias` [kg].
+/// Finds the forces. `rates`: accelerations of the balls alone, changed to what they are with the forces; or
+/// velocities, and the forces are impulses. `inertias` [kg].
 template <class T>
 void press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias) {
   using N = Real<T>;

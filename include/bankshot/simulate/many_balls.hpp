@@ -106,11 +106,11 @@ class ManyBalls {
 
   struct Slot {
     BallTrack<T> track;
-    T began{0};                 ///< s, its arc
-    NextEvent<Number> next{};   ///< of the ball alone
-    Number due{never};          ///< s, that
-    Number fastest{0};          ///< m/s, on its arc at most
-    Contact pending{};          ///< the second cushion of a corner, still to bounce
+    T began{0};                ///< s, its arc
+    NextEvent<Number> next{};  ///< of the ball alone
+    Number due{never};         ///< s, that
+    Number fastest{0};         ///< m/s, on its arc at most
+    Contact pending{};         ///< the second cushion of a corner, still to bounce
     bool in_play = true;
     bool moves = false;
     bool awake = false;  ///< it was struck, and is not known to rest
@@ -387,9 +387,8 @@ class ManyBalls {
   template <class Watch>
   void let_go(std::vector<std::size_t>& balls, Watch&& watch) {
     for (std::size_t k = 0; k < balls.size() && !held_.empty(); ++k) {
-      const auto [these, rest] = std::ranges::partition(held_, [&](const Two& pair) {
-        return pair.first != balls[k] && pair.second != balls[k];
-      });
+      const auto [these, rest] = std::ranges::partition(
+          held_, [&](const Two& pair) { return pair.first != balls[k] && pair.second != balls[k]; });
       for (auto pair = these; pair != rest; ++pair) {
         const std::size_t other = pair->first == balls[k] ? pair->second : pair->first;
         if (std::find(balls.begin(), balls.end(), other) != balls.end()) continue;
@@ -500,7 +499,8 @@ class ManyBalls {
 
   static void hold_at_cushion(BallTrack<T>& track, const Vec2<Number>& into) {
     for (int k = 0; k < 2; ++k)
-      if (const Contact c = track.on(k); c && dot(track.boundary().normal(c, value(track.state().at)), into) < Number(0))
+      if (const Contact c = track.on(k);
+          c && dot(track.boundary().normal(c, value(track.state().at)), into) < Number(0))
         track.hold(c);
   }
 

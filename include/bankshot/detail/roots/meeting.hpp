@@ -91,7 +91,9 @@ N first_meeting(const Apart<N>& pair, N reach, const N& limit, const Rounding<N>
   for (int i = 0; pair.clocked() || i < most_steps; ++i) {
     // The first root of gap − closing h − bend h²/2.
     const N root = sqrt(N(closing * closing + 2 * pair.bend * gap));
-    N step = closing > N(0) ? N(2 * gap / (closing + root)) : pair.bend > N(0) ? N((root - closing) / pair.bend) : N(forever);
+    N step = closing > N(0)     ? N(2 * gap / (closing + root))
+             : pair.bend > N(0) ? N((root - closing) / pair.bend)
+                                : N(forever);
     if (!(t + step < limit)) return N(forever);
     if (!(t + step > t)) {
       if (!touching) return closing > N(0) ? t : N(forever);
@@ -111,7 +113,8 @@ N first_meeting(const Apart<N>& pair, N reach, const N& limit, const Rounding<N>
   const N f0 = gap * (far + reach), f1 = -2 * closing * far;
   const Vec2<N>& a = pair.acceleration;
   const N f2 = dot(v, v) + dot(d, a);
-  if (touching && closing == N(0) && f2 < N(0)) return t;  // they have parted no more than rounding, and are driven back
+  if (touching && closing == N(0) && f2 < N(0))
+    return t;  // they have parted no more than rounding, and are driven back
   const N found = first_descent_of(Polynomial<N, 4>{f0, f1, f2, dot(v, a), N(dot(a, a) / 4)}, rest);
   if (!(found < rest)) return N(forever);
   t += found;
