@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
   const int rack[] = {1, 9, 2, 10, 8, 3, 11, 4, 12, 5, 6, 13, 7, 14, 15};
   for (int i = 0, k = 0; i < 5; ++i)
     for (int j = 0; j <= i; ++j, ++k)
-      shot.others.push_back({{1.905 + i * row + off(), 0.635 + (j - i / 2.0) * step + off()}, scene.ball.body, std::to_string(rack[k])});
+      shot.others.push_back(
+          {{1.905 + i * row + off(), 0.635 + (j - i / 2.0) * step + off()}, scene.ball.body, std::to_string(rack[k])});
 
   const Trajectory path = simulate(shot);
   const auto count = [&](EventKind kind) { return std::ranges::count(path.events, kind, &Record::kind); };
@@ -34,7 +35,7 @@ int main(int argc, char** argv) {
       fmt::print("{:<3} falls into {} after {:.2f} s\n", ball_of(shot, e.ball).id, contact_name(shot.table, e.contact),
                  e.time);
   const Record& cue = end_of(path, 0);
-  fmt::print("the cue ball is {} ({:.3f}, {:.3f}) m\n", path.end == EventKind::rest ? "at rest at" : "gone, last seen at",
-             cue.state.at.x, cue.state.at.y);
+  fmt::print("the cue ball is {} ({:.3f}, {:.3f}) m\n",
+             path.end == EventKind::rest ? "at rest at" : "gone, last seen at", cue.state.at.x, cue.state.at.y);
   if (argc > 1) std::ofstream(argv[1]) << draw(shot, path);
 }

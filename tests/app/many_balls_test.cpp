@@ -94,7 +94,8 @@ TEST_CASE("simulate: what is wrong with other balls is told with its place") {
     CHECK(run.exit == 2);
     return run.err;
   };
-  CHECK_THAT(complaint(R"([{"id": "1", "at": [2.02, 0.8]}])"), Contains("/others/0/at") && Contains("overlaps ball \"cue\""));
+  CHECK_THAT(complaint(R"([{"id": "1", "at": [2.02, 0.8]}])"),
+             Contains("/others/0/at") && Contains("overlaps ball \"cue\""));
   CHECK_THAT(complaint(R"([{"id": "1", "at": [1, 1]}, {"id": "1", "at": [1, 0.5]}])"), Contains("/others/1/id"));
   CHECK_THAT(complaint(R"([{"id": "cue", "at": [1, 1]}])"), Contains("/others/0/id"));
   CHECK_THAT(complaint(R"([{"id": "1", "at": [1, 1], "radius": 0}])"), Contains("/others/0/radius"));

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// The balls on a table, each on its own arc, and the clock that they share. Whoever holds it decides what happens next
+// (simulate/many_balls.hpp).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "bankshot/detail/roots/meeting.hpp"
+#include "bankshot/simulate/ball_track.hpp"
+
+namespace bankshot {
+
+template <class T, class Motion>
+struct BallsInPlay {
+  using Number = Real<T>;
+  static constexpr double never = forever;
+
+  struct Ball {
+    BallTrack<T> track;
+    T began{0};                ///< s, its arc
+    NextEvent<Number> next{};  ///< of the ball alone
+    Number due{never};         ///< s, that
+    Number fastest{0};         ///< m/s, on its arc at most
+    Contact pending{};         ///< the second cushion of a corner, still to bounce
+    bool in_play = true;
+    bool moves = false;
+    bool awake = false;  ///< it was struck, and is not known to rest
+  };
+
+  std::vector<Ball> balls{};
+  Motion motion;
+  Rounding<Number> rounding{};
+  T now{0};  ///< s since the launch
+
+  std::size_t count() const { return balls.size(); }
+  const Body& body(std::size_t i) const { return balls[i].track.boundary().body; }
+
+  /// The second as seen from the first, at a time on the arcs that they are on.
+  Apart<Number> seen(std::size_t i, std::size_t j, const Number& time) const {
+    const Ball &a = balls[i], &b = balls[j];
+    return {value(a.track.arc()), Number(time - value(a.began)), value(b.track.arc()), Number(time - value(b.began))};
+  }
+
+  /// How far apart their centres are where they touch [m].
+  Number reach(std::size_t i, std::size_t j) const {
+    return Number(body(i).radius) + Number(body(j).radius);
+  }
+
+  /// Along its arc, to now.
+  template <class Watch>
+  void bring(std::size_t i, Watch&& watch) {
+    Ball& s = balls[i];
+    const T lasted = now - s.began;
+    if (s.moves)
+      go(i, s.track.arc().parameter(lasted), watch);
+    else if (s.in_play && value(lasted) > Number(0))
+      s.track.wait(motion, lasted);
+    s.began = now;
+  }
+
+  template <class Watch>
+  void go(std::size_t i, const T& parameter, Watch&& watch) {
+    Ball& s = balls[i];
+    s.track.go(motion, parameter);
+    watch(static_cast<int>(i), s.began, s.track.before(), s.track.arc(), parameter);
+  }
+
+  /// A new arc from where the ball is.
+  void begin(std::size_t i) {
+    Ball& s = balls[i];
+    if (s.in_play) s.track.begin(motion);
+  }
+
+  /// When the ball's own next event comes, if it moves.
+  void find(Ball& s) {
+    s.due = never;
+    s.moves = false;
+    s.fastest = Number(0);
+    if (!s.in_play) return;
+    const Arc<Number>& arc = value(s.track.arc());
+    const bool stands = arc.end == PhaseEnd::rest && !(arc.duration > Number(0));
+    if (stands && !s.awake) return;
+    s.awake = s.moves = true;
+    if (s.pending && s.track.approach(s.pending) > Number(0)) {
+      s.next.set(Number(0), bounce_off(s.pending), s.pending);
+      s.due = value(now);
+      return;
+    }
+    s.pending = {};
+    s.next = s.track.template find<false>(T(never));  // a ball that is pressed bends in any motion
+    const Number lasts = arc.seconds(s.next.time);
+    if (lasts < never) s.due = value(s.began) + lasts;
+    s.fastest = fastest_on(arc, s.next.time);
+  }
+
+  /// m/s, up to a parameter: at one of its ends.
+  static Number fastest_on(const Arc<Number>& arc, const Number& until) {
+    using std::sqrt;
+    const Number begin2 = dot(arc.velocity, arc.velocity);
+    if (!arc.bends || !(until < never)) return sqrt(begin2);
+    const Vec2<Number> end = arc.tangent(until);
+    return sqrt(std::max<Number>(begin2, dot(end, end)));
+  }
+
+  /// Two are too far from each other to touch within so many seconds from now, on the arcs that they are on.
+  bool too_far(std::size_t i, std::size_t j, const Number& seconds) const {
+    const Ball &a = balls[i], &b = balls[j];
+    const auto way = [&](const Ball& s) { return s.fastest * (value(now) - value(s.began) + seconds); };
+    const Vec2<Number> d = value(b.track.state().at) - value(a.track.state().at);
+    const Number near = reach(i, j) + rounding.touch + way(a) + way(b);
+    return dot(d, d) > near * near;
+  }
+
+  /// A ball that rolls, pressed on, and hardly moves where that ends, rests.
+  void slow_to_rest(Ball& s) {
+    constexpr double slow = tolerance::slow_contact * tolerance::pressed_rest;
+    State<T> state = s.track.state();
+    if (!(dot(value(state.velocity), value(state.velocity)) < Number(slow * slow))) return;
+    state.velocity = {T(0), T(0)};
+    state.spin.x = state.spin.y = T(0);
+    s.track.resume(state);
+  }
+};
+
+}  // namespace bankshot

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+//
+// Contacts that last: balls that touch, do not approach or part to speak of, and that friction drives together. They are
+// held apart by forces (detail/pressed.hpp), which is no event; when one of them changes its arc all are looked at anew.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "bankshot/detail/balls_in_play.hpp"
+#include "bankshot/detail/pressed.hpp"
+
+namespace bankshot {
+
+template <class T, class Motion>
+class LastingContacts {
+ public:
+  using Number = Real<T>;
+
+  using Balls = BallsInPlay<T, Motion>;
+
+  /// `launch`: |v| + R|ω| of it [m/s].
+  explicit LastingContacts(const Number& launch)
+      : held_speed_(std::min<Number>(Number(tolerance::held_contact), Number(tolerance::held_part) * launch)) {}
+
+  /// Two that meet no faster than this [m/s] are held at once.
+  const Number& slowest_meeting() const { return held_speed_; }
+
+  /// These two press on each other.
+  bool is_held(std::size_t i, std::size_t j) const {
+    return std::ranges::any_of(held_, [&](const auto& pair) { return pair == Two{std::min(i, j), std::max(i, j)}; });
+  }
+
+  /// Forces between these balls and others end here; the others join them.
+  template <class Watch>
+  void let_go(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
+    for (std::size_t k = 0; k < balls.size() && !held_.empty(); ++k) {
+      const auto [these, rest] = std::ranges::partition(
+          held_, [&](const Two& pair) { return pair.first != balls[k] && pair.second != balls[k]; });
+      for (auto pair = these; pair != rest; ++pair) {
+        const std::size_t other = pair->first == balls[k] ? pair->second : pair->first;
+        if (std::find(balls.begin(), balls.end(), other) != balls.end()) continue;
+        const bool rolls = in.balls[other].track.arc().pressed == Press::rolls;
+        in.bring(other, watch);
+        if (rolls) in.slow_to_rest(in.balls[other]);
+        balls.push_back(other);
+      }
+      held_.erase(these, rest);
+    }
+  }
+
+  /// Of balls whose arcs have just begun: those that friction drives into another are held apart from it. Joins to
+  /// `balls` whoever they touch.
+  template <class Watch>
+  void hold(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
+    bool driven = false, any = false;
+    for (std::size_t k = 0; k < balls.size() && !any; ++k)
+      for (std::size_t j = 0; j < in.count() && !any; ++j) any = j != balls[k] && touch(in, balls[k], j, driven) && driven;
+    if (!any) return;
+    for (std::size_t k = 0; k < balls.size(); ++k)
+      for (std::size_t j = 0; j < in.count(); ++j) {
+        if (std::find(balls.begin(), balls.end(), j) != balls.end() || !touch(in, balls[k], j, driven)) continue;
+        const std::size_t known = balls.size();
+        in.bring(j, watch);
+        balls.push_back(j);
+        let_go(in, balls, watch);
+        for (std::size_t m = known; m < balls.size(); ++m) in.begin(balls[m]);
+      }
+    std::ranges::sort(balls);
+    find_contacts(in, balls);
+    find_forces(in, balls);
+    stop_approach(in, balls);
+    find_forces(in, balls);
+    press(in, balls);
+  }
+
+ private:
+  using Two = std::pair<std::size_t, std::size_t>;  ///< the lower number first
+
+  /// Two balls touch and neither approach nor part, to speak of. If so `driven` says whether they do approach, or will.
+  bool touch(const Balls& in, std::size_t i, std::size_t j, bool& driven) const {
+    using std::abs;
+    if (!in.balls[i].in_play || !in.balls[j].in_play || in.too_far(i, j, Number(0))) return false;
+    const Apart<Number> apart = in.seen(i, j, value(in.now));
+    const Number near = in.reach(i, j) + in.rounding.touch, far2 = dot(apart.at, apart.at);
+    if (!(far2 < near * near)) return false;
+    const Vec2<Number> normal = apart.at / norm(apart.at);
+    const Number parting = dot(normal, apart.velocity);
+    driven = parting < -in.rounding.still || dot(normal, Vec2<Number>(value(pull(in, j)) - value(pull(in, i)))) < Number(0);
+    return abs(parting) <= held_speed_;
+  }
+
+  /// Its acceleration without those of other balls.
+  static Vec2<T> pull(const Balls& in, std::size_t i) {
+    const Arc<T>& arc = in.balls[i].track.arc();
+    if (arc.end == PhaseEnd::rest && !(value(arc.duration) > Number(0))) return {T(0), T(0)};
+    return first_acceleration(arc);
+  }
+
+  /// Of these balls with each other and with cushions.
+  void find_contacts(const Balls& in, const std::vector<std::size_t>& balls) {
+    using std::abs;
+    contacts_.clear();
+    bool driven = false;
+    for (std::size_t a = 0; a < balls.size(); ++a) {
+      const BallTrack<T>& track = in.balls[balls[a]].track;
+      const int first = static_cast<int>(a);
+      for (std::size_t b = a + 1; b < balls.size(); ++b)
+        if (touch(in, balls[a], balls[b], driven)) {
+          const Vec2<T> between = in.balls[balls[b]].track.state().at - track.state().at;
+          contacts_.push_back({first, static_cast<int>(b), between / norm(between)});
+        }
+      for (int k = 0; k < 2; ++k)
+        if (const Contact c = track.on(k)) {
+          const Vec2<T> away = track.boundary().normal(c, track.state().at);
+          if (abs(dot(value(away), value(track.state().velocity))) <= held_speed_)
+            contacts_.push_back({first, Pressed<T>::none, -away});
+        }
+    }
+  }
+
+  void find_forces(const Balls& in, const std::vector<std::size_t>& balls) {
+    own_.clear();
+    inertias_.clear();
+    for (const std::size_t i : balls) {
+      own_.push_back(in.balls[i].in_play ? pull(in, i) : Vec2<T>{T(0), T(0)});
+      inertias_.push_back(inertia(in.balls[i].track.arc(), in.balls[i].track.boundary().body));
+    }
+    rates_ = own_;
+    for (Pressed<T>& c : contacts_) c.force = T(0), c.keeps = false;
+    press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_));
+  }
+
+  /// Where there are forces nothing is left of the speed along them, and none approach elsewhere.
+  void stop_approach(Balls& in, const std::vector<std::size_t>& balls) {
+    rates_.clear();
+    for (const std::size_t i : balls) rates_.push_back(in.balls[i].track.state().velocity);
+    bool any = false;
+    for (Pressed<T>& c : contacts_) {
+      c.keeps = value(c.force) > Number(0);
+      c.force = T(0);
+      const Number parting = value(parting_rate<T>(c, rates_));
+      any = any || parting < -in.rounding.still || (c.keeps && parting > in.rounding.still);
+    }
+    if (!any) return;
+    press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_));
+    for (std::size_t a = 0; a < balls.size(); ++a) {
+      BallTrack<T>& track = in.balls[balls[a]].track;
+      const Vec2<T> more = rates_[a] - track.state().velocity;
+      if (more == Vec2<T>{T(0), T(0)}) continue;
+      track.nudge(in.motion, more);
+      in.begin(balls[a]);
+    }
+  }
+
+  void press(Balls& in, const std::vector<std::size_t>& balls) {
+    for (std::size_t a = 0; a < balls.size(); ++a) {
+      const Vec2<T> push = rates_[a] - own_[a];
+      if (!(push == Vec2<T>{T(0), T(0)})) in.balls[balls[a]].track.press(push);
+    }
+    for (const Pressed<T>& c : contacts_) {
+      if (!(value(c.force) > Number(0))) continue;
+      const std::size_t i = balls[static_cast<std::size_t>(c.first)];
+      if (c.second != Pressed<T>::none)
+        held_.push_back(Two{i, balls[static_cast<std::size_t>(c.second)]});
+      else
+        hold_at_cushion(in.balls[i].track, value(c.normal));
+    }
+  }
+
+  static void hold_at_cushion(BallTrack<T>& track, const Vec2<Number>& into) {
+    for (int k = 0; k < 2; ++k)
+      if (const Contact c = track.on(k);
+          c && dot(track.boundary().normal(c, value(track.state().at)), into) < Number(0))
+        track.hold(c);
+  }
+
+  Number held_speed_;      ///< m/s
+  std::vector<Two> held_;  ///< pairs that press on each other
+  // Of the balls that do, while they are looked at:
+  std::vector<Pressed<T>> contacts_;
+  std::vector<Vec2<T>> rates_, own_;
+  std::vector<double> inertias_;
+};
+
+}  // namespace bankshot
