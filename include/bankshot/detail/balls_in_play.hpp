@@ -46,9 +46,7 @@ struct BallsInPlay {
   }
 
   /// How far apart their centres are where they touch [m].
-  Number reach(std::size_t i, std::size_t j) const {
-    return Number(body(i).radius) + Number(body(j).radius);
-  }
+  Number reach(std::size_t i, std::size_t j) const { return Number(body(i).radius) + Number(body(j).radius); }
 
   /// Along its arc, to now.
   template <class Watch>

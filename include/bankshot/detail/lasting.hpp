@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Contacts that last: balls that touch, do not approach or part to speak of, and that friction drives together. They are
-// held apart by forces (detail/pressed.hpp), which is no event; when one of them changes its arc all are looked at anew.
+// Contacts that last: balls that touch, do not approach or part to speak of, and that friction drives together. They
+// are held apart by forces (detail/pressed.hpp), which is no event; when one of them changes its arc all are looked at
+// anew.
 #pragma once
 
 #include <algorithm>
@@ -38,9 +39,10 @@ class LastingContacts {
   template <class Watch>
   void let_go(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
     for (std::size_t k = 0; k < balls.size() && !held_.empty(); ++k) {
-      const auto [these, rest] = std::ranges::partition(
-          held_, [&](const Two& pair) { return pair.first != balls[k] && pair.second != balls[k]; });
-      for (auto pair = these; pair != rest; ++pair) {
+      const auto these = std::partition(held_.begin(), held_.end(), [&](const Two& pair) {
+        return pair.first != balls[k] && pair.second != balls[k];
+      });
+      for (auto pair = these; pair != held_.end(); ++pair) {
         const std::size_t other = pair->first == balls[k] ? pair->second : pair->first;
         if (std::find(balls.begin(), balls.end(), other) != balls.end()) continue;
         const bool rolls = in.balls[other].track.arc().pressed == Press::rolls;
@@ -48,7 +50,7 @@ class LastingContacts {
         if (rolls) in.slow_to_rest(in.balls[other]);
         balls.push_back(other);
       }
-      held_.erase(these, rest);
+      held_.erase(these, held_.end());
     }
   }
 
@@ -58,7 +60,8 @@ class LastingContacts {
   void hold(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
     bool driven = false, any = false;
     for (std::size_t k = 0; k < balls.size() && !any; ++k)
-      for (std::size_t j = 0; j < in.count() && !any; ++j) any = j != balls[k] && touch(in, balls[k], j, driven) && driven;
+      for (std::size_t j = 0; j < in.count() && !any; ++j)
+        any = j != balls[k] && touch(in, balls[k], j, driven) && driven;
     if (!any) return;
     for (std::size_t k = 0; k < balls.size(); ++k)
       for (std::size_t j = 0; j < in.count(); ++j) {
@@ -89,7 +92,8 @@ class LastingContacts {
     if (!(far2 < near * near)) return false;
     const Vec2<Number> normal = apart.at / norm(apart.at);
     const Number parting = dot(normal, apart.velocity);
-    driven = parting < -in.rounding.still || dot(normal, Vec2<Number>(value(pull(in, j)) - value(pull(in, i)))) < Number(0);
+    driven =
+        parting < -in.rounding.still || dot(normal, Vec2<Number>(value(pull(in, j)) - value(pull(in, i)))) < Number(0);
     return abs(parting) <= held_speed_;
   }
 
