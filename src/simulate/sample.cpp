@@ -81,10 +81,10 @@ void sample(const ShotRequest& r, const Trajectory& t, double rate, const See& s
   };
   const double end = t.events.back().time;
   events_until(0);
-  long number = 1;
-  for (double s = 1 / rate; s < end; s = static_cast<double>(++number) / rate) {
-    events_until(s);
-    positions.at(s, see);
+  for (long number = 1; static_cast<double>(number) / rate < end; ++number) {
+    const double time = static_cast<double>(number) / rate;
+    events_until(time);
+    positions.at(time, see);
   }
   events_until(forever);
 }
