@@ -26,10 +26,10 @@ RollingFriction read_rolling_friction(const Reader& r) {
 decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
   r.only(format::cushion);
   std::size_t which = 0;
-  if (const auto v = r.find("model"); v && v->is_string() && v->text() == "stronge")
-    v->fail("is not supported yet");
-  else if (v)
+  if (const auto v = r.find("model")) {
+    if (v->is_string() && v->text() == "stronge") v->fail("is not supported yet");
     which = v->word("cushion model", format::cushion_models);
+  }
   if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
   r.read(format::cushion["friction"], han.friction);
   r.read(format::cushion["height"], han.height);

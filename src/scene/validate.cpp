@@ -212,16 +212,15 @@ void check_others(const Table& table, const Ball& struck, const std::vector<Ball
   for (std::size_t i = 0; i < others.size(); ++i) {
     const Ball& ball = others[i];
     const std::string path = at("/others", i);
-    for (std::size_t k = 0; k <= i; ++k) {
-      const Ball& before = k == 0 ? struck : others[k - 1];
-      if (before.id == ball.id)
+    const auto before = [&](std::size_t k) -> const Ball& { return k == 0 ? struck : others[k - 1]; };
+    for (std::size_t k = 0; k <= i; ++k)
+      if (before(k).id == ball.id)
         fail(path + "/id", fmt::format("\"{}\" is taken; names of balls are unique and not \"cue\"", ball.id));
-    }
     check_body(ball.body, path);
     if (!(ball.body.radius > 0)) fail(path + "/radius", "0 must be greater than 0");
     check_nose(physics, ball.body);
     check_inside(Boundary(table, ball.body), ball.at, path + "/at", "the centre of the ball");
-    for (std::size_t k = 0; k <= i; ++k) check_apart(ball, k == 0 ? struck : others[k - 1], path + "/at");
+    for (std::size_t k = 0; k <= i; ++k) check_apart(ball, before(k), path + "/at");
   }
 }
 

@@ -21,11 +21,13 @@ class Recorder {
       cushions_ = ideal_cushions;
   }
 
-  Trajectory run() {
+  /// `metres`: no more is needed of the struck ball's path.
+  Trajectory run(double metres) {
     for (int ball = 0; ball < sim_.count(); ++ball) note(EventKind::start, ball);
     if (r_.launch.speed == 0) return finish(EventKind::rest);
     for (long events = 0; events < max_events; ++events) {
       if (!any_moves()) return finish(EventKind::rest);
+      if (out_.length > metres) return finish(EventKind::horizon);
       const BallEvent e = sim_.step(most_ - sim_.time(), keeper());
       if (e.event.kind == EventKind::horizon) return finish(most_ < forever ? EventKind::horizon : EventKind::rest);
       note(e.event.kind, e.ball, e.event.contact);
@@ -79,9 +81,9 @@ class Recorder {
   Trajectory out_{};
 };
 
-Trajectory record(const ShotRequest& request, double most) {
+Trajectory record(const ShotRequest& request, double most, double metres) {
   return with_physics(request.physics, [&](const auto& motion, const auto& cushion) {
-    return Recorder(request, motion, cushion, most).run();
+    return Recorder(request, motion, cushion, most).run(metres);
   });
 }
 
@@ -105,10 +107,11 @@ Starts::Starts(const ShotRequest& r) {
 
 Trajectory record_many(const ShotRequest& request) {
   const double most = request.until.time.value_or(forever);
-  Trajectory t = record(request, most);
-  if (!request.until.length) return t;
-  const double then = time_to_length(t, *request.until.length);
-  return then < most ? record(request, then) : t;
+  const double metres = request.until.length.value_or(forever);
+  Trajectory t = record(request, most, metres);
+  if (!(metres < forever)) return t;
+  const double then = time_to_length(t, metres);
+  return then < most ? record(request, then, forever) : t;
 }
 
 }  // namespace bankshot

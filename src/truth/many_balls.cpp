@@ -25,10 +25,9 @@ std::vector<BallTruth> run(const ShotRequest& request, std::size_t most, double 
   rotate(balls.front().state.spin.x, balls.front().state.spin.y);
   return with_physics(request.physics, [&](const auto& motion, const auto& cushion) {
     ManyBalls sim(std::span<const BallStart<T>>(balls), motion, cushion, collisions(request.physics));
-    const auto unseen = [](int, const T&, const State<T>&, const Arc<T>&, const T&) {};
     std::vector<BallTruth> out;
     while (out.size() < most) {
-      const BallEvent e = sim.step(T(forever), unseen);
+      const BallEvent e = sim.step();
       if (e.event.kind == EventKind::horizon) break;
       const State<T>& s = sim.state(e.ball);
       out.push_back(

@@ -30,9 +30,8 @@ Played run(const ShotRequest& shot) {
     const auto begin = Clock::now();
     ManyBalls sim(starts.balls(), motion, cushion, collisions(shot.physics));
     Played out;
-    const auto unseen = [](int, double, const auto&, const auto&, double) {};
     for (;; ++out.events) {
-      const BallEvent e = sim.step(forever, unseen);
+      const BallEvent e = sim.step();
       if (e.event.kind == EventKind::horizon) break;
       out.meetings += e.event.kind == EventKind::ball;
     }

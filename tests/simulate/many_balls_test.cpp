@@ -57,11 +57,10 @@ Watched watched(const ShotRequest& shot) {
     double before = 1e300;
     look(sim, shot, w, before);
     const double launch = before;
-    const auto unseen = [](int, double, const auto&, const auto&, double) {};
     for (; w.events < 20000; ++w.events) {
       const double left = shot.until.time.value_or(forever) - sim.time();
       // Also between events.
-      const BallEvent e = sim.step(std::min(left, 0.05), unseen);
+      const BallEvent e = sim.step(std::min(left, 0.05));
       look(sim, shot, w, before);
       if (e.event.kind == EventKind::ball) ++w.meetings;
       bool moves = false;

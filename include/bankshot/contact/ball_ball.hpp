@@ -42,11 +42,11 @@ struct BallBallOf {
     const T normal = closing * T(K(slow ? K(1) : K(K(1) + K(restitution)))) * mass;
     T along(0), up(0);  // of the impulse T ŵ_t
     if (!slow && value(friction) > 0) {
-      const auto surface = [&](auto axis) {
-        return T(axis(first.spin) * Number(body1.radius) + axis(second.spin) * Number(body2.radius));
+      const auto surface = [&](const T& first_spin, const T& second_spin) {
+        return T(first_spin * Number(body1.radius) + second_spin * Number(body2.radius));
       };
-      const T wx = surface([](const auto&w) { return w.x; }), wy = surface([](const auto&w) { return w.y; });
-      const T slip_along = dot(first.velocity - second.velocity, t) + surface([](const auto& w) { return w.z; });
+      const T wx = surface(first.spin.x, second.spin.x), wy = surface(first.spin.y, second.spin.y);
+      const T slip_along = dot(first.velocity - second.velocity, t) + surface(first.spin.z, second.spin.z);
       const T slip_up = wx * n.y - wy * n.x;
       // Squares are compared, for a root of 0 has no derivative.
       const T slip2 = slip_along * slip_along + slip_up * slip_up, most = normal * T(K(friction));

@@ -20,7 +20,6 @@ template <class T, class Motion>
 class LastingContacts {
  public:
   using Number = Real<T>;
-
   using Balls = BallsInPlay<T, Motion>;
 
   /// `launch`: |v| + R|ω| of it [m/s].
@@ -92,16 +91,9 @@ class LastingContacts {
     if (!(far2 < near * near)) return false;
     const Vec2<Number> normal = apart.at / norm(apart.at);
     const Number parting = dot(normal, apart.velocity);
-    driven =
-        parting < -in.rounding.still || dot(normal, Vec2<Number>(value(pull(in, j)) - value(pull(in, i)))) < Number(0);
+    const auto pull = [&](std::size_t k) { return first_acceleration(value(in.balls[k].track.arc())); };
+    driven = parting < -in.rounding.still || dot(normal, Vec2<Number>(pull(j) - pull(i))) < Number(0);
     return abs(parting) <= held_speed_;
-  }
-
-  /// Its acceleration without those of other balls.
-  static Vec2<T> pull(const Balls& in, std::size_t i) {
-    const Arc<T>& arc = in.balls[i].track.arc();
-    if (arc.end == PhaseEnd::rest && !(value(arc.duration) > Number(0))) return {T(0), T(0)};
-    return first_acceleration(arc);
   }
 
   /// Of these balls with each other and with cushions.
@@ -130,7 +122,7 @@ class LastingContacts {
     own_.clear();
     inertias_.clear();
     for (const std::size_t i : balls) {
-      own_.push_back(in.balls[i].in_play ? pull(in, i) : Vec2<T>{T(0), T(0)});
+      own_.push_back(in.balls[i].in_play ? first_acceleration(in.balls[i].track.arc()) : Vec2<T>{T(0), T(0)});
       inertias_.push_back(inertia(in.balls[i].track.arc(), in.balls[i].track.boundary().body));
     }
     rates_ = own_;

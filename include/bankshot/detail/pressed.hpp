@@ -13,9 +13,9 @@
 // two balls that are held never overlap.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/numbers/tolerances.hpp"
@@ -45,7 +45,6 @@ double inertia(const Arc<T>& arc, const Body& body) {
 /// Others give the centre this acceleration all along the arc, which becomes a piece.
 template <class T>
 void press(Arc<T>& arc, const Vec2<T>& push) {
-  using std::sqrt;
   using N = Real<T>;
   const auto shorten = [&](const T& seconds) {
     if (value(seconds) < value(arc.duration)) arc.duration = seconds;
@@ -99,7 +98,8 @@ T parting_rate(const Pressed<T>& c, std::span<const Vec2<T>> rates) {
 }
 
 /// Finds the forces. `rates`: accelerations of the balls alone, changed to what they are with the forces; or
-/// velocities, and the forces are impulses. `inertias` [kg].
+/// velocities, and the forces are impulses. `inertias` [kg]. Where it does not settle in so many sweeps what is left is
+/// for the next look, which comes within 2 ms.
 template <class T>
 void press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias) {
   using N = Real<T>;

@@ -121,10 +121,10 @@ decltype(auto) value(const Arc<T>& a) {
     return (a);
 }
 
-/// For those who only ask where a path leads.
+/// For those who only ask where paths lead.
 struct Unwatched {
-  template <class T>
-  void operator()(const Arc<T>&, const T&) const {}
+  template <class... A>
+  void operator()(const A&...) const {}
 };
 
 /// The state at t on the arc that `motion` made of `s`.

@@ -41,28 +41,12 @@ class ManyBalls {
 
   /// Ball 0 is struck, the others stand.
   ManyBalls(std::span<const BallStart<T>> balls, const Motion& motion, const Cushion& cushion, const BallBall& law)
-      : cushion_(cushion),
-        law_(law),
-        in_{.motion = motion},
-        lasting_(launch_of(balls)),
-        meetings_(balls.size() * balls.size(), Number(never)) {
-    const Number launch = launch_of(balls);
-    in_.rounding = {Number(balls.front().boundary->touch),
-                    Number(law.lasts ? tolerance::still_contact : tolerance::along) * launch};
-    in_.balls.reserve(balls.size());
-    for (const BallStart<T>& b : balls) {
-      changed_.push_back(in_.count());
-      in_.balls.push_back({BallTrack<T>(*b.boundary, b.state, Number(launch * launch))});
-      if constexpr (!Motion::straight) in_.balls.back().track.settle();
-      in_.balls.back().awake = changed_.size() == 1;
-    }
-    renew(changed_);
-  }
+      : ManyBalls(balls, motion, cushion, law, launch_of(balls)) {}
 
   /// Moves to the next event, or `horizon` seconds on if that comes first: then its kind is `horizon`, as where no ball
   /// moves any more. `watch` is shown each arc that ends: the ball, when it began and how, the arc, how far it went.
-  template <class Watch>
-  BallEvent step(const T& horizon, Watch&& watch) {
+  template <class Watch = Unwatched>
+  BallEvent step(const T& horizon = T(forever), Watch&& watch = {}) {
     const T end = in_.now + horizon;
     for (;;) {
       const Due due = first_due();
@@ -108,8 +92,27 @@ class ManyBalls {
     Number time{never};
     Rank rank = Rank::phase;
     std::size_t first = 0, second = 0;
-    Number approach{0};
   };
+
+  /// `launch`: |v| + R|ω| of it.
+  ManyBalls(std::span<const BallStart<T>> balls, const Motion& motion, const Cushion& cushion, const BallBall& law,
+            const Number& launch)
+      : cushion_(cushion),
+        law_(law),
+        in_{.motion = motion},
+        lasting_(launch),
+        meetings_(balls.size() * balls.size(), Number(never)) {
+    in_.rounding = {Number(balls.front().boundary->touch),
+                    Number(law.lasts ? tolerance::still_contact : tolerance::along) * launch};
+    in_.balls.reserve(balls.size());
+    for (const BallStart<T>& b : balls) {
+      changed_.push_back(in_.count());
+      in_.balls.push_back({BallTrack<T>(*b.boundary, b.state, Number(launch * launch))});
+      if constexpr (!Motion::straight) in_.balls.back().track.settle();
+      in_.balls.back().awake = changed_.size() == 1;
+    }
+    renew(changed_);
+  }
 
   const Ball& ball_at(int ball) const { return in_.balls[static_cast<std::size_t>(ball)]; }
   Number& meeting(std::size_t i, std::size_t j) { return meetings_[std::min(i, j) * in_.count() + std::max(i, j)]; }
@@ -139,20 +142,13 @@ class ManyBalls {
       for (std::size_t j = i + 1; j < in_.count(); ++j) {
         const Number& t = meeting(i, j);
         if (!(t <= best.time) || !(t < never)) continue;
-        Due due{t, Rank::meeting, i, j};
-        if (t < best.time || best.rank != Rank::meeting) {
+        const Due due{t, Rank::meeting, i, j};
+        if (t < best.time || best.rank != Rank::meeting)
           consider(due);
-          continue;
-        }
-        due.approach = approach(due);
-        if (due.approach > approach(best)) best = due;
+        else if (approach(due) > approach(best))
+          best = due;
       }
     return best;
-  }
-
-  static Number approach(const State<T>& first, const State<T>& second) {
-    const Vec2<Number> d = value(second.at) - value(first.at);
-    return dot(d, Vec2<Number>(value(first.velocity) - value(second.velocity))) / norm(d);
   }
 
   /// Speed at which the two that are due to meet come nearer.
@@ -164,13 +160,14 @@ class ManyBalls {
   template <class Watch>
   BallEvent meet(const Due& due, Watch&& watch) {
     const std::size_t i = due.first, j = due.second;
+    const bool held = law_.lasts && approach(due) <= lasting_.slowest_meeting();
     in_.now = lift_meeting(i, j, due.time);
     for (const std::size_t k : {i, j}) {
       in_.bring(k, watch);
       changed_.push_back(k);
     }
+    if (held) return {};
     State<T> first = in_.balls[i].track.state(), second = in_.balls[j].track.state();
-    if (law_.lasts && approach(first, second) <= lasting_.slowest_meeting()) return {};
     law_.collide(in_.body(i), first, in_.body(j), second);
     for (const std::size_t k : {i, j}) {
       Ball& b = in_.balls[k];
@@ -225,12 +222,8 @@ class ManyBalls {
     return {static_cast<int>(i), {bounce_off(first), first}};
   }
 
-  struct Unseen {
-    void operator()(int, const T&, const State<T>&, const Arc<T>&, const T&) const {}
-  };
-
   /// New arcs, events and meetings of these balls, and of those that they pressed on or press on now.
-  template <class Watch = Unseen>
+  template <class Watch = Unwatched>
   void renew(std::vector<std::size_t>& balls, Watch&& watch = {}) {
     lasting_.let_go(in_, balls, watch);
     for (const std::size_t i : balls) in_.begin(i);

@@ -90,7 +90,7 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
 
 std::string csv_of(const ShotRequest& r, const Trajectory& t, double rate) {
   constexpr double most_rows = 1e7;  // about a gigabyte
-  const double rows = t.events.back().time * rate;
+  const double rows = t.events.back().time * rate * static_cast<double>(1 + r.others.size());
   if (rows > most_rows)
     throw WriteError(fmt::format("--rate {} for {:.6g} s would write {:.2g} rows, and {:.0g} is the most", rate,
                                  t.events.back().time, rows, most_rows));
