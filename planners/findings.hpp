@@ -21,6 +21,8 @@ enum class Foul {
   wrong_cushion,
   extra_cushion,
   pocketed,
+  hit_ball,
+  covered,      ///< a ball stands at the point that is asked
   inexact,      ///< it is made, but not on the exact line or point, or not at the speed asked
   too_fast,     ///< it needs more speed than a bound allows
   too_slow,     ///< it needs less

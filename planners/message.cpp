@@ -27,7 +27,7 @@ std::string aims(const Question& q) {
 
 /// What went wrong, as the end of a sentence that begins with "it".
 std::string explain(const Question& q, const Failure& f) {
-  const auto cushion = [&] { return contact_name(q.puzzle.table, f.contact); };
+  const auto cushion = [&] { return contact_name(q.puzzle, f.contact); };
   const Range& v = q.speed;
   switch (f.foul) {
     case Foul::none:
@@ -42,6 +42,10 @@ std::string explain(const Question& q, const Failure& f) {
       return fmt::format("meets cushion {} before the target", cushion());
     case Foul::pocketed:
       return fmt::format("falls into pocket {} first", cushion());
+    case Foul::hit_ball:
+      return fmt::format("runs into {} first", cushion());
+    case Foul::covered:
+      return fmt::format("cannot be where {} stands", cushion());
     case Foul::too_fast:
       return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
     case Foul::too_slow:
@@ -141,6 +145,8 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
 }
 
 std::string no_shot(const Question& q, const Findings& found) {
+  if (const Contact ball = q.covering())
+    return fmt::format("proved: {} covers the target", contact_name(q.puzzle, ball));
   if (found.proved)
     return fmt::format("proved: every path with {} was tried, and {}", asked_cushions(q.cushions()), reasons(q, found));
   const Range& v = q.speed;

@@ -24,7 +24,8 @@ LaunchSpin least_of(const SpinRange& r) {
 
 Question::Question(const Puzzle& p, Wanted w)
     : puzzle(p),
-      boundary(p.table, p.ball.body),
+      boundary(p.table, p.ball.body, p.others),
+      cleared(p.others.empty() ? std::nullopt : std::optional(Boundary(p.table, p.ball.body))),
       rough(roughly(p.physics)),
       wanted(w),
       marks(marks_of(p.target, boundary)),
@@ -80,6 +81,14 @@ Question Question::better_than(const Shot& shot) const {
 const Mark& Question::nearest_mark(const Vec2d& arrived) const {
   const auto nearer = [&](const Mark& a, const Mark& b) { return a.apart(arrived) < b.apart(arrived); };
   return *std::min_element(marks.begin(), marks.end(), nearer);
+}
+
+Contact Question::covering() const {
+  const auto covers = [&](const Circle& ball) {
+    return !captures() && norm(marks.front().at - ball.centre) < ball.radius - boundary.touch;
+  };
+  const auto ball = std::ranges::find_if(boundary.balls, covers);
+  return ball == boundary.balls.end() ? Contact{} : ball->contact;
 }
 
 bool Question::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }

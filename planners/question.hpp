@@ -24,7 +24,8 @@ struct Question {
 
   const Puzzle& puzzle;  ///< must outlive this
   Boundary boundary;
-  Physics rough;  ///< the puzzle's, integrated no more finely than a seed needs
+  std::optional<Boundary> cleared;  ///< without the other balls, where there are any
+  Physics rough;                    ///< the puzzle's, integrated no more finely than a seed needs
   Wanted wanted;
   std::vector<Mark> marks;     ///< the places to aim at
   Range speed;                 ///< m/s, of the launch
@@ -49,6 +50,8 @@ struct Question {
   /// For shots better than this one, as far as `prefer` bounds them.
   Question better_than(const Shot& shot) const;
 
+  /// As if the struck ball were alone. Others block roots and make none, so maps look through them.
+  const Boundary& alone() const { return cleared ? *cleared : boundary; }
   bool all() const { return wanted == Wanted::all; }
   bool first() const { return wanted == Wanted::first; }
   bool starts() const { return wanted == Wanted::starts; }
@@ -60,6 +63,10 @@ struct Question {
   /// Some mark takes the ball: a pocket.
   bool captures() const { return !marks.empty() && marks.front().captures(); }
   const Mark& nearest_mark(const Vec2d& arrived) const;
+  /// The ball that stands where the struck one is to pass or to rest, if any does.
+  Contact covering() const;
+  /// Other things than cushions stand where a path to part of a mark may lead.
+  bool has_obstacles() const { return captures() || !boundary.balls.empty(); }
   /// A miss this small is one of the exact line or point.
   bool centred(double miss) const;
 

@@ -31,6 +31,7 @@ std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shot
   if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.cushion_stick; }))
     out.push_back("cushion-stick");
   if (!p.table.pockets.empty()) out.push_back("pockets");
+  if (!p.others.empty()) out.push_back("balls");
   return out;
 }
 
@@ -118,7 +119,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     const Question q(one ? *one : puzzle, wanted(options));
     Findings found;
     ledger.begin_part(spins.size() - i);
-    if (!ledger.spent()) method.plan(q, ledger, found);
+    if (!ledger.spent() && !q.covering()) method.plan(q, ledger, found);
     if (found.shots.empty() && !ledger.exhausted() && i + 1 < spins.size()) continue;
     planning::rank(q, found.shots);
     if (puzzle.aim == Aim::safest && !found.shots.empty())

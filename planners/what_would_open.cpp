@@ -39,9 +39,24 @@ std::string of_speed(const Puzzle& puzzle, const Solve& solve) {
   return "";
 }
 
+/// One of the balls in the way, or all of them.
+std::string of_balls(const Puzzle& puzzle, const Solve& solve) {
+  Puzzle p = puzzle;
+  p.others.clear();
+  if (puzzle.others.empty() || !opened(p, solve)) return "";
+  for (std::size_t i = 0; i < puzzle.others.size(); ++i) {
+    p.others = puzzle.others;
+    p.others.erase(p.others.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto ball = Contact::ball(1 + static_cast<int>(i));
+    if (opened(p, solve)) return fmt::format("without {} there is a shot", contact_name(puzzle, ball));
+  }
+  return "without the other balls there is a shot";
+}
+
 }  // namespace
 
 std::string what_would_open(const Puzzle& puzzle, const Solve& solve) {
+  if (std::string text = of_balls(puzzle, solve); !text.empty()) return text;
   if (std::string text = of_speed(puzzle, solve); !text.empty()) return text;
   Puzzle p = puzzle;
   if (p.angle) {

@@ -29,6 +29,7 @@ class Clearance {
       if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
     for (const Circle& tip : boundary_.tips)
       if (tip.contact != before && tip.contact != next) keeps_from(tip);
+    for (const Circle& ball : boundary_.balls) keeps_from(ball);
   }
 
   void bounce(Contact contact, const Vec2d& at) {

@@ -27,7 +27,7 @@ class Follower {
   template <class Motion, class Cushion>
   void freely(const Motion& motion, const Cushion& cushion, const State<Dual>& start) {
     const CushionRule& rule = q_.cushions();
-    Simulator sim(q_.boundary, motion, cushion, start);
+    Simulator sim(q_.alone(), motion, cushion, start);
     for (;;) {
       const std::size_t bounces = out_.route.size();
       if (static_cast<int>(bounces) >= rule.min && (!q_.route || out_.route == *q_.route)) look(motion, sim.state());

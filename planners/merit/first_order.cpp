@@ -90,6 +90,7 @@ class Path {
       if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
     for (const Circle& tip : boundary_.tips)
       if (tip.contact != before && tip.contact != next) keeps_from(tip);
+    for (const Circle& ball : boundary_.balls) keeps_from(ball);
   }
 
   /// Beyond the end of a cushion another is met: at a right angle first, and then this one.

@@ -48,16 +48,16 @@ void look(const Question& q, Ledger& ledger, Findings& found, steps::Parts& part
   const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
   steps::images(q, ledger, found);
   if (ledger.cut()) return;
-  // What blocks a pocket's centre is often there; a point's hardly ever: so parts of points come last.
-  const bool pocket = q.captures();
+  // What blocks a pocket's exact line is often there, or a ball; else parts of points come last.
+  const bool obstacles = q.has_obstacles();
   if (q.route && nothing_yet()) {
     steps::fan(q, ledger, found);
-    if (pocket) parts.climb(q, ledger, found);
+    if (obstacles) parts.climb(q, ledger, found);
   }
   rivals(q, ledger, found);
   if (q.all() || nothing_yet()) steps::map(q, ledger, found, steps::usual_spacing(q));
   if (stop::more_wanted(q, ledger, found)) steps::along(q, ledger, found);
-  if (pocket) {
+  if (obstacles) {
     parts.climb(q, ledger, found);
     parts.bisect(q, ledger, found, first_share_of_parts);
   }
@@ -77,7 +77,7 @@ void with_spin(const Question& q, Ledger& ledger, Findings& found) {
   if (stop::nothing_yet(ledger, found)) steps::rattles(q, ledger, found);
   if (ledger.cut()) return;
   look_closely(q, ledger, found, parts);
-  if (q.captures() && stop::nothing_yet(ledger, found)) {
+  if (q.has_obstacles() && stop::nothing_yet(ledger, found)) {
     steps::map(q, ledger, found, finest);
     parts.climb(q, ledger, found);
   }

@@ -79,7 +79,7 @@ void image(const Question& q, Ledger& ledger, Findings& found) {
   const bool some_part = beside_centre(q, ledger, found);
   if (!q.boundary.jaws.empty()) return;  // they may turn a ball in whose line leads nowhere
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
-  const bool no_obstacle = q.boundary.strictly_convex && q.boundary.pockets.empty();
+  const bool no_obstacle = q.boundary.strictly_convex && q.boundary.pockets.empty() && q.boundary.balls.empty();
   found.proved = found.complete && (!some_part || (no_obstacle && is_ideal(q.puzzle.physics))) &&
                  !(no_obstacle && found.rounding_decided);
 }

@@ -80,6 +80,8 @@ class Follower {
           break;
         case EventKind::pocket:
           return pocketed(e.contact);
+        case EventKind::ball:
+          return fail(Foul::hit_ball, e.contact);
         case EventKind::rest:
           return rest();
         default:

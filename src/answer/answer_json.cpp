@@ -150,10 +150,12 @@ std::string to_json(const Answer& a) {
 }
 
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {
-  ShotRequest r{p.id, p.table, p.physics, p.ball, {}, shot.launch, shot.spin, {}};
+  ShotRequest r{p.id, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
   r.until.time = shot.arrival.time;
   return r;
 }
+
+Trajectory path_of(const Puzzle& p, const Shot& shot) { return path_of(simulate(as_request(p, shot)), 0); }
 
 const Pocket* pocket_reached(const Puzzle& p, const Shot& shot) {
   const auto* target = std::get_if<PocketTarget>(&p.target);

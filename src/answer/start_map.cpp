@@ -28,7 +28,7 @@ std::string row(const Puzzle& p, const Answer& a) {
 }  // namespace
 
 const char* name(Start start) {
-  constexpr const char* names[] = {"legal", "in-cushion", "in-pocket", "at-target"};
+  constexpr const char* names[] = {"legal", "in-cushion", "in-pocket", "in-ball", "at-target"};
   return names[static_cast<int>(start)];
 }
 
@@ -48,6 +48,8 @@ Start start_at(const Puzzle& p, const Boundary& boundary, const Vec2d& at) {
   if (boundary.clearance(at) < 0) return Start::cushion;
   for (const Circle& c : boundary.pockets)
     if (norm(at - c.centre) <= c.radius) return Start::pocket;
+  for (const Circle& ball : boundary.balls)
+    if (norm(at - ball.centre) < ball.radius) return Start::ball;
   const auto there = [&](const Mark& mark) { return !mark.captures() && norm(at - mark.at) <= mark.reach; };
   return std::ranges::any_of(marks_of(p.target, boundary), there) ? Start::target : Start::legal;
 }

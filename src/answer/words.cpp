@@ -30,6 +30,7 @@ std::optional<double> lag_speed(const ShotRequest& shot) {
   const Vec2d low = shot.table.lowest(), size = shot.table.highest() - low;
   const bool wide = size.x >= size.y;
   lag.table.pockets.clear();
+  lag.others.clear();
   lag.spin = {};
   lag.ball.at = low + (wide ? Vec2d{size.x / 4, size.y / 2} : Vec2d{size.x / 2, size.y / 4});
   lag.launch.angle = wide ? 0 : radians(90);
@@ -61,7 +62,7 @@ std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
 std::string arrival_words(const Puzzle& p, const Shot& s) {
   const auto [time, speed, at] = s.arrival;
   if (const Pocket* pocket = pocket_reached(p, s)) {
-    const State<double> end = simulate(as_request(p, s)).events.back().state;
+    const State<double> end = path_of(p, s).events.back().state;
     return fmt::format("falls into {} after {:.2f} s at {:.2f} m/s, {}", pocket->name, time, speed,
                        speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim");
   }

@@ -142,7 +142,7 @@ void draw_band(Canvas& c, const Puzzle& p, const Shot& shot) {
   for (int i = 0; i <= strips; ++i) {
     Shot edge = shot;
     edge.launch.angle = wrap_angle(shot.launch.angle + low + (high - low) * i / strips);
-    const std::vector<Leg> legs = simulate(as_request(p, edge)).legs;
+    const std::vector<Leg> legs = path_of(p, edge).legs;
     for (std::size_t k = 0; k < std::min(legs.size(), before.size()); ++k) {
       std::vector<Vec2d> strip = outline(before[k], pieces), back = outline(legs[k], pieces);
       strip.insert(strip.end(), back.rbegin(), back.rend());

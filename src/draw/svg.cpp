@@ -29,9 +29,15 @@ std::vector<Row> caption_rows(std::vector<Row> all, const Trajectory& t) {
   return all;
 }
 
+/// The balls before the shot.
+void draw_standing(Canvas& c, const Puzzle& p) {
+  for (const Ball& other : p.others) draw_other(c, other, other.at);
+  draw_ball(c, p.ball, p.ball.at);
+}
+
 void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
   const ShotRequest request = as_request(p, shot);
-  const Trajectory t = simulate(request);
+  const Trajectory t = path_of(p, shot);
   const Pocket* pocket = pocket_reached(p, shot);
   const auto aim = pocket && shot.cushions.empty() && aims_into(request, *pocket)
                        ? std::nullopt
@@ -43,7 +49,7 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   draw_path(c, p.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
   draw_ball(c, p.ball, shot.arrival.at, 0.6);
-  draw_ball(c, p.ball, p.ball.at);
+  draw_standing(c, p);
   draw_opening(c, p, shot, t.events.back().state.velocity);
   if (style.words) draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot), t), &request);
 }
@@ -62,7 +68,7 @@ void draw_all(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& s
   std::vector<Entry> list;
   std::vector<Trajectory> paths;
   const auto colour = [&](std::size_t i) { return c.c.paths[i % c.c.paths.size()]; };
-  for (const Shot& s : a.shots) paths.push_back(simulate(as_request(p, s)));
+  for (const Shot& s : a.shots) paths.push_back(path_of(p, s));
   for (std::size_t i = paths.size(); i-- > 0;)
     draw_path(c, p.ball, paths[i],
               {.colour = colour(i),
@@ -74,7 +80,7 @@ void draw_all(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& s
   const std::size_t shown = std::min(most_listed, paths.size());
   for (std::size_t i = shown; i-- > 0;) draw_tag(c, p.ball, paths[i], static_cast<int>(i) + 1, colour(i));
   for (std::size_t i = 0; i < shown; ++i) list.push_back({static_cast<int>(i) + 1, colour(i), listed(p, a.shots[i])});
-  draw_ball(c, p.ball, p.ball.at);
+  draw_standing(c, p);
   if (!style.words) return;
   draw_list(c,
             fmt::format("{} shots, the best first{}", paths.size(),
@@ -89,12 +95,12 @@ void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& 
   std::vector<Row> rows;
   if (a.nearest) {
     const Shot& s = a.nearest->shot;
-    draw_path(c, p.ball, simulate(as_request(p, s)),
+    draw_path(c, p.ball, path_of(p, s),
               {.colour = c.c.aim, .width = line_width(style), .dashed = true, .numbers = style.words});
     draw_ball(c, p.ball, s.arrival.at, 0.4);
     rows.push_back({"nearest", nearest_words(*a.nearest, p.table)});
   }
-  draw_ball(c, p.ball, p.ball.at);
+  draw_standing(c, p);
   if (!style.words || a.message.empty()) return;
   rows.push_back({"why", a.message});
   draw_caption(c, a.nearest ? "No shot; dashed is the nearest miss" : "No shot", rows);

@@ -69,8 +69,8 @@ inline constexpr Key physics_key{
     "physics",      "word | {ideal} | {rolling} | {spin_physics}",        "", R"("spin")",
     R"("rolling")", "the laws, by name or with coefficients of your own", {}, physics_names};
 inline constexpr Key ball_key{"ball", "{ball}", "", required, R"({"at": [0.635, 0.4]})", "the ball that is struck"};
-inline constexpr Key others_key{"others", "empty", "",
-                                "[]",     "[]",    "balls at rest; not supported yet, so the list is empty"};
+inline constexpr Key others_key{"others",       "[{other}]", "", "[]", R"([{"id": "8", "at": [1.9, 0.635]}])",
+                                "balls at rest"};
 
 inline constexpr Key puzzle_keys[] = {
     id_key,

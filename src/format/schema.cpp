@@ -40,7 +40,6 @@ Json one_of(const Key& key, std::string_view type) {
   if (type.starts_with('{')) return reference(type.substr(1, type.size() - 2));
   if (type == "any") return Json::object();
   if (type == "never") return {{"const", false}};
-  if (type == "empty") return {{"type", "array"}, {"maxItems", 0}};
   if (type == "number") return number;
   if (type == "whole") return numbers(key.bounds, "integer");
   if (type == "pair") return list_of(number, 2);
@@ -86,7 +85,6 @@ std::string in_words(const Key& key, std::string_view type) {
   if (type.starts_with('{')) return fmt::format("[{}](#{})", inner, inner);
   if (type == "whole") return "whole number";
   if (type == "never") return "`false`";
-  if (type == "empty") return "`[]`";
   if (type == "pair") return "`[a, b]`";
   if (type == "range") return "number or `[low, high]`";
   if (type == "sides") return "`[down, up]`";

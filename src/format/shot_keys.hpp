@@ -37,7 +37,7 @@ inline constexpr Key shot_keys[] = {
     table_key,
     physics_key,
     ball_key,
-    {"others", "[{other}]", "", "[]", R"([{"id": "8", "at": [1.9, 0.635]}])", "balls at rest"},
+    others_key,
     {"shot", "{launch}", "", required, R"({"speed": 2.1, "angle": 312.4})", "how the ball leaves"},
     {"until", "{until}", "", "the end", R"({"cushions": 3})", "when to stop looking"},
 };

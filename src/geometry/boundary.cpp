@@ -64,7 +64,8 @@ Circle moved(const Bend& b, double radius, double touch) {
 
 }  // namespace
 
-Boundary::Boundary(const Table& table, const Body& of) : body(of), diagonal(table.diagonal()), extent(diagonal) {
+Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> others)
+    : body(of), diagonal(table.diagonal()), extent(diagonal) {
   const double radius = body.radius;
   for (const Vec2d& v : table.vertices) extent = std::max({extent, std::abs(v.x), std::abs(v.y)});
   touch = std::max(tolerance::touch * diagonal, tolerance::coordinate * extent);
@@ -92,6 +93,8 @@ Boundary::Boundary(const Table& table, const Body& of) : body(of), diagonal(tabl
     const double r = p.radius > 0 ? p.radius : tolerance::point_pocket * diagonal;
     pockets.push_back({p.at, r, Contact::pocket(static_cast<int>(i))});
   }
+  for (const Ball& other : others)
+    balls.push_back({other.at, radius + other.body.radius, Contact::ball(1 + static_cast<int>(balls.size()))});
 }
 
 /// The rails end at the tips of jaws, and what is inside goes on between them.

@@ -182,7 +182,7 @@ Puzzle read_puzzle(std::string_view text) {
     if (!is_straight(p.physics)) p.spin_range = read_spin_range(*v);
     if (!p.spin_range) p.spin = read_spin(*v, p.physics, false);
   }
-  if (const auto v = doc.find("others"); v && !v->items().empty()) v->fail("is not supported yet");
+  p.others = read_others(doc, p.ball.body);
   p.target = read_target(doc.need("target"), p.table);
   if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);
   if (const auto v = doc.find("speed")) p.speed = v->range();

@@ -293,6 +293,7 @@ Range ideal_speeds(const Puzzle& p) {
 
 void validate(const Puzzle& p) {
   const Boundary boundary = check_scene(p.table, p.ball, p.physics);
+  check_others(p.table, p.ball, p.others, p.physics);
   if (!is_straight(p.physics) && !p.spin_range) check_tip(p.spin, p.ball.body);
   check_target(p, boundary);
   check_cushions(p.cushions, boundary);
@@ -321,6 +322,11 @@ void validate(const ShotRequest& s) {
     if (!(std::abs(spin) * s.launch.speed <= tolerance::fastest))
       fail("/shot/spin", fmt::format("{} times {} m/s is too fast to compute with; at most {:g} m/s", spin,
                                      s.launch.speed, tolerance::fastest));
+}
+
+std::string contact_name(const Puzzle& p, Contact contact) {
+  if (contact.kind != ContactKind::ball) return contact_name(p.table, contact);
+  return "ball \"" + (contact.index == 0 ? p.ball : p.others[static_cast<std::size_t>(contact.index) - 1]).id + '"';
 }
 
 std::optional<Range> arrival_range(const Puzzle& p) {

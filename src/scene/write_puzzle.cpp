@@ -83,6 +83,17 @@ Json target_json(const Puzzle& p) {
   return {{"pocket", pocket ? p.table.pockets[static_cast<std::size_t>(*pocket)].name : "any"}};
 }
 
+Json others_json(const Puzzle& p) {
+  Json list = Json::array();
+  for (const Ball& other : p.others) {
+    Json ball{{"id", other.id}, {"at", pair(other.at)}};
+    if (other.body.radius != p.ball.body.radius) ball["radius"] = other.body.radius;
+    if (other.body.mass != p.ball.body.mass) ball["mass"] = other.body.mass;
+    list.push_back(std::move(ball));
+  }
+  return list;
+}
+
 Json cushions_json(const Puzzle& p) {
   const CushionRule& c = p.cushions;
   if (!c.sequence) return c.min == c.max ? Json(c.min) : Json{{"min", c.min}, {"max", c.max}};
@@ -97,6 +108,7 @@ Json question_json(const Puzzle& p) {
   Json j = Json::object();
   if (!p.about.empty()) j["about"] = parse_document(p.about);
   j["ball"] = {{"at", pair(p.ball.at)}, {"radius", p.ball.body.radius}, {"mass", p.ball.body.mass}};
+  if (!p.others.empty()) j["others"] = others_json(p);
   if (p.spin_range)
     j["ball"]["spin"] = {
         {"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};

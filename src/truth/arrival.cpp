@@ -149,7 +149,7 @@ double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& he
   return std::clamp(0.0, low + eighth, high - eighth);
 }
 
-Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.body), physics_(refined(p.physics)) {
+Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.body, p.others), physics_(refined(p.physics)) {
   const auto asked = arrival_range(p);
   stops_ = std::holds_alternative<PointTarget>(p.target) && asked && asked->high == 0;
 }
@@ -226,6 +226,8 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
           return fails(fmt::format("falls into pocket {}", contact_name(puzzle.table, e.contact)));
         return at_pocket(std::move(out), e, jaw ? *jaw : e);
       }
+      case EventKind::ball:
+        return fails(fmt::format("runs into {}", contact_name(puzzle, e.contact)));
       case EventKind::rest: {
         if (!stops_ || !counts()) return fails("stops before the target");
         const double miss = norm((e.state.at - point->at) + e.at_rest);

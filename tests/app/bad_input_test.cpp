@@ -89,7 +89,7 @@ const std::vector<Case>& cases() {
        puzzle(R"({"physics": {"model": "spin", "rolling_friction": {"at_rest": 0, "per_speed": 0.01}}})"),
        "/physics/rolling_friction/at_rest", "greater than 0"},
       {"spin of the ball", puzzle(R"({"ball": {"spin": {"top": 1}}})"), "/ball/spin", "needs the physics \"spin\""},
-      {"other balls", puzzle(R"({"others": [{"id": "8", "at": [1, 1]}]})"), "/others", "not supported yet"},
+      {"overlapping balls", puzzle(R"({"others": [{"id": "8", "at": [0.61, 0.4]}]})"), "/others/0/at", "overlaps"},
       {"ball target", puzzle(R"({"target": {"pocket": null, "ball": "8"}})"), "/target/ball", "not supported yet"},
       {"jaws", puzzle(R"({"table": {"length": 2, "width": 1, "jaws": true}})"), "/table/jaws",
        "needs the pockets \"six\", or a preset"},

@@ -30,6 +30,7 @@ constexpr NamedFamily all_families[] = {
     {"on-line", "targets exactly on a line of centres at a cushion, or in a corner", make::on_line},
     {"budgets", "budgets of 0 to 3000 simulations, which may end the search but never be exceeded", make::budgets,
      false},
+    {"obstacles", "one to eight balls that the shot passes by, some by a nanometre", make::obstacles},
     {"slender", "rectangles of 10 to 1", make::slender},
     {"sizes", "tables of 2 mm to 1 km, some shifted by up to 1e4 m", make::sizes},
     {"triangles", "triangles with angles from 12 degrees", make::triangles},

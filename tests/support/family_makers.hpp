@@ -20,6 +20,9 @@ Made rail_hugging(Random& random, Model model, int bounces);
 Made hexagon(Random& random, Model model, int bounces);
 Made on_line(Random& random, Model model, int bounces);
 
+// Other balls.
+Made obstacles(Random& random, Model model, int bounces);
+
 // Tables and coefficients far beyond what is played on.
 Made slender(Random& random, Model model, int bounces);
 Made sizes(Random& random, Model model, int bounces);

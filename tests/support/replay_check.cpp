@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bankshot/simulate/trajectory.hpp"
+#include "support/nearness.hpp"
 #include "truth/arrival.hpp"
 
 namespace bankshot::test {
@@ -92,7 +93,7 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   request.until.cushions = static_cast<int>(shot.cushions.size()) + 1;
   const Trajectory t = simulate(request);
   const std::size_t n = shot.cushions.size();
-  const double allowed = std::max(1e-9 * p.table.diagonal(), shot.miss * (1 + 1e-9));
+  const double allowed = 1e-9 * p.table.diagonal() + shot.miss;
   double miss = 0, speed = 0;
   // Of a range that includes 0 a shot that arrives at 0 rests, any other passes.
   const auto asked = arrival_range(p);
@@ -117,6 +118,9 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
     const double offset = cross(v, drop.state.at - rim.centre) / speed;
     miss = std::abs(offset - truth::exact_offset(boundary, rim, v, offset));
   }
+  for (const Ball& other : p.others)
+    if (nearest_on(t, other.at, shot.arrival.time) < p.ball.body.radius + other.body.radius - allowed)
+      c.problem = "touches ball " + other.id;
   if (miss > allowed) c.problem = fmt::format("misses by {} m", miss);
   if (!same_sequence(shot.cushions, t, n)) c.problem = "does not meet the cushions it names";
   if (p.cushions.sequence && !same_sequence(*p.cushions.sequence, t, n)) c.problem = "does not meet the cushions asked";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The first thing an arc meets: a cushion, a vertex, a jaw, a pocket, its own end or the horizon. Found and
-// ordered on values; `lift_event` then gives the time of the one that happens its derivatives.
-// Property, numbered as in simulator.hpp:
+// The first thing an arc meets: a cushion, a vertex, a jaw, a pocket, a ball at rest, its own end or the horizon. Found
+// and ordered on values; `lift_event` then gives the time of the one that happens its derivatives. Property, numbered
+// as in simulator.hpp:
 //  2. One instant: a pocket captures before a cushion bounces; two cushions both bounce, larger
 //     approach speed first, ties in the order of edges. Same instant means equal computed times.
 #pragma once
@@ -50,6 +50,7 @@ struct EventFinder {
       meet_nothing(first, horizon);
       consider_rails_and_jaws(first);
     }
+    if (!boundary.balls.empty()) consider_balls(first);
     return first;
   }
 
@@ -141,6 +142,40 @@ struct EventFinder {
     consider_pocket(first, boundary.pockets[k]);
   }
 
+  /// Before a cushion in the same instant, after a pocket.
+  void consider_balls(NextEvent<N>& first) const {
+    const Reach<N> reach(arc, first.time, N(boundary.touch));
+    for (const Circle& ball : boundary.balls) {
+      if (reach.misses(ball.centre, ball.radius)) continue;
+      const N t = ball_hit(ball, first.time);
+      if (!(t <= first.time) || !(t < N(forever))) continue;
+      const EventKind kind = first.event.kind;
+      const bool later = t == first.time &&
+                         (kind == EventKind::pocket || (kind == EventKind::ball && !approaches_faster(ball, first)));
+      if (!later) first.set(t, EventKind::ball, ball.contact);
+    }
+  }
+
+  /// Than the ball that is met in the same instant.
+  bool approaches_faster(const Circle& ball, const NextEvent<N>& first) const {
+    const Vec2<N> at = arc.position(first.time), v = arc.tangent(first.time);
+    const auto speed = [&](const Circle& c) {
+      const Vec2<N> d = to<N>(c.centre) - at;
+      return N(dot(d, v) / norm(d));
+    };
+    return speed(ball) > speed(*boundary.rim(first.event.contact));
+  }
+
+  /// A ball that touches another meets it now where it comes nearer; else it must part first.
+  N ball_hit(const Circle& ball, const N& limit) const {
+    const Vec2<N> d = to<N>(ball.centre) - arc.at;
+    const N near(ball.radius + boundary.touch), distance2 = dot(d, d);
+    if (distance2 > near * near) return first_entry(arc, ball.centre, ball.radius, limit);
+    const N closing = dot(d, arc.velocity), noise(tolerance::along * tolerance::along);
+    if (closing > N(0) && closing * closing > noise * distance2 * dot(arc.velocity, arc.velocity)) return N(0);
+    return first_entry(arc, ball.centre, ball.radius, limit, true);
+  }
+
   static void consider(NextEvent<N>& first, Contact contact, const N& t) {
     if (t < first.time)
       first.set(t, bounce_off(contact), contact);
@@ -208,6 +243,7 @@ T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc
       if (const Wall* const w = boundary.line(contact)) return lift_line(arc, w->normal, w->offset, on, next.time);
       return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::pocket:
+    case EventKind::ball:
       return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::horizon:
       return next.piece ? arc.duration : horizon;

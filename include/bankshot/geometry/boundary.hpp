@@ -4,6 +4,7 @@
 //   walls    each segment moved inwards by R: n·r >= offset
 //   tips     each bend with R added to its radius: a corner that points into the table is one
 //   pockets  capture circles
+//   balls    others that stand on the table: a centre that comes as near as the two radii touches one
 //   jaws     of a table with jaws, those of each pocket: a centre beyond a wall's line is between some pocket's jaws,
 //            and meets nothing but them
 // Each knows which contact it is (contact.hpp).
@@ -11,12 +12,13 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "bankshot/geometry/contact.hpp"
 #include "bankshot/geometry/obstacle.hpp"
-#include "bankshot/scene/body.hpp"
+#include "bankshot/scene/ball.hpp"
 
 namespace bankshot {
 
@@ -57,6 +59,7 @@ struct Boundary {
   std::vector<Wall> walls;  ///< whole rails; where there are jaws a ball meets them only outside `breaks`
   std::vector<Circle> tips;
   std::vector<Circle> pockets;
+  std::vector<Circle> balls{};   ///< at rest; the k-th of `others` is ball k + 1
   std::vector<JawWalls> jaws{};  ///< in the order of pockets; empty without
   Body body;                     ///< of the ball that sees it
   double diagonal = 0;
@@ -64,7 +67,8 @@ struct Boundary {
   double touch = 0;             ///< m; a centre this far beyond a cushion line still touches it
   bool strictly_convex = true;  ///< every line of a wall bounds the whole table
 
-  Boundary(const Table& table, const Body& body);
+  /// `others` stand on the table. Where many balls move (simulate/many_balls.hpp) there are none.
+  Boundary(const Table& table, const Body& body, std::span<const Ball> others = {});
 
   /// All that balls bounce off and that lies in the open is straight: aims follow from images.
   bool unfolds() const { return unfolds_; }
@@ -77,6 +81,7 @@ struct Boundary {
   /// The rim of a contact that is round; null where it is not, or is no corner that points into the table.
   const Circle* rim(Contact contact) const {
     if (contact.kind == ContactKind::pocket) return &pockets[static_cast<std::size_t>(contact.index)];
+    if (contact.kind == ContactKind::ball) return &balls[static_cast<std::size_t>(contact.index) - 1];
     if (contact.kind == ContactKind::jaw) return tip(contact);
     for (const Circle& c : tips)
       if (c.contact == contact) return &c;
@@ -116,7 +121,7 @@ struct Boundary {
         if (const int pocket = break_at(w, static_cast<double>(dot(w.along, at))); pocket >= 0) return pocket;
     return -1;
   }
-  /// Distance a centre at `at` is inside the allowed region (negative: outside it).
+  /// Distance a centre at `at` is inside what cushions leave to it (negative: outside that).
   double clearance(const Vec2d& at) const;
   /// Distance from `point` to the nearest place where the centre can be.
   double distance_to_centres(const Vec2d& point) const;

@@ -10,6 +10,7 @@
 
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/puzzle.hpp"
+#include "bankshot/simulate/trajectory.hpp"
 
 namespace bankshot {
 
@@ -57,6 +58,8 @@ struct Shot {
 
 /// The shot as a `simulate` request that ends where the ball reaches its target.
 ShotRequest as_request(const Puzzle& puzzle, const Shot& shot);
+/// Of the struck ball, up to there.
+Trajectory path_of(const Puzzle& puzzle, const Shot& shot);
 
 /// The pocket that takes the ball of a made shot; null where a point is the target.
 const Pocket* pocket_reached(const Puzzle& puzzle, const Shot& shot);

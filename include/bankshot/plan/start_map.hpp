@@ -12,7 +12,7 @@
 namespace bankshot {
 
 /// Why no puzzle is asked from here.
-enum class Start { legal, cushion, pocket, target };
+enum class Start { legal, cushion, pocket, ball, target };
 const char* name(Start start);
 
 /// The grid's cells tile the box of all places of the ball's centre, row by row from the lower left; the ball

@@ -59,6 +59,7 @@ struct Puzzle {
   Table table{};
   Physics physics = rolling_physics();
   Ball ball{};
+  std::vector<Ball> others{};             ///< at rest; number k of them is ball k + 1
   LaunchSpin spin{};                      ///< at launch, where `spin_range` is not given
   std::optional<SpinRange> spin_range{};  ///< then `prefer` chooses
   Target target{};
@@ -87,6 +88,9 @@ struct ShotRequest {
     std::optional<double> length{};  ///< m, along the path
   } until{};
 };
+
+/// The name of what can be met: the table's, and of balls `ball "8"`.
+std::string contact_name(const Puzzle& puzzle, Contact contact);
 
 /// Speed asked at the target, none where any speed does (`ideal`, or a fixed launch speed).
 std::optional<Range> arrival_range(const Puzzle& puzzle);

@@ -32,7 +32,7 @@ struct Arguments {
 
 StartMap map_of(const Puzzle& puzzle, const Arguments& a) {
   StartMap map{StartGrid(puzzle, a.grid[0], a.grid[1]), {}, {}};
-  const Boundary boundary(puzzle.table, puzzle.ball.body);
+  const Boundary boundary(puzzle.table, puzzle.ball.body, puzzle.others);
   std::vector<Puzzle> asked;
   for (std::size_t i = 0; i < map.grid.size(); ++i) {
     map.starts.push_back(start_at(puzzle, boundary, map.grid.at(i)));
@@ -48,7 +48,8 @@ StartMap map_of(const Puzzle& puzzle, const Arguments& a) {
 }
 
 std::string summary(const StartMap& map) {
-  std::array<long, 4> of_start{}, of_status{};
+  std::array<long, 5> of_start{};
+  std::array<long, 4> of_status{};
   const Shot *slowest = nullptr, *safest = nullptr;
   std::size_t slowest_at = 0, safest_at = 0;
   for (std::size_t i = 0; i < map.starts.size(); ++i) {
@@ -62,9 +63,10 @@ std::string summary(const StartMap& map) {
   }
   const auto place = [&](std::size_t i) { return fmt::format("({:.3f}, {:.3f})", map.grid.at(i).x, map.grid.at(i).y); };
   std::string out = fmt::format(
-      "{} starts: {} with a shot, {} without, {} ran out of budget; {} lie in a cushion, {} in a pocket, {} at the "
+      "{} starts: {} with a shot, {} without, {} ran out of budget; {} lie in a cushion, {} in a pocket, {}{} at the "
       "target\n",
-      map.starts.size(), of_status[0], of_status[1], of_status[2], of_start[1], of_start[2], of_start[3]);
+      map.starts.size(), of_status[0], of_status[1], of_status[2], of_start[1], of_start[2],
+      of_start[3] > 0 ? fmt::format("{} in another ball, ", of_start[3]) : "", of_start[4]);
   if (slowest) out += fmt::format("slowest: {:.4g} m/s from {}\n", slowest->launch.speed, place(slowest_at));
   if (safest) out += fmt::format("most robust: {} from {}\n", chance_words(*safest), place(safest_at));
   return out;
