@@ -8,6 +8,7 @@
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/merit/first_order.hpp"
+#include "planners/proof/aftermath.hpp"
 #include "planners/settings.hpp"
 #include "planners/steps/steps.hpp"
 
@@ -69,7 +70,7 @@ Launch turned(const Launch& l, const Turn& t, int aim, int speed) {
 /// Launches that rounding can tell from the shot's no better bounce as often as it does.
 bool is_firm(const Question& q, Ledger& ledger, const Shot& shot) {
   const Turn t = turn_by(settings::edge::surely * rounding(q, shot), shot);
-  const Goal goal = Goal::along(shot.cushions);
+  const Goal goal = Goal::along(shot);
   for (const auto& [aim, speed] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
     if (!replay(q, ledger, turned(shot.launch, t, aim, speed), goal).made) return false;
   return true;
@@ -113,16 +114,18 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
 void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const Goal& goal, std::string_view step) {
   if (!make_room(q, found.shots, shot)) return;
   add_first_order(q, shot);
-  const bool on_a_line = q.boundary.clearance(shot.arrival.at) <= tolerance::exact_miss * q.boundary.diagonal;
+  const bool on_a_line =
+      q.boundary_of(q.mark_of(shot).ball).clearance(shot.arrival.at) <= tolerance::exact_miss * q.boundary.diagonal;
   const bool looked_at = goal.demand == Demand::exact && on_a_line && step != steps::word::along;
   shot.digits = !looked_at || make_firm(q, ledger, goal, shot) ? promised_digits(q, shot) : 0;
+  shot.scratch = !shot.hits.empty() && scratches(q, ledger, shot.launch);
   shot.planner = step;
   shot.simulations = ledger.simulations();
   found.shots.push_back(std::move(shot));
 }
 
 bool certify_root(const LockedAim& aim, Ledger& ledger, Findings& found, const Launch& root, std::string_view step) {
-  const int bounces = static_cast<int>(aim.route.size());
+  const int bounces = bounces_of(aim.route);
   if (!aim.q.starts() && certify(aim.q, ledger, found, root, bounces, step)) return true;
   found.leads.push_back({root, {aim.route.begin(), aim.route.end()}, aim.mark, aim.q.spin});
   return false;

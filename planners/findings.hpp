@@ -22,6 +22,7 @@ enum class Foul {
   extra_cushion,
   pocketed,
   hit_ball,
+  other_cut,
   covered,      ///< a ball stands at the point that is asked
   inexact,      ///< it is made, but not on the exact line or point, or not at the speed asked
   too_fast,     ///< it needs more speed than a bound allows

@@ -44,6 +44,8 @@ std::string explain(const Question& q, const Failure& f) {
       return fmt::format("falls into pocket {} first", cushion());
     case Foul::hit_ball:
       return fmt::format("runs into {} first", cushion());
+    case Foul::other_cut:
+      return fmt::format("meets {} at another cut", cushion());
     case Foul::covered:
       return fmt::format("cannot be where {} stands", cushion());
     case Foul::too_fast:
@@ -110,14 +112,15 @@ std::string uncertain(const Question& q, const Shot& shot) {
 
 /// Why a shot is not on the exact line or point: what its route meets there.
 std::string why_beside(const Question& q, const Shot& shot) {
-  const Route route = route_by(shot.cushions);
+  const Route route = route_of(shot);
   Ledger aside(settings::most_spent_on_words);  // what an answer says is no part of the search
   const Question own = q.pinned || q.one_unknown() ? q : q.asking(shot.arrival.speed);
-  const auto root = newton({own, route, q.nearest_mark(shot.arrival.at)}, aside, shot.launch, settings::wide);
-  const std::string where =
-      fmt::format("; it is made beside the {}: ", q.captures() ? "exact line" : "middle of the target");
+  const auto root = newton({own, route, q.mark_of(shot)}, aside, shot.launch, settings::wide);
+  const std::string where = fmt::format("; it is made beside the {}: ", q.drops()      ? "exact line"
+                                                                        : q.captures() ? "cut that is asked"
+                                                                                       : "middle of the target");
   if (!root) return where + "no launch by its cushions leads there";
-  const Proof proof = prove(own, aside, root.launch, Goal::along(shot.cushions, Demand::exact));
+  const Proof proof = prove(own, aside, root.launch, Goal::along(shot, Demand::exact));
   return where + "there it " + explain(q, proof.failure);
 }
 
@@ -152,7 +155,8 @@ std::string no_shot(const Question& q, const Findings& found) {
   const Range& v = q.speed;
   const std::string speeds = v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low)
                                        : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high);
-  return fmt::format("searched {} and aims {} with {}: {}", speeds, aims(q), asked_cushions(q.cushions()),
+  const std::string how = q.objects ? ", one root of each pair of routes" : "";
+  return fmt::format("searched {} and aims {} with {}{}: {}", speeds, aims(q), asked_cushions(q.cushions()), how,
                      reasons(q, found));
 }
 

@@ -22,13 +22,27 @@ LaunchSpin least_of(const SpinRange& r) {
 
 }  // namespace
 
+Objects::Objects(const Puzzle& p) {
+  for (const int k : std::get<BallTarget>(p.target).balls) {
+    const Ball& ball = p.others[static_cast<std::size_t>(k) - 1];
+    all.push_back({k, ball, Boundary(p.table, ball.body, p.others, k), Boundary(p.table, p.ball.body, p.others, k)});
+    standing.push_back({k, &all.back().own, ball.at});
+  }
+}
+
+const Objects::Object* Objects::find(int ball) const {
+  const auto object = std::ranges::find(all, ball, &Object::ball);
+  return object == all.end() ? nullptr : &*object;
+}
+
 Question::Question(const Puzzle& p, Wanted w)
     : puzzle(p),
       boundary(p.table, p.ball.body, p.others),
       cleared(p.others.empty() ? std::nullopt : std::optional(Boundary(p.table, p.ball.body))),
+      objects(then_of(p.target) ? std::make_shared<const Objects>(p) : nullptr),
       rough(roughly(p.physics)),
       wanted(w),
-      marks(marks_of(p.target, boundary)),
+      marks(then_of(p.target) ? marks_of(p) : marks_of(p.target, boundary)),
       speed(p.speed),
       angle(p.angle),
       spin(p.spin_range ? least_of(*p.spin_range) : p.spin),
@@ -36,6 +50,7 @@ Question::Question(const Puzzle& p, Wanted w)
       stop(!captures() && arrival && arrival->high == 0) {
   if (arrival) asked = p.prefer == Prefer::soft ? arrival->low : arrival->high;
   if (p.cushions.sequence) route = route_by(*p.cushions.sequence);
+  every = all();
 }
 
 Question Question::asking(double arrival_speed) const {
@@ -78,14 +93,22 @@ Question Question::better_than(const Shot& shot) const {
   return q;
 }
 
-const Mark& Question::nearest_mark(const Vec2d& arrived) const {
-  const auto nearer = [&](const Mark& a, const Mark& b) { return a.apart(arrived) < b.apart(arrived); };
-  return *std::min_element(marks.begin(), marks.end(), nearer);
+const Mark& Question::nearest_mark(const Vec2d& arrived, int ball) const {
+  const auto farther = [&](const Mark& mark) { return std::pair(mark.ball != ball, mark.apart(arrived)); };
+  return *std::ranges::min_element(marks, {}, farther);
+}
+
+const Mark* Question::mark_taken_by(Contact contact, const Vec2d& arrived, int ball) const {
+  const Mark* best = nullptr;
+  for (const Mark& mark : marks)
+    if (mark.taken_by == contact && mark.ball == ball && (!best || mark.apart(arrived) < best->apart(arrived)))
+      best = &mark;
+  return best;
 }
 
 Contact Question::covering() const {
   const auto covers = [&](const Circle& ball) {
-    return !captures() && norm(marks.front().at - ball.centre) < ball.radius - boundary.touch;
+    return !captures() && !objects && norm(marks.front().at - ball.centre) < ball.radius - boundary.touch;
   };
   const auto ball = std::ranges::find_if(boundary.balls, covers);
   return ball == boundary.balls.end() ? Contact{} : ball->contact;
@@ -116,6 +139,16 @@ bool Question::into_touched_cushion(const Vec2d& direction) const {
   for (const Circle& tip : boundary.tips)
     if (dot(puzzle.ball.at - tip.centre, direction) < 0 && touches(tip.contact)) return true;
   return false;
+}
+
+Route route_with_jaws_of(const Shot& shot) { return shot.rattles && !shot.then ? route_by(shot.met) : route_of(shot); }
+
+Route route_of(const Shot& shot) {
+  Route route = route_by(shot.cushions);
+  if (!shot.then) return route;
+  route.push_back({0, Contact::ball(shot.then->ball)});
+  for (const Contact contact : shot.then->cushions) route.push_back({shot.then->ball, contact});
+  return route;
 }
 
 double angle_difference(double a, double b) { return wrap_angle(b - a + radians(180)) - radians(180); }

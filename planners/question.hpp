@@ -4,6 +4,8 @@
 // that wants another arrival speed or a fixed launch makes a question of its own.
 #pragma once
 
+#include <list>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,7 +13,7 @@
 #include "bankshot/plan/shot.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/target.hpp"
-#include "bankshot/simulate/route.hpp"
+#include "bankshot/simulate/locked.hpp"
 
 namespace bankshot::planning {
 
@@ -19,14 +21,34 @@ namespace bankshot::planning {
 /// of locked paths, kept as leads.
 enum class Wanted { best, first, all, starts };
 
+/// The balls that may be sent on, and the table as they see it.
+struct Objects {
+  struct Object {
+    int ball;
+    Ball at_rest;
+    Boundary own;     ///< without itself
+    Boundary struck;  ///< as the struck ball sees the table once it has touched this one
+  };
+  std::list<Object> all{};  ///< which stay where they are
+  std::vector<StandingBall> standing{};
+
+  explicit Objects(const Puzzle& puzzle);
+  Objects(const Objects&) = delete;
+  Objects& operator=(const Objects&) = delete;
+  /// Null where the ball is not one of them.
+  const Object* find(int ball) const;
+};
+
 struct Question {
   explicit Question(const Puzzle& puzzle, Wanted wanted = Wanted::best);
 
   const Puzzle& puzzle;  ///< must outlive this
   Boundary boundary;
-  std::optional<Boundary> cleared;  ///< without the other balls, where there are any
-  Physics rough;                    ///< the puzzle's, integrated no more finely than a seed needs
+  std::optional<Boundary> cleared;         ///< without the other balls, where there are any
+  std::shared_ptr<const Objects> objects;  ///< where balls are sent on, else null
+  Physics rough;                           ///< the puzzle's, integrated no more finely than a seed needs
   Wanted wanted;
+  bool every = false;          ///< all shots are wanted, also of a question for roots to start from
   std::vector<Mark> marks;     ///< the places to aim at
   Range speed;                 ///< m/s, of the launch
   std::optional<Range> angle;  ///< rad, of the aim; none: any
@@ -55,14 +77,26 @@ struct Question {
   bool all() const { return wanted == Wanted::all; }
   bool first() const { return wanted == Wanted::first; }
   bool starts() const { return wanted == Wanted::starts; }
+  /// What the struck ball sends another to; null where it goes itself.
+  const Then* then() const { return then_of(puzzle.target); }
+  RouteBalls balls() const {
+    return objects ? RouteBalls{boundary, objects->standing, collisions(puzzle.physics)} : RouteBalls{boundary};
+  }
+  const Boundary& boundary_of(int ball) const { return ball == 0 ? boundary : objects->find(ball)->own; }
   const CushionRule& cushions() const { return puzzle.cushions; }
   /// Only the aim is unknown.
   bool one_unknown() const { return !arrival || pinned; }
   /// The launch speed where only the aim is unknown: the fixed one, or `ideal_speed`.
   double fixed_speed() const;
-  /// Some mark takes the ball: a pocket.
+  /// Some mark takes the ball: a pocket, or another ball.
   bool captures() const { return !marks.empty() && marks.front().captures(); }
-  const Mark& nearest_mark(const Vec2d& arrived) const;
+  /// A pocket is asked for.
+  bool drops() const { return !marks.empty() && marks.front().drops(); }
+  /// Of those that this contact takes the ball to, the nearest; null where it leads to none.
+  const Mark* mark_taken_by(Contact contact, const Vec2d& arrived, int ball = 0) const;
+  const Mark& nearest_mark(const Vec2d& arrived, int ball = 0) const;
+  /// Of a made shot.
+  const Mark& mark_of(const Shot& shot) const { return nearest_mark(shot.arrival.at, shot.then ? shot.then->ball : 0); }
   /// The ball that stands where the struck one is to pass or to rest, if any does.
   Contact covering() const;
   /// Other things than cushions stand where a path to part of a mark may lead.
@@ -82,6 +116,11 @@ template <class F>
 decltype(auto) as_struck(const Question& q, const Shot& shot, F&& f) {
   return shot.spin == q.spin ? f(q) : f(q.spinning(shot.spin));
 }
+
+/// What the balls of a shot meet: cushions, and one ball the other.
+Route route_of(const Shot& shot);
+/// With the jaws that the struck ball touches as well.
+Route route_with_jaws_of(const Shot& shot);
 
 /// b − a brought into (−π, π].
 double angle_difference(double a, double b);

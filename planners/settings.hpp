@@ -338,6 +338,8 @@ inline constexpr int most_looks = 20;
 /// with half of them 2 of 90,000 ends hid a band that is not made.
 inline constexpr double nearly = 0.1;
 inline constexpr int few_parts = 8, many_parts = 20;
+/// The same where another ball is sent on: what the struck ball does meanwhile, no limit knows.
+inline constexpr int parts_of_chains = 100;
 /// Bands thinner than the aims that are one which may be passed over.
 inline constexpr int most_passed = 4;
 /// rad or m/s: a margin this small is 0.
@@ -387,6 +389,24 @@ namespace safest {
 /// The compass begins with the player's own deviations and ends after so many halvings, or steps.
 inline constexpr int halvings = 5, most_steps = 24;
 }  // namespace safest
+
+namespace chains {
+/// Of the bounds of the launch: speeds between which legs of a chain are looked for.
+inline constexpr double slowest_sent = 1e-3, fastest_sent = 3;
+/// Of a launch speed that is given: what the ball that is sent on may get.
+inline constexpr std::array shares_of_speed{0.8, 0.5, 0.25, 0.1};
+/// Cosine of the largest cut that a seed may have.
+inline constexpr double least_cosine = 0.01;
+/// Turns of the ghost by what throw turned the other ball, and rad where they end: Newton's method does the rest.
+inline constexpr int most_corrections = 4;
+inline constexpr double settled_turn = 1e-3;
+/// Where Newton's method fails from the seed, faster launches are often on its side of a fold.
+inline constexpr std::array faster_seeds{1.0, 1.2, 0.85};
+/// Rad: the largest cut of a sweep, how many steps to either side, halvings between two, how far beyond what first
+/// order says the ball is wide, and rad that are never left.
+inline constexpr double widest_cut = radians(89), sweep_beyond = 1.3, widest_aims = radians(30);
+inline constexpr int sweep_steps = 30, sweep_halvings = 8;
+}  // namespace chains
 
 namespace hints {
 /// m/s: a strong break shot; no more speed is suggested.

@@ -39,16 +39,31 @@ std::string of_speed(const Puzzle& puzzle, const Solve& solve) {
   return "";
 }
 
+/// Without one ball, or all, but for those that the target names.
+Puzzle without(const Puzzle& puzzle, std::optional<std::size_t> taken) {
+  Puzzle p = puzzle;
+  auto* const target = std::get_if<BallTarget>(&p.target);
+  p.others.clear();
+  std::vector<int> renumbered(puzzle.others.size() + 1);
+  for (std::size_t i = 0; i < puzzle.others.size(); ++i) {
+    const bool named = target && std::ranges::count(target->balls, static_cast<int>(i) + 1) > 0;
+    if (!named && (!taken || *taken == i)) continue;
+    p.others.push_back(puzzle.others[i]);
+    renumbered[i + 1] = static_cast<int>(p.others.size());
+  }
+  if (target)
+    for (int& ball : target->balls) ball = renumbered[static_cast<std::size_t>(ball)];
+  return p;
+}
+
 /// One of the balls in the way, or all of them.
 std::string of_balls(const Puzzle& puzzle, const Solve& solve) {
-  Puzzle p = puzzle;
-  p.others.clear();
-  if (puzzle.others.empty() || !opened(p, solve)) return "";
+  const Puzzle none = without(puzzle, {});
+  if (none.others.size() == puzzle.others.size() || !opened(none, solve)) return "";
   for (std::size_t i = 0; i < puzzle.others.size(); ++i) {
-    p.others = puzzle.others;
-    p.others.erase(p.others.begin() + static_cast<std::ptrdiff_t>(i));
-    const auto ball = Contact::ball(1 + static_cast<int>(i));
-    if (opened(p, solve)) return fmt::format("without {} there is a shot", contact_name(puzzle, ball));
+    const Puzzle p = without(puzzle, i);
+    if (p.others.size() < puzzle.others.size() && opened(p, solve))
+      return fmt::format("without {} there is a shot", contact_name(puzzle, Contact::ball(1 + static_cast<int>(i))));
   }
   return "without the other balls there is a shot";
 }

@@ -106,7 +106,7 @@ Family::Tried Family::attempt(const Point& p) {
   Tried t{p, merit(p), {}};
   if (!inside(p)) return t;
   q_.spin = spin_of(p.x);
-  t.proof = prove(q_, ledger_, launch_of(p.x), Goal::exactly(q_, static_cast<int>(aim_.route.size())));
+  t.proof = prove(q_, ledger_, launch_of(p.x), Goal::exactly(q_, bounces_of(aim_.route)));
   if (t.made() && q_.puzzle.prefer == Prefer::robust) {
     ledger_.charge(aim_.route.size());
     add_first_order(q_, t.proof->shot);
@@ -199,12 +199,10 @@ Shot Family::tuned(const Shot& shot) {
 
 void Family::keep(const Tried& t) {
   q_.spin = spin_of(t.at.x);
-  planning::keep(q_, ledger_, found_, t.proof->shot, Goal::exactly(q_, static_cast<int>(aim_.route.size())), step_);
+  planning::keep(q_, ledger_, found_, t.proof->shot, Goal::exactly(q_, bounces_of(aim_.route)), step_);
 }
 
-Lead lead_of(const Question& q, const Shot& shot) {
-  return {shot.launch, route_by(shot.cushions), q.nearest_mark(shot.arrival.at), shot.spin};
-}
+Lead lead_of(const Question& q, const Shot& shot) { return {shot.launch, route_of(shot), q.mark_of(shot), shot.spin}; }
 
 void tune(const Question& q, Ledger& ledger, Findings& found) {
   const Puzzle& p = q.puzzle;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planners/images/exact_line.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "planners/settings.hpp"
@@ -10,18 +11,20 @@ namespace bankshot::planning {
 Vec2d on_exact_line(const Mark& mark, const Affine& image, const Vec2d& from) {
   using namespace settings::exact_line;
   if (!mark.captures()) return mark.at;
-  Vec2d at = mark.at;
+  // On the table all rays from the ball come from one place.
+  const Vec2d way = image.back(image.apply(mark.at) - from), middle = way / norm(way);
+  const double distance = norm(way) / std::abs(image.xx * image.yy - image.xy * image.yx);
+  Vec2d u = middle;
   double offset = 0;
   for (int i = 0; i < most_turns; ++i) {
-    const Vec2d way = image.back(image.apply(at) - from), u = way / norm(way);
     const double exact = mark.exact_offset(u, offset);
     const bool same = std::abs(exact - offset) <= settled * mark.reach;
-    if (same && i > 0) break;
     offset = exact;
-    at = mark.at + perpendicular(u) * exact;
-    if (exact == 0) break;
+    if (same) break;
+    const double sine = std::clamp(offset / distance, -1.0, 1.0);
+    u = middle * std::sqrt(1 - sine * sine) + perpendicular(middle) * sine;
   }
-  return at;
+  return mark.at + perpendicular(u) * offset;
 }
 
 }  // namespace bankshot::planning

@@ -14,9 +14,10 @@ namespace bankshot::planning {
 template <class T>
 std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& start, const Physics& physics) {
   return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
-    const auto path = follow_locked(a.q.boundary, motion, cushion, a.route, start);
+    const auto path = follow_locked(a.q.balls(), motion, cushion, a.route, start);
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
-    auto arrival = arrive_locked(motion, a.q.boundary.body, path.state, a.mark.at, a.mark.capture(), a.q.stop);
+    auto arrival =
+        arrive_locked(motion, a.q.boundary_of(path.ball).body, path.state, a.mark.at, a.mark.capture(), a.q.stop);
     arrival.time += path.time;
     return arrival;
   });

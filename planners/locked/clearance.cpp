@@ -13,48 +13,50 @@ namespace {
 
 class Clearance {
  public:
-  explicit Clearance(const LockedAim& aim) : aim_(aim), boundary_(aim.q.boundary) {}
+  explicit Clearance(const LockedAim& aim) : aim_(aim) {}
 
   double least() const { return least_; }
   void consider(double metres) { least_ = std::min(least_, metres); }
 
-  /// An arc on the way to the bounce `next`, or on the last leg (none).
-  void arc(const Arc<double>& arc, double t, Contact before, Contact next) {
+  /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
+  void arc(int ball, const Arc<double>& arc, double t, Contact before, Contact next) {
     if (!(t > 0)) return;
+    const Boundary& boundary = aim_.q.boundary_of(ball);
     const auto keeps_from = [&](const Circle& c) {
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
       if (!inside) consider(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
-    for (const Circle& pocket : boundary_.pockets)
+    for (const Circle& pocket : boundary.pockets)
       if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
-    for (const Circle& tip : boundary_.tips)
+    for (const Circle& tip : boundary.tips)
       if (tip.contact != before && tip.contact != next) keeps_from(tip);
-    for (const Circle& ball : boundary_.balls) keeps_from(ball);
+    for (const Circle& other : boundary.balls)
+      if (other.contact != next && (next || other.contact != aim_.mark.taken_by)) keeps_from(other);
   }
 
-  void bounce(Contact contact, const Vec2d& at) {
-    const Wall* const line = boundary_.line(contact);
+  void bounce(const Meeting& meeting, const Vec2d& at) {
+    const Boundary& boundary = aim_.q.boundary_of(meeting.ball);
+    const Wall* const line = boundary.line(meeting.with);
     if (!line) return;
     const double along = dot(line->along, at);
-    consider(std::min(along - dot(line->along, line->from), dot(line->along, line->to) - along) + boundary_.touch);
+    consider(std::min(along - dot(line->along, line->from), dot(line->along, line->to) - along) + boundary.touch);
   }
 
   void arrival(const LockedArrival<double>& a) {
     const Vec2d off = aim_.mark.at - a.state.at;
     const Vec2d u = a.heading / norm(a.heading);
     const double offset = -cross(u, off);
-    const Gap<double> gap =
-        aim_.mark.captures() ? aim_.mark.opening.gap(u, offset) : Gap<double>{-aim_.mark.reach, aim_.mark.reach};
+    const Gap<double> gap = aim_.mark.gap(u, offset);
     consider(a.at_rest ? aim_.mark.reach - norm(off) : std::min(offset - gap.low, gap.high - offset));
     if (aim_.mark.capture() > 0 && !a.at_rest)
       consider(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
                (2 * deceleration(aim_.q.puzzle.physics)));
-    consider(boundary_.clearance(a.state.at) + boundary_.touch);
+    const Boundary& boundary = aim_.q.boundary_of(aim_.mark.ball);
+    consider(boundary.clearance(a.state.at) + boundary.touch);
   }
 
  private:
   const LockedAim& aim_;
-  const Boundary& boundary_;
   double least_ = std::numeric_limits<double>::infinity();
 };
 
@@ -71,18 +73,19 @@ std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Laun
     for (const Meeting& meeting : aim.route) {
       Vec2d met = state.at;
       const auto watch = [&](const Arc<double>& arc, double t) {
-        out.arc(arc, t, before, meeting.with);
+        out.arc(meeting.ball, arc, t, before, meeting.with);
         met = arc.position(t);
       };
-      const auto path = follow_locked(q.boundary, motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
+      const auto path = follow_locked(q.balls(), motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
       if (path.end != LockedEnd::complete) return {};
-      out.bounce(meeting.with, met);
+      out.bounce(meeting, met);
       state = path.state;
-      before = meeting.with;
+      before = meeting.with.kind == ContactKind::ball ? Contact{} : meeting.with;
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
-    const auto watch = [&](const Arc<double>& arc, double t) { out.arc(arc, t, before, {}); };
-    const auto arrival = arrive_locked(motion, q.boundary.body, state, aim.mark.at, aim.mark.capture(), q.stop, watch);
+    const auto watch = [&](const Arc<double>& arc, double t) { out.arc(aim.mark.ball, arc, t, before, {}); };
+    const auto arrival =
+        arrive_locked(motion, q.boundary_of(aim.mark.ball).body, state, aim.mark.at, aim.mark.capture(), q.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);
     return out.least();

@@ -17,7 +17,7 @@ using Number = bankshot::Dual<2>;
 /// The offsets at which a ball in direction u passes a point, or enters a pocket; `near` is one of them [m]. A point is
 /// passed where part of its disc is inside the table.
 Gap<Number> sides(const Boundary& boundary, const Mark& mark, const Vec2<Number>& u, double near) {
-  if (mark.captures()) return mark.opening.gap(u, near);
+  if (mark.captures()) return mark.gap(u, near);
   Range out{-mark.reach, mark.reach};
   const Vec2d left = perpendicular(value(u));
   for (const Wall& w : boundary.walls) {
@@ -35,7 +35,7 @@ Gap<Number> sides(const Boundary& boundary, const Mark& mark, const Vec2<Number>
 class Path {
  public:
   Path(const LockedAim& aim, const Launch& launch, const Noise& unit)
-      : aim_(aim), q_(aim.q), boundary_(q_.boundary), launch_(launch), unit_(unit), limits_(launch, unit) {}
+      : aim_(aim), q_(aim.q), launch_(launch), unit_(unit), limits_(launch, unit) {}
 
   const Limits& limits() const { return limits_; }
 
@@ -47,15 +47,18 @@ class Path {
     Contact before{};
     bool complete = true;
     for (const Meeting& meeting : aim_.route) {
-      const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(arc, t, before, meeting.with); };
-      const auto path = follow_locked(boundary_, motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
+      const auto watch = [&](const Arc<Number>& arc, const Number& t) {
+        leg(meeting.ball, arc, t, before, meeting.with);
+        if (meeting.with.kind == ContactKind::ball) touches(arc, t, meeting.with);
+      };
+      const auto path = follow_locked(q_.balls(), motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
       complete = complete && path.end == LockedEnd::complete;
       state = path.state;
-      bounce(meeting.with, state.at);
-      before = meeting.with;
+      bounce(meeting, state.at);
+      before = meeting.with.kind == ContactKind::ball ? Contact{} : meeting.with;
     }
-    const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(arc, t, before, {}); };
-    const auto arrival = arrive_locked(motion, boundary_.body, state, at, capture, q_.stop, watch);
+    const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.mark.ball, arc, t, before, {}); };
+    const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, q_.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > Number(0))) return false;
     q_.stop ? rests(arrival) : passes(arrival, at);
     arrives_ = true;
@@ -76,9 +79,12 @@ class Path {
   }
 
  private:
-  /// An arc on the way to the bounce `next`, or on the last leg (none).
-  void leg(const Arc<Number>& arc, const Number& t, Contact before, Contact next) {
+  const Boundary& boundary_of_arrival() const { return q_.boundary_of(aim_.mark.ball); }
+
+  /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
+  void leg(int ball, const Arc<Number>& arc, const Number& t, Contact before, Contact next) {
     if (!(t > 0)) return;
+    const Boundary& boundary = q_.boundary_of(ball);
     const auto keeps_from = [&](const Circle& c) {
       const Vec2d start = value(arc.at) - c.centre;
       if (norm(start) < c.radius) return;  // such a ball must first come out
@@ -86,17 +92,28 @@ class Path {
       const Vec2<Number> there = arc.position(nearest < t.a ? Number(nearest) : t);
       limits_.keep(norm(there - to<Number>(c.centre)) - c.radius);
     };
-    for (const Circle& pocket : boundary_.pockets)
+    for (const Circle& pocket : boundary.pockets)
       if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
-    for (const Circle& tip : boundary_.tips)
+    for (const Circle& tip : boundary.tips)
       if (tip.contact != before && tip.contact != next) keeps_from(tip);
-    for (const Circle& ball : boundary_.balls) keeps_from(ball);
+    for (const Circle& other : boundary.balls)
+      if (other.contact != next && (next || other.contact != aim_.mark.taken_by)) keeps_from(other);
+  }
+
+  /// The ball that is sent on must be touched: on an arc that ends there, between its two sides.
+  void touches(const Arc<Number>& arc, const Number& t, Contact ball) {
+    const Circle& rim = *q_.boundary.rim(ball);
+    const Vec2<Number> at = arc.position(t), v = arc.tangent(t);
+    if (!(norm(value(at) - rim.centre) <= rim.radius + q_.boundary.touch)) return;
+    const Number offset = cross(v, at - to<Number>(rim.centre)) / norm(v);
+    limits_.keep(Number(rim.radius) - offset);
+    limits_.keep(Number(rim.radius) + offset);
   }
 
   /// Beyond the end of a cushion another is met: at a right angle first, and then this one.
-  void bounce(Contact contact, const Vec2<Number>& at) {
-    const Wall* const line = boundary_.line(contact);
-    if (!line || (!q_.route && q_.puzzle.table.is_rectangle())) return;
+  void bounce(const Meeting& meeting, const Vec2<Number>& at) {
+    const Wall* const line = q_.boundary_of(meeting.ball).line(meeting.with);
+    if (!line || (meeting.ball == 0 && !q_.route && q_.puzzle.table.is_rectangle())) return;
     const Number along = dot(to<Number>(line->along), at);
     limits_.keep(along - dot(line->along, line->from));
     limits_.keep(dot(line->along, line->to) - along);
@@ -115,7 +132,7 @@ class Path {
     const Number lateral = cross(u, to<Number>(at) - a.state.at);
     moves({lateral * line.x, lateral * line.y});
     const Number offset = cross(u, a.state.at - to<Number>(aim_.mark.at));
-    const Gap<Number> room = sides(boundary_, aim_.mark, u, offset.a);
+    const Gap<Number> room = sides(boundary_of_arrival(), aim_.mark, u, offset.a);
     limits_.keep(offset - room.low);
     limits_.keep(room.high - offset);
     const double rolls_on = aim_.mark.captures() ? 0 : 2 * deceleration(q_.puzzle.physics) * aim_.mark.reach;
@@ -139,7 +156,6 @@ class Path {
 
   const LockedAim& aim_;
   const Question& q_;
-  const Boundary& boundary_;
   const Launch& launch_;
   const Noise& unit_;
   Limits limits_;
@@ -168,8 +184,8 @@ std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, cons
 }
 
 void add_first_order(const Question& q, Shot& shot) {
-  const Route route = route_by(shot.rattles ? shot.met : shot.cushions);
-  const FirstOrder f = first_order({q, route, q.nearest_mark(shot.arrival.at)}, shot.launch, shot.arrival.at);
+  const Route route = route_with_jaws_of(shot);
+  const FirstOrder f = first_order({q, route, q.mark_of(shot)}, shot.launch, shot.arrival.at);
   shot.by_angle = f.by_angle;
   shot.by_speed = f.by_log_speed / shot.launch.speed;
   shot.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));

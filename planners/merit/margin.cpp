@@ -22,7 +22,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 class Way {
  public:
   Way(const LockedAim& aim, Ledger& ledger, const Shot& shot, const Vec2d& towards)
-      : aim_(aim), ledger_(ledger), shot_(shot), goal_(Goal::along(shot.cushions)), towards_(towards) {}
+      : aim_(aim), ledger_(ledger), shot_(shot), goal_(Goal::along(shot)), towards_(towards) {}
 
   /// The largest step, up to `limit`, such that the shot is made all the way; none when nothing breaks it.
   std::optional<double> how_far(double scale, double limit) {
@@ -139,7 +139,9 @@ class Way {
     const double end = good_;
     Look before = look(0);
     // Where the first look saw the end, the limits are nearly straight.
-    const int parts = std::abs(before.onward - end) < nearly * end ? few_parts : many_parts;
+    const int parts = aim_.q.objects                                 ? parts_of_chains
+                      : std::abs(before.onward - end) < nearly * end ? few_parts
+                                                                     : many_parts;
     for (int k = 1; k <= parts; ++k) {
       const Look now = look(end * k / parts);
       const auto broken = k < parts && !made(now.at) ? std::optional(now.at) : look_between(before, now);
@@ -186,8 +188,8 @@ std::optional<double> downwards(std::optional<double> distance) {
 }  // namespace
 
 void find_margin(const Question& q, Ledger& ledger, Shot& shot) {
-  const Mark& mark = q.nearest_mark(shot.arrival.at);
-  const Route route = route_by(shot.rattles ? shot.met : shot.cushions);
+  const Mark& mark = q.mark_of(shot);
+  const Route route = route_with_jaws_of(shot);
   const LockedAim aim{q, route, mark};
   const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
     return Way(aim, ledger, shot, towards).how_far(scale, limit);

@@ -24,6 +24,7 @@ bool last_choice(const Question& q, const Shot& shot) {
 
 void order(const Question& q, std::span<Shot> shots) {
   std::stable_sort(shots.begin(), shots.end(), [&](const Shot& a, const Shot& b) {
+    if (a.scratch != b.scratch) return b.scratch;
     const bool first = last_choice(q, b), second = last_choice(q, a);
     if (first != second) return first;
     const double x = merit(q.puzzle, a), y = merit(q.puzzle, b);
@@ -66,8 +67,8 @@ double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> 
   double chance = shot.chance;
   for (const Shot& other : shots)
     if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
-  const Mark& mark = q.nearest_mark(shot.arrival.at);
-  const bool at_cushion = !mark.captures() && q.boundary.clearance(mark.at) < mark.reach;
+  const Mark& mark = q.mark_of(shot);
+  const bool at_cushion = !mark.captures() && q.boundary_of(mark.ball).clearance(mark.at) < mark.reach;
   // A ball that a jaw or, where another bounce is allowed, a cushion beside the pocket turns away may fall all the
   // same.
   const int bounces = static_cast<int>(shot.cushions.size());
@@ -92,7 +93,7 @@ double first_merit(const Puzzle& p, const Shot& shot) {
 
 void rank(const Question& q, std::vector<Shot>& shots) {
   keep_centred(shots);
-  const auto last = [&](const Shot& shot) { return last_choice(q, shot); };
+  const auto last = [&](const Shot& shot) { return shot.scratch || last_choice(q, shot); };
   if (!q.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
   order(q, shots);
 }

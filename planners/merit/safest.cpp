@@ -9,6 +9,7 @@
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/room.hpp"
 #include "planners/merit/success.hpp"
+#include "planners/proof/aftermath.hpp"
 #include "planners/proof/prove.hpp"
 #include "planners/settings.hpp"
 
@@ -18,9 +19,10 @@ namespace {
 /// The same shot with another launch; none where it is not made, or where the budget ends.
 std::optional<Shot> moved(const Question& q, Ledger& ledger, const Shot& from, const Launch& to) {
   if (!(to.speed > 0)) return {};
-  Proof proof = prove(q, ledger, to, Goal::along(from.cushions));
+  Proof proof = prove(q, ledger, to, Goal::along(from));
   if (!proof.holds()) return {};
   Shot& shot = proof.shot;
+  shot.scratch = !shot.hits.empty() && scratches(q, ledger, shot.launch);
   shot.planner = from.planner;
   shot.simulations = from.simulations;
   add_first_order(q, shot);

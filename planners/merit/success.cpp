@@ -106,7 +106,7 @@ class Chance {
     across_ = direction(std::atan2(2 * dot(by_angle, by_speed), dot(by_angle, by_angle) - dot(by_speed, by_speed)) / 2);
     if (is_ideal(q_.puzzle.physics)) across_ = {1, 0};
     const Vec2d most = by_angle * across_.x + by_speed * across_.y, least = by_speed * across_.x - by_angle * across_.y;
-    const Mark& mark = q_.nearest_mark(shot_.arrival.at);
+    const Mark& mark = q_.mark_of(shot_);
     const double moved = norm(most);
     if (q_.stop && norm(least) > 0) length_ = mark.reach / norm(least);
     if (!(moved > 0)) return;

@@ -130,9 +130,10 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
   const std::vector<Question> samples = samples_of(q);
   for (const Question& sample : samples) {
     Findings starts;
-    steps::images(sample, ledger, starts);
-    follow(starts, steps::word::images);
+    q.objects ? steps::chains(sample, ledger, starts) : steps::images(sample, ledger, starts);
+    follow(starts, q.objects ? steps::word::chains : steps::word::images);
   }
+  if (q.objects) return;
   for (const Question& sample : samples) {
     const bool better = rivals_wanted(q, ledger, found) && &sample == &samples.front();
     if (!q.all() && !better) break;
@@ -177,9 +178,27 @@ void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
   if (!q.first()) improve(q, ledger, found);
 }
 
+/// The struck ball sends another on.
+void send_on(const Question& q, Ledger& ledger, Findings& found) {
+  const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
+  free ? along_families(q, ledger, found) : steps::chains(q, ledger, found);
+  const auto look_closely_at = [&](const Question& one) {
+    steps::Parts parts;
+    parts.climb(one, ledger, found);
+    if (stop::more_wanted(one, ledger, found)) steps::chains_closely(one, ledger, found);
+    parts.climb(one, ledger, found);
+    parts.bisect(one, ledger, found, free ? first_share_of_parts : 1);
+  };
+  if (!free) return look_closely_at(q);
+  for (const Question& sample : samples_of(q))
+    if (stop::nothing_yet(ledger, found)) look_closely_at(q.spinning(sample.spin).asking(sample.asked));
+  if (!q.first()) improve(q, ledger, found);
+}
+
 }  // namespace
 
 void automatic(const Question& q, Ledger& ledger, Findings& found) {
+  if (q.objects) return send_on(q, ledger, found);
   if (!is_straight(q.puzzle.physics))
     return family::Family::freedom(q) > 0 ? with_freedom(q, ledger, found) : with_spin(q, ledger, found);
   image(q, ledger, found);

@@ -19,6 +19,7 @@ struct Goal {
   int min, max;                                    ///< bounces before the mark
   const std::vector<Contact>* sequence = nullptr;  ///< those, in order; must outlive this
   Demand demand = Demand::exact;
+  const Onward* then = nullptr;  ///< this ball goes on, by these cushions; null: as the puzzle asks
 
   /// As the puzzle asks.
   static Goal of(const Question& q, Demand demand = Demand::exact) {
@@ -33,6 +34,12 @@ struct Goal {
   static Goal along(const std::vector<Contact>& contacts, Demand demand = Demand::made) {
     const int n = static_cast<int>(contacts.size());
     return {n, n, &contacts, demand};
+  }
+  /// As a shot does, which must outlive it.
+  static Goal along(const Shot& shot, Demand demand = Demand::made) {
+    Goal goal = along(shot.cushions, demand);
+    goal.then = shot.then ? &*shot.then : nullptr;
+    return goal;
   }
 };
 

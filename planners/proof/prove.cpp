@@ -26,7 +26,7 @@ bool fast_as_asked(const Question& q, double arrival_speed) {
 }
 
 /// It counts on the jaws of its pocket.
-bool rattles_in(const Question& q, const Replay& r) { return r.rattles && q.captures(); }
+bool rattles_in(const Question& q, const Replay& r) { return r.rattles && q.drops(); }
 
 bool good_enough(const Question& q, const Replay& r, Demand demand) {
   return demand == Demand::made || (fast_as_asked(q, r.arrival.speed) &&
@@ -51,6 +51,8 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   proof.shot.miss = r.miss;
   proof.shot.offset = r.offset;
   proof.shot.rattles = r.rattles;
+  if (r.hit) proof.shot.hits = {*r.hit};
+  proof.shot.then = r.then;
   if (r.rattles) proof.shot.met = r.met;
   proof.shot.off_centre = !q.centred(r.miss) || rattles_in(q, r);
   proof.failure = r.failure;

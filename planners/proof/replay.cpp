@@ -8,34 +8,11 @@
 #include <utility>
 
 #include "bankshot/simulate/simulator.hpp"
+#include "planners/proof/sent_on.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
 namespace {
-
-/// Follows the bounces against a requested sequence; two at one instant match in either order.
-class SequenceCheck {
- public:
-  explicit SequenceCheck(const std::vector<Contact>* wanted) : wanted_(wanted) {}
-
-  bool accepts(int k, const Event& e) {
-    if (!wanted_) return true;
-    const auto at = [&](int i) { return (*wanted_)[static_cast<std::size_t>(i)]; };
-    if (swapped_) return e.same_instant && std::exchange(swapped_, {}) == e.contact;
-    if (at(k) == e.contact) return true;
-    if (k + 1 < static_cast<int>(wanted_->size()) && at(k + 1) == e.contact) {
-      swapped_ = at(k);
-      return true;
-    }
-    return false;
-  }
-  /// A swap still waits for its second bounce.
-  bool open() const { return bool(swapped_); }
-
- private:
-  const std::vector<Contact>* wanted_;
-  Contact swapped_;
-};
 
 /// A simulation against a goal, leg by leg.
 template <class Motion, class Cushion>
@@ -44,6 +21,8 @@ class Follower {
   Follower(const Question& q, const Motion& motion, const Cushion& cushion, const Launch& launch, const Goal& goal,
            bool tracing)
       : q_(q),
+        motion_(motion),
+        cushion_(cushion),
         goal_(goal),
         tracing_(tracing),
         stop_(q.stop && !tracing),
@@ -78,10 +57,12 @@ class Follower {
           break;
         case EventKind::slide_to_roll:
           break;
-        case EventKind::pocket:
-          return pocketed(e.contact);
         case EventKind::ball:
-          return fail(Foul::hit_ball, e.contact);
+          if (q_.objects && counts() && !(goal_.then && goal_.then->ball != e.contact.index))
+            if (const auto* object = q_.objects->find(e.contact.index)) return send_on(*object);
+          return taken(e.contact);
+        case EventKind::pocket:
+          return taken(e.contact);
         case EventKind::rest:
           return rest();
         default:
@@ -95,7 +76,7 @@ class Follower {
 
   /// Closest approach to each mark on the arc just travelled; true when one that does not capture is made there.
   bool look_along_arc(EventKind end) {
-    if (stop_ || !counts()) return false;
+    if (stop_ || q_.objects || !counts()) return false;
     for (const Mark& mark : q_.marks) {
       if (mark.captures() && !tracing_) continue;
       const bool near = look_at(mark.at) <= mark.reach && !mark.captures();
@@ -126,16 +107,46 @@ class Follower {
     return true;
   }
 
-  Trace pocketed(Contact pocket) {
+  Trace taken(Contact by) {
     const State<double>& now = sim_.state();
-    const Mark& mark = q_.nearest_mark(now.at);
-    if (mark.taken_by != pocket || !counts()) return fail(Foul::pocketed, pocket);
+    const Mark* const mark = counts() ? q_.mark_taken_by(by, now.at) : nullptr;
+    if (!mark) return fail(by.kind == ContactKind::pocket ? Foul::pocketed : Foul::hit_ball, by);
     out_.replay.made = true;
     out_.replay.bounces = k_;
     // A ball that stops on the circle still has the line of its last arc.
     const Vec2d heading = norm(now.velocity) > 0 ? now.velocity : sim_.arc().velocity;
-    measure(mark, first_jaw_ ? *first_jaw_ : Line{now.at, heading});
     out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
+    if (mark->cuts) return touched(*mark, {now.at, heading});
+    measure(q_, *mark, first_jaw_ ? *first_jaw_ : Line{now.at, heading}, out_.replay);
+    return out_;
+  }
+
+  /// The ball that is asked for, at some cut.
+  Trace touched(const Mark& mark, const Line& line) {
+    const double offset = cross(line.heading, line.at - mark.at) / norm(line.heading);
+    out_.replay.miss = std::abs(offset - mark.cuts->exact);
+    out_.replay.hit = hit(mark.taken_by, offset, mark.reach);
+    out_.replay.made = offset >= mark.cuts->low && offset <= mark.cuts->high;
+    if (!out_.replay.made) out_.replay.failure = {Foul::other_cut, mark.taken_by};
+    return out_;
+  }
+
+  Hit hit(Contact ball, double offset, double reach) const {
+    const State<double>& now = sim_.state();
+    return {ball.index, std::asin(std::clamp(-offset / reach, -1.0, 1.0)), norm(now.velocity), now.at};
+  }
+
+  /// The struck ball has touched this one, which does the rest.
+  Trace send_on(const Objects::Object& object) {
+    const State<double>& now = sim_.state();
+    const Contact ball = Contact::ball(object.ball);
+    const double reach = q_.boundary.rim(ball)->radius;
+    const double offset =
+        norm(now.velocity) > 0 ? cross(now.velocity, now.at - object.at_rest.at) / norm(now.velocity) : 0;
+    out_.replay.hit = hit(ball, offset, reach);
+    out_.replay.bounces = k_;
+    out_.replay.miss = std::numeric_limits<double>::infinity();
+    SentOn(q_, motion_, cushion_, object, goal_, out_.replay).run(now, sim_.time());
     return out_;
   }
 
@@ -148,18 +159,8 @@ class Follower {
     out_.replay.rattles = true;
   }
 
-  struct Line {
-    Vec2d at, heading;
-  };
-  void measure(const Mark& mark, const Line& line) {
-    const Vec2d u = line.heading / norm(line.heading);
-    const double offset = cross(u, line.at - mark.at), exact = mark.exact_offset(u, offset);
-    out_.replay.miss = std::abs(offset - exact);
-    out_.replay.offset = q_.centred(out_.replay.miss) && !out_.replay.rattles ? exact : offset;
-  }
-
   Trace rest() {
-    if (!stop_ || !counts()) return fail(Foul::fell_short);
+    if (!stop_ || q_.objects || !counts()) return fail(Foul::fell_short);
     const Mark& mark = q_.nearest_mark(sim_.state().at);
     out_.replay.miss = norm(sim_.state().at - mark.at);
     out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
@@ -169,11 +170,18 @@ class Follower {
     return out_;
   }
 
+  /// m, of the ball from the mark; where another is to be sent there, both ways.
+  double apart(const Mark& m) const {
+    if (m.ball == 0) return norm(sim_.state().at - m.at);
+    const Vec2d at = q_.objects->find(m.ball)->at_rest.at;
+    return norm(sim_.state().at - at) + norm(at - m.at);
+  }
+
   Trace fail(Foul foul, Contact contact = {}) {
     // Where the target was passed with the bounces asked, that is the miss; else how near the
     // ball was when it went wrong.
     if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
-      for (const Mark& m : q_.marks) out_.replay.miss = std::min(out_.replay.miss, norm(sim_.state().at - m.at));
+      for (const Mark& m : q_.marks) out_.replay.miss = std::min(out_.replay.miss, apart(m));
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
     } else if (foul == Foul::extra_cushion) {
       foul = Foul::missed;
@@ -185,6 +193,8 @@ class Follower {
   }
 
   const Question& q_;
+  const Motion& motion_;
+  const Cushion& cushion_;
   const Goal& goal_;
   bool tracing_;  ///< only the shape matters: pass the target, and keep account of the speed
   bool stop_;

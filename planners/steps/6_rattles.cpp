@@ -151,7 +151,7 @@ class Rattles {
 }  // namespace
 
 void rattles(const Question& q, Ledger& ledger, Findings& found) {
-  if (q.captures() && !q.boundary.jaws.empty()) Rattles(q, ledger, found).run();
+  if (q.drops() && !q.boundary.jaws.empty()) Rattles(q, ledger, found).run();
 }
 
 }  // namespace bankshot::planning::steps

@@ -17,7 +17,7 @@ namespace bankshot::planning::steps {
 /// The names of steps in answers.
 namespace word {
 inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan", map = "map", along = "along",
-                                  parts = "parts", rattles = "rattles", global = "global";
+                                  parts = "parts", rattles = "rattles", chains = "chains", global = "global";
 }  // namespace word
 
 using Step = void (*)(const Question&, Ledger&, Findings&);
@@ -28,6 +28,8 @@ void fan(const Question& q, Ledger& ledger, Findings& found);     ///< a given r
 void map(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing);
 void along(const Question& q, Ledger& ledger, Findings& found);    ///< exactly along a cushion that the ball touches
 void rattles(const Question& q, Ledger& ledger, Findings& found);  ///< by the jaws of a pocket
+void chains(const Question& q, Ledger& ledger, Findings& found);   ///< another ball is sent on
+void chains_closely(const Question& q, Ledger& ledger, Findings& found);
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
 Spacing usual_spacing(const Question& q);

@@ -96,7 +96,7 @@ bool Widest::shot(const Tried& t) const {
   const double least = -10 * q_.boundary.touch;  // a path through a corner has no room at all
   if (!(t.value > least) || ledger_.spent()) return false;
   const Launch launch{t.speed, wrap_angle(t.x)};
-  const int bounces = static_cast<int>(aim_.route.size());
+  const int bounces = bounces_of(aim_.route);
   if (!aim_.mark.captures()) {  // from some part of a point it is not far to the point itself
     const auto root = solve_locked(aim_, ledger_, launch);
     if (root && certify(q_, ledger_, found_, *root, bounces, word::parts)) return true;

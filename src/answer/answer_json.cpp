@@ -18,21 +18,52 @@ void write_bounds(JsonWriter& w, std::string_view key, const std::array<std::opt
   w.close(']');
 }
 
-void write_path(JsonWriter& w, const Puzzle& p, const Shot& shot) {
+void write_point(JsonWriter& w, const Vec2d& at) {
+  w.key("at");
+  w.open('[');
+  w.number(at.x);
+  w.number(at.y);
+  w.close(']');
+}
+
+void write_cushions(JsonWriter& w, const Puzzle& p, const std::vector<Contact>& cushions) {
   w.key("cushions");
   w.open('[');
-  for (const Contact c : shot.cushions) w.string(contact_name(p.table, c));
+  for (const Contact c : cushions) w.string(contact_name(p.table, c));
   w.close(']');
+}
+
+void write_path(JsonWriter& w, const Puzzle& p, const Shot& shot) {
+  write_cushions(w, p, shot.cushions);
   w.number("miss", shot.miss);
   w.key("arrival");
   w.open('{');
   w.number("time", shot.arrival.time);
   w.number("speed", shot.arrival.speed);
-  w.key("at");
+  write_point(w, shot.arrival.at);
+  w.close('}');
+}
+
+void write_hits(JsonWriter& w, const Puzzle& p, const std::vector<Hit>& hits) {
+  w.key("hits");
   w.open('[');
-  w.number(shot.arrival.at.x);
-  w.number(shot.arrival.at.y);
+  for (const Hit& hit : hits) {
+    w.open('{');
+    w.string("ball", p.others[static_cast<std::size_t>(hit.ball) - 1].id);
+    w.number("cut", degrees(hit.cut));
+    w.number("speed", hit.speed);
+    write_point(w, hit.at);
+    w.close('}');
+  }
   w.close(']');
+}
+
+void write_then(JsonWriter& w, const Puzzle& p, const Onward& then, const Pocket* pocket) {
+  w.key("then");
+  w.open('{');
+  w.string("ball", p.others[static_cast<std::size_t>(then.ball) - 1].id);
+  write_cushions(w, p, then.cushions);
+  if (pocket) w.string("pocket", pocket->name);
   w.close('}');
 }
 
@@ -56,8 +87,12 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   w.number("up", tip.up);
   w.close('}');
   write_path(w, p, shot);
-  if (const Pocket* pocket = why ? nullptr : pocket_reached(p, shot)) w.string("pocket", pocket->name);
+  const Pocket* const pocket = why ? nullptr : pocket_reached(p, shot);
+  if (pocket && !shot.then) w.string("pocket", pocket->name);
   if (shot.offset != 0 && !why) w.number("offset", shot.offset);
+  if (!shot.hits.empty() && !why) write_hits(w, p, shot.hits);
+  if (shot.then && !why) write_then(w, p, *shot.then, pocket);
+  if (shot.scratch && !why) w.boolean("scratch", true);
   if (shot.rattles && !why) w.boolean("rattles", true);
   if (shot.off_centre && !why) w.boolean("off_centre", true);
   w.number("condition", shot.condition);
@@ -158,7 +193,8 @@ ShotRequest as_request(const Puzzle& p, const Shot& shot) {
 Trajectory path_of(const Puzzle& p, const Shot& shot) { return path_of(simulate(as_request(p, shot)), 0); }
 
 const Pocket* pocket_reached(const Puzzle& p, const Shot& shot) {
-  const auto* target = std::get_if<PocketTarget>(&p.target);
+  const Then* const then = then_of(p.target);
+  const auto* target = then ? std::get_if<PocketTarget>(&then->target) : std::get_if<PocketTarget>(&p.target);
   if (!target || p.table.pockets.empty()) return nullptr;
   if (target->pocket) return &p.table.pockets[static_cast<std::size_t>(*target->pocket)];
   const auto off_rim = [&](const Pocket& k) { return std::abs(norm(shot.arrival.at - k.at) - k.radius); };

@@ -51,6 +51,16 @@ std::array<std::optional<double>, 2> read_bounds(const Reader& r, double unit) {
   return out;
 }
 
+int read_ball(const Reader& r, const Puzzle& p) {
+  std::vector<std::string_view> names;
+  for (const Ball& other : p.others) names.push_back(other.id);
+  return 1 + static_cast<int>(r.need("ball").word("ball", names));
+}
+
+Hit read_hit(const Reader& r, const Puzzle& p) {
+  return {read_ball(r, p), radians(r.need("cut").number()), r.need("speed").at_least(0), r.need("at").point()};
+}
+
 Shot read_shot(const Reader& r, const Puzzle& p) {
   Shot s;
   s.launch = {r.need("speed").positive(), wrap_angle(radians(r.need("angle").number()))};
@@ -58,6 +68,10 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   s.cushions = read_contacts(r.need("cushions"), p.table);
   s.miss = r.need("miss").at_least(0);
   if (const auto v = r.find("offset")) s.offset = v->number();
+  if (const auto v = r.find("hits"))
+    for (const Reader& hit : v->items()) s.hits.push_back(read_hit(hit, p));
+  if (const auto v = r.find("then")) s.then = Onward{read_ball(*v, p), read_contacts(v->need("cushions"), p.table)};
+  if (const auto v = r.find("scratch")) s.scratch = v->boolean();
   if (const auto v = r.find("rattles")) s.rattles = v->boolean();
   if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();
   const Reader arrival = r.need("arrival");

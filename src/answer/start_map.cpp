@@ -50,8 +50,10 @@ Start start_at(const Puzzle& p, const Boundary& boundary, const Vec2d& at) {
     if (norm(at - c.centre) <= c.radius) return Start::pocket;
   for (const Circle& ball : boundary.balls)
     if (norm(at - ball.centre) < ball.radius) return Start::ball;
-  const auto there = [&](const Mark& mark) { return !mark.captures() && norm(at - mark.at) <= mark.reach; };
-  return std::ranges::any_of(marks_of(p.target, boundary), there) ? Start::target : Start::legal;
+  const auto there = [&](const Mark& mark) {
+    return !mark.captures() && mark.ball == 0 && norm(at - mark.at) <= mark.reach;
+  };
+  return std::ranges::any_of(marks_of(p), there) ? Start::target : Start::legal;
 }
 
 std::string to_csv(const Puzzle& p, const StartMap& map) {

@@ -59,17 +59,31 @@ std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
                                               right > 0 ? "right" : "left");
 }
 
+std::string hit_words(const Puzzle& p, const Hit& hit) {
+  const double cut = degrees(hit.cut);
+  constexpr double full = 0.05;  // degrees that nobody tells from none
+  return contact_name(p, Contact::ball(hit.ball)) +
+         (std::abs(cut) < full
+              ? ", full in the face"
+              : fmt::format(", cutting it {:.1f} degrees to the {}", std::abs(cut), cut > 0 ? "left" : "right"));
+}
+
 std::string arrival_words(const Puzzle& p, const Shot& s) {
   const auto [time, speed, at] = s.arrival;
+  const std::string who = s.then ? contact_name(p, Contact::ball(s.then->ball)) + " " : "",
+                    scratch = s.scratch ? "; then the struck ball falls, too" : "";
   if (const Pocket* pocket = pocket_reached(p, s)) {
-    const State<double> end = path_of(p, s).events.back().state;
-    return fmt::format("falls into {} after {:.2f} s at {:.2f} m/s, {}", pocket->name, time, speed,
-                       speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim");
+    const State<double> end = end_of(simulate(as_request(p, s)), s.then ? s.then->ball : 0).state;
+    return fmt::format("{}falls into {} after {:.2f} s at {:.2f} m/s, {}{}", who, pocket->name, time, speed,
+                       speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim", scratch);
   }
+  if (!s.hits.empty() && !s.then)
+    return fmt::format("meets {} after {:.2f} s at {:.2f} m/s{}", hit_words(p, s.hits.back()), time, speed, scratch);
   const std::string off = distance_words(s.miss, p.table);
   const std::string where = off == "exact" ? (speed == 0 ? "exactly on" : "exactly over") : off + " off";
-  return speed == 0 ? fmt::format("rests {} the point after {:.2f} s", where, time)
-                    : fmt::format("passes {} the point after {:.2f} s at {:.2f} m/s", where, time, speed);
+  return (speed == 0 ? fmt::format("{}rests {} the point after {:.2f} s", who, where, time)
+                     : fmt::format("{}passes {} the point after {:.2f} s at {:.2f} m/s", who, where, time, speed)) +
+         scratch;
 }
 
 std::string interval(const std::array<std::optional<double>, 2>& m, double unit, std::string_view name) {
@@ -181,9 +195,13 @@ std::string noise_words(const Noise& n) {
 
 std::string title_words(const Puzzle& p, const Shot& shot) {
   const Pocket* pocket = pocket_reached(p, shot);
-  const std::string to = pocket                   ? "into " + pocket->name
-                         : shot.arrival.speed > 0 ? "through the ring"
-                                                  : "to rest in the ring";
+  const std::string aim = pocket                   ? "into " + pocket->name
+                          : shot.arrival.speed > 0 ? "through the ring"
+                                                   : "to rest in the ring";
+  const std::string ball = shot.hits.empty() ? "" : contact_name(p, Contact::ball(shot.hits.back().ball));
+  const std::string by =
+      shot.then && !shot.then->cushions.empty() ? " by " + cushion_names(p.table, shot.then->cushions) : "";
+  const std::string to = shot.then ? "to send " + ball + by + " " + aim : ball.empty() ? aim : "onto " + ball;
   constexpr std::size_t most_named = 5;
   if (shot.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.cushions.size(), to);
   return (shot.cushions.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
@@ -197,6 +215,11 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
                         {"speed", speed_words(r)}};
   if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
   rows.push_back({"cushions", shot.cushions.empty() ? "none" : cushion_names(p.table, shot.cushions)});
+  if (shot.then) {
+    rows.push_back({"touches", hit_words(p, shot.hits.back())});
+    if (!shot.then->cushions.empty())
+      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.then->cushions)});
+  }
   rows.push_back({"arrives", arrival_words(p, shot)});
   if (shot.success)
     rows.push_back({"chance", chance_words(shot) + " for a player whose standard errors are " + noise_words(p.noise)});

@@ -35,6 +35,15 @@ void draw_standing(Canvas& c, const Puzzle& p) {
   draw_ball(c, p.ball, p.ball.at);
 }
 
+/// The ball that is sent on, and its path.
+Trajectory draw_sent(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
+  const Ball& ball = p.others[static_cast<std::size_t>(shot.then->ball) - 1];
+  const Trajectory t = path_of(simulate(as_request(p, shot)), shot.then->ball);
+  draw_path(c, ball, t, {.colour = colour_of(c, ball), .width = 0.8 * line_width(style), .numbers = false});
+  draw_other(c, ball, shot.arrival.at, 0.6);
+  return t;
+}
+
 void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
   const ShotRequest request = as_request(p, shot);
   const Trajectory t = path_of(p, shot);
@@ -48,9 +57,10 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   if (aim && style.words) draw_aim(c, p.ball.at, *aim);
   draw_path(c, p.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
-  draw_ball(c, p.ball, shot.arrival.at, 0.6);
+  draw_ball(c, p.ball, shot.then ? shot.hits.back().at : shot.arrival.at, 0.6);
+  const Trajectory arriving = shot.then ? draw_sent(c, p, shot, style) : t;
   draw_standing(c, p);
-  draw_opening(c, p, shot, t.events.back().state.velocity);
+  draw_opening(c, p, shot, arriving.events.back().state.velocity);
   if (style.words) draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot), t), &request);
 }
 

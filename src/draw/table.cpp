@@ -138,9 +138,13 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
     c.circle(at, radius, fmt::format(R"(fill="none" stroke="{}" stroke-width="{}")", c.c.halo, width + 3));
     c.circle(at, radius, fmt::format(R"(fill="none" stroke="{}" stroke-width="{}")", c.c.target, width));
   };
-  for (const Mark& mark : marks_of(p.target, Boundary(p.table, p.ball.body))) {
+  for (const Mark& mark : marks_of(p)) {
     const Vec2d at = c.at(mark.at);
     if (reached && reached->at != mark.at) continue;
+    if (mark.cuts) {
+      ring(at, c.px(mark.reach - p.ball.body.radius) + 4, 2);
+      continue;
+    }
     if (mark.captures()) {
       ring(at, std::max(c.px(mark.reach), 4.0) + 2, 3);
       continue;
@@ -156,7 +160,7 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
 void draw_opening(Canvas& c, const Puzzle& p, const Shot& shot, const Vec2d& heading) {
   const Pocket* const pocket = pocket_reached(p, shot);
   if (!pocket || shot.rattles || !(norm(heading) > 0)) return;
-  const auto marks = marks_of(p.target, Boundary(p.table, p.ball.body));
+  const auto marks = marks_of(p);
   const auto mark = std::ranges::min_element(marks, {}, [&](const Mark& m) { return m.apart(shot.arrival.at); });
   const Vec2d u = heading / norm(heading), left = perpendicular(u);
   const Gap<double> gap = mark->opening.gap(u, shot.offset);

@@ -37,6 +37,22 @@ inline constexpr Key margin_keys[] = {
 inline constexpr Object margin{"margin", "How far one number may move, the other held, with the shot still made.",
                                margin_keys};
 
+inline constexpr Key hit_keys[] = {
+    {"ball", "string", "", required, R"("8")", "the ball that is hit"},
+    {"cut", "number", "degrees", required, "30", "from the line of travel to the line of centres, anticlockwise",
+     between(-90, 90)},
+    {"speed", "number", "m/s", required, "0.5", "of the ball that hits, just before", at_least(0)},
+    {"at", "point", "m", required, "[1.85, 0.61]", "the centre of the ball that hits"},
+};
+inline constexpr Object hit{"hit", "A contact of the struck ball with another.", hit_keys};
+
+inline constexpr Key sent_keys[] = {
+    {"ball", "string", "", required, R"("8")", "which"},
+    {"cushions", "[string]", "", required, R"(["bottom"])", "its bounces in order"},
+    {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that takes it"},
+};
+inline constexpr Object sent{"sent", "What a ball does that was touched.", sent_keys};
+
 inline constexpr Key answer_shot_keys[] = {
     {"speed", "number", "m/s", required, "2.1", "of the launch", at_least(0)},
     {"angle", "number", "degrees", required, "312.4", "of the aim, anticlockwise from +x", between(0, 360)},
@@ -48,6 +64,11 @@ inline constexpr Key answer_shot_keys[] = {
     {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that it reaches"},
     {"offset", "number", "m", "0", "-0.0124",
      "how far the line of travel passes beside the pocket's centre, positive on its left"},
+    {"hits", "[{hit}]", "", "none", R"([{"ball": "8", "cut": 30, "speed": 0.5, "at": [1.85, 0.61]}])",
+     "contacts with other balls in order, up to the target"},
+    {"then", "{sent}", "", "none", R"({"ball": "8", "cushions": ["bottom"], "pocket": "top-right"})",
+     "the ball that the struck one sends to the target"},
+    {"scratch", "boolean", "", "false", "true", "the struck ball falls into a pocket afterwards"},
     {"rattles", "boolean", "", "false", "true", "it touches the jaws of a pocket on its way"},
     {"off_centre", "boolean", "", "false", "true", "it is made, but beside the exact line or point"},
     {"condition", "number", "m/rad", required, "41",

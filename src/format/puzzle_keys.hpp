@@ -15,14 +15,12 @@ inline constexpr Key point_keys[] = {
     {"point", "point", "m", required, "[1.9, 0.635]",
      "where the ball's centre is to pass or, when it arrives at speed 0, to rest"},
     {"within", "number", "m", "0.01", "0.05", "how far off still counts as made, in `margin` and `success`", positive},
-    {"ball", later},
     {"carom", later},
 };
 inline constexpr Object to_point{"to_point", "Pass over a point, or stop on it.", point_keys};
 
 inline constexpr Key to_pocket_keys[] = {
     {"pocket", "string", "", required, R"("top-right")", "a pocket of the table, or `any`"},
-    {"ball", later},
     {"carom", later},
 };
 inline constexpr Object to_pocket{"to_pocket", "Fall into a pocket.", to_pocket_keys};
@@ -32,6 +30,30 @@ inline constexpr Key count_keys[] = {
     {"max", "whole", "", "3, or min where that is more", "3", "", between(0, max_cushions)},
 };
 inline constexpr Object count{"count", "So many cushions, from `min` to `max`.", count_keys};
+
+inline constexpr Key then_cushions_key{"cushions",
+                                       "whole | [string] | {count}",
+                                       "",
+                                       "0",
+                                       "1",
+                                       "bounces of that ball: how many, which in order, or from `min` to `max`",
+                                       between(0, max_cushions)};
+inline constexpr Key then_point_keys[] = {point_keys[0], point_keys[1], then_cushions_key};
+inline constexpr Object then_point{"then_point", "The ball that was touched passes over a point, or stops on it.",
+                                   then_point_keys};
+inline constexpr Key then_pocket_keys[] = {to_pocket_keys[0], then_cushions_key, {"ball", later}};
+inline constexpr Object then_pocket{"then_pocket", "The ball that was touched falls into a pocket.", then_pocket_keys};
+
+inline constexpr Key to_ball_keys[] = {
+    {"ball", "string | [string]", "", required, R"("8")",
+     "a ball by its id, some of them, or `any`: the first that the struck ball touches"},
+    {"cut", "number", "degrees", "0", "30",
+     "from the line of travel to the line of centres; above 0 the other ball leaves to the left", between(-90, 90)},
+    {"within", "number", "degrees", "5", "2", "how far off the cut still counts as made", positive},
+    {"then", "{then_point} | {then_pocket}", "", "none", R"({"pocket": "top-right"})",
+     "where that ball is to go; instead of `cut` and `within`"},
+};
+inline constexpr Object to_ball{"to_ball", "Touch another ball.", to_ball_keys};
 
 inline constexpr Key arrive_keys[] = {
     {"speed", "range", "m/s", required, "1.5", "at the target; 0 rests there", at_least(0)},
@@ -79,10 +101,11 @@ inline constexpr Key puzzle_keys[] = {
     physics_key,
     ball_key,
     others_key,
-    {"target", "{to_point} | {to_pocket}", "", required, R"({"pocket": "top-right"})", "what the ball is to reach"},
+    {"target", "{to_point} | {to_pocket} | {to_ball}", "", required, R"({"pocket": "top-right"})",
+     "what the ball is to reach"},
     {"cushions", "whole | [string] | {count}", "", R"({"min": 0, "max": 3})", R"(["bottom", "right"])",
      "bounces before the target: how many, which in order, or from `min` to `max`", between(0, max_cushions)},
-    {"arrive", "{arrive}", "", "a point: 0; a pocket: [0.2, 3]", R"({"speed": 0.5})",
+    {"arrive", "{arrive}", "", "a point: 0; a ball: 0.5; a pocket: [0.2, 3]", R"({"speed": 0.5})",
      "speed at the target, in `ideal` of the launch too; not with a launch speed that is fixed"},
     {"speed", "range", "m/s", "[0.1, 10]", "[0.5, 6]", "of the launch; one number fixes it", at_least(0)},
     {"angle", "pair", "degrees", "every aim", "[350, 20]",

@@ -64,7 +64,7 @@ Circle moved(const Bend& b, double radius, double touch) {
 
 }  // namespace
 
-Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> others)
+Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> others, int except)
     : body(of), diagonal(table.diagonal()), extent(diagonal) {
   const double radius = body.radius;
   for (const Vec2d& v : table.vertices) extent = std::max({extent, std::abs(v.x), std::abs(v.y)});
@@ -93,8 +93,10 @@ Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> oth
     const double r = p.radius > 0 ? p.radius : tolerance::point_pocket * diagonal;
     pockets.push_back({p.at, r, Contact::pocket(static_cast<int>(i))});
   }
-  for (const Ball& other : others)
-    balls.push_back({other.at, radius + other.body.radius, Contact::ball(1 + static_cast<int>(balls.size()))});
+  for (int k = 1; k <= static_cast<int>(others.size()); ++k) {
+    const Ball& other = others[static_cast<std::size_t>(k) - 1];
+    if (k != except) balls.push_back({other.at, radius + other.body.radius, Contact::ball(k)});
+  }
 }
 
 /// The rails end at the tips of jaws, and what is inside goes on between them.

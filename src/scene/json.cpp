@@ -73,25 +73,6 @@ LaunchSpin read_spin(const Reader& r, const Physics& physics, bool printed) {
   r.fail("needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
 }
 
-Target read_target(const Reader& r, const Table& table) {
-  if (const auto point = r.find("point")) {
-    if (r.find("pocket")) r.fail("has a point and a pocket: one of them is the target");
-    r.only(format::to_point);
-    PointTarget t{point->point()};
-    r.read(format::to_point["within"], t.within);
-    return t;
-  }
-  r.only(format::to_pocket);
-  const auto pocket = r.find("pocket");
-  if (!pocket) r.fail("must have one of the keys \"point\", \"pocket\"");
-  if (table.pockets.empty()) pocket->fail("cannot be reached: this table has no pockets");
-  std::vector<std::string_view> names{"any"};
-  for (const Pocket& p : table.pockets) names.push_back(p.name);
-  const std::size_t which = pocket->word("pocket", names);
-  if (which == 0) return PocketTarget{};
-  return PocketTarget{static_cast<int>(which) - 1};
-}
-
 CushionRule read_cushions(const Reader& r, const Table& table) {
   if (r.is_number()) return CushionRule::exactly(r.integer(format::puzzle["cushions"].bounds));
   if (r.is_object()) {
@@ -111,6 +92,78 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
     contacts.push_back(found ? *found : Contact::rail(static_cast<int>(item.word("cushion", names))));
   }
   return CushionRule::in_order(std::move(contacts));
+}
+
+/// Numbers of balls by their names: one, a list, or any.
+std::vector<int> read_balls(const Reader& r, const std::vector<Ball>& others) {
+  if (others.empty()) r.fail("cannot be touched: there are no \"others\"");
+  std::vector<std::string_view> names;
+  for (const Ball& other : others) names.push_back(other.id);
+  std::vector<int> balls;
+  if (r.is_array()) {
+    for (const Reader& item : r.items()) balls.push_back(1 + static_cast<int>(item.word("ball", names)));
+    return balls;
+  }
+  names.push_back("any");
+  const std::size_t which = r.word("ball", names);
+  if (which < others.size()) return {1 + static_cast<int>(which)};
+  for (std::size_t i = 0; i < others.size(); ++i) balls.push_back(1 + static_cast<int>(i));
+  return balls;
+}
+
+PointTarget read_point(const Reader& r) {
+  PointTarget t{r.need("point").point()};
+  r.read(format::to_point["within"], t.within);
+  return t;
+}
+
+PocketTarget read_pocket(const Reader& r, const Table& table) {
+  const Reader pocket = r.need("pocket");
+  if (table.pockets.empty()) pocket.fail("cannot be reached: this table has no pockets");
+  std::vector<std::string_view> names{"any"};
+  for (const Pocket& p : table.pockets) names.push_back(p.name);
+  const std::size_t which = pocket.word("pocket", names);
+  if (which == 0) return {};
+  return {static_cast<int>(which) - 1};
+}
+
+Then read_then(const Reader& r, const Table& table) {
+  Then then;
+  if (r.find("point")) {
+    r.only(format::then_point);
+    then.target = read_point(r);
+  } else {
+    r.only(format::then_pocket);
+    if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\"");
+    then.target = read_pocket(r, table);
+  }
+  if (const auto v = r.find("cushions")) then.cushions = read_cushions(*v, table);
+  return then;
+}
+
+BallTarget read_ball_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
+  r.only(format::to_ball);
+  BallTarget t{.balls = read_balls(r.need("ball"), others)};
+  if (const auto v = r.find("cut")) t.cut = radians(v->number());
+  if (const auto v = r.find("within")) t.within = radians(v->number(format::to_ball["within"].bounds));
+  if (const auto v = r.find("then")) {
+    for (const char* key : {"cut", "within"})
+      if (const auto other = r.find(key)) other->fail("stands beside \"then\", which says where the ball is to go");
+    t.then = read_then(*v, table);
+  }
+  return t;
+}
+
+Target read_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
+  if (r.find("ball")) return read_ball_target(r, table, others);
+  if (r.find("point")) {
+    if (r.find("pocket")) r.fail("has a point and a pocket: one of them is the target");
+    r.only(format::to_point);
+    return read_point(r);
+  }
+  r.only(format::to_pocket);
+  if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\"");
+  return read_pocket(r, table);
 }
 
 Range read_angle(const Reader& r) {
@@ -183,7 +236,7 @@ Puzzle read_puzzle(std::string_view text) {
     if (!p.spin_range) p.spin = read_spin(*v, p.physics, false);
   }
   p.others = read_others(doc, p.ball.body);
-  p.target = read_target(doc.need("target"), p.table);
+  p.target = read_target(doc.need("target"), p.table, p.others);
   if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);
   if (const auto v = doc.find("speed")) p.speed = v->range();
   if (const auto v = doc.find("arrive")) {

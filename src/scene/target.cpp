@@ -1,30 +1,93 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/scene/target.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/scene/puzzle.hpp"
+
 namespace bankshot {
 
+namespace {
+
+Mark mark_of(const Circle& ball, const BallTarget& asked) {
+  const auto offset = [&](double cut) {
+    const double most = radians(90.0);
+    return -ball.radius * std::sin(std::clamp(cut, -most, most));
+  };
+  return {.at = ball.centre,
+          .reach = ball.radius,
+          .taken_by = ball.contact,
+          .cuts = Cuts{offset(asked.cut + asked.within), offset(asked.cut), offset(asked.cut - asked.within)}};
+}
+
+}  // namespace
+
 std::vector<Mark> marks_of(const Target& target, const Boundary& boundary) {
+  if (const auto* asked = std::get_if<BallTarget>(&target)) {
+    std::vector<Mark> marks;
+    for (const int k : asked->balls) marks.push_back(mark_of(*boundary.rim(Contact::ball(k)), *asked));
+    return marks;
+  }
   if (const auto* point = std::get_if<PointTarget>(&target)) return {{point->at, point->within}};
   const auto& wanted = std::get<PocketTarget>(target).pocket;
   std::vector<Mark> marks;
   for (const Circle& pocket : boundary.pockets) {
     if (wanted && pocket.contact.index != *wanted) continue;
     for (const Opening& opening : openings(boundary, pocket))
-      marks.push_back({pocket.centre, pocket.radius, pocket.contact, opening});
+      marks.push_back({.at = pocket.centre, .reach = pocket.radius, .taken_by = pocket.contact, .opening = opening});
   }
   return marks;
 }
 
 double Mark::apart(const Vec2d& arrived) const {
-  return captures() ? opening.distance(arrived - at) : norm(arrived - at);
+  const double off = norm(arrived - at);
+  if (cuts) return std::abs(off - reach);
+  return drops() ? opening.distance(arrived - at) : off;
 }
 
-bool is_pocket(const Target& target) { return std::holds_alternative<PocketTarget>(target); }
+std::vector<Mark> marks_of(const Puzzle& p) {
+  const Then* const then = then_of(p.target);
+  if (!then) return marks_of(p.target, Boundary(p.table, p.ball.body, p.others));
+  const Target target = std::visit([](const auto& t) { return Target(t); }, then->target);
+  std::vector<Mark> all;
+  for (const int k : std::get<BallTarget>(p.target).balls) {
+    const Body& body = p.others[static_cast<std::size_t>(k) - 1].body;
+    for (Mark mark : marks_of(target, Boundary(p.table, body, p.others, k))) {
+      mark.ball = k;
+      all.push_back(mark);
+    }
+  }
+  return all;
+}
 
-std::string in_words(const Target& target, const Table& table, bool rests) {
-  if (!is_pocket(target)) return rests ? "to rest in the ring" : "through the ring";
-  const auto& wanted = std::get<PocketTarget>(target).pocket;
-  return "into " + (wanted ? table.pockets[static_cast<std::size_t>(*wanted)].name : "any pocket");
+bool is_pocket(const Target& target) {
+  const Then* const then = then_of(target);
+  return std::holds_alternative<PocketTarget>(target) || (then && std::holds_alternative<PocketTarget>(then->target));
+}
+
+namespace {
+
+std::string words_of(const PocketTarget& target, const Puzzle& p) {
+  return "into " + (target.pocket ? p.table.pockets[static_cast<std::size_t>(*target.pocket)].name : "any pocket");
+}
+
+std::string words_of(const PointTarget&, const Puzzle& p) {
+  const auto arrive = arrival_range(p);
+  return arrive && arrive->high == 0 ? "to rest in the ring" : "through the ring";
+}
+
+std::string words_of(const BallTarget& target, const Puzzle& p) {
+  std::string balls;
+  for (const int k : target.balls) balls += (balls.empty() ? "" : " or ") + contact_name(p, Contact::ball(k));
+  if (!target.then) return "onto " + balls;
+  return "to send " + balls + " " + std::visit([&](const auto& t) { return words_of(t, p); }, target.then->target);
+}
+
+}  // namespace
+
+std::string target_words(const Puzzle& p) {
+  return std::visit([&](const auto& target) { return words_of(target, p); }, p.target);
 }
 
 }  // namespace bankshot

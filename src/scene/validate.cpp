@@ -260,26 +260,44 @@ void check_tip(const LaunchSpin& spin, const Body& body) {
                      spin.top, spin.side, 1e3 * from_centre, 1e3 * R));
 }
 
-void check_target(const Puzzle& p, const Boundary& boundary) {
-  const std::vector<Mark> marks = marks_of(p.target, boundary);
-  if (marks.empty())
-    fail("/target/pocket", p.table.pockets.empty() ? "this table has no pockets" : "there is no pocket of that number");
-  for (const Mark& mark : marks) {
-    if (mark.captures()) continue;
-    check_inside(boundary, mark.at, "/target/point", "the centre of a ball at the target");
-    if (!(mark.reach > 0)) fail("/target/within", "must be greater than 0");
+void check_balls(const Puzzle& p, const BallTarget& asked) {
+  if (asked.balls.empty()) fail("/target/ball", "there must be a ball to touch");
+  for (std::size_t i = 0; i < asked.balls.size(); ++i) {
+    const int k = asked.balls[i];
+    if (k < 1 || k > static_cast<int>(p.others.size()))
+      fail("/target/ball", fmt::format("there is no ball number {}", k));
+    if (std::ranges::count(asked.balls, k) > 1)
+      fail(at("/target/ball", i), contact_name(p, Contact::ball(k)) + " is listed twice");
   }
+  if (!(std::abs(asked.cut) < radians(90.0)))
+    fail("/target/cut", fmt::format("{:g}° must be inside -90° and 90°", degrees(asked.cut)));
+  if (!(asked.within > 0)) fail("/target/within", "must be greater than 0");
 }
 
-void check_cushions(const CushionRule& c, const Boundary& boundary) {
+void check_cushions(const CushionRule& c, const Boundary& boundary, const std::string& path) {
   if (c.min < 0 || c.max < c.min || c.max > max_cushions)
-    fail("/cushions", fmt::format("{} to {} must be within 0 and {}", c.min, c.max, max_cushions));
+    fail(path, fmt::format("{} to {} must be within 0 and {}", c.min, c.max, max_cushions));
   if (!c.sequence) return;
   for (std::size_t i = 0; i < c.sequence->size(); ++i) {
     const auto [kind, number] = (*c.sequence)[i];
     const bool bounces = kind == ContactKind::rail || kind == ContactKind::vertex;
     if (!bounces || number < 0 || number >= static_cast<int>(boundary.walls.size()))
-      fail(at("/cushions", i), fmt::format("there is no cushion number {}", number));
+      fail(at(path, i), fmt::format("there is no cushion number {}", number));
+  }
+}
+
+void check_target(const Puzzle& p, const Boundary& boundary) {
+  if (const auto* asked = std::get_if<BallTarget>(&p.target)) check_balls(p, *asked);
+  if (const Then* const then = then_of(p.target)) check_cushions(then->cushions, boundary, "/target/then/cushions");
+  const std::string path = then_of(p.target) ? "/target/then" : "/target";
+  const std::vector<Mark> marks = marks_of(p);
+  if (marks.empty())
+    fail(path + "/pocket", p.table.pockets.empty() ? "this table has no pockets" : "there is no pocket of that number");
+  for (const Mark& mark : marks) {
+    if (mark.captures()) continue;
+    const Boundary own(p.table, mark.ball == 0 ? p.ball.body : p.others[static_cast<std::size_t>(mark.ball) - 1].body);
+    check_inside(own, mark.at, path + "/point", "the centre of a ball at the target");
+    if (!(mark.reach > 0)) fail(path + "/within", "must be greater than 0");
   }
 }
 
@@ -296,7 +314,7 @@ void validate(const Puzzle& p) {
   check_others(p.table, p.ball, p.others, p.physics);
   if (!is_straight(p.physics) && !p.spin_range) check_tip(p.spin, p.ball.body);
   check_target(p, boundary);
-  check_cushions(p.cushions, boundary);
+  check_cushions(p.cushions, boundary, "/cushions");
   check_range(p.speed, "/speed");
   if (!(p.speed.high > 0)) fail("/speed", "0 must be greater than 0");
   if (p.arrive) {
@@ -332,8 +350,9 @@ std::string contact_name(const Puzzle& p, Contact contact) {
 std::optional<Range> arrival_range(const Puzzle& p) {
   if (is_ideal(p.physics) || p.speed.fixed()) return {};
   if (p.arrive) return p.arrive;
-  constexpr Range rests{0, 0}, rolls_or_is_hit{0.2, 3};
-  return is_pocket(p.target) ? rolls_or_is_hit : rests;
+  constexpr Range rests{0, 0}, touches{0.5, 0.5}, drops{0.2, 3};
+  if (std::holds_alternative<BallTarget>(p.target) && !then_of(p.target)) return touches;
+  return is_pocket(p.target) ? drops : rests;
 }
 
 double ideal_speed(const Puzzle& p) {

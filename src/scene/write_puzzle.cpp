@@ -76,11 +76,37 @@ Json physics_json(const Physics& p) {
   return j;
 }
 
+Json cushions_json(const CushionRule& c, const Table& table) {
+  if (!c.sequence) return c.min == c.max ? Json(c.min) : Json{{"min", c.min}, {"max", c.max}};
+  Json names = Json::array();
+  for (const Contact contact : *c.sequence) names.push_back(contact_name(table, contact));
+  return names;
+}
+
+Json json_of(const PointTarget& target, const Puzzle&) {
+  return {{"point", pair(target.at)}, {"within", target.within}};
+}
+
+Json json_of(const PocketTarget& target, const Puzzle& p) {
+  return {{"pocket", target.pocket ? p.table.pockets[static_cast<std::size_t>(*target.pocket)].name : "any"}};
+}
+
+Json json_of(const BallTarget& target, const Puzzle& p) {
+  Json names = Json::array();
+  for (const int k : target.balls) names.push_back(p.others[static_cast<std::size_t>(k) - 1].id);
+  Json j{{"ball", names.size() == 1 ? names.front() : names}};
+  if (target.then) {
+    j["then"] = std::visit([&](const auto& t) { return json_of(t, p); }, target.then->target);
+    j["then"]["cushions"] = cushions_json(target.then->cushions, p.table);
+  } else {
+    j["cut"] = exact_degrees(target.cut);
+    j["within"] = exact_degrees(target.within);
+  }
+  return j;
+}
+
 Json target_json(const Puzzle& p) {
-  if (const auto* point = std::get_if<PointTarget>(&p.target))
-    return {{"point", pair(point->at)}, {"within", point->within}};
-  const auto& pocket = std::get<PocketTarget>(p.target).pocket;
-  return {{"pocket", pocket ? p.table.pockets[static_cast<std::size_t>(*pocket)].name : "any"}};
+  return std::visit([&](const auto& target) { return json_of(target, p); }, p.target);
 }
 
 Json others_json(const Puzzle& p) {
@@ -92,14 +118,6 @@ Json others_json(const Puzzle& p) {
     list.push_back(std::move(ball));
   }
   return list;
-}
-
-Json cushions_json(const Puzzle& p) {
-  const CushionRule& c = p.cushions;
-  if (!c.sequence) return c.min == c.max ? Json(c.min) : Json{{"min", c.min}, {"max", c.max}};
-  Json names = Json::array();
-  for (const Contact contact : *c.sequence) names.push_back(contact_name(p.table, contact));
-  return names;
 }
 
 /// All but the scene.
@@ -115,7 +133,7 @@ Json question_json(const Puzzle& p) {
   else if (!is_straight(p.physics))
     j["ball"]["spin"] = {{"top", p.spin.top}, {"side", p.spin.side}, {"masse", p.spin.masse}};
   j["target"] = target_json(p);
-  j["cushions"] = cushions_json(p);
+  j["cushions"] = cushions_json(p.cushions, p.table);
   if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};
   j["speed"] = range(p.speed);
   if (p.angle) j["angle"] = pair(exact_degrees(p.angle->low), exact_degrees(p.angle->high));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include "bankshot/numbers/tolerances.hpp"
@@ -56,6 +57,19 @@ std::size_t arriving(const Path& path, int n, double time, bool stops) {
   return best.value_or(path.events.size());
 }
 
+/// Of a ball that is sent on: the arc on which it arrives, or the event of its rest.
+std::size_t arriving_of(const Path& path, int ball, double time, bool stops) {
+  std::optional<std::size_t> best;
+  const auto late = [&](std::size_t i) {
+    return std::abs((stops ? path.events[i].time : path.events[i].passing.time) - time);
+  };
+  for (std::size_t i = 0; i < path.events.size(); ++i)
+    if (path.events[i].ball == ball && path.events[i].kind == (stops ? EventKind::rest : EventKind::slide_to_roll) &&
+        (!best || late(i) < late(*best)))
+      best = i;
+  return best.value_or(path.events.size());
+}
+
 /// Metres between two arrivals: of where the ball rests, or across the line of travel.
 double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
   if (stops) return norm((a.state.at - b.state.at) + (a.at_rest - b.at_rest));
@@ -67,8 +81,9 @@ double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
 struct Scene::Goal {
   int min, max;
   const std::vector<Contact>* sequence;
-  double time;       ///< s, when the arrival is claimed; of several passes the nearest to it counts
-  double slack = 0;  ///< m, beyond `within`
+  const Onward* then = nullptr;  ///< what the ball that is sent on is to do; null: as the puzzle asks
+  double time;                   ///< s, when the arrival is claimed; of several passes the nearest to it counts
+  double slack = 0;              ///< m, beyond `within`
 };
 
 /// Lines in one direction into a pocket.
@@ -151,15 +166,45 @@ double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& he
 
 Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.body, p.others), physics_(refined(p.physics)) {
   const auto asked = arrival_range(p);
-  stops_ = std::holds_alternative<PointTarget>(p.target) && asked && asked->high == 0;
+  const Then* const then = then_of(p.target);
+  const bool point =
+      then ? std::holds_alternative<PointTarget>(then->target) : std::holds_alternative<PointTarget>(p.target);
+  stops_ = point && asked && asked->high == 0;
+  if (then)
+    for (const Ball& other : p.others) others_.emplace_back(p.table, other.body);
 }
 
 Run Scene::run(const Launch& launch, const LaunchSpin& spin, int cushions) const {
   Run r{boundary, physics_,
         launched(puzzle.ball.at, puzzle.ball.body.radius, direction(launch.angle) * launch.speed, spin), cushions + 1,
         4L * cushions + 100};
-  if (const auto* point = std::get_if<PointTarget>(&puzzle.target)) r.target = point->at;
+  const Then* const then = then_of(puzzle.target);
+  const auto* point = then ? std::get_if<PointTarget>(&then->target) : std::get_if<PointTarget>(&puzzle.target);
+  if (point) r.target = point->at;
   return r;
+}
+
+ShotRequest Scene::request_of(const Launch& launch, const LaunchSpin& spin) const {
+  return {{}, puzzle.table, puzzle.physics, puzzle.ball, puzzle.others, launch, spin, {}};
+}
+
+Path Scene::truth_of(const Launch& launch, const LaunchSpin& spin, int cushions, double turned, double pushed) const {
+  Run r = run(launch, spin, cushions);
+  r.turned = turned, r.pushed = pushed;
+  const ShotRequest all = request_of(launch, spin);
+  if (then_of(puzzle.target)) r.all = &all;
+  return run_truth(r);
+}
+
+Path Scene::double_of(const Launch& launch, const LaunchSpin& spin, int cushions) const {
+  Run r = in_double(launch, spin, cushions);
+  const ShotRequest all = request_of(launch, spin);
+  if (then_of(puzzle.target)) r.all = &all;
+  return run_double(r);
+}
+
+const Boundary& Scene::boundary_of(int ball) const {
+  return ball == 0 ? boundary : *std::next(others_.begin(), ball - 1);
 }
 
 Arrived Scene::at_point(Arrived a, const Passing& p) const {
@@ -169,22 +214,104 @@ Arrived Scene::at_point(Arrived a, const Passing& p) const {
 }
 
 double Scene::miss(const Arrived& there) const {
-  if (!there.pocket) return there.passed;
-  return std::abs(there.offset - exact_offset(boundary, *boundary.rim(there.pocket), there.heading, there.offset));
+  if (!there.taken_by) return there.passed;
+  const Circle& rim = *boundary_of(there.ball).rim(there.taken_by);
+  if (const auto* ball = std::get_if<BallTarget>(&puzzle.target); ball && !ball->then)
+    return std::abs(there.offset + rim.radius * std::sin(ball->cut));
+  return std::abs(there.offset - exact_offset(boundary_of(there.ball), rim, there.heading, there.offset));
 }
 
-Arrived Scene::at_pocket(Arrived a, const TruthEvent& e, const TruthEvent& line) const {
+Arrived Scene::taken(Arrived a, const TruthEvent& e, const TruthEvent& line) const {
   a.why = "";
   a.time = e.time, a.speed = norm(e.state.velocity), a.at = e.state.at;
-  const Circle& rim = *boundary.rim(e.contact);
-  a.pocket = e.contact;
+  const Circle& rim = *boundary_of(e.ball).rim(e.contact);
+  a.taken_by = e.contact;
   a.offset = -line.passing.lateral;
   a.heading = line.passing.velocity;
   if (rim.radius > 0) a.incidence = std::sqrt(std::max(1 - std::pow(e.passing.lateral / rim.radius, 2), 1e-12));
   return a;
 }
 
+Arrived Scene::judge_sent(const Path& path, const Goal& goal) const {
+  const BallTarget& asked = std::get<BallTarget>(puzzle.target);
+  const Then& then = *asked.then;
+  const auto* point = std::get_if<PointTarget>(&then.target);
+  const CushionRule rule = goal.then ? CushionRule::in_order(goal.then->cushions) : then.cushions;
+  const double within = point ? point->within + goal.slack : 0;
+  Arrived out;
+  std::vector<const TruthEvent*> met, its;
+  const TruthEvent *hit = nullptr, *jaw = nullptr;
+  bool found = false;
+  const auto fails = [&](std::string why) {
+    if (!found) out.why = std::move(why);
+    return out;
+  };
+  const auto counts = [&] {
+    return static_cast<int>(its.size()) >= rule.min && (!rule.sequence || same_order(*rule.sequence, its));
+  };
+  for (const TruthEvent& e : path.events) {
+    if (!hit) {
+      if (e.ball != 0 || e.kind == EventKind::slide_to_roll) continue;
+      if (e.kind == EventKind::cushion) {
+        if (static_cast<int>(met.size()) == goal.max)
+          return fails(fmt::format("meets {} before the ball", contact_name(puzzle.table, e.contact)));
+        met.push_back(&e);
+        out.cushions.push_back(e.contact);
+      } else if (e.kind == EventKind::ball) {
+        out.in_order = !goal.sequence || same_order(*goal.sequence, met);
+        const bool wanted =
+            std::ranges::count(asked.balls, e.contact.index) > 0 && !(goal.then && goal.then->ball != e.contact.index);
+        if (!wanted || static_cast<int>(met.size()) < goal.min)
+          return fails(fmt::format("runs into {}", contact_name(puzzle, e.contact)));
+        hit = &e;
+        out.ball = e.contact.index;
+        out.hit = e.passing;
+      } else if (e.kind != EventKind::jaw) {
+        return fails("touches no ball");
+      }
+      continue;
+    }
+    const bool ours = e.ball == 0 || e.ball == out.ball || e.contact == Contact::ball(out.ball);
+    if (e.kind == EventKind::ball && ours) return fails(fmt::format("touches {}", contact_name(puzzle, e.contact)));
+    if (e.ball != out.ball) continue;
+    if (point && !stops_ && counts() && e.kind == EventKind::slide_to_roll && e.passing.miss <= within &&
+        (!found || std::abs(e.passing.time - goal.time) < std::abs(out.time - goal.time))) {
+      out = at_point(std::move(out), e.passing);
+      found = true;
+    }
+    switch (e.kind) {
+      case EventKind::cushion:
+        if (!(e.time > hit->time)) break;
+        if (static_cast<int>(its.size()) == rule.max || found)
+          return fails(fmt::format("sends it to {} before the target", contact_name(puzzle.table, e.contact)));
+        its.push_back(&e);
+        out.onward.push_back(e.contact);
+        break;
+      case EventKind::jaw:
+        if (!jaw) jaw = &e;
+        out.rattles = true;
+        break;
+      case EventKind::pocket: {
+        const auto* pocket = std::get_if<PocketTarget>(&then.target);
+        if (!pocket || (pocket->pocket && Contact::pocket(*pocket->pocket) != e.contact) || !counts())
+          return fails(fmt::format("sends it into pocket {}", contact_name(puzzle.table, e.contact)));
+        return taken(std::move(out), e, jaw ? *jaw : e);
+      }
+      case EventKind::rest: {
+        if (!stops_ || !counts()) return fails("sends it not as far as the target");
+        const double miss = norm((e.state.at - point->at) + e.at_rest);
+        if (miss > within) return fails(fmt::format("sends it to rest {:.6g} m from the target", miss));
+        return at_point(std::move(out), {.time = e.time, .speed = 0, .at = e.state.at, .velocity = {}, .miss = miss});
+      }
+      default:
+        break;
+    }
+  }
+  return fails("sends it past the target");
+}
+
 Arrived Scene::judge(const Path& path, const Goal& goal) const {
+  if (then_of(puzzle.target)) return judge_sent(path, goal);
   const auto* point = std::get_if<PointTarget>(&puzzle.target);
   const double within = point ? point->within + goal.slack : 0;
   Arrived out;
@@ -224,10 +351,20 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
         const auto* pocket = std::get_if<PocketTarget>(&puzzle.target);
         if (!pocket || (pocket->pocket && Contact::pocket(*pocket->pocket) != e.contact) || !counts())
           return fails(fmt::format("falls into pocket {}", contact_name(puzzle.table, e.contact)));
-        return at_pocket(std::move(out), e, jaw ? *jaw : e);
+        return taken(std::move(out), e, jaw ? *jaw : e);
       }
-      case EventKind::ball:
-        return fails(fmt::format("runs into {}", contact_name(puzzle, e.contact)));
+      case EventKind::ball: {
+        const auto* ball = std::get_if<BallTarget>(&puzzle.target);
+        if (!ball || std::ranges::count(ball->balls, e.contact.index) == 0 || !counts())
+          return fails(fmt::format("runs into {}", contact_name(puzzle, e.contact)));
+        out = taken(std::move(out), e, e);
+        const double reach = boundary.rim(e.contact)->radius, most = radians(90.0);
+        const auto offset = [&](double cut) { return -reach * std::sin(std::clamp(cut, -most, most)); };
+        if (out.offset < offset(ball->cut + ball->within) - goal.slack ||
+            out.offset > offset(ball->cut - ball->within) + goal.slack)
+          out.why = fmt::format("meets {} at another cut", contact_name(puzzle, e.contact));
+        return out;
+      }
       case EventKind::rest: {
         if (!stops_ || !counts()) return fails("stops before the target");
         const double miss = norm((e.state.at - point->at) + e.at_rest);
@@ -243,16 +380,20 @@ Arrived Scene::judge(const Path& path, const Goal& goal) const {
 
 Arrived Scene::replay(const Launch& launch, const Shot& claim, double slack) const {
   const int n = static_cast<int>(claim.cushions.size());
-  return judge(run_truth(run(launch, claim.spin, n)), {n, n, &claim.cushions, claim.arrival.time, slack});
+  return judge(truth_of(launch, claim.spin, n),
+               {n, n, &claim.cushions, claim.then ? &*claim.then : nullptr, claim.arrival.time, slack});
 }
 
 std::optional<double> Scene::condition(const Shot& shot) const {
   constexpr double step = 1e-14;  // what is left out is of this size; the values have 32 digits
   const int n = static_cast<int>(shot.cushions.size());
   Run base = run(shot.launch, shot.spin, n);
+  const ShotRequest all = request_of(shot.launch, shot.spin);
+  if (shot.then) base.all = &all;
   if (!stops_) base.target = shot.arrival.at;
   const Path path = run_truth(base);
-  const std::size_t arrives = arriving(path, n, shot.arrival.time, stops_);
+  const std::size_t arrives = shot.then ? arriving_of(path, shot.then->ball, shot.arrival.time, stops_)
+                                        : arriving(path, n, shot.arrival.time, stops_);
   const auto moved = [&](double turned, double pushed) -> std::optional<double> {
     // On one side of the shot its path may meet other cushions.
     for (const double side : {step, -step}) {
@@ -273,22 +414,23 @@ Run Scene::in_double(const Launch& launch, const LaunchSpin& spin, int cushions)
 
 bool Scene::seems_made(const Launch& launch, const Shot& claim) const {
   const int n = static_cast<int>(claim.cushions.size());
-  return launch.speed > 0 &&
-         judge(recorded<double>(in_double(launch, claim.spin, n)), {n, n, &claim.cushions, claim.arrival.time}).made();
+  return launch.speed > 0 && judge(double_of(launch, claim.spin, n),
+                                   {n, n, &claim.cushions, claim.then ? &*claim.then : nullptr, claim.arrival.time})
+                                 .made();
 }
 
 double Scene::chance(const Shot& shot, int draws) const {
   std::mt19937_64 engine(static_cast<std::uint64_t>(draws));
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
   const CushionRule& rule = puzzle.cushions;
-  const Goal goal{rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr, shot.arrival.time};
+  const Goal goal{rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr, nullptr, shot.arrival.time};
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double size = std::sqrt(-2 * std::log(uniform())), turn = radians(360) * uniform();  // Box and Muller
     const Launch l{shot.launch.speed + puzzle.noise.speed * size * std::cos(turn),
                    wrap_angle(shot.launch.angle + puzzle.noise.angle * size * std::sin(turn))};
     if (!(l.speed > 0)) continue;
-    made += judge(recorded<double>(in_double(l, shot.spin, rule.max)), goal).made();
+    made += judge(double_of(l, shot.spin, rule.max), goal).made();
   }
   return static_cast<double>(made) / draws;
 }

@@ -5,6 +5,7 @@
 // own verification.
 #pragma once
 
+#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,11 +22,14 @@ struct Arrived {
   bool in_order = false;            ///< those are the ones named; two met in one instant may come in either order
   double time = 0, speed = 0;
   double passed = 0;  ///< m, how near it came to a point
-  double offset = 0;  ///< m, of the line into a pocket, positive on the left of its centre
+  double offset = 0;  ///< m, of the line into a pocket or onto a ball, positive on the left of its centre
   Vec2d at{}, heading{};
-  Contact pocket{};      ///< that took it
-  bool rattles = false;  ///< it touched jaws on its way
-  double incidence = 1;  ///< sine of the angle between the path and the pocket's rim
+  Contact taken_by{};             ///< the pocket or ball
+  bool rattles = false;           ///< it touched jaws on its way
+  int ball = 0;                   ///< that arrived: the struck one, or one that it sent on
+  std::vector<Contact> onward{};  ///< the cushions of that
+  std::optional<Passing> hit{};   ///< of the struck ball where it touched it, its lateral seen from that ball's centre
+  double incidence = 1;           ///< sine of the angle between the path and the rim of what takes it
   bool made() const { return why.empty() && in_order; }
 };
 
@@ -46,7 +50,7 @@ class Scene {
   /// Of a launch along the cushions of `claim`; of several passes by a point the one nearest in time to the claim's.
   /// `slack` [m] more than `within` still counts as made.
   Arrived replay(const Launch& launch, const Shot& claim, double slack) const;
-  /// How far an arrival is off the point, or off the pocket's exact line [m].
+  /// How far an arrival is off the point, or off the exact line to a pocket or ball [m].
   double miss(const Arrived& there) const;
   /// By differences in 50 digits; none where no launch beside this one meets the same events.
   std::optional<double> condition(const Shot& shot) const;
@@ -64,11 +68,17 @@ class Scene {
   Run run(const Launch& launch, const LaunchSpin& spin, int cushions) const;
   Run in_double(const Launch& launch, const LaunchSpin& spin, int cushions) const;
   Arrived judge(const Path& path, const Goal& goal) const;
+  Arrived judge_sent(const Path& path, const Goal& goal) const;
+  Path truth_of(const Launch& launch, const LaunchSpin& spin, int cushions, double turned = 0, double pushed = 0) const;
+  Path double_of(const Launch& launch, const LaunchSpin& spin, int cushions) const;
+  ShotRequest request_of(const Launch& launch, const LaunchSpin& spin) const;
+  const Boundary& boundary_of(int ball) const;
   Arrived at_point(Arrived a, const Passing& p) const;
   /// `line`: the event whose line of travel counts.
-  Arrived at_pocket(Arrived a, const TruthEvent& e, const TruthEvent& line) const;
+  Arrived taken(Arrived a, const TruthEvent& e, const TruthEvent& line) const;
 
-  Physics physics_;  ///< integrated impacts far finer than the solver's
+  std::list<Boundary> others_{};  ///< as balls that may be sent on see the table
+  Physics physics_;               ///< integrated impacts far finer than the solver's
   bool stops_;
 };
 

@@ -28,6 +28,9 @@ class ShotCheck {
     if (all && !there.in_order)
       return fails(Claim::cushions, fmt::format("meets {}, not {}", names(there.cushions), names(shot_.cushions)));
     if (!there.why.empty()) return fails(Claim::target, fmt::format("{} after {}", there.why, names(there.cushions)));
+    if (shot_.then && there.onward != shot_.then->cushions)
+      return fails(Claim::cushions,
+                   fmt::format("sends it to {}, not {}", names(there.onward), names(shot_.then->cushions)));
     holds(Claim::cushions);
     holds(Claim::target);
     arrives(there);
@@ -121,8 +124,10 @@ class ShotCheck {
     if (there.rattles != shot_.rattles)
       return fails(Claim::form, there.rattles ? "touches jaws and does not say so" : "says that it rattles"), void();
     if (!shot_.off_centre) compare(Claim::centre, miss, place_, "does not reach the centre and does not say so");
-    compare(Claim::offset, std::abs(there.offset - shot_.offset), place_,
-            fmt::format("says {:.6g} m and passes the pocket's centre at {:.6g} m", shot_.offset, there.offset));
+    hits(there, place);
+    if (there.taken_by.kind != ContactKind::ball)
+      compare(Claim::offset, std::abs(there.offset - shot_.offset), place_,
+              fmt::format("says {:.6g} m and passes the pocket's centre at {:.6g} m", shot_.offset, there.offset));
     compare(Claim::place, norm(said.at - there.at), place,
             fmt::format("says ({}, {}) and arrives at ({}, {})", said.at.x, said.at.y, there.at.x, there.at.y));
     compare(Claim::time, std::abs(said.time - there.time),
@@ -135,6 +140,27 @@ class ShotCheck {
       compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high),
               tolerance::exact_speed * std::max(1.0, asked->high),
               fmt::format("arrives at {} m/s, and {} to {} is asked", there.speed, asked->low, asked->high));
+  }
+
+  void hits(const Arrived& there, double place) {
+    const bool touches = there.taken_by.kind == ContactKind::ball || there.hit;
+    if (shot_.hits.size() != (touches ? 1U : 0U))
+      return fails(Claim::hits, fmt::format("names {} contacts with balls", shot_.hits.size())), void();
+    if (!touches) return;
+    const Hit& hit = shot_.hits.front();
+    const Contact ball = there.hit ? Contact::ball(there.ball) : there.taken_by;
+    if (Contact::ball(hit.ball) != ball) return fails(Claim::hits, "meets " + contact_name(p_, ball)), void();
+    const double offset = there.hit ? -there.hit->lateral : there.offset,
+                 speed = there.hit ? there.hit->speed : there.speed;
+    const double said = -scene_.boundary.rim(ball)->radius * std::sin(hit.cut);
+    compare(
+        Claim::hits, std::abs(said - offset), place_,
+        fmt::format("says a cut of {:.6g}°, the offset {:.6g} m, and it is {:.6g} m", degrees(hit.cut), said, offset));
+    // Along its path the contact is as far off as it is across, over the cosine of the cut.
+    compare(Claim::hits, norm(hit.at - (there.hit ? there.hit->at : there.at)),
+            place / std::max(std::cos(hit.cut), 1e-6), "the contact is elsewhere");
+    compare(Claim::hits, std::abs(hit.speed - speed), tolerance::exact_speed * std::max(1.0, speed),
+            fmt::format("says {} m/s and meets it at {} m/s", hit.speed, speed));
   }
 
   void condition() {
@@ -214,16 +240,16 @@ std::string form(const Answer& a) {
 }  // namespace
 
 std::string_view name(Claim c) {
-  constexpr std::string_view names[claims] = {"id",          "form",      "status",   "launch speed", "aim",
-                                              "spin",        "rule",      "cushions", "target",       "centre",
-                                              "miss",        "offset",    "place",    "time",         "arrival speed",
-                                              "speed asked", "condition", "margin",   "success"};
+  constexpr std::string_view names[claims] = {
+      "id",       "form",          "status",      "launch speed", "aim",    "spin",   "rule",
+      "cushions", "target",        "centre",      "miss",         "offset", "hits",   "place",
+      "time",     "arrival speed", "speed asked", "condition",    "margin", "success"};
   return names[static_cast<int>(c)];
 }
 
 std::string_view unit(Claim c) {
-  constexpr std::string_view units[claims] = {"",  "",  "",  "m/s", "rad", "",    "",      "",     "", "m",
-                                              "m", "m", "m", "s",   "m/s", "m/s", "of it", "ends", ""};
+  constexpr std::string_view units[claims] = {"",  "",  "", "m/s", "rad", "",    "",    "",      "",     "m",
+                                              "m", "m", "", "m",   "s",   "m/s", "m/s", "of it", "ends", ""};
   return units[static_cast<int>(c)];
 }
 

@@ -28,6 +28,7 @@ enum class Claim {
   centre,     ///< exactly, unless the shot says that it is off centre [m]
   miss,       ///< [m]
   offset,     ///< of the line of travel from the pocket's centre [m]
+  hits,       ///< the contact with the ball that is its target: cut, place [m], speed [m/s]
   place,      ///< where it arrives [m]
   time,       ///< when [s]
   arrival,    ///< how fast [m/s]
@@ -36,7 +37,7 @@ enum class Claim {
   margin,     ///< made just inside, not made just outside [number of ends that are wrong]
   success,    ///< between 0 and 1, and as 1,000 seeded draws say
 };
-inline constexpr int claims = 19;
+inline constexpr int claims = 20;
 
 std::string_view name(Claim claim);
 std::string_view unit(Claim claim);  ///< of `off` and `allowed`

@@ -84,8 +84,6 @@ bool nearby_start(const Run& run, const Path& rough) {
 
 }  // namespace
 
-Path run_double(const Run& run) { return recorded<double>(run); }
-
 Condition condition(const Run& run) {
   const double R = run.boundary.body.radius, extent = run.boundary.extent;
   Condition c;

@@ -10,8 +10,6 @@
 
 namespace bankshot::truth {
 
-Path run_double(const Run& run);
-
 /// κ of the simulator's property 6 for the run in double, that of the start alone (its first term), and
 /// d(position of the last event)/d(start), columns x, y, vx, vy, wx, wy, wz.
 struct Condition {

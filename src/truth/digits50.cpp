@@ -2,6 +2,7 @@
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
 #include "truth/follow.hpp"
+#include "truth/many_balls.hpp"
 
 namespace bankshot::truth {
 namespace {
@@ -20,7 +21,8 @@ Physics refined(Physics p) {
   return p;
 }
 
-Path run_truth(const Run& run) { return recorded<Digits50>(run); }
+Path run_truth(const Run& run) { return run.all ? run_all_truth(run) : recorded<Digits50>(run); }
+Path run_double(const Run& run) { return run.all ? run_all_double(run) : recorded<double>(run); }
 
 Path run_in_digits(const Run& run, int digits) {
   constexpr int few = 25, many = 100;

@@ -37,33 +37,36 @@ State<T> start_of(const Run& run) {
   return s;
 }
 
-/// Where the ball is at parameter t of the arc that led `sim` to its last event, seen from `target`.
-template <class T, class Sim>
-Passing passing(const Sim& sim, const T& t, const Vec2d& target) {
-  const auto& arc = sim.arc();
+/// Where the ball is at parameter t of an arc that began at a time, seen from `target`.
+template <class T>
+Passing passing(const Arc<T>& arc, const T& began, const T& t, const Vec2d& target) {
   const Vec2<T> at = arc.position(t), v = arc.velocity_at(t), off = to<T>(target) - at;
-  const T speed = norm(v), time = sim.time() - arc.seconds(sim.travelled()) + arc.seconds(t);
+  const T speed = norm(v), time = began + arc.seconds(t);
   const T lateral = speed > T(0) ? T(cross(v, off) / speed) : T(0);
   const double side = rounded(lateral);
   return {rounded(time),         rounded(speed), {rounded(at.x), rounded(at.y)}, {rounded(v.x), rounded(v.y)},
           rounded(T(norm(off))), side,           rounded(T(lateral - side))};
 }
 
+/// On the arc that led `sim` to its last event.
+template <class T, class Sim>
+Passing passing(const Sim& sim, const T& t, const Vec2d& target) {
+  return passing<T>(sim.arc(), T(sim.time() - sim.arc().seconds(sim.travelled())), t, target);
+}
+
 template <class T, class Sim>
 Passing passing_of(const Run& run, const Event& e, const Sim& sim) {
   if (e.kind == EventKind::horizon) return {};
   if (run.target) return passing<T>(sim, closest_time(sim.arc(), sim.travelled(), *run.target), *run.target);
-  if (e.kind != EventKind::pocket && e.kind != EventKind::jaw) return {};
-  const int pocket = e.kind == EventKind::pocket ? e.contact.index : e.contact.jaw_pocket();
-  Passing p = passing<T>(sim, sim.travelled(), run.boundary.pockets[static_cast<std::size_t>(pocket)].centre);
+  if (e.kind != EventKind::pocket && e.kind != EventKind::jaw && e.kind != EventKind::ball) return {};
+  const Contact towards = e.kind == EventKind::jaw ? Contact::pocket(e.contact.jaw_pocket()) : e.contact;
+  Passing p = passing<T>(sim, sim.travelled(), run.boundary.rim(towards)->centre);
   p.miss = std::abs(p.lateral);
   return p;
 }
 
-template <class T, class Sim>
-TruthEvent note(const Run& run, const Event& e, const Sim& sim) {
-  const T& time = sim.time();
-  const State<T>& s = sim.state();
+template <class T>
+TruthEvent note(const Event& e, const T& time, const State<T>& s, const Passing& p, int ball = 0) {
   const double t = rounded(time), x = rounded(s.at.x), y = rounded(s.at.y);
   const Vec2d v{rounded(s.velocity.x), rounded(s.velocity.y)};
   return {e.kind,
@@ -72,7 +75,8 @@ TruthEvent note(const Run& run, const Event& e, const Sim& sim) {
           rounded(T(time - t)),
           {{x, y}, v, {rounded(s.spin.x), rounded(s.spin.y), rounded(s.spin.z)}},
           {rounded(T(s.at.x - x)), rounded(T(s.at.y - y))},
-          passing_of<T>(run, e, sim)};
+          p,
+          ball};
 }
 
 /// Runs in T and hands each event to `see(event, simulator)`; true when the shot came to its end.
@@ -94,8 +98,9 @@ bool follow(const Run& run, const State<T>& start, See&& see) {
 template <class T>
 Path recorded(const Run& run) {
   Path path;
-  path.ended = follow<T>(run, start_of<T>(run),
-                         [&](const Event& e, const auto& sim) { path.events.push_back(note<T>(run, e, sim)); });
+  path.ended = follow<T>(run, start_of<T>(run), [&](const Event& e, const auto& sim) {
+    path.events.push_back(note<T>(e, sim.time(), sim.state(), passing_of<T>(run, e, sim)));
+  });
   return path;
 }
 

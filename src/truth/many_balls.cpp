@@ -37,7 +37,77 @@ std::vector<BallTruth> run(const ShotRequest& request, std::size_t most, double 
   });
 }
 
+/// An arc that ended.
+template <class T>
+struct Flown {
+  int ball;
+  T began;
+  Arc<T> arc;
+  T travelled;
+};
+
+template <class T>
+Passing passing_of(const Run& run, const BallEvent& e, const Starts& starts, const Flown<T>& last, const Vec2d& met) {
+  if (e.event.kind == EventKind::ball) return passing<T>(last.arc, last.began, last.travelled, met);
+  if (e.event.kind != EventKind::pocket && e.event.kind != EventKind::jaw) return {};
+  const Contact towards =
+      e.event.kind == EventKind::jaw ? Contact::pocket(e.event.contact.jaw_pocket()) : e.event.contact;
+  const Boundary& boundary = *starts.balls()[static_cast<std::size_t>(e.ball)].boundary;
+  Passing p = passing<T>(last.arc, last.began, last.travelled, run.target.value_or(boundary.rim(towards)->centre));
+  p.miss = std::abs(p.lateral);
+  return p;
+}
+
+template <class T>
+Path run_all(const Run& run) {
+  const Starts starts(*run.all);
+  std::vector<BallStart<T>> balls;
+  for (const BallStart<double>& b : starts.balls()) balls.push_back({b.boundary, lift<T>(b.state)});
+  balls.front().state = start_of<T>(run);
+  return with_physics(run.physics, [&](const auto& motion, const auto& cushion) {
+    ManyBalls sim(std::span<const BallStart<T>>(balls), motion, cushion, collisions(run.physics));
+    Path path;
+    std::vector<Flown<T>> last(balls.size());
+    // In `ideal` the struck ball may bounce very often before a slow one arrives.
+    constexpr long patience = 20;
+    int sent = 0;
+    for (long i = 0; i < patience * run.events; ++i) {
+      const BallEvent e = sim.step(T(forever), [&](int ball, const T& began, const State<T>& start, const Arc<T>& arc,
+                                                   const T& travelled) {
+        last[static_cast<std::size_t>(ball)] = {ball, began, arc, travelled};
+        if (ball == 0) return;
+        const Passing p =
+            run.target ? passing<T>(arc, began, closest_time(arc, travelled, *run.target), *run.target) : Passing{};
+        path.events.push_back(note<T>({EventKind::slide_to_roll}, T(began + arc.seconds(travelled)), start, p, ball));
+      });
+      if (e.event.kind == EventKind::horizon) {
+        path.ended = true;
+        break;
+      }
+      Vec2d met{};
+      if (e.event.kind == EventKind::ball) {
+        const State<T>& other = sim.state(e.event.contact.index);
+        met = {rounded(other.at.x), rounded(other.at.y)};
+      }
+      const Passing p = passing_of<T>(run, e, starts, last[static_cast<std::size_t>(e.ball)], met);
+      path.events.push_back(note<T>(e.event, sim.time(), sim.state(e.ball), p, e.ball));
+      const bool meets = e.event.kind == EventKind::ball;
+      // What the ball that was sent on does after its rest, its fall or its next contact is not asked.
+      const bool ended = e.event.kind == EventKind::pocket || e.event.kind == EventKind::rest;
+      if (sent != 0 && ((e.ball == sent && (meets || ended)) || (meets && e.event.contact.index == sent))) {
+        path.ended = true;
+        break;
+      }
+      if (sent == 0 && meets) sent = e.event.contact.index;
+    }
+    return path;
+  });
+}
+
 }  // namespace
+
+Path run_all_truth(const Run& run) { return run_all<Digits50>(run); }
+Path run_all_double(const Run& run) { return run_all<double>(run); }
 
 std::vector<BallTruth> run_many_truth(const ShotRequest& request, std::size_t most, double turned) {
   return run<Digits50>(request, most, turned);

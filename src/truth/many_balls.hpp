@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bankshot/simulate/many_balls.hpp"
+#include "truth/run.hpp"
 
 namespace bankshot::truth {
 
@@ -15,6 +16,10 @@ struct BallTruth {
   double time;
   Vec2d at, velocity;
 };
+
+/// A run where all balls move, see run.hpp.
+Path run_all_truth(const Run& run);
+Path run_all_double(const Run& run);
 
 /// The first events, at most so many. `turned` [rad]: the launch is turned by this, without rounding.
 std::vector<BallTruth> run_many_truth(const ShotRequest& request, std::size_t most, double turned = 0);

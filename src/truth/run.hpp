@@ -11,11 +11,12 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/physics.hpp"
 #include "bankshot/simulate/event.hpp"
+#include "bankshot/simulate/trajectory.hpp"
 
 namespace bankshot::truth {
 
-/// The closest approach of one arc to the run's target; without one, the line of travel into a pocket or its jaws, seen
-/// from the pocket's centre.
+/// The closest approach of one arc to the run's target; without one, the line of travel into a pocket or its jaws or
+/// onto a ball, seen from its centre.
 struct Passing {
   double time = 0;   ///< s since the launch
   double speed = 0;  ///< m/s
@@ -32,6 +33,7 @@ struct TruthEvent {
   State<double> state;     ///< right after it
   Vec2d at_rest;           ///< m: state.at + at_rest has about 32 digits
   Passing passing{};       ///< of the arc that led here
+  int ball = 0;            ///< whose event it is; 0 is the struck one
 };
 
 /// What to run and when to stop: at the last of `cushions` bounces, `events` events, `until` seconds, or at rest.
@@ -45,6 +47,7 @@ struct Run {
   double turned = 0;  ///< rad, small: the launch is turned by this, its spin with it, ...
   double pushed = 0;  ///< ... and made faster by this, relative; both without rounding
   double until = forever;
+  const ShotRequest* all = nullptr;  ///< where other balls move: the shot, from this run's start
 };
 
 struct Path {
@@ -55,8 +58,10 @@ struct Path {
 /// Physics whose integrated impacts are 1e7 times finer than those of the solver; any other physics as it is.
 Physics refined(Physics physics);
 
-/// In 50 digits.
+/// In 50 digits. Where other balls move, each arc of theirs that ends is told as well, as `slide_to_roll`.
 Path run_truth(const Run& run);
+/// The same in double.
+Path run_double(const Run& run);
 /// In 25, 50 or 100 digits: to see what digits cost.
 Path run_in_digits(const Run& run, int digits);
 

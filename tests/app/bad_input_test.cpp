@@ -90,7 +90,7 @@ const std::vector<Case>& cases() {
        "/physics/rolling_friction/at_rest", "greater than 0"},
       {"spin of the ball", puzzle(R"({"ball": {"spin": {"top": 1}}})"), "/ball/spin", "needs the physics \"spin\""},
       {"overlapping balls", puzzle(R"({"others": [{"id": "8", "at": [0.61, 0.4]}]})"), "/others/0/at", "overlaps"},
-      {"ball target", puzzle(R"({"target": {"pocket": null, "ball": "8"}})"), "/target/ball", "not supported yet"},
+      {"ball target", puzzle(R"({"target": {"pocket": null, "ball": "8"}})"), "/target/ball", "there are no"},
       {"jaws", puzzle(R"({"table": {"length": 2, "width": 1, "jaws": true}})"), "/table/jaws",
        "needs the pockets \"six\", or a preset"},
       {"jaws of nothing", puzzle(R"({"table": {"preset": "carom-10ft", "jaws": true}})"), "/table/jaws",

@@ -51,9 +51,14 @@ TEST_CASE("a target's marks: a point, one pocket, any pocket") {
   CHECK(one[0].capture() == table.pockets[2].radius);
   CHECK(marks_of(PocketTarget{}, boundary).size() == 6);
   CHECK(marks_of(PocketTarget{9}, boundary).empty());
-  CHECK(in_words(PocketTarget{2}, table, false) == "into bottom-right");
-  CHECK(in_words(PocketTarget{}, table, false) == "into any pocket");
-  CHECK(in_words(PointTarget{}, table, true) == "to rest in the ring");
+  Puzzle p{.table = table};
+  const auto words = [&](const Target& target) {
+    p.target = target;
+    return target_words(p);
+  };
+  CHECK(words(PocketTarget{2}) == "into bottom-right");
+  CHECK(words(PocketTarget{}) == "into any pocket");
+  CHECK(words(PointTarget{}) == "to rest in the ring");
 }
 
 TEST_CASE("bisect closes in from either side, down to rounding") {

@@ -22,6 +22,13 @@ Made on_line(Random& random, Model model, int bounces);
 
 // Other balls.
 Made obstacles(Random& random, Model model, int bounces);
+Made kicks(Random& random, Model model, int bounces);
+Made pots(Random& random, Model model, int bounces);
+Made banks(Random& random, Model model, int bounces);
+Made kick_pots(Random& random, Model model, int bounces);
+Made kick_banks(Random& random, Model model, int bounces);
+Made sent_to_rest(Random& random, Model model, int bounces);
+Made sent_past(Random& random, Model model, int bounces);
 
 // Tables and coefficients far beyond what is played on.
 Made slender(Random& random, Model model, int bounces);

@@ -45,6 +45,7 @@ bool is_hard(const Made& made) {
 
 bool is_exact(const Made& made) {
   if (!is_pocket(made.puzzle.target)) return true;
+  if (then_of(made.puzzle.target)) return false;  // as it fell, which is hardly ever on the exact line
   const Puzzle& p = made.puzzle;
   const Trajectory t =
       simulate({.table = p.table, .physics = p.physics, .ball = p.ball, .launch = made.launch, .spin = p.spin});

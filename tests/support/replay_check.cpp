@@ -85,9 +85,108 @@ std::string bound_broken(const Puzzle& p, const Shot& shot) {
   return {};
 }
 
+/// A ball that is sent on, in the simulation of many.
+Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
+  const Then& then = *asked.then;
+  ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
+  const bool rests = shot.arrival.speed == 0;
+  request.until.time = shot.arrival.time * (1 + 1e-6) + 1e-6;
+  const Trajectory t = simulate(request);
+  const double exact = 1e-9 * p.table.diagonal(), allowed = exact + shot.miss;
+  if (!shot.then || std::ranges::count(asked.balls, shot.then->ball) == 0) return {"sends no ball that is asked", 0};
+  const int ball = shot.then->ball;
+  std::vector<Contact> first, second;
+  double hit = -1;
+  const Record* fell = nullptr;
+  for (const Record& e : t.events) {
+    const bool later = e.time > shot.arrival.time;
+    if (e.kind == EventKind::ball && !later && (hit >= 0 || e.ball != 0 || e.contact.index != ball))
+      return {fmt::format("touches another ball at {} s", e.time), 0};
+    if (e.kind == EventKind::ball && hit < 0) hit = e.time;
+    if (e.kind == EventKind::pocket && e.ball == ball) fell = &e;
+    if (e.kind == EventKind::pocket && e.ball == 0 && hit < 0) return {"is pocketed first", 0};
+    if (e.kind == EventKind::cushion && e.ball == 0 && hit < 0) first.push_back(e.contact);
+    if (e.kind == EventKind::cushion && e.ball == ball && e.time > hit && !later) second.push_back(e.contact);
+  }
+  Checked c;
+  double miss = 0, speed = 0;
+  if (const auto* point = std::get_if<PointTarget>(&then.target)) {
+    const Record& end = end_of(t, ball);
+    miss = rests ? norm(end.state.at - point->at) : 1e300;
+    for (const Leg& leg : t.legs) {
+      if (rests || leg.ball != ball) continue;
+      const double s = leg.arc.parameter(shot.arrival.time - leg.begin);
+      if (!(s >= -1e-9) || s > leg.duration + 1e-9) continue;
+      const double off = norm(leg.arc.position(s) - point->at);
+      if (off < miss) miss = off, speed = norm(leg.arc.velocity_at(s));
+    }
+    if (rests && norm(end.state.velocity) > 0) c.problem = "does not rest";
+  } else {
+    const auto& wanted = std::get<PocketTarget>(then.target).pocket;
+    if (!fell || (wanted && fell->contact != Contact::pocket(*wanted))) return {"is not pocketed as asked", 0};
+    const Boundary boundary(p.table, p.others[static_cast<std::size_t>(ball) - 1].body);
+    const Circle& rim = *boundary.rim(fell->contact);
+    const Vec2d v = fell->state.velocity;
+    speed = norm(v);
+    const double offset = cross(v, fell->state.at - rim.centre) / speed;
+    miss = std::abs(offset - truth::exact_offset(boundary, rim, v, offset));
+  }
+  if (miss > allowed) c.problem = fmt::format("misses by {} m", miss);
+  if (first != shot.cushions || (p.cushions.sequence && first != *p.cushions.sequence))
+    c.problem = "does not meet the cushions it names, or that are asked";
+  if (second != shot.then->cushions || (then.cushions.sequence && second != *then.cushions.sequence) ||
+      static_cast<int>(second.size()) < then.cushions.min || static_cast<int>(second.size()) > then.cushions.max)
+    c.problem = "the other ball does not meet the cushions it names, or that are asked";
+  if (const auto range = arrival_range(p); range && !rests && p.aim != Aim::safest) {
+    c.speed_error = std::max({0.0, range->low - speed, speed - range->high}) / std::max(1.0, range->high);
+    if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);
+  }
+  if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
+  return c;
+}
+
+/// The first contact of the struck ball, from the simulation of many.
+Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
+  ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
+  request.until.time = shot.arrival.time * (1 + 1e-6) + 1e-6;
+  const Trajectory t = simulate(request);
+  const auto met = std::ranges::find(t.events, EventKind::ball, &Record::kind);
+  if (met == t.events.end()) return {"touches no ball", 0};
+  const int ball = met->contact.index;
+  if (std::ranges::count(asked.balls, ball) == 0) return {"touches ball " + std::to_string(ball), 0};
+  const auto fell = [&](const Record& e) { return e.kind == EventKind::pocket; };
+  if (std::any_of(t.events.begin(), met, fell)) return {"is pocketed first", 0};
+  Vec2d before = start_state(request).velocity;
+  for (const Leg& leg : t.legs)
+    if (leg.ball == 0 && leg.begin < met->time) before = leg.arc.velocity_at(leg.duration);
+  const Vec2d apart = met->other.at - met->state.at;
+  const double sine = cross(before, apart) / (norm(before) * norm(apart)), reach = norm(apart);
+  const double miss = reach * std::abs(sine - std::sin(asked.cut)), allowed = 1e-9 * p.table.diagonal() + shot.miss;
+  Checked c;
+  if (miss > allowed) c.problem = fmt::format("misses the cut by {} m", miss);
+  const std::size_t n = shot.cushions.size();
+  const auto bounces =
+      std::count_if(t.events.begin(), met, [](const Record& e) { return e.kind == EventKind::cushion; });
+  if (static_cast<std::size_t>(bounces) != n || !same_sequence(shot.cushions, t, n) ||
+      (p.cushions.sequence && !same_sequence(*p.cushions.sequence, t, n)))
+    c.problem = "does not meet the cushions it names, or that are asked";
+  if (const auto range = arrival_range(p); range && p.aim != Aim::safest) {
+    const double off = std::max(range->low - norm(before), norm(before) - range->high);
+    c.speed_error = std::max(0.0, off) / std::max(1.0, range->high);
+    if (c.speed_error > 1e-9) c.problem = fmt::format("touches at {} m/s", norm(before));
+  }
+  if (shot.hits.size() != 1 || shot.hits.front().ball != ball ||
+      std::abs(shot.hits.front().cut - std::asin(sine)) > 1e-6)
+    c.problem = "says another contact";
+  if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
+  return c;
+}
+
 }  // namespace
 
 Checked check_shot(const Puzzle& p, const Shot& shot) {
+  if (const auto* ball = std::get_if<BallTarget>(&p.target))
+    return ball->then ? check_sent(p, *ball, shot) : check_touch(p, *ball, shot);
   Checked c;
   ShotRequest request{{}, p.table, p.physics, p.ball, {}, shot.launch, shot.spin, {}};
   request.until.cushions = static_cast<int>(shot.cushions.size()) + 1;

@@ -59,7 +59,7 @@ struct Boundary {
   std::vector<Wall> walls;  ///< whole rails; where there are jaws a ball meets them only outside `breaks`
   std::vector<Circle> tips;
   std::vector<Circle> pockets;
-  std::vector<Circle> balls{};   ///< at rest; the k-th of `others` is ball k + 1
+  std::vector<Circle> balls{};   ///< at rest
   std::vector<JawWalls> jaws{};  ///< in the order of pockets; empty without
   Body body;                     ///< of the ball that sees it
   double diagonal = 0;
@@ -67,8 +67,8 @@ struct Boundary {
   double touch = 0;             ///< m; a centre this far beyond a cushion line still touches it
   bool strictly_convex = true;  ///< every line of a wall bounds the whole table
 
-  /// `others` stand on the table. Where many balls move (simulate/many_balls.hpp) there are none.
-  Boundary(const Table& table, const Body& body, std::span<const Ball> others = {});
+  /// `others` stand on the table, but for number `except`. Where all move (simulate/many_balls.hpp) there are none.
+  Boundary(const Table& table, const Body& body, std::span<const Ball> others = {}, int except = 0);
 
   /// All that balls bounce off and that lies in the open is straight: aims follow from images.
   bool unfolds() const { return unfolds_; }
@@ -81,9 +81,8 @@ struct Boundary {
   /// The rim of a contact that is round; null where it is not, or is no corner that points into the table.
   const Circle* rim(Contact contact) const {
     if (contact.kind == ContactKind::pocket) return &pockets[static_cast<std::size_t>(contact.index)];
-    if (contact.kind == ContactKind::ball) return &balls[static_cast<std::size_t>(contact.index) - 1];
     if (contact.kind == ContactKind::jaw) return tip(contact);
-    for (const Circle& c : tips)
+    for (const Circle& c : contact.kind == ContactKind::ball ? balls : tips)
       if (c.contact == contact) return &c;
     return nullptr;
   }

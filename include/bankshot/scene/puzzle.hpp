@@ -24,20 +24,6 @@ struct Range {
   bool contains(double v) const { return low <= v && v <= high; }
 };
 
-/// Bounces before the target: a count between min and max, or exactly `sequence` (contacts).
-struct CushionRule {
-  int min = 0, max = 3;
-  std::optional<std::vector<Contact>> sequence{};
-
-  static CushionRule exactly(int n) { return {n, n, {}}; }
-  static CushionRule in_order(std::vector<Contact> contacts) {
-    const int n = static_cast<int>(contacts.size());
-    return {n, n, std::move(contacts)};
-  }
-};
-
-inline constexpr int max_cushions = 20000;
-
 enum class Prefer { robust, soft, quick };
 /// centre: an exact root. safest: may leave it, inside what still counts as made, to raise the chance.
 enum class Aim { centre, safest };
@@ -91,6 +77,12 @@ struct ShotRequest {
 
 /// The name of what can be met: the table's, and of balls `ball "8"`.
 std::string contact_name(const Puzzle& puzzle, Contact contact);
+
+/// Of the balls that are to reach its target.
+std::vector<Mark> marks_of(const Puzzle& puzzle);
+
+/// As the end of a sentence about a ball: "into top-right", "to rest in the ring", "through the ring", "onto ball "8"".
+std::string target_words(const Puzzle& puzzle);
 
 /// Speed asked at the target, none where any speed does (`ideal`, or a fixed launch speed).
 std::optional<Range> arrival_range(const Puzzle& puzzle);

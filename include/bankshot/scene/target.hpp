@@ -6,10 +6,12 @@
 //   point   the centre passes within `within` of it, or comes to rest there: one mark
 //   pocket  the ball falls into it: a mark for each arc of its circle where a ball can enter, mostly one; any pocket:
 //           those of each
+//   ball    the struck ball touches it, before any other: a mark for each ball of a list
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,37 +31,82 @@ struct PocketTarget {
   std::optional<int> pocket{};
 };
 
-using Target = std::variant<PointTarget, PocketTarget>;
+/// Bounces before the target: a count between min and max, or exactly `sequence` (contacts).
+struct CushionRule {
+  int min = 0, max = 3;
+  std::optional<std::vector<Contact>> sequence{};
+
+  static CushionRule exactly(int n) { return {n, n, {}}; }
+  static CushionRule in_order(std::vector<Contact> contacts) {
+    const int n = static_cast<int>(contacts.size());
+    return {n, n, std::move(contacts)};
+  }
+};
+
+inline constexpr int max_cushions = 20000;
+
+/// What a ball that was touched does: it reaches this, after cushions of its own.
+struct Then {
+  std::variant<PointTarget, PocketTarget> target{};
+  CushionRule cushions{0, 0, {}};
+};
+
+/// The struck ball touches one of these, its first contact with a ball. The cut is the angle from its velocity just
+/// before to the line of centres, anticlockwise.
+struct BallTarget {
+  std::vector<int> balls{};      ///< number k stands for the k-th of `others`
+  double cut = 0;                ///< rad, inside a right angle; above 0 the other ball leaves to the left
+  double within = radians(5.0);  ///< rad; how far off the cut still counts as made
+  std::optional<Then> then{};    ///< what counts instead of the cut
+};
+
+using Target = std::variant<PointTarget, PocketTarget, BallTarget>;
+
+/// Offsets of the lines of travel that touch a ball at a cut [m, see opening.hpp]: −(R1 + R2) sin cut.
+struct Cuts {
+  double low, exact, high;
+  bool operator==(const Cuts&) const = default;
+};
 
 /// One place to aim at.
 struct Mark {
   Vec2d at{};          ///< the point, or the pocket's centre
-  double reach = 0;    ///< m: how far off still counts: `within`, or the radius of capture
-  Contact taken_by{};  ///< the pocket that ends the path; none: the ball passes here, or rests
+  double reach = 0;    ///< m: how far off still counts: `within`, the radius of capture, or where two balls touch
+  int ball = 0;        ///< that is to reach it: the struck one, or one that it sends on
+  Contact taken_by{};  ///< the pocket or ball that ends the path; none: the ball passes here, or rests
   Opening opening{};   ///< of a pocket
+  std::optional<Cuts> cuts{};  ///< of a ball
 
   bool operator==(const Mark&) const = default;
-  bool captures() const { return taken_by.kind == ContactKind::pocket; }
+  bool captures() const { return bool(taken_by); }
+  bool drops() const { return taken_by.kind == ContactKind::pocket; }
   /// How far before the mark the ball arrives [m].
   double capture() const { return captures() ? reach : 0; }
   /// From where a ball arrived to the point, or to the arc of the pocket's circle [m].
   double apart(const Vec2d& arrived) const;
-  /// What a shot along the unit vector u should have of a line's offset [m, see opening.hpp]: 0 of a point. `near`: the
-  /// offset it has.
+  /// Offsets of the lines along the unit vector u that lead there [m, see opening.hpp]. `near`: one of them.
+  template <class T>
+  Gap<T> gap(const Vec2<T>& u, double near) const {
+    if (cuts) return {T(cuts->low), T(cuts->high)};
+    return drops() ? opening.gap(u, near) : Gap<T>{T(-reach), T(reach)};
+  }
+  /// The one that is asked: 0 of a point.
   template <class T>
   T exact_offset(const Vec2<T>& u, double near) const {
-    return captures() ? opening.gap(u, near).exact() : T(0);
+    if (cuts) return T(cuts->exact);
+    return drops() ? opening.gap(u, near).exact() : T(0);
   }
 };
 
-/// In the order of pockets.
+/// Of what the ball that sees this boundary is to reach; in the order of pockets, of balls as they are listed.
 std::vector<Mark> marks_of(const Target& target, const Boundary& boundary);
 
-/// Whether the ball must fall to reach it.
+/// Whether a ball must fall to reach it.
 bool is_pocket(const Target& target);
-
-/// As the end of a sentence about a ball: "into top-right", "to rest in the ring", "through the ring". `rests`: the
-/// arrival speed asked is 0.
-std::string in_words(const Target& target, const Table& table, bool rests);
+/// What the struck ball sends another to; null where it goes itself.
+inline const Then* then_of(const Target& target) {
+  const auto* ball = std::get_if<BallTarget>(&target);
+  return ball && ball->then ? &*ball->then : nullptr;
+}
 
 }  // namespace bankshot

@@ -9,6 +9,7 @@
 
 #include <span>
 
+#include "bankshot/contact/ball_ball.hpp"
 #include "bankshot/detail/roots/roots.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/motion/arc.hpp"
@@ -20,10 +21,36 @@ namespace bankshot {
 /// cushion (more speed would help), or moving away from it (another aim would).
 enum class LockedEnd { complete, fell_short, wrong_way };
 
+/// A ball that a route may send on: the table as it sees it, and where it stands before.
+struct StandingBall {
+  int ball;
+  const Boundary* boundary;
+  Vec2d at;
+};
+
+/// The balls of a route. The struck one alone is its boundary.
+struct RouteBalls {
+  const Boundary& struck;
+  std::span<const StandingBall> others{};
+  BallBall law{};
+
+  RouteBalls(const Boundary& boundary) : struck(boundary) {}
+  RouteBalls(const Boundary& boundary, std::span<const StandingBall> standing, const BallBall& collision)
+      : struck(boundary), others(standing), law(collision) {}
+
+  const StandingBall& standing(int ball) const {
+    std::size_t i = 0;
+    while (others[i].ball != ball) ++i;
+    return others[i];
+  }
+  const Boundary& boundary(int ball) const { return ball == 0 ? struck : *standing(ball).boundary; }
+};
+
 template <class T>
 struct LockedPath {
-  State<T> state;  ///< right after the last bounce
+  State<T> state;  ///< right after the last meeting
   T time;          ///< s since the launch
+  int ball = 0;    ///< that is on its way now
   LockedEnd end = LockedEnd::complete;
 };
 
@@ -44,7 +71,13 @@ template <class N>
 N time_to_contact(const Boundary& boundary, const Arc<N>& arc, Contact contact) {
   if (const Wall* const w = boundary.line(contact)) return time_to_line(arc, *w);
   const Circle* const rim = boundary.rim(contact);
-  return rim ? first_entry(arc, rim->centre, rim->radius, arc.duration) : N(forever);
+  if (!rim) return N(forever);
+  if (contact.kind == ContactKind::ball) {  // it may touch from the start
+    const Vec2<N> d = to<N>(rim->centre) - arc.at;
+    const N near(rim->radius + boundary.touch);
+    if (dot(d, d) <= near * near && dot(d, arc.velocity) > N(0)) return N(0);
+  }
+  return first_entry(arc, rim->centre, rim->radius, arc.duration);
 }
 
 /// The time at which a contact is met, with the derivatives of the arc; of a gap that counted as 0, none.
@@ -57,15 +90,26 @@ T lift_contact(const Boundary& boundary, const Arc<T>& arc, Contact contact, con
   return lift_line(arc, w->normal, w->offset, beyond && away, t);
 }
 
-/// Of the struck ball, the only one that moves on today's routes. `watch` is shown each arc and how far it was
-/// followed.
+/// The ball that is met goes on, from where it stood.
+template <class T>
+void send_on(const RouteBalls& balls, Contact contact, LockedPath<T>& path) {
+  const StandingBall& other = balls.standing(contact.index);
+  State<T> struck{to<T>(other.at), {T(0), T(0)}, {T(0), T(0), T(0)}};
+  balls.law.collide(balls.boundary(path.ball).body, path.state, other.boundary->body, struck);
+  path.state = struck;
+  path.ball = other.ball;
+}
+
+/// From the ball of its first meeting on; where a ball meets another the route is that one's. `watch` is shown each arc
+/// and how far it was followed.
 template <class T, class Motion, class Cushion, class Watch = Unwatched>
-LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
+LockedPath<T> follow_locked(const RouteBalls& balls, const Motion& motion, const Cushion& cushion,
                             std::span<const Meeting> route, const State<T>& start, Watch&& watch = {}) {
   using Number = Real<T>;
-  LockedPath<T> path{start, T(0)};
+  LockedPath<T> path{start, T(0), route.empty() ? 0 : route.front().ball};
   for (const Meeting& meeting : route) {
     const Contact contact = meeting.with;
+    const Boundary& boundary = balls.boundary(path.ball);
     for (;;) {
       const Arc<T> arc = motion.arc(boundary.body, path.state);
       const Number t = time_to_contact(boundary, value(arc), contact);
@@ -84,6 +128,8 @@ LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, cons
     }
     if (const Wall* const w = boundary.line(contact))
       cushion.bounce(boundary.body, path.state, w->normal);
+    else if (contact.kind == ContactKind::ball)
+      send_on(balls, contact, path);
     else
       cushion.bounce(boundary.body, path.state, boundary.normal(contact, path.state.at));
   }

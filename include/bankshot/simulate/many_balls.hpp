@@ -27,7 +27,8 @@
 
 namespace bankshot {
 
-/// Of two balls that met the first is `ball`, the lower number, and the other the contact.
+/// Of two balls that met the first is `ball`, the lower number, and the other the contact. A ball of a boundary, which
+/// stands, is met without a bounce: what happens then is the caller's.
 struct BallEvent {
   int ball = 0;
   Event event{};
@@ -55,7 +56,7 @@ class ManyBalls {
         return {0, {EventKind::horizon}};
       }
       changed_.clear();
-      const BallEvent happened = due.rank == Rank::meeting ? meet(due, watch) : act(due.first, watch);
+      const BallEvent happened = due.first != due.second ? meet(due, watch) : act(due.first, watch);
       renew(changed_, watch);
       if (happened.event.kind != EventKind::horizon) return happened;
     }
@@ -106,6 +107,7 @@ class ManyBalls {
                     Number(law.lasts ? tolerance::still_contact : tolerance::along) * launch};
     in_.balls.reserve(balls.size());
     for (const BallStart<T>& b : balls) {
+      numbers_.push_back(b.number < 0 ? static_cast<int>(in_.count()) : b.number);
       changed_.push_back(in_.count());
       in_.balls.push_back({BallTrack<T>(*b.boundary, b.state, Number(launch * launch))});
       if constexpr (!Motion::straight) in_.balls.back().track.settle();
@@ -129,6 +131,7 @@ class ManyBalls {
 
   static Rank rank_of(const NextEvent<Number>& next) {
     if (next.event.kind == EventKind::pocket) return Rank::pocket;
+    if (next.event.kind == EventKind::ball) return Rank::meeting;
     return next.event.bounces() ? Rank::bounce : Rank::phase;
   }
 
@@ -175,7 +178,7 @@ class ManyBalls {
       b.awake = true;
       b.pending = {};
     }
-    return {static_cast<int>(i), {EventKind::ball, Contact::ball(static_cast<int>(j))}};
+    return {static_cast<int>(i), {EventKind::ball, Contact::ball(numbers_[j])}};
   }
 
   /// What ball i does by itself.
@@ -202,6 +205,8 @@ class ManyBalls {
     switch (next.event.kind) {
       case EventKind::pocket:
         s.in_play = s.moves = false;
+        break;
+      case EventKind::ball:
         break;
       case EventKind::cushion:
       case EventKind::jaw:
@@ -270,6 +275,7 @@ class ManyBalls {
   LastingContacts<T, Motion> lasting_;
   std::vector<Number> meetings_;  ///< s, of each pair, the lower number first
   std::vector<std::size_t> changed_;
+  std::vector<int> numbers_;  ///< of the balls, as contacts
 };
 
 }  // namespace bankshot

@@ -3,6 +3,7 @@
 // What happens on the way, in order: which ball meets what. A path that is told its route (simulate/locked.hpp) stays
 // smooth where the real one jumps from one cushion to another.
 //   one ball by two cushions: {cue, bottom} {cue, right}
+//   a bank: {cue, ball 8} {8, bottom}
 #pragma once
 
 #include <compare>
@@ -29,13 +30,20 @@ inline Route route_by(std::span<const Contact> contacts) {
   return route;
 }
 
-/// What the struck ball meets, in order.
-inline std::vector<Contact> contacts_of(std::span<const Meeting> route) {
+/// What a ball meets, in order, but for other balls.
+inline std::vector<Contact> contacts_of(std::span<const Meeting> route, int ball = 0) {
   std::vector<Contact> contacts;
   contacts.reserve(route.size());
   for (const Meeting& meeting : route)
-    if (meeting.ball == 0) contacts.push_back(meeting.with);
+    if (meeting.ball == ball && meeting.with.kind != ContactKind::ball) contacts.push_back(meeting.with);
   return contacts;
+}
+
+/// How often the struck ball bounces.
+inline int bounces_of(std::span<const Meeting> route) {
+  int bounces = 0;
+  for (const Meeting& meeting : route) bounces += meeting.ball == 0 && meeting.with.kind != ContactKind::ball;
+  return bounces;
 }
 
 }  // namespace bankshot

@@ -19,6 +19,7 @@ template <class T>
 struct BallStart {
   const Boundary* boundary;
   State<T> state;
+  int number = -1;  ///< by which it is told as a contact; its place in the list where there is none
 };
 
 class Starts {

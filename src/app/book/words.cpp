@@ -31,7 +31,7 @@ std::string question(const Puzzle& p) {
   const auto arrive = arrival_range(p);
   const std::string speed = p.speed.fixed() ? fmt::format(", struck at {:.2g} m/s", p.speed.low) : "";
   const bool rests = !is_pocket(p.target) && arrive && arrive->high == 0;
-  const std::string asked = cushions(p) + (rests ? ", " : " ") + in_words(p.target, p.table, rests);
+  const std::string asked = cushions(p) + (rests ? ", " : " ") + target_words(p);
   if (!arrive || !arrive->fixed()) return asked + speed;
   return rests ? asked : asked + fmt::format(" at {:.2g} m/s", arrive->low);
 }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// Another ball as target: the struck ball touches it first of all, at the cut and speed that are asked.
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/json.hpp"
+#include "support/catch.hpp"
+#include "support/families.hpp"
+#include "support/replay_check.hpp"
+#include "truth/claims.hpp"
+
+using namespace bankshot;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr const char* balls = R"("others": [{"id": "8", "at": [1.4, 0.63]}, {"id": "9", "at": [2.0, 0.9]}])";
+
+Answer solved(const std::string& keys, const SolveOptions& options = {}) {
+  return solve(read_puzzle(R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, )" + keys + ", " + balls + "}"),
+               options);
+}
+
+}  // namespace
+
+TEST_CASE("every kick that a shot made is found, at its cut and speed") {
+  const auto [model, count] = GENERATE(table<test::Model, int>(
+      {{test::Model::ideal, 300}, {test::Model::rolling, 300}, {test::Model::spin, 200}, {test::Model::mathavan, 30}}));
+  constexpr std::uint64_t seed = 42;
+  test::Random random(seed);
+  for (int i = 0; i < count; ++i) {
+    const test::Made made = test::find_family("kicks")->make(random, model, -1);
+    CAPTURE(seed, i, write_puzzle(made.puzzle));
+    const Answer a = solve(made.puzzle, {.suggest = false});
+    REQUIRE(a.status == Status::solved);
+    CHECK(test::check_shot(made.puzzle, a.shots.front()).problem.empty());
+    CHECK(!a.shots.front().off_centre);
+    if (i % 10 == 0)
+      for (const truth::Check& c : truth::check(&made.puzzle, made.puzzle.id, a)) CHECK(c.holds());
+  }
+}
+
+TEST_CASE("a full hit leads through both centres, a cut ball leaves to the side that is asked") {
+  const double to_8 = std::atan2(0.63 - 0.4, 1.4 - 0.635);
+  const Answer full = solved(R"("target": {"ball": "8"}, "cushions": 0)");
+  REQUIRE(full.status == Status::solved);
+  CHECK_THAT(full.shots.front().launch.angle, WithinAbs(to_8, 1e-12));
+  CHECK(full.shots.front().arrival.speed == Approx(0.5));
+  const Answer left = solved(R"("target": {"ball": "8", "cut": 30}, "cushions": 0, "speed": 2)");
+  REQUIRE(left.status == Status::solved);
+  const Hit& hit = left.shots.front().hits.at(0);
+  CHECK(hit.ball == 1);
+  CHECK(degrees(hit.cut) == Approx(30));
+  CHECK(left.shots.front().launch.angle < to_8);  // it passes on the right of the middle
+}
+
+TEST_CASE("a ball behind another is reached by a cushion, not through it") {
+  const Puzzle p = read_puzzle(R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "target": {"ball": "9"},
+    "cushions": 0, "others": [{"id": "8", "at": [1.3, 0.4]}, {"id": "9", "at": [2.0, 0.4]}]})");
+  const Answer straight = solve(p);
+  CHECK(straight.status == Status::no_shot);
+  CHECK(straight.message.find(R"(without ball "8" there is a shot)") != std::string::npos);
+  Puzzle kick = p;
+  kick.cushions = CushionRule::exactly(1);
+  const Answer a = solve(kick);
+  REQUIRE(a.status == Status::solved);
+  CHECK(a.shots.front().hits.at(0).ball == 2);
+}
+
+TEST_CASE("of several balls each may be touched, and the first contact counts") {
+  const Answer a = solved(R"("target": {"ball": "any"}, "cushions": {"max": 1})", {.all = true});
+  REQUIRE(a.status == Status::solved);
+  bool seen[3] = {};
+  for (const Shot& s : a.shots) seen[s.hits.at(0).ball] = true;
+  CHECK(seen[1]);
+  CHECK(seen[2]);
+}
+
+TEST_CASE("a shot after which the struck ball falls says so, and ranks last") {
+  const Puzzle p = read_puzzle(R"({"table": "pool-9ft", "physics": "rolling", "ball": {"at": [1.9, 0.5]},
+    "target": {"ball": "8", "within": 80}, "cushions": {"max": 2}, "arrive": {"speed": [1, 6]}, "aim": "centre",
+    "others": [{"id": "8", "at": [2.4, 0.16]}]})");
+  const Answer all = solve(p, {.all = true});
+  REQUIRE(all.shots.size() > 2);
+  bool scratched = false;
+  for (const Shot& s : all.shots) {
+    ShotRequest request = as_request(p, s);
+    request.until = {};
+    const Trajectory t = simulate(request);
+    CHECK(s.scratch == (t.end == EventKind::pocket));
+    CHECK((s.scratch || !scratched));
+    scratched = scratched || s.scratch;
+  }
+}
