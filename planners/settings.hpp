@@ -405,7 +405,12 @@ inline constexpr std::array faster_seeds{1.0, 1.2, 0.85};
 /// Rad: the largest cut of a sweep, how many steps to either side, halvings between two, how far beyond what first
 /// order says the ball is wide, and rad that are never left.
 inline constexpr double widest_cut = radians(89), sweep_beyond = 1.3, widest_aims = radians(30);
-inline constexpr int sweep_steps = 30, sweep_halvings = 8;
+/// Of the bound on the launch: no slower speed is where a sweep begins.
+inline constexpr double slowest_swept = 0.05;
+inline constexpr int sweep_steps = 24, sweep_halvings = 8;
+/// Aims to either side and speeds of a grid, and how many of its cells away a root may be that a node predicts.
+inline constexpr int grid_steps = 12, grid_rows = 12;
+inline constexpr double grid_reach = 2;
 }  // namespace chains
 
 namespace hints {

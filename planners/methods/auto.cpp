@@ -182,6 +182,7 @@ void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
 void send_on(const Question& q, Ledger& ledger, Findings& found) {
   const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
   free ? along_families(q, ledger, found) : steps::chains(q, ledger, found);
+  if (free && !stop::nothing_yet(ledger, found)) return;
   const auto look_closely_at = [&](const Question& one) {
     steps::Parts parts;
     parts.climb(one, ledger, found);

@@ -10,6 +10,7 @@
 // two.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -82,27 +83,56 @@ class Chains {
 
   void closely() {
     for (const Objects::Object& object : q_.objects->all) {
-      const std::vector<Leg> all = legs(object, from_map);
+      std::vector<Leg> all = legs(object, from_map);
+      std::ranges::stable_partition(all, &Leg::clear);
       for (const Leg& leg : all) {
         if (over()) return;
         each_image(object, leg, [&](const Route& route, const Candidate& image) {
           return chain(object, leg, route, image.angle, image.distance);
         });
       }
-      sweep_each(object, all);
-      sweep_each(object, images_of(object));
+      std::ranges::move(images_of(object), std::back_inserter(all));
+      const std::vector<Lead> to_ball = leads_to(object);
+      once_each_pair(object, all, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
+      once_each_pair(object, all, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
     }
   }
 
  private:
-  /// Each pair of routes once.
-  void sweep_each(const Objects::Object& object, const std::vector<Leg>& legs) {
+  /// `look(chain, aims across the ball)`.
+  template <class Look>
+  void once_each_pair(const Objects::Object& object, const std::vector<Leg>& legs, const std::vector<Lead>& to_ball,
+                      const Look& look) {
+    std::set<std::tuple<Route, double, double>> done;
     for (const Leg& leg : legs) {
-      if (over()) return;
-      if (!swept_.insert({leg.route, leg.mark.at.x, leg.mark.at.y}).second) continue;
-      each_image(object, leg,
-                 [&](const Route& route, const Candidate& image) { return sweep(object, leg, route, image.angle); });
+      if (!done.insert({leg.route, leg.mark.at.x, leg.mark.at.y}).second) continue;
+      std::set<Route> looked;
+      for (const Lead& lead : to_ball) {
+        if (over()) return;
+        if (looked.contains(lead.route)) continue;
+        const auto across = aims_across(object, lead.route, lead.launch.angle);
+        if (!across) continue;
+        looked.insert(lead.route);
+        const Route whole = together(object, leg, lead.route);
+        look({q_, whole, leg.mark}, *across);
+      }
     }
+  }
+
+  /// At the middle of the ball, by all routes of the struck one that its cushions allow, at one speed.
+  std::vector<Lead> leads_to(const Objects::Object& object) {
+    const Puzzle to_middle = puzzle_to(object.at_rest.at);
+    Question own(to_middle, Wanted::starts);
+    own.spin = q_.spin;
+    own.pinned = middle_speed();
+    Findings starts;
+    from_map(own, ledger_, starts);
+    return std::move(starts.leads);
+  }
+
+  double middle_speed() const {
+    return q_.one_unknown() ? q_.fixed_speed()
+                            : std::sqrt(std::max(q_.speed.low, q_.speed.high * slowest_swept) * q_.speed.high);
   }
 
   /// Routes of the other ball that some image has, though no launch by itself may.
@@ -137,6 +167,7 @@ class Chains {
       Findings starts;
       source(one, ledger_, starts);
       for (Lead& lead : starts.leads) {
+        if (ledger_.spent()) return;
         const std::vector<Contact> cushions = contacts_of(lead.route);
         const bool clear = !is_blocked(replay(one, ledger_, lead.launch, Goal::along(cushions)).failure.foul);
         for (Meeting& m : lead.route) m.ball = object.ball;
@@ -263,27 +294,51 @@ class Chains {
                 std::abs(l->r[0]) * q_.boundary.diagonal};
   }
 
-  /// Aims across the ball, by a route that an image gives; true, for one sweep is enough.
-  bool sweep(const Objects::Object& object, const Leg& leg, const Route& route, double angle) {
-    const Route whole = together(object, leg, route);
-    const LockedAim aim{q_, whole, leg.mark};
-    const auto across = aims_across(object, route, angle);
-    if (!across) return true;
-    const double middle = (across->low + across->high) / 2, half = (across->high - across->low) / 2;
+  /// Evenly in the cut, each at the speed that arrives as asked.
+  void sweep(const LockedAim& aim, const Range& across) {
+    const double middle = (across.low + across.high) / 2, half = (across.high - across.low) / 2;
     std::optional<Side> last;
     std::vector<Side> beside;
-    double guess =
-        q_.one_unknown() ? q_.fixed_speed() : std::sqrt(std::max(q_.speed.low, q_.speed.high / 20) * q_.speed.high);
+    double guess = middle_speed();
     for (int i = -sweep_steps; i <= sweep_steps && !over(); ++i) {
       const double cut = widest_cut * i / sweep_steps;
-      const auto now = side_at(aim, middle + half * std::sin(cut), guess);
+      const double to = middle + half * std::sin(cut);
+      auto now = side_at(aim, to, guess);
+      if (!now) now = side_from_bounds(aim, to);
       if (now) guess = now->launch.speed;
       if (now && last && (now->side > 0) != (last->side > 0)) between(aim, *last, *now);
       last = now;
-      if (now && !q_.starts() && now->lateral < 2 * leg.mark.reach) beside.push_back(*now);
+      if (now && !q_.starts() && now->lateral < 2 * aim.mark.reach) beside.push_back(*now);
     }
     make_beside(aim, beside);
-    return true;
+  }
+
+  /// Where Newton's method does not come to the speed that arrives as asked.
+  std::optional<Side> side_from_bounds(const LockedAim& aim, double angle) {
+    const auto speed = speed_at(aim, ledger_, angle, q_.boundary.diagonal);
+    return speed ? side_at(aim, angle, *speed) : std::nullopt;
+  }
+
+  /// Aims across the ball at speeds between the bounds: roots that the derivatives of one of them predict nearby.
+  void grid(const LockedAim& aim, const Range& across) {
+    const double half = (across.high - across.low) / 2, middle = across.low + half;
+    const double slowest = std::max(q_.speed.low, q_.speed.high * settings::slowest_of_fastest);
+    const int rows = q_.one_unknown() ? 1 : grid_rows;
+    const double step_speed = rows > 1 ? std::log(q_.speed.high / slowest) / (rows - 1) : 1,
+                 step_aim = half / grid_steps;
+    for (int i = -grid_steps; i <= grid_steps; ++i)
+      for (int k = 0; k < rows; ++k) {
+        if (over()) return;
+        const Launch node{rows > 1 ? slowest * std::exp(k * step_speed) : q_.fixed_speed(),
+                          middle + half * std::sin(widest_cut * i / grid_steps)};
+        const auto l = linearise(aim, ledger_, node);
+        const auto step = l ? newton_step(*l, q_.one_unknown()) : std::nullopt;
+        if (!step || !(std::abs((*step)[0]) < grid_reach * step_aim && std::abs((*step)[1]) < grid_reach * step_speed))
+          continue;
+        const Launch from{node.speed * std::exp((*step)[1]), node.angle + (*step)[0]};
+        const auto root = newton(aim, ledger_, from, {grid_reach * step_aim, grid_reach * step_speed});
+        if (root) certify_root(aim, ledger_, found_, root.launch, word::chains);
+      }
   }
 
   /// Where the exact line needs a launch that no bound allows, or is blocked, others lead in beside it.
@@ -308,8 +363,7 @@ class Chains {
     const Puzzle to_middle = puzzle_to(object.at_rest.at);
     Question own(to_middle, Wanted::starts);
     own.spin = q_.spin;
-    own.pinned =
-        q_.one_unknown() ? q_.fixed_speed() : std::sqrt(std::max(q_.speed.low, q_.speed.high / 20) * q_.speed.high);
+    own.pinned = middle_speed();
     const LockedAim aim{own, route, own.marks.front()};
     const auto root = newton(aim, ledger_, {*own.pinned, angle}, settings::wide);
     const auto l = root ? linearise(aim, ledger_, root.launch) : std::nullopt;
@@ -336,7 +390,6 @@ class Chains {
   const Question& q_;
   Ledger& ledger_;
   Findings& found_;
-  std::set<std::tuple<Route, double, double>> swept_{};
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|batch|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|batch|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -56,6 +56,15 @@ part() {
         for family in $("$bin/stress" --family list | tail -n +5 | cut -d' ' -f1); do
           [ "$physics/$family" = rolling/spin-range ] ||
             look "families-$physics-$family" --count 1000 --physics $physics --family "$family"
+        done
+      done
+      ;;
+    balls)
+      for physics in ideal rolling spin mathavan; do
+        n=10000
+        [ $physics = mathavan ] && n=100
+        for family in obstacles kicks pots banks kick-pots kick-banks sent-to-rest sent-past; do
+          [ $physics/$family = ideal/sent-to-rest ] || look "balls-$physics-$family" --count $n --physics $physics --family "$family"
         done
       done
       ;;
@@ -130,7 +139,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families best shots all-shots planners-rolling planners-spin pockets acceptance batch report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls best shots all-shots planners-rolling planners-spin pockets acceptance batch report
 for name; do
   if [ "$name" = report ]; then
     report

@@ -99,7 +99,7 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   double hit = -1;
   const Record* fell = nullptr;
   for (const Record& e : t.events) {
-    const bool later = e.time > shot.arrival.time;
+    const bool later = e.time > shot.arrival.time - 1e-12;  // a point on a cushion is reached before the bounce
     if (e.kind == EventKind::ball && !later && (hit >= 0 || e.ball != 0 || e.contact.index != ball))
       return {fmt::format("touches another ball at {} s", e.time), 0};
     if (e.kind == EventKind::ball && hit < 0) hit = e.time;

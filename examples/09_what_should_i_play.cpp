@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// 09: seven balls on the table. Which of them goes into which pocket, straight or by up to two cushions? Every shot,
+// the likeliest first. With a file name it draws the best one.
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bankshot/bankshot.hpp"
+
+int main(int argc, char** argv) {
+  using namespace bankshot;
+  const Scene scene = preset_scene("pool-9ft");
+  Puzzle puzzle{.table = scene.table, .physics = scene.physics, .ball = scene.ball};
+  puzzle.ball.at = {0.635, 0.4};
+  const Vec2d places[] = {{1.6, 0.7}, {2.0, 0.3}, {0.4, 1.0}, {1.2, 1.1}, {2.3, 1.0}, {1.0, 0.2}, {1.8, 1.0}};
+  BallTarget target;
+  for (const Vec2d& at : places) {
+    target.balls.push_back(static_cast<int>(target.balls.size()) + 1);
+    puzzle.others.push_back({at, scene.ball.body, std::to_string(target.balls.back())});
+  }
+  target.then = Then{PocketTarget{}, {0, 2, {}}};
+  puzzle.target = target;
+  puzzle.cushions = CushionRule::exactly(0);
+
+  const Answer answer = solve(puzzle, {.all = true});
+  fmt::print("{}\n", answer.message);
+  for (std::size_t i = 0; i < std::min<std::size_t>(answer.shots.size(), 8); ++i) {
+    const Shot& shot = answer.shots[i];
+    std::string by;
+    for (const Contact cushion : shot.then->cushions)
+      by += (by.empty() ? " by " : ", ") + contact_name(puzzle.table, cushion);
+    fmt::print("{:3.0f} %  ball {} into {}{}: {:.1f} degrees, {:.1f} m/s, cut {:.0f} degrees{}\n", 100 * *shot.success,
+               puzzle.others[static_cast<std::size_t>(shot.then->ball) - 1].id, pocket_reached(puzzle, shot)->name, by,
+               degrees(shot.launch.angle), shot.launch.speed, degrees(shot.hits.front().cut),
+               shot.scratch ? ", and the cue ball falls, too" : "");
+  }
+  Answer best = answer;
+  best.shots.resize(1);
+  if (argc > 1) std::ofstream(argv[1]) << draw(puzzle, best);
+}
