@@ -299,6 +299,8 @@ inline constexpr double small_enough = 1e-20, least_step = 1e-13;
 }  // namespace nlopt
 
 namespace first_order {
+/// Of the diagonal. Balls farther than this from a leg limit nothing.
+inline constexpr double far_ball = 0.25;
 /// Directions in which the edge of what is made is sought: with twice as many the chance differs by 0.002.
 inline constexpr int directions = 32;
 /// Deviations: what is farther breaks no shot that counts; and the narrowest band that is stretched.

@@ -7,6 +7,7 @@
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "planners/merit/limits.hpp"
+#include "planners/settings.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
@@ -96,8 +97,12 @@ class Path {
       if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
     for (const Circle& tip : boundary.tips)
       if (tip.contact != before && tip.contact != next) keeps_from(tip);
+    if (boundary.balls.empty()) return;
+    const Reach<double> reach(value(arc), t.a, settings::first_order::far_ball * boundary.diagonal);
     for (const Circle& other : boundary.balls)
-      if (other.contact != next && (next || other.contact != aim_.mark.taken_by)) keeps_from(other);
+      if (other.contact != next && (next || other.contact != aim_.mark.taken_by) &&
+          !reach.misses(other.centre, other.radius))
+        keeps_from(other);
   }
 
   /// The ball that is sent on must be touched: on an arc that ends there, between its two sides.

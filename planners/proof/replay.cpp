@@ -218,7 +218,7 @@ void SpeedAccount::add(const Arc<double>& arc, double t) {
 
 Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goal& goal,
               std::vector<Contact>* contacts) {
-  const Replay r = with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+  Replay r = with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
     return Follower(q, motion, cushion, launch, goal, false).run(contacts).replay;
   });
   ledger.charge(static_cast<std::size_t>(r.bounces));
@@ -227,7 +227,7 @@ Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goa
 
 Trace trace(const Question& q, Ledger& ledger, double angle, const Goal& goal, std::vector<Contact>* contacts) {
   const Mirror mirror{restitution(q.puzzle.physics)};
-  const Trace t = Follower(q, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
+  Trace t = Follower(q, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
   ledger.charge(static_cast<std::size_t>(t.replay.bounces));
   return t;
 }

@@ -84,7 +84,7 @@ class Chains {
   void closely() {
     for (const Objects::Object& object : q_.objects->all) {
       std::vector<Leg> all = legs(object, from_map);
-      std::ranges::stable_partition(all, &Leg::clear);
+      std::stable_partition(all.begin(), all.end(), [](const Leg& leg) { return leg.clear; });
       for (const Leg& leg : all) {
         if (over()) return;
         each_image(object, leg, [&](const Route& route, const Candidate& image) {

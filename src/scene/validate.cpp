@@ -201,7 +201,8 @@ void check_apart(const Ball& ball, const Ball& other, const std::string& path) {
          fmt::format("ball \"{}\" at {} overlaps ball \"{}\" by {:.6g} m", ball.id, show(ball.at), other.id, overlap));
 }
 
-void check_others(const Table& table, const Ball& struck, const std::vector<Ball>& others, const Physics& physics) {
+void check_others(const Table& table, const Boundary& boundary, const Ball& struck, const std::vector<Ball>& others,
+                  const Physics& physics) {
   if (others.empty()) return;
   if (!(struck.body.radius > 0)) fail("/ball/radius", "0 is a point, which no other ball can meet");
   const BallBall& law = physics.ball_ball;
@@ -219,7 +220,9 @@ void check_others(const Table& table, const Ball& struck, const std::vector<Ball
     check_body(ball.body, path);
     if (!(ball.body.radius > 0)) fail(path + "/radius", "0 must be greater than 0");
     check_nose(physics, ball.body);
-    check_inside(Boundary(table, ball.body), ball.at, path + "/at", "the centre of the ball");
+    const std::optional<Boundary> own =
+        ball.body == struck.body ? std::nullopt : std::optional(Boundary(table, ball.body));
+    check_inside(own ? *own : boundary, ball.at, path + "/at", "the centre of the ball");
     for (std::size_t k = 0; k <= i; ++k) check_apart(ball, before(k), path + "/at");
   }
 }
@@ -311,7 +314,7 @@ Range ideal_speeds(const Puzzle& p) {
 
 void validate(const Puzzle& p) {
   const Boundary boundary = check_scene(p.table, p.ball, p.physics);
-  check_others(p.table, p.ball, p.others, p.physics);
+  check_others(p.table, boundary, p.ball, p.others, p.physics);
   if (!is_straight(p.physics) && !p.spin_range) check_tip(p.spin, p.ball.body);
   check_target(p, boundary);
   check_cushions(p.cushions, boundary, "/cushions");
@@ -332,8 +335,8 @@ void validate(const Puzzle& p) {
 }
 
 void validate(const ShotRequest& s) {
-  check_scene(s.table, s.ball, s.physics);
-  check_others(s.table, s.ball, s.others, s.physics);
+  const Boundary boundary = check_scene(s.table, s.ball, s.physics);
+  check_others(s.table, boundary, s.ball, s.others, s.physics);
   check_speed(s.launch.speed, "/shot/speed");
   need_finite(s.launch.angle, "/shot/angle");
   for (const double spin : {s.spin.top, s.spin.side, s.spin.masse})
