@@ -13,12 +13,9 @@
 namespace bankshot::test {
 namespace {
 
-/// Same cushions, where two met in one instant may have swapped.
-bool same_sequence(const std::vector<Contact>& asked, const Trajectory& t, std::size_t bounces) {
-  std::vector<const Record*> hits;
-  for (const Record& e : t.events)
-    if (e.kind == EventKind::cushion) hits.push_back(&e);
-  if (hits.size() < bounces) return false;
+/// The first of these are those cushions, where two met in one instant may have swapped.
+bool same_sequence(const std::vector<Contact>& asked, const std::vector<const Record*>& hits, std::size_t bounces) {
+  if (hits.size() < bounces || asked.size() < bounces) return false;
   for (std::size_t i = 0; i < bounces; ++i) {
     if (hits[i]->contact == asked[i]) continue;
     const bool swapped = i + 1 < bounces && hits[i]->time == hits[i + 1]->time && hits[i]->contact == asked[i + 1] &&
@@ -27,6 +24,13 @@ bool same_sequence(const std::vector<Contact>& asked, const Trajectory& t, std::
     ++i;
   }
   return true;
+}
+
+bool same_sequence(const std::vector<Contact>& asked, const Trajectory& t, std::size_t bounces) {
+  std::vector<const Record*> hits;
+  for (const Record& e : t.events)
+    if (e.kind == EventKind::cushion) hits.push_back(&e);
+  return same_sequence(asked, hits, bounces);
 }
 
 double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bounces, double& speed) {
@@ -95,7 +99,7 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   const double exact = 1e-9 * p.table.diagonal(), allowed = exact + shot.miss;
   if (!shot.then || std::ranges::count(asked.balls, shot.then->ball) == 0) return {"sends no ball that is asked", 0};
   const int ball = shot.then->ball;
-  std::vector<Contact> first, second;
+  std::vector<const Record*> first, second;
   double hit = -1;
   const Record* fell = nullptr;
   for (const Record& e : t.events) {
@@ -105,8 +109,8 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
     if (e.kind == EventKind::ball && hit < 0) hit = e.time;
     if (e.kind == EventKind::pocket && e.ball == ball) fell = &e;
     if (e.kind == EventKind::pocket && e.ball == 0 && hit < 0) return {"is pocketed first", 0};
-    if (e.kind == EventKind::cushion && e.ball == 0 && hit < 0) first.push_back(e.contact);
-    if (e.kind == EventKind::cushion && e.ball == ball && e.time > hit && !later) second.push_back(e.contact);
+    if (e.kind == EventKind::cushion && e.ball == 0 && hit < 0) first.push_back(&e);
+    if (e.kind == EventKind::cushion && e.ball == ball && e.time > hit && !later) second.push_back(&e);
   }
   Checked c;
   double miss = 0, speed = 0;
@@ -132,9 +136,12 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
     miss = std::abs(offset - truth::exact_offset(boundary, rim, v, offset));
   }
   if (miss > allowed) c.problem = fmt::format("misses by {} m", miss);
-  if (first != shot.cushions || (p.cushions.sequence && first != *p.cushions.sequence))
+  const auto differ = [](const std::vector<Contact>& wanted, const std::vector<const Record*>& hits) {
+    return wanted.size() != hits.size() || !same_sequence(wanted, hits, wanted.size());
+  };
+  if (differ(shot.cushions, first) || (p.cushions.sequence && differ(*p.cushions.sequence, first)))
     c.problem = "does not meet the cushions it names, or that are asked";
-  if (second != shot.then->cushions || (then.cushions.sequence && second != *then.cushions.sequence) ||
+  if (differ(shot.then->cushions, second) || (then.cushions.sequence && differ(*then.cushions.sequence, second)) ||
       static_cast<int>(second.size()) < then.cushions.min || static_cast<int>(second.size()) > then.cushions.max)
     c.problem = "the other ball does not meet the cushions it names, or that are asked";
   if (const auto range = arrival_range(p); range && !rests && p.aim != Aim::safest) {

@@ -149,7 +149,7 @@ std::optional<Sent> sent_by(Random& r, const Trajectory& t, int most) {
     const auto bounced = [&](const Record& e) {
       return e.ball == s.ball && e.kind == EventKind::cushion && e.time > hit && e.time <= leg.begin;
     };
-    s.its.resize(static_cast<std::size_t>(std::ranges::count_if(t.events, bounced)));
+    s.its.resize(std::min(s.its.size(), static_cast<std::size_t>(std::ranges::count_if(t.events, bounced))));
   }
   s.after = static_cast<int>(s.its.size());
   if (s.after > most) return {};
