@@ -413,6 +413,8 @@ inline constexpr int sweep_steps = 24, sweep_halvings = 8;
 /// Aims to either side and speeds of a grid, and how many of its cells away a root may be that a node predicts.
 inline constexpr int grid_steps = 12, grid_rows = 12;
 inline constexpr double grid_reach = 2;
+/// Steps of a launch speed towards the arrival speed that is asked.
+inline constexpr int most_secants = 12;
 }  // namespace chains
 
 namespace hints {

@@ -15,6 +15,7 @@
 #include <tuple>
 
 #include "bankshot/contact/ball_ball.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "planners/certify.hpp"
 #include "planners/images/unfold.hpp"
 #include "planners/line_search.hpp"
@@ -95,6 +96,7 @@ class Chains {
       const std::vector<Lead> to_ball = leads_to(object);
       once_each_pair(object, all, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
       once_each_pair(object, all, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
+      by_replays(object, to_ball);
     }
   }
 
@@ -311,6 +313,52 @@ class Chains {
       if (now && !q_.starts() && now->lateral < 2 * aim.mark.reach) beside.push_back(*now);
     }
     make_beside(aim, beside);
+  }
+
+  /// Whether it arrives as fast as asked, or as the launch speed lets it.
+  bool as_fast(const Replay& r) const {
+    if (q_.one_unknown() || q_.stop) return true;
+    const double fine = tolerance::exact_speed * std::max(1.0, q_.asked) / 4;
+    return std::abs(r.arrival.speed - q_.asked) <= fine;
+  }
+
+  /// Launches that are made by whatever they meet, where no root leads along it: aims across the ball at speeds between
+  /// the bounds, each corrected by secants of the squared speeds until it arrives as fast as asked.
+  void by_replays(const Objects::Object& object, const std::vector<Lead>& to_ball) {
+    std::set<Route> looked;
+    const double slowest = std::max(q_.speed.low, q_.speed.high * settings::slowest_of_fastest);
+    const int rows = q_.one_unknown() ? 1 : grid_rows;
+    for (const Lead& lead : to_ball) {
+      if (looked.contains(lead.route)) continue;
+      const auto across = aims_across(object, lead.route, lead.launch.angle);
+      if (!across) continue;
+      looked.insert(lead.route);
+      const double half = (across->high - across->low) / 2, middle = across->low + half;
+      for (int i = -sweep_steps; i <= sweep_steps; ++i)
+        for (int k = 0; k < rows; ++k) {
+          if (over()) return;
+          const double share = rows > 1 ? static_cast<double>(k) / (rows - 1) : 0;
+          correct({rows > 1 ? slowest * std::pow(q_.speed.high / slowest, share) : q_.fixed_speed(),
+                   middle + half * std::sin(widest_cut * i / sweep_steps)});
+        }
+    }
+  }
+
+  void correct(Launch at) {
+    const Goal goal = Goal::of(q_, Demand::made);
+    const auto follow = [&] { return replay(q_, ledger_, {at.speed, wrap_angle(at.angle)}, goal); };
+    const auto square = [](double x) { return x * x; };
+    Replay r = follow();
+    double slope = square(r.arrival.speed / at.speed);
+    for (int n = 0; n < most_secants && r.made && !as_fast(r) && slope > 0 && !ledger_.spent(); ++n) {
+      const double before = square(at.speed), arrived = square(r.arrival.speed);
+      at.speed *= std::sqrt(1 + std::clamp((square(q_.asked) - arrived) / (slope * before), -0.5, 1.0));
+      r = follow();
+      const double grown = (square(r.arrival.speed) - arrived) / (square(at.speed) - before);
+      if (grown > 0) slope = grown;
+    }
+    if (!r.made || !as_fast(r) || ledger_.spent()) return;
+    certify(q_, ledger_, found_, {at.speed, wrap_angle(at.angle)}, r.bounces, word::chains, Demand::off_centre);
   }
 
   /// Where Newton's method does not come to the speed that arrives as asked.
