@@ -57,8 +57,12 @@ std::size_t arriving(const Path& path, int n, double time, bool stops) {
   return best.value_or(path.events.size());
 }
 
-/// Of a ball that is sent on: the arc on which it arrives, or the event of its rest.
+/// Of a ball that is sent on: the arc on which it arrives, the last where it falls, or the event of its rest.
 std::size_t arriving_of(const Path& path, int ball, double time, bool stops) {
+  const auto falls = [&](const TruthEvent& e) { return e.ball == ball && e.kind == EventKind::pocket; };
+  const auto fall = std::ranges::find_if(path.events, falls);
+  if (fall != path.events.end() && fall != path.events.begin() && fall->time - time <= one_instant * (1 + time) * 1e3)
+    return static_cast<std::size_t>(fall - path.events.begin()) - 1;
   std::optional<std::size_t> best;
   const auto late = [&](std::size_t i) {
     return std::abs((stops ? path.events[i].time : path.events[i].passing.time) - time);
