@@ -193,8 +193,7 @@ ShotRequest as_request(const Puzzle& p, const Shot& shot) {
 Trajectory path_of(const Puzzle& p, const Shot& shot) { return path_of(simulate(as_request(p, shot)), 0); }
 
 const Pocket* pocket_reached(const Puzzle& p, const Shot& shot) {
-  const Then* const then = then_of(p.target);
-  const auto* target = then ? std::get_if<PocketTarget>(&then->target) : std::get_if<PocketTarget>(&p.target);
+  const PocketTarget* const target = pocket_of(p.target);
   if (!target || p.table.pockets.empty()) return nullptr;
   if (target->pocket) return &p.table.pockets[static_cast<std::size_t>(*target->pocket)];
   const auto off_rim = [&](const Pocket& k) { return std::abs(norm(shot.arrival.at - k.at) - k.radius); };

@@ -61,10 +61,20 @@ std::vector<Mark> marks_of(const Puzzle& p) {
   return all;
 }
 
-bool is_pocket(const Target& target) {
+namespace {
+
+template <class Kind>
+const Kind* arrival_at(const Target& target) {
   const Then* const then = then_of(target);
-  return std::holds_alternative<PocketTarget>(target) || (then && std::holds_alternative<PocketTarget>(then->target));
+  return then ? std::get_if<Kind>(&then->target) : std::get_if<Kind>(&target);
 }
+
+}  // namespace
+
+const PointTarget* point_of(const Target& target) { return arrival_at<PointTarget>(target); }
+const PocketTarget* pocket_of(const Target& target) { return arrival_at<PocketTarget>(target); }
+
+bool is_pocket(const Target& target) { return pocket_of(target) != nullptr; }
 
 namespace {
 

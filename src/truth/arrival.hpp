@@ -7,41 +7,12 @@
 
 #include <list>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/shot.hpp"
-#include "truth/run.hpp"
+#include "truth/judge.hpp"
 
 namespace bankshot::truth {
-
-struct Arrived {
-  std::string why{};                ///< it is not made; empty when it is
-  std::vector<Contact> cushions{};  ///< met before it arrived, or failed to
-  bool in_order = false;            ///< those are the ones named; two met in one instant may come in either order
-  double time = 0, speed = 0;
-  double passed = 0;  ///< m, how near it came to a point
-  double offset = 0;  ///< m, of the line into a pocket or onto a ball, positive on the left of its centre
-  Vec2d at{}, heading{};
-  Contact taken_by{};             ///< the pocket or ball
-  bool rattles = false;           ///< it touched jaws on its way
-  int ball = 0;                   ///< that arrived: the struck one, or one that it sent on
-  std::vector<Contact> onward{};  ///< the cushions of that
-  std::optional<Passing> hit{};   ///< of the struck ball where it touched it, its lateral seen from that ball's centre
-  double incidence = 1;           ///< sine of the angle between the path and the rim of what takes it
-  bool made() const { return why.empty() && in_order; }
-};
-
-/// How far a ball's centre keeps from what it may not touch, by less than 0 where it does [m]: on a line of this
-/// offset, where it enters the pocket's circle and, with jaws, since it left the table; none where it cannot come from
-/// there.
-std::optional<double> room_of_line(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double offset);
-
-/// The offset of a pocket's exact line [m], not a number where no line leads straight in; from its definition: lines
-/// beside the ball's own enter farther and farther off, up to the last one that enters where a ball's centre can be.
-/// `heading` need not be a unit vector.
-double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double own);
 
 class Scene {
  public:
@@ -60,26 +31,20 @@ class Scene {
   /// in double: a sample has no use for more digits.
   double chance(const Shot& shot, int draws) const;
 
+  /// As a ball sees the table: the struck one, or one that it may send on.
+  const Boundary& boundary_of(int ball) const;
+
   const Puzzle& puzzle;
   const Boundary boundary;
+  bool stops;  ///< the ball is asked to rest at a point
 
  private:
-  struct Goal;
   Run run(const Launch& launch, const LaunchSpin& spin, int cushions) const;
   Run in_double(const Launch& launch, const LaunchSpin& spin, int cushions) const;
-  Arrived judge(const Path& path, const Goal& goal) const;
-  Arrived judge_sent(const Path& path, const Goal& goal) const;
-  Path truth_of(const Launch& launch, const LaunchSpin& spin, int cushions, double turned = 0, double pushed = 0) const;
-  Path double_of(const Launch& launch, const LaunchSpin& spin, int cushions) const;
-  ShotRequest request_of(const Launch& launch, const LaunchSpin& spin) const;
-  const Boundary& boundary_of(int ball) const;
-  Arrived at_point(Arrived a, const Passing& p) const;
-  /// `line`: the event whose line of travel counts.
-  Arrived taken(Arrived a, const TruthEvent& e, const TruthEvent& line) const;
 
-  std::list<Boundary> others_{};  ///< as balls that may be sent on see the table
-  Physics physics_;               ///< integrated impacts far finer than the solver's
-  bool stops_;
+  std::optional<ShotRequest> all_{};  ///< the balls, where one is sent on
+  std::list<Boundary> others_{};      ///< as balls that may be sent on see the table
+  Physics physics_;                   ///< integrated impacts far finer than the solver's
 };
 
 }  // namespace bankshot::truth

@@ -54,13 +54,17 @@ Passing passing(const Sim& sim, const T& t, const Vec2d& target) {
   return passing<T>(sim.arc(), T(sim.time() - sim.arc().seconds(sim.travelled())), t, target);
 }
 
+/// What a line of travel led to: of jaws, their pocket.
+inline Contact towards(const Event& e) {
+  return e.kind == EventKind::jaw ? Contact::pocket(e.contact.jaw_pocket()) : e.contact;
+}
+
 template <class T, class Sim>
 Passing passing_of(const Run& run, const Event& e, const Sim& sim) {
   if (e.kind == EventKind::horizon) return {};
   if (run.target) return passing<T>(sim, closest_time(sim.arc(), sim.travelled(), *run.target), *run.target);
   if (e.kind != EventKind::pocket && e.kind != EventKind::jaw && e.kind != EventKind::ball) return {};
-  const Contact towards = e.kind == EventKind::jaw ? Contact::pocket(e.contact.jaw_pocket()) : e.contact;
-  Passing p = passing<T>(sim, sim.travelled(), run.boundary.rim(towards)->centre);
+  Passing p = passing<T>(sim, sim.travelled(), run.boundary.rim(towards(e))->centre);
   p.miss = std::abs(p.lateral);
   return p;
 }

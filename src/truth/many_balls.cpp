@@ -40,7 +40,6 @@ std::vector<BallTruth> run(const ShotRequest& request, std::size_t most, double 
 /// An arc that ended.
 template <class T>
 struct Flown {
-  int ball;
   T began;
   Arc<T> arc;
   T travelled;
@@ -50,10 +49,9 @@ template <class T>
 Passing passing_of(const Run& run, const BallEvent& e, const Starts& starts, const Flown<T>& last, const Vec2d& met) {
   if (e.event.kind == EventKind::ball) return passing<T>(last.arc, last.began, last.travelled, met);
   if (e.event.kind != EventKind::pocket && e.event.kind != EventKind::jaw) return {};
-  const Contact towards =
-      e.event.kind == EventKind::jaw ? Contact::pocket(e.event.contact.jaw_pocket()) : e.event.contact;
   const Boundary& boundary = *starts.balls()[static_cast<std::size_t>(e.ball)].boundary;
-  Passing p = passing<T>(last.arc, last.began, last.travelled, run.target.value_or(boundary.rim(towards)->centre));
+  Passing p =
+      passing<T>(last.arc, last.began, last.travelled, run.target.value_or(boundary.rim(towards(e.event))->centre));
   p.miss = std::abs(p.lateral);
   return p;
 }
@@ -74,7 +72,7 @@ Path run_all(const Run& run) {
     for (long i = 0; i < patience * run.events; ++i) {
       const BallEvent e = sim.step(T(forever), [&](int ball, const T& began, const State<T>& start, const Arc<T>& arc,
                                                    const T& travelled) {
-        last[static_cast<std::size_t>(ball)] = {ball, began, arc, travelled};
+        last[static_cast<std::size_t>(ball)] = {began, arc, travelled};
         if (ball == 0) return;
         const Passing p =
             run.target ? passing<T>(arc, began, closest_time(arc, travelled, *run.target), *run.target) : Passing{};

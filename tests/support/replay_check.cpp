@@ -8,7 +8,7 @@
 
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/nearness.hpp"
-#include "truth/arrival.hpp"
+#include "truth/line_in.hpp"
 
 namespace bankshot::test {
 namespace {

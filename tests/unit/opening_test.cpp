@@ -12,7 +12,7 @@
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/table.hpp"
 #include "support/catch.hpp"
-#include "truth/arrival.hpp"
+#include "truth/line_in.hpp"
 
 using namespace bankshot;
 

@@ -103,6 +103,9 @@ std::vector<Mark> marks_of(const Target& target, const Boundary& boundary);
 
 /// Whether a ball must fall to reach it.
 bool is_pocket(const Target& target);
+/// Where some ball is to arrive, the struck one or one that it sends on; null of the other kinds.
+const PointTarget* point_of(const Target& target);
+const PocketTarget* pocket_of(const Target& target);
 /// What the struck ball sends another to; null where it goes itself.
 inline const Then* then_of(const Target& target) {
   const auto* ball = std::get_if<BallTarget>(&target);

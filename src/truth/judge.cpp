@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "truth/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "truth/arrival.hpp"
+
+namespace bankshot::truth {
+namespace {
+
+/// Two bounces less apart than this are one instant to a run in double [s].
+constexpr double one_instant = 1e-12;
+
+/// Two at one instant match in either order.
+bool same_order(const std::vector<Contact>& asked, const std::vector<const TruthEvent*>& met) {
+  if (asked.size() != met.size()) return false;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (met[i]->contact == asked[i]) continue;
+    const bool swapped = i + 1 < asked.size() && met[i + 1]->time - met[i]->time <= one_instant &&
+                         met[i]->contact == asked[i + 1] && met[i + 1]->contact == asked[i];
+    if (!swapped) return false;
+    ++i;
+  }
+  return true;
+}
+
+/// A path, event by event. Where the struck ball sends another on, that one is looked at from their contact on.
+class Judge {
+ public:
+  Judge(const Scene& scene, const Goal& goal)
+      : scene_(scene),
+        puzzle_(scene.puzzle),
+        goal_(goal),
+        touches_(std::get_if<BallTarget>(&puzzle_.target)),
+        then_(then_of(puzzle_.target)),
+        point_(point_of(puzzle_.target)),
+        pocket_(pocket_of(puzzle_.target)),
+        within_(point_ ? point_->within + goal.slack : 0) {
+    note_order();
+  }
+
+  Arrived run(const Path& path) {
+    for (const TruthEvent& e : path.events)
+      if (then_ && !hit_ ? ends_before_hit(e) : ends(e)) return std::move(out_);
+    fails(does("passes by the target", "sends it past the target"));
+    return std::move(out_);
+  }
+
+ private:
+  /// The words for the struck ball, or for what it does to another.
+  std::string_view does(std::string_view itself, std::string_view another) const { return then_ ? another : itself; }
+  std::string name(const TruthEvent& e) const { return contact_name(puzzle_, e.contact); }
+
+  bool fails(std::string_view why) {
+    if (!found_) out_.why = why;
+    return true;
+  }
+
+  void note_order() { out_.in_order = !goal_.sequence || same_order(*goal_.sequence, met_); }
+
+  /// Of the struck ball, on its way to another.
+  bool ends_before_hit(const TruthEvent& e) {
+    if (e.ball != 0 || e.kind == EventKind::slide_to_roll || e.kind == EventKind::jaw) return false;
+    if (e.kind == EventKind::cushion) {
+      if (static_cast<int>(met_.size()) == goal_.max) return fails(fmt::format("meets {} before the ball", name(e)));
+      met_.push_back(&e);
+      out_.cushions.push_back(e.contact);
+      return false;
+    }
+    if (e.kind != EventKind::ball) return fails("touches no ball");
+    note_order();
+    const int ball = e.contact.index;
+    const bool wanted = std::ranges::count(touches_->balls, ball) > 0 && !(goal_.then && goal_.then->ball != ball);
+    if (!wanted || static_cast<int>(met_.size()) < goal_.min) return fails(fmt::format("runs into {}", name(e)));
+    hit_ = &e;
+    out_.ball = ball;
+    out_.hit = e.passing;
+    met_.clear();
+    return false;
+  }
+
+  /// Of the ball that is to arrive: its bounces are those asked.
+  bool counts() const {
+    const auto in_turn = [&](const std::vector<Contact>& asked) { return same_order(asked, met_); };
+    if (!then_) return static_cast<int>(met_.size()) >= goal_.min && out_.in_order;
+    if (goal_.then) return in_turn(goal_.then->cushions);
+    const CushionRule& rule = then_->cushions;
+    return static_cast<int>(met_.size()) >= rule.min && (!rule.sequence || in_turn(*rule.sequence));
+  }
+  int most() const {
+    if (!then_) return goal_.max;
+    return goal_.then ? static_cast<int>(goal_.then->cushions.size()) : then_->cushions.max;
+  }
+
+  bool ends(const TruthEvent& e) {
+    if (e.ball == out_.ball) look_at_pass(e);
+    if (e.kind == EventKind::ball) return meets(e);
+    if (e.ball != out_.ball) return false;
+    switch (e.kind) {
+      case EventKind::cushion:
+        return bounces(e);
+      case EventKind::jaw: {
+        const int of = e.contact.jaw_pocket();
+        if (pocket_ && !jaw_ && pocket_->pocket.value_or(of) == of) jaw_ = &e;
+        out_.rattles = true;
+        return false;
+      }
+      case EventKind::slide_to_roll:
+        return false;
+      case EventKind::pocket:
+        if (!pocket_ || (pocket_->pocket && Contact::pocket(*pocket_->pocket) != e.contact) || !counts())
+          return fails(fmt::format("{} pocket {}", does("falls into", "sends it into"), name(e)));
+        return taken(e, jaw_ ? *jaw_ : e);
+      case EventKind::rest:
+        return rests(e);
+      default:
+        return fails("passes by the target");
+    }
+  }
+
+  /// Of several passes by a point the nearest to the time claimed counts.
+  void look_at_pass(const TruthEvent& e) {
+    const bool whole_arc = !then_ || e.kind == EventKind::slide_to_roll;
+    if (!point_ || scene_.stops || !whole_arc || !counts() || e.passing.miss > within_) return;
+    if (found_ && !(std::abs(e.passing.time - goal_.time) < std::abs(out_.time - goal_.time))) return;
+    at_point(e.passing);
+    found_ = true;
+  }
+
+  bool bounces(const TruthEvent& e) {
+    if (hit_ && !(e.time > hit_->time)) return false;  // against what it touches, in the instant in which it is hit
+    if (static_cast<int>(met_.size()) == most() || found_)
+      return fails(fmt::format("{} {} before the target", does("meets", "sends it to"), name(e)));
+    met_.push_back(&e);
+    (then_ ? out_.onward : out_.cushions).push_back(e.contact);
+    if (!then_) note_order();
+    return false;
+  }
+
+  bool meets(const TruthEvent& e) {
+    if (then_) {
+      const bool ours = e.ball == 0 || e.ball == out_.ball || e.contact == Contact::ball(out_.ball);
+      return ours && fails(fmt::format("touches {}", name(e)));
+    }
+    if (!touches_ || std::ranges::count(touches_->balls, e.contact.index) == 0 || !counts())
+      return fails(fmt::format("runs into {}", name(e)));
+    taken(e, e);
+    const double reach = scene_.boundary.rim(e.contact)->radius, most = radians(90.0);
+    const auto offset = [&](double cut) { return -reach * std::sin(std::clamp(cut, -most, most)); };
+    const double low = offset(touches_->cut + touches_->within), high = offset(touches_->cut - touches_->within);
+    if (out_.offset < low - goal_.slack || out_.offset > high + goal_.slack)
+      out_.why = fmt::format("meets {} at another cut", name(e));
+    return true;
+  }
+
+  bool rests(const TruthEvent& e) {
+    if (!scene_.stops || !counts()) return fails(does("stops before the target", "sends it not as far as the target"));
+    const double miss = norm((e.state.at - point_->at) + e.at_rest);
+    if (miss > within_)
+      return fails(fmt::format("{} {:.6g} m from the target", does("stops", "sends it to rest"), miss));
+    at_point({.time = e.time, .speed = 0, .at = e.state.at, .velocity = {}, .miss = miss});
+    return true;
+  }
+
+  void at_point(const Passing& p) {
+    out_.why = "";
+    out_.time = p.time, out_.speed = p.speed, out_.passed = p.miss, out_.at = p.at;
+  }
+
+  /// `line`: the event whose line of travel counts.
+  bool taken(const TruthEvent& e, const TruthEvent& line) {
+    out_.why = "";
+    out_.time = e.time, out_.speed = norm(e.state.velocity), out_.at = e.state.at;
+    const Circle& rim = *scene_.boundary_of(e.ball).rim(e.contact);
+    out_.taken_by = e.contact;
+    out_.offset = -line.passing.lateral;
+    out_.heading = line.passing.velocity;
+    if (rim.radius > 0) out_.incidence = std::sqrt(std::max(1 - std::pow(e.passing.lateral / rim.radius, 2), 1e-12));
+    return true;
+  }
+
+  const Scene& scene_;
+  const Puzzle& puzzle_;
+  const Goal& goal_;
+  const BallTarget* touches_;
+  const Then* then_;
+  const PointTarget* point_;
+  const PocketTarget* pocket_;
+  double within_;                         ///< m
+  std::vector<const TruthEvent*> met_{};  ///< bounces, of the struck ball up to the contact and then of the other
+  const TruthEvent* hit_ = nullptr;       ///< the contact that sends another ball on
+  const TruthEvent* jaw_ = nullptr;       ///< the first touched of those of a pocket that is asked for
+  bool found_ = false;                    ///< a pass by the point
+  Arrived out_{};
+};
+
+}  // namespace
+
+Arrived judge(const Scene& scene, const Path& path, const Goal& goal) { return Judge(scene, goal).run(path); }
+
+}  // namespace bankshot::truth
