@@ -6,6 +6,7 @@
 
 #include "bankshot/simulate/locked.hpp"
 #include "planners/locked/arrival.hpp"
+#include "planners/locked/in_the_way.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
@@ -21,17 +22,11 @@ class Clearance {
   /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
   void arc(int ball, const Arc<double>& arc, double t, Contact before, Contact next) {
     if (!(t > 0)) return;
-    const Boundary& boundary = aim_.q.boundary_of(ball);
     const auto keeps_from = [&](const Circle& c) {
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
       if (!inside) consider(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
-    for (const Circle& pocket : boundary.pockets)
-      if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
-    for (const Circle& tip : boundary.tips)
-      if (tip.contact != before && tip.contact != next) keeps_from(tip);
-    for (const Circle& other : boundary.balls)
-      if (other.contact != next && (next || other.contact != aim_.mark.taken_by)) keeps_from(other);
+    each_in_the_way(aim_.q.boundary_of(ball), before, next, aim_.mark.taken_by, keeps_from);
   }
 
   void bounce(const Meeting& meeting, const Vec2d& at) {
@@ -80,7 +75,7 @@ std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Laun
       if (path.end != LockedEnd::complete) return {};
       out.bounce(meeting, met);
       state = path.state;
-      before = meeting.with.kind == ContactKind::ball ? Contact{} : meeting.with;
+      before = meeting.with;
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
     const auto watch = [&](const Arc<double>& arc, double t) { out.arc(aim.mark.ball, arc, t, before, {}); };

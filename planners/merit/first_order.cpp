@@ -6,6 +6,7 @@
 
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/locked.hpp"
+#include "planners/locked/in_the_way.hpp"
 #include "planners/merit/limits.hpp"
 #include "planners/settings.hpp"
 #include "planners/start.hpp"
@@ -56,7 +57,7 @@ class Path {
       complete = complete && path.end == LockedEnd::complete;
       state = path.state;
       bounce(meeting, state.at);
-      before = meeting.with.kind == ContactKind::ball ? Contact{} : meeting.with;
+      before = meeting.with;
     }
     const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.mark.ball, arc, t, before, {}); };
     const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, q_.stop, watch);
@@ -86,23 +87,17 @@ class Path {
   void leg(int ball, const Arc<Number>& arc, const Number& t, Contact before, Contact next) {
     if (!(t > 0)) return;
     const Boundary& boundary = q_.boundary_of(ball);
+    std::optional<Reach<double>> reach;
+    if (!boundary.balls.empty()) reach.emplace(value(arc), t.a, settings::first_order::far_ball * boundary.diagonal);
     const auto keeps_from = [&](const Circle& c) {
+      if (c.contact.kind == ContactKind::ball && reach->misses(c.centre, c.radius)) return;
       const Vec2d start = value(arc.at) - c.centre;
       if (norm(start) < c.radius) return;  // such a ball must first come out
       const double nearest = closest_time(value(arc), t.a, c.centre);
       const Vec2<Number> there = arc.position(nearest < t.a ? Number(nearest) : t);
       limits_.keep(norm(there - to<Number>(c.centre)) - c.radius);
     };
-    for (const Circle& pocket : boundary.pockets)
-      if (next || !(pocket.contact == aim_.mark.taken_by)) keeps_from(pocket);
-    for (const Circle& tip : boundary.tips)
-      if (tip.contact != before && tip.contact != next) keeps_from(tip);
-    if (boundary.balls.empty()) return;
-    const Reach<double> reach(value(arc), t.a, settings::first_order::far_ball * boundary.diagonal);
-    for (const Circle& other : boundary.balls)
-      if (other.contact != next && (next || other.contact != aim_.mark.taken_by) &&
-          !reach.misses(other.centre, other.radius))
-        keeps_from(other);
+    each_in_the_way(boundary, before, next, aim_.mark.taken_by, keeps_from);
   }
 
   /// The ball that is sent on must be touched: on an arc that ends there, between its two sides.

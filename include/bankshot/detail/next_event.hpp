@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The first thing an arc meets: a cushion, a vertex, a jaw, a pocket, a ball at rest, its own end or the horizon. Found
-// and ordered on values; `lift_event` then gives the time of the one that happens its derivatives. Property, numbered
-// as in simulator.hpp:
-//  2. One instant: a pocket captures before a cushion bounces; two cushions both bounce, larger
-//     approach speed first, ties in the order of edges. Same instant means equal computed times.
+// and ordered on values; `lift_event` then gives the time of the one that happens its derivatives.
+// Property, numbered as in simulator.hpp:
+//  2. One instant: a pocket captures before balls meet, of those the larger approach speed first; then a cushion
+//     bounces; two cushions both bounce, larger approach speed first, ties in the order of edges. Same instant means
+//     equal computed times.
 #pragma once
 
 #include <algorithm>
@@ -147,7 +148,7 @@ struct EventFinder {
     const Reach<N> reach(arc, first.time, N(boundary.touch));
     for (const Circle& ball : boundary.balls) {
       if (reach.misses(ball.centre, ball.radius)) continue;
-      const N t = ball_hit(ball, first.time);
+      const N t = first_touch(arc, ball.centre, ball.radius, boundary.touch, first.time);
       if (!(t <= first.time) || !(t < N(forever))) continue;
       const EventKind kind = first.event.kind;
       const bool later = t == first.time &&
@@ -164,16 +165,6 @@ struct EventFinder {
       return N(dot(d, v) / norm(d));
     };
     return speed(ball) > speed(*boundary.rim(first.event.contact));
-  }
-
-  /// A ball that touches another meets it now where it comes nearer; else it must part first.
-  N ball_hit(const Circle& ball, const N& limit) const {
-    const Vec2<N> d = to<N>(ball.centre) - arc.at;
-    const N near(ball.radius + boundary.touch), distance2 = dot(d, d);
-    if (distance2 > near * near) return first_entry(arc, ball.centre, ball.radius, limit);
-    const N closing = dot(d, arc.velocity), noise(tolerance::along * tolerance::along);
-    if (closing > N(0) && closing * closing > noise * distance2 * dot(arc.velocity, arc.velocity)) return N(0);
-    return first_entry(arc, ball.centre, ball.radius, limit, true);
   }
 
   static void consider(NextEvent<N>& first, Contact contact, const N& t) {

@@ -72,11 +72,8 @@ N time_to_contact(const Boundary& boundary, const Arc<N>& arc, Contact contact) 
   if (const Wall* const w = boundary.line(contact)) return time_to_line(arc, *w);
   const Circle* const rim = boundary.rim(contact);
   if (!rim) return N(forever);
-  if (contact.kind == ContactKind::ball) {  // it may touch from the start
-    const Vec2<N> d = to<N>(rim->centre) - arc.at;
-    const N near(rim->radius + boundary.touch);
-    if (dot(d, d) <= near * near && dot(d, arc.velocity) > N(0)) return N(0);
-  }
+  if (contact.kind == ContactKind::ball)
+    return first_touch(arc, rim->centre, rim->radius, boundary.touch, arc.duration);
   return first_entry(arc, rim->centre, rim->radius, arc.duration);
 }
 

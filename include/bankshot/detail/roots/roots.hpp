@@ -11,6 +11,7 @@
 
 #include "bankshot/detail/roots/polynomial.hpp"
 #include "bankshot/motion/arc.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot {
 
@@ -134,6 +135,18 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   const Polynomial<T, 4> outside{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)};
   const T t = first_descent_of(outside, until);
   return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
+}
+
+/// The same for a ball that stands there, which may be touched from the start: one that comes nearer meets it now, else
+/// they must part first. `touch`: what counts as touching [m].
+template <class T>
+T first_touch(const Arc<T>& arc, const Vec2d& centre, double radius, double touch, const T& limit) {
+  const Vec2<T> d = to<T>(centre) - arc.at;
+  const T near(radius + touch), distance2 = dot(d, d);
+  if (distance2 > near * near) return first_entry(arc, centre, radius, limit);
+  const T closing = dot(d, arc.velocity), noise(tolerance::along * tolerance::along);
+  if (closing > T(0) && closing * closing > noise * distance2 * dot(arc.velocity, arc.velocity)) return T(0);
+  return first_entry(arc, centre, radius, limit, true);
 }
 
 /// Where an arc gets to within `limit`: the triangle of its control points, and the box of that.
