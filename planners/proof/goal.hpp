@@ -21,6 +21,18 @@ struct Goal {
   Demand demand = Demand::exact;
   const Onward* then = nullptr;  ///< this ball goes on, by these cushions; null: as the puzzle asks
 
+  struct Bounces {
+    int min, max;
+    const std::vector<Contact>* sequence;  ///< null: any
+  };
+  /// Of the ball that is sent on.
+  Bounces of_sent(const Question& q) const {
+    const CushionRule& rule = q.then()->cushions;
+    if (!then) return {rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr};
+    const int n = static_cast<int>(then->cushions.size());
+    return {n, n, &then->cushions};
+  }
+
   /// As the puzzle asks.
   static Goal of(const Question& q, Demand demand = Demand::exact) {
     const CushionRule& c = q.cushions();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// How a replayed line of travel leads into a pocket.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
 #include "planners/proof/replay.hpp"
 
 #include <algorithm>

@@ -25,12 +25,8 @@ class SentOn {
         motion_(motion),
         cushion_(cushion),
         object_(object),
-        rule_(q.then()->cushions),
-        check_(goal.then                     ? &goal.then->cushions
-               : q.then()->cushions.sequence ? &*q.then()->cushions.sequence
-                                             : nullptr),
-        least_(goal.then ? static_cast<int>(goal.then->cushions.size()) : rule_.min),
-        most_(goal.then ? static_cast<int>(goal.then->cushions.size()) : rule_.max),
+        asked_(goal.of_sent(q)),
+        check_(asked_.sequence),
         out_(out) {}
 
   /// `struck` touches the ball, `begin` seconds after the launch.
@@ -53,7 +49,7 @@ class SentOn {
   }
 
  private:
-  static constexpr int struck_ball = 0, sent_ball = 1;
+  static constexpr int sent_ball = 1;  ///< of the two; 0 is the struck one
 
   template <class Sim>
   bool over(const BallEvent& e, const Sim& sim) {
@@ -78,13 +74,13 @@ class SentOn {
     }
   }
 
-  bool counts() const { return bounces_ >= least_ && !check_.open(); }
+  bool counts() const { return bounces_ >= asked_.min && !check_.open(); }
 
   template <class Sim>
   bool bounces(const Event& e, const Sim& sim) {
     last_ = sim.state(sent_ball).at;
     if (sim.time() == 0) return false;  // against a cushion that it touches, in the instant in which it is hit
-    if (bounces_ == most_) return fail(Foul::extra_cushion, e.contact);
+    if (bounces_ == asked_.max) return fail(Foul::extra_cushion, e.contact);
     if (!check_.accepts(bounces_, e)) return fail(Foul::wrong_cushion, e.contact);
     ++bounces_;
     out_.then->cushions.push_back(e.contact);
@@ -154,9 +150,8 @@ class SentOn {
   const Motion& motion_;
   const Cushion& cushion_;
   const Objects::Object& object_;
-  const CushionRule& rule_;
+  const Goal::Bounces asked_;
   SequenceCheck check_;
-  int least_, most_;
   Replay& out_;
   double begin_ = 0;
   bool touched_ = false;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Whether a ball meets the cushions that are asked, in turn.
 #pragma once
 
 #include <utility>

@@ -36,9 +36,10 @@ void draw_standing(Canvas& c, const Puzzle& p) {
 }
 
 /// The ball that is sent on, and its path.
-Trajectory draw_sent(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
-  const Ball& ball = p.others[static_cast<std::size_t>(shot.then->ball) - 1];
-  const Trajectory t = path_of(simulate(as_request(p, shot)), shot.then->ball);
+Trajectory draw_sent(Canvas& c, const ShotRequest& r, const Trajectory& all, const Shot& shot,
+                     const PictureStyle& style) {
+  const Ball& ball = ball_of(r, shot.then->ball);
+  const Trajectory t = path_of(all, shot.then->ball);
   draw_path(c, ball, t, {.colour = colour_of(c, ball), .width = 0.8 * line_width(style), .numbers = false});
   draw_other(c, ball, shot.arrival.at, 0.6);
   return t;
@@ -46,7 +47,7 @@ Trajectory draw_sent(Canvas& c, const Puzzle& p, const Shot& shot, const Picture
 
 void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
   const ShotRequest request = as_request(p, shot);
-  const Trajectory t = path_of(p, shot);
+  const Trajectory all = simulate(request), t = path_of(all, 0);
   const Pocket* pocket = pocket_reached(p, shot);
   const auto aim = pocket && shot.cushions.empty() && aims_into(request, *pocket)
                        ? std::nullopt
@@ -58,7 +59,7 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   draw_path(c, p.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
   draw_ball(c, p.ball, shot.then ? shot.hits.back().at : shot.arrival.at, 0.6);
-  const Trajectory arriving = shot.then ? draw_sent(c, p, shot, style) : t;
+  const Trajectory arriving = shot.then ? draw_sent(c, request, all, shot, style) : t;
   draw_standing(c, p);
   draw_opening(c, p, shot, arriving.events.back().state.velocity);
   if (style.words) draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot), t), &request);
