@@ -28,10 +28,10 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < std::min<std::size_t>(answer.shots.size(), 8); ++i) {
     const Shot& shot = answer.shots[i];
     std::string by;
-    for (const Contact cushion : shot.then->cushions)
+    for (const Contact cushion : shot.then.front().cushions)
       by += (by.empty() ? " by " : ", ") + contact_name(puzzle.table, cushion);
     fmt::print("{:3.0f} %  ball {} into {}{}: {:.1f} degrees, {:.1f} m/s, cut {:.0f} degrees{}\n", 100 * *shot.success,
-               puzzle.others[static_cast<std::size_t>(shot.then->ball) - 1].id, pocket_reached(puzzle, shot)->name, by,
+               puzzle.others[static_cast<std::size_t>(shot.arriving()) - 1].id, pocket_reached(puzzle, shot)->name, by,
                degrees(shot.launch.angle), shot.launch.speed, degrees(shot.hits.front().cut),
                shot.scratch ? ", and the cue ball falls, too" : "");
   }

@@ -2,6 +2,8 @@
 #include "planners/question.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/settings.hpp"
@@ -23,23 +25,38 @@ LaunchSpin least_of(const SpinRange& r) {
 }  // namespace
 
 Objects::Objects(const Puzzle& p) {
-  for (const int k : std::get<BallTarget>(p.target).balls) {
+  const auto& target = std::get<BallTarget>(p.target);
+  const auto object_of = [&](int k) {
+    const auto known = std::ranges::find(all, k, &Object::ball);
+    if (known != all.end()) return &*known;
     const Ball& ball = p.others[static_cast<std::size_t>(k) - 1];
-    all.push_back({k, ball, Boundary(p.table, ball.body, p.others, k), Boundary(p.table, p.ball.body, p.others, k)});
+    all.push_back({k, ball, Boundary(p.table, ball.body, p.others, std::array{k})});
     standing.push_back({k, &all.back().own, ball.at});
+    return &all.back();
+  };
+  for (const int first : target.off ? std::vector{*target.off} : target.balls) {
+    std::vector<int> numbers{first};
+    if (target.then)
+      for (const Link& link : target.then->links) numbers.push_back(link.ball);
+    Chain& chain = chains.emplace_back();
+    chain.moving.emplace_back(p.table, p.ball.body, p.others, numbers);
+    for (const int k : numbers) {
+      chain.balls.push_back(object_of(k));
+      chain.moving.emplace_back(p.table, chain.balls.back()->at_rest.body, p.others, numbers);
+    }
   }
 }
 
-const Objects::Object* Objects::find(int ball) const {
-  const auto object = std::ranges::find(all, ball, &Object::ball);
-  return object == all.end() ? nullptr : &*object;
+const Objects::Chain* Objects::chain_by(int ball) const {
+  const auto chain = std::ranges::find(chains, ball, [](const Chain& c) { return c.balls.front()->ball; });
+  return chain == chains.end() ? nullptr : &*chain;
 }
 
 Question::Question(const Puzzle& p, Wanted w)
     : puzzle(p),
       boundary(p.table, p.ball.body, p.others),
       cleared(p.others.empty() ? std::nullopt : std::optional(Boundary(p.table, p.ball.body))),
-      objects(then_of(p.target) ? std::make_shared<const Objects>(p) : nullptr),
+      objects(then_of(p.target) || off_of(p.target) ? std::make_shared<const Objects>(p) : nullptr),
       rough(roughly(p.physics)),
       wanted(w),
       marks(then_of(p.target) ? marks_of(p) : marks_of(p.target, boundary)),
@@ -141,13 +158,21 @@ bool Question::into_touched_cushion(const Vec2d& direction) const {
   return false;
 }
 
-Route route_with_jaws_of(const Shot& shot) { return shot.rattles && !shot.then ? route_by(shot.met) : route_of(shot); }
+Route route_with_jaws_of(const Shot& shot) {
+  return shot.rattles && shot.then.empty() ? route_by(shot.met) : route_of(shot);
+}
 
 Route route_of(const Shot& shot) {
   Route route = route_by(shot.cushions);
-  if (!shot.then) return route;
-  route.push_back({0, Contact::ball(shot.then->ball)});
-  for (const Contact contact : shot.then->cushions) route.push_back({shot.then->ball, contact});
+  if (shot.then.empty() && shot.hits.size() > 1)  // the last hit is the target's
+    for (const Hit& hit : std::span(shot.hits).first(shot.hits.size() - 1))
+      route.insert(route.begin() + hit.after, {0, Contact::ball(hit.ball)});
+  int by = 0;
+  for (const Onward& onward : shot.then) {
+    route.push_back({by, Contact::ball(onward.ball)});
+    by = onward.ball;
+    for (const Contact contact : onward.cushions) route.push_back({by, contact});
+  }
   return route;
 }
 

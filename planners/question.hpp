@@ -4,6 +4,7 @@
 // that wants another arrival speed or a fixed launch makes a question of its own.
 #pragma once
 
+#include <algorithm>
 #include <list>
 #include <memory>
 #include <optional>
@@ -21,22 +22,28 @@ namespace bankshot::planning {
 /// of locked paths, kept as leads.
 enum class Wanted { best, first, all, starts };
 
-/// The balls that may be sent on, and the table as they see it.
+/// The balls that a shot may set going, and the table as they see it.
 struct Objects {
   struct Object {
     int ball;
     Ball at_rest;
-    Boundary own;     ///< without itself
-    Boundary struck;  ///< as the struck ball sees the table once it has touched this one
+    Boundary own;  ///< without itself
   };
-  std::list<Object> all{};  ///< which stay where they are
+  /// Set going one by the other: the struck ball touches the first.
+  struct Chain {
+    std::vector<const Object*> balls;
+    std::vector<Boundary> moving;  ///< as the struck one and each of them see the table without any of them
+  };
+  std::list<Object> all{};      ///< which stay where they are
+  std::vector<Chain> chains{};  ///< each begins with another ball
   std::vector<StandingBall> standing{};
 
   explicit Objects(const Puzzle& puzzle);
   Objects(const Objects&) = delete;
   Objects& operator=(const Objects&) = delete;
-  /// Null where the ball is not one of them.
-  const Object* find(int ball) const;
+  const Object& find(int ball) const { return *std::ranges::find(all, ball, &Object::ball); }
+  /// Null where none begins with this ball.
+  const Chain* chain_by(int ball) const;
 };
 
 struct Question {
@@ -45,7 +52,7 @@ struct Question {
   const Puzzle& puzzle;  ///< must outlive this
   Boundary boundary;
   std::optional<Boundary> cleared;         ///< without the other balls, where there are any
-  std::shared_ptr<const Objects> objects;  ///< where balls are sent on, else null
+  std::shared_ptr<const Objects> objects;  ///< where balls are sent on, or touched on the way, else null
   Physics rough;                           ///< the puzzle's, integrated no more finely than a seed needs
   Wanted wanted;
   bool every = false;          ///< all shots are wanted, also of a question for roots to start from
@@ -79,10 +86,13 @@ struct Question {
   bool starts() const { return wanted == Wanted::starts; }
   /// What the struck ball sends another to; null where it goes itself.
   const Then* then() const { return then_of(puzzle.target); }
+  /// The ball that is touched on the way to another; 0 where there is none.
+  int carom_off() const { return off_of(puzzle.target); }
   RouteBalls balls() const {
-    return objects ? RouteBalls{boundary, objects->standing, collisions(puzzle.physics)} : RouteBalls{boundary};
+    if (!objects) return {boundary};
+    return {boundary, objects->standing, collisions(puzzle.physics), carom_off() != 0};
   }
-  const Boundary& boundary_of(int ball) const { return ball == 0 ? boundary : objects->find(ball)->own; }
+  const Boundary& boundary_of(int ball) const { return ball == 0 ? boundary : objects->find(ball).own; }
   const CushionRule& cushions() const { return puzzle.cushions; }
   /// Only the aim is unknown.
   bool one_unknown() const { return !arrival || pinned; }
@@ -96,7 +106,7 @@ struct Question {
   const Mark* mark_taken_by(Contact contact, const Vec2d& arrived, int ball = 0) const;
   const Mark& nearest_mark(const Vec2d& arrived, int ball = 0) const;
   /// Of a made shot.
-  const Mark& mark_of(const Shot& shot) const { return nearest_mark(shot.arrival.at, shot.then ? shot.then->ball : 0); }
+  const Mark& mark_of(const Shot& shot) const { return nearest_mark(shot.arrival.at, shot.arriving()); }
   /// The ball that stands where the struck one is to pass or to rest, if any does.
   Contact covering() const;
   /// Other things than cushions stand where a path to part of a mark may lead.
@@ -117,7 +127,7 @@ decltype(auto) as_struck(const Question& q, const Shot& shot, F&& f) {
   return shot.spin == q.spin ? f(q) : f(q.spinning(shot.spin));
 }
 
-/// What the balls of a shot meet: cushions, and one ball the other.
+/// What the balls of a shot meet: cushions, and one ball the next.
 Route route_of(const Shot& shot);
 /// With the jaws that the struck ball touches as well.
 Route route_with_jaws_of(const Shot& shot);

@@ -240,6 +240,8 @@ namespace family {
 inline constexpr double scale_of_aim = 0.05, scale_of_speed = 0.15, scale_of_spin = 0.25;
 /// Starts from which a surface of one route is climbed: it may have more than one top.
 inline constexpr int most_starts = 3;
+/// Caroms that are tuned where one is wanted.
+inline constexpr std::size_t most_tuned_caroms = 6;
 /// Newton's steps onto the family; the step after one so short is exact to rounding, if the miss was so small.
 inline constexpr int most_steps = 40;
 inline constexpr double longest_step = 2, settled = 1e-7, nearly = 1e-6;
@@ -274,6 +276,8 @@ inline constexpr Spacing rival{.aim = radians(24), .speed = 1.44, .narrowest = r
 inline constexpr Spacing fine{radians(0.7), 0.08, true};
 inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
 inline constexpr Spacing finest{radians(0.8), 0.05, true, false};
+/// Steps between two shots that may be one.
+inline constexpr int between_shots = 5;
 }  // namespace automatic
 
 namespace edge {
@@ -416,6 +420,13 @@ inline constexpr double grid_reach = 2;
 /// Steps of a launch speed towards the arrival speed that is asked.
 inline constexpr int most_secants = 12;
 }  // namespace chains
+
+namespace caroms {
+/// Aims to either side across the first ball and launch speeds: of the first look, and of a closer one.
+inline constexpr int aims = 40, speeds = 8, close_aims = 160, close_speeds = 16;
+/// Roots that are kept of one route on one side of a fold: they may be of two families.
+inline constexpr int most_alike = 2;
+}  // namespace caroms
 
 namespace hints {
 /// m/s: a strong break shot; no more speed is suggested.

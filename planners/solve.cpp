@@ -110,8 +110,8 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   if (!method.info.bends && !is_straight(puzzle.physics))
     throw InvalidInput(
         "", fmt::format("the planner \"{}\" does not do physics with spin, where paths bend", method.info.name));
-  if (then_of(puzzle.target) && options.planner != "auto")
-    throw InvalidInput("", fmt::format("the planner \"{}\" sends no other ball on", method.info.name));
+  if ((then_of(puzzle.target) || off_of(puzzle.target) != 0) && options.planner != "auto")
+    throw InvalidInput("", fmt::format("the planner \"{}\" sets no other ball going", method.info.name));
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = options.planner == "auto" ? std::vector{puzzle.spin} : spins_to_try(puzzle);
   Ledger ledger(puzzle.budget, options.cancelled);

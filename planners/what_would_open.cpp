@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "planners/settings.hpp"
 
@@ -39,20 +40,31 @@ std::string of_speed(const Puzzle& puzzle, const Solve& solve) {
   return "";
 }
 
+/// The numbers of balls that a target speaks of.
+std::vector<int*> named_by(Target& target) {
+  std::vector<int*> out;
+  auto* const balls = std::get_if<BallTarget>(&target);
+  if (!balls) return out;
+  for (int& ball : balls->balls) out.push_back(&ball);
+  if (balls->off) out.push_back(&*balls->off);
+  if (balls->then)
+    for (Link& link : balls->then->links) out.push_back(&link.ball);
+  return out;
+}
+
 /// Without one ball, or all, but for those that the target names.
 Puzzle without(const Puzzle& puzzle, std::optional<std::size_t> taken) {
   Puzzle p = puzzle;
-  auto* const target = std::get_if<BallTarget>(&p.target);
+  const std::vector<int*> targets = named_by(p.target);
   p.others.clear();
   std::vector<int> renumbered(puzzle.others.size() + 1);
   for (std::size_t i = 0; i < puzzle.others.size(); ++i) {
-    const bool named = target && std::ranges::count(target->balls, static_cast<int>(i) + 1) > 0;
+    const bool named = std::ranges::count(targets, static_cast<int>(i) + 1, [](const int* k) { return *k; }) > 0;
     if (!named && (!taken || *taken == i)) continue;
     p.others.push_back(puzzle.others[i]);
     renumbered[i + 1] = static_cast<int>(p.others.size());
   }
-  if (target)
-    for (int& ball : target->balls) ball = renumbered[static_cast<std::size_t>(ball)];
+  for (int* const ball : targets) *ball = renumbered[static_cast<std::size_t>(*ball)];
   return p;
 }
 

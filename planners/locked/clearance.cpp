@@ -20,7 +20,7 @@ class Clearance {
   void consider(double metres) { least_ = std::min(least_, metres); }
 
   /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
-  void arc(int ball, const Arc<double>& arc, double t, Contact before, Contact next) {
+  void arc(int ball, const Arc<double>& arc, double t, std::span<const Meeting> before, Contact next) {
     if (!(t > 0)) return;
     const auto keeps_from = [&](const Circle& c) {
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
@@ -64,7 +64,7 @@ std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Laun
   return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<double> {
     Clearance out(aim);
     State<double> state = start_of(q, launch);
-    Contact before{};
+    std::span<const Meeting> before;
     for (const Meeting& meeting : aim.route) {
       Vec2d met = state.at;
       const auto watch = [&](const Arc<double>& arc, double t) {
@@ -75,7 +75,7 @@ std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Laun
       if (path.end != LockedEnd::complete) return {};
       out.bounce(meeting, met);
       state = path.state;
-      before = meeting.with;
+      before = aim.route.first(before.size() + 1);
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
     const auto watch = [&](const Arc<double>& arc, double t) { out.arc(aim.mark.ball, arc, t, before, {}); };

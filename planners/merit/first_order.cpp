@@ -46,18 +46,18 @@ class Path {
   template <class Motion, class Cushion>
   bool run(const Motion& motion, const Cushion& cushion, const Vec2d& at, double capture) {
     State<Number> state = dual_start<Number, 2>(q_, launch_);
-    Contact before{};
+    std::span<const Meeting> before;
     bool complete = true;
     for (const Meeting& meeting : aim_.route) {
       const auto watch = [&](const Arc<Number>& arc, const Number& t) {
         leg(meeting.ball, arc, t, before, meeting.with);
-        if (meeting.with.kind == ContactKind::ball) touches(arc, t, meeting.with);
+        if (meeting.with.kind == ContactKind::ball) touches(arc, t, meeting);
       };
       const auto path = follow_locked(q_.balls(), motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
       complete = complete && path.end == LockedEnd::complete;
       state = path.state;
       bounce(meeting, state.at);
-      before = meeting.with;
+      before = aim_.route.first(before.size() + 1);
     }
     const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.mark.ball, arc, t, before, {}); };
     const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, q_.stop, watch);
@@ -84,7 +84,7 @@ class Path {
   const Boundary& boundary_of_arrival() const { return q_.boundary_of(aim_.mark.ball); }
 
   /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
-  void leg(int ball, const Arc<Number>& arc, const Number& t, Contact before, Contact next) {
+  void leg(int ball, const Arc<Number>& arc, const Number& t, std::span<const Meeting> before, Contact next) {
     if (!(t > 0)) return;
     const Boundary& boundary = q_.boundary_of(ball);
     std::optional<Reach<double>> reach;
@@ -100,11 +100,12 @@ class Path {
     each_in_the_way(boundary, before, next, aim_.mark.taken_by, keeps_from);
   }
 
-  /// The ball that is sent on must be touched: on an arc that ends there, between its two sides.
-  void touches(const Arc<Number>& arc, const Number& t, Contact ball) {
-    const Circle& rim = *q_.boundary.rim(ball);
+  /// The ball that is met must be touched: on an arc that ends there, between its two sides.
+  void touches(const Arc<Number>& arc, const Number& t, const Meeting& meeting) {
+    const Boundary& boundary = q_.boundary_of(meeting.ball);
+    const Circle& rim = *boundary.rim(meeting.with);
     const Vec2<Number> at = arc.position(t), v = arc.tangent(t);
-    if (!(norm(value(at) - rim.centre) <= rim.radius + q_.boundary.touch)) return;
+    if (!(norm(value(at) - rim.centre) <= rim.radius + boundary.touch)) return;
     const Number offset = cross(v, at - to<Number>(rim.centre)) / norm(v);
     limits_.keep(Number(rim.radius) - offset);
     limits_.keep(Number(rim.radius) + offset);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "planners/merit/margin.hpp"
 #include "planners/merit/success.hpp"
@@ -64,6 +65,8 @@ bool passes_before(const Question& q, Ledger& ledger, const Shot& shot) {
 double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot) {
   using namespace settings::rank;
   if (passes_before(q, ledger, shot)) return 1;
+  // One that misses by the cushions of this shot may touch the second ball after more of them.
+  if (q.carom_off() != 0 && !q.route && static_cast<int>(shot.cushions.size()) < q.cushions().max) return 1;
   double chance = shot.chance;
   for (const Shot& other : shots)
     if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
@@ -118,6 +121,9 @@ void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots
     if (*shots[c.shot].success > *shots[best].success) best = c.shot;
   }
   std::swap(shots.front(), shots[best]);
+  // Those behind it are tuned as well.
+  if (q.carom_off() != 0)
+    std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.success.value_or(0); });
 }
 
 void add_robustness(const Question& q, Ledger& ledger, Findings& found) {

@@ -5,12 +5,14 @@
 // global search are for what is left, and are not run when the images proved that nothing is.
 // With spin images are only seeds: the steps of planners/steps follow, in the order of their numbers.
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "planners/family/family.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
+#include "planners/proof/replay.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::methods {
@@ -108,6 +110,42 @@ std::vector<Question> samples_of(const Question& q) {
   return out;
 }
 
+/// The first step, that leads to roots of most routes.
+void seeds(const Question& q, Ledger& ledger, Findings& found) {
+  if (!q.objects) return steps::images(q, ledger, found);
+  q.carom_off() != 0 ? steps::caroms(q, ledger, found) : steps::chains(q, ledger, found);
+}
+std::string_view word_of_seeds(const Question& q) {
+  if (!q.objects) return steps::word::images;
+  return q.carom_off() != 0 ? steps::word::caroms : steps::word::chains;
+}
+
+/// Of two shots by one route between which all launches are made, and which are of one family therefore, the better.
+void keep_connected_once(const Question& q, Ledger& ledger, Findings& found) {
+  const auto made_between = [&](const Shot& a, const Shot& b) {
+    if (a.spin != b.spin || ledger.spent()) return false;
+    const double turn = angle_difference(a.launch.angle, b.launch.angle);
+    const Goal goal = Goal::along(a);
+    for (int i = 1; i < between_shots; ++i) {
+      const double share = static_cast<double>(i) / between_shots;
+      const Launch launch{std::lerp(a.launch.speed, b.launch.speed, share), wrap_angle(a.launch.angle + share * turn)};
+      if (!replay(q, ledger, launch, goal).made) return false;
+    }
+    return true;
+  };
+  std::vector<Shot> kept;
+  for (Shot& shot : found.shots) {
+    const Route route = route_of(shot);
+    const auto same = [&](const Shot& other) { return route_of(other) == route && made_between(other, shot); };
+    const auto known = std::ranges::find_if(kept, same);
+    if (known == kept.end())
+      kept.push_back(std::move(shot));
+    else if (first_merit(q.puzzle, shot) > first_merit(q.puzzle, *known))
+      *known = std::move(shot);
+  }
+  found.shots = std::move(kept);
+}
+
 /// What is free is followed from roots of a few arrival speeds and spins, along each route to each mark.
 void along_families(const Question& q, Ledger& ledger, Findings& found) {
   struct Followed {
@@ -116,7 +154,9 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
     int times;
   };
   std::vector<Followed> followed;
-  const int most = family::Family::freedom(q) > 1 ? settings::family::most_starts : 1;
+  // Roots of a carom by one route are of several families.
+  const bool several = family::Family::freedom(q) > 1 || q.carom_off() != 0;
+  const int most = several ? settings::family::most_starts : 1;
   const auto enough = [&](const Lead& lead) {
     const auto same = [&](const Followed& f) { return f.mark == lead.mark && f.route == lead.route; };
     auto it = std::ranges::find_if(followed, same);
@@ -129,10 +169,12 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
   };
   const std::vector<Question> samples = samples_of(q);
   for (const Question& sample : samples) {
+    if (q.carom_off() != 0 && sample.asked != samples.front().asked) continue;  // its launches have all speeds
     Findings starts;
-    q.objects ? steps::chains(sample, ledger, starts) : steps::images(sample, ledger, starts);
-    follow(starts, q.objects ? steps::word::chains : steps::word::images);
+    seeds(sample, ledger, starts);
+    follow(starts, word_of_seeds(q));
   }
+  if (several) keep_connected_once(q, ledger, found);
   if (q.objects) return;
   for (const Question& sample : samples) {
     const bool better = rivals_wanted(q, ledger, found) && &sample == &samples.front();
@@ -178,15 +220,16 @@ void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
   if (!q.first()) improve(q, ledger, found);
 }
 
-/// The struck ball sends another on.
-void send_on(const Question& q, Ledger& ledger, Findings& found) {
+/// The struck ball sends another on, or goes on off it.
+void with_balls(const Question& q, Ledger& ledger, Findings& found) {
   const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
-  free ? along_families(q, ledger, found) : steps::chains(q, ledger, found);
+  free ? along_families(q, ledger, found) : seeds(q, ledger, found);
   if (free && !stop::nothing_yet(ledger, found)) return;
   const auto look_closely_at = [&](const Question& one) {
     steps::Parts parts;
     parts.climb(one, ledger, found);
-    if (stop::more_wanted(one, ledger, found)) steps::chains_closely(one, ledger, found);
+    if (stop::more_wanted(one, ledger, found))
+      q.carom_off() != 0 ? steps::caroms_closely(one, ledger, found) : steps::chains_closely(one, ledger, found);
     parts.climb(one, ledger, found);
     parts.bisect(one, ledger, found, free ? first_share_of_parts : 1);
   };
@@ -199,7 +242,7 @@ void send_on(const Question& q, Ledger& ledger, Findings& found) {
 }  // namespace
 
 void automatic(const Question& q, Ledger& ledger, Findings& found) {
-  if (q.objects) return send_on(q, ledger, found);
+  if (q.objects) return with_balls(q, ledger, found);
   if (!is_straight(q.puzzle.physics))
     return family::Family::freedom(q) > 0 ? with_freedom(q, ledger, found) : with_spin(q, ledger, found);
   image(q, ledger, found);

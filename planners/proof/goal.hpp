@@ -19,19 +19,24 @@ struct Goal {
   int min, max;                                    ///< bounces before the mark
   const std::vector<Contact>* sequence = nullptr;  ///< those, in order; must outlive this
   Demand demand = Demand::exact;
-  const Onward* then = nullptr;  ///< this ball goes on, by these cushions; null: as the puzzle asks
+  const std::vector<Onward>* then = nullptr;  ///< these go on, by these cushions; null: as the puzzle asks
 
   struct Bounces {
     int min, max;
     const std::vector<Contact>* sequence;  ///< null: any
   };
-  /// Of the ball that is sent on.
-  Bounces of_sent(const Question& q) const {
-    const CushionRule& rule = q.then()->cushions;
-    if (!then) return {rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr};
-    const int n = static_cast<int>(then->cushions.size());
-    return {n, n, &then->cushions};
+  /// Of the ball that is sent on as the n-th, from 0.
+  Bounces of_sent(const Question& q, std::size_t n) const {
+    if (!then) {
+      const CushionRule& rule = q.then()->cushions_of(n);
+      return {rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr};
+    }
+    const std::vector<Contact>& cushions = (*then)[n].cushions;
+    const int count = static_cast<int>(cushions.size());
+    return {count, count, &cushions};
   }
+  /// The first ball may be this one.
+  bool allows(int first) const { return !then || then->front().ball == first; }
 
   /// As the puzzle asks.
   static Goal of(const Question& q, Demand demand = Demand::exact) {
@@ -50,7 +55,7 @@ struct Goal {
   /// As a shot does, which must outlive it.
   static Goal along(const Shot& shot, Demand demand = Demand::made) {
     Goal goal = along(shot.cushions, demand);
-    goal.then = shot.then ? &*shot.then : nullptr;
+    if (!shot.then.empty()) goal.then = &shot.then;
     return goal;
   }
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// How a replayed line of travel leads into a pocket.
+// How a replayed line of travel leads into a pocket, or onto a ball.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "planners/proof/replay.hpp"
@@ -20,6 +21,20 @@ inline void measure(const Question& q, const Mark& mark, const Line& line, Repla
   const double offset = cross(u, line.at - mark.at), exact = mark.exact_offset(u, offset);
   replay.miss = std::abs(offset - exact);
   replay.offset = q.centred(replay.miss) && !replay.rattles ? exact : offset;
+}
+
+/// A ball that moves along the line, as fast, touches another at its mark or where it stands.
+inline Hit hit_by(const Line& line, double speed, int ball, const Vec2d& other, double reach, int after) {
+  const double size = norm(line.heading), offset = size > 0 ? cross(line.heading, line.at - other) / size : 0;
+  return {ball, std::asin(std::clamp(-offset / reach, -1.0, 1.0)), speed, line.at, after};
+}
+
+/// The ball that is asked for is touched at some cut.
+inline void touched(const Mark& mark, const Line& line, Replay& replay) {
+  const double offset = cross(line.heading, line.at - mark.at) / norm(line.heading);
+  replay.miss = std::abs(offset - mark.cuts->exact);
+  replay.made = offset >= mark.cuts->low && offset <= mark.cuts->high;
+  if (!replay.made) replay.failure = {Foul::other_cut, mark.taken_by};
 }
 
 }  // namespace bankshot::planning

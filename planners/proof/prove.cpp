@@ -51,7 +51,7 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   proof.shot.miss = r.miss;
   proof.shot.offset = r.offset;
   proof.shot.rattles = r.rattles;
-  if (r.hit) proof.shot.hits = {*r.hit};
+  proof.shot.hits = r.hits;
   proof.shot.then = r.then;
   if (r.rattles) proof.shot.met = r.met;
   proof.shot.off_centre = !q.centred(r.miss) || rattles_in(q, r);

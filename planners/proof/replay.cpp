@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bankshot/simulate/simulator.hpp"
-#include "planners/proof/sent_on.hpp"
+#include "planners/proof/set_going.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
@@ -57,9 +57,10 @@ class Follower {
         case EventKind::slide_to_roll:
           break;
         case EventKind::ball:
-          if (q_.objects && counts() && !(goal_.then && goal_.then->ball != e.contact.index))
-            if (const auto* object = q_.objects->find(e.contact.index)) return send_on(*object);
-          return taken(e.contact);
+          if (!q_.objects) return taken(e.contact);
+          if (const auto* chain = q_.objects->chain_by(e.contact.index); chain && may_set_going(e.contact))
+            return set_going(*chain, contacts);
+          return fail(Foul::hit_ball, e.contact);
         case EventKind::pocket:
           return taken(e.contact);
         case EventKind::rest:
@@ -72,6 +73,7 @@ class Follower {
 
  private:
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
+  bool may_set_going(Contact ball) const { return q_.carom_off() != 0 || (counts() && goal_.allows(ball.index)); }
 
   /// Closest approach to each mark on the arc just travelled; true when one that does not capture is made there.
   bool look_along_arc(EventKind end) {
@@ -115,37 +117,20 @@ class Follower {
     // A ball that stops on the circle still has the line of its last arc.
     const Vec2d heading = norm(now.velocity) > 0 ? now.velocity : sim_.arc().velocity;
     out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
-    if (mark->cuts) return touched(*mark, {now.at, heading});
+    if (mark->cuts) {
+      out_.replay.hits.push_back(hit_by({now.at, heading}, norm(now.velocity), by.index, mark->at, mark->reach, k_));
+      touched(*mark, {now.at, heading}, out_.replay);
+      return out_;
+    }
     measure(q_, *mark, first_jaw_ ? *first_jaw_ : Line{now.at, heading}, out_.replay);
     return out_;
   }
 
-  /// The ball that is asked for, at some cut.
-  Trace touched(const Mark& mark, const Line& line) {
-    const double offset = cross(line.heading, line.at - mark.at) / norm(line.heading);
-    out_.replay.miss = std::abs(offset - mark.cuts->exact);
-    out_.replay.hit = hit(mark.taken_by, offset, mark.reach);
-    out_.replay.made = offset >= mark.cuts->low && offset <= mark.cuts->high;
-    if (!out_.replay.made) out_.replay.failure = {Foul::other_cut, mark.taken_by};
-    return out_;
-  }
-
-  Hit hit(Contact ball, double offset, double reach) const {
-    const State<double>& now = sim_.state();
-    return {ball.index, std::asin(std::clamp(-offset / reach, -1.0, 1.0)), norm(now.velocity), now.at};
-  }
-
-  /// The struck ball has touched this one, which does the rest.
-  Trace send_on(const Objects::Object& object) {
-    const State<double>& now = sim_.state();
-    const Contact ball = Contact::ball(object.ball);
-    const double reach = q_.boundary.rim(ball)->radius;
-    const double offset =
-        norm(now.velocity) > 0 ? cross(now.velocity, now.at - object.at_rest.at) / norm(now.velocity) : 0;
-    out_.replay.hit = hit(ball, offset, reach);
+  /// The struck ball has touched the first of these, and they do the rest.
+  Trace set_going(const Objects::Chain& chain, std::vector<Contact>* contacts) {
     out_.replay.bounces = k_;
     out_.replay.miss = std::numeric_limits<double>::infinity();
-    SentOn(q_, motion_, cushion_, object, goal_, out_.replay).run(now, sim_.time());
+    SetGoing(q_, motion_, cushion_, chain, goal_, {k_, check_}, contacts, out_.replay).run(sim_.state(), sim_.time());
     return out_;
   }
 
@@ -172,7 +157,7 @@ class Follower {
   /// m, of the ball from the mark; where another is to be sent there, both ways.
   double apart(const Mark& m) const {
     if (m.ball == 0) return norm(sim_.state().at - m.at);
-    const Vec2d at = q_.objects->find(m.ball)->at_rest.at;
+    const Vec2d at = q_.objects->find(m.ball).at_rest.at;
     return norm(sim_.state().at - at) + norm(at - m.at);
   }
 

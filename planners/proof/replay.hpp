@@ -18,13 +18,13 @@ struct Replay {
   double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
   double offset = 0;                                      ///< m, see Shot::offset
   Arrival arrival;
-  Failure failure;               ///< when it is not made
-  std::optional<Hit> hit{};      ///< of the ball that is its target, or that it sends on
-  std::optional<Onward> then{};  ///< who arrived, where that is not the struck ball
-  bool rattles = false;          ///< it touched the jaws of a pocket
-  std::vector<Contact> met{};    ///< if so, and bounces were asked for: all that it bounced off
-  int bounces = 0;               ///< at arrival or at the foul
-  bool cushion_stick = false;    ///< see Shot::cushion_stick
+  Failure failure;             ///< when it is not made
+  std::vector<Hit> hits{};     ///< of balls, in order, up to the target
+  std::vector<Onward> then{};  ///< those that were sent on
+  bool rattles = false;        ///< it touched the jaws of a pocket
+  std::vector<Contact> met{};  ///< if so, and bounces were asked for: all that it bounced off
+  int bounces = 0;             ///< at arrival or at the foul
+  bool cushion_stick = false;  ///< see Shot::cushion_stick
 };
 
 /// `contacts`, if given, receives the bounces.

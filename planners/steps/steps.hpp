@@ -17,7 +17,8 @@ namespace bankshot::planning::steps {
 /// The names of steps in answers.
 namespace word {
 inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan", map = "map", along = "along",
-                                  parts = "parts", rattles = "rattles", chains = "chains", global = "global";
+                                  parts = "parts", rattles = "rattles", chains = "chains", caroms = "caroms",
+                                  global = "global";
 }  // namespace word
 
 using Step = void (*)(const Question&, Ledger&, Findings&);
@@ -30,6 +31,8 @@ void along(const Question& q, Ledger& ledger, Findings& found);    ///< exactly 
 void rattles(const Question& q, Ledger& ledger, Findings& found);  ///< by the jaws of a pocket
 void chains(const Question& q, Ledger& ledger, Findings& found);   ///< another ball is sent on
 void chains_closely(const Question& q, Ledger& ledger, Findings& found);
+void caroms(const Question& q, Ledger& ledger, Findings& found);  ///< off one ball onto another
+void caroms_closely(const Question& q, Ledger& ledger, Findings& found);
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
 Spacing usual_spacing(const Question& q);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "answer/answer_path.hpp"
 #include "bankshot/geometry/boundary.hpp"
@@ -58,12 +59,16 @@ void write_hits(JsonWriter& w, const Puzzle& p, const std::vector<Hit>& hits) {
   w.close(']');
 }
 
-void write_then(JsonWriter& w, const Puzzle& p, const Onward& then, const Pocket* pocket) {
+void write_then(JsonWriter& w, const Puzzle& p, std::span<const Onward> then, const Pocket* pocket) {
+  const Onward& first = then.front();
   w.key("then");
   w.open('{');
-  w.string("ball", p.others[static_cast<std::size_t>(then.ball) - 1].id);
-  write_cushions(w, p, then.cushions);
-  if (pocket) w.string("pocket", pocket->name);
+  w.string("ball", p.others[static_cast<std::size_t>(first.ball) - 1].id);
+  write_cushions(w, p, first.cushions);
+  if (then.size() > 1)
+    write_then(w, p, then.subspan(1), pocket);
+  else if (pocket)
+    w.string("pocket", pocket->name);
   w.close('}');
 }
 
@@ -88,10 +93,10 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   w.close('}');
   write_path(w, p, shot);
   const Pocket* const pocket = why ? nullptr : pocket_reached(p, shot);
-  if (pocket && !shot.then) w.string("pocket", pocket->name);
+  if (pocket && shot.then.empty()) w.string("pocket", pocket->name);
   if (shot.offset != 0 && !why) w.number("offset", shot.offset);
   if (!shot.hits.empty() && !why) write_hits(w, p, shot.hits);
-  if (shot.then && !why) write_then(w, p, *shot.then, pocket);
+  if (!shot.then.empty() && !why) write_then(w, p, shot.then, pocket);
   if (shot.scratch && !why) w.boolean("scratch", true);
   if (shot.rattles && !why) w.boolean("rattles", true);
   if (shot.off_centre && !why) w.boolean("off_centre", true);

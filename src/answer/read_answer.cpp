@@ -70,7 +70,8 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   if (const auto v = r.find("offset")) s.offset = v->number();
   if (const auto v = r.find("hits"))
     for (const Reader& hit : v->items()) s.hits.push_back(read_hit(hit, p));
-  if (const auto v = r.find("then")) s.then = Onward{read_ball(*v, p), read_contacts(v->need("cushions"), p.table)};
+  for (auto v = r.find("then"); v; v = v->find("then"))
+    s.then.push_back({read_ball(*v, p), read_contacts(v->need("cushions"), p.table)});
   if (const auto v = r.find("scratch")) s.scratch = v->boolean();
   if (const auto v = r.find("rattles")) s.rattles = v->boolean();
   if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();

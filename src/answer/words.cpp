@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "answer/sights.hpp"
 #include "bankshot/geometry/boundary.hpp"
@@ -70,14 +71,14 @@ std::string hit_words(const Puzzle& p, const Hit& hit) {
 
 std::string arrival_words(const Puzzle& p, const Shot& s) {
   const auto [time, speed, at] = s.arrival;
-  const std::string who = s.then ? contact_name(p, Contact::ball(s.then->ball)) + " " : "",
+  const std::string who = s.then.empty() ? "" : contact_name(p, Contact::ball(s.arriving())) + " ",
                     scratch = s.scratch ? "; then the struck ball falls, too" : "";
   if (const Pocket* pocket = pocket_reached(p, s)) {
-    const State<double> end = end_of(simulate(as_request(p, s)), s.then ? s.then->ball : 0).state;
+    const State<double> end = end_of(simulate(as_request(p, s)), s.arriving()).state;
     return fmt::format("{}falls into {} after {:.2f} s at {:.2f} m/s, {}{}", who, pocket->name, time, speed,
                        speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim", scratch);
   }
-  if (!s.hits.empty() && !s.then)
+  if (!s.hits.empty() && s.then.empty())
     return fmt::format("meets {} after {:.2f} s at {:.2f} m/s{}", hit_words(p, s.hits.back()), time, speed, scratch);
   const std::string off = distance_words(s.miss, p.table);
   const std::string where = off == "exact" ? (speed == 0 ? "exactly on" : "exactly over") : off + " off";
@@ -193,15 +194,43 @@ std::string noise_words(const Noise& n) {
   return fmt::format("{:.3g} degrees of aim and {:.3g} m/s of speed", degrees(n.angle), n.speed);
 }
 
+namespace {
+
+/// Of the struck ball; in a carom those before the first ball and those after it.
+std::string cushion_words(const Puzzle& p, const Shot& shot) {
+  const auto named = [&](const std::vector<Contact>& cushions) {
+    return cushions.empty() ? "none" : cushion_names(p.table, cushions);
+  };
+  if (!shot.then.empty() || shot.hits.size() < 2) return named(shot.cushions);
+  const auto first = shot.cushions.begin() + shot.hits.front().after;
+  return fmt::format("{}; off {}: {}", named({shot.cushions.begin(), first}),
+                     contact_name(p, Contact::ball(shot.hits.front().ball)), named({first, shot.cushions.end()}));
+}
+
+/// What a shot does to other balls, and then `aim`.
+std::string target_of(const Puzzle& p, const Shot& shot, const std::string& aim) {
+  const auto name = [&](int ball) { return contact_name(p, Contact::ball(ball)); };
+  if (shot.hits.empty()) return aim;
+  if (shot.then.empty()) {
+    std::string off;
+    for (const Hit& hit : std::span(shot.hits).first(shot.hits.size() - 1)) off += "off " + name(hit.ball) + " ";
+    return off + "onto " + name(shot.hits.back().ball);
+  }
+  std::string to;
+  for (const Onward& sent : shot.then)
+    to += (to.empty() ? "to send " : "onto ") + name(sent.ball) + " " +
+          (sent.cushions.empty() ? "" : "by " + cushion_names(p.table, sent.cushions) + " ");
+  return to + aim;
+}
+
+}  // namespace
+
 std::string title_words(const Puzzle& p, const Shot& shot) {
   const Pocket* pocket = pocket_reached(p, shot);
   const std::string aim = pocket                   ? "into " + pocket->name
                           : shot.arrival.speed > 0 ? "through the ring"
                                                    : "to rest in the ring";
-  const std::string ball = shot.hits.empty() ? "" : contact_name(p, Contact::ball(shot.hits.back().ball));
-  const std::string by =
-      shot.then && !shot.then->cushions.empty() ? " by " + cushion_names(p.table, shot.then->cushions) : "";
-  const std::string to = shot.then ? "to send " + ball + by + " " + aim : ball.empty() ? aim : "onto " + ball;
+  const std::string to = target_of(p, shot, aim);
   constexpr std::size_t most_named = 5;
   if (shot.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.cushions.size(), to);
   return (shot.cushions.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
@@ -214,11 +243,12 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   std::vector<Row> rows{{"aim", aim_words(r, shot.cushions.empty() ? pocket_reached(p, shot) : nullptr)},
                         {"speed", speed_words(r)}};
   if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
-  rows.push_back({"cushions", shot.cushions.empty() ? "none" : cushion_names(p.table, shot.cushions)});
-  if (shot.then) {
-    rows.push_back({"touches", hit_words(p, shot.hits.back())});
-    if (!shot.then->cushions.empty())
-      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.then->cushions)});
+  rows.push_back({"cushions", cushion_words(p, shot)});
+  if (shot.then.empty() && shot.hits.size() > 1) rows.push_back({"touches", hit_words(p, shot.hits.front())});
+  for (std::size_t i = 0; i < shot.then.size(); ++i) {
+    rows.push_back({i == 0 ? "touches" : "onto", hit_words(p, shot.hits[i])});
+    if (!shot.then[i].cushions.empty())
+      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.then[i].cushions)});
   }
   rows.push_back({"arrives", arrival_words(p, shot)});
   if (shot.success)

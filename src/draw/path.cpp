@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "bankshot/geometry/boundary.hpp"
 
@@ -181,11 +182,19 @@ int number_of(const Ball& ball) {
   return error == std::errc() && rest == end && number >= 1 && number <= 15 ? number : 0;
 }
 
+/// Of carom balls, which are called by it.
+std::optional<std::string_view> named_colour(const Canvas& c, std::string_view id) {
+  if (id == "yellow") return c.c.pool[0];
+  if (id == "red") return c.c.pool[2];
+  if (id == "white") return c.c.ball;
+  return {};
+}
+
 }  // namespace
 
 std::string_view colour_of(const Canvas& c, const Ball& ball) {
   const int number = number_of(ball);
-  if (number == 0) return c.c.paths[5];
+  if (number == 0) return named_colour(c, ball.id).value_or(c.c.paths[5]);
   return c.c.pool[static_cast<std::size_t>((number - 1) % 8)];
 }
 
@@ -202,6 +211,7 @@ void draw_other(Canvas& c, const Ball& ball, const Vec2d& at, double opacity) {
         R"(<path d="M{0:.1f} {1:.1f}A{2:.1f} {2:.1f} 0 0 1 {3:.1f} {1:.1f}L{3:.1f} {4:.1f}A{2:.1f} {2:.1f} 0 0 1 {0:.1f} {4:.1f}z" fill="{5}"/>)",
         centre.x - 0.83 * radius, centre.y - 0.55 * radius, radius, centre.x + 0.83 * radius, centre.y + 0.55 * radius,
         colour_of(c, ball));
+  if (named_colour(c, ball.id)) return c.add("</g>");
   c.circle(centre, 0.62 * radius, R"(fill="#ffffff")");
   if (ball.id.size() <= 2)
     c.words(centre + Vec2d{0, 0.33 * radius}, ball.id, {0.95 * radius, "#111111", "middle", true});

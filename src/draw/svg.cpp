@@ -35,13 +35,16 @@ void draw_standing(Canvas& c, const Puzzle& p) {
   draw_ball(c, p.ball, p.ball.at);
 }
 
-/// The ball that is sent on, and its path.
+/// The balls that are sent on, and their paths up to where each sends the next: that of the last.
 Trajectory draw_sent(Canvas& c, const ShotRequest& r, const Trajectory& all, const Shot& shot,
                      const PictureStyle& style) {
-  const Ball& ball = ball_of(r, shot.then->ball);
-  const Trajectory t = path_of(all, shot.then->ball);
-  draw_path(c, ball, t, {.colour = colour_of(c, ball), .width = 0.8 * line_width(style), .numbers = false});
-  draw_other(c, ball, shot.arrival.at, 0.6);
+  Trajectory t;
+  for (std::size_t i = 0; i < shot.then.size(); ++i) {
+    const Ball& ball = ball_of(r, shot.then[i].ball);
+    t = path_of(all, shot.then[i].ball);
+    draw_path(c, ball, t, {.colour = colour_of(c, ball), .width = 0.8 * line_width(style), .numbers = false});
+    draw_other(c, ball, i + 1 < shot.then.size() ? shot.hits[i + 1].at : shot.arrival.at, 0.6);
+  }
   return t;
 }
 
@@ -58,8 +61,8 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   if (aim && style.words) draw_aim(c, p.ball.at, *aim);
   draw_path(c, p.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
-  draw_ball(c, p.ball, shot.then ? shot.hits.back().at : shot.arrival.at, 0.6);
-  const Trajectory arriving = shot.then ? draw_sent(c, request, all, shot, style) : t;
+  draw_ball(c, p.ball, shot.then.empty() ? shot.arrival.at : shot.hits.front().at, 0.6);
+  const Trajectory arriving = shot.then.empty() ? t : draw_sent(c, request, all, shot, style);
   draw_standing(c, p);
   draw_opening(c, p, shot, arriving.events.back().state.velocity);
   if (style.words) draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot), t), &request);

@@ -44,12 +44,14 @@ inline constexpr Key hit_keys[] = {
     {"speed", "number", "m/s", required, "0.5", "of the ball that hits, just before", at_least(0)},
     {"at", "point", "m", required, "[1.85, 0.61]", "the centre of the ball that hits"},
 };
-inline constexpr Object hit{"hit", "A contact of the struck ball with another.", hit_keys};
+inline constexpr Object hit{"hit", "A contact of two balls.", hit_keys};
 
 inline constexpr Key sent_keys[] = {
     {"ball", "string", "", required, R"("8")", "which"},
     {"cushions", "[string]", "", required, R"(["bottom"])", "its bounces in order"},
     {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that takes it"},
+    {"then", "{sent}", "", "of a combination", R"({"ball": "5", "cushions": [], "pocket": "top-right"})",
+     "the ball that it touches, and sends on"},
 };
 inline constexpr Object sent{"sent", "What a ball does that was touched.", sent_keys};
 
@@ -67,7 +69,7 @@ inline constexpr Key answer_shot_keys[] = {
     {"hits", "[{hit}]", "", "none", R"([{"ball": "8", "cut": 30, "speed": 0.5, "at": [1.85, 0.61]}])",
      "contacts with other balls in order, up to the target"},
     {"then", "{sent}", "", "none", R"({"ball": "8", "cushions": ["bottom"], "pocket": "top-right"})",
-     "the ball that the struck one sends to the target"},
+     "the ball that the struck one sends on"},
     {"scratch", "boolean", "", "false", "true", "the struck ball falls into a pocket afterwards"},
     {"rattles", "boolean", "", "false", "true", "it touches the jaws of a pocket on its way"},
     {"off_centre", "boolean", "", "false", "true", "it is made, but beside the exact line or point"},

@@ -15,13 +15,11 @@ inline constexpr Key point_keys[] = {
     {"point", "point", "m", required, "[1.9, 0.635]",
      "where the ball's centre is to pass or, when it arrives at speed 0, to rest"},
     {"within", "number", "m", "0.01", "0.05", "how far off still counts as made, in `margin` and `success`", positive},
-    {"carom", later},
 };
 inline constexpr Object to_point{"to_point", "Pass over a point, or stop on it.", point_keys};
 
 inline constexpr Key to_pocket_keys[] = {
     {"pocket", "string", "", required, R"("top-right")", "a pocket of the table, or `any`"},
-    {"carom", later},
 };
 inline constexpr Object to_pocket{"to_pocket", "Fall into a pocket.", to_pocket_keys};
 
@@ -41,8 +39,17 @@ inline constexpr Key then_cushions_key{"cushions",
 inline constexpr Key then_point_keys[] = {point_keys[0], point_keys[1], then_cushions_key};
 inline constexpr Object then_point{"then_point", "The ball that was touched passes over a point, or stops on it.",
                                    then_point_keys};
-inline constexpr Key then_pocket_keys[] = {to_pocket_keys[0], then_cushions_key, {"ball", later}};
+inline constexpr Key then_pocket_keys[] = {to_pocket_keys[0], then_cushions_key};
 inline constexpr Object then_pocket{"then_pocket", "The ball that was touched falls into a pocket.", then_pocket_keys};
+inline constexpr Key then_ball_keys[] = {
+    {"ball", "string", "", required, R"("5")", "the next ball by its id"},
+    {"cushions", "whole | [string] | {count}", "", "0", "1", "bounces of the ball that touches it",
+     between(0, max_cushions)},
+    {"then", "{then_point} | {then_pocket} | {then_ball}", "", required, R"({"pocket": "top-right"})",
+     "where that ball is to go"},
+};
+inline constexpr Object then_ball{"then_ball", "A combination: the ball that was touched sends another on.",
+                                  then_ball_keys};
 
 inline constexpr Key to_ball_keys[] = {
     {"ball", "string | [string]", "", required, R"("8")",
@@ -50,10 +57,20 @@ inline constexpr Key to_ball_keys[] = {
     {"cut", "number", "degrees", "0", "30",
      "from the line of travel to the line of centres; above 0 the other ball leaves to the left", between(-90, 90)},
     {"within", "number", "degrees", "5", "2", "how far off the cut still counts as made", positive},
-    {"then", "{then_point} | {then_pocket}", "", "none", R"({"pocket": "top-right"})",
+    {"then", "{then_point} | {then_pocket} | {then_ball}", "", "none", R"({"pocket": "top-right"})",
      "where that ball is to go; instead of `cut` and `within`"},
 };
 inline constexpr Object to_ball{"to_ball", "Touch another ball.", to_ball_keys};
+
+inline constexpr Key carom_keys[] = {
+    {"carom", "[string]", "", required, R"(["red", "yellow"])",
+     "two balls by their ids: the struck ball touches the first and then the second; `cushions` counts all that it "
+     "meets before the second"},
+    {"cut", "number", "degrees", "any", "30", "at the second; as of one ball", between(-90, 90)},
+    {"within", "number", "degrees", "5 with `cut`, else any", "2", "how far off the cut still counts as made",
+     positive},
+};
+inline constexpr Object carom{"carom", "Touch one ball and then another.", carom_keys};
 
 inline constexpr Key arrive_keys[] = {
     {"speed", "range", "m/s", required, "1.5", "at the target; 0 rests there", at_least(0)},
@@ -101,7 +118,7 @@ inline constexpr Key puzzle_keys[] = {
     physics_key,
     ball_key,
     others_key,
-    {"target", "{to_point} | {to_pocket} | {to_ball}", "", required, R"({"pocket": "top-right"})",
+    {"target", "{to_point} | {to_pocket} | {to_ball} | {carom}", "", required, R"({"pocket": "top-right"})",
      "what the ball is to reach"},
     {"cushions", "whole | [string] | {count}", "", R"({"min": 0, "max": 3})", R"(["bottom", "right"])",
      "bounces before the target: how many, which in order, or from `min` to `max`", between(0, max_cushions)},

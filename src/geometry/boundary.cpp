@@ -64,7 +64,7 @@ Circle moved(const Bend& b, double radius, double touch) {
 
 }  // namespace
 
-Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> others, int except)
+Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> others, std::span<const int> except)
     : body(of), diagonal(table.diagonal()), extent(diagonal) {
   const double radius = body.radius;
   for (const Vec2d& v : table.vertices) extent = std::max({extent, std::abs(v.x), std::abs(v.y)});
@@ -95,7 +95,7 @@ Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> oth
   }
   for (int k = 1; k <= static_cast<int>(others.size()); ++k) {
     const Ball& other = others[static_cast<std::size_t>(k) - 1];
-    if (k != except) balls.push_back({other.at, radius + other.body.radius, Contact::ball(k)});
+    if (std::ranges::count(except, k) == 0) balls.push_back({other.at, radius + other.body.radius, Contact::ball(k)});
   }
 }
 

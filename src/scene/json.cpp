@@ -127,18 +127,30 @@ PocketTarget read_pocket(const Reader& r, const Table& table) {
   return {static_cast<int>(which) - 1};
 }
 
-Then read_then(const Reader& r, const Table& table) {
-  Then then;
+int read_ball(const Reader& r, const std::vector<Ball>& others) {
+  std::vector<std::string_view> names;
+  for (const Ball& other : others) names.push_back(other.id);
+  return 1 + static_cast<int>(r.word("ball", names));
+}
+
+/// Adds what the ball that was touched last is to do.
+void read_then(const Reader& r, const Table& table, const std::vector<Ball>& others, Then& then) {
+  CushionRule cushions{0, 0, {}};
+  if (const auto v = r.find("cushions")) cushions = read_cushions(*v, table);
+  if (const auto ball = r.find("ball")) {
+    r.only(format::then_ball);
+    then.links.push_back({std::move(cushions), read_ball(*ball, others)});
+    return read_then(r.need("then"), table, others, then);
+  }
+  then.cushions = std::move(cushions);
   if (r.find("point")) {
     r.only(format::then_point);
     then.target = read_point(r);
-  } else {
-    r.only(format::then_pocket);
-    if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\"");
-    then.target = read_pocket(r, table);
+    return;
   }
-  if (const auto v = r.find("cushions")) then.cushions = read_cushions(*v, table);
-  return then;
+  r.only(format::then_pocket);
+  if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\"");
+  then.target = read_pocket(r, table);
 }
 
 BallTarget read_ball_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
@@ -149,20 +161,36 @@ BallTarget read_ball_target(const Reader& r, const Table& table, const std::vect
   if (const auto v = r.find("then")) {
     for (const char* key : {"cut", "within"})
       if (const auto other = r.find(key)) other->fail("stands beside \"then\", which says where the ball is to go");
-    t.then = read_then(*v, table);
+    read_then(*v, table, others, t.then.emplace());
+    // Of any ball those that are touched later are not meant.
+    if (const Reader ball = r.need("ball"); ball.is_string() && ball.text() == "any")
+      for (const Link& link : t.then->links) std::erase(t.balls, link.ball);
   }
+  return t;
+}
+
+BallTarget read_carom(const Reader& r, const std::vector<Ball>& others) {
+  r.only(format::carom);
+  const Reader pair = r.need("carom");
+  if (!pair.is_array() || pair.size() != 2) pair.fail("must be a pair of balls");
+  if (others.empty()) pair.fail("cannot be touched: there are no \"others\"");
+  const auto balls = pair.items();
+  BallTarget t{.balls = {read_ball(balls[1], others)}, .within = radians(90.0), .off = read_ball(balls[0], others)};
+  if (const auto v = r.find("cut")) t.cut = radians(v->number()), t.within = BallTarget{}.within;
+  if (const auto v = r.find("within")) t.within = radians(v->number(format::carom["within"].bounds));
   return t;
 }
 
 Target read_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
   if (r.find("ball")) return read_ball_target(r, table, others);
+  if (r.find("carom")) return read_carom(r, others);
   if (r.find("point")) {
     if (r.find("pocket")) r.fail("has a point and a pocket: one of them is the target");
     r.only(format::to_point);
     return read_point(r);
   }
   r.only(format::to_pocket);
-  if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\"");
+  if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\", \"carom\"");
   return read_pocket(r, table);
 }
 

@@ -2,6 +2,7 @@
 #include "bankshot/scene/target.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bankshot/scene/puzzle.hpp"
@@ -51,9 +52,10 @@ std::vector<Mark> marks_of(const Puzzle& p) {
   if (!then) return marks_of(p.target, Boundary(p.table, p.ball.body, p.others));
   const Target target = std::visit([](const auto& t) { return Target(t); }, then->target);
   std::vector<Mark> all;
-  for (const int k : std::get<BallTarget>(p.target).balls) {
+  const std::vector<int>& first = std::get<BallTarget>(p.target).balls;
+  for (const int k : then->links.empty() ? first : std::vector{then->links.back().ball}) {
     const Body& body = p.others[static_cast<std::size_t>(k) - 1].body;
-    for (Mark mark : marks_of(target, Boundary(p.table, body, p.others, k))) {
+    for (Mark mark : marks_of(target, Boundary(p.table, body, p.others, std::array{k}))) {
       mark.ball = k;
       all.push_back(mark);
     }
@@ -90,8 +92,11 @@ std::string words_of(const PointTarget&, const Puzzle& p) {
 std::string words_of(const BallTarget& target, const Puzzle& p) {
   std::string balls;
   for (const int k : target.balls) balls += (balls.empty() ? "" : " or ") + contact_name(p, Contact::ball(k));
+  if (target.off) return "off " + contact_name(p, Contact::ball(*target.off)) + " onto " + balls;
   if (!target.then) return "onto " + balls;
-  return "to send " + balls + " " + std::visit([&](const auto& t) { return words_of(t, p); }, target.then->target);
+  std::string by;
+  for (const Link& link : target.then->links) by += "onto " + contact_name(p, Contact::ball(link.ball)) + " and that ";
+  return "to send " + balls + " " + by + std::visit([&](const auto& t) { return words_of(t, p); }, target.then->target);
 }
 
 }  // namespace

@@ -263,18 +263,42 @@ void check_tip(const LaunchSpin& spin, const Body& body) {
                      spin.top, spin.side, 1e3 * from_centre, 1e3 * R));
 }
 
+void check_number(const Puzzle& p, int k, const std::string& path) {
+  if (k < 1 || k > static_cast<int>(p.others.size())) fail(path, fmt::format("there is no ball number {}", k));
+}
+
+/// One ball after the other, each another one.
+void check_links(const Puzzle& p, const BallTarget& asked) {
+  std::vector<int> before = asked.balls;
+  std::string path = "/target/then";
+  for (const Link& link : asked.then->links) {
+    check_number(p, link.ball, path + "/ball");
+    if (std::ranges::count(before, link.ball) > 0)
+      fail(path + "/ball", contact_name(p, Contact::ball(link.ball)) + " is touched before");
+    before.push_back(link.ball);
+    path += "/then";
+  }
+}
+
 void check_balls(const Puzzle& p, const BallTarget& asked) {
+  if (asked.off) {
+    check_number(p, *asked.off, "/target/carom/0");
+    if (asked.balls.size() != 1) fail("/target/carom", "must be a pair of balls");
+    if (asked.balls.front() == *asked.off)
+      fail("/target/carom/1", contact_name(p, Contact::ball(*asked.off)) + " is the first, too");
+    if (asked.then) fail("/target/then", "a carom ends at its second ball");
+  }
   if (asked.balls.empty()) fail("/target/ball", "there must be a ball to touch");
   for (std::size_t i = 0; i < asked.balls.size(); ++i) {
     const int k = asked.balls[i];
-    if (k < 1 || k > static_cast<int>(p.others.size()))
-      fail("/target/ball", fmt::format("there is no ball number {}", k));
+    check_number(p, k, asked.off ? "/target/carom/1" : "/target/ball");
     if (std::ranges::count(asked.balls, k) > 1)
       fail(at("/target/ball", i), contact_name(p, Contact::ball(k)) + " is listed twice");
   }
   if (!(std::abs(asked.cut) < radians(90.0)))
     fail("/target/cut", fmt::format("{:g}° must be inside -90° and 90°", degrees(asked.cut)));
   if (!(asked.within > 0)) fail("/target/within", "must be greater than 0");
+  if (asked.then) check_links(p, asked);
 }
 
 void check_cushions(const CushionRule& c, const Boundary& boundary, const std::string& path) {
@@ -291,8 +315,12 @@ void check_cushions(const CushionRule& c, const Boundary& boundary, const std::s
 
 void check_target(const Puzzle& p, const Boundary& boundary) {
   if (const auto* asked = std::get_if<BallTarget>(&p.target)) check_balls(p, *asked);
-  if (const Then* const then = then_of(p.target)) check_cushions(then->cushions, boundary, "/target/then/cushions");
-  const std::string path = then_of(p.target) ? "/target/then" : "/target";
+  std::string path = "/target";
+  if (const Then* const then = then_of(p.target))
+    for (std::size_t n = 0; n <= then->links.size(); ++n) {
+      path += "/then";
+      check_cushions(then->cushions_of(n), boundary, path + "/cushions");
+    }
   const std::vector<Mark> marks = marks_of(p);
   if (marks.empty())
     fail(path + "/pocket", p.table.pockets.empty() ? "this table has no pockets" : "there is no pocket of that number");
@@ -353,7 +381,8 @@ std::string contact_name(const Puzzle& p, Contact contact) {
 std::optional<Range> arrival_range(const Puzzle& p) {
   if (is_ideal(p.physics) || p.speed.fixed()) return {};
   if (p.arrive) return p.arrive;
-  constexpr Range rests{0, 0}, touches{0.5, 0.5}, drops{0.2, 3};
+  constexpr Range rests{0, 0}, touches{0.5, 0.5}, caroms{0.2, 5}, drops{0.2, 3};
+  if (off_of(p.target)) return caroms;
   if (std::holds_alternative<BallTarget>(p.target) && !then_of(p.target)) return touches;
   return is_pocket(p.target) ? drops : rests;
 }

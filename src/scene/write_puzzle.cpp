@@ -91,13 +91,24 @@ Json json_of(const PocketTarget& target, const Puzzle& p) {
   return {{"pocket", target.pocket ? p.table.pockets[static_cast<std::size_t>(*target.pocket)].name : "any"}};
 }
 
+const std::string& id_of(const Puzzle& p, int ball) { return p.others[static_cast<std::size_t>(ball) - 1].id; }
+
+/// Of the ball that is sent on as the n-th.
+Json then_json(const Then& then, const Puzzle& p, std::size_t n = 0) {
+  Json j = n < then.links.size() ? Json{{"ball", id_of(p, then.links[n].ball)}}
+                                 : std::visit([&](const auto& t) { return json_of(t, p); }, then.target);
+  j["cushions"] = cushions_json(then.cushions_of(n), p.table);
+  if (n < then.links.size()) j["then"] = then_json(then, p, n + 1);
+  return j;
+}
+
 Json json_of(const BallTarget& target, const Puzzle& p) {
   Json names = Json::array();
-  for (const int k : target.balls) names.push_back(p.others[static_cast<std::size_t>(k) - 1].id);
-  Json j{{"ball", names.size() == 1 ? names.front() : names}};
+  if (target.off) names.push_back(id_of(p, *target.off));
+  for (const int k : target.balls) names.push_back(id_of(p, k));
+  Json j{{target.off ? "carom" : "ball", names.size() == 1 ? names.front() : names}};
   if (target.then) {
-    j["then"] = std::visit([&](const auto& t) { return json_of(t, p); }, target.then->target);
-    j["then"]["cushions"] = cushions_json(target.then->cushions, p.table);
+    j["then"] = then_json(*target.then, p);
   } else {
     j["cut"] = exact_degrees(target.cut);
     j["within"] = exact_degrees(target.within);

@@ -2,6 +2,7 @@
 #include "truth/arrival.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <random>
@@ -19,7 +20,7 @@ constexpr double same_fall = 1e-9;
 /// As a shot claims.
 Goal goal_of(const Shot& claim, double slack = 0) {
   const int n = static_cast<int>(claim.cushions.size());
-  return {n, n, &claim.cushions, claim.then ? &*claim.then : nullptr, claim.arrival.time, slack};
+  return {n, n, &claim.cushions, claim.then.empty() ? nullptr : &claim.then, claim.arrival.time, slack};
 }
 
 Path beside(Run run, double turned, double pushed) {
@@ -47,6 +48,16 @@ std::size_t arriving(const Path& path, int n, double time, bool stops) {
     bounces += path.events[i].kind == EventKind::cushion;
   }
   return best.value_or(path.events.size());
+}
+
+/// Of a carom: the second contact of the struck ball.
+std::size_t second_contact(const Path& path) {
+  int contacts = 0;
+  const auto second = [&](const TruthEvent& e) {
+    contacts += e.kind == EventKind::ball && e.ball == 0;
+    return contacts == 2;
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(path.events, second) - path.events.begin());
 }
 
 /// Of a ball that is sent on: the arc on which it arrives, the last where it falls, or the event of its rest.
@@ -77,9 +88,10 @@ double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
 Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.body, p.others), physics_(refined(p.physics)) {
   const auto asked = arrival_range(p);
   stops = point_of(p.target) && asked && asked->high == 0;
-  if (!then_of(p.target)) return;
+  if (!then_of(p.target) && off_of(p.target) == 0) return;
   all_ = {{}, p.table, p.physics, p.ball, p.others, {}, {}, {}};
-  for (const Ball& other : p.others) others_.emplace_back(p.table, other.body);
+  for (int k = 1; k <= static_cast<int>(p.others.size()); ++k)
+    others_.emplace_back(p.table, p.others[static_cast<std::size_t>(k) - 1].body, p.others, std::array{k});
 }
 
 Run Scene::run(const Launch& launch, const LaunchSpin& spin, int cushions) const {
@@ -88,6 +100,8 @@ Run Scene::run(const Launch& launch, const LaunchSpin& spin, int cushions) const
         4L * cushions + 100};
   if (const PointTarget* const point = point_of(puzzle.target)) r.target = point->at;
   if (all_) r.all = &*all_;
+  const Then* const then = then_of(puzzle.target);
+  r.sends = then ? 1 + static_cast<int>(then->links.size()) : 0;
   return r;
 }
 
@@ -114,8 +128,9 @@ std::optional<double> Scene::condition(const Shot& shot) const {
   Run base = run(shot.launch, shot.spin, n);
   if (!stops) base.target = shot.arrival.at;
   const Path path = run_truth(base);
-  const std::size_t arrives = shot.then ? arriving_of(path, shot.then->ball, shot.arrival.time, stops)
-                                        : arriving(path, n, shot.arrival.time, stops);
+  const std::size_t arrives = off_of(puzzle.target) != 0 ? second_contact(path)
+                              : shot.then.empty()        ? arriving(path, n, shot.arrival.time, stops)
+                                                         : arriving_of(path, shot.arriving(), shot.arrival.time, stops);
   const auto moved = [&](double turned, double pushed) -> std::optional<double> {
     // On one side of the shot its path may meet other cushions.
     for (const double side : {step, -step}) {
@@ -131,7 +146,7 @@ std::optional<double> Scene::condition(const Shot& shot) const {
 
 Run Scene::in_double(const Launch& launch, const LaunchSpin& spin, int cushions) const {
   const Run r = run(launch, spin, cushions);
-  return {boundary, puzzle.physics, r.start, r.cushions, r.events, r.target, 0, 0, forever, r.all};
+  return {boundary, puzzle.physics, r.start, r.cushions, r.events, r.target, 0, 0, forever, r.all, r.sends};
 }
 
 bool Scene::seems_made(const Launch& launch, const Shot& claim) const {

@@ -23,14 +23,18 @@ class ShotCheck {
     bounds();
     asked_cushions();
     if (shot_.digits == 0) return std::move(out_);  // rounding decides how often it bounces: nothing is promised
+    const Then* const then = then_of(p_.target);
+    if (shot_.then.size() != (then ? 1 + then->links.size() : 0))
+      return fails(Claim::hits, fmt::format("sends {} balls on", shot_.then.size()));
     const Arrived there = scene_.replay(shot_.launch, shot_, place_);
     const bool all = there.cushions.size() == shot_.cushions.size();
     if (all && !there.in_order)
       return fails(Claim::cushions, fmt::format("meets {}, not {}", names(there.cushions), names(shot_.cushions)));
     if (!there.why.empty()) return fails(Claim::target, fmt::format("{} after {}", there.why, names(there.cushions)));
-    if (shot_.then && there.onward != shot_.then->cushions)
-      return fails(Claim::cushions,
-                   fmt::format("sends it to {}, not {}", names(there.onward), names(shot_.then->cushions)));
+    for (std::size_t i = 0; i < there.then.size(); ++i) {
+      const auto &met = there.then[i].cushions, &said = shot_.then[i].cushions;
+      if (met != said) return fails(Claim::cushions, fmt::format("sends it to {}, not {}", names(met), names(said)));
+    }
     holds(Claim::cushions);
     holds(Claim::target);
     arrives(there);
@@ -143,24 +147,26 @@ class ShotCheck {
   }
 
   void hits(const Arrived& there, double place) {
-    const bool touches = there.taken_by.kind == ContactKind::ball || there.hit;
-    if (shot_.hits.size() != (touches ? 1U : 0U))
+    if (shot_.hits.size() != there.hits.size())
       return fails(Claim::hits, fmt::format("names {} contacts with balls", shot_.hits.size())), void();
-    if (!touches) return;
-    const Hit& hit = shot_.hits.front();
-    const Contact ball = there.hit ? Contact::ball(there.ball) : there.taken_by;
-    if (Contact::ball(hit.ball) != ball) return fails(Claim::hits, "meets " + contact_name(p_, ball)), void();
-    const double offset = there.hit ? -there.hit->lateral : there.offset,
-                 speed = there.hit ? there.hit->speed : there.speed;
-    const double said = -scene_.boundary.rim(ball)->radius * std::sin(hit.cut);
-    compare(
-        Claim::hits, std::abs(said - offset), place_,
-        fmt::format("says a cut of {:.6g}°, the offset {:.6g} m, and it is {:.6g} m", degrees(hit.cut), said, offset));
+    for (std::size_t i = 0; i < there.hits.size(); ++i) compare_hit(shot_.hits[i], i, there.hits[i], place);
+  }
+
+  /// `nth` of the shot's contacts.
+  void compare_hit(const Hit& said, std::size_t nth, const Arrived::Hit& hit, double place) {
+    const Contact ball = Contact::ball(hit.ball);
+    if (said.ball != hit.ball) return fails(Claim::hits, "meets " + contact_name(p_, ball)), void();
+    const int by = nth == 0 || shot_.then.empty() ? 0 : shot_.then[nth - 1].ball;
+    const double offset = -hit.passing.lateral, speed = hit.passing.speed;
+    const double as_said = -scene_.boundary_of(by).rim(ball)->radius * std::sin(said.cut);
+    compare(Claim::hits, std::abs(as_said - offset), place_,
+            fmt::format("says a cut of {:.6g}°, the offset {:.6g} m, and it is {:.6g} m", degrees(said.cut), as_said,
+                        offset));
     // Along its path the contact is as far off as it is across, over the cosine of the cut.
-    compare(Claim::hits, norm(hit.at - (there.hit ? there.hit->at : there.at)),
-            place / std::max(std::cos(hit.cut), 1e-6), "the contact is elsewhere");
-    compare(Claim::hits, std::abs(hit.speed - speed), tolerance::exact_speed * std::max(1.0, speed),
-            fmt::format("says {} m/s and meets it at {} m/s", hit.speed, speed));
+    compare(Claim::hits, norm(said.at - hit.passing.at), place / std::max(std::cos(said.cut), 1e-6),
+            "the contact is elsewhere");
+    compare(Claim::hits, std::abs(said.speed - speed), tolerance::exact_speed * std::max(1.0, speed),
+            fmt::format("says {} m/s and meets it at {} m/s", said.speed, speed));
   }
 
   void condition() {

@@ -28,7 +28,7 @@ bool same_order(const std::vector<Contact>& asked, const std::vector<const Truth
   return true;
 }
 
-/// A path, event by event. Where the struck ball sends another on, that one is looked at from their contact on.
+/// A path, event by event. Where a ball sends another on, that one is looked at from their contact on.
 class Judge {
  public:
   Judge(const Scene& scene, const Goal& goal)
@@ -36,6 +36,7 @@ class Judge {
         puzzle_(scene.puzzle),
         goal_(goal),
         touches_(std::get_if<BallTarget>(&puzzle_.target)),
+        off_(off_of(puzzle_.target)),
         then_(then_of(puzzle_.target)),
         point_(point_of(puzzle_.target)),
         pocket_(pocket_of(puzzle_.target)),
@@ -74,26 +75,41 @@ class Judge {
     if (e.kind != EventKind::ball) return fails("touches no ball");
     note_order();
     const int ball = e.contact.index;
-    const bool wanted = std::ranges::count(touches_->balls, ball) > 0 && !(goal_.then && goal_.then->ball != ball);
+    const bool wanted =
+        std::ranges::count(touches_->balls, ball) > 0 && !(goal_.then && goal_.then->front().ball != ball);
     if (!wanted || static_cast<int>(met_.size()) < goal_.min) return fails(fmt::format("runs into {}", name(e)));
+    return sets_going(e, ball);
+  }
+
+  bool sets_going(const TruthEvent& e, int ball) {
     hit_ = &e;
+    out_.hits.push_back({ball, e.passing});
+    if (off_ != 0) return false;
     out_.ball = ball;
-    out_.hit = e.passing;
+    out_.then.push_back({ball, {}});
     met_.clear();
     return false;
   }
+  /// Of those that are sent on, the one on its way, from 0.
+  std::size_t nth() const { return out_.then.size() - 1; }
 
   /// Of the ball that is to arrive: its bounces are those asked.
   bool counts() const {
     const auto in_turn = [&](const std::vector<Contact>& asked) { return same_order(asked, met_); };
     if (!then_) return static_cast<int>(met_.size()) >= goal_.min && out_.in_order;
-    if (goal_.then) return in_turn(goal_.then->cushions);
-    const CushionRule& rule = then_->cushions;
+    if (goal_.then) return in_turn((*goal_.then)[nth()].cushions);
+    const CushionRule& rule = then_->cushions_of(nth());
     return static_cast<int>(met_.size()) >= rule.min && (!rule.sequence || in_turn(*rule.sequence));
   }
   int most() const {
     if (!then_) return goal_.max;
-    return goal_.then ? static_cast<int>(goal_.then->cushions.size()) : then_->cushions.max;
+    return goal_.then ? static_cast<int>((*goal_.then)[nth()].cushions.size()) : then_->cushions_of(nth()).max;
+  }
+  bool all_set() const { return !then_ || nth() == then_->links.size(); }
+  /// A contact of the ball that is on its way with the one that it is to send on.
+  bool is_next(const TruthEvent& e) const {
+    if (!then_ || all_set()) return false;
+    return e.ball == out_.ball && e.contact == Contact::ball(then_->links[nth()].ball);
   }
 
   bool ends(const TruthEvent& e) {
@@ -112,7 +128,7 @@ class Judge {
       case EventKind::slide_to_roll:
         return false;
       case EventKind::pocket:
-        if (!pocket_ || (pocket_->pocket && Contact::pocket(*pocket_->pocket) != e.contact) || !counts())
+        if (!pocket_ || (pocket_->pocket && Contact::pocket(*pocket_->pocket) != e.contact) || !all_set() || !counts())
           return fails(fmt::format("{} pocket {}", does("falls into", "sends it into"), name(e)));
         return taken(e, jaw_ ? *jaw_ : e);
       case EventKind::rest:
@@ -125,30 +141,32 @@ class Judge {
   /// Of several passes by a point the nearest to the time claimed counts.
   void look_at_pass(const TruthEvent& e) {
     const bool whole_arc = !then_ || e.kind == EventKind::slide_to_roll;
-    if (!point_ || scene_.stops || !whole_arc || !counts() || e.passing.miss > within_) return;
+    if (!point_ || scene_.stops || !whole_arc || !all_set() || !counts() || e.passing.miss > within_) return;
     if (found_ && !(std::abs(e.passing.time - goal_.time) < std::abs(out_.time - goal_.time))) return;
     at_point(e.passing);
     found_ = true;
   }
 
   bool bounces(const TruthEvent& e) {
-    if (hit_ && !(e.time > hit_->time)) return false;  // against what it touches, in the instant in which it is hit
+    if (then_ && !(e.time > hit_->time)) return false;  // against what it touches, in the instant in which it is hit
     if (static_cast<int>(met_.size()) == most() || found_)
       return fails(fmt::format("{} {} before the target", does("meets", "sends it to"), name(e)));
     met_.push_back(&e);
-    (then_ ? out_.onward : out_.cushions).push_back(e.contact);
+    (then_ ? out_.then.back().cushions : out_.cushions).push_back(e.contact);
     if (!then_) note_order();
     return false;
   }
 
   bool meets(const TruthEvent& e) {
-    if (then_) {
-      const bool ours = e.ball == 0 || e.ball == out_.ball || e.contact == Contact::ball(out_.ball);
-      return ours && fails(fmt::format("touches {}", name(e)));
-    }
+    if (is_next(e)) return counts() ? sets_going(e, then_->links[nth()].ball) : fails("meets the next ball too soon");
+    if (then_) return fails(fmt::format("touches {}", name(e)));
+    if (off_ != 0 && !hit_ && e.contact.index == off_) return sets_going(e, off_);
+    if ((off_ != 0 && !hit_) || e.ball != 0) return fails(fmt::format("touches {}", name(e)));
     if (!touches_ || std::ranges::count(touches_->balls, e.contact.index) == 0 || !counts())
       return fails(fmt::format("runs into {}", name(e)));
     taken(e, e);
+    out_.speed = e.passing.speed;
+    out_.hits.push_back({e.contact.index, e.passing});
     const double reach = scene_.boundary.rim(e.contact)->radius, most = radians(90.0);
     const auto offset = [&](double cut) { return -reach * std::sin(std::clamp(cut, -most, most)); };
     const double low = offset(touches_->cut + touches_->within), high = offset(touches_->cut - touches_->within);
@@ -158,7 +176,8 @@ class Judge {
   }
 
   bool rests(const TruthEvent& e) {
-    if (!scene_.stops || !counts()) return fails(does("stops before the target", "sends it not as far as the target"));
+    if (!scene_.stops || !all_set() || !counts())
+      return fails(does("stops before the target", "sends it not as far as the target"));
     const double miss = norm((e.state.at - point_->at) + e.at_rest);
     if (miss > within_)
       return fails(fmt::format("{} {:.6g} m from the target", does("stops", "sends it to rest"), miss));
@@ -187,12 +206,13 @@ class Judge {
   const Puzzle& puzzle_;
   const Goal& goal_;
   const BallTarget* touches_;
+  int off_;  ///< the ball that a carom is played off; 0: none is
   const Then* then_;
   const PointTarget* point_;
   const PocketTarget* pocket_;
   double within_;                         ///< m
   std::vector<const TruthEvent*> met_{};  ///< bounces, of the struck ball up to the contact and then of the other
-  const TruthEvent* hit_ = nullptr;       ///< the contact that sends another ball on
+  const TruthEvent* hit_ = nullptr;       ///< the last contact with a ball on the way
   const TruthEvent* jaw_ = nullptr;       ///< the first touched of those of a pocket that is asked for
   bool found_ = false;                    ///< a pass by the point
   Arrived out_{};

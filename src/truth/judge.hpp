@@ -23,12 +23,16 @@ struct Arrived {
   double passed = 0;  ///< m, how near it came to a point
   double offset = 0;  ///< m, of the line into a pocket or onto a ball, positive on the left of its centre
   Vec2d at{}, heading{};
-  Contact taken_by{};             ///< the pocket or ball
-  bool rattles = false;           ///< it touched jaws on its way
-  int ball = 0;                   ///< that arrived: the struck one, or one that it sent on
-  std::vector<Contact> onward{};  ///< the cushions of that
-  std::optional<Passing> hit{};   ///< of the struck ball where it touched it, its lateral seen from that ball's centre
-  double incidence = 1;           ///< sine of the angle between the path and the rim of what takes it
+  Contact taken_by{};          ///< the pocket or ball
+  bool rattles = false;        ///< it touched jaws on its way
+  int ball = 0;                ///< that arrived: the struck one, or one that was sent on
+  std::vector<Onward> then{};  ///< those that were sent on, each with its cushions
+  struct Hit {
+    int ball;
+    Passing passing;  ///< of the ball that hits, its lateral seen from the other's centre
+  };
+  std::vector<Hit> hits{};  ///< up to the target
+  double incidence = 1;     ///< sine of the angle between the path and the rim of what takes it
   bool made() const { return why.empty() && in_order; }
 };
 
@@ -36,9 +40,9 @@ struct Arrived {
 struct Goal {
   int min, max;
   const std::vector<Contact>* sequence;
-  const Onward* then = nullptr;  ///< what the ball that is sent on is to do; null: as the puzzle asks
-  double time;                   ///< s, when the arrival is claimed; of several passes the nearest to it counts
-  double slack = 0;              ///< m, beyond `within`
+  const std::vector<Onward>* then = nullptr;  ///< what those that are sent on are to do; null: as the puzzle asks
+  double time;       ///< s, when the arrival is claimed; of several passes the nearest to it counts
+  double slack = 0;  ///< m, beyond `within`
 };
 
 Arrived judge(const Scene& scene, const Path& path, const Goal& goal);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "truth/many_balls.hpp"
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
 #include "truth/follow.hpp"
@@ -27,7 +28,7 @@ std::vector<BallTruth> run(const ShotRequest& request, std::size_t most, double 
     ManyBalls sim(std::span<const BallStart<T>>(balls), motion, cushion, collisions(request.physics));
     std::vector<BallTruth> out;
     while (out.size() < most) {
-      const BallEvent e = sim.step();
+      BallEvent e = sim.step();
       if (e.event.kind == EventKind::horizon) break;
       const State<T>& s = sim.state(e.ball);
       out.push_back(
@@ -47,7 +48,10 @@ struct Flown {
 
 template <class T>
 Passing passing_of(const Run& run, const BallEvent& e, const Starts& starts, const Flown<T>& last, const Vec2d& met) {
-  if (e.event.kind == EventKind::ball) return passing<T>(last.arc, last.began, last.travelled, met);
+  if (e.event.kind == EventKind::ball) {
+    const Vec2d from = run.sends == 0 ? run.target.value_or(met) : met;
+    return passing<T>(last.arc, last.began, last.travelled, from);
+  }
   if (e.event.kind != EventKind::pocket && e.event.kind != EventKind::jaw) return {};
   const Boundary& boundary = *starts.balls()[static_cast<std::size_t>(e.ball)].boundary;
   Passing p =
@@ -68,10 +72,10 @@ Path run_all(const Run& run) {
     std::vector<Flown<T>> last(balls.size());
     // In `ideal` the struck ball may bounce very often before a slow one arrives.
     constexpr long patience = 20;
-    int sent = 0;
+    int on_its_way = 0, contacts = 0;
     for (long i = 0; i < patience * run.events; ++i) {
-      const BallEvent e = sim.step(T(forever), [&](int ball, const T& began, const State<T>& start, const Arc<T>& arc,
-                                                   const T& travelled) {
+      BallEvent e = sim.step(T(forever), [&](int ball, const T& began, const State<T>& start, const Arc<T>& arc,
+                                             const T& travelled) {
         last[static_cast<std::size_t>(ball)] = {began, arc, travelled};
         if (ball == 0) return;
         const Passing p =
@@ -83,20 +87,24 @@ Path run_all(const Run& run) {
         break;
       }
       Vec2d met{};
-      if (e.event.kind == EventKind::ball) {
+      const bool meets = e.event.kind == EventKind::ball;
+      // Of two that meet it is the one on its way that hits.
+      if (meets && e.event.contact.index == on_its_way) e = {on_its_way, {EventKind::ball, Contact::ball(e.ball)}};
+      if (meets) {
         const State<T>& other = sim.state(e.event.contact.index);
         met = {rounded(other.at.x), rounded(other.at.y)};
       }
       const Passing p = passing_of<T>(run, e, starts, last[static_cast<std::size_t>(e.ball)], met);
       path.events.push_back(note<T>(e.event, sim.time(), sim.state(e.ball), p, e.ball));
-      const bool meets = e.event.kind == EventKind::ball;
-      // What the ball that was sent on does after its rest, its fall or its next contact is not asked.
+      // What the ball on its way to the target does after its rest, its fall or one contact more is not asked.
       const bool ended = e.event.kind == EventKind::pocket || e.event.kind == EventKind::rest;
-      if (sent != 0 && ((e.ball == sent && (meets || ended)) || (meets && e.event.contact.index == sent))) {
+      if (e.ball != on_its_way) continue;
+      contacts += meets;
+      if (ended || contacts > std::max(run.sends, 1)) {
         path.ended = true;
         break;
       }
-      if (sent == 0 && meets) sent = e.event.contact.index;
+      if (meets && run.sends > 0) on_its_way = e.event.contact.index;
     }
     return path;
   });

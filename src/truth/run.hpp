@@ -48,6 +48,7 @@ struct Run {
   double pushed = 0;  ///< ... and made faster by this, relative; both without rounding
   double until = forever;
   const ShotRequest* all = nullptr;  ///< where other balls move: the shot, from this run's start
+  int sends = 1;  ///< then: so many are sent on in turn; 0: the struck ball goes on, off one to another
 };
 
 struct Path {

@@ -65,8 +65,6 @@ TEST_CASE("a key that is not supported yet is refused as such, and is in no sche
       {R"("physics": {"model": "spin", "cushion": {"model": "stronge"}})", "/physics/cushion/model"},
       {R"("physics": {"model": "spin", "cushion": {"frequency_ratio": 1.8}}, "table": "seed")",
        "/physics/cushion/frequency_ratio"},
-      {R"("target": {"carom": ["1", "2"]})", "/target/carom"},
-      {R"("target": {"ball": "1", "then": {"ball": "2"}}, "others": [{"id": "1", "at": [1, 1]}])", "/target/then/ball"},
       {R"("noise": {"side": 0.1})", "/noise/side"},
   }));
   Json puzzle = Json::parse(R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.4]}, "target": {"pocket": "any"}})");

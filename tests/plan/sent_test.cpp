@@ -20,7 +20,8 @@ Puzzle pool(const std::string& keys) {
 }  // namespace
 
 TEST_CASE("what shots did with another ball is found again, nearly always, and no shot is wrong") {
-  const std::string family = GENERATE("pots", "banks", "kick-pots", "kick-banks", "sent-to-rest", "sent-past");
+  const std::string family =
+      GENERATE("pots", "banks", "kick-pots", "kick-banks", "sent-to-rest", "sent-past", "combinations");
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 40}, {test::Model::rolling, 60}, {test::Model::spin, 60}, {test::Model::mathavan, 3}}));
   if (family == "sent-to-rest" && model == test::Model::ideal) return;  // where no ball rests
@@ -46,9 +47,9 @@ TEST_CASE("a pot sends the ball into the pocket that is asked, at the speed that
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   const Shot& s = a.shots.front();
-  REQUIRE(s.then);
-  CHECK(s.then->ball == 1);
-  CHECK(s.then->cushions.empty());
+  REQUIRE(s.then.size() == 1);
+  CHECK(s.then[0].ball == 1);
+  CHECK(s.then[0].cushions.empty());
   CHECK(s.hits.at(0).ball == 1);
   CHECK(s.hits[0].cut > 0);
   CHECK(s.arrival.speed == Approx(1));
@@ -61,9 +62,9 @@ TEST_CASE("a bank names the cushions of the ball that it sends on") {
   const Answer a = solve(p, {.all = true});
   REQUIRE(a.status == Status::solved);
   for (const Shot& s : a.shots) {
-    REQUIRE(s.then);
+    REQUIRE(s.then.size() == 1);
     CHECK(s.cushions.empty());
-    CHECK(s.then->cushions == std::vector{Contact::rail(2)});
+    CHECK(s.then[0].cushions == std::vector{Contact::rail(2)});
     CHECK(test::check_shot(p, s).problem.empty());
   }
 }
@@ -91,7 +92,43 @@ TEST_CASE("an answer with a ball that is sent on reads back") {
   CHECK(a.shots.front().arrival.speed == 0);
 }
 
+TEST_CASE("a combination sends one ball onto the next, and that into the pocket") {
+  const Puzzle p = pool(R"("target": {"ball": "8", "then": {"ball": "9", "cushions": 0, "then": {"pocket": "any"}}},
+                           "cushions": 0)");
+  const Answer a = solve(p, {.all = true});
+  REQUIRE(a.status == Status::solved);
+  for (const Shot& s : a.shots) {
+    REQUIRE(s.then.size() == 2);
+    CHECK(s.then[0].ball == 1);
+    CHECK(s.arriving() == 2);
+    REQUIRE(s.hits.size() == 2);
+    CHECK(s.hits[1].ball == 2);
+    CHECK(norm(s.hits[1].at - p.others[1].at) == Approx(2 * p.ball.body.radius));
+    CHECK(test::check_shot(p, s).problem.empty());
+  }
+  const std::string text = to_json(p, a, false);
+  CHECK(to_json(p, read_answer(text, &p), false) == text);
+  CHECK(write_puzzle(read_puzzle(write_puzzle(p))) == write_puzzle(p));
+}
+
+TEST_CASE("a combination is of different balls") {
+  const auto refused = [](const std::string& target) {
+    try {
+      validate(pool("\"target\": " + target));
+    } catch (const InvalidInput& e) {
+      return std::string(e.path);
+    }
+    return std::string("accepted");
+  };
+  CHECK(refused(R"({"ball": "8", "then": {"ball": "8", "then": {"pocket": "any"}}})") == "/target/then/ball");
+  CHECK(refused(R"({"ball": "8", "then": {"ball": "9", "then": {"ball": "8", "then": {"pocket": "any"}}}})") ==
+        "/target/then/then/ball");
+  CHECK(refused(R"({"carom": ["8", "8"]})") == "/target/carom/1");
+  CHECK(refused(R"({"carom": ["8"]})") == "/target/carom");
+  CHECK(refused(R"({"ball": "any", "then": {"ball": "9", "then": {"pocket": "any"}}})") == "accepted");
+}
+
 TEST_CASE("another planner than auto says that it sends no ball on") {
   CHECK_THROWS_WITH(solve(pool(R"("target": {"ball": "8", "then": {"pocket": "any"}})"), {.planner = "ceres"}),
-                    "the planner \"ceres\" sends no other ball on");
+                    "the planner \"ceres\" sets no other ball going");
 }

@@ -37,6 +37,8 @@ constexpr NamedFamily all_families[] = {
     {"kick-pots", "off one or two cushions onto a ball that falls", make::kick_pots},
     {"kick-banks", "one cushion or two, and as many of the other ball, into a pocket", make::kick_banks},
     {"sent-to-rest", "another ball sent to rest at a point, up to three cushions each", make::sent_to_rest},
+    {"combinations", "a ball sent on that sends one or two more on", make::combinations},
+    {"caroms", "off one ball onto another", make::caroms},
     {"sent-past", "another ball sent into a pocket, past a point or to rest there", make::sent_past},
     {"slender", "rectangles of 10 to 1", make::slender},
     {"sizes", "tables of 2 mm to 1 km, some shifted by up to 1e4 m", make::sizes},

@@ -29,6 +29,8 @@ Made kick_pots(Random& random, Model model, int bounces);
 Made kick_banks(Random& random, Model model, int bounces);
 Made sent_to_rest(Random& random, Model model, int bounces);
 Made sent_past(Random& random, Model model, int bounces);
+Made combinations(Random& random, Model model, int bounces);
+Made caroms(Random& random, Model model, int bounces);
 
 // Tables and coefficients far beyond what is played on.
 Made slender(Random& random, Model model, int bounces);

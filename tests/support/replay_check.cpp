@@ -89,7 +89,7 @@ std::string bound_broken(const Puzzle& p, const Shot& shot) {
   return {};
 }
 
-/// A ball that is sent on, in the simulation of many.
+/// Balls that are sent on, in the simulation of many.
 Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   const Then& then = *asked.then;
   ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
@@ -97,21 +97,32 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   request.until.time = shot.arrival.time * (1 + 1e-6) + 1e-6;
   const Trajectory t = simulate(request);
   const double exact = 1e-9 * p.table.diagonal(), allowed = exact + shot.miss;
-  if (!shot.then || std::ranges::count(asked.balls, shot.then->ball) == 0) return {"sends no ball that is asked", 0};
-  const int ball = shot.then->ball;
-  std::vector<const Record*> first, second;
+  if (shot.then.size() != 1 + then.links.size() || std::ranges::count(asked.balls, shot.then[0].ball) == 0)
+    return {"sends no ball that is asked", 0};
+  for (std::size_t i = 0; i < then.links.size(); ++i)
+    if (shot.then[i + 1].ball != then.links[i].ball) return {"sends another ball than asked", 0};
+  const int ball = shot.arriving();
+  std::vector<std::vector<const Record*>> met(1);  // by the struck ball, and by each that is sent on
+  int on_its_way = 0;
   double hit = -1;
   const Record* fell = nullptr;
   for (const Record& e : t.events) {
     const bool later = e.time > shot.arrival.time - 1e-12;  // a point on a cushion is reached before the bounce
-    if (e.kind == EventKind::ball && !later && (hit >= 0 || e.ball != 0 || e.contact.index != ball))
-      return {fmt::format("touches another ball at {} s", e.time), 0};
-    if (e.kind == EventKind::ball && hit < 0) hit = e.time;
+    if (e.kind == EventKind::ball && !later) {
+      const int other = e.ball == on_its_way ? e.contact.index : e.ball;
+      const bool ours = e.ball == on_its_way || e.contact.index == on_its_way;
+      if (!ours || met.size() > shot.then.size() || other != shot.then[met.size() - 1].ball)
+        return {fmt::format("touches another ball at {} s", e.time), 0};
+      met.emplace_back();
+      on_its_way = other, hit = e.time;
+    }
     if (e.kind == EventKind::pocket && e.ball == ball) fell = &e;
-    if (e.kind == EventKind::pocket && e.ball == 0 && hit < 0) return {"is pocketed first", 0};
-    if (e.kind == EventKind::cushion && e.ball == 0 && hit < 0) first.push_back(&e);
-    if (e.kind == EventKind::cushion && e.ball == ball && e.time > hit && !later) second.push_back(&e);
+    if (e.kind == EventKind::pocket && e.ball == on_its_way && met.size() <= shot.then.size())
+      return {"is pocketed first", 0};
+    if (e.kind == EventKind::cushion && e.ball == on_its_way && e.time > hit && (hit < 0 || !later))
+      met.back().push_back(&e);
   }
+  met.resize(1 + shot.then.size());
   Checked c;
   double miss = 0, speed = 0;
   if (const auto* point = std::get_if<PointTarget>(&then.target)) {
@@ -139,11 +150,15 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   const auto differ = [](const std::vector<Contact>& wanted, const std::vector<const Record*>& hits) {
     return wanted.size() != hits.size() || !same_sequence(wanted, hits, wanted.size());
   };
-  if (differ(shot.cushions, first) || (p.cushions.sequence && differ(*p.cushions.sequence, first)))
+  if (differ(shot.cushions, met[0]) || (p.cushions.sequence && differ(*p.cushions.sequence, met[0])))
     c.problem = "does not meet the cushions it names, or that are asked";
-  if (differ(shot.then->cushions, second) || (then.cushions.sequence && differ(*then.cushions.sequence, second)) ||
-      static_cast<int>(second.size()) < then.cushions.min || static_cast<int>(second.size()) > then.cushions.max)
-    c.problem = "the other ball does not meet the cushions it names, or that are asked";
+  for (std::size_t i = 0; i < shot.then.size(); ++i) {
+    const CushionRule& rule = then.cushions_of(i);
+    const auto& its = met[i + 1];
+    if (differ(shot.then[i].cushions, its) || (rule.sequence && differ(*rule.sequence, its)) ||
+        static_cast<int>(its.size()) < rule.min || static_cast<int>(its.size()) > rule.max)
+      c.problem = "another ball does not meet the cushions it names, or that are asked";
+  }
   if (const auto range = arrival_range(p); range && !rests && p.aim != Aim::safest) {
     c.speed_error = std::max({0.0, range->low - speed, speed - range->high}) / std::max(1.0, range->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);
@@ -152,16 +167,21 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   return c;
 }
 
-/// The first contact of the struck ball, from the simulation of many.
+/// The first contact of the struck ball, or the second of a carom, from the simulation of many.
 Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
   request.until.time = shot.arrival.time * (1 + 1e-6) + 1e-6;
   const Trajectory t = simulate(request);
-  const auto met = std::ranges::find(t.events, EventKind::ball, &Record::kind);
+  auto met = std::ranges::find(t.events, EventKind::ball, &Record::kind);
   if (met == t.events.end()) return {"touches no ball", 0};
+  if (asked.off) {
+    if (met->ball != 0 || met->contact.index != *asked.off) return {"touches another ball first", 0};
+    met = std::ranges::find(std::next(met), t.events.end(), EventKind::ball, &Record::kind);
+    if (met == t.events.end() || met->ball != 0) return {"no second ball", 0};
+  }
   const int ball = met->contact.index;
   if (std::ranges::count(asked.balls, ball) == 0) return {"touches ball " + std::to_string(ball), 0};
-  const auto fell = [&](const Record& e) { return e.kind == EventKind::pocket; };
+  const auto fell = [&](const Record& e) { return e.kind == EventKind::pocket && e.ball == 0; };
   if (std::any_of(t.events.begin(), met, fell)) return {"is pocketed first", 0};
   Vec2d before = start_state(request).velocity;
   for (const Leg& leg : t.legs)
@@ -172,18 +192,19 @@ Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) 
   Checked c;
   if (miss > allowed) c.problem = fmt::format("misses the cut by {} m", miss);
   const std::size_t n = shot.cushions.size();
-  const auto bounces =
-      std::count_if(t.events.begin(), met, [](const Record& e) { return e.kind == EventKind::cushion; });
-  if (static_cast<std::size_t>(bounces) != n || !same_sequence(shot.cushions, t, n) ||
-      (p.cushions.sequence && !same_sequence(*p.cushions.sequence, t, n)))
+  std::vector<const Record*> bounces;
+  for (auto e = t.events.begin(); e != met; ++e)
+    if (e->kind == EventKind::cushion && e->ball == 0) bounces.push_back(&*e);
+  if (bounces.size() != n || !same_sequence(shot.cushions, bounces, n) ||
+      (p.cushions.sequence && !same_sequence(*p.cushions.sequence, bounces, n)))
     c.problem = "does not meet the cushions it names, or that are asked";
   if (const auto range = arrival_range(p); range && p.aim != Aim::safest) {
     const double off = std::max(range->low - norm(before), norm(before) - range->high);
     c.speed_error = std::max(0.0, off) / std::max(1.0, range->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("touches at {} m/s", norm(before));
   }
-  if (shot.hits.size() != 1 || shot.hits.front().ball != ball ||
-      std::abs(shot.hits.front().cut - std::asin(sine)) > 1e-6)
+  if (shot.hits.size() != (asked.off ? 2U : 1U) || shot.hits.back().ball != ball ||
+      std::abs(shot.hits.back().cut - std::asin(sine)) > 1e-6)
     c.problem = "says another contact";
   if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
   return c;

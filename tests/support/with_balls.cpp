@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "support/family_makers.hpp"
@@ -84,41 +85,56 @@ Made kicks(Random& r, Model model, int bounces) {
 
 namespace {
 
-/// What the first ball that the struck one touches does next, while nothing else is touched.
+/// What balls that are sent on do, one after the other, while nothing else is touched.
 struct Sent {
-  int ball = 0;
-  int before = 0, after = 0;  ///< bounces of the one and of the other
-  std::vector<Contact> cushions{}, its{};
+  int ball = 0;  ///< the first
+  int before = 0;
+  std::vector<Contact> cushions{};  ///< of the struck ball
   Then then{};
   double arrival = 0;
 };
 
-std::optional<Sent> sent_by(Random& r, const Trajectory& t, int most) {
+CushionRule some_rule(Random& r, const std::vector<Contact>& cushions) {
+  return r.chance(0.5) ? CushionRule::in_order(cushions) : CushionRule::exactly(static_cast<int>(cushions.size()));
+}
+
+/// `links`: balls that are touched by others than the struck one.
+std::optional<Sent> sent_by(Random& r, const Trajectory& t, std::size_t links, std::size_t most) {
   Sent s;
+  std::vector<Contact> its;
+  int on_its_way = 0;
   double hit = 0, end = forever;
   const Record* fell = nullptr;
   const Record* rest = nullptr;
   for (const Record& e : t.events) {
     if (e.kind == EventKind::start || e.kind == EventKind::slide_to_roll) continue;
-    if (s.ball == 0) {
-      if (e.kind == EventKind::cushion)
-        s.cushions.push_back(e.contact);
-      else if (e.kind == EventKind::ball)
-        s.ball = e.contact.index, hit = e.time;
-      else
-        return {};
+    if (e.kind == EventKind::ball) {
+      const bool ours = e.ball == on_its_way || e.contact.index == on_its_way;
+      const int other = e.ball == on_its_way ? e.contact.index : e.ball;
+      if (on_its_way == 0 && ours) {
+        s.ball = other;
+      } else if (ours && other != 0 && s.then.links.size() < links && other != s.ball) {
+        if (its.size() > most) return {};
+        s.then.links.push_back({some_rule(r, its), other});
+      } else {
+        end = e.time;
+        break;
+      }
+      on_its_way = other, hit = e.time;
+      its.clear();
       continue;
     }
-    if (e.kind == EventKind::ball) {
-      end = e.time;
-      break;
+    if (s.ball == 0) {
+      if (e.kind != EventKind::cushion) return {};
+      s.cushions.push_back(e.contact);
+      continue;
     }
-    if (e.ball != s.ball) continue;
+    if (e.ball != on_its_way) continue;
     if (e.kind == EventKind::jaw) {
       end = e.time;
       break;
     }
-    if (e.kind == EventKind::cushion && e.time > hit) s.its.push_back(e.contact);
+    if (e.kind == EventKind::cushion && e.time > hit) its.push_back(e.contact);
     if (e.kind == EventKind::pocket) {
       fell = &e;
       break;
@@ -129,7 +145,7 @@ std::optional<Sent> sent_by(Random& r, const Trajectory& t, int most) {
     }
   }
   s.before = static_cast<int>(s.cushions.size());
-  if (s.ball == 0) return {};
+  if (s.ball == 0 || s.then.links.size() < links) return {};
   if (fell) {
     s.then.target = PocketTarget{fell->contact.index};
     s.arrival = norm(fell->state.velocity);
@@ -138,7 +154,7 @@ std::optional<Sent> sent_by(Random& r, const Trajectory& t, int most) {
   } else {
     std::vector<const Leg*> legs;
     for (const Leg& leg : t.legs)
-      if (leg.ball == s.ball && leg.begin >= hit && leg.begin + leg.arc.seconds(leg.duration) <= end)
+      if (leg.ball == on_its_way && leg.begin >= hit && leg.begin + leg.arc.seconds(leg.duration) <= end)
         legs.push_back(&leg);
     if (legs.empty()) return {};
     const Leg& leg = *legs[static_cast<std::size_t>(r.integer(0, static_cast<int>(legs.size()) - 1))];
@@ -147,20 +163,19 @@ std::optional<Sent> sent_by(Random& r, const Trajectory& t, int most) {
     s.arrival = norm(leg.arc.velocity_at(p));
     if (!(s.arrival > 1e-3)) return {};
     const auto bounced = [&](const Record& e) {
-      return e.ball == s.ball && e.kind == EventKind::cushion && e.time > hit && e.time <= leg.begin;
+      return e.ball == on_its_way && e.kind == EventKind::cushion && e.time > hit && e.time <= leg.begin;
     };
-    s.its.resize(std::min(s.its.size(), static_cast<std::size_t>(std::ranges::count_if(t.events, bounced))));
+    its.resize(std::min(its.size(), static_cast<std::size_t>(std::ranges::count_if(t.events, bounced))));
   }
-  s.after = static_cast<int>(s.its.size());
-  if (s.after > most) return {};
-  s.then.cushions = r.chance(0.5) ? CushionRule::in_order(s.its) : CushionRule::exactly(s.after);
+  if (its.size() > most) return {};
+  s.then.cushions = some_rule(r, its);
   return s;
 }
 
 enum class Wanted { any, pocket, rest };
 
-/// `before`, `after`: bounces of the struck ball and of the other, -1 for any up to three.
-Made sends(Random& r, Model model, int before, int after, Wanted wanted) {
+/// `before`, `after`: bounces of the struck ball and of the last, -1 for any up to three.
+Made sends(Random& r, Model model, int before, int after, Wanted wanted, std::size_t links = 0) {
   for (;;) {
     Made made = random_puzzle(r, families[r.integer(0, 1)], model);
     Puzzle& p = made.puzzle;
@@ -178,8 +193,8 @@ Made sends(Random& r, Model model, int before, int after, Wanted wanted) {
       ShotRequest shot{{}, p.table, p.physics, p.ball, p.others, made.launch, p.spin, {}};
       if (is_ideal(p.physics)) shot.until.cushions = 20;
       const Trajectory t = simulate(shot);
-      const auto s = sent_by(r, t, 5);
-      if (!s || (before >= 0 ? s->before != before : s->before > 3) || (after >= 0 ? s->after != after : s->after > 3))
+      const auto s = sent_by(r, t, links, 3);
+      if (!s || (before >= 0 ? s->before != before : s->before > 3) || (after >= 0 && s->then.cushions.max != after))
         continue;
       const auto* point = std::get_if<PointTarget>(&s->then.target);
       if ((wanted == Wanted::pocket && point) || (wanted == Wanted::rest && (!point || s->arrival > 0))) continue;
@@ -191,10 +206,23 @@ Made sends(Random& r, Model model, int before, int after, Wanted wanted) {
       else if (!is_ideal(p.physics))
         p.arrive = Range{s->arrival, s->arrival};
       made.bounces = s->before;
-      p.cushions = r.chance(0.5) ? CushionRule::in_order(s->cushions) : CushionRule::exactly(s->before);
+      p.cushions = some_rule(r, s->cushions);
       return made;
     }
   }
+}
+
+/// The struck ball touches two, the first two contacts that there are.
+std::optional<std::pair<const Record*, const Record*>> two_contacts(const Trajectory& t) {
+  const Record* first = nullptr;
+  for (const Record& e : t.events) {
+    if (e.kind == EventKind::pocket || e.kind == EventKind::jaw) return {};
+    if (e.kind != EventKind::ball) continue;
+    if (e.ball != 0 || (first && first->contact == e.contact)) return {};
+    if (first) return std::pair(first, &e);
+    first = &e;
+  }
+  return {};
 }
 
 }  // namespace
@@ -212,6 +240,51 @@ Made kick_banks(Random& r, Model model, int cushions) {
 }
 Made sent_to_rest(Random& r, Model model, int cushions) { return sends(r, model, -1, cushions, Wanted::rest); }
 Made sent_past(Random& r, Model model, int) { return sends(r, model, -1, -1, Wanted::any); }
+
+Made combinations(Random& r, Model model, int) {
+  return sends(r, model, r.chance(0.7) ? 0 : 1, -1, Wanted::any, r.chance(0.85) ? 1 : 2);
+}
+
+Made caroms(Random& r, Model model, int bounces) {
+  for (;;) {
+    Made made = random_puzzle(r, families[r.integer(0, 1)], model);
+    Puzzle& p = made.puzzle;
+    if (!(p.ball.body.radius > 0)) continue;
+    scatter(r, p);
+    for (int tries = 0; tries < 40 && p.others.size() > 1; ++tries) {
+      made.launch = {r.log_uniform(0.5, 8), radians(r.uniform(0, 360))};
+      ShotRequest shot{{}, p.table, p.physics, p.ball, p.others, made.launch, p.spin, {}};
+      shot.until.cushions = 8;
+      const Trajectory t = simulate(shot);
+      const auto met = two_contacts(t);
+      if (!met) continue;
+      const Record& second = *met->second;
+      std::vector<Contact> contacts;
+      for (const Record& e : t.events)
+        if (e.kind == EventKind::cushion && e.ball == 0 && &e < &second) contacts.push_back(e.contact);
+      made.bounces = static_cast<int>(contacts.size());
+      if (made.bounces > 6 || (bounces >= 0 && made.bounces != bounces)) continue;
+      Vec2d before{};
+      for (const Leg& leg : t.legs)
+        if (leg.ball == 0 && leg.begin < second.time) before = leg.arc.velocity_at(leg.duration);
+      const Vec2d apart = second.other.at - second.state.at;
+      const double cut = std::atan2(cross(before, apart), dot(before, apart)), speed = norm(before);
+      if (!(speed > 1e-2) || !(std::abs(cut) < radians(89.99))) continue;
+      BallTarget target{.balls = {second.contact.index}, .within = radians(90.0), .off = met->first->contact.index};
+      if (r.chance(0.5)) target.cut = cut, target.within = radians(5.0);
+      p.target = target;
+      p.arrive.reset();
+      p.speed = {made.launch.speed / 2, made.launch.speed * 2};
+      if (r.chance(0.3))
+        p.speed = {made.launch.speed, made.launch.speed};
+      else if (!is_ideal(p.physics))
+        p.arrive = r.chance(0.5) ? Range{speed, speed} : Range{0.2, std::max(5.0, speed)};
+      if (p.arrive && !p.arrive->fixed() && speed < p.arrive->low) p.arrive->low = speed / 2;
+      p.cushions = some_rule(r, contacts);
+      return made;
+    }
+  }
+}
 
 Made obstacles(Random& r, Model model, int bounces) {
   for (;;) {

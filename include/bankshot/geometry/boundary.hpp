@@ -67,8 +67,8 @@ struct Boundary {
   double touch = 0;             ///< m; a centre this far beyond a cushion line still touches it
   bool strictly_convex = true;  ///< every line of a wall bounds the whole table
 
-  /// `others` stand on the table, but for number `except`. Where all move (simulate/many_balls.hpp) there are none.
-  Boundary(const Table& table, const Body& body, std::span<const Ball> others = {}, int except = 0);
+  /// `others` stand on the table, but for these numbers. Where all move (simulate/many_balls.hpp) there are none.
+  Boundary(const Table& table, const Body& body, std::span<const Ball> others = {}, std::span<const int> except = {});
 
   /// All that balls bounce off and that lies in the open is straight: aims follow from images.
   bool unfolds() const { return unfolds_; }

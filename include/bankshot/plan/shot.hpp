@@ -27,15 +27,16 @@ struct Margin {
   std::array<std::optional<double>, 2> speed;  ///< m/s, [<= 0, >= 0]
 };
 
-/// Of the struck ball with another, just before.
+/// Of a ball with another, just before.
 struct Hit {
   int ball = 0;      ///< which of the others, from 1
   double cut = 0;    ///< rad, see BallTarget
   double speed = 0;  ///< m/s
   Vec2d at{};        ///< centre of the ball that hits [m]
+  int after = 0;     ///< cushions that the ball that hits had met
 };
 
-/// The ball that the struck one sends to its target.
+/// A ball that is sent on.
 struct Onward {
   int ball = 0;                     ///< which of the others, from 1
   std::vector<Contact> cushions{};  ///< of its own, in order
@@ -49,13 +50,13 @@ struct Shot {
   Arrival arrival{};                ///< of the ball that reaches the target
   double miss = 0;                  ///< m, from the replay: to the point, or from the exact line to a pocket or ball
   double offset = 0;  ///< m, into a pocket: of the line of travel (geometry/opening.hpp); exactly 0 through its centre
-  bool rattles = false;          ///< it touches the jaws of a pocket on its way
-  std::vector<Contact> met{};    ///< if so, jaws and cushions in order
-  std::vector<Hit> hits{};       ///< in order, up to the target
-  std::optional<Onward> then{};  ///< who arrives, where that is not the struck ball
-  bool scratch = false;          ///< the struck ball falls into a pocket after it has touched its target
-  bool off_centre = false;       ///< it is made, but beside the exact line or point
-  double condition = 0;          ///< m of arrival per rad of aim or per unit of relative speed, the larger
+  bool rattles = false;        ///< it touches the jaws of a pocket on its way
+  std::vector<Contact> met{};  ///< if so, jaws and cushions in order
+  std::vector<Hit> hits{};     ///< in order, up to the target
+  std::vector<Onward> then{};  ///< those that are sent on, in order: the last one arrives; none: the struck ball does
+  bool scratch = false;        ///< the struck ball falls into a pocket after it has touched its target
+  bool off_centre = false;     ///< it is made, but beside the exact line or point
+  double condition = 0;        ///< m of arrival per rad of aim or per unit of relative speed, the larger
   /// Decimal digits of the arrival, of the table's diagonal, that can be promised; none: nine or more. 0: rounding
   /// decides how often the ball bounces at its target.
   std::optional<int> digits{};
@@ -71,6 +72,9 @@ struct Shot {
   std::optional<double> success{};  ///< chance that the target is made under the puzzle's noise
   std::string planner{};
   long simulations = 0;  ///< spent until this shot was certified
+
+  /// The number of the ball that reaches the target: 0 is the struck one.
+  int arriving() const { return then.empty() ? 0 : then.back().ball; }
 };
 
 /// The shot as a `simulate` request that ends where the ball reaches its target.

@@ -6,7 +6,7 @@
 //   point   the centre passes within `within` of it, or comes to rest there: one mark
 //   pocket  the ball falls into it: a mark for each arc of its circle where a ball can enter, mostly one; any pocket:
 //           those of each
-//   ball    the struck ball touches it, before any other: a mark for each ball of a list
+//   ball    the struck ball touches it, before any other or off a first one: a mark for each ball of a list
 #pragma once
 
 #include <optional>
@@ -45,19 +45,31 @@ struct CushionRule {
 
 inline constexpr int max_cushions = 20000;
 
-/// What a ball that was touched does: it reaches this, after cushions of its own.
-struct Then {
-  std::variant<PointTarget, PocketTarget> target{};
-  CushionRule cushions{0, 0, {}};
+/// Of a combination: a ball that is touched in turn, by one that was sent on.
+struct Link {
+  CushionRule cushions{0, 0, {}};  ///< of the ball that touches it
+  int ball = 0;
 };
 
-/// The struck ball touches one of these, its first contact with a ball. The cut is the angle from its velocity just
-/// before to the line of centres, anticlockwise.
+/// What a ball that was touched does: it reaches this, after cushions of its own. With links, each ball sends the next
+/// one on, and the last reaches it.
+struct Then {
+  std::variant<PointTarget, PocketTarget> target{};
+  CushionRule cushions{0, 0, {}};  ///< of the last
+  std::vector<Link> links{};
+
+  /// Of the ball that is sent on as the n-th, from 0.
+  const CushionRule& cushions_of(std::size_t n) const { return n < links.size() ? links[n].cushions : cushions; }
+};
+
+/// The struck ball touches one of these, its first contact with a ball; in a carom the second. The cut is the angle
+/// from its velocity just before to the line of centres, anticlockwise.
 struct BallTarget {
   std::vector<int> balls{};      ///< number k stands for the k-th of `others`
   double cut = 0;                ///< rad, inside a right angle; above 0 the other ball leaves to the left
   double within = radians(5.0);  ///< rad; how far off the cut still counts as made
   std::optional<Then> then{};    ///< what counts instead of the cut
+  std::optional<int> off{};      ///< of a carom: the ball that is touched before
 };
 
 using Target = std::variant<PointTarget, PocketTarget, BallTarget>;
@@ -106,6 +118,11 @@ bool is_pocket(const Target& target);
 /// Where some ball is to arrive, the struck one or one that it sends on; null of the other kinds.
 const PointTarget* point_of(const Target& target);
 const PocketTarget* pocket_of(const Target& target);
+/// The ball that a carom is played off; 0 where there is none.
+inline int off_of(const Target& target) {
+  const auto* ball = std::get_if<BallTarget>(&target);
+  return ball ? ball->off.value_or(0) : 0;
+}
 /// What the struck ball sends another to; null where it goes itself.
 inline const Then* then_of(const Target& target) {
   const auto* ball = std::get_if<BallTarget>(&target);

@@ -21,7 +21,7 @@ namespace bankshot {
 /// cushion (more speed would help), or moving away from it (another aim would).
 enum class LockedEnd { complete, fell_short, wrong_way };
 
-/// A ball that a route may send on: the table as it sees it, and where it stands before.
+/// A ball that a route may touch on its way: the table as it sees it, and where it stands before.
 struct StandingBall {
   int ball;
   const Boundary* boundary;
@@ -33,10 +33,11 @@ struct RouteBalls {
   const Boundary& struck;
   std::span<const StandingBall> others{};
   BallBall law{};
+  bool carom = false;  ///< it is the ball that touches another that goes on
 
   RouteBalls(const Boundary& boundary) : struck(boundary) {}
-  RouteBalls(const Boundary& boundary, std::span<const StandingBall> standing, const BallBall& collision)
-      : struck(boundary), others(standing), law(collision) {}
+  RouteBalls(const Boundary& boundary, std::span<const StandingBall> standing, const BallBall& collision, bool stays)
+      : struck(boundary), others(standing), law(collision), carom(stays) {}
 
   const StandingBall& standing(int ball) const {
     std::size_t i = 0;
@@ -87,18 +88,19 @@ T lift_contact(const Boundary& boundary, const Arc<T>& arc, Contact contact, con
   return lift_line(arc, w->normal, w->offset, beyond && away, t);
 }
 
-/// The ball that is met goes on, from where it stood.
+/// The ball that is met goes on, from where it stood; in a carom, the one that meets it.
 template <class T>
-void send_on(const RouteBalls& balls, Contact contact, LockedPath<T>& path) {
+void meet_ball(const RouteBalls& balls, Contact contact, LockedPath<T>& path) {
   const StandingBall& other = balls.standing(contact.index);
-  State<T> struck{to<T>(other.at), {T(0), T(0)}, {T(0), T(0), T(0)}};
-  balls.law.collide(balls.boundary(path.ball).body, path.state, other.boundary->body, struck);
-  path.state = struck;
+  State<T> met{to<T>(other.at), {T(0), T(0)}, {T(0), T(0), T(0)}};
+  balls.law.collide(balls.boundary(path.ball).body, path.state, other.boundary->body, met);
+  if (balls.carom) return;
+  path.state = met;
   path.ball = other.ball;
 }
 
-/// From the ball of its first meeting on; where a ball meets another the route is that one's. `watch` is shown each arc
-/// and how far it was followed.
+/// From the ball of its first meeting on; where a ball sends another on the route is that one's. `watch` is shown each
+/// arc and how far it was followed.
 template <class T, class Motion, class Cushion, class Watch = Unwatched>
 LockedPath<T> follow_locked(const RouteBalls& balls, const Motion& motion, const Cushion& cushion,
                             std::span<const Meeting> route, const State<T>& start, Watch&& watch = {}) {
@@ -126,7 +128,7 @@ LockedPath<T> follow_locked(const RouteBalls& balls, const Motion& motion, const
     if (const Wall* const w = boundary.line(contact))
       cushion.bounce(boundary.body, path.state, w->normal);
     else if (contact.kind == ContactKind::ball)
-      send_on(balls, contact, path);
+      meet_ball(balls, contact, path);
     else
       cushion.bounce(boundary.body, path.state, boundary.normal(contact, path.state.at));
   }

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+//
+// From the first contact on: the balls of a chain set each other going, in turn, and the last of them is on its way to
+// the target; in a carom the struck ball itself is. No other contact may be made. Only these balls move; whatever else
+// stands is an obstacle to all.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "bankshot/simulate/many_balls.hpp"
+#include "planners/proof/goal.hpp"
+#include "planners/proof/line_of_travel.hpp"
+#include "planners/proof/sequence_check.hpp"
+
+namespace bankshot::planning {
+
+/// What of its cushions the struck ball had met before.
+struct Counted {
+  int bounces;
+  SequenceCheck check;
+};
+
+template <class Motion, class Cushion>
+class SetGoing {
+ public:
+  /// `out` gets what it comes to, and `contacts`, where it is given, the further cushions of the struck ball.
+  SetGoing(const Question& q, const Motion& motion, const Cushion& cushion, const Objects::Chain& chain,
+           const Goal& goal, const Counted& before, std::vector<Contact>* contacts, Replay& out)
+      : q_(q),
+        motion_(motion),
+        cushion_(cushion),
+        chain_(chain),
+        goal_(goal),
+        carom_(q.carom_off() != 0),
+        asked_{goal.min, goal.max, goal.sequence},
+        bounces_(before.bounces),
+        check_(before.check),
+        contacts_(contacts),
+        out_(out),
+        last_(chain.balls.front()->at_rest.at) {}
+
+  /// `struck` touches the first ball, `begin` seconds after the launch.
+  void run(const State<double>& struck, double begin) {
+    std::vector<BallStart<double>> balls{{&chain_.moving.front(), struck, 0}};
+    for (std::size_t i = 0; i < chain_.balls.size(); ++i)
+      balls.push_back({&chain_.moving[i + 1], {.at = chain_.balls[i]->at_rest.at}, chain_.balls[i]->ball});
+    ManyBalls sim(std::span<const BallStart<double>>(balls), motion_, cushion_, collisions(q_.puzzle.physics));
+    begin_ = begin;
+    incoming_ = {struck.at, struck.velocity};
+    for (;;) {
+      bool arrived = false;
+      const BallEvent e = sim.step(
+          forever, [&](int ball, double began, const State<double>&, const Arc<double>& arc, double travelled) {
+            if (ball == on_its_way() && set_ > 0) arrived = arrived || passes(began, arc, travelled);
+          });
+      // One that still comes nearer when its slide, or a piece of it, ends is closest on the next arc.
+      const bool its = e.ball == on_its_way() || e.event.contact == Contact::ball(number());
+      if (near_end_ && its && e.event.kind != EventKind::slide_to_roll) arrived = out_.made = true;
+      if (arrived || over(e, sim)) return;
+    }
+  }
+
+ private:
+  /// Of the balls that move, 0 the struck one: that which is to touch the next, or to reach the target.
+  int on_its_way() const { return carom_ ? 0 : static_cast<int>(set_); }
+  int number() const { return on_its_way() == 0 ? 0 : chain_.balls[set_ - 1]->ball; }
+  bool all_set() const { return set_ == chain_.balls.size(); }
+
+  template <class Sim>
+  bool over(const BallEvent& e, const Sim& sim) {
+    const bool its = e.ball == on_its_way() && set_ > 0;
+    switch (e.event.kind) {
+      case EventKind::ball:
+        return meets(e, sim);
+      case EventKind::cushion:
+        return its && bounces(e.event, sim);
+      case EventKind::jaw:
+        if (its) rattle(e.event.contact, sim);
+        return false;
+      case EventKind::pocket:
+        return its && falls(e.event.contact, sim);
+      case EventKind::rest:
+        return its && rests(sim);
+      case EventKind::horizon:
+        return fail(Foul::fell_short);
+      default:
+        return false;
+    }
+  }
+
+  bool counts() const { return bounces_ >= asked_.min && !check_.open(); }
+
+  template <class Sim>
+  bool meets(const BallEvent& e, const Sim& sim) {
+    if (!all_set() && e.ball == on_its_way() && e.event.contact == Contact::ball(chain_.balls[set_]->ball))
+      return sets_going(sim);
+    const State<double>& now = sim.state(e.ball);
+    const Mark* const mark = carom_ && e.ball == 0 && counts() ? q_.mark_taken_by(e.event.contact, now.at) : nullptr;
+    if (!mark) return fail(Foul::hit_ball, e.event.contact);
+    out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
+    note_hit(e.event.contact.index, mark->at);
+    touched(*mark, incoming_, out_);
+    return true;
+  }
+
+  /// The next ball is touched, by that which was on its way to it.
+  template <class Sim>
+  bool sets_going(const Sim& sim) {
+    const Objects::Object& next = *chain_.balls[set_];
+    if (set_ > 0 && !counts()) return fail(Foul::hit_ball, Contact::ball(next.ball));
+    note_hit(next.ball, next.at_rest.at);
+    ++set_;
+    const State<double>& now = sim.state(on_its_way());
+    incoming_ = {now.at, now.velocity};
+    if (carom_) return false;
+    out_.then.push_back({next.ball, {}});
+    asked_ = goal_.of_sent(q_, set_ - 1);
+    check_ = SequenceCheck(asked_.sequence);
+    bounces_ = 0;
+    jaw_.reset();
+    began_ = sim.time();
+    last_ = next.at_rest.at;
+    return false;
+  }
+
+  void note_hit(int ball, const Vec2d& at) {
+    const double reach = q_.boundary_of(number()).rim(Contact::ball(ball))->radius;
+    out_.hits.push_back(hit_by(incoming_, norm(incoming_.heading), ball, at, reach, bounces_));
+  }
+
+  template <class Sim>
+  bool bounces(const Event& e, const Sim& sim) {
+    last_ = sim.state(on_its_way()).at;
+    if (!carom_ && sim.time() == began_) return false;  // against what it touches, in the instant in which it is hit
+    if (bounces_ == asked_.max) return fail(Foul::extra_cushion, e.contact);
+    if (!check_.accepts(bounces_, e)) return fail(Foul::wrong_cushion, e.contact);
+    ++bounces_;
+    if (!carom_) return out_.then.back().cushions.push_back(e.contact), false;
+    out_.bounces = bounces_;
+    if (contacts_) contacts_->push_back(e.contact);
+    return false;
+  }
+
+  /// An arc of the ball that is on its way: closest to a point, and whether it is made there.
+  bool passes(double began, const Arc<double>& arc, double travelled) {
+    last_ = arc.position(travelled);
+    incoming_ = {last_, arc.velocity_at(travelled)};
+    if (q_.stop || !all_set() || !counts()) return false;
+    for (const Mark& mark : q_.marks) {
+      if (mark.captures() || mark.ball != number()) continue;
+      const double t = closest_time(arc, travelled, mark.at);
+      const Vec2d at = arc.position(t);
+      const double miss = norm(at - mark.at);
+      if (miss < out_.miss) {
+        out_.miss = miss;
+        out_.arrival = {begin_ + began + arc.seconds(t), norm(arc.velocity_at(t)), at};
+      }
+      near_end_ = miss <= mark.reach && !(t < travelled);
+      if (miss <= mark.reach && t < travelled) return out_.made = true;
+    }
+    return false;
+  }
+
+  template <class Sim>
+  bool falls(Contact pocket, const Sim& sim) {
+    const State<double>& now = sim.state(on_its_way());
+    const Mark* const mark = all_set() && counts() ? q_.mark_taken_by(pocket, now.at, number()) : nullptr;
+    if (!mark) return fail(Foul::pocketed, pocket);
+    out_.made = true;
+    out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
+    measure(q_, *mark, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
+    return true;
+  }
+
+  template <class Sim>
+  void rattle(Contact jaw, const Sim& sim) {
+    const auto of_jaws = [&](const Mark& mark) { return mark.taken_by == Contact::pocket(jaw.jaw_pocket()); };
+    if (!jaw_ && std::ranges::any_of(q_.marks, of_jaws)) jaw_ = Line{sim.state(on_its_way()).at, incoming_.heading};
+    out_.rattles = true;
+  }
+
+  template <class Sim>
+  bool rests(const Sim& sim) {
+    const Vec2d at = sim.state(on_its_way()).at;
+    if (!q_.stop || !all_set() || !counts()) return fail(Foul::fell_short);
+    const Mark& mark = q_.nearest_mark(at, number());
+    out_.miss = norm(at - mark.at);
+    out_.arrival = {begin_ + sim.time(), 0, at};
+    out_.made = out_.miss <= mark.reach;
+    if (!out_.made) out_.failure = {Foul::missed};
+    return true;
+  }
+
+  bool fail(Foul foul, Contact contact = {}) {
+    if (!(out_.miss < std::numeric_limits<double>::infinity())) {
+      out_.miss = norm(last_ - q_.nearest_mark(last_, number()).at);
+      out_.arrival = {begin_, 0, last_};
+    }
+    out_.failure = {foul, contact};
+    return true;
+  }
+
+  const Question& q_;
+  const Motion& motion_;
+  const Cushion& cushion_;
+  const Objects::Chain& chain_;
+  const Goal& goal_;
+  const bool carom_;
+  Goal::Bounces asked_;  ///< of the ball that is on its way
+  int bounces_;
+  SequenceCheck check_;
+  std::vector<Contact>* contacts_;
+  Replay& out_;
+  std::size_t set_ = 0;    ///< so many of the chain were touched
+  double begin_ = 0;       ///< s after the launch: the simulation's 0
+  double began_ = 0;       ///< s, of the ball that is on its way
+  bool near_end_ = false;  ///< a point was near where an arc ended
+  Vec2d last_;
+  Line incoming_{};
+  std::optional<Line> jaw_{};
+};
+
+}  // namespace bankshot::planning

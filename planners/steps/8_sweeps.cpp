@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+//
+// Aims across the first ball, for each route by which the struck ball comes to it.
+// Methods, in this order: for each leg of the balls that are sent on, a sweep evenly in the cut, each aim at the speed
+// that arrives as asked, whose changes of side are bisected and whose launches beside the exact line are tried as they
+// are; then a grid in the cut and the speed, from whose nodes Newton's method goes where the derivatives predict a root
+// nearby; and, of whatever legs, launches that a replay makes. Cost: some 200 simulations a pair of routes in a sweep,
+// 300 in a grid. Guarantee: none beyond the proof.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <tuple>
+
+#include "planners/certify.hpp"
+#include "planners/line_search.hpp"
+#include "planners/locked/clearance.hpp"
+#include "planners/locked/newton.hpp"
+#include "planners/locked/speed.hpp"
+#include "planners/settings.hpp"
+#include "planners/steps/made_as_asked.hpp"
+#include "planners/steps/steps.hpp"
+#include "planners/steps/sweeps.hpp"
+#include "planners/steps/to_ball.hpp"
+#include "planners/stop.hpp"
+
+namespace bankshot::planning::steps {
+namespace {
+
+using namespace settings::chains;
+
+class Sweeps {
+ public:
+  Sweeps(const Question& q, Ledger& ledger, Findings& found) : q_(q), ledger_(ledger), found_(found) {}
+
+  void run(const Objects::Chain& chain, const std::vector<Leg>& legs) {
+    const std::vector<Approach> to_ball = approaches(q_, ledger_, *chain.balls.front(), q_.cushions(), starts_by_map);
+    if (chain.balls.size() == 1) {  // through another ball aims that lead on to the next are far too near each other
+      each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
+      each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
+    }
+    for (const Approach& approach : to_ball)
+      each_launch(q_, approach.across, {sweep_steps, grid_rows}, [&](const Launch& launch, int) {
+        if (over()) return true;
+        if (const auto made = made_as_asked(q_, ledger_, launch))
+          certify(q_, ledger_, found_, made->launch, made->replay.bounces, word::chains, Demand::off_centre);
+        return false;
+      });
+  }
+
+ private:
+  bool over() const { return sweeps_over(q_, ledger_, found_); }
+
+  /// `look(chain, aims across the ball)`, once each.
+  template <class Look>
+  void each_pair(const Objects::Chain& chain, const std::vector<Leg>& legs, const std::vector<Approach>& to_ball,
+                 const Look& look) {
+    std::set<std::tuple<Route, double, double>> done;
+    for (const Leg& leg : legs) {
+      if (!done.insert({leg.route, leg.mark.at.x, leg.mark.at.y}).second) continue;
+      for (const Approach& approach : to_ball) {
+        if (over()) return;
+        const Route whole = together(chain, approach.route, leg);
+        look({q_, whole, leg.mark}, approach.across);
+      }
+    }
+  }
+
+  /// A launch at an aim, and on which side of the mark it leads the ball.
+  struct Side {
+    Launch launch;
+    double side = 0;
+    double lateral = 0;  ///< m, from the exact line
+  };
+
+  std::optional<Side> side_at(const LockedAim& aim, double angle, double guess) {
+    if (ledger_.spent()) return {};
+    const auto speed = speed_near(aim, ledger_, angle, guess);
+    const auto l = speed ? linearise(aim, ledger_, {*speed, angle}) : std::nullopt;
+    if (!l) return {};
+    return Side{{*speed, angle},
+                q_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0],
+                std::abs(l->r[0]) * q_.boundary.diagonal};
+  }
+
+  /// Where Newton's method does not come to the speed that arrives as asked.
+  std::optional<Side> side_from_bounds(const LockedAim& aim, double angle) {
+    const auto speed = speed_at(aim, ledger_, angle, q_.boundary.diagonal);
+    return speed ? side_at(aim, angle, *speed) : std::nullopt;
+  }
+
+  void sweep(const LockedAim& aim, const Range& across) {
+    const double middle = (across.low + across.high) / 2, half = (across.high - across.low) / 2;
+    std::optional<Side> last;
+    std::vector<Side> beside;
+    double guess = middle_speed(q_);
+    for (int i = -sweep_steps; i <= sweep_steps && !over(); ++i) {
+      const double cut = widest_cut * i / sweep_steps;
+      const double to = middle + half * std::sin(cut);
+      auto now = side_at(aim, to, guess);
+      if (!now) now = side_from_bounds(aim, to);
+      if (now) guess = now->launch.speed;
+      if (now && last && (now->side > 0) != (last->side > 0)) between(aim, *last, *now);
+      last = now;
+      if (now && !q_.starts() && now->lateral < 2 * aim.mark.reach) beside.push_back(*now);
+    }
+    make_beside(aim, beside);
+  }
+
+  void between(const LockedAim& aim, const Side& a, const Side& b) {
+    double low = a.launch.angle, high = b.launch.angle;
+    Launch at = a.launch;
+    int left = sweep_halvings;
+    bisect(
+        low, high, [&](double, double) { return left-- > 0; },
+        [&](double angle) {
+          const auto middle = side_at(aim, angle, at.speed);
+          if (middle) at = middle->launch;
+          return middle && (middle->side > 0) == (a.side > 0);
+        });
+    const auto root = newton(aim, ledger_, at, settings::wide);
+    if (root) certify_root(aim, ledger_, found_, root.launch, word::chains);
+  }
+
+  /// Where the exact line needs a launch that no bound allows, or is blocked, others lead in beside it.
+  void make_beside(const LockedAim& aim, std::vector<Side>& launches) {
+    std::ranges::sort(launches, {}, &Side::lateral);
+    for (const Side& s : launches) {
+      if (over()) return;
+      if (!q_.speed.contains(s.launch.speed) || !(clearance(aim, ledger_, s.launch).value_or(-1) > 0)) continue;
+      certify(q_, ledger_, found_, {s.launch.speed, wrap_angle(s.launch.angle)}, bounces_of(aim.route), word::chains,
+              Demand::off_centre);
+    }
+  }
+
+  void grid(const LockedAim& aim, const Range& across) {
+    const double slowest = std::max(q_.speed.low, q_.speed.high * settings::slowest_of_fastest);
+    const Neighbourhood near{grid_reach * (across.high - across.low) / 2 / grid_steps,
+                             grid_reach * (q_.one_unknown() ? 1 : std::log(q_.speed.high / slowest) / (grid_rows - 1))};
+    each_launch(q_, across, {grid_steps, grid_rows}, [&](const Launch& node, int) {
+      if (over()) return true;
+      const auto l = linearise(aim, ledger_, node);
+      const auto step = l ? newton_step(*l, q_.one_unknown()) : std::nullopt;
+      if (!step || !(std::abs((*step)[0]) < near.step_aim && std::abs((*step)[1]) < near.step_speed)) return false;
+      const auto root = newton(aim, ledger_, {node.speed * std::exp((*step)[1]), node.angle + (*step)[0]}, near);
+      if (root) certify_root(aim, ledger_, found_, root.launch, word::chains);
+      return false;
+    });
+  }
+
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+};
+
+}  // namespace
+
+void sweeps(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain, std::vector<Leg> legs) {
+  std::ranges::move(legs_of_images(q, chain), std::back_inserter(legs));
+  Sweeps(q, ledger, found).run(chain, legs);
+}
+
+bool sweeps_over(const Question& q, Ledger& ledger, const Findings& found) {
+  return stop::over(q, ledger, found) || !(q.all() || q.starts() || found.shots.empty());
+}
+
+}  // namespace bankshot::planning::steps

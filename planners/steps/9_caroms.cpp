@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+//
+// Off one ball onto another.
+// Method: for each route by which the struck ball comes to the first, aims across that ball at a few speeds are
+// followed through the contact and on, as if no other ball stood there. Each leg after the contact passes the second
+// ball on one side; where the side changes between two aims by the same cushions, Newton's method with derivatives
+// through the contact leads to the exact line, and where a leg touches it without that, the launch is tried as it is.
+// Routes with few cushions before the first ball come first. Cost: a simulation a launch, some 650 launches an
+// approach. Guarantee: none beyond the proof; two roots between two aims are passed over.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "bankshot/contact/ball_ball.hpp"
+#include "bankshot/simulate/simulator.hpp"
+#include "planners/certify.hpp"
+#include "planners/locked/newton.hpp"
+#include "planners/settings.hpp"
+#include "planners/start.hpp"
+#include "planners/steps/made_as_asked.hpp"
+#include "planners/steps/steps.hpp"
+#include "planners/steps/to_ball.hpp"
+#include "planners/stop.hpp"
+
+namespace bankshot::planning::steps {
+namespace {
+
+/// A leg of the struck ball after it has touched the first, and how it passes the second.
+struct Pass {
+  Launch launch;
+  double distance;  ///< m, from centre to centre at the closest
+  bool left;        ///< the second is on the left of the line of travel
+};
+using Passes = std::map<Route, Pass>;
+
+class Caroms {
+ public:
+  Caroms(const Question& q, Ledger& ledger, Findings& found, const Grid& grid, Step starts)
+      : q_(q),
+        ledger_(ledger),
+        found_(found),
+        grid_(grid),
+        starts_(starts),
+        first_(q.objects->find(q.carom_off())),
+        mark_(q.marks.front()),
+        to_first_(q.puzzle.table, q.puzzle.ball.body, q.puzzle.others, all_but_first()) {}
+
+  void run() {
+    const CushionRule& rule = q_.cushions();
+    for (int n = 0; n <= rule.max && !one_is_enough(); ++n)
+      for (const Approach& approach : approaches(q_, ledger_, first_, before_first(n), starts_)) {
+        if (stop::over(q_, ledger_, found_)) return;
+        look_across(approach);
+      }
+  }
+
+ private:
+  bool one_is_enough() const { return !q_.all() && !q_.starts() && !found_.shots.empty(); }
+
+  std::vector<int> all_but_first() const {
+    std::vector<int> out;
+    for (int k = 1; k <= static_cast<int>(q_.puzzle.others.size()); ++k)
+      if (k != first_.ball) out.push_back(k);
+    return out;
+  }
+
+  /// So many cushions of those asked.
+  CushionRule before_first(int n) const {
+    const auto& asked = q_.cushions().sequence;
+    return asked ? CushionRule::in_order({asked->begin(), asked->begin() + n}) : CushionRule::exactly(n);
+  }
+
+  /// They begin the cushions that are asked in order.
+  bool in_turn(const std::vector<Contact>& cushions) const {
+    const auto& asked = q_.cushions().sequence;
+    return !asked || (cushions.size() <= asked->size() && std::equal(cushions.begin(), cushions.end(), asked->begin()));
+  }
+
+  void look_across(const Approach& approach) {
+    std::map<int, Passes> before;
+    std::map<Route, std::vector<Pass>> touching;
+    each_launch(q_, approach.across, grid_, [&](const Launch& launch, int speed) {
+      if (stop::over(q_, ledger_, found_)) return true;
+      Passes now = follow(launch);
+      for (const auto& [route, pass] : now) {
+        const auto last = before[speed].find(route);
+        const bool crossed = last != before[speed].end() && last->second.left != pass.left;
+        if (pass.distance < mark_.reach) touching[route].push_back(pass);
+        if (crossed && root(route, closer(last->second, pass))) rooted_.insert(route);
+      }
+      before[speed] = std::move(now);
+      return false;
+    });
+    for (auto& [route, passes] : touching)
+      if (!rooted_.contains(route)) touch(route, passes);
+  }
+
+  static const Launch& closer(const Pass& a, const Pass& b) { return a.distance < b.distance ? a.launch : b.launch; }
+
+  /// Its legs after the first ball, by their routes.
+  Passes follow(const Launch& launch) {
+    Passes out;
+    with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+      Route route;
+      Simulator sim(to_first_, motion, cushion, start_of(q_, launch));
+      for (Event e = sim.step(); e.kind != EventKind::ball; e = sim.step())
+        if (!goes_on(e, route)) return;
+      State<double> struck = sim.state(), other{first_.at_rest.at, {}, {}};
+      collisions(q_.puzzle.physics).collide(q_.puzzle.ball.body, struck, first_.at_rest.body, other);
+      route.push_back({0, Contact::ball(first_.ball)});
+      onward(motion, cushion, struck, launch, route, out);
+      ledger_.charge(route.size());
+    });
+    return out;
+  }
+
+  template <class Motion, class Cushion>
+  void onward(const Motion& motion, const Cushion& cushion, const State<double>& struck, const Launch& launch,
+              Route& route, Passes& out) {
+    Simulator sim(q_.alone(), motion, cushion, struck);
+    for (;;) {
+      Pass pass{launch, forever, false};
+      const auto look = [&](const Arc<double>& arc, double travelled) {
+        const double t = closest_time(arc, travelled, mark_.at);
+        const Vec2d off = mark_.at - arc.position(t);
+        if (norm(off) < pass.distance) pass.distance = norm(off), pass.left = is_left(arc.velocity_at(t), off);
+      };
+      Event e;
+      do {
+        e = sim.step(forever, look);
+        look(sim.arc(), sim.travelled());
+      } while (e.kind == EventKind::slide_to_roll);
+      if (bounces_of(route) >= q_.cushions().min) out.emplace(route, pass);
+      if (!goes_on(e, route)) return;
+    }
+  }
+
+  /// Of the exact line, from a ball that moves so with the second this far off.
+  bool is_left(const Vec2d& velocity, const Vec2d& off) const {
+    return cross(velocity, off) + mark_.cuts->exact * norm(velocity) > 0;
+  }
+
+  /// After this event, which is noted: with no more bounces than are asked, and in their order.
+  bool goes_on(const Event& e, Route& route) const {
+    if (e.kind == EventKind::slide_to_roll) return true;
+    if (e.kind != EventKind::cushion || bounces_of(route) == q_.cushions().max) return false;
+    route.push_back({0, e.contact});
+    return in_turn(contacts_of(route));
+  }
+
+  /// At the speed of the launch, and from there as fast at the target as asked.
+  bool root(const Route& route, const Launch& from) {
+    const Question at_speed = q_.launched_at(from.speed);
+    const LockedAim fixed{at_speed, route, mark_};
+    auto found = newton(fixed, ledger_, from, settings::wide);
+    if (!found) return false;
+    if (!q_.one_unknown() && q_.arrival->fixed()) {
+      const LockedAim free{q_, route, mark_};
+      found = newton(free, ledger_, found.launch, settings::wide);
+      if (!found) return false;
+      return keep(free, found.launch);
+    }
+    return keep(fixed, found.launch);
+  }
+
+  bool keep(const LockedAim& aim, const Launch& root) {
+    const auto l = linearise(aim, ledger_, root);
+    int& alike = kept_[{Route(aim.route.begin(), aim.route.end()), l && l->by_aim(0) > 0}];
+    if (alike == settings::caroms::most_alike && !(q_.all() && !q_.starts())) return true;
+    const bool kept = certify_root(aim, ledger_, found_, root, word::caroms) || q_.starts();
+    alike += kept;
+    return kept;
+  }
+
+  /// Where no two aims are on either side: from the closest, or beside the exact line as one of them is.
+  void touch(const Route& route, std::vector<Pass>& passes) {
+    std::ranges::sort(passes, {}, &Pass::distance);
+    if (root(route, passes.front().launch)) return void(rooted_.insert(route));
+    if (q_.starts()) return;
+    for (const Pass& pass : passes) {
+      if (one_is_enough() || stop::over(q_, ledger_, found_)) return;
+      const auto made = made_as_asked(q_, ledger_, pass.launch);
+      if (made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, word::caroms, Demand::off_centre))
+        return void(rooted_.insert(route));
+    }
+  }
+
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+  const Grid grid_;
+  const Step starts_;
+  const Objects::Object& first_;
+  const Mark& mark_;
+  const Boundary to_first_;  ///< with the first ball alone
+  std::map<std::pair<Route, bool>, int> kept_{};
+  std::set<Route> rooted_{};
+};
+
+}  // namespace
+
+void caroms(const Question& q, Ledger& ledger, Findings& found) {
+  using namespace settings::caroms;
+  Caroms(q, ledger, found, {aims, speeds}, starts_by_images).run();
+}
+
+void caroms_closely(const Question& q, Ledger& ledger, Findings& found) {
+  using namespace settings::caroms;
+  Caroms(q, ledger, found, {close_aims, close_speeds}, starts_by_map).run();
+}
+
+}  // namespace bankshot::planning::steps

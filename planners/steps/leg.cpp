@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "planners/steps/leg.hpp"
+
+#include "planners/images/unfold.hpp"
+#include "planners/proof/replay.hpp"
+#include "planners/settings.hpp"
+#include "planners/steps/part.hpp"
+
+namespace bankshot::planning::steps {
+namespace {
+
+using namespace settings::chains;
+
+/// By what stands where it does at any speed.
+bool is_blocked(Foul foul) { return foul == Foul::hit_ball || foul == Foul::pocketed || foul == Foul::wrong_cushion; }
+
+Leg leg_of(const Part& own, const Launch& launch, const Route& route, const Mark& mark, bool clear) {
+  Leg leg{launch, own.whole(route), mark, clear};
+  leg.mark.ball = own.whole(mark.ball);
+  return leg;
+}
+
+}  // namespace
+
+std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts) {
+  const Part own = last_alone(q, chain);
+  const Question all(own.puzzle, Wanted::starts);
+  std::vector<Leg> out;
+  const auto look = [&](const Question& one) {
+    Findings found;
+    starts(one, ledger, found);
+    for (const Lead& lead : found.leads) {
+      if (ledger.spent()) return;
+      const std::vector<Contact> cushions = contacts_of(lead.route);
+      const bool clear = !is_blocked(replay(one, ledger, lead.launch, Goal::along(cushions)).failure.foul);
+      out.push_back(leg_of(own, lead.launch, lead.route, lead.mark, clear));
+    }
+  };
+  if (!q.one_unknown())
+    look(all.asking(q.asked));
+  else
+    for (const double share : shares_of_speed) look(all.launched_at(share * q.fixed_speed()));
+  return out;
+}
+
+std::vector<Leg> legs_of_images(const Question& q, const Objects::Chain& chain) {
+  std::vector<Leg> out;
+  const Part own = last_alone(q, chain);
+  const Question all(own.puzzle, Wanted::starts);
+  const bool straight = is_straight(q.puzzle.physics);
+  for (const double share : settings::restitution_shares) {
+    const double e = share * restitution(q.puzzle.physics).at_rest;
+    Unfolding images(all, {.parts = true, .restitution = e, .keep_routes = true});
+    while (const auto image = images.next())
+      out.push_back(leg_of(own, {1, image->angle}, images.route(*image), all.marks[image->mark], true));
+    if (straight) break;
+  }
+  return out;
+}
+
+Route together(const Objects::Chain& chain, Route before, const Leg& leg) {
+  const std::size_t n = chain.balls.size();
+  before.push_back({n > 1 ? chain.balls[n - 2]->ball : 0, Contact::ball(chain.balls[n - 1]->ball)});
+  before.insert(before.end(), leg.route.begin(), leg.route.end());
+  return before;
+}
+
+}  // namespace bankshot::planning::steps

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// What the last ball that is sent on must do, as if it were launched by itself: a search of one ball.
+#pragma once
+
+#include <vector>
+
+#include "planners/steps/steps.hpp"
+
+namespace bankshot::planning::steps {
+
+struct Leg {
+  Launch launch;  ///< of the ball, which stands still
+  Route route;
+  Mark mark;
+  bool clear = true;  ///< so launched it arrives: nothing is in the way
+};
+
+/// By the roots that a step finds. Where the launch speed of the struck ball is all that is given, that of the other is
+/// guessed.
+std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts);
+
+/// By images, though no launch by itself may lead along them.
+std::vector<Leg> legs_of_images(const Question& q, const Objects::Chain& chain);
+
+/// The balls before the last come to it by this route.
+Route together(const Objects::Chain& chain, Route before, const Leg& leg);
+
+}  // namespace bankshot::planning::steps

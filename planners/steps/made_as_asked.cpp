@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "planners/steps/made_as_asked.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/numbers/tolerances.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::steps {
+namespace {
+
+double square(double x) { return x * x; }
+
+/// What is asked of a speed that arrives so fast [m/s].
+double wanted(const Question& q, double arrived) {
+  return q.arrival->fixed() ? q.asked : std::clamp(arrived, q.arrival->low, q.arrival->high);
+}
+
+/// Whether it arrives as fast as asked, or as the launch speed lets it.
+bool as_fast(const Question& q, double arrived) {
+  if (q.one_unknown() || q.stop) return true;
+  const double fine = tolerance::exact_speed * std::max(1.0, q.asked) / 4;
+  return std::abs(arrived - wanted(q, arrived)) <= fine;
+}
+
+}  // namespace
+
+std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch at) {
+  const Goal goal = Goal::of(q, Demand::made);
+  const auto follow = [&] { return replay(q, ledger, {at.speed, wrap_angle(at.angle)}, goal); };
+  Replay r = follow();
+  double slope = square(r.arrival.speed / at.speed);
+  for (int n = 0; n < settings::chains::most_secants && r.made && !as_fast(q, r.arrival.speed) && slope > 0; ++n) {
+    if (ledger.spent()) return {};
+    const double before = square(at.speed), arrived = square(r.arrival.speed);
+    const double off = square(wanted(q, r.arrival.speed)) - arrived;
+    at.speed *= std::sqrt(1 + std::clamp(off / (slope * before), -0.5, 1.0));
+    r = follow();
+    const double grown = (square(r.arrival.speed) - arrived) / (square(at.speed) - before);
+    if (grown > 0) slope = grown;
+  }
+  if (!r.made || !as_fast(q, r.arrival.speed) || ledger.spent()) return {};
+  return AsAsked{{at.speed, wrap_angle(at.angle)}, r};
+}
+
+}  // namespace bankshot::planning::steps

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// Launches that are made by whatever they meet, brought to the arrival speed that is asked.
+#pragma once
+
+#include <optional>
+
+#include "planners/ledger.hpp"
+#include "planners/proof/replay.hpp"
+#include "planners/question.hpp"
+
+namespace bankshot::planning::steps {
+
+struct AsAsked {
+  Launch launch;
+  Replay replay;
+};
+
+/// At the aim of a launch, and from its speed: by secants of the squared speeds. None where it is not made, there or on
+/// the way. A simulation a step.
+std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch at);
+
+}  // namespace bankshot::planning::steps

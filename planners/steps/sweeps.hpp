@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// What is left to try where seeds of a chain lead to no shot; for the step of chains.
+#pragma once
+
+#include <vector>
+
+#include "planners/steps/leg.hpp"
+
+namespace bankshot::planning::steps {
+
+/// Each route of the struck ball with each of these legs, and those of images.
+void sweeps(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain, std::vector<Leg> legs);
+
+/// Nothing more may be tried, or need be.
+bool sweeps_over(const Question& q, Ledger& ledger, const Findings& found);
+
+}  // namespace bankshot::planning::steps

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// The struck ball by itself, on its way to the first ball that it sets going: aims across that, for the steps of chains
+// and caroms.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "planners/steps/steps.hpp"
+
+namespace bankshot::planning::steps {
+
+/// m/s, of the launch, in the middle of its bounds: where aims across a ball are laid.
+double middle_speed(const Question& q);
+
+/// A route of the struck ball to another, and the aims at which it touches that at one speed, or nearly.
+struct Approach {
+  Route route;
+  Range across;
+};
+
+/// All routes by these cushions that the roots of a step have.
+std::vector<Approach> approaches(const Question& q, Ledger& ledger, const Objects::Object& object,
+                                 const CushionRule& cushions, Step starts);
+
+/// Evenly in the cut and in the logarithm of the speed.
+struct Grid {
+  int aims;    ///< to either side of the middle
+  int speeds;  ///< one, where it is given
+};
+/// `look(launch, number of its speed)` of each node, aim by aim, until it says that it is over.
+void each_launch(const Question& q, const Range& across, const Grid& grid,
+                 const std::function<bool(const Launch&, int)>& look);
+
+/// Roots of locked paths by images; and with maps, where these may miss some.
+void starts_by_images(const Question& q, Ledger& ledger, Findings& found);
+void starts_by_map(const Question& q, Ledger& ledger, Findings& found);
+
+}  // namespace bankshot::planning::steps

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// Off one ball onto another.
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/json.hpp"
+#include "support/catch.hpp"
+#include "support/families.hpp"
+#include "support/replay_check.hpp"
+#include "truth/claims.hpp"
+
+using namespace bankshot;
+
+namespace {
+
+Puzzle carom(const std::string& keys) {
+  return read_puzzle(R"({"table": "carom-10ft", "ball": {"at": [0.71, 0.5]}, )" + keys + R"(,
+    "others": [{"id": "red", "at": [2.13, 0.71]}, {"id": "yellow", "at": [0.6, 1.15]}]})");
+}
+
+}  // namespace
+
+TEST_CASE("caroms that a shot made are found, nearly always, and no shot is wrong") {
+  const auto [model, count] = GENERATE(table<test::Model, int>(
+      {{test::Model::ideal, 40}, {test::Model::rolling, 40}, {test::Model::spin, 40}, {test::Model::mathavan, 2}}));
+  constexpr std::uint64_t seed = 47;
+  test::Random random(seed);
+  int unsolved = 0;
+  for (int i = 0; i < count; ++i) {
+    const test::Made made = test::find_family("caroms")->make(random, model, -1);
+    CAPTURE(seed, i, write_puzzle(made.puzzle));
+    const Answer a = solve(made.puzzle, {.suggest = false});
+    unsolved += a.status != Status::solved;
+    if (a.status != Status::solved) continue;
+    CHECK(test::check_shot(made.puzzle, a.shots.front()).problem.empty());
+    if (i % 10 == 0)
+      for (const truth::Check& c : truth::check(&made.puzzle, made.puzzle.id, a)) CHECK(c.holds());
+  }
+  CHECK(unsolved <= 1 + count / 20);
+}
+
+TEST_CASE("a direct carom touches the first ball and then the second, as it is cut") {
+  const Puzzle p = carom(R"("target": {"carom": ["red", "yellow"], "cut": 20, "within": 3}, "cushions": {"max": 2})");
+  const Answer a = solve(p);
+  REQUIRE(a.status == Status::solved);
+  const Shot& s = a.shots.front();
+  CHECK(s.then.empty());
+  REQUIRE(s.hits.size() == 2);
+  CHECK(s.hits[0].ball == 1);
+  CHECK(s.hits[1].ball == 2);
+  CHECK(degrees(s.hits[1].cut) == Approx(20).margin(3));
+  CHECK(s.cushions.size() <= 2);
+}
+
+TEST_CASE("three cushions before the second ball, wherever the first is touched between them") {
+  const Puzzle p =
+      carom(R"("target": {"carom": ["red", "yellow"]}, "cushions": {"min": 3, "max": 4}, "speed": [1, 6])");
+  const Answer best = solve(p), all = solve(p, {.all = true});
+  REQUIRE(best.status == Status::solved);
+  CHECK(all.shots.size() > 5);
+  bool before = false, between = false;
+  for (const Shot& s : all.shots) {
+    CHECK(s.cushions.size() >= 3);
+    CHECK(s.cushions.size() <= 4);
+    CHECK(s.arrival.speed >= 0.2 - 1e-9);
+    CHECK(test::check_shot(p, s).problem.empty());
+    before = before || s.hits[0].after > 0;
+    between = between || s.hits[0].after == 0;
+  }
+  CHECK(before);
+  CHECK(between);
+  CHECK(*best.shots.front().success >= *all.shots.front().success - 0.005);
+}
+
+TEST_CASE("a carom that no bound allows says how it was searched") {
+  Puzzle p = carom(R"("target": {"carom": ["red", "yellow"]}, "cushions": 0, "speed": [0.1, 0.2])");
+  const Answer a = solve(p, {.suggest = false});
+  CHECK(a.status == Status::no_shot);
+  CHECK_THAT(a.message, Catch::Contains("aims across the first ball"));
+}
