@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "answer/sights.hpp"
 #include "bankshot/geometry/boundary.hpp"
@@ -196,12 +197,14 @@ std::string noise_words(const Noise& n) {
 
 namespace {
 
+bool is_carom(const Shot& shot) { return shot.then.empty() && shot.hits.size() > 1; }
+
 /// Of the struck ball; in a carom those before the first ball and those after it.
 std::string cushion_words(const Puzzle& p, const Shot& shot) {
   const auto named = [&](const std::vector<Contact>& cushions) {
     return cushions.empty() ? "none" : cushion_names(p.table, cushions);
   };
-  if (!shot.then.empty() || shot.hits.size() < 2) return named(shot.cushions);
+  if (!is_carom(shot)) return named(shot.cushions);
   const auto first = shot.cushions.begin() + shot.hits.front().after;
   return fmt::format("{}; off {}: {}", named({shot.cushions.begin(), first}),
                      contact_name(p, Contact::ball(shot.hits.front().ball)), named({first, shot.cushions.end()}));
@@ -211,11 +214,7 @@ std::string cushion_words(const Puzzle& p, const Shot& shot) {
 std::string target_of(const Puzzle& p, const Shot& shot, const std::string& aim) {
   const auto name = [&](int ball) { return contact_name(p, Contact::ball(ball)); };
   if (shot.hits.empty()) return aim;
-  if (shot.then.empty()) {
-    std::string off;
-    for (const Hit& hit : std::span(shot.hits).first(shot.hits.size() - 1)) off += "off " + name(hit.ball) + " ";
-    return off + "onto " + name(shot.hits.back().ball);
-  }
+  if (shot.then.empty()) return "onto " + name(shot.hits.back().ball);
   std::string to;
   for (const Onward& sent : shot.then)
     to += (to.empty() ? "to send " : "onto ") + name(sent.ball) + " " +
@@ -233,9 +232,14 @@ std::string title_words(const Puzzle& p, const Shot& shot) {
   const std::string to = target_of(p, shot, aim);
   constexpr std::size_t most_named = 5;
   if (shot.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.cushions.size(), to);
-  return (shot.cushions.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
-                                : "By " + cushion_names(p.table, shot.cushions) + " ") +
-         to;
+  const bool carom = is_carom(shot);
+  const auto split = shot.cushions.begin() + (carom ? shot.hits.front().after : std::ssize(shot.cushions));
+  const std::vector<Contact> first(shot.cushions.begin(), split), then(split, shot.cushions.end());
+  const std::string start = first.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
+                                          : "By " + cushion_names(p.table, first) + " ";
+  if (!carom) return start + to;
+  return start + "off " + contact_name(p, Contact::ball(shot.hits.front().ball)) + " " +
+         (then.empty() ? "" : "by " + cushion_names(p.table, then) + " ") + to;
 }
 
 std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
@@ -244,7 +248,7 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
                         {"speed", speed_words(r)}};
   if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
   rows.push_back({"cushions", cushion_words(p, shot)});
-  if (shot.then.empty() && shot.hits.size() > 1) rows.push_back({"touches", hit_words(p, shot.hits.front())});
+  if (is_carom(shot)) rows.push_back({"touches", hit_words(p, shot.hits.front())});
   for (std::size_t i = 0; i < shot.then.size(); ++i) {
     rows.push_back({i == 0 ? "touches" : "onto", hit_words(p, shot.hits[i])});
     if (!shot.then[i].cushions.empty())

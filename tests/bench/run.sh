@@ -63,7 +63,7 @@ part() {
       for physics in ideal rolling spin mathavan; do
         n=10000
         [ $physics = mathavan ] && n=100
-        for family in obstacles kicks pots banks kick-pots kick-banks sent-to-rest sent-past; do
+        for family in obstacles kicks pots banks kick-pots kick-banks sent-to-rest sent-past combinations caroms; do
           [ $physics/$family = ideal/sent-to-rest ] || look "balls-$physics-$family" --count $n --physics $physics --family "$family"
         done
       done
