@@ -11,8 +11,10 @@ bin=build/release
 for puzzle in examples/puzzles/*.json; do
   name=$(basename "$puzzle" .json)
   echo "== $name"
+  more=()
+  [ "$name" = three-cushion-carom ] && more=(--animate)
   # Not every one has a shot: that is exit 1.
-  "$bin/bankshot" solve "$puzzle" --svg "examples/figures/$name.svg" | tee "examples/puzzles/$name.txt" || [ $? = 1 ]
+  "$bin/bankshot" solve "$puzzle" --svg "examples/figures/$name.svg" "${more[@]}" | tee "examples/puzzles/$name.txt" || [ $? = 1 ]
 done
 for example in "$bin"/examples/[0-9]*; do
   [ -x "$example" ] || continue

@@ -107,8 +107,9 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
   const Goal goal = Goal::exactly(q, bounces, demand);
   Proof proof = prove(q, ledger, launch, goal);
   if (!proof.holds()) return count_failure(found, proof, bounces), false;
-  if (!proof.shot.then.empty() && proof.shot.off_centre) {
-    // Launches that are made by rounding alone, where a cushion ends at a pocket's circle, are no shots.
+  if (q.objects && proof.shot.off_centre) {
+    // Launches that are made by rounding alone are no shots: where a cushion ends at a pocket's circle, or after a
+    // contact that would leave the struck ball standing.
     add_first_order(q, proof.shot);
     if (!is_firm(q, ledger, proof.shot)) return false;
   }

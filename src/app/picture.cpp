@@ -90,7 +90,8 @@ void add_picture_flags(CLI::App& command, PictureFlags& flags) {
       ->check([](const std::string& path) {
         return path.ends_with(".png") ? picture_name(path) : "\"" + path + "\" must end in .png";
       });
-  add_theme_flag(command, flags.theme);
+  add_theme_flag(command, flags.style.theme);
+  command.add_flag("--animate", flags.style.moving, "The balls in the SVG move, in real time and over and over");
 }
 
 }  // namespace bankshot::app

@@ -32,13 +32,13 @@ void write_outputs(const std::vector<std::string>& files, const Table& table, co
 
 struct PictureFlags {
   std::string svg, png;
-  Theme theme = Theme::light;
+  PictureStyle style{};
 
-  /// `draw(theme)` makes the SVG text; it runs only when a picture is wanted.
+  /// `draw(style)` makes the SVG text; it runs only when a picture is wanted.
   template <class Draw>
   void write(const Draw& draw) const {
     if (svg.empty() && png.empty()) return;
-    const std::string text = draw(theme);
+    const std::string text = draw(style);
     if (!svg.empty()) write_file(svg, text);
     if (!png.empty()) write_picture(png, text);
   }

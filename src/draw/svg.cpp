@@ -7,6 +7,7 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "draw/caption.hpp"
+#include "draw/moving.hpp"
 #include "draw/path.hpp"
 #include "draw/table.hpp"
 
@@ -33,6 +34,11 @@ std::vector<Row> caption_rows(std::vector<Row> all, const Trajectory& t) {
 void draw_standing(Canvas& c, const Puzzle& p) {
   for (const Ball& other : p.others) draw_other(c, other, other.at);
   draw_ball(c, p.ball, p.ball.at);
+}
+
+/// The same, or on their way.
+void draw_balls(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
+  style.moving ? draw_moving(c, as_request(p, shot)) : draw_standing(c, p);
 }
 
 /// The balls that are sent on, and their paths up to where each sends the next: that of the last.
@@ -63,7 +69,7 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
   draw_ball(c, p.ball, shot.then.empty() ? shot.arrival.at : shot.hits.front().at, 0.6);
   const Trajectory arriving = shot.then.empty() ? t : draw_sent(c, request, all, shot, style);
-  draw_standing(c, p);
+  draw_balls(c, p, shot, style);
   draw_opening(c, p, shot, arriving.events.back().state.velocity);
   if (style.words) draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot), t), &request);
 }
@@ -94,7 +100,7 @@ void draw_all(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& s
   const std::size_t shown = std::min(most_listed, paths.size());
   for (std::size_t i = shown; i-- > 0;) draw_tag(c, p.ball, paths[i], static_cast<int>(i) + 1, colour(i));
   for (std::size_t i = 0; i < shown; ++i) list.push_back({static_cast<int>(i) + 1, colour(i), listed(p, a.shots[i])});
-  draw_standing(c, p);
+  draw_balls(c, p, a.shots.front(), style);
   if (!style.words) return;
   draw_list(c,
             fmt::format("{} shots, the best first{}", paths.size(),
@@ -149,7 +155,6 @@ void draw_others(Canvas& c, const ShotRequest& r, const Trajectory& t, const Pic
               {.colour = colour_of(c, other), .width = 0.7 * line_width(style), .ghosts = false, .numbers = false});
     draw_other(c, other, end_of(own, ball).state.at, 0.6);
   }
-  for (const Ball& other : r.others) draw_other(c, other, other.at);
 }
 
 }  // namespace
@@ -164,7 +169,12 @@ std::string draw(const ShotRequest& r, const Trajectory& all, const PictureStyle
   draw_path(c, r.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, r, t, c.c.paths[0]);
   draw_ball(c, r.ball, t.events.back().state.at, 0.6);
-  draw_ball(c, r.ball, r.ball.at);
+  if (style.moving) {
+    draw_moving(c, r);
+  } else {
+    for (const Ball& other : r.others) draw_other(c, other, other.at);
+    draw_ball(c, r.ball, r.ball.at);
+  }
   const std::string title = fmt::format("{:.2f} m/s at {:.2f} degrees", r.launch.speed, degrees(r.launch.angle));
   if (style.words) {
     std::vector<Row> rows{{"aim", aim_words(r)}, {"speed", speed_words(r)}};

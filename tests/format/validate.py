@@ -139,7 +139,7 @@ mutants = [changed(draw.choice(puzzles), draw) for _ in range(args.mutants)]
 verdicts = jsonl(run("batch", "-", "--quiet", "--budget", "0", "--no-robustness", text=lines_of(mutants)))
 if len(verdicts) != len(mutants):
     fail("an answer is missing", len(verdicts))
-of_form = re.compile(r"must be (a|an|true|at least|greater than|between|\")|required|unknown|not supported|is no (?!cushion|pocket)")
+of_form = re.compile(r"must be (a|an|true|at least|greater than|between|\")|required|unknown|not supported|is no (?!cushion|pocket|ball)")
 counts = {"both take it": 0, "both refuse it": 0, "the program alone refuses it": 0}
 for mutant, verdict in zip(mutants, verdicts):
     errors, refused = list(puzzle.iter_errors(mutant)), verdict["status"] == "invalid"

@@ -103,7 +103,7 @@ int run(const Arguments& a) {
     const ShotRequest request = read_shot(text);
     const Trajectory t = bankshot::simulate(request);
     const auto write = [&] {
-      a.picture.write([&](Theme theme) { return draw(request, t, {.theme = theme}); });
+      a.picture.write([&](const PictureStyle& style) { return draw(request, t, style); });
       if (!a.csv.empty() && a.csv != "-") write_file(a.csv, csv_of(request, t, a.rate));
     };
     print_after(write, a.csv == "-" ? csv_of(request, t, a.rate)

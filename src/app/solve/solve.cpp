@@ -52,7 +52,7 @@ int run(const Arguments& a) {
     const Puzzle puzzle = a.flags.read(text);
     const Answer answer = bankshot::solve(puzzle, a.flags.solve_options());
     const auto write = [&] {
-      a.picture.write([&](Theme theme) { return draw(puzzle, answer, {.theme = theme}); });
+      a.picture.write([&](const PictureStyle& style) { return draw(puzzle, answer, style); });
       if (!a.csv.empty() && a.csv != "-") write_file(a.csv, to_csv(puzzle, answer, a.flags.options.all));
     };
     print_after(write, a.csv == "-" ? to_csv(puzzle, answer, a.flags.options.all)
