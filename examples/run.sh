@@ -27,4 +27,6 @@ echo "== what a corner takes"
 "$bin/bankshot" pocket pool-9ft bottom-left -o examples/figures/pocket.svg
 echo "== the puzzle book"
 "$bin/bankshot" book examples/puzzles/book.jsonl -o examples/figures/book.svg
+echo "== the book with other balls"
+"$bin/bankshot" book examples/puzzles/balls.jsonl -o examples/figures/balls.svg
 echo "Pictures: examples/figures/*.svg"

@@ -124,7 +124,7 @@ void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const G
       q.boundary_of(q.mark_of(shot).ball).clearance(shot.arrival.at) <= tolerance::exact_miss * q.boundary.diagonal;
   const bool looked_at = goal.demand == Demand::exact && on_a_line && step != steps::word::along;
   shot.digits = !looked_at || make_firm(q, ledger, goal, shot) ? promised_digits(q, shot) : 0;
-  shot.scratch = !shot.hits.empty() && scratches(q, ledger, shot.launch);
+  add_aftermath(q, ledger, shot);
   shot.planner = step;
   shot.simulations = ledger.simulations();
   found.shots.push_back(std::move(shot));

@@ -52,6 +52,9 @@ LaunchSpin draw_spin(Random& r, const Physics& physics) {
 }
 
 Wish::Kind kind_of(const Puzzle& p) {
+  if (then_of(p.target)) return Wish::Kind::pot;
+  if (off_of(p.target) != 0) return Wish::Kind::carom;
+  if (std::holds_alternative<BallTarget>(p.target)) return Wish::Kind::kick;
   if (is_pocket(p.target)) return Wish::Kind::pocket;
   const auto asked = arrival_range(p);
   return asked && asked->high == 0 ? Wish::Kind::stop : Wish::Kind::pass;
@@ -73,7 +76,7 @@ void tidy(Puzzle& p) {
   else
     p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
   constexpr double dropping = 0.5;  // m/s: one speed, so that a pocket has one answer, too
-  if (is_pocket(p.target) && !is_ideal(p.physics) && !p.speed.fixed())
+  if (kind_of(p) == Wish::Kind::pocket && !is_ideal(p.physics) && !p.speed.fixed())
     p.arrive = Range{dropping, dropping};
   else if (p.arrive && !stops)
     p.arrive = Range{in_tenths(p.arrive->low), in_tenths(p.arrive->low)};
@@ -100,7 +103,40 @@ std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& bounda
   return asked->puzzle;
 }
 
-/// A ball and a target drawn at random, for a sequence that hardly any drawn shot would have.
+bool touches_balls(const Wish& w) { return w.kind && *w.kind >= Wish::Kind::kick; }
+
+/// Balls at free places, none of which touches another; false where there is no room.
+bool scatter(Random& r, const Wish& w, const Boundary& boundary, Puzzle& p) {
+  constexpr int usual = 3, patience = 200;
+  const bool carom = w.kind == Wish::Kind::carom;
+  const int needed = carom ? 2 : touches_balls(w) ? 1 : 0;
+  const int count = needed > 0 && w.others == 0 ? usual : std::max(w.others, needed);
+  const auto id = [&](std::size_t k) {
+    return carom && k < 2 ? std::string(k == 0 ? "red" : "yellow") : std::to_string(k + 1);
+  };
+  for (int tries = 0; tries < patience && static_cast<int>(p.others.size()) < count; ++tries) {
+    const auto at = free_place(r, boundary, w.table);
+    const auto clear = [&](const Ball& b) { return norm(b.at - *at) > 2 * w.ball.body.radius; };
+    if (at && clear(p.ball) && std::ranges::all_of(p.others, clear))
+      p.others.push_back({*at, w.ball.body, id(p.others.size())});
+  }
+  return static_cast<int>(p.others.size()) == count;
+}
+
+Target draw_target(Random& r, const Wish& w, const Vec2d& at) {
+  const auto pockets = static_cast<int>(w.table.pockets.size());
+  const auto some_pocket = [&] { return PocketTarget{r.integer(0, pockets - 1)}; };
+  if (touches_balls(w)) {
+    BallTarget target{.balls = {1}};
+    if (w.kind == Wish::Kind::pot) target.then = Then{some_pocket(), w.then, {}};
+    if (w.kind == Wish::Kind::carom) target = {.balls = {2}, .within = radians(90.0), .off = 1};
+    return target;
+  }
+  if (pockets > 0 && (w.kind ? w.kind == Wish::Kind::pocket : r.chance(0.5))) return some_pocket();
+  return PointTarget{at};
+}
+
+/// Balls and a target drawn at random, for what hardly any drawn shot would do.
 std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boundary) {
   const auto at = free_place(r, boundary, w.table), target = free_place(r, boundary, w.table);
   if (!at || !target) return {};
@@ -108,12 +144,12 @@ std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boun
   p.ball.at = *at;
   p.spin = draw_spin(r, w.physics);
   p.cushions = w.cushions;
-  p.target = PointTarget{*target};
-  const auto pockets = static_cast<int>(w.table.pockets.size());
-  if (pockets > 0 && r.chance(0.5))
-    p.target = PocketTarget{r.integer(0, pockets - 1)};
-  else if (r.chance(0.5))
-    p.arrive = Range{0.5, 0.5};
+  if (!p.cushions.sequence && w.kind != Wish::Kind::carom)
+    p.cushions = CushionRule::exactly(r.integer(w.cushions.min, w.cushions.max));
+  if (!scatter(r, w, boundary, p)) return {};
+  p.target = draw_target(r, w, *target);
+  const bool passes = w.kind ? w.kind == Wish::Kind::pass : r.chance(0.5);
+  if (std::holds_alternative<PointTarget>(p.target) && passes) p.arrive = Range{0.5, 0.5};
   return p;
 }
 
@@ -125,13 +161,14 @@ bool is_sound(const Puzzle& p, const Boundary& boundary) {
     return false;
   }
   constexpr double near = 0.2;
-  const Mark mark = marks_of(p.target, boundary).front();
+  const Mark mark = marks_of(p).front();
   return norm(mark.at - p.ball.at) >= near * boundary.diagonal;
 }
 
 /// A drawn target often has no shot, and to be sure of that costs far more than to find one.
 bool has_quick_shot(Puzzle p) {
-  constexpr long quick = 2000;  // simulations
+  // Simulations: a carom is looked for among all aims across its first ball.
+  const long quick = off_of(p.target) != 0 ? 50000 : 2000;
   p.budget = std::min(p.budget, quick);
   return solve(p, {.robustness = false, .suggest = false}).status == Status::solved;
 }
@@ -210,12 +247,13 @@ std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
   while (tries.solved < w.tries && tries.draws < draws_a_try * w.tries) {
     constexpr long patience = 1000;  // draws for one pocket, which may have no such shot
     if (tries.draws++ % patience == 0) pocket = r.integer(0, std::max(0, static_cast<int>(w.table.pockets.size()) - 1));
-    auto p = w.cushions.sequence ? from_target(r, w, boundary) : from_shot(r, w, boundary, pocket);
+    const bool drawn = w.cushions.sequence || w.others > 0 || touches_balls(w);
+    auto p = drawn ? from_target(r, w, boundary) : from_shot(r, w, boundary, pocket);
     if (!p) continue;
     tidy(*p);
     if ((w.kind && kind_of(*p) != *w.kind) || !is_sound(*p, boundary)) continue;
     ++tries.solved;
-    if (w.cushions.sequence && !has_quick_shot(*p)) {
+    if (drawn && !has_quick_shot(*p)) {
       ++tries.no_shot;
       continue;
     }

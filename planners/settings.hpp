@@ -319,6 +319,8 @@ inline constexpr double times = 1.1, more = 0.01;
 inline constexpr double at_cushion_times = 2.5, at_cushion_more = 0.1;
 /// Deviations: shots so near that the player's errors may lead from one to the other.
 inline constexpr double beside = 4;
+/// Of success: so little less is as good, where shots differ in what they leave.
+inline constexpr double as_likely = 0.02;
 }  // namespace rank
 
 namespace nearest {

@@ -9,6 +9,7 @@
 #include "planners/locked/clearance.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/success.hpp"
+#include "planners/proof/aftermath.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
@@ -190,6 +191,7 @@ Shot Family::tuned(const Shot& shot) {
       better->planner = best.planner;
       better->simulations = best.simulations;
       best = std::move(*better);
+      add_aftermath(q_, ledger_, best);
     } else {
       step /= 2;
     }

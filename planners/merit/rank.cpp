@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "planners/merit/margin.hpp"
 #include "planners/merit/success.hpp"
@@ -21,6 +22,23 @@ double merit(const Puzzle& p, const Shot& shot) {
 /// Nobody strikes a ball straight into the cushion it touches while there is another shot.
 bool last_choice(const Question& q, const Shot& shot) {
   return !shot.cushions.empty() && !q.route && q.into_touched_cushion(direction(shot.launch.angle));
+}
+
+/// m from where the struck ball should rest.
+double apart_from_leave(const Puzzle& p, const Shot& shot) {
+  return shot.cue_rests ? norm(*shot.cue_rests - *p.leave) : std::numeric_limits<double>::infinity();
+}
+
+/// Of the shots that are as likely as the best, to what nobody notices, the one that leaves the struck ball best; then
+/// of the rest, and so on.
+void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
+  for (auto rest = shots; !rest.empty();) {
+    const double enough = rest.front().success.value_or(0) - settings::rank::as_likely;
+    const auto unlike = std::ranges::find_if(
+        rest, [&](const Shot& s) { return s.success.value_or(0) < enough || s.scratch != rest.front().scratch; });
+    std::ranges::stable_sort(rest.begin(), unlike, {}, [&](const Shot& s) { return apart_from_leave(p, s); });
+    rest = rest.subspan(static_cast<std::size_t>(unlike - rest.begin()));
+  }
 }
 
 void order(const Question& q, std::span<Shot> shots) {
@@ -116,19 +134,21 @@ void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots
                    [](const Candidate& a, const Candidate& b) { return a.at_most > b.at_most; });
   std::size_t best = candidates.front().shot;
   for (const Candidate& c : candidates) {
-    if (shots[best].success && c.at_most <= *shots[best].success) break;
+    const double tie = q.puzzle.leave ? settings::rank::as_likely : 0;
+    if (shots[best].success && c.at_most <= *shots[best].success - tie) break;
     as_struck(q, shots[c.shot], [&](const Question& own) { find_success(own, ledger, shots[c.shot], shots); });
     if (*shots[c.shot].success > *shots[best].success) best = c.shot;
   }
   std::swap(shots.front(), shots[best]);
-  // Those behind it are tuned as well.
-  if (q.carom_off() != 0)
+  // Those behind it are tuned as well, or leave the struck ball better.
+  if (q.carom_off() != 0 || q.puzzle.leave)
     std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.success.value_or(0); });
 }
 
 void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
   std::vector<Shot>& shots = found.shots;
   const bool by_success = q.puzzle.prefer == Prefer::robust;
+  if (q.puzzle.leave && !q.all()) order_by_leave(q.puzzle, shots);
   for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
     as_struck(q, shot, [&](const Question& own) {
       if (!shot.success) find_success(own, ledger, shot, shots);
@@ -136,6 +156,7 @@ void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
     });
   }
   if (q.all() && by_success) order(q, shots);
+  if (q.all() && q.puzzle.leave) order_by_leave(q.puzzle, shots);
 }
 
 }  // namespace bankshot::planning

@@ -22,7 +22,7 @@ std::optional<Shot> moved(const Question& q, Ledger& ledger, const Shot& from, c
   Proof proof = prove(q, ledger, to, Goal::along(from));
   if (!proof.holds()) return {};
   Shot& shot = proof.shot;
-  shot.scratch = !shot.hits.empty() && scratches(q, ledger, shot.launch);
+  add_aftermath(q, ledger, shot);
   shot.planner = from.planner;
   shot.simulations = from.simulations;
   add_first_order(q, shot);

@@ -6,18 +6,24 @@
 
 namespace bankshot::planning {
 
-bool scratches(const Question& q, Ledger& ledger, const Launch& launch) {
+void add_aftermath(const Question& q, Ledger& ledger, Shot& shot) {
   const Puzzle& p = q.puzzle;
-  if (p.table.pockets.empty()) return false;
+  const bool rests = !is_ideal(p.physics);
+  if (shot.hits.empty() || (p.table.pockets.empty() && !rests)) return;
   ledger.charge(0);
-  const Starts starts(
-      {.table = p.table, .physics = p.physics, .ball = p.ball, .others = p.others, .launch = launch, .spin = q.spin});
-  const long most = is_ideal(p.physics) ? ideal_cushions : max_events;
-  return with_physics(p.physics, [&](const auto& motion, const auto& cushion) {
+  const Starts starts({.table = p.table,
+                       .physics = p.physics,
+                       .ball = p.ball,
+                       .others = p.others,
+                       .launch = shot.launch,
+                       .spin = q.spin});
+  const long most = rests ? max_events : ideal_cushions;
+  with_physics(p.physics, [&](const auto& motion, const auto& cushion) {
     ManyBalls sim(starts.balls(), motion, cushion, collisions(p.physics));
-    for (long i = 0; i < most && sim.in_play(0); ++i)
-      if (sim.step().event.kind == EventKind::horizon) break;
-    return !sim.in_play(0);
+    bool over = false;
+    for (long i = 0; i < most && sim.in_play(0) && !over; ++i) over = sim.step().event.kind == EventKind::horizon;
+    shot.scratch = !sim.in_play(0);
+    if (rests && over && !shot.scratch) shot.cue_rests = sim.state(0).at;
   });
 }
 

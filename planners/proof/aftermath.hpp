@@ -8,8 +8,8 @@
 
 namespace bankshot::planning {
 
-/// Whether the struck ball falls into a pocket, before all balls rest. In `ideal`, where none does, before
-/// `ideal_cushions` more events.
-bool scratches(const Question& q, Ledger& ledger, const Launch& launch);
+/// Notes of a shot that touches balls whether the struck one falls into a pocket before all rest, or else where it
+/// rests. In `ideal`, where none does, only whether it falls before `ideal_cushions` more events.
+void add_aftermath(const Question& q, Ledger& ledger, Shot& shot);
 
 }  // namespace bankshot::planning

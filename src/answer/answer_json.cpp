@@ -19,8 +19,8 @@ void write_bounds(JsonWriter& w, std::string_view key, const std::array<std::opt
   w.close(']');
 }
 
-void write_point(JsonWriter& w, const Vec2d& at) {
-  w.key("at");
+void write_point(JsonWriter& w, const Vec2d& at, std::string_view key = "at") {
+  w.key(key);
   w.open('[');
   w.number(at.x);
   w.number(at.y);
@@ -98,6 +98,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   if (!shot.hits.empty() && !why) write_hits(w, p, shot.hits);
   if (!shot.then.empty() && !why) write_then(w, p, shot.then, pocket);
   if (shot.scratch && !why) w.boolean("scratch", true);
+  if (shot.cue_rests && !why) write_point(w, *shot.cue_rests, "cue_rests");
   if (shot.rattles && !why) w.boolean("rattles", true);
   if (shot.off_centre && !why) w.boolean("off_centre", true);
   w.number("condition", shot.condition);

@@ -73,6 +73,7 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   for (auto v = r.find("then"); v; v = v->find("then"))
     s.then.push_back({read_ball(*v, p), read_contacts(v->need("cushions"), p.table)});
   if (const auto v = r.find("scratch")) s.scratch = v->boolean();
+  if (const auto v = r.find("cue_rests")) s.cue_rests = v->point();
   if (const auto v = r.find("rattles")) s.rattles = v->boolean();
   if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();
   const Reader arrival = r.need("arrival");

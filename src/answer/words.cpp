@@ -255,6 +255,9 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
       rows.push_back({"which", "goes by " + cushion_names(p.table, shot.then[i].cushions)});
   }
   rows.push_back({"arrives", arrival_words(p, shot)});
+  if (p.leave && shot.cue_rests)
+    rows.push_back({"leaves", fmt::format("the struck ball at rest {} from where it should be",
+                                          distance_words(norm(*shot.cue_rests - *p.leave), p.table))});
   if (shot.success)
     rows.push_back({"chance", chance_words(shot) + " for a player whose standard errors are " + noise_words(p.noise)});
   if (shot.margin) {

@@ -71,6 +71,8 @@ inline constexpr Key answer_shot_keys[] = {
     {"then", "{sent}", "", "none", R"({"ball": "8", "cushions": ["bottom"], "pocket": "top-right"})",
      "the ball that the struck one sends on"},
     {"scratch", "boolean", "", "false", "true", "the struck ball falls into a pocket afterwards"},
+    {"cue_rests", "point", "m", "without other balls, or where it never rests", "[1.12, 0.4]",
+     "where the struck ball rests afterwards"},
     {"rattles", "boolean", "", "false", "true", "it touches the jaws of a pocket on its way"},
     {"off_centre", "boolean", "", "false", "true", "it is made, but beside the exact line or point"},
     {"condition", "number", "m/rad", required, "41",

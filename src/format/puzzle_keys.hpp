@@ -86,6 +86,14 @@ inline constexpr Key noise_keys[] = {
 };
 inline constexpr Object noise{"noise", "How far a player is off, one standard deviation.", noise_keys};
 
+inline constexpr Key leave_keys[] = {
+    {"leave", "point", "m", required, "[1.9, 0.6]",
+     "where the struck ball should rest: of shots that are within 0.02 of the best chance, the one that leaves it "
+     "nearest"},
+};
+inline constexpr Object leave{"leave", "The likeliest shot, with an eye to the next one; with a ball as target.",
+                              leave_keys};
+
 inline constexpr Key budget_keys[] = {
     {"simulations", "whole", "", required, "20000", "at most; 0 is allowed", at_least(0)},
 };
@@ -128,7 +136,7 @@ inline constexpr Key puzzle_keys[] = {
     {"angle", "pair", "degrees", "every aim", "[350, 20]",
      "bounds of the aim, from the first anticlockwise to the second, at most a turn", between(-720, 720)},
     {"prefer",
-     "word",
+     "word | {leave}",
      "",
      R"("robust")",
      R"("soft")",

@@ -222,7 +222,14 @@ std::string read_id(const Reader& doc, std::string written) {
 }
 
 void read_choices(const Reader& doc, Puzzle& p) {
-  if (const auto v = doc.find("prefer")) p.prefer = static_cast<Prefer>(v->word("preference", format::preferences));
+  if (const auto v = doc.find("prefer")) {
+    if (v->is_object()) {
+      v->only(format::leave);
+      p.leave = v->need("leave").point();
+    } else {
+      p.prefer = static_cast<Prefer>(v->word("preference", format::preferences));
+    }
+  }
   if (const auto v = doc.find("aim")) p.aim = static_cast<Aim>(v->word("aim", format::aims));
   if (const auto v = doc.find("noise")) p.noise = read_noise(*v);
   if (const auto v = doc.find("budget")) {

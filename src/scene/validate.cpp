@@ -358,6 +358,12 @@ void validate(const Puzzle& p) {
                                 ? "in ideal physics a ball keeps its speed, and none asked here is within \"speed\""
                                 : "in ideal physics no ball comes to rest");
   }
+  if (p.leave) {
+    if (!std::holds_alternative<BallTarget>(p.target))
+      fail("/prefer/leave", "is where the struck ball rests after it has touched another, and no ball is the target");
+    if (is_ideal(p.physics)) fail("/prefer/leave", "in ideal physics no ball comes to rest");
+    check_inside(boundary, *p.leave, "/prefer/leave", "the centre of the struck ball");
+  }
   if (p.angle && !(p.angle->low <= p.angle->high && std::isfinite(p.angle->high)))
     fail("/angle", "must be a finite range");
 }

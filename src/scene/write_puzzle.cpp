@@ -148,7 +148,7 @@ Json question_json(const Puzzle& p) {
   if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};
   j["speed"] = range(p.speed);
   if (p.angle) j["angle"] = pair(exact_degrees(p.angle->low), exact_degrees(p.angle->high));
-  j["prefer"] = preferences[static_cast<int>(p.prefer)];
+  j["prefer"] = p.leave ? Json{{"leave", pair(*p.leave)}} : Json(preferences[static_cast<int>(p.prefer)]);
   if (p.aim == Aim::safest) j["aim"] = "safest";
   j["noise"] = {{"angle", exact_degrees(p.noise.angle)}, {"speed", p.noise.speed}};
   j["budget"] = {{"simulations", p.budget}};
@@ -167,20 +167,30 @@ std::string write_puzzle(const Puzzle& p) {
 
 std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_view physics) {
   const Scene scene = read_scene(table, physics);
-  Puzzle plain{
-      .table = scene.table, .physics = scene.physics, .ball = scene.ball, .target = p.target, .cushions = p.cushions};
+  Puzzle plain{.table = scene.table,
+               .physics = scene.physics,
+               .ball = scene.ball,
+               .others = p.others,
+               .target = p.target,
+               .cushions = p.cushions};
   plain.ball.at = p.ball.at;
   if (auto* point = std::get_if<PointTarget>(&plain.target)) point->within = PointTarget{}.within;
+  if (auto* ball = std::get_if<BallTarget>(&plain.target)) {
+    ball->within = ball->off && ball->cut == 0 ? radians(90.0) : BallTarget{}.within;
+    ball->cut = 0;
+  }
   const Json said = question_json(p), untold = question_json(plain);
   Json j{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
   const auto same = [](const Json& said_so, const Json& otherwise, const std::string& key) {
     return otherwise.contains(key) && otherwise.at(key) == said_so.at(key);
   };
   for (const auto& [key, value] : said.items())
-    if (key == "ball" || key == "target" || key == "cushions" || !same(said, untold, key)) j[key] = value;
+    if (key == "ball" || key == "others" || key == "target" || key == "cushions" || !same(said, untold, key))
+      j[key] = value;
+  constexpr std::string_view always[] = {"at", "point", "pocket", "ball", "carom", "then"};
   for (const char* key : {"ball", "target"})
     for (const auto& [inner, value] : said.at(key).items())
-      if (inner != "at" && inner != "point" && inner != "pocket" && same(said.at(key), untold.at(key), inner))
+      if (std::ranges::find(always, inner) == std::end(always) && same(said.at(key), untold.at(key), inner))
         j[key].erase(inner);
   if (j["ball"].contains("spin"))
     for (const char* key : {"top", "side", "masse"})

@@ -60,6 +60,34 @@ TEST_CASE("generate: wishes are in the puzzles") {
   CHECK(!of("--target pocket --physics ideal").contains("arrive"));
 }
 
+TEST_CASE("generate: puzzles with other balls, to play past, onto, to send on and to go off") {
+  const auto one = [](const std::string& wishes) {
+    const auto run = run_program("generate --count 3 --seed 8 " + wishes);
+    INFO(run.err);
+    REQUIRE(run.exit == 0);
+    CHECK(run_program("solve --json", run.out.substr(0, run.out.find('\n'))).exit == 0);
+    return lines(run.out);
+  };
+  for (const Json& p : one("--balls 5 --target pocket --cushions 1")) {
+    CHECK(p["others"].size() == 5);
+    CHECK(p["target"].contains("pocket"));
+  }
+  for (const Json& p : one("--target kick --cushions 1")) {
+    CHECK(p["others"].size() == 3);
+    CHECK(p["target"] == Json{{"ball", "1"}});
+  }
+  for (const Json& p : one("--target pot --cushions 0 --then 1 --balls 1")) {
+    CHECK(p["others"].size() == 1);
+    CHECK(p["target"]["then"]["cushions"] == 1);
+  }
+  for (const Json& p : one("--table carom-10ft --target carom --cushions 3-6 --balls 2")) {
+    CHECK(p["target"] == Json{{"carom", {"red", "yellow"}}});
+    CHECK(p["cushions"] == Json{{"min", 3}, {"max", 6}});
+  }
+  CHECK_THAT(run_program("generate --count 1 --seed 1 --target kick --then 1").err, Contains("--target pot"));
+  CHECK_THAT(run_program("generate --count 1 --seed 1 --target pot --table carom-10ft").err, Contains("no pockets"));
+}
+
 TEST_CASE("generate: what cannot be is refused or given up") {
   const auto [arguments, code, reason] = GENERATE(table<std::string, int, std::string>({
       {"--count 1", 2, "--seed is required"},

@@ -145,7 +145,7 @@ TEST_CASE("a shell completes commands, options and words") {
   CHECK(completed("bankshot so") == "solve\n");
   CHECK(completed("bankshot help ver") == "verify\n");
   CHECK(completed("bankshot solve --no-t") == "--no-timing\n");
-  CHECK(completed("bankshot generate --target p") == "pocket pass\n");
+  CHECK(completed("bankshot generate --target p") == "pocket pass pot\n");
   CHECK(completed("bankshot completion z") == "zsh\n");
   CHECK(completed("bankshot schema an") == "answer\n");
   for (const char* shell : {"zsh", "fish"})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Puzzles that have a shot. Each is made from a simulated shot, or where a sequence of cushions is
+// Puzzles that have a shot. Each is made from a simulated shot, or where a sequence of cushions or other balls are
 // wished from a drawn target, with its numbers rounded to what a person would write; it is kept only when
 // `solve` finds its shot, and when the target is a fifth of the table's diagonal from the ball or more. Seeded: the
 // same seed gives the same puzzles.
@@ -42,8 +42,11 @@ struct Wish {
   Physics physics{};
   Ball ball{};                     ///< radius and mass
   CushionRule cushions{1, 3, {}};  ///< a number between min and max is drawn for each puzzle, or the sequence
-  enum class Kind { pocket, stop, pass };
-  std::optional<Kind> kind{};  ///< drop, rest at a point, pass it at a speed; else drawn
+  enum class Kind { pocket, stop, pass, kick, pot, carom };
+  std::optional<Kind> kind{};  ///< drop, rest at a point, pass it at a speed; else one of these three is drawn. Or
+                               ///< touch a ball, send one into a pocket, touch one and then another
+  int others = 0;              ///< balls beside the struck one; 0: none, or three where the kind needs some
+  CushionRule then{0, 0, {}};  ///< of the ball that is sent into a pocket
   std::optional<Difficulty> difficulty{};
   bool unique = false;  ///< `solve --all` finds exactly one shot
   int tries = 2000;     ///< puzzles to solve before giving up

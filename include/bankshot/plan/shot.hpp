@@ -55,8 +55,9 @@ struct Shot {
   std::vector<Hit> hits{};     ///< in order, up to the target
   std::vector<Onward> then{};  ///< those that are sent on, in order: the last one arrives; none: the struck ball does
   bool scratch = false;        ///< the struck ball falls into a pocket after it has touched its target
-  bool off_centre = false;     ///< it is made, but beside the exact line or point
-  double condition = 0;        ///< m of arrival per rad of aim or per unit of relative speed, the larger
+  std::optional<Vec2d> cue_rests{};  ///< m, where it comes to rest instead, when all balls do; of shots with hits
+  bool off_centre = false;           ///< it is made, but beside the exact line or point
+  double condition = 0;              ///< m of arrival per rad of aim or per unit of relative speed, the larger
   /// Decimal digits of the arrival, of the table's diagonal, that can be promised; none: nine or more. 0: rounding
   /// decides how often the ball bounces at its target.
   std::optional<int> digits{};

@@ -54,6 +54,8 @@ struct Puzzle {
   Range speed{0.1, 10};           ///< launch speed [m/s]
   std::optional<Range> angle{};   ///< rad, from low anticlockwise to high; high may exceed 2π
   Prefer prefer = Prefer::robust;
+  /// m: of shots as robust as any, that after which the struck ball rests nearest to this. With balls as targets.
+  std::optional<Vec2d> leave{};
   Aim aim = Aim::centre;
   Noise noise{};
   long budget = 100000;  ///< simulations

@@ -22,10 +22,14 @@
 namespace bankshot::app::generate {
 namespace {
 
+/// In the order of Wish::Kind.
+constexpr const char* kinds[] = {"pocket", "stop", "pass", "kick", "pot", "carom"};
+
 struct Arguments {
   std::uint64_t seed = 0;
   long count = 0;
-  std::string table = "pool-9ft", physics = "spin", cushions = "1-3", difficulty, target, out = "-";
+  std::string table = "pool-9ft", physics = "spin", cushions = "1-3", then = "0", difficulty, target, out = "-";
+  int balls = 0;
   bool unique = false;
 };
 
@@ -38,7 +42,7 @@ int whole(const std::string& text) {
 }
 
 /// "2", "1-3" or "top,left".
-CushionRule read_rule(const std::string& text, const Table& table) {
+CushionRule read_rule(const std::string& text, const Table& table, std::string_view flag) {
   if (const int n = whole(text); n >= 0) return CushionRule::exactly(n);
   const auto dash = text.find('-');
   const int low = whole(text.substr(0, dash)), high = dash == std::string::npos ? -1 : whole(text.substr(dash + 1));
@@ -50,7 +54,7 @@ CushionRule read_rule(const std::string& text, const Table& table) {
   for (std::string word; std::getline(words, word, ',');) {
     const auto it = std::find(all.begin(), all.end(), word);
     if (it == all.end())
-      throw FileError(fmt::format("--cushions: {} is neither a number, LOW-HIGH nor a cushion{}", quote(word),
+      throw FileError(fmt::format("{}: {} is neither a number, LOW-HIGH nor a cushion{}", flag, quote(word),
                                   known_words(word, names)));
     contacts.push_back(Contact::rail(static_cast<int>(it - all.begin())));
   }
@@ -61,13 +65,17 @@ Wish read_wish(const Arguments& a) {
   Wish w;
   const Scene scene = read_scene_flags(a.table, a.physics, "--");
   w.table = scene.table, w.physics = scene.physics, w.ball = scene.ball;
-  w.cushions = read_rule(a.cushions, w.table);
+  w.cushions = read_rule(a.cushions, w.table, "--cushions");
+  w.then = read_rule(a.then, w.table, "--then");
+  w.others = a.balls;
   for (const Difficulty d : {Difficulty::easy, Difficulty::medium, Difficulty::hard})
     if (a.difficulty == name(d)) w.difficulty = d;
-  if (!a.target.empty())
-    w.kind = a.target == "pocket" ? Wish::Kind::pocket : a.target == "stop" ? Wish::Kind::stop : Wish::Kind::pass;
-  if (w.kind == Wish::Kind::pocket && w.table.pockets.empty())
-    throw FileError("--target pocket: this table has no pockets");
+  for (std::size_t i = 0; i < std::size(kinds); ++i)
+    if (a.target == kinds[i]) w.kind = static_cast<Wish::Kind>(i);
+  if ((w.kind == Wish::Kind::pocket || w.kind == Wish::Kind::pot) && w.table.pockets.empty())
+    throw FileError("--target " + a.target + ": this table has no pockets");
+  if (a.then != "0" && w.kind != Wish::Kind::pot)
+    throw FileError("--then: is of the ball that is sent into a pocket, with --target pot");
   if (w.kind == Wish::Kind::stop && deceleration(w.physics) == 0)
     throw FileError("--target stop: without friction no ball comes to rest");
   w.unique = a.unique;
@@ -141,8 +149,16 @@ Run add(CLI::App& app) {
   command
       ->add_option("--cushions", a->cushions, "A number; LOW-HIGH, a number drawn for each puzzle; or names: top,left")
       ->capture_default_str();
-  command->add_option("--target", a->target, "pocket, stop (rest at a point) or pass (through a point); else drawn")
-      ->check(CLI::IsMember({"pocket", "stop", "pass"}));
+  command
+      ->add_option(
+          "--target", a->target,
+          "pocket, stop (rest at a point) or pass (through a point), else one of these is drawn; kick (touch a\n"
+          "ball), pot (send one into a pocket), carom (touch one and then another)")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kinds), std::end(kinds))));
+  command->add_option("--balls", a->balls, "Other balls on the table; 0 is three with kick, pot and carom")
+      ->check(CLI::Range(0, 21));
+  command->add_option("--then", a->then, "As --cushions, of the ball that is sent into a pocket")
+      ->capture_default_str();
   command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; else any")
       ->check(CLI::IsMember({"easy", "medium", "hard"}));
   command->add_flag("--unique", a->unique, "Puzzles with exactly one shot");
@@ -151,7 +167,10 @@ Run add(CLI::App& app) {
   explain(*command, help(),
           {{"bankshot generate --count 20 --seed 1 -o puzzles.jsonl", "20 puzzles on a 9-foot table"},
            {"bankshot generate --count 3 --seed 7 --table carom-10ft --cushions 3 --difficulty easy",
-            "three easy ones by three cushions"}},
+            "three easy ones by three cushions"},
+           {"bankshot generate --count 5 --seed 3 --target pot --cushions 0 --then 1", "five banks"},
+           {"bankshot generate --count 5 --seed 3 --table carom-10ft --target carom --cushions 3-6 --balls 2",
+            "five of three-cushion billiards"}},
           "0 done; 1 a puzzle was not found; 2 bad input or usage.");
   return [a] { return run(*a); };
 }

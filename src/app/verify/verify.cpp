@@ -89,7 +89,9 @@ class Tally {
                            truth::unit(one.worst.claim), one.worst_line);
       out += "\n";
     }
-    out += "not checked: whether a no-shot has a shot, the nearest miss, tip, scratch, ranks, counts, time_us\n";
+    out +=
+        "not checked: whether a no-shot has a shot, the nearest miss, tip, scratch, cue_rests, ranks, counts, "
+        "time_us\n";
     if (!unread_.empty()) out += fmt::format("not known here, so not checked: {}\n", fmt::join(unread_, ", "));
     return out + (clean() ? "\nevery claim holds\n" : fmt::format("\n{} of {} answers fail\n", failed_, answers_));
   }
