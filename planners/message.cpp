@@ -116,9 +116,12 @@ std::string why_beside(const Question& q, const Shot& shot) {
   Ledger aside(settings::most_spent_on_words);  // what an answer says is no part of the search
   const Question own = q.pinned || q.one_unknown() ? q : q.asking(shot.arrival.speed);
   const auto root = newton({own, route, q.mark_of(shot)}, aside, shot.launch, settings::wide);
-  const std::string where = fmt::format("; it is made beside the {}: ", q.drops()      ? "exact line"
-                                                                        : q.captures() ? "cut that is asked"
-                                                                                       : "middle of the target");
+  const auto& cuts = q.mark_of(shot).cuts;
+  const bool any_cut = cuts && cuts->high - cuts->low >= 2 * q.mark_of(shot).reach;
+  const std::string where = fmt::format("; it is made beside the {}: ", q.drops()          ? "exact line"
+                                                                        : cuts && !any_cut ? "cut that is asked"
+                                                                        : cuts             ? "middle of the ball"
+                                                                                           : "middle of the target");
   if (!root) return where + "no launch by its cushions leads there";
   const Proof proof = prove(own, aside, root.launch, Goal::along(shot, Demand::exact));
   return where + "there it " + explain(q, proof.failure);

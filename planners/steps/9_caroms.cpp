@@ -7,6 +7,8 @@
 // through the contact leads to the exact line, and where a leg touches it without that, the launch is tried as it is.
 // Routes with few cushions before the first ball come first. Cost: a simulation a launch, some 650 launches an
 // approach. Guarantee: none beyond the proof; two roots between two aims are passed over.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -50,11 +52,15 @@ class Caroms {
 
   void run() {
     const CushionRule& rule = q_.cushions();
-    for (int n = 0; n <= rule.max && !one_is_enough(); ++n)
+    for (int n = 0; n <= rule.max; ++n) {
+      if (one_is_enough())
+        return found_.add_note(
+            fmt::format("shots with {} or more cushions before the first ball were not looked for", n));
       for (const Approach& approach : approaches(q_, ledger_, first_, before_first(n), starts_)) {
         if (stop::over(q_, ledger_, found_)) return;
         look_across(approach);
       }
+    }
   }
 
  private:
@@ -103,8 +109,8 @@ class Caroms {
   /// Its legs after the first ball, by their routes.
   Passes follow(const Launch& launch) {
     Passes out;
+    Route route;
     with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-      Route route;
       Simulator sim(to_first_, motion, cushion, start_of(q_, launch));
       for (Event e = sim.step(); e.kind != EventKind::ball; e = sim.step())
         if (!goes_on(e, route)) return;
@@ -112,8 +118,8 @@ class Caroms {
       collisions(q_.puzzle.physics).collide(q_.puzzle.ball.body, struck, first_.at_rest.body, other);
       route.push_back({0, Contact::ball(first_.ball)});
       onward(motion, cushion, struck, launch, route, out);
-      ledger_.charge(route.size());
     });
+    ledger_.charge(route.size());
     return out;
   }
 
