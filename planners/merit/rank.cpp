@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "planners/merit/margin.hpp"
 #include "planners/merit/success.hpp"
@@ -54,12 +56,19 @@ void order(const Question& q, std::span<Shot> shots) {
 }
 
 /// Where some shot is on the exact line or point, those beside it are no answer; nor those that count on a rattle where
-/// one does without.
-void keep_centred(std::vector<Shot>& shots) {
-  const auto beside = [](const Shot& shot) { return shot.off_centre; };
-  const auto rattles = [](const Shot& shot) { return shot.rattles; };
-  if (!std::ranges::all_of(shots, beside)) std::erase_if(shots, beside);
-  if (!std::ranges::all_of(shots, rattles)) std::erase_if(shots, rattles);
+/// one does without. Where all shots with other balls are wanted, that is said of each route of theirs.
+void keep_centred(const Question& q, std::vector<Shot>& shots) {
+  const auto erase_where_others = [&](const auto& is_worse) {
+    std::set<std::pair<Route, Contact>> better;
+    const auto key = [&](const Shot& shot) {
+      return q.objects && q.all() ? std::pair(route_of(shot), q.mark_of(shot).taken_by) : std::pair<Route, Contact>();
+    };
+    for (const Shot& shot : shots)
+      if (!is_worse(shot)) better.insert(key(shot));
+    std::erase_if(shots, [&](const Shot& shot) { return is_worse(shot) && better.contains(key(shot)); });
+  };
+  erase_where_others([](const Shot& shot) { return shot.off_centre; });
+  erase_where_others([](const Shot& shot) { return shot.rattles; });
 }
 
 /// Between two launches, in deviations of the player.
@@ -113,7 +122,7 @@ double first_merit(const Puzzle& p, const Shot& shot) {
 }
 
 void rank(const Question& q, std::vector<Shot>& shots) {
-  keep_centred(shots);
+  keep_centred(q, shots);
   const auto last = [&](const Shot& shot) { return shot.scratch || last_choice(q, shot); };
   if (!q.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
   order(q, shots);
