@@ -3,6 +3,7 @@
 // Many balls on one table: nothing overlaps, is lost, gains energy or goes on for ever, and the same shot gives the
 // same bytes. What two balls do is held against formulas, and one ball among others against the simulator of one.
 #include "bankshot/simulate/many_balls.hpp"
+#include "bankshot/scene/json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -201,6 +202,26 @@ void try_breaks(int breaks, std::uint64_t seed) {
 
 TEST_CASE("many balls never overlap, gain no energy, and every shot ends") { try_families(40, 47); }
 TEST_CASE("thousands of shots with many balls", "[.][long]") { try_families(2000, seed_or_fresh(48)); }
+
+TEST_CASE("a ball that is squeezed against a cushion while another touches by the last bit ends") {
+  const ShotRequest shot = read_shot(
+      R"({"table": {"length": 1, "width": 1, "pockets": [{"name": "bottom-left", "at": [0, 0], "radius": 0.1375},
+    {"name": "bottom-middle", "at": [0.5, 0], "radius": 0.15}, {"name": "bottom-right", "at": [1, 0], "radius":
+    0.1375}, {"name": "top-left", "at": [0, 1], "radius": 0.1375}, {"name": "top-middle", "at": [0.5, 1],
+    "radius": 0.15}, {"name": "top-right", "at": [1, 1], "radius": 0.1375}]}, "physics": {"model": "spin",
+    "sliding_friction": 0.2, "rolling_friction": 0.01, "spinning_friction": 0.027777777777777776, "g": 9.81,
+    "cushion": {"model": "han2005", "restitution": 0.85, "friction": 0.2, "height": 0.08}}, "ball": {"at":
+    [0.609375, 0.609375], "radius": 0.0625, "mass": 0.170097}, "others": [{"id": "1", "at": [0.7069692926894066,
+    0.48551895751144014]}, {"id": "2", "at": [0.4611891694854644, 0.35768882026292736]}, {"id": "3", "at":
+    [0.6467403814799656, 0.9433406659775809], "radius": 0.04954655640869536}, {"id": "4", "at":
+    [0.5436261123931495, 0.7483786716768211]}, {"id": "5", "at": [0.6039123935426177, 0.25938818874807146]},
+    {"id": "6", "at": [0.2343951387913148, 0.4661258193286082]}, {"id": "7", "at": [0.9214349833014723,
+    0.6046244927415529]}], "shot": {"speed": 0.9923135820033048, "angle": 359.93425012874667, "spin": {"top":
+    0.669929736722972, "side": 0.0726024777772043, "masse": 0}}})");
+  const Trajectory t = simulate(shot);
+  CHECK(t.end == EventKind::rest);
+  CHECK(t.events.size() < 20000);
+}
 
 TEST_CASE("breaks: no overlap, no energy gained, all end, the same bytes twice") { try_breaks(30, 53); }
 TEST_CASE("two thousand breaks", "[.][long]") { try_breaks(2000, seed_or_fresh(54)); }
