@@ -123,23 +123,22 @@ bool scatter(Random& r, const Wish& w, const Boundary& boundary, Puzzle& p) {
   return static_cast<int>(p.others.size()) == count;
 }
 
-Target draw_target(Random& r, const Wish& w, const Vec2d& at) {
-  const auto pockets = static_cast<int>(w.table.pockets.size());
-  const auto some_pocket = [&] { return PocketTarget{r.integer(0, pockets - 1)}; };
-  if (touches_balls(w)) {
-    BallTarget target{.balls = {1}};
-    if (w.kind == Wish::Kind::pot) target.then = Then{some_pocket(), w.then, {}};
-    if (w.kind == Wish::Kind::carom) target = {.balls = {2}, .within = radians(90.0), .off = 1};
-    return target;
-  }
-  if (pockets > 0 && (w.kind ? w.kind == Wish::Kind::pocket : r.chance(0.5))) return some_pocket();
-  return PointTarget{at};
+PocketTarget some_pocket(Random& r, const Wish& w) {
+  return {r.integer(0, static_cast<int>(w.table.pockets.size()) - 1)};
+}
+
+Target draw_ball(Random& r, const Wish& w) {
+  BallTarget target{.balls = {1}};
+  if (w.kind == Wish::Kind::carom) target = {.balls = {2}, .within = any_touch, .off = 1};
+  if (w.kind == Wish::Kind::pot) target.then = Then{some_pocket(r, w), w.then, {}};
+  return target;
 }
 
 /// Balls and a target drawn at random, for what hardly any drawn shot would do.
 std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boundary) {
   const auto at = free_place(r, boundary, w.table), target = free_place(r, boundary, w.table);
   if (!at || !target) return {};
+  if (w.kind == Wish::Kind::pot && w.table.pockets.empty()) return {};
   Puzzle p{.table = w.table, .physics = w.physics, .ball = w.ball};
   p.ball.at = *at;
   p.spin = draw_spin(r, w.physics);
@@ -147,9 +146,13 @@ std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boun
   if (!p.cushions.sequence && w.kind != Wish::Kind::carom)
     p.cushions = CushionRule::exactly(r.integer(w.cushions.min, w.cushions.max));
   if (!scatter(r, w, boundary, p)) return {};
-  p.target = draw_target(r, w, *target);
-  const bool passes = w.kind ? w.kind == Wish::Kind::pass : r.chance(0.5);
-  if (std::holds_alternative<PointTarget>(p.target) && passes) p.arrive = Range{0.5, 0.5};
+  p.target = PointTarget{*target};
+  if (touches_balls(w))
+    p.target = draw_ball(r, w);
+  else if (!w.table.pockets.empty() && r.chance(0.5))
+    p.target = some_pocket(r, w);
+  else if (r.chance(0.5))
+    p.arrive = Range{0.5, 0.5};
   return p;
 }
 

@@ -158,9 +158,9 @@ std::string no_shot(const Question& q, const Findings& found) {
   const Range& v = q.speed;
   const std::string speeds = v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low)
                                        : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high);
-  const std::string how = !q.objects           ? ""
-                          : q.carom_off() != 0 ? ", a grid of aims across the first ball"
-                                               : ", one root of each chain of routes";
+  const std::string how = !q.objects  ? ""
+                          : q.carom() ? ", a grid of aims across the first ball"
+                                      : ", one root of each chain of routes";
   return fmt::format("searched {} and aims {} with {}{}: {}", speeds, aims(q), asked_cushions(q.cushions()), how,
                      reasons(q, found));
 }

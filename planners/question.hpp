@@ -86,11 +86,11 @@ struct Question {
   bool starts() const { return wanted == Wanted::starts; }
   /// What the struck ball sends another to; null where it goes itself.
   const Then* then() const { return then_of(puzzle.target); }
-  /// The ball that is touched on the way to another; 0 where there is none.
-  int carom_off() const { return off_of(puzzle.target); }
+  /// The struck ball goes on to another, off a first one.
+  bool carom() const { return off_of(puzzle.target) != 0; }
   RouteBalls balls() const {
     if (!objects) return {boundary};
-    return {boundary, objects->standing, collisions(puzzle.physics), carom_off() != 0};
+    return {boundary, objects->standing, collisions(puzzle.physics), carom()};
   }
   const Boundary& boundary_of(int ball) const { return ball == 0 ? boundary : objects->find(ball).own; }
   const CushionRule& cushions() const { return puzzle.cushions; }

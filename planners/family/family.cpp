@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "planners/locked/clearance.hpp"
 #include "planners/merit/first_order.hpp"
+#include "planners/merit/rank.hpp"
 #include "planners/merit/success.hpp"
 #include "planners/proof/aftermath.hpp"
 #include "planners/settings.hpp"
@@ -211,14 +211,13 @@ void tune(const Question& q, Ledger& ledger, Findings& found) {
   const Puzzle& p = q.puzzle;
   if (p.prefer != Prefer::robust || p.aim != Aim::centre || is_straight(p.physics) || Family::freedom(q) == 0) return;
   // First order knows little of what else may lead a carom to its second ball: the best is one of several.
-  const std::size_t some = q.carom_off() != 0 ? std::min(found.shots.size(), most_tuned_caroms) : 1;
+  const std::size_t some = q.carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
   const std::span<Shot> shots = std::span(found.shots).first(q.all() ? found.shots.size() : some);
   for (Shot& shot : shots) {
     const Lead lead = lead_of(q, shot);
     if (!shot.off_centre) shot = Family(q, ledger, found, lead, shot.planner).tuned(shot);
   }
-  if (!q.all())
-    std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.success.value_or(0); });
+  if (!q.all()) order_by_success(shots);
 }
 
 }  // namespace bankshot::planning::family

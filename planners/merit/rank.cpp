@@ -93,7 +93,7 @@ double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> 
   using namespace settings::rank;
   if (passes_before(q, ledger, shot)) return 1;
   // One that misses by the cushions of this shot may touch the second ball after more of them.
-  if (q.carom_off() != 0 && !q.route && static_cast<int>(shot.cushions.size()) < q.cushions().max) return 1;
+  if (q.carom() && !q.route && static_cast<int>(shot.cushions.size()) < q.cushions().max) return 1;
   double chance = shot.chance;
   for (const Shot& other : shots)
     if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
@@ -128,6 +128,10 @@ void rank(const Question& q, std::vector<Shot>& shots) {
   order(q, shots);
 }
 
+void order_by_success(std::span<Shot> shots) {
+  std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.success.value_or(0); });
+}
+
 void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
   struct Candidate {
     double at_most;
@@ -150,8 +154,7 @@ void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots
   }
   std::swap(shots.front(), shots[best]);
   // Those behind it are tuned as well, or leave the struck ball better.
-  if (q.carom_off() != 0 || q.puzzle.leave)
-    std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.success.value_or(0); });
+  if (q.carom() || q.puzzle.leave) order_by_success(shots);
 }
 
 void add_robustness(const Question& q, Ledger& ledger, Findings& found) {

@@ -20,6 +20,9 @@ void rank(const Question& q, std::vector<Shot>& shots);
 /// Brings the shot with the largest success to the front; of shots that cannot be first it is not computed.
 void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
 
+/// Those of which it is not known last.
+void order_by_success(std::span<Shot> shots);
+
 /// Margin and success: of every shot where all are wanted, else of the first. What that costs is no part of the search:
 /// `ledger` is one of its own.
 void add_robustness(const Question& q, Ledger& ledger, Findings& found);

@@ -110,28 +110,32 @@ std::vector<Question> samples_of(const Question& q) {
   return out;
 }
 
-/// The first step, that leads to roots of most routes.
-void seeds(const Question& q, Ledger& ledger, Findings& found) {
-  if (!q.objects) return steps::images(q, ledger, found);
-  q.carom_off() != 0 ? steps::caroms(q, ledger, found) : steps::chains(q, ledger, found);
-}
-std::string_view word_of_seeds(const Question& q) {
-  if (!q.objects) return steps::word::images;
-  return q.carom_off() != 0 ? steps::word::caroms : steps::word::chains;
+/// What leads to roots of most routes, and what is left where that finds nothing.
+struct Seeds {
+  steps::Step first, closely;
+  std::string_view word;
+};
+Seeds seeds_of(const Question& q) {
+  if (!q.objects) return {steps::images, nullptr, steps::word::images};
+  if (q.carom()) return {steps::caroms, steps::caroms_closely, steps::word::caroms};
+  return {steps::chains, steps::chains_closely, steps::word::chains};
 }
 
 /// Of two shots by one route between which all launches are made, and which are of one family therefore, the better.
 void keep_connected_once(const Question& q, Ledger& ledger, Findings& found) {
-  const auto made_between = [&](const Shot& a, const Shot& b) {
-    if (a.spin != b.spin || ledger.spent()) return false;
+  const auto all_between = [&](const Question& own, const Shot& a, const Shot& b) {
     const double turn = angle_difference(a.launch.angle, b.launch.angle);
     const Goal goal = Goal::along(a);
     for (int i = 1; i < between_shots; ++i) {
       const double share = static_cast<double>(i) / between_shots;
       const Launch launch{std::lerp(a.launch.speed, b.launch.speed, share), wrap_angle(a.launch.angle + share * turn)};
-      if (!replay(q, ledger, launch, goal).made) return false;
+      if (!replay(own, ledger, launch, goal).made) return false;
     }
     return true;
+  };
+  const auto made_between = [&](const Shot& a, const Shot& b) {
+    if (a.spin != b.spin || ledger.spent()) return false;
+    return as_struck(q, a, [&](const Question& own) { return all_between(own, a, b); });
   };
   std::vector<Shot> kept;
   for (Shot& shot : found.shots) {
@@ -155,7 +159,7 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
   };
   std::vector<Followed> followed;
   // Roots of a carom by one route are of several families.
-  const bool several = family::Family::freedom(q) > 1 || q.carom_off() != 0;
+  const bool several = family::Family::freedom(q) > 1 || q.carom();
   const int most = several ? settings::family::most_starts : 1;
   const auto enough = [&](const Lead& lead) {
     const auto same = [&](const Followed& f) { return f.mark == lead.mark && f.route == lead.route; };
@@ -167,14 +171,15 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
     for (const Lead& lead : starts.leads)
       if (!stop::over(q, ledger, found) && !enough(lead)) family::Family(q, ledger, found, lead, step).search();
   };
+  const Seeds seeds = seeds_of(q);
   const std::vector<Question> samples = samples_of(q);
   for (const Question& sample : samples) {
-    if (q.carom_off() != 0 && sample.asked != samples.front().asked) continue;  // its launches have all speeds
+    if (q.carom() && sample.asked != samples.front().asked) continue;  // its launches have all speeds
     Findings starts;
-    seeds(sample, ledger, starts);
-    follow(starts, word_of_seeds(q));
+    seeds.first(sample, ledger, starts);
+    follow(starts, seeds.word);
   }
-  if (several) keep_connected_once(q, ledger, found);
+  if (q.carom()) keep_connected_once(q, ledger, found);
   if (q.objects) return;
   for (const Question& sample : samples) {
     const bool better = rivals_wanted(q, ledger, found) && &sample == &samples.front();
@@ -223,13 +228,13 @@ void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
 /// The struck ball sends another on, or goes on off it.
 void with_balls(const Question& q, Ledger& ledger, Findings& found) {
   const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
-  free ? along_families(q, ledger, found) : seeds(q, ledger, found);
+  const Seeds seeds = seeds_of(q);
+  free ? along_families(q, ledger, found) : seeds.first(q, ledger, found);
   if (free && !stop::nothing_yet(ledger, found)) return;
   const auto look_closely_at = [&](const Question& one) {
     steps::Parts parts;
     parts.climb(one, ledger, found);
-    if (stop::more_wanted(one, ledger, found))
-      q.carom_off() != 0 ? steps::caroms_closely(one, ledger, found) : steps::chains_closely(one, ledger, found);
+    if (stop::more_wanted(one, ledger, found)) seeds.closely(one, ledger, found);
     parts.climb(one, ledger, found);
     parts.bisect(one, ledger, found, free ? first_share_of_parts : 1);
   };

@@ -73,7 +73,7 @@ class Follower {
 
  private:
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
-  bool may_set_going(Contact ball) const { return q_.carom_off() != 0 || (counts() && goal_.allows(ball.index)); }
+  bool may_set_going(Contact ball) const { return q_.carom() || (counts() && goal_.allows(ball.index)); }
 
   /// Closest approach to each mark on the arc just travelled; true when one that does not capture is made there.
   bool look_along_arc(EventKind end) {

@@ -33,7 +33,7 @@ class SetGoing {
         cushion_(cushion),
         chain_(chain),
         goal_(goal),
-        carom_(q.carom_off() != 0),
+        carom_(q.carom()),
         asked_{goal.min, goal.max, goal.sequence},
         bounces_(before.bounces),
         check_(before.check),

@@ -45,7 +45,7 @@ class Chains {
         to_ghost_(q, before_last(q, chain), q.one_unknown() ? std::optional(q.fixed_speed()) : std::nullopt) {}
 
   void run() {
-    for (const Leg& leg : legs(q_, ledger_, chain_, starts_by_images)) {
+    for (const Leg& leg : legs(q_, ledger_, chain_, images)) {
       if (stop::enough_seeds(q_, ledger_, found_)) return;
       if (leg.clear || q_.every) join_all(leg, chains);
     }

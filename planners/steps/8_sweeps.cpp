@@ -134,9 +134,9 @@ class Sweeps {
   }
 
   void grid(const LockedAim& aim, const Range& across) {
-    const double slowest = std::max(q_.speed.low, q_.speed.high * settings::slowest_of_fastest);
-    const Neighbourhood near{grid_reach * (across.high - across.low) / 2 / grid_steps,
-                             grid_reach * (q_.one_unknown() ? 1 : std::log(q_.speed.high / slowest) / (grid_rows - 1))};
+    const Neighbourhood near{
+        grid_reach * (across.high - across.low) / 2 / grid_steps,
+        grid_reach * (q_.one_unknown() ? 1 : std::log(q_.speed.high / slowest_tried(q_)) / (grid_rows - 1))};
     each_launch(q_, across, {grid_steps, grid_rows}, [&](const Launch& node, int) {
       if (over()) return true;
       const auto l = linearise(aim, ledger_, node);

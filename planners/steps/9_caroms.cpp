@@ -46,7 +46,7 @@ class Caroms {
         found_(found),
         grid_(grid),
         starts_(starts),
-        first_(q.objects->find(q.carom_off())),
+        first_(*q.objects->chains.front().balls.front()),
         mark_(q.marks.front()),
         to_first_(q.puzzle.table, q.puzzle.ball.body, q.puzzle.others, all_but_first()) {}
 
@@ -210,7 +210,7 @@ class Caroms {
 
 void caroms(const Question& q, Ledger& ledger, Findings& found) {
   using namespace settings::caroms;
-  Caroms(q, ledger, found, {aims, speeds}, starts_by_images).run();
+  Caroms(q, ledger, found, {aims, speeds}, images).run();
 }
 
 void caroms_closely(const Question& q, Ledger& ledger, Findings& found) {

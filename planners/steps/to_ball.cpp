@@ -40,6 +40,8 @@ double middle_speed(const Question& q) {
                          : std::sqrt(std::max(q.speed.low, q.speed.high * slowest_swept) * q.speed.high);
 }
 
+double slowest_tried(const Question& q) { return std::max(q.speed.low, q.speed.high * settings::slowest_of_fastest); }
+
 std::vector<Approach> approaches(const Question& q, Ledger& ledger, const Objects::Object& object,
                                  const CushionRule& cushions, Step step) {
   ToPlace to_ball(q, by_itself(q, cushions), middle_speed(q));
@@ -60,7 +62,7 @@ std::vector<Approach> approaches(const Question& q, Ledger& ledger, const Object
 void each_launch(const Question& q, const Range& across, const Grid& grid,
                  const std::function<bool(const Launch&, int)>& look) {
   const double half = (across.high - across.low) / 2, middle = across.low + half;
-  const double slowest = std::max(q.speed.low, q.speed.high * settings::slowest_of_fastest);
+  const double slowest = slowest_tried(q);
   const int rows = q.one_unknown() ? 1 : grid.speeds;
   for (int i = -grid.aims; i <= grid.aims; ++i)
     for (int k = 0; k < rows; ++k) {
@@ -70,13 +72,8 @@ void each_launch(const Question& q, const Range& across, const Grid& grid,
     }
 }
 
-void starts_by_images(const Question& q, Ledger& ledger, Findings& found) {
-  q.objects ? chains(q, ledger, found) : images(q, ledger, found);
-}
-
 void starts_by_map(const Question& q, Ledger& ledger, Findings& found) {
-  starts_by_images(q, ledger, found);
-  if (q.objects) return;
+  images(q, ledger, found);
   if (q.route) fan(q, ledger, found);
   if (!is_straight(q.puzzle.physics)) map(q, ledger, found, usual_spacing(q));
 }

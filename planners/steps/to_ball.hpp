@@ -29,12 +29,13 @@ struct Grid {
   int aims;    ///< to either side of the middle
   int speeds;  ///< one, where it is given
 };
+/// m/s, of its launches.
+double slowest_tried(const Question& q);
 /// `look(launch, number of its speed)` of each node, aim by aim, until it says that it is over.
 void each_launch(const Question& q, const Range& across, const Grid& grid,
                  const std::function<bool(const Launch&, int)>& look);
 
-/// Roots of locked paths by images; and with maps, where these may miss some.
-void starts_by_images(const Question& q, Ledger& ledger, Findings& found);
+/// Roots of locked paths by images and, where these may miss some, by maps.
 void starts_by_map(const Question& q, Ledger& ledger, Findings& found);
 
 }  // namespace bankshot::planning::steps

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -199,15 +199,21 @@ namespace {
 
 bool is_carom(const Shot& shot) { return shot.then.empty() && shot.hits.size() > 1; }
 
-/// Of the struck ball; in a carom those before the first ball and those after it.
+/// The cushions of the struck ball: in a carom before and after the first ball, else all and none.
+std::array<std::vector<Contact>, 2> around_first_ball(const Shot& shot) {
+  const auto& all = shot.cushions;
+  const auto split = is_carom(shot) ? all.begin() + shot.hits.front().after : all.end();
+  return {std::vector<Contact>{all.begin(), split}, {split, all.end()}};
+}
+
 std::string cushion_words(const Puzzle& p, const Shot& shot) {
   const auto named = [&](const std::vector<Contact>& cushions) {
     return cushions.empty() ? "none" : cushion_names(p.table, cushions);
   };
-  if (!is_carom(shot)) return named(shot.cushions);
-  const auto first = shot.cushions.begin() + shot.hits.front().after;
-  return fmt::format("{}; off {}: {}", named({shot.cushions.begin(), first}),
-                     contact_name(p, Contact::ball(shot.hits.front().ball)), named({first, shot.cushions.end()}));
+  const auto [first, then] = around_first_ball(shot);
+  if (!is_carom(shot)) return named(first);
+  return fmt::format("{}; off {}: {}", named(first), contact_name(p, Contact::ball(shot.hits.front().ball)),
+                     named(then));
 }
 
 /// What a shot does to other balls, and then `aim`.
@@ -232,12 +238,10 @@ std::string title_words(const Puzzle& p, const Shot& shot) {
   const std::string to = target_of(p, shot, aim);
   constexpr std::size_t most_named = 5;
   if (shot.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.cushions.size(), to);
-  const bool carom = is_carom(shot);
-  const auto split = shot.cushions.begin() + (carom ? shot.hits.front().after : std::ssize(shot.cushions));
-  const std::vector<Contact> first(shot.cushions.begin(), split), then(split, shot.cushions.end());
+  const auto [first, then] = around_first_ball(shot);
   const std::string start = first.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
                                           : "By " + cushion_names(p.table, first) + " ";
-  if (!carom) return start + to;
+  if (!is_carom(shot)) return start + to;
   return start + "off " + contact_name(p, Contact::ball(shot.hits.front().ball)) + " " +
          (then.empty() ? "" : "by " + cushion_names(p.table, then) + " ") + to;
 }

@@ -155,6 +155,8 @@ void draw_others(Canvas& c, const ShotRequest& r, const Trajectory& t, const Pic
               {.colour = colour_of(c, other), .width = 0.7 * line_width(style), .ghosts = false, .numbers = false});
     draw_other(c, other, end_of(own, ball).state.at, 0.6);
   }
+  if (style.moving) return;
+  for (const Ball& other : r.others) draw_other(c, other, other.at);
 }
 
 }  // namespace
@@ -169,12 +171,7 @@ std::string draw(const ShotRequest& r, const Trajectory& all, const PictureStyle
   draw_path(c, r.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, r, t, c.c.paths[0]);
   draw_ball(c, r.ball, t.events.back().state.at, 0.6);
-  if (style.moving) {
-    draw_moving(c, r);
-  } else {
-    for (const Ball& other : r.others) draw_other(c, other, other.at);
-    draw_ball(c, r.ball, r.ball.at);
-  }
+  style.moving ? draw_moving(c, r) : draw_ball(c, r.ball, r.ball.at);
   const std::string title = fmt::format("{:.2f} m/s at {:.2f} degrees", r.launch.speed, degrees(r.launch.angle));
   if (style.words) {
     std::vector<Row> rows{{"aim", aim_words(r)}, {"speed", speed_words(r)}};

@@ -94,11 +94,21 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
   return CushionRule::in_order(std::move(contacts));
 }
 
-/// Numbers of balls by their names: one, a list, or any.
-std::vector<int> read_balls(const Reader& r, const std::vector<Ball>& others) {
+std::vector<std::string_view> names_of(const Reader& r, const std::vector<Ball>& others) {
   if (others.empty()) r.fail("cannot be touched: there are no \"others\"");
   std::vector<std::string_view> names;
   for (const Ball& other : others) names.push_back(other.id);
+  return names;
+}
+
+/// The number of a ball by its name.
+int read_ball(const Reader& r, const std::vector<Ball>& others) {
+  return 1 + static_cast<int>(r.word("ball", names_of(r, others)));
+}
+
+/// Numbers of balls by their names: one, a list, or any.
+std::vector<int> read_balls(const Reader& r, const std::vector<Ball>& others) {
+  std::vector<std::string_view> names = names_of(r, others);
   std::vector<int> balls;
   if (r.is_array()) {
     for (const Reader& item : r.items()) balls.push_back(1 + static_cast<int>(item.word("ball", names)));
@@ -125,12 +135,6 @@ PocketTarget read_pocket(const Reader& r, const Table& table) {
   const std::size_t which = pocket.word("pocket", names);
   if (which == 0) return {};
   return {static_cast<int>(which) - 1};
-}
-
-int read_ball(const Reader& r, const std::vector<Ball>& others) {
-  std::vector<std::string_view> names;
-  for (const Ball& other : others) names.push_back(other.id);
-  return 1 + static_cast<int>(r.word("ball", names));
 }
 
 /// Adds what the ball that was touched last is to do.
@@ -175,7 +179,7 @@ BallTarget read_carom(const Reader& r, const std::vector<Ball>& others) {
   if (!pair.is_array() || pair.size() != 2) pair.fail("must be a pair of balls");
   if (others.empty()) pair.fail("cannot be touched: there are no \"others\"");
   const auto balls = pair.items();
-  BallTarget t{.balls = {read_ball(balls[1], others)}, .within = radians(90.0), .off = read_ball(balls[0], others)};
+  BallTarget t{.balls = {read_ball(balls[1], others)}, .within = any_touch, .off = read_ball(balls[0], others)};
   if (const auto v = r.find("cut")) t.cut = radians(v->number()), t.within = BallTarget{}.within;
   if (const auto v = r.find("within")) t.within = radians(v->number(format::carom["within"].bounds));
   return t;

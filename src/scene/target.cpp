@@ -12,10 +12,7 @@ namespace bankshot {
 namespace {
 
 Mark mark_of(const Circle& ball, const BallTarget& asked) {
-  const auto offset = [&](double cut) {
-    const double most = radians(90.0);
-    return -ball.radius * std::sin(std::clamp(cut, -most, most));
-  };
+  const auto offset = [&](double cut) { return -ball.radius * std::sin(std::clamp(cut, -any_touch, any_touch)); };
   return {.at = ball.centre,
           .reach = ball.radius,
           .taken_by = ball.contact,

@@ -176,7 +176,7 @@ std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_vi
   plain.ball.at = p.ball.at;
   if (auto* point = std::get_if<PointTarget>(&plain.target)) point->within = PointTarget{}.within;
   if (auto* ball = std::get_if<BallTarget>(&plain.target)) {
-    ball->within = ball->off && ball->cut == 0 ? radians(90.0) : BallTarget{}.within;
+    ball->within = ball->off && ball->cut == 0 ? any_touch : BallTarget{}.within;
     ball->cut = 0;
   }
   const Json said = question_json(p), untold = question_json(plain);

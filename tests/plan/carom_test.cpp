@@ -4,9 +4,8 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
-#include "support/families.hpp"
+#include "support/found_again.hpp"
 #include "support/replay_check.hpp"
-#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -22,20 +21,9 @@ Puzzle carom(const std::string& keys) {
 TEST_CASE("caroms that a shot made are found, nearly always, and no shot is wrong") {
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 40}, {test::Model::rolling, 40}, {test::Model::spin, 40}, {test::Model::mathavan, 2}}));
-  constexpr std::uint64_t seed = 47;
-  test::Random random(seed);
-  int unsolved = 0;
-  for (int i = 0; i < count; ++i) {
-    const test::Made made = test::find_family("caroms")->make(random, model, -1);
-    CAPTURE(seed, i, write_puzzle(made.puzzle));
-    const Answer a = solve(made.puzzle, {.suggest = false});
-    unsolved += a.status != Status::solved;
-    if (a.status != Status::solved) continue;
-    CHECK(test::check_shot(made.puzzle, a.shots.front()).problem.empty());
-    if (i % 10 == 0)
-      for (const truth::Check& c : truth::check(&made.puzzle, made.puzzle.id, a)) CHECK(c.holds());
-  }
-  CHECK(unsolved <= 1 + count / 20);
+  const test::FoundAgain found = test::find_again("caroms", model, count, 47, 10);
+  CAPTURE(found.unsolved);
+  CHECK(std::ssize(found.unsolved) <= 1 + count / 20);
 }
 
 TEST_CASE("a direct carom touches the first ball and then the second, as it is cut") {

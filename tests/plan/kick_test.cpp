@@ -4,9 +4,7 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
-#include "support/families.hpp"
-#include "support/replay_check.hpp"
-#include "truth/claims.hpp"
+#include "support/found_again.hpp"
 
 using namespace bankshot;
 using Catch::Matchers::WithinAbs;
@@ -25,18 +23,10 @@ Answer solved(const std::string& keys, const SolveOptions& options = {}) {
 TEST_CASE("every kick that a shot made is found, at its cut and speed") {
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 300}, {test::Model::rolling, 300}, {test::Model::spin, 200}, {test::Model::mathavan, 30}}));
-  constexpr std::uint64_t seed = 42;
-  test::Random random(seed);
-  for (int i = 0; i < count; ++i) {
-    const test::Made made = test::find_family("kicks")->make(random, model, -1);
-    CAPTURE(seed, i, write_puzzle(made.puzzle));
-    const Answer a = solve(made.puzzle, {.suggest = false});
-    REQUIRE(a.status == Status::solved);
-    CHECK(test::check_shot(made.puzzle, a.shots.front()).problem.empty());
-    CHECK(!a.shots.front().off_centre);
-    if (i % 10 == 0)
-      for (const truth::Check& c : truth::check(&made.puzzle, made.puzzle.id, a)) CHECK(c.holds());
-  }
+  const test::FoundAgain found = test::find_again("kicks", model, count, 42, 10);
+  CAPTURE(found.unsolved);
+  CHECK(found.unsolved.empty());
+  CHECK(found.off_centre == 0);
 }
 
 TEST_CASE("a full hit leads through both centres, a cut ball leaves to the side that is asked") {

@@ -4,9 +4,7 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
-#include "support/families.hpp"
-#include "support/replay_check.hpp"
-#include "truth/claims.hpp"
+#include "support/found_again.hpp"
 
 using namespace bankshot;
 
@@ -21,17 +19,9 @@ Answer solved(const std::string& keys, const SolveOptions& options = {}) {
 TEST_CASE("a shot past other balls is found, and touches none") {
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 300}, {test::Model::rolling, 300}, {test::Model::spin, 150}, {test::Model::mathavan, 30}}));
-  constexpr std::uint64_t seed = 41;
-  test::Random random(seed);
-  for (int i = 0; i < count; ++i) {
-    const test::Made made = test::find_family("obstacles")->make(random, model, -1);
-    CAPTURE(seed, i, write_puzzle(made.puzzle));
-    const Answer a = solve(made.puzzle, {.suggest = false});
-    REQUIRE(a.status == Status::solved);
-    CHECK(test::check_shot(made.puzzle, a.shots.front()).problem.empty());
-    if (i % 10 == 0)
-      for (const truth::Check& c : truth::check(&made.puzzle, made.puzzle.id, a)) CHECK(c.holds());
-  }
+  const test::FoundAgain found = test::find_again("obstacles", model, count, 41, 10);
+  CAPTURE(found.unsolved);
+  CHECK(found.unsolved.empty());
 }
 
 TEST_CASE("balls away from the path change nothing") {

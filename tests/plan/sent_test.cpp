@@ -4,9 +4,8 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
-#include "support/families.hpp"
+#include "support/found_again.hpp"
 #include "support/replay_check.hpp"
-#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -25,20 +24,9 @@ TEST_CASE("what shots did with another ball is found again, nearly always, and n
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 40}, {test::Model::rolling, 60}, {test::Model::spin, 60}, {test::Model::mathavan, 3}}));
   if (family == "sent-to-rest" && model == test::Model::ideal) return;  // where no ball rests
-  constexpr std::uint64_t seed = 43;
-  test::Random random(seed);
-  int unsolved = 0;
-  for (int i = 0; i < count; ++i) {
-    const test::Made made = test::find_family(family)->make(random, model, -1);
-    CAPTURE(family, seed, i, write_puzzle(made.puzzle));
-    const Answer a = solve(made.puzzle, {.suggest = false});
-    unsolved += a.status != Status::solved;
-    if (a.status != Status::solved) continue;
-    CHECK(test::check_shot(made.puzzle, a.shots.front()).problem.empty());
-    if (i % 20 == 0)
-      for (const truth::Check& c : truth::check(&made.puzzle, made.puzzle.id, a)) CHECK(c.holds());
-  }
-  CHECK(unsolved <= 1 + count / 15);  // of 500 a family with spin 1 to 3 in a hundred
+  const test::FoundAgain found = test::find_again(family, model, count, 43, 20);
+  CAPTURE(found.unsolved);
+  CHECK(std::ssize(found.unsolved) <= 1 + count / 15);  // of 500 a family with spin 1 to 3 in a hundred
 }
 
 TEST_CASE("a pot sends the ball into the pocket that is asked, at the speed that is asked") {

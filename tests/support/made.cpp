@@ -45,7 +45,7 @@ bool is_hard(const Made& made) {
 
 bool is_exact(const Made& made) {
   const auto* ball = std::get_if<BallTarget>(&made.puzzle.target);
-  if (ball && ball->within >= radians(90)) return false;  // any touch is made
+  if (ball && ball->within >= any_touch) return false;  // any touch is made
   if (!is_pocket(made.puzzle.target)) return true;
   if (then_of(made.puzzle.target)) return false;  // as it fell, which is hardly ever on the exact line
   const Puzzle& p = made.puzzle;

@@ -270,7 +270,7 @@ Made caroms(Random& r, Model model, int bounces) {
       const Vec2d apart = second.other.at - second.state.at;
       const double cut = std::atan2(cross(before, apart), dot(before, apart)), speed = norm(before);
       if (!(speed > 1e-2) || !(std::abs(cut) < radians(89.99))) continue;
-      BallTarget target{.balls = {second.contact.index}, .within = radians(90.0), .off = met->first->contact.index};
+      BallTarget target{.balls = {second.contact.index}, .within = any_touch, .off = met->first->contact.index};
       if (r.chance(0.5)) target.cut = cut, target.within = radians(5.0);
       p.target = target;
       p.arrive.reset();

@@ -87,9 +87,10 @@ class LastingContacts {
     using std::abs;
     if (!in.balls[i].in_play || !in.balls[j].in_play || in.too_far(i, j, Number(0))) return false;
     const Apart<Number> apart = in.seen(i, j, value(in.now));
-    const Number near = in.reach(i, j) + in.rounding.touch, far2 = dot(apart.at, apart.at);
-    if (!(far2 < near * near)) return false;
-    const Vec2<Number> normal = apart.at / norm(apart.at);
+    // Twice what a meeting counts as touching: rounding must not part two that have just met.
+    const Number far = norm(apart.at);
+    if (!(far - in.reach(i, j) < 2 * in.rounding.touch)) return false;
+    const Vec2<Number> normal = apart.at / far;
     const Number parting = dot(normal, apart.velocity);
     const auto pull = [&](std::size_t k) { return first_acceleration(value(in.balls[k].track.arc())); };
     driven = parting < -in.rounding.still || dot(normal, Vec2<Number>(pull(j) - pull(i))) < Number(0);

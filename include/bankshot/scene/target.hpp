@@ -62,6 +62,8 @@ struct Then {
   const CushionRule& cushions_of(std::size_t n) const { return n < links.size() ? links[n].cushions : cushions; }
 };
 
+inline constexpr double any_touch = radians(90.0);  ///< rad: so far off a full hit every cut is
+
 /// The struck ball touches one of these, its first contact with a ball; in a carom the second. The cut is the angle
 /// from its velocity just before to the line of centres, anticlockwise.
 struct BallTarget {

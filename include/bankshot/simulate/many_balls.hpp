@@ -163,7 +163,7 @@ class ManyBalls {
   template <class Watch>
   BallEvent meet(const Due& due, Watch&& watch) {
     const std::size_t i = due.first, j = due.second;
-    const bool held = law_.lasts && approach(due) <= lasting_.slowest_meeting() && !held_already(due);
+    const bool held = law_.lasts && approach(due) <= lasting_.slowest_meeting();
     in_.now = lift_meeting(i, j, due.time);
     for (const std::size_t k : {i, j}) {
       in_.bring(k, watch);
@@ -179,16 +179,6 @@ class ManyBalls {
       b.pending = {};
     }
     return {static_cast<int>(i), {EventKind::ball, Contact::ball(numbers_[j])}};
-  }
-
-  /// At this instant: two that meet again were not held, since rounding has them just apart. Then they collide.
-  bool held_already(const Due& due) {
-    if (due.time != instant_) met_slowly_.clear();
-    instant_ = due.time;
-    const std::pair two{due.first, due.second};
-    const bool again = std::find(met_slowly_.begin(), met_slowly_.end(), two) != met_slowly_.end();
-    if (!again) met_slowly_.push_back(two);
-    return again;
   }
 
   /// What ball i does by itself.
@@ -285,9 +275,7 @@ class ManyBalls {
   LastingContacts<T, Motion> lasting_;
   std::vector<Number> meetings_;  ///< s, of each pair, the lower number first
   std::vector<std::size_t> changed_;
-  std::vector<int> numbers_;                                       ///< of the balls, as contacts
-  Number instant_{never};                                          ///< s, of the last slow meeting, ...
-  std::vector<std::pair<std::size_t, std::size_t>> met_slowly_{};  ///< ... and who met slowly at it
+  std::vector<int> numbers_;  ///< of the balls, as contacts
 };
 
 }  // namespace bankshot
