@@ -242,6 +242,12 @@ inline constexpr double scale_of_aim = 0.05, scale_of_speed = 0.15, scale_of_spi
 inline constexpr int most_starts = 3;
 /// Caroms that are tuned where one is wanted.
 inline constexpr std::size_t most_tuned_caroms = 6;
+/// Of the mark's reach: where launches beside a curve are tried.
+inline constexpr std::array beside{0.1, -0.1, 0.2, -0.2, 0.3, -0.3, 0.4, -0.4, 0.5, -0.5, 0.6, -0.6,
+                                   0.7, -0.7, 0.8, -0.8, 0.9, -0.9, 1.0, -1.0, 1.1, -1.1, 1.2, -1.2};
+/// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
+/// more.
+inline constexpr double hopeless = 0.15;
 /// Newton's steps onto the family; the step after one so short is exact to rounding, if the miss was so small.
 inline constexpr int most_steps = 40;
 inline constexpr double longest_step = 2, settled = 1e-7, nearly = 1e-6;
@@ -403,8 +409,10 @@ namespace chains {
 inline constexpr double slowest_sent = 1e-3, fastest_sent = 3;
 /// Of a launch speed that is given: what the ball that is sent on may get.
 inline constexpr std::array shares_of_speed{0.8, 0.5, 0.25, 0.1};
-/// Cosine of the largest cut that a seed may have.
-inline constexpr double least_cosine = 0.01;
+/// Cosine of the largest cut that a seed may have, and rad that a ball's launch is off its image at most, with spin.
+inline constexpr double least_cosine = 0.01, image_off = radians(30);
+/// Cosine below which no arrival speed turns a ball's launch so far that it can be hit.
+inline constexpr double least_settled = -0.2;
 /// Turns of the ghost by what throw turned the other ball, and rad where they end: Newton's method does the rest.
 inline constexpr int most_corrections = 4;
 inline constexpr double settled_turn = 1e-3;

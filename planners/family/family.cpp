@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "planners/locked/clearance.hpp"
 #include "planners/merit/first_order.hpp"
@@ -75,10 +76,15 @@ void Family::search() {
   const Vector x = vector_of({start_.launch.speed, near_window(start_.launch.angle, q_.angle)}, start_.spin);
   if (free <= 1) {
     const auto from = settle(x, wide_);
-    if (!from) return;
+    if (!from || is_hopeless(*from)) return;
     Curve curve = free == 1 ? walk(*from) : Curve{{*from}};
     add_crossings(curve);
-    return keep_parts(curve);
+    const std::size_t known = found_.shots.size();
+    keep_parts(curve);
+    const auto leads_here = [&](const Shot& shot) { return q_.mark_of(shot) == start_.mark; };
+    if (q_.objects && q_.all() && std::ranges::none_of(std::span(found_.shots).subspan(known), leads_here))
+      look_beside(curve);
+    return;
   }
   auto from = settle(x, box_);
   if (!from) return;
@@ -96,6 +102,10 @@ double Family::merit(const Point& p) const {
       break;
   }
   return 0;  // until it is proved
+}
+
+bool Family::is_hopeless(const Point& p) {
+  return freedom(q_) == 1 && clearance(aim_, ledger_, launch_of(p.x)).value_or(0) < -hopeless * q_.boundary.diagonal;
 }
 
 bool Family::inside(const Point& p) const {

@@ -5,6 +5,7 @@
 //   walk    where one thing is free the family is a curve: steps along it, both ways, to where the arrival speed or the
 //           spin ends; what the replay makes of each step is asked afterwards, since only parts of a curve may be shots
 //   climb   where more is free, a compass search over the family's tangent space to a best shot by `prefer`
+//   beside  where every shot with other balls is wanted and no point of a curve is made, launches beside it
 // A best shot lies inside, at a bound, or where a cushion's end or a pocket cuts the family; there the edge is
 // bisected. Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: what is kept is proved;
 // that nothing better exists is measured (tests/stress), not proved. Source: the corrector is Gauss's and Newton's with
@@ -64,12 +65,17 @@ class Family {
   double merit(const Point& p) const;
   bool inside(const Point& p) const;
   bool at_end(const Point& p) const;
+  /// So far from a shot that no other of its curve is one.
+  bool is_hopeless(const Point& p);
+  /// Outside the bounds on the launch speed, and farther out this way.
+  bool leaves_for_good(const Point& at, const Vector& way) const;
   Tried attempt(const Point& p);
 
   Curve walk(const Point& from);
   void walk_way(const Point& from, double way, Curve& out);
   void add_crossings(Curve& curve);
   void keep_parts(Curve& curve);
+  void look_beside(const Curve& curve);
   Tried edge(const Tried& inside, const Tried& outside);
   Tried peak(const Tried& before, const Tried& best, const Tried& after);
   Tried climb(Tried from);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "planners/family/family.hpp"
+#include "planners/locked/clearance.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
@@ -33,6 +34,7 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
   Vector t = tangents(at).col(0) * way;
   double h = first_walk;
   for (int i = 0; i < most_walked && !ledger_.spent();) {
+    if (leaves_for_good(at, t)) return;
     const Vector guess = at.x + h * scale_.cwiseProduct(t);
     const auto next = settle(guess, wide_);
     const double gone = next ? (next->x - at.x).cwiseQuotient(scale_).dot(t) : 0,
@@ -52,6 +54,12 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
     at = *next;
     if (pulled < h / 8) h = std::min(2 * h, longest_walk);
   }
+}
+
+/// Faster launches arrive faster, and hardly ever is that otherwise anywhere along a family.
+bool Family::leaves_for_good(const Point& at, const Vector& way) const {
+  const double speed = at.x[log_speed], on = way[log_speed];
+  return (speed > box_.high[log_speed] && on > 0) || (speed < box_.low[log_speed] && on < 0);
 }
 
 /// The arrival speed or a spin is at the end of its range.
@@ -98,6 +106,22 @@ void Family::keep_parts(Curve& curve) {
       keep(edge(curve[best], curve[best + 1]));
     else
       keep(curve[best]);
+  }
+}
+
+/// Where the exact line is blocked all along, launches beside it may be made.
+void Family::look_beside(const Curve& curve) {
+  if (!start_.mark.drops()) return;
+  for (const Tried& t : curve) {
+    if (!inside(t.at) || ledger_.spent()) continue;
+    const Launch launch = launch_of(t.at.x);
+    if (!(clearance(aim_, ledger_, launch).value_or(-infinite) > -start_.mark.reach)) continue;
+    q_.spin = spin_of(t.at.x);
+    const double across = start_.mark.reach / (t.at.off[0].by[aim] * q_.boundary.diagonal);
+    for (const double share : beside) {
+      const Launch to{launch.speed, wrap_angle(launch.angle + share * across)};
+      if (certify(q_, ledger_, found_, to, bounces_of(aim_.route), step_, Demand::off_centre)) return;
+    }
   }
 }
 

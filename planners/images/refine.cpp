@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "planners/images/refine.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
 #include "planners/images/unfold.hpp"
 #include "planners/locked/speed.hpp"
+#include "planners/proof/bounds.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning {
@@ -22,13 +24,18 @@ bool refine_aim(const LockedAim& aim, Ledger& ledger, Findings& found, double an
 void refine_images(const Question& q, Ledger& ledger, Findings& found, std::string_view step, const RootFinder& find) {
   const bool straight = is_straight(q.puzzle.physics);
   std::set<std::pair<Route, std::size_t>> settled;  // a route with a root to a mark hardly ever has another
+  for (const Lead& lead : found.leads)
+    if (q.starts())
+      settled.insert({lead.route, static_cast<std::size_t>(std::ranges::find(q.marks, lead.mark) - q.marks.begin())});
   for (const double share : settings::restitution_shares) {
     const double e = share * restitution(q.puzzle.physics).at_rest;
     Unfolding images(q, {.parts = !straight, .restitution = e, .keep_routes = true});
     while (const auto image = images.next()) {
       if (stop::enough_seeds(q, ledger, found)) return;
+      if (double aim = image->angle; q.starts() && !inside_aims(aim, q.angle)) continue;
       std::pair key{images.route(*image), image->mark};
       if (!straight && settled.contains(key)) continue;
+      if (key.first.empty() && share != settings::restitution_shares.front()) continue;  // no cushion bends it
       const LockedAim aim{q, key.first, q.marks[image->mark]};
       if (refine_aim(aim, ledger, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));
     }

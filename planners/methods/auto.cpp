@@ -6,6 +6,9 @@
 // With spin images are only seeds: the steps of planners/steps follow, in the order of their numbers.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "planners/family/family.hpp"
@@ -112,13 +115,17 @@ std::vector<Question> samples_of(const Question& q) {
 
 /// What leads to roots of most routes, and what is left where that finds nothing.
 struct Seeds {
-  steps::Step first, closely;
+  std::function<std::remove_pointer_t<steps::Step>> first;
+  steps::Step closely;
   std::string_view word;
 };
 Seeds seeds_of(const Question& q) {
   if (!q.objects) return {steps::images, nullptr, steps::word::images};
   if (q.carom()) return {steps::caroms, steps::caroms_closely, steps::word::caroms};
-  return {steps::chains, steps::chains_closely, steps::word::chains};
+  const auto chains = [known = steps::KnownLegs{}](const Question& one, Ledger& ledger, Findings& found) mutable {
+    steps::chains_again(one, ledger, found, known);
+  };
+  return {chains, steps::chains_closely, steps::word::chains};
 }
 
 /// Of two shots by one route between which all launches are made, and which are of one family therefore, the better.
@@ -167,17 +174,19 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
     if (it == followed.end()) it = followed.insert(it, {lead.route, lead.mark, 0});
     return ++it->times > most;
   };
-  const auto follow = [&](const Findings& starts, std::string_view step) {
-    for (const Lead& lead : starts.leads)
+  const auto follow = [&](std::span<const Lead> leads, std::string_view step) {
+    for (const Lead& lead : leads)
       if (!stop::over(q, ledger, found) && !enough(lead)) family::Family(q, ledger, found, lead, step).search();
   };
-  const Seeds seeds = seeds_of(q);
+  Seeds seeds = seeds_of(q);
   const std::vector<Question> samples = samples_of(q);
+  Findings starts;
   for (const Question& sample : samples) {
     if (q.carom() && sample.asked != samples.front().asked) continue;  // its launches have all speeds
-    Findings starts;
+    if (several) starts = {}, seeds = seeds_of(q);
+    const std::size_t known = starts.leads.size();  // whose routes have no second family
     seeds.first(sample, ledger, starts);
-    follow(starts, seeds.word);
+    follow(std::span(starts.leads).subspan(known), seeds.word);
   }
   if (q.carom()) keep_connected_once(q, ledger, found);
   if (q.objects) return;
@@ -185,9 +194,9 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
     const bool better = rivals_wanted(q, ledger, found) && &sample == &samples.front();
     if (!q.all() && !better) break;
     found.rivals_sought = better;
-    Findings starts;
-    steps::map(sample, ledger, starts, q.all() ? steps::usual_spacing(q) : rival);
-    follow(starts, steps::word::map);
+    Findings roots;
+    steps::map(sample, ledger, roots, q.all() ? steps::usual_spacing(q) : rival);
+    follow(roots.leads, steps::word::map);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/puzzle.hpp"
@@ -15,6 +16,15 @@ inline bool bring_inside(double& v, const Range& r) {
   if (v < r.low - slack || v > r.high + slack) return false;
   v = std::clamp(v, r.low, r.high);
   return true;
+}
+
+/// The same of an aim, whichever turn the bounds are of.
+inline bool inside_aims(double& angle, const std::optional<Range>& bounds) {
+  if (!bounds) return true;
+  constexpr double turn = radians(360);
+  for (double a : {angle, angle + turn, angle - turn})
+    if (bring_inside(a, *bounds)) return angle = wrap_angle(a), true;
+  return false;
 }
 
 }  // namespace bankshot::planning

@@ -11,14 +11,6 @@
 namespace bankshot::planning {
 namespace {
 
-bool inside_aims(double& angle, const std::optional<Range>& bounds) {
-  if (!bounds) return true;
-  constexpr double turn = radians(360);
-  for (double a : {angle, angle + turn, angle - turn})
-    if (bring_inside(a, *bounds)) return angle = wrap_angle(a), true;
-  return false;
-}
-
 bool fast_as_asked(const Question& q, double arrival_speed) {
   if (!q.arrival || q.stop) return true;
   const double slack = tolerance::exact_speed * std::max(1.0, q.arrival->high);

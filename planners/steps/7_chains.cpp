@@ -44,10 +44,11 @@ class Chains {
         by_(chain.balls.size() > 1 ? chain.balls[chain.balls.size() - 2] : nullptr),
         to_ghost_(q, before_last(q, chain), q.one_unknown() ? std::optional(q.fixed_speed()) : std::nullopt) {}
 
-  void run() {
-    for (const Leg& leg : legs(q_, ledger_, chain_, images)) {
+  void run(std::vector<Lead>& known) {
+    for (const Leg& leg : legs(q_, ledger_, chain_, images, known)) {
       if (stop::enough_seeds(q_, ledger_, found_)) return;
       if (leg.clear || q_.every) join_all(leg, chains);
+      if (is_settled(leg)) known.push_back(leg.alone);
     }
   }
 
@@ -64,13 +65,13 @@ class Chains {
  private:
   /// With all that leads through the ghost; `before` finds that of a combination.
   void join_all(const Leg& leg, Step before) {
-    const Question at_ghost = to_ghost_.at(ghost(direction(leg.launch.angle)));  // corrections move the place
+    const Question at_ghost = to_ghost_.at(ghost(direction(leg.alone.launch.angle)));  // corrections move the place
     if (!by_) return each_image(leg, at_ghost);
     Findings starts;
-    before(to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch.speed)), ledger_, starts);
+    before(to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.alone.launch.speed)), ledger_, starts);
     for (const Lead& lead : starts.leads) {
       if (stop::enough_seeds(q_, ledger_, found_)) return;
-      join(leg, lead.route, lead.launch);
+      if (!has_lead(leg, lead.route)) join(leg, lead.route, lead.launch);
     }
   }
 
@@ -84,13 +85,37 @@ class Chains {
       while (const auto image = images.next()) {
         if (stop::enough_seeds(q_, ledger_, found_)) return;
         Route route = images.route(*image);
-        if (settled.contains(route)) continue;
-        const Question& own = to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch.speed));
+        if (settled.contains(route) || has_lead(leg, route)) continue;
+        if (route.empty() && (share != settings::restitution_shares.front() || !may_hit(leg, image->angle))) continue;
+        const Question& own = to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.alone.launch.speed));
         const auto speed = speed_at({own, route, own.marks.front()}, ledger_, image->angle, image->distance);
         if (speed && join(leg, route, {*speed, image->angle})) settled.insert(std::move(route));
       }
       if (straight || (q_.route && !found_.shots.empty())) return;
     }
+  }
+
+  /// Straight at the ghost, and from before it.
+  bool may_hit(const Leg& leg, double angle) const {
+    return q_.spin.masse != 0 || dot(direction(angle), direction(leg.alone.launch.angle)) >= least_cosine;
+  }
+
+  /// At any arrival speed.
+  bool is_settled(const Leg& leg) const {
+    if (!hit_straight(q_, chain_)) return false;
+    const Vec2d way = last_.at_rest.at - q_.puzzle.ball.at;
+    return has_lead(leg, {}) || dot(way, direction(leg.alone.launch.angle)) < least_settled * norm(way);
+  }
+
+  /// Of another arrival speed, or found just now.
+  bool has_lead(const Leg& leg, const Route& before) const {
+    if (!q_.starts() || found_.leads.empty()) return false;
+    const Route whole = whole_route(leg, before);
+    return std::ranges::any_of(found_.leads,
+                               [&](const Lead& lead) { return lead.mark == leg.mark && lead.route == whole; });
+  }
+  Route whole_route(const Leg& leg, const Route& before) const {
+    return together(chain_, to_ghost_.part().whole(before), leg);
   }
 
   /// Where the ball before the last is when it sends that along n.
@@ -107,9 +132,9 @@ class Chains {
 
   /// By a route through the ghost, from a launch near it: corrected, and from there the root of the whole.
   bool join(const Leg& leg, const Route& route, Launch seed) {
-    double turn = 0, asked = normal_speed(leg.launch.speed);
+    double turn = 0, asked = normal_speed(leg.alone.launch.speed);
     for (int i = 0; i < most_corrections; ++i) {
-      const Vec2d n = direction(leg.launch.angle + turn);
+      const Vec2d n = direction(leg.alone.launch.angle + turn);
       const Question& own = to_ghost_.at(ghost(n), asked);
       const LockedAim aim{own, route, own.marks.front()};
       const auto root = newton(aim, ledger_, seed, settings::wide);
@@ -123,14 +148,15 @@ class Chains {
       State<double> struck = arrival->state, sent{last_.at_rest.at, {}, {}};
       struck.at = ghost(n);
       collisions(q_.puzzle.physics).collide(body_before(), struck, last_.at_rest.body, sent);
-      const double off = angle_difference(std::atan2(sent.velocity.y, sent.velocity.x), leg.launch.angle);
-      const double normal = dot(arrival->state.velocity, n) * leg.launch.speed / norm(sent.velocity), before = asked;
+      const double off = angle_difference(std::atan2(sent.velocity.y, sent.velocity.x), leg.alone.launch.angle);
+      const double normal = dot(arrival->state.velocity, n) * leg.alone.launch.speed / norm(sent.velocity),
+                   before = asked;
       asked = normal / cosine;
       if (!q_.one_unknown()) seed.speed *= asked / before;
       turn += off;
       if (i > 0 && std::abs(off) < settled_turn) break;
     }
-    const Route whole = together(chain_, to_ghost_.part().whole(route), leg);
+    const Route whole = whole_route(leg, route);
     const LockedAim aim{q_, whole, leg.mark};
     for (const double faster : faster_seeds) {
       const Launch from{q_.one_unknown() ? q_.fixed_speed() : seed.speed * faster, seed.angle};
@@ -154,7 +180,12 @@ class Chains {
 }  // namespace
 
 void chains(const Question& q, Ledger& ledger, Findings& found) {
-  for (const Objects::Chain& chain : q.objects->chains) Chains(q, ledger, found, chain).run();
+  KnownLegs none;
+  chains_again(q, ledger, found, none);
+}
+
+void chains_again(const Question& q, Ledger& ledger, Findings& found, KnownLegs& known) {
+  for (const Objects::Chain& chain : q.objects->chains) Chains(q, ledger, found, chain).run(known[&chain]);
 }
 
 void chains_closely(const Question& q, Ledger& ledger, Findings& found) {

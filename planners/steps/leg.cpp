@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "planners/steps/leg.hpp"
 
+#include <cmath>
+#include <span>
+#include <utility>
+
 #include "planners/images/unfold.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
@@ -14,26 +18,40 @@ using namespace settings::chains;
 /// By what stands where it does at any speed.
 bool is_blocked(Foul foul) { return foul == Foul::hit_ball || foul == Foul::pocketed || foul == Foul::wrong_cushion; }
 
-Leg leg_of(const Part& own, const Launch& launch, const Route& route, const Mark& mark, bool clear) {
-  Leg leg{launch, own.whole(route), mark, clear};
-  leg.mark.ball = own.whole(mark.ball);
+Leg leg_of(const Part& own, Lead alone, bool clear) {
+  Leg leg{std::move(alone), {}, {}, clear};
+  leg.route = own.whole(leg.alone.route), leg.mark = leg.alone.mark;
+  leg.mark.ball = own.whole(leg.mark.ball);
   return leg;
+}
+
+/// Directions that a straight hit may give the ball, and launches beside them whose images lead there.
+Range aims_of_a_hit(const Question& q, const Objects::Object& object) {
+  const Vec2d way = object.at_rest.at - q.puzzle.ball.at;
+  const double middle = std::atan2(way.y, way.x), half = radians(90.0) + image_off;
+  return {middle - half, middle + half};
 }
 
 }  // namespace
 
-std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts) {
+bool hit_straight(const Question& q, const Objects::Chain& chain) {
+  return chain.balls.size() == 1 && q.cushions().max == 0 && q.spin.masse == 0;
+}
+
+std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts,
+                      std::vector<Lead> known) {
   const Part own = last_alone(q, chain);
-  const Question all(own.puzzle, Wanted::starts);
+  Question all(own.puzzle, Wanted::starts);
+  if (hit_straight(q, chain)) all.angle = aims_of_a_hit(q, *chain.balls.front());
   std::vector<Leg> out;
   const auto look = [&](const Question& one) {
-    Findings found;
+    Findings found{.leads = known};
     starts(one, ledger, found);
-    for (const Lead& lead : found.leads) {
+    for (Lead& lead : std::span(found.leads).subspan(known.size())) {
       if (ledger.spent()) return;
       const std::vector<Contact> cushions = contacts_of(lead.route);
       const bool clear = !is_blocked(replay(one, ledger, lead.launch, Goal::along(cushions)).failure.foul);
-      out.push_back(leg_of(own, lead.launch, lead.route, lead.mark, clear));
+      out.push_back(leg_of(own, std::move(lead), clear));
     }
   };
   if (!q.one_unknown())
@@ -52,7 +70,7 @@ std::vector<Leg> legs_of_images(const Question& q, const Objects::Chain& chain) 
     const double e = share * restitution(q.puzzle.physics).at_rest;
     Unfolding images(all, {.parts = true, .restitution = e, .keep_routes = true});
     while (const auto image = images.next())
-      out.push_back(leg_of(own, {1, image->angle}, images.route(*image), all.marks[image->mark], true));
+      out.push_back(leg_of(own, {{1, image->angle}, images.route(*image), all.marks[image->mark]}, true));
     if (straight) break;
   }
   return out;

@@ -10,15 +10,19 @@
 namespace bankshot::planning::steps {
 
 struct Leg {
-  Launch launch;  ///< of the ball, which stands still
-  Route route;
+  Lead alone;   ///< as found: the ball, which stands still, is the struck one
+  Route route;  ///< the same, and its mark, among all balls
   Mark mark;
   bool clear = true;  ///< so launched it arrives: nothing is in the way
 };
 
-/// By the roots that a step finds. Where the launch speed of the struck ball is all that is given, that of the other is
-/// guessed.
-std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts);
+/// By the roots that a step finds, but for those that are known. Where the launch speed of the struck ball is all that
+/// is given, that of the other is guessed.
+std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts,
+                      std::vector<Lead> known = {});
+
+/// The only way to it is straight.
+bool hit_straight(const Question& q, const Objects::Chain& chain);
 
 /// By images, though no launch by itself may lead along them.
 std::vector<Leg> legs_of_images(const Question& q, const Objects::Chain& chain);

@@ -4,6 +4,7 @@
 // A step reads the question, charges the ledger, and adds to the findings; its number is in the name of its file.
 #pragma once
 
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,10 @@ void map(const Question& q, Ledger& ledger, Findings& found, const Spacing& spac
 void along(const Question& q, Ledger& ledger, Findings& found);    ///< exactly along a cushion that the ball touches
 void rattles(const Question& q, Ledger& ledger, Findings& found);  ///< by the jaws of a pocket
 void chains(const Question& q, Ledger& ledger, Findings& found);   ///< another ball is sent on
+/// The same for one arrival speed after the other: of each chain the ways of its last ball, by itself, that need no
+/// other look.
+using KnownLegs = std::map<const Objects::Chain*, std::vector<Lead>>;
+void chains_again(const Question& q, Ledger& ledger, Findings& found, KnownLegs& known);
 void chains_closely(const Question& q, Ledger& ledger, Findings& found);
 void caroms(const Question& q, Ledger& ledger, Findings& found);  ///< off one ball onto another
 void caroms_closely(const Question& q, Ledger& ledger, Findings& found);
