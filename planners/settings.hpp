@@ -192,6 +192,8 @@ inline constexpr double settled = 1e-15;
 }  // namespace along
 
 namespace parts {
+/// rad, and a share of the speed: leads so near each other are one.
+inline constexpr double alike = 1e-6;
 /// Aims across the part of a target beside a lead.
 inline constexpr std::size_t aims_across = 17;
 /// A lead whose speed is this much outside its bounds may lead to a shot inside.
@@ -427,6 +429,10 @@ inline constexpr int sweep_steps = 24, sweep_halvings = 8;
 /// Aims to either side and speeds of a grid, and how many of its cells away a root may be that a node predicts.
 inline constexpr int grid_steps = 12, grid_rows = 12;
 inline constexpr double grid_reach = 2;
+/// Of the middle launch speed: where a ball is too slow to reach the other's place it may touch it all the same.
+inline constexpr std::array approach_speeds{1.0, 2.0};
+/// Times as many aims where the speed is given.
+inline constexpr int finer_alone = 2;
 /// Steps of a launch speed towards the arrival speed that is asked.
 inline constexpr int most_secants = 12;
 }  // namespace chains

@@ -116,7 +116,7 @@ std::vector<Question> samples_of(const Question& q) {
 /// What leads to roots of most routes, and what is left where that finds nothing.
 struct Seeds {
   std::function<std::remove_pointer_t<steps::Step>> first;
-  steps::Step closely;
+  void (*closely)(const Question&, Ledger&, Findings&, steps::Parts&);
   std::string_view word;
 };
 Seeds seeds_of(const Question& q) {
@@ -243,8 +243,7 @@ void with_balls(const Question& q, Ledger& ledger, Findings& found) {
   const auto look_closely_at = [&](const Question& one) {
     steps::Parts parts;
     parts.climb(one, ledger, found);
-    if (stop::more_wanted(one, ledger, found)) seeds.closely(one, ledger, found);
-    parts.climb(one, ledger, found);
+    if (stop::more_wanted(one, ledger, found)) seeds.closely(one, ledger, found, parts);
     parts.bisect(one, ledger, found, free ? first_share_of_parts : 1);
   };
   if (!free) return look_closely_at(q);

@@ -51,10 +51,19 @@ bool hopeful(const Question& q, const Lead& lead) {
 void Parts::climb(const Question& q, Ledger& ledger, Findings& found) {
   for (Lead& lead : found.leads) {
     if (!found.shots.empty() || ledger.spent()) break;
+    if (q.objects && was_tried(lead)) continue;  // many pairs of routes lead to one root
     Widest(q, ledger, found, lead).find();
     tried_.push_back(std::move(lead));
   }
   found.leads.clear();
+}
+
+bool Parts::was_tried(const Lead& lead) const {
+  return std::ranges::any_of(tried_, [&](const Lead& known) {
+    return std::abs(angle_difference(known.launch.angle, lead.launch.angle)) < alike &&
+           std::abs(std::log(known.launch.speed / lead.launch.speed)) < alike && known.spin == lead.spin &&
+           known.mark == lead.mark && known.route == lead.route;
+  });
 }
 
 void Parts::bisect(const Question& q, Ledger& ledger, Findings& found, double share) {

@@ -7,7 +7,8 @@
 // so that no cosine of the cut is left; what throw turns the other ball by, the ghost is turned back. From there
 // Newton's method on the whole chain, with derivatives through the contact. In a combination it is the last ball that
 // is looked at alone, and what leads through its ghost is the chain of those before it, found in the same way.
-// Closely, the last ball's launches come from maps too, and then sweeps are made (8_sweeps.cpp). Cost: some ten
+// Closely, the last ball's launches come from maps too, then sweeps are made (8_sweeps.cpp), and last of all what leads
+// to the ghost is looked for closely. Cost: some ten
 // simulations a leg, twenty a chain. Guarantee: none beyond the proof; a root is found where its seed leads, and a
 // chain of routes hardly ever has two.
 #include <algorithm>
@@ -52,17 +53,25 @@ class Chains {
     }
   }
 
-  void closely() {
+  void closely(Parts& parts) {
     std::vector<Leg> all = legs(q_, ledger_, chain_, starts_by_map);
     std::stable_partition(all.begin(), all.end(), [](const Leg& leg) { return leg.clear; });
     for (const Leg& leg : all) {
       if (sweeps_over(q_, ledger_, found_)) return;
-      join_all(leg, by_ && found_.shots.empty() ? chains_closely : chains);
+      join_all(leg, chains);
+      if (!q_.starts()) parts.climb(q_, ledger_, found_);
     }
-    sweeps(q_, ledger_, found_, chain_, std::move(all));
+    sweeps(q_, ledger_, found_, chain_, all, parts);
+    for (const Leg& leg : all)
+      if (by_ && !sweeps_over(q_, ledger_, found_)) join_all(leg, before_closely);
   }
 
  private:
+  static void before_closely(const Question& q, Ledger& ledger, Findings& found) {
+    Parts none;
+    chains_closely(q, ledger, found, none);
+  }
+
   /// With all that leads through the ghost; `before` finds that of a combination.
   void join_all(const Leg& leg, Step before) {
     const Question at_ghost = to_ghost_.at(ghost(direction(leg.alone.launch.angle)));  // corrections move the place
@@ -188,8 +197,8 @@ void chains_again(const Question& q, Ledger& ledger, Findings& found, KnownLegs&
   for (const Objects::Chain& chain : q.objects->chains) Chains(q, ledger, found, chain).run(known[&chain]);
 }
 
-void chains_closely(const Question& q, Ledger& ledger, Findings& found) {
-  for (const Objects::Chain& chain : q.objects->chains) Chains(q, ledger, found, chain).closely();
+void chains_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts) {
+  for (const Objects::Chain& chain : q.objects->chains) Chains(q, ledger, found, chain).closely(parts);
 }
 
 }  // namespace bankshot::planning::steps

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Aims across the first ball, for each route by which the struck ball comes to it.
-// Methods, in this order: for each leg of the balls that are sent on, a sweep evenly in the cut, each aim at the speed
-// that arrives as asked, whose changes of side are bisected and whose launches beside the exact line are tried as they
-// are; then a grid in the cut and the speed, from whose nodes Newton's method goes where the derivatives predict a root
-// nearby; and, of whatever legs, launches that a replay makes. Cost: some 200 simulations a pair of routes in a sweep,
-// 300 in a grid. Guarantee: none beyond the proof.
+// Aims across the last ball, for each route by which the balls before it come to it.
+// Methods: launches that a replay makes as they are, by whatever they meet (into a pocket first of all, since hardly
+// any that falls is on its exact line; onto a point last); for each leg of the last ball a sweep evenly in the cut,
+// each aim at the speed that arrives as asked, whose changes of side are bisected and whose launches beside the exact
+// line are tried; then a grid in the cut and the speed, from whose nodes Newton's method goes where the derivatives
+// predict a root nearby. Cost: some 600 simulations a route of launches, 200 a pair of routes in a sweep, 300 in a
+// grid. Guarantee: none beyond the proof.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -31,14 +32,20 @@ using namespace settings::chains;
 
 class Sweeps {
  public:
-  Sweeps(const Question& q, Ledger& ledger, Findings& found) : q_(q), ledger_(ledger), found_(found) {}
+  Sweeps(const Question& q, Ledger& ledger, Findings& found, Parts& parts)
+      : q_(q), ledger_(ledger), found_(found), parts_(parts) {}
 
   void run(const Objects::Chain& chain, const std::vector<Leg>& legs) {
-    const std::vector<Approach> to_ball = approaches(q_, ledger_, *chain.balls.front(), q_.cushions(), starts_by_map);
-    if (chain.balls.size() == 1) {  // through another ball aims that lead on to the next are far too near each other
-      each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
-      each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
-    }
+    const std::vector<Approach> to_ball = approaches_to_last(q_, ledger_, chain);
+    if (q_.drops()) launches(to_ball);  // hardly any that falls is on the exact line
+    each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
+    each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
+    if (!q_.drops()) launches(to_ball);
+  }
+
+ private:
+  /// Those that are made as they are, by whatever they meet.
+  void launches(const std::vector<Approach>& to_ball) {
     for (const Approach& approach : to_ball)
       each_launch(q_, approach.across, {sweep_steps, grid_rows}, [&](const Launch& launch, int) {
         if (over()) return true;
@@ -48,7 +55,6 @@ class Sweeps {
       });
   }
 
- private:
   bool over() const { return sweeps_over(q_, ledger_, found_); }
 
   /// `look(chain, aims across the ball)`, once each.
@@ -62,6 +68,7 @@ class Sweeps {
         if (over()) return;
         const Route whole = together(chain, approach.route, leg);
         look({q_, whole, leg.mark}, approach.across);
+        if (!q_.starts()) parts_.climb(q_, ledger_, found_);
       }
     }
   }
@@ -151,13 +158,16 @@ class Sweeps {
   const Question& q_;
   Ledger& ledger_;
   Findings& found_;
+  Parts& parts_;
 };
 
 }  // namespace
 
-void sweeps(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain, std::vector<Leg> legs) {
+void sweeps(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain,
+            const std::vector<Leg>& known, Parts& parts) {
+  std::vector<Leg> legs = known;
   std::ranges::move(legs_of_images(q, chain), std::back_inserter(legs));
-  Sweeps(q, ledger, found).run(chain, legs);
+  Sweeps(q, ledger, found, parts).run(chain, legs);
 }
 
 bool sweeps_over(const Question& q, Ledger& ledger, const Findings& found) {

@@ -213,9 +213,10 @@ void caroms(const Question& q, Ledger& ledger, Findings& found) {
   Caroms(q, ledger, found, {aims, speeds}, images).run();
 }
 
-void caroms_closely(const Question& q, Ledger& ledger, Findings& found) {
+void caroms_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts) {
   using namespace settings::caroms;
   Caroms(q, ledger, found, {close_aims, close_speeds}, starts_by_map).run();
+  parts.climb(q, ledger, found);
 }
 
 }  // namespace bankshot::planning::steps

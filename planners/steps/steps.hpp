@@ -35,9 +35,7 @@ void chains(const Question& q, Ledger& ledger, Findings& found);   ///< another 
 /// other look.
 using KnownLegs = std::map<const Objects::Chain*, std::vector<Lead>>;
 void chains_again(const Question& q, Ledger& ledger, Findings& found, KnownLegs& known);
-void chains_closely(const Question& q, Ledger& ledger, Findings& found);
 void caroms(const Question& q, Ledger& ledger, Findings& found);  ///< off one ball onto another
-void caroms_closely(const Question& q, Ledger& ledger, Findings& found);
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
 Spacing usual_spacing(const Question& q);
@@ -52,7 +50,13 @@ class Parts {
   void bisect(const Question& q, Ledger& ledger, Findings& found, double share);
 
  private:
+  bool was_tried(const Lead& lead) const;
+
   std::vector<Lead> tried_;
 };
+
+/// Where chains and caroms found nothing: what costs ten times as much. Leads are climbed as they are found.
+void chains_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts);
+void caroms_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts);
 
 }  // namespace bankshot::planning::steps

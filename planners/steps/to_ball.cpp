@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "planners/locked/newton.hpp"
 #include "planners/settings.hpp"
@@ -15,22 +14,56 @@ namespace {
 
 using namespace settings::chains;
 
-/// Straight there all aims that touch it; else as far beside its middle as first order says that it goes.
-std::optional<Range> aims_across(const Question& q, Ledger& ledger, ToPlace& to_ball, const Objects::Object& object,
+/// Straight there all aims that touch it; else as far beside its middle as first order says that it goes. `reach`: m,
+/// between their centres when they touch.
+std::optional<Range> aims_across(const Question& q, Ledger& ledger, const Question& own, double reach,
                                  const Lead& lead) {
-  const double reach = q.boundary.rim(Contact::ball(object.ball))->radius;
+  const Vec2d& place = own.marks.front().at;
   if (lead.route.empty() && q.spin.masse == 0) {
-    const Vec2d way = object.at_rest.at - q.puzzle.ball.at;
+    const Vec2d way = place - q.puzzle.ball.at;
     const double half = std::asin(std::min(1.0, reach / norm(way))), to = std::atan2(way.y, way.x);
     return Range{to - half, to + half};
   }
-  const Question& own = to_ball.at(object.at_rest.at);
   const LockedAim aim{own, lead.route, own.marks.front()};
   const auto root = newton(aim, ledger, {*own.pinned, lead.launch.angle}, settings::wide);
   const auto l = root ? linearise(aim, ledger, root.launch) : std::nullopt;
   if (!l || l->by_aim(0) == 0) return {};
-  const double half = std::min(widest_aims, sweep_beyond * reach / std::abs(l->by_aim(0) * q.boundary.diagonal));
-  return Range{root.launch.angle - half, root.launch.angle + half};
+  const double first = sweep_beyond * reach / std::abs(l->by_aim(0) * q.boundary.diagonal);
+  const auto side = [&](double way) {
+    double turn = std::min(widest_aims, first);
+    while (turn < widest_aims && !ledger.spent()) {
+      const auto there = linearise(aim, ledger, {root.launch.speed, root.launch.angle + way * turn});
+      if (!there || std::abs(there->r[0]) * q.boundary.diagonal > reach) break;
+      turn = std::min(widest_aims, turn * sweep_beyond);
+    }
+    return way * turn;
+  };
+  return Range{root.launch.angle + side(-1), root.launch.angle + side(1)};
+}
+
+/// What sets it going, to where it stands.
+struct ToBall {
+  Part part;
+  double reach;
+  Step step;
+};
+
+void add_approaches(const Question& q, Ledger& ledger, const Objects::Object& object, const ToBall& to, double speed,
+                    std::vector<Approach>& out) {
+  ToPlace to_ball(q, to.part, speed);
+  const Question& own = to_ball.at(object.at_rest.at);
+  Findings starts;
+  to.step(own, ledger, starts);
+  for (const Lead& lead : starts.leads) {
+    if (ledger.spent()) return;
+    const Route route = to.part.whole(lead.route);
+    if (std::ranges::find(out, route, &Approach::route) != out.end()) continue;
+    if (const auto across = aims_across(q, ledger, own, to.reach, lead)) out.push_back({route, *across});
+  }
+}
+
+double reach_of_struck(const Question& q, const Objects::Object& object) {
+  return q.boundary.rim(Contact::ball(object.ball))->radius;
 }
 
 }  // namespace
@@ -44,18 +77,19 @@ double slowest_tried(const Question& q) { return std::max(q.speed.low, q.speed.h
 
 std::vector<Approach> approaches(const Question& q, Ledger& ledger, const Objects::Object& object,
                                  const CushionRule& cushions, Step step) {
-  ToPlace to_ball(q, by_itself(q, cushions), middle_speed(q));
-  Findings starts;
-  step(to_ball.at(object.at_rest.at), ledger, starts);
   std::vector<Approach> out;
-  std::set<Route> looked;
-  for (const Lead& lead : starts.leads) {
-    if (looked.contains(lead.route)) continue;
-    const auto across = aims_across(q, ledger, to_ball, object, lead);
-    if (!across) continue;
-    looked.insert(lead.route);
-    out.push_back({lead.route, *across});
-  }
+  add_approaches(q, ledger, object, {by_itself(q, cushions), reach_of_struck(q, object), step}, middle_speed(q), out);
+  return out;
+}
+
+std::vector<Approach> approaches_to_last(const Question& q, Ledger& ledger, const Objects::Chain& chain) {
+  const Objects::Object& last = *chain.balls.back();
+  const std::size_t n = chain.balls.size();
+  const ToBall to{before_last(q, chain),
+                  n > 1 ? chain.balls[n - 2]->at_rest.body.radius + last.at_rest.body.radius : reach_of_struck(q, last),
+                  n > 1 ? chains : starts_by_map};
+  std::vector<Approach> out;
+  for (const double faster : approach_speeds) add_approaches(q, ledger, last, to, faster * middle_speed(q), out);
   return out;
 }
 
@@ -64,11 +98,12 @@ void each_launch(const Question& q, const Range& across, const Grid& grid,
   const double half = (across.high - across.low) / 2, middle = across.low + half;
   const double slowest = slowest_tried(q);
   const int rows = q.one_unknown() ? 1 : grid.speeds;
-  for (int i = -grid.aims; i <= grid.aims; ++i)
+  const int aims = q.one_unknown() ? grid.aims * finer_alone : grid.aims;
+  for (int i = -aims; i <= aims; ++i)
     for (int k = 0; k < rows; ++k) {
       const double speed =
           rows > 1 ? slowest * std::pow(q.speed.high / slowest, static_cast<double>(k) / (rows - 1)) : q.fixed_speed();
-      if (look({speed, middle + half * std::sin(widest_cut * i / grid.aims)}, k)) return;
+      if (look({speed, middle + half * std::sin(widest_cut * i / aims)}, k)) return;
     }
 }
 

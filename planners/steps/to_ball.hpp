@@ -14,7 +14,7 @@ namespace bankshot::planning::steps {
 /// m/s, of the launch, in the middle of its bounds: where aims across a ball are laid.
 double middle_speed(const Question& q);
 
-/// A route of the struck ball to another, and the aims at which it touches that at one speed, or nearly.
+/// A route to a ball, and the aims at which it is touched at one speed, or nearly.
 struct Approach {
   Route route;
   Range across;
@@ -23,6 +23,10 @@ struct Approach {
 /// All routes by these cushions that the roots of a step have.
 std::vector<Approach> approaches(const Question& q, Ledger& ledger, const Objects::Object& object,
                                  const CushionRule& cushions, Step starts);
+
+/// The same to the last ball of a chain, by all those before it; also where the middle speed is too slow to get there,
+/// since a ball may be touched that is not reached.
+std::vector<Approach> approaches_to_last(const Question& q, Ledger& ledger, const Objects::Chain& chain);
 
 /// Evenly in the cut and in the logarithm of the speed.
 struct Grid {
