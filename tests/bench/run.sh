@@ -63,6 +63,8 @@ part() {
       for physics in ideal rolling spin mathavan; do
         n=10000
         [ $physics = mathavan ] && n=100
+        # One ball and three cushions, to compare with.
+        look "balls-$physics-uniform" --count $n --physics $physics --family uniform --cushions 3
         for family in obstacles kicks pots banks kick-pots kick-banks sent-to-rest sent-past combinations caroms; do
           [ $physics/$family = ideal/sent-to-rest ] || look "balls-$physics-$family" --count $n --physics $physics --family "$family"
         done

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <iostream>
 #include <map>
+#include <numeric>
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
@@ -36,7 +37,15 @@ struct Tally {
   long over_budget = 0, lost = 0, hard_lost = 0;
   long forced = 0, missing = 0;  ///< shots that brute force finds, and those of them that --all lacks
   double worst_miss = 0;         // of the diagonal
-  double worst_speed = 0, us = 0;
+  double worst_speed = 0;
+  std::vector<double> us{};  ///< of each solve
+  /// The least that so large a share of the solves stays within [us].
+  double us_within(double share) {
+    if (us.empty()) return 0;
+    const auto nth = us.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(us.size() - 1));
+    std::ranges::nth_element(us, nth);
+    return *nth;
+  }
 
   std::map<std::string, long> found_by{};  ///< the step that found the best shot
   std::string steps() const {
@@ -81,7 +90,7 @@ class Case {
     options.all = all;
     const auto begin = std::chrono::steady_clock::now();
     const Answer a = solve(made_.puzzle, options);
-    t_.us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+    t_.us.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
     t_.simulations += a.simulations;
     if (a.simulations > made_.puzzle.budget + 1) {
       ++t_.over_budget;
@@ -166,19 +175,20 @@ class Case {
   Tally& t_;
 };
 
-void print(const Way& way, const std::string& physics, std::uint64_t seed, bool csv, const Tally& t) {
+void print(const Way& way, const std::string& physics, std::uint64_t seed, bool csv, Tally& t) {
   const auto out = [&](auto format) {
     std::cout << fmt::format(fmt::runtime(format), way.options.planner, physics, way.family.name, seed, t.puzzles,
                              t.solved, t.off_centre, t.corners, t.wrong, t.worst_miss, t.worst_speed,
                              static_cast<double>(t.simulations) / static_cast<double>(t.puzzles),
-                             t.us / static_cast<double>(t.puzzles), t.plain_unsolved(), t.hard, t.hard_unsolved,
-                             t.point_off, t.hard_point_off, t.over_budget, t.lost, t.hard_lost, t.forced, t.missing,
-                             t.steps());
+                             std::reduce(t.us.begin(), t.us.end()) / static_cast<double>(t.puzzles), t.us_within(0.5),
+                             t.us_within(0.99), t.plain_unsolved(), t.hard, t.hard_unsolved, t.point_off,
+                             t.hard_point_off, t.over_budget, t.lost, t.hard_lost, t.forced, t.missing, t.steps());
   };
-  out(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{},{},{},{},{},{},{},{},{},{},{}\n"
+  out(csv ? "{},{},{},{},{},{},{},{},{},{:.2g},{:.2g},{:.1f},{:.1f},{:.1f},{:.1f},{},{},{},{},{},{},{},{},{},{},{}\n"
           : "{} {:8} {:8} seed {}: {} puzzles, {} solved ({} beside the centre), {} unsolved through a "
             "corner, {} wrong, worst miss {:.2g} of the "
-            "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each; {} plain ones unsolved, "
+            "diagonal, worst arrival speed {:.2g}, {:.1f} simulations and {:.1f} us each (half within {:.1f}, 99 % "
+            "within {:.1f}); {} plain ones unsolved, "
             "of {} hard ones {}; beside a centre that has a shot {} plain ones, {} hard ones; over budget {}; not "
             "among "
             "all {} plain ones, {} hard ones; of {} shots by brute force {}; found by {}\n");
@@ -252,7 +262,8 @@ int main(int argc, char** argv) {
   bool clean = true;
   if (csv)
     std::cout << "planner,physics,family,seed,puzzles,solved,beside_centre,unsolved_through_corner,wrong,worst_miss_of_"
-                 "diagonal,worst_speed_error,simulations_each,us_each,plain_unsolved,hard,hard_unsolved,plain_beside,"
+                 "diagonal,worst_speed_error,simulations_each,us_each,us_median,us_99,plain_unsolved,hard,hard_"
+                 "unsolved,plain_beside,"
                  "hard_beside,over_budget,plain_lost,hard_lost,forced,missing,found_by\n";
   for (const test::NamedFamily* f : families(family)) {
     const Way way{*f, model, bounces, options, verify, force};
