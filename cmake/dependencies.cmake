@@ -39,11 +39,16 @@ if(BANKSHOT_PROGRAM)
   bankshot_need(TBB 2021 libtbb-dev)
   bankshot_need(ZLIB 1.2 zlib1g-dev)
   bankshot_need(Boost 1.74 libboost-dev)
-  # Makes PNG of pictures; without it the program writes SVG alone.
+  # `serve`.
   find_package(PkgConfig QUIET)
   if(PkgConfig_FOUND)
-    pkg_check_modules(rsvg QUIET IMPORTED_TARGET librsvg-2.0>=2.52)
+    pkg_check_modules(httplib QUIET IMPORTED_TARGET cpp-httplib>=0.11)
   endif()
+  if(NOT httplib_FOUND)
+    message(FATAL_ERROR "bankshot needs cpp-httplib >= 0.11: apt-get install libcpp-httplib-dev pkg-config")
+  endif()
+  # Makes PNG of pictures; without it the program writes SVG alone.
+  pkg_check_modules(rsvg QUIET IMPORTED_TARGET librsvg-2.0>=2.52)
   if(NOT rsvg_FOUND)
     message(STATUS "bankshot: no --png (apt-get install librsvg2-dev)")
   endif()

@@ -31,7 +31,7 @@ cpp_files() {
   git ls-files '*.cpp' '*.hpp' 2>/dev/null | grep . || find examples include planners src tests -name '*.[ch]pp'
 }
 
-toolchain="g++ cmake ninja-build ccache nlohmann-json3-dev libfmt-dev libcli11-dev libeigen3-dev libceres-dev libnlopt-dev libboost-dev libtbb-dev zlib1g-dev"
+toolchain="g++ cmake ninja-build ccache nlohmann-json3-dev libfmt-dev libcli11-dev libeigen3-dev libceres-dev libnlopt-dev libboost-dev libtbb-dev zlib1g-dev libcpp-httplib-dev pkg-config"
 
 # configure PRESET [ARG...]
 configure() {

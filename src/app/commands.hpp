@@ -50,6 +50,9 @@ Run add(CLI::App& app);
 namespace schema {
 Run add(CLI::App& app);
 }
+namespace serve {
+Run add(CLI::App& app);
+}
 // Written from the command line's own definitions.
 namespace manual {
 Run add_help(CLI::App& app);

@@ -12,10 +12,9 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
+#include "app/map/maps.hpp"
 #include "app/picture.hpp"
 #include "bankshot/draw/map.hpp"
-#include "bankshot/plan/batch.hpp"
-#include "bankshot/plan/start_map.hpp"
 #include "bankshot/scene/json.hpp"
 
 namespace bankshot::app::map {
@@ -29,23 +28,6 @@ struct Arguments {
   bool no_robustness = false;
   Theme theme = Theme::light;
 };
-
-StartMap map_of(const Puzzle& puzzle, const Arguments& a) {
-  StartMap map{StartGrid(puzzle, a.grid[0], a.grid[1]), {}, {}};
-  const Boundary boundary(puzzle.table, puzzle.ball.body, puzzle.others);
-  std::vector<Puzzle> asked;
-  for (std::size_t i = 0; i < map.grid.size(); ++i) {
-    map.starts.push_back(start_at(puzzle, boundary, map.grid.at(i)));
-    if (map.starts.back() != Start::legal) continue;
-    asked.push_back(puzzle);
-    asked.back().ball.at = map.grid.at(i);
-  }
-  std::vector<Answer> found = solve_batch(asked, {.solve = {.robustness = !a.no_robustness, .suggest = false}});
-  auto next = found.begin();
-  for (const Start start : map.starts)
-    map.answers.push_back(start == Start::legal ? std::move(*next++) : Answer{.status = Status::invalid});
-  return map;
-}
 
 std::string summary(const StartMap& map) {
   std::array<long, 5> of_start{};
@@ -78,7 +60,7 @@ int run(const Arguments& a) {
     Puzzle puzzle = read_puzzle(text);
     if (a.budget >= 0) puzzle.budget = a.budget;
     for (const std::string& path : a.out) write_file(path, "");
-    const StartMap map = map_of(puzzle, a);
+    const StartMap map = map_of(puzzle, a.grid[0], a.grid[1], {.robustness = !a.no_robustness});
     write_outputs(
         a.out, [&] { return to_csv(puzzle, map); }, [&] { return draw(puzzle, map, a.theme); });
     print(summary(map));

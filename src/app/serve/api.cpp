@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/api.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/map/maps.hpp"
+#include "app/solve/solve_flags.hpp"
+#include "bankshot/draw/map.hpp"
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/json.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+#include "format/schema.hpp"
+#include "json/reader.hpp"
+#include "json/writer.hpp"
+
+namespace bankshot::app::serve {
+namespace {
+
+/// As it would be typed: the definitions of the command line read it and say what is wrong with it.
+void parse(CLI::App& command, const Query& query) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : query) words.push_back("--" + name + (value.empty() ? "" : "=" + value));
+  std::ranges::reverse(words);
+  command.parse(words);
+}
+
+/// What `f` answers; what it throws is the asker's fault.
+template <class F>
+Reply answer(const F& f) {
+  try {
+    return f();
+  } catch (const InvalidInput& e) {
+    return refusal(400, e.path, e.what());
+  } catch (const CLI::ParseError& e) {
+    return refusal(400, "", e.what());
+  }
+}
+
+void write_point(JsonWriter& w, std::string_view key, const Vec2d& p) {
+  w.key(key), w.open('['), w.number(p.x), w.number(p.y), w.close(']');
+}
+
+void write_pocket(JsonWriter& w, const Table& table, const Pocket& pocket) {
+  w.open('{');
+  w.string("name", pocket.name);
+  write_point(w, "at", pocket.place());
+  w.number("half", pocket.half());
+  write_point(w, "out", view(table, pocket).out);
+  w.close('}');
+}
+
+void write_preset(JsonWriter& w, const TablePreset& preset) {
+  const Table table = make_table(preset);
+  w.open('{');
+  w.string("name", preset.name);
+  w.number("length", preset.length), w.number("width", preset.width);
+  w.key("cushions"), w.open('[');
+  for (const std::string& name : table.cushions) w.string(name);
+  w.close(']');
+  w.key("pockets"), w.open('[');
+  for (const Pocket& pocket : table.pockets) write_pocket(w, table, pocket);
+  w.close(']');
+  w.number("radius", preset.body.radius);
+  w.number("diamond", preset.length / 8);
+  w.close('}');
+}
+
+void tell_why_it_ended(Answer& found, const Limit& limit) {
+  if (!limit.stop) return;
+  found.message += limit.late ? fmt::format("; the time limit of {:g} s ended the search", limit.seconds)
+                              : "; a newer request took its place";
+}
+
+}  // namespace
+
+Reply refusal(int status, const std::string& path, const std::string& reason) {
+  JsonWriter w;
+  w.open('{'), w.string("path", path), w.string("reason", reason), w.close('}');
+  return {status, w.take() + "\n"};
+}
+
+Reply solve(const Query& query, const std::string& body, const Limit& limit) {
+  return answer([&] {
+    app::solve::SolveFlags flags;
+    CLI::App command;
+    app::solve::add_solve_flags(command, flags);
+    parse(command, query);
+    app::solve::check_planner(flags.options.planner);
+    const Puzzle puzzle = flags.read(body);
+    SolveOptions options = flags.solve_options();
+    options.cancelled = &limit.stop;
+    Answer found = bankshot::solve(puzzle, options);
+    tell_why_it_ended(found, limit);
+    return Reply{200, to_json(puzzle, found, !flags.no_timing, flags.path) + "\n"};
+  });
+}
+
+Reply simulate(const Query& query, const std::string& body) {
+  return answer([&] {
+    CLI::App command;
+    double rate = usual_rate;
+    bool csv = false;
+    command.add_flag("--csv", csv);
+    command.add_option("--rate", rate)->check(CLI::Range(1e-3, 1e3));
+    parse(command, query);
+    const ShotRequest shot = read_shot(body);
+    const Trajectory t = bankshot::simulate(shot);
+    if (csv) return Reply{200, to_csv(shot, t, rate), "text/csv"};
+    return Reply{200, to_json(shot, t) + "\n"};
+  });
+}
+
+Reply map(const Query& query, const std::string& body, const Limit& limit) {
+  return answer([&] {
+    CLI::App command;
+    std::vector<int> grid{40, 20};
+    bool svg = false, no_robustness = false;
+    long budget = -1;
+    constexpr int most = 200;
+    command.add_option("--grid", grid)->delimiter(',')->expected(2)->check(CLI::Range(1, most));
+    command.add_flag("--svg", svg);
+    command.add_option("--budget", budget);
+    command.add_flag("--no-robustness", no_robustness);
+    parse(command, query);
+    Puzzle puzzle = read_puzzle(body);
+    if (budget >= 0) puzzle.budget = budget;
+    const StartMap map =
+        app::map::map_of(puzzle, grid[0], grid[1], {.robustness = !no_robustness, .cancelled = &limit.stop});
+    if (limit.stop) return refusal(503, "", fmt::format("the time limit of {:g} s ended the map", limit.seconds));
+    if (svg) return Reply{200, draw(puzzle, map, Theme::light), "image/svg+xml"};
+    return Reply{200, to_csv(puzzle, map), "text/csv"};
+  });
+}
+
+Reply tables(const Query& query) {
+  return answer([&] {
+    CLI::App command;
+    parse(command, query);
+    JsonWriter w;
+    w.open('[');
+    for (const TablePreset& preset : table_presets()) write_preset(w, preset);
+    w.close(']');
+    return Reply{200, w.take() + "\n"};
+  });
+}
+
+Reply schema(const Query& query) {
+  return answer([&] {
+    CLI::App command;
+    std::string document = "puzzle";
+    command.add_option("--document", document);
+    parse(command, query);
+    const auto known = format::documents();
+    if (std::ranges::find(known, document) == known.end())
+      return refusal(400, "", quote(document) + " is no document" + known_words(document, known));
+    return Reply{200, format::schema(document), "application/schema+json"};
+  });
+}
+
+}  // namespace bankshot::app::serve

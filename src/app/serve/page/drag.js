@@ -1,0 +1,39 @@
+// Moves what has a grip: with mouse, pen or finger, or with the arrow keys (1 mm, with Shift a tenth of it).
+
+/**
+ * @param {SVGElement} grip
+ * @param {SVGSVGElement} svg
+ * @param {() => [number, number]} where it is [m]
+ * @param {(at: [number, number], done: boolean) => void} move
+ */
+export function draggable(grip, svg, where, move) {
+  const place = (event) => {
+    const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    return [p.x, -p.y];
+  };
+  let held = null;
+  grip.addEventListener('pointerdown', (event) => {
+    const at = where(), p = place(event);
+    held = [at[0] - p[0], at[1] - p[1]];
+    grip.setPointerCapture(event.pointerId);
+  });
+  grip.addEventListener('pointermove', (event) => {
+    if (!held) return;
+    const p = place(event);
+    move([p[0] + held[0], p[1] + held[1]], false);
+  });
+  const drop = () => {
+    if (held) move(where(), true);
+    held = null;
+  };
+  grip.addEventListener('pointerup', drop);
+  grip.addEventListener('pointercancel', drop);
+  grip.addEventListener('keydown', (event) => {
+    const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const way = ways[event.key];
+    if (!way) return;
+    event.preventDefault();
+    const step = event.shiftKey ? 0.0001 : 0.001, at = where();
+    move([at[0] + way[0] * step, at[1] + way[1] * step], true);
+  });
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// bankshot serve: the table in a browser, and an interface for programs.
+#include <fmt/format.h>
+#include <spawn.h>
+
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "app/interrupt.hpp"
+#include "app/serve/door.hpp"
+#include "app/serve/server.hpp"
+
+namespace bankshot::app::serve {
+namespace {
+
+struct Arguments {
+  ServerOptions server;
+  bool open = false;
+};
+
+void open_browser(std::string url) {
+  std::string program = "xdg-open";
+  char* const words[] = {program.data(), url.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ) != 0)
+    std::cerr << "bankshot: no browser was found; open " << url << '\n';
+}
+
+int run(const Arguments& a) {
+  const Interrupts interrupts;
+  Server server(a.server);
+  print(fmt::format("{}\nCtrl-C ends it.\n", server.url()));
+  std::cout << std::flush;
+  if (!is_loopback(a.server.host))
+    std::cerr << "bankshot: anyone who reaches " << a.server.host << " may use this server\n";
+  std::thread waits([&] {
+    constexpr std::chrono::milliseconds often{50};
+    while (interrupted() == 0) std::this_thread::sleep_for(often);
+    server.stop();
+  });
+  if (a.open) open_browser(server.url());
+  server.run();
+  waits.join();
+  return done;
+}
+
+}  // namespace
+
+Run add(CLI::App& app) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("serve", "The table in a browser, and answers over HTTP");
+  command->add_option("--host", a->server.host, "Listen at this address; any but loopback lets others in")
+      ->capture_default_str();
+  command->add_option("--port", a->server.port, "At this port; 0 is any that is free")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65535));
+  command->add_option("--time-limit", a->server.time_limit, "Seconds a request may take")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 3600.0));
+  command->add_flag("--open", a->open, "Open the page in a browser");
+  explain(
+      *command,
+      "POST a puzzle to /api/solve, a shot to /api/simulate, a puzzle to /api/map?grid=40,20; GET /api/tables and\n"
+      "/api/schema?document=puzzle. Flags are query parameters of the same names (?all&path&budget=500), and the\n"
+      "answer to /api/solve is the bytes of `bankshot solve --json` with the same flags. What is wrong with a\n"
+      "request is answered with 400 and {\"path\", \"reason\"}; a search that takes longer than the limit ends with\n"
+      "what it has; 503 and Retry-After ask to come back. A body has at most 1 MB. A request with the header\n"
+      "Bankshot-Page ends older ones with the same. Pages from elsewhere may not ask.",
+      {{"bankshot serve --open", "the page"},
+       {"curl --json @puzzle.json 'localhost:8080/api/solve?all'", "every shot, from another program"}},
+      "0 ended by Ctrl-C or a polite kill; 2 bad usage, or the port is taken.");
+  return [a] { return run(*a); };
+}
+
+}  // namespace bankshot::app::serve

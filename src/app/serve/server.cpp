@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/server.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <limits>
+#include <thread>
+
+#include "app/files.hpp"
+#include "app/serve/api.hpp"
+#include "app/serve/desk.hpp"
+#include "app/serve/door.hpp"
+#include "app/serve/page.hpp"
+
+namespace bankshot::app::serve {
+namespace {
+
+constexpr std::size_t largest_body = 1 << 20;  // bytes
+constexpr int slowest_client = 5;              // s between two of its bytes
+constexpr int idle_connection = 2;             // s: a worker that waits for one serves no other
+constexpr const char* page_header = "Bankshot-Page";
+
+/// Whether this thread only sends away: see Workers.
+thread_local bool no_room = false;
+
+/// As many threads as connections at once; those beyond are told so by one more.
+class Workers : public httplib::TaskQueue {
+ public:
+  explicit Workers(std::size_t connections) : connections_(connections), pool_(connections), door_(1) {}
+
+  void enqueue(std::function<void()> connection) override {
+    if (open_.fetch_add(1) < connections_)
+      pool_.enqueue([this, connection = std::move(connection)] { run(connection); });
+    else
+      door_.enqueue([this, connection = std::move(connection)] { no_room = true, run(connection); });
+  }
+  void shutdown() override {
+    pool_.shutdown();
+    door_.shutdown();
+  }
+
+ private:
+  void run(const std::function<void()>& connection) {
+    connection();
+    --open_;
+  }
+
+  const std::size_t connections_;
+  std::atomic<std::size_t> open_{0};
+  httplib::ThreadPool pool_, door_;
+};
+
+Query query_of(const httplib::Request& request) { return {request.params.begin(), request.params.end()}; }
+
+void put(httplib::Response& response, const Reply& reply) {
+  response.status = reply.status;
+  if (reply.status == 503) response.set_header("Retry-After", "1");
+  response.set_content(reply.body, reply.type.c_str());
+}
+
+std::string words_of(int status) {
+  switch (status) {
+    case 404:
+      return "there is nothing here; POST to /api/solve, /api/simulate or /api/map, GET /api/tables or /api/schema";
+    case 413:
+      return fmt::format("the body is larger than {} bytes", largest_body);
+    case 414:
+      return "the address is too long";
+    default:
+      return "this is no request that the server understands";
+  }
+}
+
+}  // namespace
+
+struct Server::Parts {
+  ServerOptions options;
+  httplib::Server http{};
+  Desk desk;
+  std::unique_ptr<Door> door{};
+
+  explicit Parts(const ServerOptions& o)
+      : options(o),
+        desk(o.at_once > 0 ? o.at_once : std::max(1, static_cast<int>(std::thread::hardware_concurrency())), o.waiting,
+             o.time_limit) {}
+
+  void limits() {
+    http.new_task_queue = [n = options.connections] { return new Workers(n); };  // which httplib deletes
+    http.set_payload_max_length(largest_body);
+    http.set_read_timeout(slowest_client);
+    http.set_write_timeout(slowest_client);
+    http.set_keep_alive_timeout(idle_connection);
+    http.set_keep_alive_max_count(std::numeric_limits<std::size_t>::max());
+    http.set_tcp_nodelay(true);
+    // Without SO_REUSEPORT, which lets two servers listen at one port.
+    http.set_socket_options([](int socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    http.set_default_headers({{"X-Content-Type-Options", "nosniff"},
+                              {"Referrer-Policy", "no-referrer"},
+                              {"Cross-Origin-Resource-Policy", "same-origin"},
+                              {"Cache-Control", "no-store"},
+                              {"Content-Security-Policy",
+                               "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
+                               "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"}});
+  }
+
+  void refusals() {
+    http.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+      using enum httplib::Server::HandlerResponse;
+      if (no_room) {
+        response.set_header("Connection", "close");
+        put(response, refusal(503, "", "too many connections; come back in a second"));
+        return Handled;
+      }
+      const std::string why = door->refuses(request.get_header_value("Host"), request.get_header_value("Origin"));
+      if (why.empty()) return Unhandled;
+      put(response, refusal(403, "", why));
+      return Handled;
+    });
+    http.set_error_handler([](const httplib::Request&, httplib::Response& response) {
+      if (response.body.empty()) put(response, refusal(response.status, "", words_of(response.status)));
+    });
+    http.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr thrown) {
+      try {
+        std::rethrow_exception(thrown);
+      } catch (const std::exception& e) {
+        put(response, refusal(500, "", e.what()));
+      }
+    });
+  }
+
+  /// What takes time: in its turn, for as long as it may.
+  template <class Answer>
+  void work(const char* path, const Answer& answer) {
+    http.Post(path, [this, answer](const httplib::Request& request, httplib::Response& response) {
+      const auto mine = desk.begin(request.get_header_value(page_header));
+      if (!mine) return put(response, refusal(503, "", "the server is busy; come back in a second"));
+      put(response, answer(query_of(request), request.body, Limit{mine->stop, mine->late, desk.seconds()}));
+    });
+  }
+
+  void rooms() {
+    work("/api/solve", solve);
+    work("/api/map", map);
+    work("/api/simulate",
+         [](const Query& query, const std::string& body, const Limit&) { return simulate(query, body); });
+    http.Get("/api/tables", [](const httplib::Request& request, httplib::Response& response) {
+      put(response, tables(query_of(request)));
+    });
+    http.Get("/api/schema", [](const httplib::Request& request, httplib::Response& response) {
+      put(response, schema(query_of(request)));
+    });
+    for (const PageFile& file : page_files())
+      http.Get(std::string(file.path), [file](const httplib::Request&, httplib::Response& response) {
+        put(response, {200, std::string(file.bytes), std::string(file.type)});
+      });
+  }
+
+  void bind() {
+    if (options.port == 0)
+      options.port = http.bind_to_any_port(options.host);
+    else if (!http.bind_to_port(options.host, options.port))
+      options.port = -1;
+    if (options.port < 0)
+      throw FileError(
+          fmt::format("cannot listen at {}: the port is taken, or this machine has no such address", options.host));
+    door = std::make_unique<Door>(options.host, options.port);
+  }
+};
+
+Server::Server(const ServerOptions& options) : parts_(std::make_unique<Parts>(options)) {
+  parts_->limits();
+  parts_->refusals();
+  parts_->rooms();
+  parts_->bind();
+}
+
+Server::~Server() = default;
+
+int Server::port() const { return parts_->options.port; }
+
+std::string Server::url() const {
+  const std::string& host = parts_->options.host;
+  return fmt::format("http://{}:{}/", host.find(':') == std::string::npos ? host : '[' + host + ']', port());
+}
+
+void Server::run() { parts_->http.listen_after_bind(); }
+
+void Server::stop() {
+  parts_->desk.stop_all();
+  parts_->http.stop();
+}
+
+}  // namespace bankshot::app::serve

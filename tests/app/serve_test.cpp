@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+//
+// The server: what it answers, whom it refuses, and that nothing that a client does ends it.
+#include <arpa/inet.h>
+#include <httplib.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/files.hpp"
+#include "app/serve/door.hpp"
+#include "app/serve/server.hpp"
+#include "bankshot/numbers/random.hpp"
+#include "support/catch.hpp"
+#include "support/program.hpp"
+
+using namespace bankshot;
+using app::serve::Server;
+using app::serve::ServerOptions;
+
+namespace {
+
+constexpr const char* easy = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]},
+  "target": {"pocket": "top-right"}, "cushions": {"max": 2}})";
+/// Takes far longer than any test.
+constexpr const char* endless = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]},
+  "physics": {"model": "spin", "cushion": {"model": "mathavan2010"}}, "target": {"pocket": "any"},
+  "cushions": {"min": 5, "max": 9}, "budget": {"simulations": 1000000000}})";
+
+/// A server of its own, until the test ends.
+class Running {
+ public:
+  explicit Running(ServerOptions options = {}) : server_(with_any_port(options)), thread_([this] { server_.run(); }) {
+    while (!client().Get("/api/tables")) std::this_thread::yield();
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  ~Running() {
+    server_.stop();
+    thread_.join();
+  }
+
+  httplib::Client client() const {
+    httplib::Client c("127.0.0.1", server_.port());
+    c.set_read_timeout(20);
+    return c;
+  }
+  httplib::Result post(const std::string& path, const std::string& body, const httplib::Headers& headers = {}) const {
+    return client().Post(path, headers, body, "application/json");
+  }
+  int port() const { return server_.port(); }
+
+ private:
+  static ServerOptions with_any_port(ServerOptions options) {
+    options.port = 0;
+    return options;
+  }
+
+  Server server_;
+  std::thread thread_;
+};
+
+nlohmann::json json_of(const httplib::Result& reply) { return nlohmann::json::parse(reply->body); }
+
+/// Sends these bytes as they are; what comes back, until the server closes or `patience` s have passed.
+std::string talk(int port, const std::string& bytes, long patience = 3) {
+  const int s = socket(AF_INET, SOCK_STREAM, 0);
+  const timeval limit{patience, 0};
+  setsockopt(s, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(static_cast<std::uint16_t>(port));
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  REQUIRE(connect(s, reinterpret_cast<sockaddr*>(&to), sizeof to) == 0);
+  send(s, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+  shutdown(s, SHUT_WR);
+  std::string back;
+  char part[4096];
+  for (ssize_t n = 0; patience > 0 && (n = recv(s, part, sizeof part, 0)) > 0;)
+    back.append(part, static_cast<std::size_t>(n));
+  close(s);
+  return back;
+}
+
+}  // namespace
+
+TEST_CASE("an answer is the bytes of solve --json with the same flags") {
+  const Running server;
+  for (const auto& [query, flags] : {std::pair{"?no-timing", "--no-timing"},
+                                     {"?no-timing&all&path", "--no-timing --all --path"},
+                                     {"?no-timing&budget=5", "--no-timing --budget 5"},
+                                     {"?no-timing&no-robustness&first", "--no-timing --no-robustness --first"}}) {
+    const auto reply = server.post(std::string("/api/solve") + query, easy);
+    REQUIRE(reply);
+    CHECK(reply->status == 200);
+    CHECK(reply->get_header_value("Content-Type") == "application/json");
+    CHECK(reply->body == test::run_program(std::string("solve --json ") + flags, easy).out);
+  }
+}
+
+TEST_CASE("simulate, map, tables and schema answer as their commands do") {
+  const Running server;
+  const std::string shot = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "shot": {"speed": 2, "angle": 40}})";
+  CHECK(server.post("/api/simulate", shot)->body == test::run_program("simulate --json", shot).out);
+  CHECK(server.post("/api/simulate?csv&rate=30", shot)->body ==
+        test::run_program("simulate --csv - --rate 30", shot).out);
+  const auto map = server.post("/api/map?grid=4,2&no-robustness", easy);
+  CHECK(map->status == 200);
+  CHECK(std::count(map->body.begin(), map->body.end(), '\n') == 9);
+  CHECK(server.post("/api/map?grid=4,2&svg&no-robustness", easy)->body.starts_with("<svg"));
+  const nlohmann::json tables = json_of(server.client().Get("/api/tables"));
+  CHECK(tables.at(0).at("name") == "pool-7ft");
+  CHECK(tables.at(0).at("pockets").size() == 6);
+  CHECK(server.client().Get("/api/schema?document=shot")->body == test::run_program("schema shot").out);
+}
+
+TEST_CASE("what is wrong with a request is said, with its JSON path") {
+  const Running server;
+  const auto refused = [&](const std::string& path, const std::string& body) {
+    const auto reply = server.post(path, body);
+    REQUIRE(reply);
+    CHECK(reply->status == 400);
+    return json_of(reply);
+  };
+  CHECK(refused("/api/solve", R"({"table": "pool-9ft", "ball": {"at": [9, 9]}, "target": {"pocket": "any"}})")
+            .at("path") == "/ball/at");
+  CHECK(refused("/api/solve", "{\"table\": ").at("reason").get<std::string>().size() > 10);
+  CHECK(refused("/api/solve?planner=nobody", easy).at("reason").get<std::string>().find("nobody") != std::string::npos);
+  CHECK(refused("/api/solve?everything", easy).at("reason").get<std::string>().find("everything") != std::string::npos);
+  CHECK(refused("/api/solve?budget=few", easy).at("reason").get<std::string>().find("few") != std::string::npos);
+  CHECK(refused("/api/solve?all&first", easy).at("path") == "");
+  CHECK(refused("/api/map?grid=0,2", easy).at("path") == "");
+  CHECK(refused("/api/simulate", easy).at("path") == "/shot");
+}
+
+TEST_CASE("pages and names from elsewhere are refused") {
+  const Running server;
+  const std::string here = "127.0.0.1:" + std::to_string(server.port());
+  CHECK(server.post("/api/solve", easy, {{"Origin", "http://" + here}})->status == 200);
+  CHECK(server.post("/api/solve", easy, {{"Origin", "http://evil.example"}})->status == 403);
+  CHECK(server.post("/api/solve", easy, {{"Origin", "null"}})->status == 403);
+  CHECK(server.post("/api/solve", easy, {{"Host", "evil.example:" + std::to_string(server.port())}})->status == 403);
+  const app::serve::Door door("127.0.0.1", 8080);
+  CHECK(door.refuses("localhost:8080", "").empty());
+  CHECK(door.refuses("[::1]:8080", "http://[::1]:8080").empty());
+  CHECK(!door.refuses("localhost:8081", "").empty());
+  CHECK(!door.refuses("localhost:8080", "http://127.0.0.1:8080").empty());
+  CHECK(!door.refuses("", "").empty());
+  CHECK(app::serve::Door("0.0.0.0", 80).refuses("table.local", "").empty());
+}
+
+TEST_CASE("a search ends at its time limit, and says so") {
+  ServerOptions options;
+  options.time_limit = 0.1;
+  const Running server(options);
+  const nlohmann::json answer = json_of(server.post("/api/solve?all&no-robustness", endless));
+  CHECK(answer.at("message").get<std::string>().find("the time limit of 0.1 s ended the search") != std::string::npos);
+  CHECK((answer.at("status") == "budget" || answer.at("status") == "solved"));
+  CHECK(server.post("/api/map?grid=9,9&no-robustness", endless)->status == 503);
+}
+
+TEST_CASE("a newer request of the same page ends the older one, and who finds no room is told to come back") {
+  ServerOptions options;
+  options.at_once = 1, options.waiting = 0;
+  const Running server(options);
+  std::string older;
+  std::thread first([&] {
+    httplib::Result reply = server.post("/api/solve?all&no-robustness", endless, {{"Bankshot-Page", "a"}});
+    while (reply->status == 503) reply = server.post("/api/solve?all&no-robustness", endless, {{"Bankshot-Page", "a"}});
+    older = reply->body;
+  });
+  httplib::Result busy = server.post("/api/solve", "{}");
+  while (busy->status != 503) busy = server.post("/api/solve", "{}");  // until the first is worked on
+  CHECK(busy->get_header_value("Retry-After") == "1");
+  CHECK(server.post("/api/solve", easy, {{"Bankshot-Page", "a"}})->status == 503);  // no room for it, either
+  first.join();
+  CHECK(older.find("a newer request took its place") != std::string::npos);
+}
+
+TEST_CASE("what no server needs to understand is refused, and the next request is answered") {
+  ServerOptions options;
+  options.time_limit = 0.2;
+  const Running server(options);
+  CHECK(server.post("/api/solve", std::string((1 << 20) + 1, ' '))->status == 413);
+  CHECK(json_of(server.client().Get("/etc/passwd")).at("reason").get<std::string>().find("/api/solve") !=
+        std::string::npos);
+  CHECK(server.client().Get("/../../etc/passwd")->status == 404);
+  const std::uint64_t seed = 17;
+  CAPTURE(seed);
+  Random random(seed);
+  for (int i = 0; i < 60; ++i) {
+    std::string bytes = i % 2 ? "POST /api/solve HTTP/1.1\r\nHost: localhost\r\n" : "";
+    for (int k = random.integer(0, 300); k > 0; --k) bytes += static_cast<char>(random.integer(0, 255));
+    talk(server.port(), bytes, 0);
+  }
+  // One that goes away in mid-solve.
+  const std::string body = endless;
+  talk(server.port(),
+       "POST /api/solve?all HTTP/1.1\r\nHost: localhost:" + std::to_string(server.port()) +
+           "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body,
+       0);
+  CHECK(server.post("/api/solve", easy)->status == 200);
+}
+
+TEST_CASE("the page comes with its files and lets nothing else in") {
+  const Running server;
+  const auto page = server.client().Get("/");
+  CHECK(page->status == 200);
+  CHECK(page->get_header_value("Content-Type").starts_with("text/html"));
+  CHECK(page->get_header_value("Content-Security-Policy").find("default-src 'none'") != std::string::npos);
+  CHECK(page->get_header_value("X-Content-Type-Options") == "nosniff");
+  for (const char* file : {"/main.js", "/style.css", "/icon.svg"}) CHECK(server.client().Get(file)->status == 200);
+  CHECK(page->body == test::read_repository_file("src/app/serve/page/index.html"));
+}
+
+TEST_CASE("a port that is taken is an error, and a polite kill is none") {
+  const Running server;
+  ServerOptions same;
+  same.port = server.port();
+  CHECK_THROWS_AS(Server(same), app::FileError);
+  const test::Run run = test::run_shell(
+      "PROGRAM serve --port 0 > out & pid=$!; for i in $(seq 100); do [ -s out ] && break; sleep 0.05; done; "
+      "kill -TERM $pid; wait $pid; echo exit $?");
+  CHECK(run.out.find("exit 0") != std::string::npos);
+  CHECK(test::run_program("serve --port " + std::to_string(server.port())).exit == 2);
+  CHECK(test::run_program("serve --port 70000").exit == 2);
+}
