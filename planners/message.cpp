@@ -134,6 +134,7 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
                      : q.all()       ? fmt::format("{} distinct shots found", distinct)
                                      : fmt::format("the best of {} shots found; --all prints each", distinct);
   if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
+  if (a.shots.front().rattles) text += "; it counts on jaws, since none was found that touches none";
   if (a.shots.front().off_centre && q.puzzle.aim == Aim::centre)
     text += as_struck(q, a.shots.front(), [&](const Question& own) { return why_beside(own, a.shots.front()); });
   if (may_miscue(a.shots.front().spin))

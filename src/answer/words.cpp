@@ -251,7 +251,7 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   std::vector<Row> rows{{"aim", aim_words(r, shot.cushions.empty() ? pocket_reached(p, shot) : nullptr)},
                         {"speed", speed_words(r)}};
   if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
-  rows.push_back({"cushions", cushion_words(p, shot)});
+  rows.push_back({"cushions", cushion_words(p, shot) + (shot.rattles ? "; and off the jaws of a pocket" : "")});
   if (is_carom(shot)) rows.push_back({"touches", hit_words(p, shot.hits.front())});
   for (std::size_t i = 0; i < shot.then.size(); ++i) {
     rows.push_back({i == 0 ? "touches" : "onto", hit_words(p, shot.hits[i])});

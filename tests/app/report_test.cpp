@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "app/scratch_file.hpp"
+#include "support/browser.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
 
@@ -67,8 +68,8 @@ void check_files(const ScratchFolder& folder, bool figures) {
   CHECK(count(markdown, "\n**") == std::size(sections));  // a conclusion each
 }
 
-/// What the browser makes of the page, and its complaints; the page measures its own figures.
-std::string in_browser(const ScratchFolder& folder, std::string& complaints) {
+/// The page, which measures its own figures.
+std::string that_measures_itself(const ScratchFolder& folder) {
   std::string page = folder.read("index.html");
   const std::string script =
       "<script>let n = 0; for (const f of document.querySelectorAll('figure svg')) { const b = "
@@ -78,16 +79,7 @@ std::string in_browser(const ScratchFolder& folder, std::string& complaints) {
       " (document.documentElement.scrollWidth > window.innerWidth);</script></body>";
   page.replace(page.rfind("</body>"), 7, script);
   std::ofstream(folder.file("checked.html"), std::ios::binary) << page;
-  const std::string command =
-      "chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
-      "--disable-component-update --disable-sync --enable-logging=stderr --host-resolver-rules='MAP * ~NOTFOUND' "
-      "--window-size=1200,900 "
-      "--user-data-dir=\"" +
-      folder.file("profile") + "\" --dump-dom \"file://" + folder.file("checked.html") + "\" >\"" + folder.file("dom") +
-      "\" 2>\"" + folder.file("log") + "\"";
-  CHECK(std::system(command.c_str()) == 0);
-  complaints = folder.read("log");
-  return folder.read("dom");
+  return "file://" + folder.file("checked.html");
 }
 
 }  // namespace
@@ -107,15 +99,10 @@ TEST_CASE("report writes a page that opens offline and shows every figure") {
   for (const char* outside : {"src=\"http", "href=\"http", "@import", "<script"}) CHECK(count(page, outside) == 0);
   CHECK_THAT(page, Contains("commit ") && Contains("core"));
 
-  if (std::system("command -v chromium >/dev/null 2>&1") != 0) {
-    CHECK(std::getenv("BANKSHOT_BROWSER") == nullptr);  // .ci/run sets it: there the page must be opened
-    WARN("chromium is not installed: the page was not opened in a browser");
-    return;
-  }
-  std::string complaints;
-  const std::string dom = in_browser(folder, complaints);
-  CHECK_THAT(dom, Contains("<title>6 figures, wide false</title>"));
-  CHECK(count(complaints, "CONSOLE") == 0);
+  const auto browsed = bankshot::test::browse(that_measures_itself(folder));
+  if (!browsed) return;
+  CHECK_THAT(browsed->dom, Contains("<title>6 figures, wide false</title>"));
+  CHECK(count(browsed->log, "CONSOLE") == 0);
 }
 
 TEST_CASE("without gnuplot report says so, names the package and writes the numbers") {

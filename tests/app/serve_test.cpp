@@ -15,6 +15,7 @@
 #include "app/serve/door.hpp"
 #include "app/serve/server.hpp"
 #include "bankshot/numbers/random.hpp"
+#include "support/browser.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
 
@@ -215,6 +216,23 @@ TEST_CASE("the page comes with its files and lets nothing else in") {
   CHECK(page->get_header_value("X-Content-Type-Options") == "nosniff");
   for (const char* file : {"/main.js", "/style.css", "/icon.svg"}) CHECK(server.client().Get(file)->status == 200);
   CHECK(page->body == test::read_repository_file("src/app/serve/page/index.html"));
+}
+
+TEST_CASE("the page solves its first puzzle, and one of its address, without a complaint") {
+  const Running server;
+  const std::string url = "http://127.0.0.1:" + std::to_string(server.port()) + "/";
+  // The first, and one that has no shot.
+  const std::string blocked = R"({"target": "point", "least": 0, "most": 0, "others": [[1.2, 0.623]]})";
+  for (const auto& [hash, title, shots] : {std::tuple{std::string(), "By bottom", 4},
+                                           {"#" + httplib::detail::encode_query_param(blocked), "No shot", 0}}) {
+    const auto browsed = test::browse(url + hash, 5);
+    if (!browsed) return;
+    CHECK(browsed->log.find("CONSOLE") == std::string::npos);
+    CHECK(browsed->dom.find("<h2 id=\"title\">" + std::string(title)) != std::string::npos);
+    std::size_t listed = 0;
+    for (std::size_t at = 0; (at = browsed->dom.find("aria-current=", at)) != std::string::npos; ++at) ++listed;
+    CHECK(listed == static_cast<std::size_t>(shots));
+  }
 }
 
 TEST_CASE("a port that is taken is an error, and a polite kill is none") {

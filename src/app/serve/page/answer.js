@@ -1,7 +1,7 @@
 // An answer in words: the list of shots by pattern, and the one that is looked at.
 
 /** @param {any} shot */
-export const pattern = (shot) => shot.cushions.join(', ') || 'straight';
+export const pattern = (shot) => (shot.cushions.join(', ') || 'straight') + (shot.rattles ? ', off jaws' : '');
 
 /** @param {number} chance */
 export function percent(chance) {

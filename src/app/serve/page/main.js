@@ -55,9 +55,9 @@ function tell(shot) {
 async function solve() {
   state.write(scene);
   const puzzle = state.puzzle(scene);
-  const quick = await ask('solve?first&path', puzzle, 'first');
+  const quick = await ask('solve?first&path', puzzle, 'solve');
   if (quick) show(quick, 'looking for better shots …');
-  const all = quick && (await ask('solve?all&path', puzzle, 'all'));
+  const all = quick && (await ask('solve?all&path', puzzle, 'solve'));
   if (all) show(all, '');
 }
 
@@ -148,12 +148,26 @@ function change(f) {
   rebuild();
 }
 
+/** All of one slide is one step of the history. */
+function slide(input, put) {
+  let before = null;
+  input.addEventListener('input', () => {
+    before ??= structuredClone(scene);
+    put(Number(input.value));
+    solve();
+  });
+  input.addEventListener('change', () => {
+    if (before) state.remember(before);
+    before = null;
+  });
+}
+
 function listen() {
   const keys = { preset: 'table', physics: 'physics', target: 'target', prefer: 'prefer' };
   for (const [id, key] of Object.entries(keys))
     $(id).addEventListener('change', (e) => change(() => (scene[key] = e.target.value)));
   for (const id of ['least', 'most', 'top', 'side'])
-    $(id).addEventListener('input', (e) => change(() => (scene[id] = Number(e.target.value))));
+    slide($(id), (value) => (scene[id] = value));
   $('add').addEventListener('click', () =>
     change(() => scene.others.push(inside([table.length * Math.random(), table.width * Math.random()]))));
   $('remove').addEventListener('click', () => change(() => scene.others.pop()));
