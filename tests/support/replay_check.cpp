@@ -102,12 +102,14 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   for (std::size_t i = 0; i < then.links.size(); ++i)
     if (shot.then[i + 1].ball != then.links[i].ball) return {"sends another ball than asked", 0};
   const int ball = shot.arriving();
+  const bool is_point = std::holds_alternative<PointTarget>(then.target);
   std::vector<std::vector<const Record*>> met(1);  // by the struck ball, and by each that is sent on
   int on_its_way = 0;
   double hit = -1;
   const Record* fell = nullptr;
+  std::vector<const Record*> in_doubt;  // a point on a cushion's line is reached before a bounce or after it
   for (const Record& e : t.events) {
-    const bool later = e.time > shot.arrival.time - 1e-12;  // a point on a cushion is reached before the bounce
+    const bool later = e.time > shot.arrival.time - 1e-12;
     if (e.kind == EventKind::ball && !later) {
       const int other = e.ball == on_its_way ? e.contact.index : e.ball;
       const bool ours = e.ball == on_its_way || e.contact.index == on_its_way;
@@ -119,7 +121,11 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
     if (e.kind == EventKind::pocket && e.ball == ball) fell = &e;
     if (e.kind == EventKind::pocket && e.ball == on_its_way && met.size() <= shot.then.size())
       return {"is pocketed first", 0};
-    if (e.kind == EventKind::cushion && e.ball == on_its_way && e.time > hit && (hit < 0 || !later))
+    if (e.kind != EventKind::cushion || e.ball != on_its_way || !(e.time > hit)) continue;
+    const bool at_arrival = hit >= 0 && std::abs(e.time - shot.arrival.time) < 1e-9 * std::max(1.0, e.time);
+    if (at_arrival && is_point)
+      in_doubt.push_back(&e);
+    else if (!fell && (hit < 0 || !later || at_arrival))
       met.back().push_back(&e);
   }
   met.resize(1 + shot.then.size());
@@ -133,7 +139,10 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
       const double s = leg.arc.parameter(shot.arrival.time - leg.begin);
       if (!(s >= -1e-9) || s > leg.duration + 1e-9) continue;
       const double off = norm(leg.arc.position(s) - point->at);
-      if (off < miss) miss = off, speed = norm(leg.arc.velocity_at(s));
+      const double now = norm(leg.arc.velocity_at(s));
+      const bool as_near = std::abs(off - miss) < exact;  // on both sides of a bounce
+      if (off < miss || (as_near && std::abs(now - shot.arrival.speed) < std::abs(speed - shot.arrival.speed)))
+        miss = std::min(off, miss), speed = now;
     }
     if (rests && norm(end.state.velocity) > 0) c.problem = "does not rest";
   } else {
@@ -154,7 +163,10 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
     c.problem = "does not meet the cushions it names, or that are asked";
   for (std::size_t i = 0; i < shot.then.size(); ++i) {
     const CushionRule& rule = then.cushions_of(i);
-    const auto& its = met[i + 1];
+    auto& its = met[i + 1];
+    const bool last = i + 1 == shot.then.size();
+    for (std::size_t k = 0; last && k < in_doubt.size() && its.size() < shot.then[i].cushions.size(); ++k)
+      its.push_back(in_doubt[k]);
     if (differ(shot.then[i].cushions, its) || (rule.sequence && differ(*rule.sequence, its)) ||
         static_cast<int>(its.size()) < rule.min || static_cast<int>(its.size()) > rule.max)
       c.problem = "another ball does not meet the cushions it names, or that are asked";
