@@ -85,6 +85,8 @@ inline constexpr Key answer_shot_keys[] = {
      between(0, 1)},
     {"path", "[place]", "s, m, m", "with --path", "[[0, 0.635, 0.4], [0.0167, 0.66, 0.37]]",
      "[t, x, y] 60 times a second and at every event"},
+    {"paths", "<[place]>", "s, m, m", "with --path, where other balls move",
+     R"({"8": [[0.71, 1.6, 0.7], [0.73, 1.62, 0.71]]})", "the same of the other balls that move"},
     {"planner", "string", "", required, R"("images")", "the step that found it"},
     {"simulations", "whole", "", required, "9", "spent until it was proved", at_least(0)},
     {"why", "string", "", "of `nearest` alone", R"("ends 0.2 m short")", "what is wrong with a miss"},

@@ -16,6 +16,8 @@ class JsonWriter {
   void close(char bracket) { out_ += bracket; }
   /// What follows is the value of this key, which needs no escapes.
   void key(std::string_view k);
+  /// The same of any text.
+  void name(std::string_view text) { string(text), out_ += ':'; }
   void number(double v);  ///< null where it is not finite
   void boolean(std::string_view k, bool v) { key(k), raw(v ? "true" : "false"); }
   void integer(long v);

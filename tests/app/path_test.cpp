@@ -56,6 +56,19 @@ TEST_CASE("option --path: each shot has its path, from the ball to the target, 6
   CHECK(line == run_program("solve --json --path --no-timing", bank).out);
 }
 
+TEST_CASE("option --path: other balls that move have their paths, too") {
+  const std::string pot = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "others": [{"id": "8 \"ball\"",
+    "at": [1.6, 0.7]}, {"id": "9", "at": [2.0, 0.3]}], "target": {"ball": "8 \"ball\"", "then": {"pocket": "any"}},
+    "cushions": 0})";
+  const Json shot = one_line(run_program("solve --json --path", pot).out).at("shots").at(0);
+  const Json& sent = shot.at("paths").at("8 \"ball\"");
+  CHECK(shot["paths"].size() == 1);
+  CHECK(sent.front() == Json{0, 1.6, 0.7});
+  CHECK(sent.back()[0].get<double>() == Approx(shot["arrival"]["time"].get<double>()));
+  CHECK(sent.back()[1].get<double>() == Approx(shot["arrival"]["at"][0].get<double>()));
+  CHECK(!one_line(run_program("solve --json --path", bank).out)["shots"][0].contains("paths"));
+}
+
 TEST_CASE("solve --csv: the path as a table, in a file or in the text's place") {
   const ScratchFile file("solve-path.csv");
   CHECK_THAT(run_program("solve --csv \"" + file.path + "\"", bank).out, Catch::StartsWith("solved: "));

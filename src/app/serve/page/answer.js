@@ -1,7 +1,12 @@
 // An answer in words: the list of shots by pattern, and the one that is looked at.
 
-/** @param {any} shot */
-export const pattern = (shot) => (shot.cushions.join(', ') || 'straight') + (shot.rattles ? ', off jaws' : '');
+/** By what the ball goes, or the one that it sends on. @param {any} shot */
+export function pattern(shot) {
+  const sent = shot.then;
+  const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
+  const way = sent ? `${sent.ball} into ${sent.pocket}${by(sent.cushions)}` : shot.cushions.join(', ') || 'straight';
+  return way + (shot.rattles ? ', off jaws' : '');
+}
 
 /** @param {number} chance */
 export function percent(chance) {

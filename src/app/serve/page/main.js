@@ -33,6 +33,7 @@ function paint(looked = chosen) {
     const { at } = sight(table, scene.ball, shot.angle);
     shape('line', { class: 'aim', x1: scene.ball[0], y1: scene.ball[1], x2: at[0], y2: at[1], 'stroke-width': 0.005 }, layer);
     line(shot.path, 'best', 0.011);
+    for (const path of Object.values(shot.paths ?? {})) line(path, 'sent', 0.008);
     const last = shot.path[shot.path.length - 1];
     shape('circle', { class: 'ghost', cx: last[1], cy: last[2], r: table.radius, 'stroke-width': 0.004 }, layer);
   }
@@ -40,7 +41,7 @@ function paint(looked = chosen) {
 }
 
 function tell(shot) {
-  $('title').textContent = shot ? (shot.cushions.length ? 'By ' : '') + pattern(shot) : 'No shot';
+  $('title').textContent = shot ? (shot.cushions.length && !shot.then ? 'By ' : '') + pattern(shot) : 'No shot';
   $('words').replaceChildren();
   for (const button of ['play', 'slow']) $(button).disabled = !shot?.path;
   if (!shot) return;
@@ -79,7 +80,13 @@ function choose(i) {
 function start(pace) {
   const shot = shots[chosen];
   if (!shot?.path) return;
-  play([{ element: grips.get('ball').dot, path: shot.path }], pace).then(() => place('ball', scene.ball));
+  const others = Object.entries(shot.paths ?? {}).map(([id, path]) => ({ grip: 'other' + (Number(id) - 1), path }));
+  const balls = [{ grip: 'ball', path: shot.path }, ...others];
+  const back = () => {
+    place('ball', scene.ball);
+    scene.others.forEach((at, i) => place('other' + i, at));
+  };
+  play(balls.map(({ grip, path }) => ({ element: grips.get(grip).dot, path })), pace).then(back);
 }
 
 /** On the table, a ball's radius from each cushion. */
@@ -116,8 +123,7 @@ function movable(name, label, kind, where, put) {
 /** Everything anew, after what is not a movement. */
 function rebuild() {
   table = tables.find((t) => t.name === scene.table) ?? tables[0];
-  if (scene.target !== 'point' && scene.target !== 'any' && !table.pockets.some((p) => p.name === scene.target))
-    scene.target = table.pockets[0]?.name ?? 'point';
+  if (!targets().includes(scene.target)) scene.target = targets()[0];
   scene.ball = inside(scene.ball);
   moving = draw(svg, table);
   grips.clear();
@@ -135,9 +141,14 @@ function options(select, names, value) {
   select.replaceChildren(...names.map((name) => new Option(name, name, false, name === value)));
 }
 
+function targets() {
+  if (!table.pockets.length) return ['point'];
+  return [...table.pockets.map((p) => p.name), 'any', 'point', ...(scene.others.length ? [state.anyBall] : [])];
+}
+
 function controls() {
   options($('preset'), tables.map((t) => t.name), scene.table);
-  options($('target'), [...table.pockets.map((p) => p.name), ...(table.pockets.length ? ['any'] : []), 'point'], scene.target);
+  options($('target'), targets(), scene.target);
   for (const id of ['physics', 'least', 'most', 'prefer', 'top', 'side']) $(id).value = scene[id];
   for (const id of ['top', 'side']) $(id).disabled = scene.physics !== 'spin';
 }

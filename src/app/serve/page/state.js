@@ -55,16 +55,24 @@ export function redo(scene) {
   return after;
 }
 
+/** Another ball into a pocket, by up to the cushions that are asked. */
+export const anyBall = 'another ball';
+
+function target(scene) {
+  if (scene.target === anyBall) return { ball: 'any', then: { pocket: 'any', cushions: { max: scene.most } } };
+  return scene.target === 'point' ? { point: scene.point } : { pocket: scene.target };
+}
+
 /** As the engine reads it. @param {Scene} scene */
 export function puzzle(scene) {
-  const pocket = scene.target !== 'point';
   return {
     table: scene.table,
     physics: scene.physics,
     ball: { at: scene.ball, ...(scene.physics === 'spin' ? { spin: { top: scene.top, side: scene.side } } : {}) },
     ...(scene.others.length ? { others: scene.others.map((at, i) => ({ id: String(i + 1), at })) } : {}),
-    target: pocket ? { pocket: scene.target } : { point: scene.point },
-    cushions: { min: Math.min(scene.least, scene.most), max: Math.max(scene.least, scene.most) },
+    target: target(scene),
+    cushions:
+      scene.target === anyBall ? 0 : { min: Math.min(scene.least, scene.most), max: Math.max(scene.least, scene.most) },
     prefer: scene.prefer,
   };
 }
