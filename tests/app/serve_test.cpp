@@ -241,7 +241,8 @@ TEST_CASE("a port that is taken is an error, and a polite kill is none") {
   same.port = server.port();
   CHECK_THROWS_AS(Server(same), app::FileError);
   const test::Run run = test::run_shell(
-      "PROGRAM serve --port 0 > out & pid=$!; for i in $(seq 100); do [ -s out ] && break; sleep 0.05; done; "
+      "said=$(mktemp); PROGRAM serve --port 0 > $said & pid=$!; for i in $(seq 100); do [ -s $said ] && break; "
+      "sleep 0.05; done; rm $said; "
       "kill -TERM $pid; wait $pid; echo exit $?");
   CHECK(run.out.find("exit 0") != std::string::npos);
   CHECK(test::run_program("serve --port " + std::to_string(server.port())).exit == 2);
