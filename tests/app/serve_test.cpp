@@ -103,6 +103,17 @@ TEST_CASE("an answer is the bytes of solve --json with the same flags") {
   }
 }
 
+TEST_CASE("a body is what it is, whatever it is called") {
+  const Running server;
+  const std::string padded = easy + std::string(20000, ' ');
+  const std::string json = server.post("/api/solve?no-timing", padded)->body;
+  CHECK(json.find("solved") != std::string::npos);
+  for (const char* type : {"application/x-www-form-urlencoded", "text/plain"})
+    CHECK(server.client().Post("/api/solve?no-timing", padded, type)->body == json);
+  CHECK(server.client().Post("/api/solve", padded, "multipart/form-data; boundary=x")->status == 400);
+  CHECK(server.post("/api/solve", std::string(100000, '['))->status == 400);
+}
+
 TEST_CASE("simulate, map, tables and schema answer as their commands do") {
   const Running server;
   const std::string shot = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "shot": {"speed": 2, "angle": 40}})";

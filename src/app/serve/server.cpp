@@ -6,7 +6,6 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <limits>
 #include <thread>
 
 #include "app/files.hpp"
@@ -18,9 +17,10 @@
 namespace bankshot::app::serve {
 namespace {
 
-constexpr std::size_t largest_body = 1 << 20;  // bytes
-constexpr int slowest_client = 5;              // s between two of its bytes
-constexpr int idle_connection = 2;             // s: a worker that waits for one serves no other
+constexpr std::size_t largest_body = 1 << 20;         // bytes
+constexpr int slowest_client = 5;                     // s between two of its bytes
+constexpr int idle_connection = 2;                    // s: a worker that waits for one serves no other
+constexpr std::size_t most_of_a_connection = 100000;  // requests
 constexpr const char* page_header = "Bankshot-Page";
 
 /// Whether this thread only sends away: see Workers.
@@ -93,7 +93,7 @@ struct Server::Parts {
     http.set_read_timeout(slowest_client);
     http.set_write_timeout(slowest_client);
     http.set_keep_alive_timeout(idle_connection);
-    http.set_keep_alive_max_count(std::numeric_limits<std::size_t>::max());
+    http.set_keep_alive_max_count(most_of_a_connection);
     http.set_tcp_nodelay(true);
     // Without SO_REUSEPORT, which lets two servers listen at one port.
     http.set_socket_options([](int socket) {
@@ -137,10 +137,15 @@ struct Server::Parts {
   /// What takes time: in its turn, for as long as it may.
   template <class Answer>
   void work(const char* path, const Answer& answer) {
-    http.Post(path, [this, answer](const httplib::Request& request, httplib::Response& response) {
+    // Read as it comes: what says that it is a form, as curl -d does, would be taken for flags.
+    http.Post(path, [this, answer](const httplib::Request& request, httplib::Response& response,
+                                   const httplib::ContentReader& read) {
+      std::string body;
+      const auto more = [&](const char* bytes, std::size_t n) { return body.append(bytes, n), true; };
+      if (!read(more)) return;  // it says what was wrong
       const auto mine = desk.begin(request.get_header_value(page_header));
       if (!mine) return put(response, refusal(503, "", "the server is busy; come back in a second"));
-      put(response, answer(query_of(request), request.body, Limit{mine->stop, mine->late, desk.seconds()}));
+      put(response, answer(query_of(request), body, Limit{mine->stop, mine->late, desk.seconds()}));
     });
   }
 
