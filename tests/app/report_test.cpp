@@ -107,7 +107,8 @@ TEST_CASE("report writes a page that opens offline and shows every figure") {
 
 TEST_CASE("without gnuplot report says so, names the package and writes the numbers") {
   const ScratchFolder folder("report-without-gnuplot");
-  const std::string path = std::getenv("PATH");
+  const char* const found = std::getenv("PATH");
+  const std::string path = found ? found : "";
   setenv("PATH", "/nonexistent", 1);
   const auto run = run_program("report --quick --shots 1 -o \"" + folder.path + "\"");
   setenv("PATH", path.c_str(), 1);
