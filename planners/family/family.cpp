@@ -76,7 +76,7 @@ void Family::search() {
   const Vector x = vector_of({start_.launch.speed, near_window(start_.launch.angle, q_.angle)}, start_.spin);
   if (free <= 1) {
     const auto from = settle(x, wide_);
-    if (!from || is_hopeless(*from)) return;
+    if (!from || (free == 1 && is_hopeless(*from))) return;
     Curve curve = free == 1 ? walk(*from) : Curve{{*from}};
     add_crossings(curve);
     const std::size_t known = found_.shots.size();
@@ -105,7 +105,7 @@ double Family::merit(const Point& p) const {
 }
 
 bool Family::is_hopeless(const Point& p) {
-  return freedom(q_) == 1 && clearance(aim_, ledger_, launch_of(p.x)).value_or(0) < -hopeless * q_.boundary.diagonal;
+  return clearance(aim_, ledger_, launch_of(p.x)).value_or(0) < -hopeless * q_.boundary.diagonal;
 }
 
 bool Family::inside(const Point& p) const {

@@ -49,6 +49,7 @@ bool hopeful(const Question& q, const Lead& lead) {
 }  // namespace
 
 void Parts::climb(const Question& q, Ledger& ledger, Findings& found) {
+  if (q.starts()) return;  // its leads are what is asked for
   for (Lead& lead : found.leads) {
     if (!found.shots.empty() || ledger.spent()) break;
     if (q.objects && was_tried(lead)) continue;  // many pairs of routes lead to one root

@@ -8,9 +8,8 @@
 // Newton's method on the whole chain, with derivatives through the contact. In a combination it is the last ball that
 // is looked at alone, and what leads through its ghost is the chain of those before it, found in the same way.
 // Closely, the last ball's launches come from maps too, then sweeps are made (8_sweeps.cpp), and last of all what leads
-// to the ghost is looked for closely. Cost: some ten
-// simulations a leg, twenty a chain. Guarantee: none beyond the proof; a root is found where its seed leads, and a
-// chain of routes hardly ever has two.
+// to the ghost is looked for closely. Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond the
+// proof; a root is found where its seed leads, and a chain of routes hardly ever has two.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -59,7 +58,7 @@ class Chains {
     for (const Leg& leg : all) {
       if (sweeps_over(q_, ledger_, found_)) return;
       join_all(leg, chains);
-      if (!q_.starts()) parts.climb(q_, ledger_, found_);
+      parts.climb(q_, ledger_, found_);
     }
     sweeps(q_, ledger_, found_, chain_, all, parts);
     for (const Leg& leg : all)
@@ -74,10 +73,10 @@ class Chains {
 
   /// With all that leads through the ghost; `before` finds that of a combination.
   void join_all(const Leg& leg, Step before) {
-    const Question at_ghost = to_ghost_.at(ghost(direction(leg.alone.launch.angle)));  // corrections move the place
+    const Question at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
     if (!by_) return each_image(leg, at_ghost);
     Findings starts;
-    before(to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.alone.launch.speed)), ledger_, starts);
+    before(to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch().speed)), ledger_, starts);
     for (const Lead& lead : starts.leads) {
       if (stop::enough_seeds(q_, ledger_, found_)) return;
       if (!has_lead(leg, lead.route)) join(leg, lead.route, lead.launch);
@@ -96,7 +95,7 @@ class Chains {
         Route route = images.route(*image);
         if (settled.contains(route) || has_lead(leg, route)) continue;
         if (route.empty() && (share != settings::restitution_shares.front() || !may_hit(leg, image->angle))) continue;
-        const Question& own = to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.alone.launch.speed));
+        const Question& own = to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch().speed));
         const auto speed = speed_at({own, route, own.marks.front()}, ledger_, image->angle, image->distance);
         if (speed && join(leg, route, {*speed, image->angle})) settled.insert(std::move(route));
       }
@@ -106,14 +105,14 @@ class Chains {
 
   /// Straight at the ghost, and from before it.
   bool may_hit(const Leg& leg, double angle) const {
-    return q_.spin.masse != 0 || dot(direction(angle), direction(leg.alone.launch.angle)) >= least_cosine;
+    return q_.spin.masse != 0 || dot(direction(angle), direction(leg.launch().angle)) >= least_cosine;
   }
 
   /// At any arrival speed.
   bool is_settled(const Leg& leg) const {
     if (!hit_straight(q_, chain_)) return false;
     const Vec2d way = last_.at_rest.at - q_.puzzle.ball.at;
-    return has_lead(leg, {}) || dot(way, direction(leg.alone.launch.angle)) < least_settled * norm(way);
+    return has_lead(leg, {}) || dot(way, direction(leg.launch().angle)) < least_settled * norm(way);
   }
 
   /// Of another arrival speed, or found just now.
@@ -141,9 +140,9 @@ class Chains {
 
   /// By a route through the ghost, from a launch near it: corrected, and from there the root of the whole.
   bool join(const Leg& leg, const Route& route, Launch seed) {
-    double turn = 0, asked = normal_speed(leg.alone.launch.speed);
+    double turn = 0, asked = normal_speed(leg.launch().speed);
     for (int i = 0; i < most_corrections; ++i) {
-      const Vec2d n = direction(leg.alone.launch.angle + turn);
+      const Vec2d n = direction(leg.launch().angle + turn);
       const Question& own = to_ghost_.at(ghost(n), asked);
       const LockedAim aim{own, route, own.marks.front()};
       const auto root = newton(aim, ledger_, seed, settings::wide);
@@ -157,9 +156,8 @@ class Chains {
       State<double> struck = arrival->state, sent{last_.at_rest.at, {}, {}};
       struck.at = ghost(n);
       collisions(q_.puzzle.physics).collide(body_before(), struck, last_.at_rest.body, sent);
-      const double off = angle_difference(std::atan2(sent.velocity.y, sent.velocity.x), leg.alone.launch.angle);
-      const double normal = dot(arrival->state.velocity, n) * leg.alone.launch.speed / norm(sent.velocity),
-                   before = asked;
+      const double off = angle_difference(std::atan2(sent.velocity.y, sent.velocity.x), leg.launch().angle);
+      const double normal = dot(arrival->state.velocity, n) * leg.launch().speed / norm(sent.velocity), before = asked;
       asked = normal / cosine;
       if (!q_.one_unknown()) seed.speed *= asked / before;
       turn += off;

@@ -68,7 +68,7 @@ class Sweeps {
         if (over()) return;
         const Route whole = together(chain, approach.route, leg);
         look({q_, whole, leg.mark}, approach.across);
-        if (!q_.starts()) parts_.climb(q_, ledger_, found_);
+        parts_.climb(q_, ledger_, found_);
       }
     }
   }

@@ -14,6 +14,8 @@ struct Leg {
   Route route;  ///< the same, and its mark, among all balls
   Mark mark;
   bool clear = true;  ///< so launched it arrives: nothing is in the way
+
+  const Launch& launch() const { return alone.launch; }
 };
 
 /// By the roots that a step finds, but for those that are known. Where the launch speed of the struck ball is all that

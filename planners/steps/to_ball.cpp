@@ -41,10 +41,10 @@ std::optional<Range> aims_across(const Question& q, Ledger& ledger, const Questi
   return Range{root.launch.angle + side(-1), root.launch.angle + side(1)};
 }
 
-/// What sets it going, to where it stands.
+/// What sets it going, to where it stands; `by`: the ball that touches it.
 struct ToBall {
   Part part;
-  double reach;
+  const Body& by;
   Step step;
 };
 
@@ -52,18 +52,15 @@ void add_approaches(const Question& q, Ledger& ledger, const Objects::Object& ob
                     std::vector<Approach>& out) {
   ToPlace to_ball(q, to.part, speed);
   const Question& own = to_ball.at(object.at_rest.at);
+  const double reach = to.by.radius + object.at_rest.body.radius;
   Findings starts;
   to.step(own, ledger, starts);
   for (const Lead& lead : starts.leads) {
     if (ledger.spent()) return;
     const Route route = to.part.whole(lead.route);
     if (std::ranges::find(out, route, &Approach::route) != out.end()) continue;
-    if (const auto across = aims_across(q, ledger, own, to.reach, lead)) out.push_back({route, *across});
+    if (const auto across = aims_across(q, ledger, own, reach, lead)) out.push_back({route, *across});
   }
-}
-
-double reach_of_struck(const Question& q, const Objects::Object& object) {
-  return q.boundary.rim(Contact::ball(object.ball))->radius;
 }
 
 }  // namespace
@@ -78,15 +75,14 @@ double slowest_tried(const Question& q) { return std::max(q.speed.low, q.speed.h
 std::vector<Approach> approaches(const Question& q, Ledger& ledger, const Objects::Object& object,
                                  const CushionRule& cushions, Step step) {
   std::vector<Approach> out;
-  add_approaches(q, ledger, object, {by_itself(q, cushions), reach_of_struck(q, object), step}, middle_speed(q), out);
+  add_approaches(q, ledger, object, {by_itself(q, cushions), q.puzzle.ball.body, step}, middle_speed(q), out);
   return out;
 }
 
 std::vector<Approach> approaches_to_last(const Question& q, Ledger& ledger, const Objects::Chain& chain) {
   const Objects::Object& last = *chain.balls.back();
   const std::size_t n = chain.balls.size();
-  const ToBall to{before_last(q, chain),
-                  n > 1 ? chain.balls[n - 2]->at_rest.body.radius + last.at_rest.body.radius : reach_of_struck(q, last),
+  const ToBall to{before_last(q, chain), n > 1 ? chain.balls[n - 2]->at_rest.body : q.puzzle.ball.body,
                   n > 1 ? chains : starts_by_map};
   std::vector<Approach> out;
   for (const double faster : approach_speeds) add_approaches(q, ledger, last, to, faster * middle_speed(q), out);
