@@ -114,6 +114,22 @@ TEST_CASE("a body is what it is, whatever it is called") {
   CHECK(server.post("/api/solve", std::string(100000, '['))->status == 400);
 }
 
+TEST_CASE("a small request for gigabytes is refused") {
+  const Running server;
+  const std::string slow = R"({"table": {"length": 2, "width": 1}, "physics": "ideal", "ball": {"at": [0.5, 0.5]}, )";
+  const auto refused = [&](const std::string& path, const std::string& body) {
+    const auto reply = server.post(path, body);
+    CHECK(reply->status == 400);
+    return json_of(reply).at("reason").get<std::string>();
+  };
+  CHECK(refused("/api/simulate?csv", slow + R"("shot": {"speed": 1e-5, "angle": 33}})").find("rows") !=
+        std::string::npos);
+  CHECK(refused("/api/simulate", slow + R"("shot": {"speed": 1, "angle": 33}, "until": {"cushions": 500000}})")
+            .find("events") != std::string::npos);
+  CHECK(refused("/api/solve?path", slow + R"("target": {"point": [1, 0.7]}, "cushions": 2, "speed": 1e-5})")
+            .find("points") != std::string::npos);
+}
+
 TEST_CASE("simulate, map, tables and schema answer as their commands do") {
   const Running server;
   const std::string shot = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "shot": {"speed": 2, "angle": 40}})";
@@ -146,6 +162,8 @@ TEST_CASE("what is wrong with a request is said, with its JSON path") {
   CHECK(refused("/api/solve?budget=few", easy).at("reason").get<std::string>().find("few") != std::string::npos);
   CHECK(refused("/api/solve?all&first", easy).at("path") == "");
   CHECK(refused("/api/map?grid=0,2", easy).at("path") == "");
+  CHECK(refused("/api/map?budget=-5", easy).at("reason").get<std::string>().find("-5") != std::string::npos);
+  CHECK(refused("/api/solve?help", easy).at("reason").get<std::string>().find("help") != std::string::npos);
   CHECK(refused("/api/simulate", easy).at("path") == "/shot");
 }
 

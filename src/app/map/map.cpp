@@ -12,7 +12,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
-#include "app/map/maps.hpp"
+#include "app/map/map_of.hpp"
 #include "app/picture.hpp"
 #include "bankshot/draw/map.hpp"
 #include "bankshot/scene/json.hpp"

@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/map/maps.hpp"
+#include "app/files.hpp"
+#include "app/map/map_of.hpp"
+#include "app/simulate/csv_of.hpp"
 #include "app/solve/solve_flags.hpp"
 #include "bankshot/draw/map.hpp"
 #include "bankshot/geometry/boundary.hpp"
@@ -24,6 +26,7 @@ void parse(CLI::App& command, const Query& query) {
   std::vector<std::string> words;
   for (const auto& [name, value] : query) words.push_back("--" + name + (value.empty() ? "" : "=" + value));
   std::ranges::reverse(words);
+  command.set_help_flag();
   command.parse(words);
 }
 
@@ -34,6 +37,8 @@ Reply answer(const F& f) {
     return f();
   } catch (const InvalidInput& e) {
     return refusal(400, e.path, e.what());
+  } catch (const WriteError& e) {  // the answer would be too long
+    return refusal(400, "", e.what());
   } catch (const CLI::ParseError& e) {
     return refusal(400, "", e.what());
   }
@@ -68,6 +73,18 @@ void write_preset(JsonWriter& w, const TablePreset& preset) {
   w.close('}');
 }
 
+/// A small request may ask for gigabytes: a slow ball rolls for days.
+constexpr double most_rows = 1e6;
+constexpr std::size_t most_events = 100000;
+
+void check_length(const Puzzle& p, const Answer& found) {
+  double points = 0;
+  for (const Shot& shot : found.shots)
+    points += shot.arrival.time * usual_rate * static_cast<double>(1 + p.others.size());
+  if (points > most_rows)
+    throw WriteError(fmt::format("the paths would have {:.2g} points, and {:.0g} is the most", points, most_rows));
+}
+
 void tell_why_it_ended(Answer& found, const Limit& limit) {
   if (!limit.stop) return;
   found.message += limit.late ? fmt::format("; the time limit of {:g} s ended the search", limit.seconds)
@@ -94,6 +111,7 @@ Reply solve(const Query& query, const std::string& body, const Limit& limit) {
     options.cancelled = &limit.stop;
     Answer found = bankshot::solve(puzzle, options);
     tell_why_it_ended(found, limit);
+    if (flags.path) check_length(puzzle, found);
     return Reply{200, to_json(puzzle, found, !flags.no_timing, flags.path) + "\n"};
   });
 }
@@ -108,7 +126,9 @@ Reply simulate(const Query& query, const std::string& body) {
     parse(command, query);
     const ShotRequest shot = read_shot(body);
     const Trajectory t = bankshot::simulate(shot);
-    if (csv) return Reply{200, to_csv(shot, t, rate), "text/csv"};
+    if (csv) return Reply{200, app::simulate::csv_of(shot, t, rate, most_rows), "text/csv"};
+    if (t.events.size() > most_events)
+      throw WriteError(fmt::format("the shot has {} events, and {} is the most", t.events.size(), most_events));
     return Reply{200, to_json(shot, t) + "\n"};
   });
 }
@@ -122,7 +142,7 @@ Reply map(const Query& query, const std::string& body, const Limit& limit) {
     constexpr int most = 200;
     command.add_option("--grid", grid)->delimiter(',')->expected(2)->check(CLI::Range(1, most));
     command.add_flag("--svg", svg);
-    command.add_option("--budget", budget);
+    command.add_option("--budget", budget)->check(whole_number);
     command.add_flag("--no-robustness", no_robustness);
     parse(command, query);
     Puzzle puzzle = read_puzzle(body);

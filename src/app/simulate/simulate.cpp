@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/picture.hpp"
+#include "app/simulate/csv_of.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
@@ -88,14 +89,7 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
          (r.others.empty() ? "" : others_text(r, t));
 }
 
-std::string csv_of(const ShotRequest& r, const Trajectory& t, double rate) {
-  constexpr double most_rows = 1e7;  // about a gigabyte
-  const double rows = t.events.back().time * rate * static_cast<double>(1 + r.others.size());
-  if (rows > most_rows)
-    throw WriteError(fmt::format("--rate {} for {:.6g} s would write {:.2g} rows, and {:.0g} is the most", rate,
-                                 t.events.back().time, rows, most_rows));
-  return to_csv(r, t, rate);
-}
+constexpr double most_rows = 1e7;  // about a gigabyte
 
 int run(const Arguments& a) {
   const std::string text = read_file(a.file);
@@ -104,9 +98,9 @@ int run(const Arguments& a) {
     const Trajectory t = bankshot::simulate(request);
     const auto write = [&] {
       a.picture.write([&](const PictureStyle& style) { return draw(request, t, style); });
-      if (!a.csv.empty() && a.csv != "-") write_file(a.csv, csv_of(request, t, a.rate));
+      if (!a.csv.empty() && a.csv != "-") write_file(a.csv, csv_of(request, t, a.rate, most_rows));
     };
-    print_after(write, a.csv == "-" ? csv_of(request, t, a.rate)
+    print_after(write, a.csv == "-" ? csv_of(request, t, a.rate, most_rows)
                        : a.json     ? to_json(request, t) + "\n"
                                     : text_of(request, t));
     return done;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/map/maps.hpp"
+#include "app/map/map_of.hpp"
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/batch.hpp"
