@@ -35,23 +35,8 @@ void write(const std::string& path, const std::string& text) {
   write_file(path, text);
 }
 
-std::string file_name(const std::string& text) {
-  if (text == "-") return "\"-\" is standard output, which carries the answer; name a file";
-  return file_or_output(text);
-}
-
-std::string file_or_output(const std::string& text) {
-  return text.starts_with("--") ? "\"" + text + "\" is an option, not a file" : "";
-}
-
 void output_is_free(const std::string& csv, bool json) {
   if (csv == "-" && json) throw FileError("--csv - and --json both go to standard output; name a file for one");
-}
-
-std::string whole_number(const std::string& text) {
-  constexpr std::size_t most_digits = 18;  // fits a long
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits && text.size() <= most_digits ? "" : "\"" + text + "\" must be a whole number, at least 0";
 }
 
 std::string one_line(std::string text) {

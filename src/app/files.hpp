@@ -45,16 +45,8 @@ void print_after(const Write& write, const std::string& text) {
   print(text);
 }
 
-/// A check of an option's value: why it cannot be a file to write, empty when it can. "--svg --json"
-/// would write a file of that name, and standard output carries the answer.
-std::string file_name(const std::string& text);
-/// The same where "-" may take the text's place.
-std::string file_or_output(const std::string& text);
 /// Throws FileError where a table goes to standard output and JSON was asked there as well.
 void output_is_free(const std::string& csv, bool json);
-
-/// The same for a whole number, at least 0; CLI11's own check prints its bounds with 309 digits.
-std::string whole_number(const std::string& text);
 
 /// `text` without line breaks and other control characters.
 std::string one_line(std::string text);

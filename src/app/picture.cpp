@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/gzip.hpp"
+#include "app/option_checks.hpp"
 
 #if BANKSHOT_PNG
 #include <librsvg/rsvg.h>

@@ -12,6 +12,7 @@
 #include "app/files.hpp"
 #include "app/gzip.hpp"
 #include "app/interrupt.hpp"
+#include "app/option_checks.hpp"
 
 namespace bankshot::app::batch {
 namespace {
@@ -131,7 +132,7 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
 }
 
 int run(Arguments a) {
-  if (a.flags.options.planner == "list") return solve::list_planners();
+  if (a.flags.options.planner == "list") return print(solve::list_of_planners()), done;
   solve::check_planner(a.flags.options.planner);
   if (a.threads == 0) a.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");

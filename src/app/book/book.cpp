@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/line_file.hpp"
+#include "app/option_checks.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"

@@ -14,6 +14,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
+#include "app/option_checks.hpp"
 #include "app/scene_flags.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/json.hpp"

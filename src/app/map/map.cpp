@@ -13,6 +13,7 @@
 #include "app/files.hpp"
 #include "app/gzip.hpp"
 #include "app/map/map_of.hpp"
+#include "app/option_checks.hpp"
 #include "app/picture.hpp"
 #include "bankshot/draw/map.hpp"
 #include "bankshot/scene/json.hpp"

@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/option_checks.hpp"
 #include "app/report/sections.hpp"
 
 namespace bankshot::app::report {

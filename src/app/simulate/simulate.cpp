@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/option_checks.hpp"
 #include "app/picture.hpp"
 #include "app/simulate/csv_of.hpp"
 #include "bankshot/draw/svg.hpp"

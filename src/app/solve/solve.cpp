@@ -6,6 +6,7 @@
 #include "answer/words.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/option_checks.hpp"
 #include "app/picture.hpp"
 #include "app/solve/solve_flags.hpp"
 #include "bankshot/draw/svg.hpp"
@@ -45,7 +46,7 @@ std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions
 }
 
 int run(const Arguments& a) {
-  if (a.flags.options.planner == "list") return list_planners();
+  if (a.flags.options.planner == "list") return print(list_of_planners()), done;
   check_planner(a.flags.options.planner);
   const std::string text = read_file(a.file);
   try {

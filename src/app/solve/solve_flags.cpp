@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/files.hpp"
+#include "app/option_checks.hpp"
 #include "bankshot/scene/json.hpp"
 #include "json/reader.hpp"
 
@@ -51,9 +51,10 @@ void check_planner(const std::string& wanted) {
     throw CLI::ValidationError("--planner", quote(wanted) + " is no planner" + known_words(wanted, names));
 }
 
-int list_planners() {
-  for (const PlannerInfo& p : planners()) print(fmt::format("{:<14}{}\n", p.name, p.summary));
-  return done;
+std::string list_of_planners() {
+  std::string out;
+  for (const PlannerInfo& p : planners()) out += fmt::format("{:<14}{}\n", p.name, p.summary);
+  return out;
 }
 
 }  // namespace bankshot::app::solve

@@ -25,6 +25,7 @@ void add_solve_flags(CLI::App& command, SolveFlags& flags);
 
 /// A mistyped planner is a usage error, told before any input is read.
 void check_planner(const std::string& wanted);
-int list_planners();
+/// A line each.
+std::string list_of_planners();
 
 }  // namespace bankshot::app::solve
