@@ -13,11 +13,12 @@
 #include "bankshot/geometry/boundary.hpp"  // a table as a ball sees it
 #include "bankshot/geometry/contact.hpp"   // what a ball met, and its name
 #include "bankshot/plan/answer.hpp"
-#include "bankshot/plan/batch.hpp"      // solve many
-#include "bankshot/plan/generate.hpp"   // puzzles
-#include "bankshot/plan/planner.hpp"    // solve one
-#include "bankshot/plan/start_map.hpp"  // from where it can be solved
-#include "bankshot/scene/json.hpp"      // puzzles and shots as text
+#include "bankshot/plan/batch.hpp"       // solve many
+#include "bankshot/plan/generate.hpp"    // puzzles
+#include "bankshot/plan/launch_map.hpp"  // which launches make it
+#include "bankshot/plan/planner.hpp"     // solve one
+#include "bankshot/plan/start_map.hpp"   // from where it can be solved
+#include "bankshot/scene/json.hpp"       // puzzles and shots as text
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/scene.hpp"          // tables, balls and physics by name
 #include "bankshot/simulate/acceptance.hpp"  // what a pocket takes

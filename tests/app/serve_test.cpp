@@ -140,6 +140,10 @@ TEST_CASE("simulate, map, tables and schema answer as their commands do") {
   CHECK(map->status == 200);
   CHECK(std::count(map->body.begin(), map->body.end(), '\n') == 9);
   CHECK(server.post("/api/map?grid=4,2&svg&no-robustness", easy)->body.starts_with("<svg"));
+  const nlohmann::json launches = json_of(server.post("/api/launches?angle=30,40&speed=2,4&grid=8,5", easy));
+  CHECK(launches.at("grid") == nlohmann::json::array({8, 5}));
+  CHECK(launches.at("made").get<std::string>().size() == 40);
+  CHECK(launches.at("chance").size() == 40);
   const nlohmann::json tables = json_of(server.client().Get("/api/tables"));
   CHECK(tables.at(0).at("name") == "pool-7ft");
   CHECK(tables.at(0).at("pockets").size() == 6);
@@ -162,6 +166,12 @@ TEST_CASE("what is wrong with a request is said, with its JSON path") {
   CHECK(refused("/api/solve?budget=few", easy).at("reason").get<std::string>().find("few") != std::string::npos);
   CHECK(refused("/api/solve?all&first", easy).at("path") == "");
   CHECK(refused("/api/map?grid=0,2", easy).at("path") == "");
+  CHECK(refused("/api/launches?speed=1,2", easy).at("reason").get<std::string>().find("--angle") != std::string::npos);
+  CHECK(refused("/api/launches?angle=40,30&speed=1,2", easy).at("reason").get<std::string>().find("--angle") !=
+        std::string::npos);
+  CHECK(refused("/api/launches?angle=30,40&speed=2,2", easy).at("reason").get<std::string>().find("--speed") !=
+        std::string::npos);
+  CHECK(refused("/api/launches?angle=30,30.000001&speed=1,2", easy).at("path") == "/noise");
   CHECK(refused("/api/map?budget=-5", easy).at("reason").get<std::string>().find("-5") != std::string::npos);
   CHECK(refused("/api/solve?help", easy).at("reason").get<std::string>().find("help") != std::string::npos);
   CHECK(refused("/api/simulate", easy).at("path") == "/shot");

@@ -8,10 +8,12 @@
 
 #include "app/files.hpp"
 #include "app/map/map_of.hpp"
+#include "app/option_checks.hpp"
 #include "app/simulate/csv_of.hpp"
 #include "app/solve/solve_flags.hpp"
 #include "bankshot/draw/map.hpp"
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/plan/launch_map.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "format/schema.hpp"
@@ -152,6 +154,25 @@ Reply map(const Query& query, const std::string& body, const Limit& limit) {
     if (limit.stop) return refusal(503, "", fmt::format("the time limit of {:g} s ended the map", limit.seconds));
     if (svg) return Reply{200, draw(puzzle, map, Theme::light), "image/svg+xml"};
     return Reply{200, to_csv(puzzle, map), "text/csv"};
+  });
+}
+
+Reply launches(const Query& query, const std::string& body, const Limit& limit) {
+  return answer([&] {
+    CLI::App command;
+    std::vector<double> angle, speed;
+    std::vector<int> grid{100, 50};
+    constexpr int most = 400;
+    command.add_option("--angle", angle)->delimiter(',')->expected(2)->required()->check(CLI::Range(-360.0, 720.0));
+    command.add_option("--speed", speed)->delimiter(',')->expected(2)->required()->check(CLI::Range(0.0, 30.0));
+    command.add_option("--grid", grid)->delimiter(',')->expected(2)->check(CLI::Range(1, most));
+    parse(command, query);
+    if (!(angle[0] < angle[1])) return refusal(400, "", "--angle: the first must be less than the second");
+    if (!(speed[0] < speed[1])) return refusal(400, "", "--speed: the first must be less than the second");
+    const LaunchGrid asked{{radians(angle[0]), radians(angle[1])}, {speed[0], speed[1]}, grid[0], grid[1]};
+    const LaunchMap map = launch_map(read_puzzle(body), asked, &limit.stop);
+    if (limit.stop) return refusal(503, "", fmt::format("the time limit of {:g} s ended the map", limit.seconds));
+    return Reply{200, to_json(map) + "\n"};
   });
 }
 

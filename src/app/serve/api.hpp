@@ -32,6 +32,8 @@ Reply solve(const Query& query, const std::string& body, const Limit& limit);
 Reply simulate(const Query& query, const std::string& body);
 /// `?grid=40,20`: a table, or with `svg` a picture.
 Reply map(const Query& query, const std::string& body, const Limit& limit);
+/// `?angle=30,40&speed=1,3&grid=80,40`: which launches make it, and how surely (launch_map.hpp).
+Reply launches(const Query& query, const std::string& body, const Limit& limit);
 /// The tables by name, as they are drawn.
 Reply tables(const Query& query);
 /// `?document=shot`: as `bankshot schema` prints it.

@@ -64,7 +64,8 @@ void put(httplib::Response& response, const Reply& reply) {
 std::string words_of(int status) {
   switch (status) {
     case 404:
-      return "there is nothing here; POST to /api/solve, /api/simulate or /api/map, GET /api/tables or /api/schema";
+      return "there is nothing here; POST to /api/solve, /api/simulate, /api/map or /api/launches, GET /api/tables or "
+             "/api/schema";
     case 413:
       return fmt::format("the body is larger than {} bytes", largest_body);
     case 414:
@@ -152,6 +153,7 @@ struct Server::Parts {
   void rooms() {
     work("/api/solve", solve);
     work("/api/map", map);
+    work("/api/launches", launches);
     work("/api/simulate",
          [](const Query& query, const std::string& body, const Limit&) { return simulate(query, body); });
     http.Get("/api/tables", [](const httplib::Request& request, httplib::Response& response) {

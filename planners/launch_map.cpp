@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "bankshot/plan/launch_map.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "planners/proof/replay.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot {
+namespace {
+
+/// Simulated at most, around the window as well: some seconds.
+constexpr int most_cells = 2000000;
+InvalidInput too_fine() { return {"/noise", "reaches over more cells than are simulated: ask for fewer, wider cells"}; }
+
+/// The chances that a normal error ends in each of the cells around, from -n to n.
+std::vector<double> weights(double deviation, double cell) {
+  const double reach = std::ceil(planning::settings::success::widest * deviation / cell);
+  if (reach > most_cells) throw too_fine();
+  const auto n = static_cast<int>(reach);
+  std::vector<double> out;
+  for (int k = -n; k <= n; ++k) {
+    const auto below = [&](double at) {
+      return deviation > 0 ? std::erfc(-at * cell / deviation / std::sqrt(2.0)) / 2 : at < 0 ? 0.0 : 1.0;
+    };
+    out.push_back(below(k + 0.5) - below(k - 0.5));
+  }
+  return out;
+}
+
+/// A table of numbers, row by row.
+struct Rows {
+  int columns, rows;
+  std::vector<double> cells{};
+  double& at(int column, int row) { return cells[static_cast<std::size_t>(row * columns + column)]; }
+};
+
+/// Each row summed with the weights: as many cells fewer on either side as the weights reach. Turned, so that twice
+/// does both directions.
+Rows blurred(Rows& from, const std::vector<double>& weights) {
+  const auto reach = static_cast<int>(weights.size()) - 1;
+  Rows to{from.rows, from.columns - reach};
+  to.cells.resize(static_cast<std::size_t>(to.columns * to.rows));
+  for (int row = 0; row < from.rows; ++row)
+    for (int column = 0; column < to.rows; ++column) {
+      double sum = 0;
+      for (int k = 0; k <= reach; ++k) sum += weights[static_cast<std::size_t>(k)] * from.at(column + k, row);
+      to.at(row, column) = sum;
+    }
+  return to;
+}
+
+}  // namespace
+
+Launch LaunchGrid::at(std::size_t i) const {
+  const auto n = static_cast<std::size_t>(angles);
+  const double a = (static_cast<double>(i % n) + 0.5) / angles, s = (static_cast<double>(i / n) + 0.5) / speeds;
+  return {std::lerp(speed.low, speed.high, s), wrap_angle(std::lerp(angle.low, angle.high, a))};
+}
+
+LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::atomic<bool>* cancelled) {
+  validate(puzzle);
+  const double aim = (grid.angle.high - grid.angle.low) / grid.angles,
+               faster = (grid.speed.high - grid.speed.low) / grid.speeds;
+  const std::vector<double> by_aim = weights(puzzle.noise.angle, aim), by_speed = weights(puzzle.noise.speed, faster);
+  const int beside = static_cast<int>(by_aim.size()) / 2, above = static_cast<int>(by_speed.size()) / 2;
+  const planning::Question q(puzzle);
+  const planning::Goal goal = planning::Goal::of(q);
+  planning::Ledger ledger(std::numeric_limits<long>::max(), cancelled);
+  Rows made{grid.angles + 2 * beside, grid.speeds + 2 * above};
+  if (static_cast<double>(made.columns) * made.rows > most_cells) throw too_fine();
+  made.cells.resize(static_cast<std::size_t>(made.columns * made.rows));
+  LaunchMap map{grid, {}, {}};
+  for (int row = 0; row < made.rows; ++row)
+    for (int column = 0; column < made.columns && !ledger.spent(); ++column) {
+      const double speed = grid.speed.low + (row - above + 0.5) * faster,
+                   angle = grid.angle.low + (column - beside + 0.5) * aim;
+      if (speed > 0 && planning::replay(q, ledger, {speed, wrap_angle(angle)}, goal).made) made.at(column, row) = 1;
+    }
+  for (int row = 0; row < grid.speeds; ++row)
+    for (int column = 0; column < grid.angles; ++column) map.made.push_back(made.at(column + beside, row + above) != 0);
+  Rows half = blurred(made, by_aim);
+  map.chance = blurred(half, by_speed).cells;
+  return map;
+}
+
+}  // namespace bankshot
