@@ -53,10 +53,3 @@ if(BANKSHOT_PROGRAM)
     message(STATUS "bankshot: no --png (apt-get install librsvg2-dev)")
   endif()
 endif()
-
-# Their headers are not ours to warn about, and only tiny_solver.h and jet.h of Ceres are used, so
-# nothing of it is linked.
-add_library(bankshot_optimisers INTERFACE)
-get_target_property(ceres_includes Ceres::ceres INTERFACE_INCLUDE_DIRECTORIES)
-target_include_directories(bankshot_optimisers SYSTEM INTERFACE ${ceres_includes})
-target_link_libraries(bankshot_optimisers INTERFACE Eigen3::Eigen)

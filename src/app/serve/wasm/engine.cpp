@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// The engine of a page that has no server: the server's answers, called from JavaScript. Built by emscripten alone.
+#include <emscripten.h>
+
+#include <cstring>
+
+#include "app/serve/api.hpp"
+
+namespace bankshot::app::serve {
+namespace {
+
+/// "all=\nbudget=500\n": a flag a line.
+Query query_of(std::string_view lines) {
+  Query query;
+  while (!lines.empty()) {
+    const std::string_view line = lines.substr(0, lines.find('\n'));
+    const std::size_t end = std::min(line.find('='), line.size());
+    query.emplace_back(line.substr(0, end), line.substr(std::min(end + 1, line.size())));
+    lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+  }
+  return query;
+}
+
+/// Nobody can stop it from outside: a page ends its worker.
+Reply reply_to(std::string_view path, const Query& query, const std::string& body) {
+  const std::atomic<bool> never{false};
+  const Limit limit{never, never, 0};
+  if (path == "solve") return solve(query, body, limit);
+  if (path == "simulate") return simulate(query, body);
+  if (path == "map") return map(query, body, limit);
+  if (path == "launches") return launches(query, body, limit);
+  if (path == "tables") return tables(query);
+  if (path == "schema") return schema(query);
+  return refusal(404, "", "the engine has no " + std::string(path));
+}
+
+}  // namespace
+}  // namespace bankshot::app::serve
+
+/// The status, a line break and the body; the caller frees it.
+extern "C" EMSCRIPTEN_KEEPALIVE char* bankshot_ask(const char* path, const char* query, const char* body) {
+  using namespace bankshot::app::serve;
+  const Reply reply = reply_to(path, query_of(query), body);
+  return strdup((std::to_string(reply.status) + '\n' + reply.body).c_str());
+}
