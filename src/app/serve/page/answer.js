@@ -1,14 +1,23 @@
 // An answer in words: the list of shots by pattern, and the one that is looked at.
 
+const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
+
 /** By what the ball goes, or the one that it sends on. @param {any} shot */
 export function pattern(shot) {
   const sent = shot.then;
-  const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
   const way = sent ? `${sent.ball} into ${sent.pocket}${by(sent.cushions)}` : shot.cushions.join(', ') || 'straight';
   return way + (shot.rattles ? ', off jaws' : '');
 }
 
-/** @param {number} chance */
+/** @param {any} shot @param {string} target */
+export function heading(shot, target) {
+  if (!shot) return 'No shot';
+  if (shot.then) return `Ball ${pattern(shot)}`;
+  const into = shot.pocket ?? (target === 'point' ? 'the point' : target);
+  return `Into ${into}${shot.cushions.length ? by(shot.cushions) : ', straight'}`.replace('Into the', 'To the');
+}
+
+/** @param {number | null | undefined} chance */
 export function percent(chance) {
   if (chance === undefined || chance === null) return '';
   return chance > 0.995 ? '> 99 %' : chance < 0.005 ? '< 1 %' : Math.round(100 * chance) + ' %';
@@ -21,10 +30,17 @@ export function pace(v) {
   return `${word}: ${v.toFixed(2)} m/s`;
 }
 
-/** @param {any} shot @param {string} aim @returns {[string, string][]} */
-export function words(shot, aim) {
-  const mm = (v, more, less) => (v ? `${(1000 * Math.abs(v)).toFixed(1)} mm ${v > 0 ? more : less}` : '');
-  const tip = shot.tip && [mm(shot.tip.up, 'above', 'below'), mm(shot.tip.right, 'right', 'left')].filter(Boolean).join(', ');
+/**
+ * @param {any} shot
+ * @param {string} aim
+ * @param {(metres: number) => string} length
+ * @returns {[string, string][]}
+ */
+export function words(shot, aim, length) {
+  const off = (v, more, less) => (v ? `${length(Math.abs(v))} ${v > 0 ? more : less}` : '');
+  const tip =
+    shot.tip && [off(shot.tip.up, 'above', 'below'), off(shot.tip.right, 'right', 'left')].filter(Boolean).join(', ');
+  /** @type {[string, string][]} */
   const rows = [
     ['aim', `${aim} (${shot.angle.toFixed(2)}°)`],
     ['speed', pace(shot.speed)],
@@ -32,38 +48,45 @@ export function words(shot, aim) {
     ['arrives', `after ${shot.arrival.time.toFixed(2)} s at ${shot.arrival.speed.toFixed(2)} m/s`],
   ];
   if (shot.success !== undefined) rows.push(['chance', percent(shot.success)]);
-  if (shot.margin?.angle.every((v) => v !== null))
-    rows.push(['margin', shot.margin.angle.map((v) => (v > 0 ? '+' : '') + v.toFixed(2)).join(' to ') + ' degrees']);
+  if (shot.margin?.angle.every((v) => v !== null)) {
+    const [less, more] = shot.margin.angle.map((v) => Math.abs(v).toFixed(2));
+    rows.push(['margin', `${less}° to the right, ${more}° to the left`]);
+  }
+  if (shot.scratch) rows.push(['but', 'the struck ball falls, too']);
   return rows;
 }
 
 /**
+ * The list, best pattern first.
  * @param {HTMLElement} list
  * @param {any[]} shots
  * @param {number} chosen
  * @param {{look: (i: number) => void, choose: (i: number) => void}} on
  */
 export function fill(list, shots, chosen, on) {
-  list.replaceChildren();
+  /** @type {Map<string, number[]>} */
   const groups = new Map();
   shots.forEach((shot, i) => groups.set(pattern(shot), [...(groups.get(pattern(shot)) ?? []), i]));
+  const items = [];
   for (const [name, members] of groups) {
-    const head = document.createElement('li');
-    head.className = 'pattern';
+    const item = document.createElement('li');
+    const head = document.createElement('h3');
     head.textContent = members.length > 1 ? `${name} (${members.length})` : name;
-    list.append(head);
-    for (const i of members) list.append(entry(shots[i], i, i === chosen, on));
+    const inner = document.createElement('ol');
+    inner.append(...members.map((i) => entry(shots[i], i, i === chosen, on)));
+    item.append(head, inner);
+    items.push(item);
   }
+  list.replaceChildren(...items);
 }
 
 function entry(shot, i, current, on) {
-  const item = document.createElement('li'), button = document.createElement('button');
-  const chance = document.createElement('strong'), text = document.createElement('span');
+  const [item, button, chance, text] = ['li', 'button', 'strong', 'span'].map((tag) => document.createElement(tag));
   chance.textContent = percent(shot.success);
   text.textContent = `${shot.angle.toFixed(1)}°, ${shot.speed.toFixed(2)} m/s`;
-  button.type = 'button';
+  button.setAttribute('type', 'button');
   button.setAttribute('aria-current', String(current));
-  button.append(chance, text);
+  button.append(chance, ' ', text);
   button.addEventListener('mouseenter', () => on.look(i));
   button.addEventListener('focus', () => on.look(i));
   button.addEventListener('click', () => on.choose(i));

@@ -12,28 +12,37 @@ export function draggable(grip, svg, where, move) {
     return [p.x, -p.y];
   };
   let held = null;
+  let moved = false;
   grip.addEventListener('pointerdown', (event) => {
-    const at = where(), p = place(event);
+    const at = where();
+    const p = place(event);
     held = [at[0] - p[0], at[1] - p[1]];
+    moved = false;
     grip.setPointerCapture(event.pointerId);
   });
   grip.addEventListener('pointermove', (event) => {
     if (!held) return;
     const p = place(event);
+    moved = true;
     move([p[0] + held[0], p[1] + held[1]], false);
   });
   const drop = () => {
-    if (held) move(where(), true);
+    if (held && moved) move(where(), true);
     held = null;
   };
   grip.addEventListener('pointerup', drop);
   grip.addEventListener('pointercancel', drop);
   grip.addEventListener('keydown', (event) => {
-    const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-    const way = ways[event.key];
+    const way = {
+      ArrowLeft: [-1, 0],
+      ArrowRight: [1, 0],
+      ArrowUp: [0, 1],
+      ArrowDown: [0, -1],
+    }[event.key];
     if (!way) return;
     event.preventDefault();
-    const step = event.shiftKey ? 0.0001 : 0.001, at = where();
+    const step = event.shiftKey ? 0.0001 : 0.001;
+    const at = where();
     move([at[0] + way[0] * step, at[1] + way[1] * step], true);
   });
 }

@@ -1,33 +1,51 @@
-// Asks the engine. The newest question of a kind is the only one that is answered.
+// Asks the engine, whichever is there: the server that gave this page, or the one inside its file.
+// The newest question of a kind is the only one that is answered.
+import * as local from './local.js';
 
-/** One a page: a newer request ends the older ones at the server, too. */
+/** One a page: at the server a newer request ends the older ones of its kind. */
 const page = Math.random().toString(36).slice(2);
 
 /** @type {Map<string, AbortController>} */
 const asking = new Map();
 
+async function atServer(path, body, kind, signal) {
+  const reply = await fetch('/api/' + path, {
+    method: body ? 'POST' : 'GET',
+    headers: body ? { 'Content-Type': 'application/json', 'Bankshot-Page': page + kind } : {},
+    body,
+    signal,
+  });
+  return { ok: reply.ok, text: await reply.text() };
+}
+
+const invalid = (error) => ({ status: 'invalid', error, shots: [] });
+
 /**
- * @param {string} path under /api
- * @param {object} [body] posted as JSON; without, GET
+ * @param {string} path under /api, with flags: "solve?all&path"
+ * @param {object} [body] posted as JSON
  * @param {string} [kind] of which only the newest counts
- * @returns {Promise<any>} null where a newer one took its place
+ * @returns {Promise<any>} what it says, text where it is no JSON; null where a newer question took its place
  */
 export async function ask(path, body, kind = path) {
   asking.get(kind)?.abort();
   const mine = new AbortController();
   asking.set(kind, mine);
   try {
-    const reply = await fetch('/api/' + path, {
-      method: body ? 'POST' : 'GET',
-      headers: body ? { 'Content-Type': 'application/json', 'Bankshot-Page': page + kind } : {},
-      body: body && JSON.stringify(body),
-      signal: mine.signal,
-    });
-    const said = await reply.json();
+    const send = local.isHere ? local.send : atServer;
+    const { ok, text } = await send(path, body && JSON.stringify(body), kind, mine.signal);
     if (asking.get(kind) !== mine) return null;
-    return reply.ok ? said : { status: 'invalid', error: said, shots: [] };
+    if (!ok) return invalid(JSON.parse(text));
+    return /^\s*[[{]/.test(text) ? JSON.parse(text) : text;
   } catch (error) {
     if (mine.signal.aborted) return null;
-    return { status: 'invalid', error: { path: '', reason: 'the engine does not answer: ' + error }, shots: [] };
+    return invalid({
+      path: '',
+      reason: 'the engine does not answer: ' + error,
+    });
   }
+}
+
+/** Nobody waits for it any longer. @param {string} kind */
+export function forget(kind) {
+  asking.get(kind)?.abort();
 }

@@ -1,156 +1,102 @@
 // The page: what is asked, the picture of it, and the engine's answer while things are dragged.
-import { fill, pattern, words } from './answer.js';
-import { draggable } from './drag.js';
+import { fill, heading, words } from './answer.js';
+import { Board, inside } from './board.js';
+import { Closer } from './closer.js';
+import * as controls from './controls.js';
+import { $ } from './controls.js';
 import { ask } from './engine.js';
-import { play } from './play.js';
+import { follow, hits, turns } from './follow.js';
+import { gallery } from './gallery.js';
+import { firstCushion, paint } from './paint.js';
+import { play, stop } from './play.js';
+import * as save from './save.js';
+import { click } from './sound.js';
 import * as state from './state.js';
 import { draw, shape, sight } from './table.js';
+import { tip } from './tip.js';
+import * as units from './units.js';
 
-const $ = (id) => document.getElementById(id);
 const svg = $('table');
+const form = $('controls');
+
 let scene = state.read();
+/** @type {import('./table.js').Table[]} */
 let tables = [];
-let table, moving;
-let shots = [], chosen = 0;
-const grips = new Map();
+/** @type {import('./table.js').Table} */
+let table;
+let layers;
+/** @type {Board} */
+let board;
+let shots = [];
+let chosen = 0;
 
-const points = (path) => path.map(([, x, y]) => `${x},${y}`).join(' ');
+const closer = new Closer({
+  scene: () => scene,
+  table: () => table,
+  shots: () => shots,
+  shot: () => shots[chosen],
+  layers: () => layers,
+});
 
-function circle(kind, at, r, extra = {}) {
-  return shape('circle', { class: kind, cx: at[0], cy: at[1], r, 'stroke-width': 0.004, ...extra }, moving);
-}
+// ---- what is asked ----
 
-/** All that may move: paths, balls, the target. */
-function paint(looked = chosen) {
-  moving.querySelectorAll('.drawn').forEach((e) => e.remove());
-  const layer = shape('g', { class: 'drawn' });
-  moving.prepend(layer);
-  const line = (path, kind, width) =>
-    shape('polyline', { class: 'path ' + kind, points: points(path), 'stroke-width': width }, layer);
-  shots.forEach((shot, i) => i !== looked && shot.path && line(shot.path, '', 0.004));
-  const shot = shots[looked];
-  if (shot?.path) {
-    const { at } = sight(table, scene.ball, shot.angle);
-    shape('line', { class: 'aim', x1: scene.ball[0], y1: scene.ball[1], x2: at[0], y2: at[1], 'stroke-width': 0.005 }, layer);
-    line(shot.path, 'best', 0.011);
-    for (const path of Object.values(shot.paths ?? {})) line(path, 'sent', 0.008);
-    const last = shot.path[shot.path.length - 1];
-    shape('circle', { class: 'ghost', cx: last[1], cy: last[2], r: table.radius, 'stroke-width': 0.004 }, layer);
-  }
-  tell(shot);
-}
-
-function tell(shot) {
-  $('title').textContent = shot ? (shot.cushions.length && !shot.then ? 'By ' : '') + pattern(shot) : 'No shot';
-  $('words').replaceChildren();
-  for (const button of ['play', 'slow']) $(button).disabled = !shot?.path;
-  if (!shot) return;
-  for (const [name, text] of words(shot, sight(table, scene.ball, shot.angle).words)) {
-    const term = document.createElement('dt'), value = document.createElement('dd');
-    term.textContent = name;
-    value.textContent = text;
-    $('words').append(term, value);
-  }
-}
-
-async function solve() {
-  state.write(scene);
-  const puzzle = state.puzzle(scene);
-  const quick = await ask('solve?first&path', puzzle, 'solve');
-  if (quick) show(quick, 'looking for better shots …');
-  const all = quick && (await ask('solve?all&path', puzzle, 'solve'));
-  if (all) show(all, '');
-}
-
-function show(answer, more) {
-  shots = answer.shots ?? [];
-  chosen = 0;
-  $('status').textContent = answer.error ? `${answer.error.path} ${answer.error.reason}` : `${answer.message} ${more}`;
-  fill($('shots'), shots, chosen, { look: paint, choose: (i) => choose(i) });
-  paint();
-}
-
-function choose(i) {
-  chosen = i;
-  fill($('shots'), shots, chosen, { look: paint, choose });
-  paint();
-  start(1);
-}
-
-function start(pace) {
-  const shot = shots[chosen];
-  if (!shot?.path) return;
-  const others = Object.entries(shot.paths ?? {}).map(([id, path]) => ({ grip: 'other' + (Number(id) - 1), path }));
-  const balls = [{ grip: 'ball', path: shot.path }, ...others];
-  const back = () => {
-    place('ball', scene.ball);
-    scene.others.forEach((at, i) => place('other' + i, at));
-  };
-  play(balls.map(({ grip, path }) => ({ element: grips.get(grip).dot, path })), pace).then(back);
-}
-
-/** On the table, a ball's radius from each cushion. */
-function inside([x, y]) {
-  const r = table.radius, clamp = (v, most) => Math.min(Math.max(v, r), most - r);
-  return [clamp(x, table.length), clamp(y, table.width)].map((v) => Math.round(v * 1e4) / 1e4);
-}
-
-function place(name, at) {
-  const { dot, grip } = grips.get(name);
-  for (const element of [dot, grip]) {
-    element.setAttribute('cx', at[0]);
-    element.setAttribute('cy', at[1]);
-  }
-}
-
-/** A dot, and a grip that is wider than it. */
-function movable(name, label, kind, where, put) {
-  const dot = circle(kind, where(), table.radius);
-  const grip = circle('grip', where(), Math.max(table.radius, 0.05), {
-    tabindex: 0, role: 'button', 'aria-label': label, 'data-grip': name, 'stroke-width': 0.01,
-  });
-  grips.set(name, { dot, grip });
-  let before = null;
-  draggable(grip, svg, where, (at, done) => {
-    before ??= structuredClone(scene);
-    put(inside(at));
-    place(name, where());
-    if (done) state.remember(before), (before = null);
+const hands = {
+  scene: () => scene,
+  moved(before) {
+    if (before) state.remember(before);
+    if (before) controls.show(form, scene);
     solve();
-  });
+  },
+  says: (name, at) => ($('place').textContent = `${name}: ${units.place(at, table)}`),
+  removed: (i) => change(() => scene.others.splice(i, 1)),
+  snaps: () => $('snap').checked,
+  aim: {
+    where: () => closer.aimed ?? (shots[chosen]?.path ? firstCushion(table, shots[chosen].path) : null),
+    move: (at) => closer.aimAt(inside(table, at)),
+  },
+};
+
+function targets() {
+  if (!table.pockets.length) return ['point'];
+  return [...table.pockets.map(({ name }) => name), 'any', 'point', ...(scene.others.length ? [state.anyBall] : [])];
 }
 
 /** Everything anew, after what is not a movement. */
 function rebuild() {
-  table = tables.find((t) => t.name === scene.table) ?? tables[0];
+  stop();
+  table = tables.find(({ name }) => name === scene.table) ?? tables[0];
+  scene.table = table.name;
   if (!targets().includes(scene.target)) scene.target = targets()[0];
-  scene.ball = inside(scene.ball);
-  moving = draw(svg, table);
-  grips.clear();
-  for (const pocket of table.pockets)
-    if (pocket.name === scene.target) circle('target', pocket.at, pocket.half * 1.15, { 'stroke-width': 0.012 });
-  if (scene.target === 'point') movable('point', 'Target', 'target', () => scene.point, (at) => (scene.point = at));
-  scene.others.forEach((_, i) =>
-    movable('other' + i, `Ball ${i + 1}`, 'other', () => scene.others[i], (at) => (scene.others[i] = at)));
-  movable('ball', 'Cue ball', 'ball', () => scene.ball, (at) => (scene.ball = at));
-  controls();
+  scene.order = scene.order.filter((cushion) => table.cushions.includes(cushion));
+  scene.ball = inside(table, scene.ball);
+  scene.others = scene.others.map((at) => inside(table, at));
+  scene.point = inside(table, scene.point);
+  layers = draw(svg, table, (cushion) => change(() => scene.order.push(cushion)));
+  layers.compare = shape('g', {}, layers.paths);
+  layers.answer = shape('g', {}, layers.paths);
+  layers.own = shape('g', {}, layers.paths);
+  shots = [];
+  board = new Board(svg, layers.grips, table, hands);
+  show();
   solve();
 }
 
-function options(select, names, value) {
-  select.replaceChildren(...names.map((name) => new Option(name, name, false, name === value)));
-}
-
-function targets() {
-  if (!table.pockets.length) return ['point'];
-  return [...table.pockets.map((p) => p.name), 'any', 'point', ...(scene.others.length ? [state.anyBall] : [])];
-}
-
-function controls() {
-  options($('preset'), tables.map((t) => t.name), scene.table);
-  options($('target'), targets(), scene.target);
-  for (const id of ['physics', 'least', 'most', 'prefer', 'top', 'side']) $(id).value = scene[id];
-  for (const id of ['top', 'side']) $(id).disabled = scene.physics !== 'spin';
+/** The controls as the scene has it. */
+function show() {
+  controls.options(
+    $('tables'),
+    tables.map(({ name }) => name),
+    scene.table,
+  );
+  controls.options($('targets'), targets(), scene.target);
+  controls.show(form, scene);
+  drawTip({ side: scene.side, top: scene.top });
+  $('tip').toggleAttribute('aria-disabled', scene.physics !== 'spin' || scene.choose);
+  $('order').firstElementChild.textContent = scene.order.join(', then ') || 'any order; click cushions to set one';
+  $('unordered').hidden = scene.order.length === 0;
+  for (const name of ['least', 'most'])
+    form.elements[name].disabled = scene.order.length > 0 && scene.target !== state.anyBall;
+  $('remove').disabled = scene.others.length === 0;
 }
 
 function change(f) {
@@ -159,43 +105,149 @@ function change(f) {
   rebuild();
 }
 
-/** All of one slide is one step of the history. */
-function slide(input, put) {
-  let before = null;
-  input.addEventListener('input', () => {
-    before ??= structuredClone(scene);
-    put(Number(input.value));
-    solve();
-  });
-  input.addEventListener('change', () => {
-    if (before) state.remember(before);
-    before = null;
-  });
+// ---- the answer ----
+
+async function solve() {
+  state.write(scene);
+  closer.clear();
+  const puzzle = state.puzzle(scene);
+  const slow = setTimeout(() => ($('busy').hidden = false), 300);
+  const quick = await ask('solve?first&path', puzzle, 'solve');
+  if (quick) answered(quick, 'Looking for better shots …');
+  const all = quick && (await ask('solve?all&path', puzzle, 'solve'));
+  clearTimeout(slow);
+  if (!all) return;
+  $('busy').hidden = true;
+  answered(all, '');
+  document.body.dataset.answered = state.address(scene); // for whoever waits for it
+  closer.look();
 }
 
+function answered(answer, more) {
+  shots = answer.shots ?? [];
+  chosen = 0;
+  const { error, message = '' } = answer;
+  const text = error ? `${error.path} ${error.reason}`.trim() : message;
+  $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
+  fill($('shots'), shots, chosen, { look, choose });
+  look();
+}
+
+/** @param {number} [i] the shot that is looked at */
+function look(i = chosen) {
+  const shot = shots[i];
+  paint(layers.answer, table, scene, shots, shot);
+  board.place('cushion', closer.aimed ?? (shot?.path ? firstCushion(table, shot.path) : null));
+  $('title').textContent = heading(shot, scene.target);
+  for (const id of ['play', 'slow']) $(id).disabled = !shot?.path;
+  $('why').hidden = !shot;
+  const rows = shot ? words(shot, sight(table, scene.ball, shot.angle).words, units.length) : [];
+  $('words').replaceChildren(
+    ...rows.flatMap(([name, text]) => {
+      const [term, value] = [document.createElement('dt'), document.createElement('dd')];
+      term.textContent = name;
+      value.textContent = text;
+      return [term, value];
+    }),
+  );
+}
+
+function choose(i) {
+  chosen = i;
+  closer.forgetAim();
+  fill($('shots'), shots, chosen, { look, choose });
+  look();
+  closer.look();
+  start(1);
+}
+
+// ---- played ----
+
+/** The ball's dot on the board. */
+const gripOf = (ball) => (ball === 'cue' ? 'ball' : `other${Number(ball) - 1}`);
+
+async function start(pace, launch = shots[chosen]) {
+  if (!launch) return;
+  const followed = await follow(scene, launch, 'play');
+  if (!followed || followed.error) return;
+  const balls = Object.entries({ cue: followed.path, ...followed.paths }).map(([ball, path]) => ({
+    dot: board.grips.get(gripOf(ball)).dot,
+    path,
+    turns: turns(followed.events, ball),
+    radius: table.radius,
+  }));
+  document.body.dataset.playing = 'true';
+  const sounds = $('sound').checked ? hits(followed.events) : [];
+  if (!(await play(balls, pace, sounds, click))) return;
+  const last = ({ path }) => path[path.length - 1];
+  document.body.dataset.played = balls.map((ball) => last(ball).slice(1).join()).join(' ');
+  delete document.body.dataset.playing;
+  setTimeout(() => document.body.dataset.playing || board.placeAll(), 700);
+}
+
+// ---- what is pressed ----
+
+let untouched = null;
+const drawTip = tip($('tip'), ({ side, top }, done) => {
+  untouched ??= structuredClone(scene);
+  Object.assign(scene, { side, top });
+  if (done) state.remember(untouched);
+  if (done) untouched = null;
+  solve();
+});
+
+/** Keys whose change alters more than the question. */
+const shapes = ['table', 'target', 'physics', 'choose'];
+
 function listen() {
-  const keys = { preset: 'table', physics: 'physics', target: 'target', prefer: 'prefer' };
-  for (const [id, key] of Object.entries(keys))
-    $(id).addEventListener('change', (e) => change(() => (scene[key] = e.target.value)));
-  for (const id of ['least', 'most', 'top', 'side'])
-    slide($(id), (value) => (scene[id] = value));
-  $('add').addEventListener('click', () =>
-    change(() => scene.others.push(inside([table.length * Math.random(), table.width * Math.random()]))));
-  $('remove').addEventListener('click', () => change(() => scene.others.pop()));
-  $('undo').addEventListener('click', () => ((scene = state.undo(scene)), rebuild()));
-  $('redo').addEventListener('click', () => ((scene = state.redo(scene)), rebuild()));
-  $('play').addEventListener('click', () => start(1));
-  $('slow').addEventListener('click', () => start(0.25));
-  $('controls').addEventListener('submit', (e) => e.preventDefault());
+  const on = (id, event, f) => $(id).addEventListener(event, f);
+  const pressed = (id, f) => on(id, 'click', f);
+  controls.bind(
+    form,
+    () => scene,
+    state.remember,
+    (key) => (shapes.includes(key) ? rebuild() : solve()),
+  );
+  pressed('add', () => change(() => scene.others.push(free())));
+  pressed('remove', () => change(() => scene.others.pop()));
+  pressed('unordered', () => change(() => (scene.order = [])));
+  pressed('undo', () => ((scene = state.undo(scene)), rebuild()));
+  pressed('redo', () => ((scene = state.redo(scene)), rebuild()));
+  pressed('play', () => start(1));
+  pressed('slow', () => start(0.25));
+  pressed('json', () => save.json(state.puzzle(scene), shots));
+  pressed('svg', () => save.svg(svg));
+  pressed('png', () => save.png(svg));
+  closer.listen();
+  on('inches', 'change', () => (units.useInches($('inches').checked), look()));
+  for (const [name, address] of gallery) $('gallery').append(new Option(name, address));
+  on('gallery', 'change', () => $('gallery').value && change(() => (scene = state.read($('gallery').value))));
+  svg.addEventListener('dblclick', (event) => {
+    const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    if (event.target.classList.contains('cloth')) change(() => scene.others.push(inside(table, [p.x, -p.y])));
+  });
+  addEventListener('resize', () => board.placeAll());
   addEventListener('hashchange', () => ((scene = state.read()), rebuild()));
-  addEventListener('keydown', (e) => {
-    if (!(e.ctrlKey || e.metaKey) || e.key.toLowerCase() !== 'z') return;
-    e.preventDefault();
-    scene = e.shiftKey ? state.redo(scene) : state.undo(scene);
+  addEventListener('keydown', (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
+    event.preventDefault();
+    scene = event.shiftKey ? state.redo(scene) : state.undo(scene);
     rebuild();
   });
 }
 
+/** A place that no ball stands on. */
+function free() {
+  const clear = (at) =>
+    [scene.ball, ...scene.others].every(([x, y]) => Math.hypot(x - at[0], y - at[1]) > 2 * table.radius);
+  for (let k = 1; ; ++k) {
+    const at = inside(table, [table.length * ((0.618 * k) % 1), table.width * ((0.382 * k + 0.2) % 1)]);
+    if (clear(at)) return at;
+  }
+}
+
+document.body.classList.toggle('embed', new URLSearchParams(location.search).has('embed'));
+$('inches').checked = units.inches;
 tables = await ask('tables');
 listen();
 rebuild();

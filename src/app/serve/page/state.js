@@ -1,78 +1,183 @@
 // What is asked, as one plain object; its history, and the address that holds it.
 
 /**
- * @typedef {{table: string, physics: string, ball: [number, number], target: string, point: [number, number],
- *   others: [number, number][], least: number, most: number, prefer: string, top: number, side: number}} Scene
+ * @typedef {[number, number]} Point in metres
+ * @typedef {typeof first} Scene
  */
 
-/** @type {Scene} */
-const first = {
-  table: 'pool-9ft', physics: 'spin', ball: [0.635, 0.4], target: 'top-right', point: [1.9, 0.9], others: [],
-  least: 1, most: 2, prefer: 'robust', top: 0, side: 0,
+/** As at first. The kind of each value is that of its key for ever: addresses live longer than versions. */
+export const first = {
+  table: 'pool-9ft',
+  physics: 'spin',
+  cushion: 'han2005',
+  sliding: 0.2,
+  rolling: 0.01,
+  restitution: 0.85,
+  /** @type {Point} */
+  ball: [0.635, 0.4],
+  target: 'top-right',
+  /** @type {Point} */
+  point: [1.9, 0.9],
+  within: 0.01,
+  /** @type {Point[]} */
+  others: [],
+  /** @type {string[]} cushions in order; empty: from `least` to `most` of any */
+  order: [],
+  least: 1,
+  most: 2,
+  prefer: 'robust',
+  top: 0,
+  side: 0,
+  choose: false, // the planner chooses the spin
+  slowest: 0.1,
+  fastest: 10,
+  aiming: 0.125, // a player's standard errors: degrees, m/s
+  pacing: 0.075,
 };
+
+/** Another ball into a pocket, by up to the cushions that are asked. */
+export const anyBall = 'another ball';
 
 /** @type {Scene[]} */
 const past = [];
 /** @type {Scene[]} */
 const future = [];
 
-/** @returns {Scene} of the address, or the first one */
-export function read() {
-  try {
-    const text = decodeURIComponent(location.hash.slice(1));
-    return text ? { ...first, ...JSON.parse(text) } : { ...first };
-  } catch {
-    return { ...first };
-  }
+/** @param {Scene} scene */
+const copy = (scene) => structuredClone(scene);
+
+/** @param {string} text of `key`, @returns {any} undefined where it is none */
+function parse(key, text) {
+  const numbers = text === '' ? [] : text.split(',').map(Number);
+  const good = numbers.every(Number.isFinite);
+  if (key === 'order') return text === '' ? [] : text.split(',');
+  if (key === 'others') return good && numbers.length % 2 === 0 ? pairs(numbers) : undefined;
+  if (Array.isArray(first[key])) return good && numbers.length === 2 ? numbers : undefined;
+  if (typeof first[key] === 'number') return good && numbers.length === 1 ? numbers[0] : undefined;
+  return typeof first[key] === 'boolean' ? text === 'true' : text;
 }
 
-/** Only what is not as at first, so that addresses are short. @param {Scene} scene */
+function pairs(numbers) {
+  return Array.from({ length: numbers.length / 2 }, (_, i) => numbers.slice(2 * i, 2 * i + 2));
+}
+
+/** "ball=0.5,0.4&most=3": what it does not say is as at first, and what it says wrongly too. @returns {Scene} */
+export function read(text = location.hash.slice(1)) {
+  const scene = copy(first);
+  for (const [key, value] of new URLSearchParams(text)) {
+    if (!(key in first)) continue;
+    const parsed = parse(key, value);
+    if (parsed !== undefined) scene[key] = parsed;
+  }
+  return scene;
+}
+
+/** Only what is not as at first, so that it is short. @param {Scene} scene */
+export function address(scene) {
+  const said = Object.entries(scene).filter(([key, value]) => String(value) !== String(first[key]));
+  return said.map(([key, value]) => `${key}=${encodeURIComponent(String(value)).replaceAll('%2C', ',')}`).join('&');
+}
+
+/** @param {Scene} scene */
 export function write(scene) {
-  const said = Object.fromEntries(
-    Object.entries(scene).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(first[key])));
-  history.replaceState(null, '', Object.keys(said).length ? '#' + encodeURIComponent(JSON.stringify(said)) : '#');
+  history.replaceState(null, '', '#' + address(scene));
 }
 
 /** Before it changes. @param {Scene} scene */
 export function remember(scene) {
-  past.push(structuredClone(scene));
+  past.push(copy(scene));
   future.length = 0;
 }
 
-/** @param {Scene} scene @returns {Scene} the one before */
-export function undo(scene) {
-  const before = past.pop();
-  if (!before) return scene;
-  future.push(structuredClone(scene));
-  return before;
+function back(from, to, scene) {
+  const other = from.pop();
+  if (!other) return scene;
+  to.push(copy(scene));
+  return other;
 }
+
+/** @param {Scene} scene @returns {Scene} the one before */
+export const undo = (scene) => back(past, future, scene);
 
 /** @param {Scene} scene @returns {Scene} the one that was undone */
-export function redo(scene) {
-  const after = future.pop();
-  if (!after) return scene;
-  past.push(structuredClone(scene));
-  return after;
+export const redo = (scene) => back(future, past, scene);
+
+/** @param {Scene} scene */
+function physics(scene) {
+  if (scene.physics === 'ideal') return 'ideal';
+  if (scene.physics === 'rolling')
+    return {
+      model: 'rolling',
+      friction: scene.rolling,
+      restitution: scene.restitution,
+    };
+  return {
+    model: 'spin',
+    sliding_friction: scene.sliding,
+    rolling_friction: scene.rolling,
+    cushion:
+      scene.cushion === 'mirror' ? { model: 'mirror' } : { model: scene.cushion, restitution: scene.restitution },
+  };
 }
 
-/** Another ball into a pocket, by up to the cushions that are asked. */
-export const anyBall = 'another ball';
-
+/** @param {Scene} scene */
 function target(scene) {
-  if (scene.target === anyBall) return { ball: 'any', then: { pocket: 'any', cushions: { max: scene.most } } };
-  return scene.target === 'point' ? { point: scene.point } : { pocket: scene.target };
+  if (scene.target === anyBall)
+    return {
+      ball: 'any',
+      then: { pocket: 'any', cushions: { max: scene.most } },
+    };
+  return scene.target === 'point' ? { point: scene.point, within: scene.within } : { pocket: scene.target };
+}
+
+/** @param {Scene} scene */
+function cushions(scene) {
+  if (scene.target === anyBall) return 0;
+  if (scene.order.length) return scene.order;
+  return {
+    min: Math.min(scene.least, scene.most),
+    max: Math.max(scene.least, scene.most),
+  };
+}
+
+/** @param {Scene} scene */
+function spin(scene) {
+  if (scene.choose) return { top: [-1, 1], side: [-0.8, 0.8] };
+  return { top: scene.top, side: scene.side };
 }
 
 /** As the engine reads it. @param {Scene} scene */
 export function puzzle(scene) {
   return {
-    table: scene.table,
-    physics: scene.physics,
-    ball: { at: scene.ball, ...(scene.physics === 'spin' ? { spin: { top: scene.top, side: scene.side } } : {}) },
-    ...(scene.others.length ? { others: scene.others.map((at, i) => ({ id: String(i + 1), at })) } : {}),
+    ...place(scene),
     target: target(scene),
-    cushions:
-      scene.target === anyBall ? 0 : { min: Math.min(scene.least, scene.most), max: Math.max(scene.least, scene.most) },
+    cushions: cushions(scene),
+    speed: [Math.min(scene.slowest, scene.fastest), Math.max(scene.slowest, scene.fastest)],
     prefer: scene.prefer,
+    noise: { angle: scene.aiming, speed: scene.pacing },
+  };
+}
+
+/** The table and what stands on it. @param {Scene} scene */
+function place(scene) {
+  return {
+    table: scene.table,
+    physics: physics(scene),
+    ball: {
+      at: scene.ball,
+      ...(scene.physics === 'spin' ? { spin: spin(scene) } : {}),
+    },
+    ...(scene.others.length ? { others: scene.others.map((at, i) => ({ id: String(i + 1), at })) } : {}),
+  };
+}
+
+/** @param {Scene} scene @param {{speed: number, angle: number, spin?: object}} launch */
+export function shot(scene, { speed, angle, spin }) {
+  const { ball, ...rest } = place(scene);
+  const struck = scene.physics === 'spin' && spin ? { spin } : {};
+  return {
+    ...rest,
+    ball: { at: ball.at },
+    shot: { speed, angle: ((angle % 360) + 360) % 360, ...struck },
   };
 }

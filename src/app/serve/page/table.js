@@ -1,12 +1,15 @@
 // Draws a table to scale. One unit is a metre, y upwards.
 
 const space = 'http://www.w3.org/2000/svg';
-const rail = 0.13, nose = 0.045, diamondInset = 0.094;
+const wood = 0.13;
+const nose = 0.045;
+export const diamondInset = 0.094;
 
 /**
  * @param {string} name
  * @param {Record<string, string | number>} attributes
  * @param {Element} [parent]
+ * @returns {any} an SVG element
  */
 export function shape(name, attributes, parent) {
   const element = document.createElementNS(space, name);
@@ -20,35 +23,98 @@ export function shape(name, attributes, parent) {
  *   pockets: {name: string, at: [number, number], half: number}[]}} Table
  */
 
-/** Empties the picture and draws the table. @param {SVGSVGElement} svg @param {Table} table @returns a group for what moves */
-export function draw(svg, table) {
+/** Along the nose of each cushion, as wide as the wood. @param {Table} table */
+function rails({ length, width }) {
+  return {
+    bottom: [0, -wood, length, wood],
+    right: [length, 0, wood, width],
+    top: [0, width, length, wood],
+    left: [-wood, 0, wood, width],
+  };
+}
+
+/**
+ * Empties the picture and draws the table.
+ * @param {SVGSVGElement} svg
+ * @param {Table} table
+ * @param {(cushion: string) => void} clicked
+ * @returns groups for what lies under paths, for paths, and for what may be dragged; from below
+ */
+export function draw(svg, table, clicked) {
   const { length, width } = table;
   svg.replaceChildren();
-  svg.setAttribute('viewBox', `${-rail} ${-width - rail} ${length + 2 * rail} ${width + 2 * rail}`);
+  svg.setAttribute('viewBox', `${-wood} ${-width - wood} ${length + 2 * wood} ${width + 2 * wood}`);
   const all = shape('g', { transform: 'scale(1 -1)' }, svg);
-  shape('rect', { class: 'rail', x: -rail, y: -rail, width: length + 2 * rail, height: width + 2 * rail, rx: 0.06 }, all);
-  shape('rect', { class: 'nose', x: -nose, y: -nose, width: length + 2 * nose, height: width + 2 * nose }, all);
-  shape('rect', { class: 'cloth', x: 0, y: 0, width: length, height: width }, all);
+  const box = (by) => ({
+    x: -by,
+    y: -by,
+    width: length + 2 * by,
+    height: width + 2 * by,
+  });
+  shape('rect', { class: 'rail', ...box(wood), rx: 0.06 }, all);
+  shape('rect', { class: 'nose', ...box(nose) }, all);
+  shape('rect', { class: 'cloth', ...box(0) }, all);
+  diamonds(all, table, table.pockets.length > 0);
+  for (const [name, [x, y, w, h]] of Object.entries(rails(table))) {
+    const label = `${name} cushion: add it to the order`;
+    const attributes = {
+      class: 'click',
+      x,
+      y,
+      width: w,
+      height: h,
+      tabindex: 0,
+      role: 'button',
+      'aria-label': label,
+    };
+    const rail = shape('rect', { ...attributes, 'data-cushion': name, 'stroke-width': 0.01 }, all);
+    rail.addEventListener('click', () => clicked(name));
+    rail.addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => {
+      if (event.key !== 'Enter' && event.key !== ' ') return;
+      event.preventDefault();
+      clicked(name);
+    });
+  }
   for (const pocket of table.pockets)
     shape('circle', { class: 'pocket', cx: pocket.at[0], cy: pocket.at[1], r: pocket.half }, all);
-  for (let i = 1; i < 8; ++i)
-    for (const y of [-diamondInset, width + diamondInset]) diamond(all, (i * length) / 8, y);
-  for (let i = 1; i < 4; ++i)
-    for (const x of [-diamondInset, length + diamondInset]) diamond(all, x, (i * width) / 4);
-  return shape('g', {}, all);
+  return {
+    under: shape('g', {}, all),
+    paths: shape('g', {}, all),
+    grips: shape('g', {}, all),
+  };
 }
 
-function diamond(parent, x, y) {
+/** None at a middle pocket. @param {Element} parent @param {Table} table */
+function diamonds(parent, { length, width }, pockets) {
   const d = 0.012;
-  shape('path', { class: 'diamond', d: `M${x - d} ${y}L${x} ${y + d}L${x + d} ${y}L${x} ${y - d}Z` }, parent);
+  const at = (x, y) =>
+    shape(
+      'path',
+      {
+        class: 'diamond',
+        d: `M${x - d} ${y}L${x} ${y + d}L${x + d} ${y}L${x} ${y - d}Z`,
+      },
+      parent,
+    );
+  const eighths = [1, 2, 3, 4, 5, 6, 7].filter((i) => i !== 4 || !pockets);
+  for (const i of eighths) for (const y of [-diamondInset, width + diamondInset]) at((i * length) / 8, y);
+  for (let i = 1; i < 4; ++i) for (const x of [-diamondInset, length + diamondInset]) at(x, (i * width) / 4);
 }
 
-/** Where the line of aim crosses the line of diamonds. @returns {{at: [number, number], words: string}} */
+/**
+ * Where the line of aim crosses the line of diamonds.
+ * @param {Table} table @param {[number, number]} from @param {number} degrees
+ * @returns {{at: [number, number], words: string}}
+ */
 export function sight(table, from, degrees) {
-  const a = (degrees * Math.PI) / 180, ux = Math.cos(a), uy = Math.sin(a);
-  const tx = ux > 0 ? (table.length + diamondInset - from[0]) / ux : ux < 0 ? (-diamondInset - from[0]) / ux : Infinity;
-  const ty = uy > 0 ? (table.width + diamondInset - from[1]) / uy : uy < 0 ? (-diamondInset - from[1]) / uy : Infinity;
-  const t = Math.min(tx, ty), at = [from[0] + t * ux, from[1] + t * uy];
+  const a = (degrees * Math.PI) / 180;
+  const [ux, uy] = [Math.cos(a), Math.sin(a)];
+  const until = (p, u, end) => (u > 0 ? (end + diamondInset - p) / u : u < 0 ? (-diamondInset - p) / u : Infinity);
+  const tx = until(from[0], ux, table.length);
+  const ty = until(from[1], uy, table.width);
+  const t = Math.min(tx, ty);
+  /** @type {[number, number]} */
+  const at = [from[0] + t * ux, from[1] + t * uy];
   const long = ty <= tx;
   const count = (long ? (at[0] / table.length) * 8 : (at[1] / table.width) * 4).toFixed(2);
   const side = long ? (uy > 0 ? 'top' : 'bottom') : ux > 0 ? 'right' : 'left';

@@ -1,0 +1,143 @@
+// What stands on the table and is moved by hand.
+import { draggable } from './drag.js';
+import { shape } from './table.js';
+
+/**
+ * @typedef {[number, number]} Point
+ * @typedef {{
+ *   scene: () => import('./state.js').Scene,
+ *   moved: (before: import('./state.js').Scene | null) => void,
+ *   says: (name: string, at: Point) => void,
+ *   removed: (ball: number) => void,
+ *   snaps: () => boolean,
+ *   aim: {where: () => Point | null, move: (at: Point) => void},
+ * }} Hands what a hand does: `moved` is told the scene before, once it is done
+ */
+
+const reach = 11; // pixels: a grip's radius is no smaller
+
+/** On the table, a ball's radius from each cushion. @param {import('./table.js').Table} table @returns {Point} */
+export function inside(table, [x, y], snap = false) {
+  const r = table.radius;
+  const to = (v, step) => (snap ? Math.round(v / step) * step : v);
+  const clamp = (v, most) => Math.round(Math.min(Math.max(v, r), most - r) * 1e4) / 1e4;
+  return [clamp(to(x, table.length / 16), table.length), clamp(to(y, table.width / 8), table.width)];
+}
+
+/** Which pocket is meant. @param {import('./table.js').Table} table @param {Point} at */
+function pocketNear(table, [x, y]) {
+  return table.pockets.find(({ at, half }) => Math.hypot(x - at[0], y - at[1]) < 1.6 * half);
+}
+
+export class Board {
+  /**
+   * @param {SVGSVGElement} svg
+   * @param {SVGGElement} layer
+   * @param {import('./table.js').Table} table
+   * @param {Hands} hands
+   */
+  constructor(svg, layer, table, hands) {
+    this.svg = svg;
+    this.layer = layer;
+    this.table = table;
+    this.hands = hands;
+    /** @type {Map<string, {dot: SVGElement, grip: SVGElement, where: () => Point | null, digit: any}>} */
+    this.grips = new Map();
+    const { target, others } = hands.scene();
+    if (target === 'point' || table.pockets.some(({ name }) => name === target)) this.target();
+    others.forEach((_, i) => this.other(i));
+    const put = (at) => (hands.scene().ball = inside(table, at, hands.snaps()));
+    this.movable('ball', 'Cue ball', 'ball', table.radius, () => hands.scene().ball, put);
+    const { where, move } = hands.aim;
+    this.movable('cushion', 'First cushion point: the aim', 'cushion-point', 0.016, where, move, true);
+  }
+
+  /** In metres, as the picture stands. */
+  reach() {
+    const { width } = this.svg.viewBox.baseVal;
+    return (reach * width) / this.svg.getBoundingClientRect().width;
+  }
+
+  target() {
+    const { table, hands } = this;
+    const pocket = () => table.pockets.find(({ name }) => name === hands.scene().target);
+    const put = (at) => {
+      const into = pocketNear(table, at);
+      if (into) hands.scene().target = into.name;
+      else
+        Object.assign(hands.scene(), {
+          target: 'point',
+          point: inside(table, at, hands.snaps()),
+        });
+    };
+    const where = () => pocket()?.at ?? hands.scene().point;
+    const radius = pocket() ? pocket().half * 1.15 : table.radius;
+    this.movable('target', 'Target: a place, or a pocket', 'target', radius, where, put);
+  }
+
+  other(i) {
+    const { table, hands } = this;
+    const put = (at) => (hands.scene().others[i] = inside(table, at, hands.snaps()));
+    const grip = this.movable(`other${i}`, `Ball ${i + 1}`, 'other', table.radius, () => hands.scene().others[i], put);
+    grip.addEventListener('keydown', ({ key }) => {
+      if (key === 'Delete' || key === 'Backspace') hands.removed(i);
+    });
+  }
+
+  /** A dot, and a grip that is wider than it. */
+  movable(name, label, kind, radius, where, put, aims = false) {
+    const { hands } = this;
+    const dot = shape(
+      'circle',
+      {
+        class: kind,
+        r: radius,
+        'stroke-width': kind === 'target' ? 0.012 : 0.004,
+      },
+      this.layer,
+    );
+    const attributes = {
+      tabindex: 0,
+      role: 'button',
+      'aria-label': label,
+      'data-grip': name,
+      'stroke-width': 0.01,
+    };
+    const grip = shape('circle', { class: 'grip', r: Math.max(radius, this.reach()), ...attributes }, this.layer);
+    const digit = /^Ball/.test(label) && shape('text', { class: 'digit', 'font-size': 1.2 * radius }, this.layer);
+    if (digit) digit.textContent = label.slice(5);
+    this.grips.set(name, { dot, grip, where, digit });
+    this.place(name);
+    let before = null;
+    draggable(grip, this.svg, where, (at, done) => {
+      before ??= structuredClone(hands.scene());
+      put(at);
+      this.place(name);
+      hands.says(label, where());
+      if (!aims) hands.moved(done ? before : null);
+      if (done) before = null;
+    });
+    for (const event of ['pointerenter', 'focus'])
+      grip.addEventListener(event, () => where() && hands.says(label, where()));
+    return grip;
+  }
+
+  /** Where it is now, or, without a place, not shown. @param {string} name @param {Point | null} [at] */
+  place(name, at = this.grips.get(name)?.where()) {
+    if (!this.grips.has(name)) return;
+    const { dot, grip, digit } = this.grips.get(name);
+    if (digit) digit.setAttribute('transform', `translate(${at}) scale(1 -1)`);
+    for (const element of [dot, grip]) {
+      element.toggleAttribute('hidden', !at);
+      if (at) element.setAttribute('cx', String(at[0]));
+      if (at) element.setAttribute('cy', String(at[1]));
+    }
+  }
+
+  placeAll() {
+    for (const [name, { dot, grip }] of this.grips) {
+      grip.setAttribute('r', String(Math.max(Number(dot.getAttribute('r')), this.reach())));
+      this.place(name);
+    }
+  }
+}

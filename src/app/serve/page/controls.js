@@ -1,0 +1,57 @@
+// The form: each control has the name of the key of the scene that it holds.
+
+/** @param {string} id @returns {any} */
+export const $ = (id) => document.getElementById(id);
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {() => any} scene
+ * @param {(before: any) => void} remember called once for each change, or each slide
+ * @param {(key: string) => void} changed while it slides, too
+ */
+export function bind(form, scene, remember, changed) {
+  let before = null;
+  form.addEventListener('submit', (event) => event.preventDefault());
+  form.addEventListener('input', ({ target }) => {
+    const control = /** @type {HTMLInputElement} */ (target);
+    const now = scene();
+    if (!(control.name in now)) return;
+    before ??= structuredClone(now);
+    const value = read(control, now[control.name]);
+    if (Number.isNaN(value)) return;
+    now[control.name] = value;
+    say(control);
+    changed(control.name);
+  });
+  form.addEventListener('change', () => {
+    if (before) remember(before);
+    before = null;
+  });
+}
+
+/** @param {HTMLInputElement} control */
+function read(control, was) {
+  if (control.type === 'checkbox') return control.checked;
+  return typeof was === 'number' ? control.valueAsNumber || Number(control.value || NaN) : control.value;
+}
+
+/** What a slider stands at. @param {HTMLInputElement} control */
+function say(control) {
+  const output = control.type === 'range' && control.parentElement.querySelector('output');
+  if (output) output.textContent = control.value;
+}
+
+/** @param {HTMLFormElement} form @param {any} scene */
+export function show(form, scene) {
+  for (const control of /** @type {Iterable<HTMLInputElement>} */ (/** @type {unknown} */ (form.elements))) {
+    if (!(control.name in scene)) continue;
+    if (control.type === 'checkbox') control.checked = scene[control.name];
+    else control.value = String(scene[control.name]);
+    say(control);
+  }
+}
+
+/** @param {HTMLSelectElement} select @param {string[]} names @param {string} value */
+export function options(select, names, value) {
+  select.replaceChildren(...names.map((name) => new Option(name, name, false, name === value)));
+}

@@ -1,0 +1,54 @@
+// Where a launch really leads: simulated, as a path for each ball.
+import { ask } from './engine.js';
+import * as state from './state.js';
+
+/**
+ * @param {state.Scene} scene
+ * @param {{speed: number, angle: number, spin?: object}} launch
+ * @param {string} kind of question
+ * @returns {Promise<any>} null where a newer one took its place
+ */
+export async function follow(scene, launch, kind) {
+  const shot = state.shot(scene, launch);
+  const [told, table] = await Promise.all([ask('simulate', shot, kind), ask('simulate?csv', shot, kind + '-path')]);
+  if (!told || !table) return null;
+  if (told.error) return told;
+  const paths = {};
+  for (const line of table.trim().split('\n').slice(1)) {
+    const [t, ball, x, y] = line.split(',');
+    (paths[ball] ??= []).push([Number(t), Number(x), Number(y)]);
+  }
+  for (const [ball, path] of Object.entries(paths)) if (ball !== 'cue' && still(path)) delete paths[ball];
+  return { events: told.events, end: told.end, path: paths.cue, paths };
+}
+
+function still(path) {
+  return path.every(([, x, y]) => x === path[0][1] && y === path[0][2]);
+}
+
+/** Velocity and spin of a ball between its events, for `play`. */
+export function turns(events, ball) {
+  const own = [];
+  for (const event of events)
+    for (const one of [event, event.other ? { ...event.other, time: event.time } : null])
+      if (one?.ball === ball && one.spin) own.push({ ...one, type: event.type });
+  return own;
+}
+
+/** What may be heard. */
+export function hits(events) {
+  return events.filter(({ type }) => ['cushion', 'jaw', 'ball', 'pocket'].includes(type));
+}
+
+/** How it ended, in words. @param {state.Scene} scene */
+export function outcome(scene, followed) {
+  const own = followed.events.filter(({ ball }) => ball === 'cue');
+  const bounces = own.filter(({ type }) => type === 'cushion').length;
+  const after = bounces === 1 ? 'after one cushion' : `after ${bounces || 'no'} cushions`;
+  const fell = own.find(({ type }) => type === 'pocket');
+  if (fell) return `falls into ${fell.pocket} ${after}`;
+  if (scene.target !== 'point') return `comes to rest ${after}`;
+  const [, x, y] = followed.path[followed.path.length - 1];
+  const miss = Math.hypot(x - scene.point[0], y - scene.point[1]);
+  return `rests ${(100 * miss).toFixed(1)} cm from the target ${after}`;
+}

@@ -1,0 +1,63 @@
+// Draws the answer on the table: paths, the line of aim, how far it may be off, and what others would do.
+import { shape, sight } from './table.js';
+
+const points = (path) => path.map((p) => p.slice(-2).join()).join(' ');
+
+/** @param {Element} layer @param {any[]} path of [time, x, y] or [x, y] */
+function line(layer, path, kind, width) {
+  return shape('polyline', { class: 'path ' + kind, points: points(path), 'stroke-width': width }, layer);
+}
+
+/** How far the aim may be off, as far as the first rail. */
+function fan(layer, table, from, shot) {
+  const sides = shot.margin?.angle;
+  if (!sides || sides.some((v) => v === null)) return;
+  const ends = sides.map((v) => sight(table, from, shot.angle + v).at);
+  const middle = sight(table, from, shot.angle).at;
+  const corners = [from, ends[0], middle, ends[1]].map((p) => p.join()).join(' ');
+  shape('polygon', { class: 'fan', points: corners }, layer);
+}
+
+/**
+ * @param {Element} layer emptied first
+ * @param {import('./table.js').Table} table
+ * @param {import('./state.js').Scene} scene
+ * @param {any[]} shots
+ * @param {any} shot the one that is looked at
+ */
+export function paint(layer, table, scene, shots, shot) {
+  layer.replaceChildren();
+  const rest = shots.filter((other) => other !== shot && other.path);
+  const faint = shape('g', { opacity: Math.min(1, 3 / Math.sqrt(1 + rest.length)) }, layer);
+  for (const other of rest) line(faint, other.path, '', 0.004);
+  if (!shot?.path) return;
+  fan(layer, table, scene.ball, shot);
+  const [x1, y1] = scene.ball;
+  const [x2, y2] = sight(table, scene.ball, shot.angle).at;
+  shape('line', { class: 'aim', x1, y1, x2, y2, 'stroke-width': 0.005 }, layer);
+  line(layer, shot.path, 'best', 0.011);
+  for (const path of Object.values(shot.paths ?? {})) line(layer, path, 'sent', 0.008);
+  const [, cx, cy] = shot.path[shot.path.length - 1];
+  shape('circle', { class: 'ghost', cx, cy, r: table.radius, 'stroke-width': 0.004 }, layer);
+}
+
+/**
+ * What was promised, and where it really leads.
+ * @param {Element} layer @param {any[]} promised may be empty @param {any} followed @param {string} kind
+ */
+export function lead(layer, promised, followed, kind) {
+  if (promised.length) line(layer, promised, kind + ' promised', 0.005);
+  line(layer, followed.path, kind, 0.007);
+  const [, cx, cy] = followed.path[followed.path.length - 1];
+  shape('circle', { class: 'ghost ' + kind, cx, cy, r: 0.02, 'stroke-width': 0.004 }, layer);
+}
+
+/** Where the ball first meets a cushion. @param {import('./table.js').Table} table @returns {[number, number] | null} */
+export function firstCushion(table, path) {
+  const r = table.radius;
+  const near = (v, wall) => Math.abs(v - wall) < 1e-6;
+  const met = path
+    .slice(1)
+    .find(([, x, y]) => near(x, r) || near(x, table.length - r) || near(y, r) || near(y, table.width - r));
+  return met ? [met[1], met[2]] : null;
+}

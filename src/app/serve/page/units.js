@@ -1,0 +1,22 @@
+// Places and lengths in words: millimetres or inches, and diamonds.
+
+export let inches = localStorage.getItem('unit') === 'inches';
+
+/** @param {boolean} on */
+export function useInches(on) {
+  inches = on;
+  localStorage.setItem('unit', on ? 'inches' : 'metres');
+}
+
+/** @param {number} metres */
+export function length(metres) {
+  if (inches) return (metres / 0.0254).toFixed(2) + ' in';
+  return Math.abs(metres) < 1 ? (metres * 1000).toFixed(1) + ' mm' : metres.toFixed(3) + ' m';
+}
+
+/** @param {[number, number]} at @param {{length: number, width: number}} table */
+export function place([x, y], table) {
+  const across = ((x / table.length) * 8).toFixed(2);
+  const up = ((y / table.width) * 4).toFixed(2);
+  return `${length(x)}, ${length(y)} · ${across} of 8 diamonds, ${up} of 4`;
+}

@@ -1,0 +1,93 @@
+// What the tests look at: the page as the server gives it, and as one file from a disk, in Debian's Chromium.
+import { spawn } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+export const program = process.env.BANKSHOT ?? `${root}build/release/bankshot`;
+export const file = process.env.BANKSHOT_PAGE ?? `${root}build/wasm/bankshot.html`;
+
+const quiet = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+
+/** `bankshot serve` at a port of its own. @returns {Promise<{url: string, end: () => void}>} */
+export function serve() {
+  const server = spawn(program, ['serve', '--port', '0'], { stdio: ['ignore', 'pipe', 'pipe'] });
+  const end = () => server.kill('SIGTERM');
+  return new Promise((done, fail) => {
+    let said = '';
+    const listen = (text) => {
+      said += text;
+      const url = /http:\/\/\S+\//.exec(said)?.[0];
+      if (url) done({ url, end });
+    };
+    server.stdout.on('data', listen);
+    server.stderr.on('data', listen);
+    server.on('error', fail);
+    server.on('exit', () => fail(new Error(said)));
+  });
+}
+
+/** Both ways to the page. @returns {Promise<{name: string, url: string}[]>} */
+export async function ways(server) {
+  const all = [{ name: 'the server', url: server.url }];
+  if (existsSync(file)) all.push({ name: 'the file', url: `file://${file}` });
+  else if (process.env.BANKSHOT_BROWSER) throw new Error(`${file} is not there: bash examples/page.sh`);
+  else console.error(`SKIPPED: ${file} is not there (bash examples/page.sh)`);
+  return all;
+}
+
+export async function launch() {
+  return chromium.launch({ executablePath: '/usr/bin/chromium', args: quiet });
+}
+
+/**
+ * A page that has answered; whatever it complains of is kept.
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} url
+ * @param {object} [options] of the page
+ */
+export async function open(browser, url, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1300, height: 1000 }, ...options });
+  const complaints = [];
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()));
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('requestfailed', (request) => {
+    if (!/ERR_ABORTED/.test(request.failure()?.errorText ?? '')) complaints.push(request.url());
+  });
+  await page.goto(url);
+  await answered(page);
+  return { page, complaints };
+}
+
+/** Waits until the shots of what the address says are all there. */
+export async function answered(page) {
+  await page.waitForFunction(() => document.body.dataset.answered === location.hash.slice(1), null, { timeout: 20000 });
+}
+
+/** The middle of a thing on the table, in pixels. */
+export async function middle(page, selector) {
+  const box = await page.locator(selector).boundingBox();
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+/** Drags a grip by so many metres, in steps as a hand does. */
+export async function drag(page, grip, right, up, steps = 12) {
+  const { x, y } = await middle(page, `[data-grip="${grip}"].grip`);
+  const metre = await page.evaluate(() => {
+    const table = /** @type {SVGSVGElement} */ (document.querySelector('#table'));
+    return table.getBoundingClientRect().width / table.viewBox.baseVal.width;
+  });
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + right * metre, y - up * metre, { steps });
+  await page.mouse.up();
+}
