@@ -103,6 +103,13 @@ TEST_CASE("an answer is the bytes of solve --json with the same flags") {
   }
 }
 
+TEST_CASE("an answer is not packed, which takes longer than the search") {
+  const Running server;
+  const auto reply = server.post("/api/solve?no-timing&all&path", easy, {{"Accept-Encoding", "gzip, deflate, br"}});
+  CHECK(reply->get_header_value("Content-Encoding").empty());
+  CHECK(reply->body == test::run_program("solve --json --no-timing --all --path", easy).out);
+}
+
 TEST_CASE("a body is what it is, whatever it is called") {
   const Running server;
   const std::string padded = easy + std::string(20000, ' ');

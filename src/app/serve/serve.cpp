@@ -64,7 +64,8 @@ Run add(CLI::App& app) {
   command->add_flag("--open", a->open, "Open the page in a browser");
   explain(
       *command,
-      "POST a puzzle to /api/solve, a shot to /api/simulate, a puzzle to /api/map?grid=40,20; GET /api/tables and\n"
+      "POST a puzzle to /api/solve, a shot to /api/simulate, a puzzle to /api/map?grid=40,20 (from where can it be\n"
+      "made?) or /api/launches?angle=30,40&speed=2,4 (by which launches?); GET /api/tables and\n"
       "/api/schema?document=puzzle. Flags are query parameters of the same names (?all&path&budget=500), and the\n"
       "answer to /api/solve is the bytes of `bankshot solve --json` with the same flags. What is wrong with a\n"
       "request is answered with 400 and {\"path\", \"reason\"}; a search that takes longer than the limit ends with\n"
