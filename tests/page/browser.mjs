@@ -68,9 +68,11 @@ export async function open(browser, url, options = {}) {
   return { page, complaints };
 }
 
-/** Waits until the shots of what the address says are all there. */
+/** Waits until all shots of what was asked last are there. */
 export async function answered(page) {
-  await page.waitForFunction(() => document.body.dataset.answered === location.hash.slice(1), null, { timeout: 20000 });
+  const done = () =>
+    document.body.dataset.answered !== undefined && document.body.dataset.answered === document.body.dataset.asked;
+  await page.waitForFunction(done, null, { timeout: 20000 });
 }
 
 /** The middle of a thing on the table, in pixels. */

@@ -8,7 +8,7 @@ const scene = 'ball=0.62,0.5&target=another ball&most=2&others=1.72,0.42,2.1,0.9
 const looks = [
   ['page-light', { viewport: { width: 1280, height: 880 }, colorScheme: 'light' }],
   ['page-dark', { viewport: { width: 1280, height: 880 }, colorScheme: 'dark' }],
-  ['page-phone', { viewport: { width: 390, height: 800 }, colorScheme: 'light', deviceScaleFactor: 2, isMobile: true }],
+  ['page-phone', { viewport: { width: 390, height: 800 }, colorScheme: 'light', isMobile: true }],
 ];
 for (const [name, options] of looks) {
   const { page } = await open(browser, `${server.url}#${name === 'page-dark' ? 'least=1&most=3' : scene}`, options);

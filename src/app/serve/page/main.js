@@ -7,7 +7,7 @@ import { $ } from './controls.js';
 import { ask } from './engine.js';
 import { follow, hits, turns } from './follow.js';
 import { gallery } from './gallery.js';
-import { firstCushion, paint } from './paint.js';
+import { firstCushion, lead, note, paint } from './paint.js';
 import { play, stop } from './play.js';
 import * as save from './save.js';
 import { click } from './sound.js';
@@ -64,6 +64,7 @@ function targets() {
 /** Everything anew, after what is not a movement. */
 function rebuild() {
   stop();
+  const { grip, cushion } = svg.querySelector(':focus')?.dataset ?? {};
   table = tables.find(({ name }) => name === scene.table) ?? tables[0];
   scene.table = table.name;
   if (!targets().includes(scene.target)) scene.target = targets()[0];
@@ -77,6 +78,7 @@ function rebuild() {
   layers.own = shape('g', {}, layers.paths);
   shots = [];
   board = new Board(svg, layers.grips, table, hands);
+  svg.querySelector(grip ? `[data-grip="${grip}"]` : `[data-cushion="${cushion}"]`)?.focus(); // as before
   show();
   solve();
 }
@@ -108,7 +110,7 @@ function change(f) {
 // ---- the answer ----
 
 async function solve() {
-  state.write(scene);
+  document.body.dataset.asked = state.address(scene); // for whoever waits until it is answered
   closer.clear();
   const puzzle = state.puzzle(scene);
   const slow = setTimeout(() => ($('busy').hidden = false), 300);
@@ -119,7 +121,8 @@ async function solve() {
   if (!all) return;
   $('busy').hidden = true;
   answered(all, '');
-  document.body.dataset.answered = state.address(scene); // for whoever waits for it
+  state.write(scene); // not while it is dragged: browsers allow some hundred a minute
+  document.body.dataset.answered = document.body.dataset.asked;
   closer.look();
 }
 
@@ -131,6 +134,18 @@ function answered(answer, more) {
   $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
   fill($('shots'), shots, chosen, { look, choose });
   look();
+  if (!shots.length && !more) lacks(answer);
+}
+
+/** Why there is none, and what came nearest. */
+async function lacks({ message = '', nearest, error }) {
+  const asked = document.body.dataset.asked;
+  const followed = nearest && (await follow(scene, nearest, 'nearest'));
+  if (asked !== document.body.dataset.asked) return;
+  if (followed?.path) lead(layers.answer, [], followed, 'nearest');
+  const why = (error ? error.reason : message).split('; ').pop();
+  note(layers.answer, table, why[0].toUpperCase() + why.slice(1));
+  if (nearest) $('other').textContent = `The nearest ${nearest.why}: ${units.length(nearest.miss)} off.`;
 }
 
 /** @param {number} [i] the shot that is looked at */

@@ -41,6 +41,28 @@ export function paint(layer, table, scene, shots, shot) {
   shape('circle', { class: 'ghost', cx, cy, r: table.radius, 'stroke-width': 0.004 }, layer);
 }
 
+const longest = 46; // letters of a line
+
+/** Words in the middle of the table. @param {Element} layer @param {import('./table.js').Table} table @param {string} words */
+export function note(layer, table, words) {
+  const lines = [''];
+  for (const word of words.split(' ')) {
+    const last = lines[lines.length - 1];
+    if ((last + word).length > longest) lines.push(word);
+    else lines[lines.length - 1] = `${last} ${word}`.trim();
+  }
+  const size = table.length / 40;
+  const [x, y] = [table.length / 2, table.width / 2 + (1.3 * size * (lines.length - 1)) / 2];
+  const text = shape(
+    'text',
+    { class: 'note', 'font-size': size, transform: `translate(${x} ${y}) scale(1 -1)` },
+    layer,
+  );
+  lines.forEach((line, i) => {
+    shape('tspan', { x: 0, y: 1.3 * size * i }, text).textContent = line;
+  });
+}
+
 /**
  * What was promised, and where it really leads.
  * @param {Element} layer @param {any[]} promised may be empty @param {any} followed @param {string} kind
