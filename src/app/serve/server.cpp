@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 
 #include "app/files.hpp"
@@ -147,7 +148,11 @@ struct Server::Parts {
     http.Post(path, [this, answer](const httplib::Request& request, httplib::Response& response,
                                    const httplib::ContentReader& read) {
       std::string body;
-      const auto more = [&](const char* bytes, std::size_t n) { return body.append(bytes, n), true; };
+      const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(desk.seconds());
+      const auto more = [&](const char* bytes, std::size_t n) {
+        body.append(bytes, n);
+        return std::chrono::steady_clock::now() < until;  // a byte at a time holds nobody's place for ever
+      };
       if (!read(more)) return;  // it says what was wrong
       const auto mine = desk.begin(request.get_header_value(page_header));
       if (!mine) return put(response, refusal(503, "", "the server is busy; come back in a second"));
