@@ -10,6 +10,7 @@
 #include "bankshot/contact/han2005.hpp"
 #include "bankshot/contact/mathavan2010.hpp"
 #include "bankshot/contact/mirror.hpp"
+#include "bankshot/contact/stronge.hpp"
 #include "bankshot/motion/ideal.hpp"
 #include "bankshot/motion/rolling.hpp"
 #include "bankshot/motion/slide_roll.hpp"
@@ -25,7 +26,7 @@ inline constexpr Body body{ball_radius};
 struct Dragging : SlideRoll {};
 
 using Motions = std::tuple<Ideal, Rolling, SlideRoll, Dragging>;
-using Cushions = std::tuple<Mirror, Han2005, Mathavan2010, CustomCushion>;
+using Cushions = std::tuple<Mirror, Han2005, Mathavan2010, Stronge, CustomCushion>;
 
 /// Of |v| + R|ω|: what the integration of an impact may be off by (mathavan2010_digits_test.cpp); 0 for a formula.
 template <class Cushion>
@@ -73,6 +74,14 @@ inline Mathavan2010 draw<Mathavan2010>(Random& r) {
           .restitution = Restitution{r.uniform(0, 1)},
           .friction = r.uniform(0, 0.4),
           .sliding_friction = r.uniform(0.05, 0.4)};
+}
+
+template <>
+inline Stronge draw<Stronge>(Random& r) {
+  return {.height = ball_radius * r.uniform(1.01, 1.7),
+          .restitution = Restitution{r.uniform(0, 1)},
+          .friction = r.uniform(0, 0.5),
+          .frequency_ratio = r.uniform(1.02, 1.98)};
 }
 
 /// Han's law as a user would write it.
