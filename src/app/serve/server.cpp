@@ -6,7 +6,6 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <chrono>
 #include <thread>
 
 #include "app/files.hpp"
@@ -59,12 +58,12 @@ Query query_of(const httplib::Request& request) { return {request.params.begin()
 void put(httplib::Response& response, const Reply& reply) {
   response.status = reply.status;
   if (reply.status == 503) response.set_header("Retry-After", "1");
-  if (reply.status != 200) return response.set_content(reply.body, reply.type.c_str());
+  if (reply.status != 200) return response.set_content(reply.body, reply.type);
   // Piece by piece: httplib packs a whole body for browsers with brotli's slowest level, 1.4 s a megabyte.
   const auto piece = [body = reply.body](std::size_t from, std::size_t length, httplib::DataSink& sink) {
     return sink.write(body.data() + from, length);
   };
-  response.set_content_provider(reply.body.size(), reply.type.c_str(), piece);
+  response.set_content_provider(reply.body.size(), reply.type, piece);
 }
 
 std::string words_of(int status) {
@@ -132,13 +131,14 @@ struct Server::Parts {
     http.set_error_handler([](const httplib::Request&, httplib::Response& response) {
       if (response.body.empty()) put(response, refusal(response.status, "", words_of(response.status)));
     });
-    http.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr thrown) {
-      try {
-        std::rethrow_exception(thrown);
-      } catch (const std::exception& e) {
-        put(response, refusal(500, "", e.what()));
-      }
-    });
+    http.set_exception_handler(
+        [](const httplib::Request&, httplib::Response& response, const std::exception_ptr& thrown) {
+          try {
+            std::rethrow_exception(thrown);
+          } catch (const std::exception& e) {
+            put(response, refusal(500, "", e.what()));
+          }
+        });
   }
 
   /// What takes time: in its turn, for as long as it may.
@@ -148,11 +148,7 @@ struct Server::Parts {
     http.Post(path, [this, answer](const httplib::Request& request, httplib::Response& response,
                                    const httplib::ContentReader& read) {
       std::string body;
-      const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(desk.seconds());
-      const auto more = [&](const char* bytes, std::size_t n) {
-        body.append(bytes, n);
-        return std::chrono::steady_clock::now() < until;  // a byte at a time holds nobody's place for ever
-      };
+      const auto more = [&](const char* bytes, std::size_t n) { return body.append(bytes, n), true; };
       if (!read(more)) return;  // it says what was wrong
       const auto mine = desk.begin(request.get_header_value(page_header));
       if (!mine) return put(response, refusal(503, "", "the server is busy; come back in a second"));

@@ -80,11 +80,18 @@ export function fill(list, shots, chosen, on) {
   list.replaceChildren(...items);
 }
 
+/** Another one is chosen. @param {HTMLElement} list @param {number} chosen */
+export function mark(list, chosen) {
+  for (const button of list.querySelectorAll('button'))
+    button.setAttribute('aria-current', String(Number(button.dataset.shot) === chosen));
+}
+
 function entry(shot, i, current, on) {
   const [item, button, chance, text] = ['li', 'button', 'strong', 'span'].map((tag) => document.createElement(tag));
   chance.textContent = percent(shot.success);
   text.textContent = `${shot.angle.toFixed(1)}°, ${shot.speed.toFixed(2)} m/s`;
   button.setAttribute('type', 'button');
+  button.dataset.shot = String(i);
   button.setAttribute('aria-current', String(current));
   button.append(chance, ' ', text);
   button.addEventListener('mouseenter', () => on.look(i));

@@ -16,12 +16,16 @@ import { shape } from './table.js';
 
 const reach = 11; // pixels: a grip's radius is no smaller
 
+/** Half a diamond either way. @param {import('./table.js').Table} table @returns {Point} */
+const snaps = (table) => [table.length / 16, table.width / 8];
+
 /** On the table, a ball's radius from each cushion. @param {import('./table.js').Table} table @returns {Point} */
 export function inside(table, [x, y], snap = false) {
   const r = table.radius;
   const to = (v, step) => (snap ? Math.round(v / step) * step : v);
   const clamp = (v, most) => Math.round(Math.min(Math.max(v, r), most - r) * 1e4) / 1e4;
-  return [clamp(to(x, table.length / 16), table.length), clamp(to(y, table.width / 8), table.width)];
+  const [dx, dy] = snaps(table);
+  return [clamp(to(x, dx), table.length), clamp(to(y, dy), table.width)];
 }
 
 /** Which pocket is meant. @param {import('./table.js').Table} table @param {Point} at */
@@ -61,6 +65,7 @@ export class Board {
   target() {
     const { table, hands } = this;
     const pocket = () => table.pockets.find(({ name }) => name === hands.scene().target);
+    const size = () => (pocket() ? pocket().half * 1.15 : table.radius);
     const put = (at) => {
       const into = pocketNear(table, at);
       if (into) hands.scene().target = into.name;
@@ -71,8 +76,24 @@ export class Board {
         });
     };
     const where = () => pocket()?.at ?? hands.scene().point;
-    const radius = pocket() ? pocket().half * 1.15 : table.radius;
-    this.movable('target', 'Target: a place, or a pocket', 'target', radius, where, put);
+    const resized = (at) => {
+      put(at);
+      this.grips.get('target').dot.setAttribute('r', String(size()));
+    };
+    const grip = this.movable('target', 'Target: a place, or a pocket', 'target', size(), where, resized);
+    // From a pocket to the next.
+    const next = (event) => {
+      const turn = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
+      if (!turn || !pocket()) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const before = structuredClone(hands.scene());
+      const all = table.pockets.length;
+      hands.scene().target = table.pockets[(table.pockets.indexOf(pocket()) + turn + all) % all].name;
+      this.place('target');
+      hands.moved(before);
+    };
+    grip.parentElement.addEventListener('keydown', (event) => event.target === grip && next(event), true);
   }
 
   other(i) {
@@ -104,19 +125,25 @@ export class Board {
       'stroke-width': 0.01,
     };
     const grip = shape('circle', { class: 'grip', r: Math.max(radius, this.reach()), ...attributes }, this.layer);
-    const digit = /^Ball/.test(label) && shape('text', { class: 'digit', 'font-size': 1.2 * radius }, this.layer);
+    const digit = /^Ball/.test(label) ? shape('text', { class: 'digit', 'font-size': 1.2 * radius }, this.layer) : null;
     if (digit) digit.textContent = label.slice(5);
     this.grips.set(name, { dot, grip, where, digit });
     this.place(name);
     let before = null;
-    draggable(grip, this.svg, where, (at, done) => {
-      before ??= structuredClone(hands.scene());
-      put(at);
-      this.place(name);
-      hands.says(label, where());
-      if (!aims) hands.moved(done ? before : null);
-      if (done) before = null;
-    });
+    draggable(
+      grip,
+      this.svg,
+      where,
+      (at, done) => {
+        before ??= structuredClone(hands.scene());
+        put(at);
+        this.place(name);
+        hands.says(label, where());
+        if (!aims) hands.moved(done ? before : null);
+        if (done) before = null;
+      },
+      () => (hands.snaps() && !aims ? snaps(this.table) : null),
+    );
     for (const event of ['pointerenter', 'focus'])
       grip.addEventListener(event, () => where() && hands.says(label, where()));
     return grip;

@@ -50,6 +50,7 @@ export class Closer {
     for (const kind of ['own', 'own-path']) forget(kind);
     this.aimed = null;
     this.page.layers().own.replaceChildren();
+    if (this.page.shot()) $('other').textContent = '';
   }
 
   /** At the chosen shot, as far as is asked. */
@@ -84,33 +85,50 @@ export class Closer {
 
   /** What mirrors and another physics would say, and where that leads. */
   async compare() {
-    const [shot, scene] = [this.page.shot(), this.page.scene()];
-    const layer = this.page.layers().compare;
-    layer.replaceChildren();
+    const shot = this.page.shot();
     const mine = ++this.compared;
+    const ways = [$('mirror').checked && this.mirrored, $('compare').value && this.otherwise].filter(Boolean);
+    this.page.layers().compare.replaceChildren();
+    if (!shot) return;
+    if (!this.aimed) $('other').textContent = ways.length && shot.then ? 'Nothing to compare: it sends a ball on.' : '';
+    if (shot.then) return;
     const said = [];
-    const show = async (kind, name, launch, promised) => {
-      const followed = await follow(scene, launch, kind);
-      if (!followed || followed.error || mine !== this.compared) return;
-      lead(layer, promised, followed, kind);
-      said.push(`${name}, it ${outcome(scene, followed)}.`);
+    for (const way of ways) {
+      const found = await way.call(this, shot);
+      if (mine !== this.compared) return;
+      const words = typeof found === 'string' ? found : found && (await this.lead(found));
+      if (mine !== this.compared) return;
+      if (words) said.push(words);
       $('other').textContent = said.join(' ');
-    };
-    if (!shot || shot.then) return;
-    if ($('mirror').checked && shot.cushions.length) {
-      const table = this.page.table();
-      const to = scene.target === 'point' ? scene.point : shot.arrival.at;
-      const promised = mirrorPath(table, scene.ball, to, shot.cushions);
-      const angle = mirrorAim(table, scene.ball, to, shot.cushions);
-      await show('mirror', 'Aimed at the mirror image', { ...shot, angle }, promised);
     }
-    const other = $('compare').value;
-    if (!other || mine !== this.compared) return;
-    const speed = other === 'ideal' ? { speed: shot.speed } : {}; // there any speed would do
-    const asked = { ...state.puzzle({ ...scene, physics: other }), cushions: shot.cushions, ...speed };
-    const answer = await ask('solve?path&no-robustness', asked, 'compare');
-    const found = answer?.shots?.[0];
-    if (found) await show('compare', `Aimed as ${other} says`, found, found.path);
+  }
+
+  /** Where a launch really leads, drawn and in words. */
+  async lead({ kind, name, launch, promised }) {
+    const scene = this.page.scene();
+    const followed = await follow(scene, launch, kind);
+    if (!followed || followed.error) return '';
+    lead(this.page.layers().compare, promised, followed, kind);
+    return `${name}, it ${outcome(scene, followed)}.`;
+  }
+
+  mirrored(shot) {
+    if (!shot.cushions.length) return 'Straight, a mirror changes nothing.';
+    const [scene, table] = [this.page.scene(), this.page.table()];
+    const to = scene.target === 'point' ? scene.point : shot.arrival.at;
+    const angle = mirrorAim(table, scene.ball, to, shot.cushions);
+    const promised = mirrorPath(table, scene.ball, to, shot.cushions);
+    return { kind: 'mirror', name: 'Aimed at the mirror image', launch: { ...shot, angle }, promised };
+  }
+
+  async otherwise(shot) {
+    const physics = $('compare').value;
+    const speed = physics === 'ideal' ? { speed: shot.speed } : {}; // there any speed would do
+    const puzzle = { ...state.puzzle({ ...this.page.scene(), physics }), cushions: shot.cushions, ...speed };
+    const answer = await ask('solve?path&no-robustness', puzzle, 'compare');
+    const launch = answer?.shots?.[0];
+    if (!launch) return answer && `${physics} knows no such shot.`;
+    return { kind: 'compare', name: `Aimed as ${physics} says`, launch, promised: launch.path };
   }
 
   async heat() {
@@ -124,8 +142,8 @@ export class Closer {
     const layer = this.page.layers().under;
     layer.replaceChildren();
     $('busy').hidden = false;
-    const words = await starts(layer, state.puzzle(this.page.scene()), this.page.table());
+    const say = (words) => ($('other').textContent = words);
+    await starts(layer, state.puzzle(this.page.scene()), this.page.table(), say);
     $('busy').hidden = true;
-    if (words) $('other').textContent = words;
   }
 }

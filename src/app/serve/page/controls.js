@@ -29,10 +29,12 @@ export function bind(form, scene, remember, changed) {
   });
 }
 
-/** @param {HTMLInputElement} control */
+/** Numbers are kept within what the control allows. @param {HTMLInputElement} control */
 function read(control, was) {
   if (control.type === 'checkbox') return control.checked;
-  return typeof was === 'number' ? control.valueAsNumber || Number(control.value || NaN) : control.value;
+  if (typeof was !== 'number') return control.value;
+  const [value, least, most] = [control.valueAsNumber, Number(control.min), Number(control.max)];
+  return Math.min(Math.max(value, least), most);
 }
 
 /** What a slider stands at. @param {HTMLInputElement} control */

@@ -1,12 +1,17 @@
 // Moves what has a grip: with mouse, pen or finger, or with the arrow keys (1 mm, with Shift a tenth of it).
 
+let grips = 0; // that are held
+
+export const holding = () => grips > 0;
+
 /**
  * @param {SVGElement} grip
  * @param {SVGSVGElement} svg
  * @param {() => [number, number]} where it is [m]
  * @param {(at: [number, number], done: boolean) => void} move
+ * @param {() => [number, number] | null} coarse how far a key moves, where it is not by millimetres
  */
-export function draggable(grip, svg, where, move) {
+export function draggable(grip, svg, where, move, coarse) {
   const place = (event) => {
     const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
     return [p.x, -p.y];
@@ -14,6 +19,8 @@ export function draggable(grip, svg, where, move) {
   let held = null;
   let moved = false;
   grip.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    ++grips;
     const at = where();
     const p = place(event);
     held = [at[0] - p[0], at[1] - p[1]];
@@ -27,6 +34,7 @@ export function draggable(grip, svg, where, move) {
     move([p[0] + held[0], p[1] + held[1]], false);
   });
   const drop = () => {
+    if (held) --grips;
     if (held && moved) move(where(), true);
     held = null;
   };
@@ -41,8 +49,9 @@ export function draggable(grip, svg, where, move) {
     }[event.key];
     if (!way) return;
     event.preventDefault();
-    const step = event.shiftKey ? 0.0001 : 0.001;
+    const fine = event.shiftKey ? 0.0001 : 0.001;
+    const [dx, dy] = coarse() ?? [fine, fine];
     const at = where();
-    move([at[0] + way[0] * step, at[1] + way[1] * step], true);
+    move([at[0] + way[0] * dx, at[1] + way[1] * dy], true);
   });
 }

@@ -55,9 +55,10 @@ async function free(work, module, signal) {
     signal.throwIfAborted();
     const desk = desks.get(work) ?? begin(work, module);
     if (!desk.busy) return take(desk, signal);
+    const { busy } = desk;
     const dropped = desk.signal.aborted;
-    await Promise.race(dropped ? [desk.busy, after(patience)] : [desk.busy, whenAborted(desk.signal)]);
-    if (dropped && desk.busy && desks.get(work) === desk) end(work);
+    await Promise.race(dropped ? [busy, after(patience)] : [busy, whenAborted(desk.signal)]);
+    if (dropped && desk.busy === busy && desks.get(work) === desk) end(work);
   }
 }
 

@@ -1,10 +1,11 @@
 // The page: what is asked, the picture of it, and the engine's answer while things are dragged.
-import { fill, heading, words } from './answer.js';
+import { fill, heading, mark, pattern, words } from './answer.js';
 import { Board, inside } from './board.js';
 import { Closer } from './closer.js';
 import * as controls from './controls.js';
 import { $ } from './controls.js';
-import { ask } from './engine.js';
+import { holding } from './drag.js';
+import { ask, forget } from './engine.js';
 import { follow, hits, turns } from './follow.js';
 import { gallery } from './gallery.js';
 import { firstCushion, lead, note, paint } from './paint.js';
@@ -29,6 +30,8 @@ let layers;
 let board;
 let shots = [];
 let chosen = 0;
+let picked = ''; // what was asked when a person chose a shot
+let last = {}; // answer
 
 const closer = new Closer({
   scene: () => scene,
@@ -43,18 +46,23 @@ const closer = new Closer({
 const hands = {
   scene: () => scene,
   moved(before) {
-    if (before) state.remember(before);
-    if (before) controls.show(form, scene);
+    if (before && state.address(before) !== state.address(scene)) state.remember(before);
+    if (before) show();
     solve();
   },
   says: (name, at) => ($('place').textContent = `${name}: ${units.place(at, table)}`),
   removed: (i) => change(() => scene.others.splice(i, 1)),
   snaps: () => $('snap').checked,
   aim: {
-    where: () => closer.aimed ?? (shots[chosen]?.path ? firstCushion(table, shots[chosen].path) : null),
+    where: () => closer.aimed ?? aimPoint(shots[chosen]),
     move: (at) => closer.aimAt(inside(table, at)),
   },
 };
+
+/** Where the ball first meets a cushion, if nothing turned it before. */
+function aimPoint(shot) {
+  return shot?.path && !shot.hits?.length ? firstCushion(table, shot.path) : null;
+}
 
 function targets() {
   if (!table.pockets.length) return ['point'];
@@ -67,12 +75,13 @@ function rebuild() {
   const { grip, cushion } = svg.querySelector(':focus')?.dataset ?? {};
   table = tables.find(({ name }) => name === scene.table) ?? tables[0];
   scene.table = table.name;
-  if (!targets().includes(scene.target)) scene.target = targets()[0];
+  if (!targets().includes(scene.target)) scene.target = targets().find((t) => t === state.first.target) ?? targets()[0];
   scene.order = scene.order.filter((cushion) => table.cushions.includes(cushion));
   scene.ball = inside(table, scene.ball);
   scene.others = scene.others.map((at) => inside(table, at));
   scene.point = inside(table, scene.point);
-  layers = draw(svg, table, (cushion) => change(() => scene.order.push(cushion)));
+  const ordered = scene.target !== state.anyBall; // there the planner chooses
+  layers = draw(svg, table, (cushion) => ordered && change(() => scene.order.push(cushion)));
   layers.compare = shape('g', {}, layers.paths);
   layers.answer = shape('g', {}, layers.paths);
   layers.own = shape('g', {}, layers.paths);
@@ -94,11 +103,14 @@ function show() {
   controls.show(form, scene);
   drawTip({ side: scene.side, top: scene.top });
   $('tip').toggleAttribute('aria-disabled', scene.physics !== 'spin' || scene.choose);
-  $('order').firstElementChild.textContent = scene.order.join(', then ') || 'any order; click cushions to set one';
-  $('unordered').hidden = scene.order.length === 0;
-  for (const name of ['least', 'most'])
-    form.elements[name].disabled = scene.order.length > 0 && scene.target !== state.anyBall;
+  const sent = scene.target === state.anyBall;
+  const any = sent ? 'of the ball that is sent on' : 'any order; click cushions to set one';
+  $('order').firstElementChild.textContent = (!sent && scene.order.join(', then ')) || any;
+  $('unordered').hidden = sent || scene.order.length === 0;
+  form.elements.least.disabled = sent || scene.order.length > 0;
+  form.elements.most.disabled = !sent && scene.order.length > 0;
   $('remove').disabled = scene.others.length === 0;
+  for (const [id, can] of Object.entries(state.can())) $(id).disabled = !can;
 }
 
 function change(f) {
@@ -112,6 +124,7 @@ function change(f) {
 async function solve() {
   document.body.dataset.asked = state.address(scene); // for whoever waits until it is answered
   closer.clear();
+  halt();
   const puzzle = state.puzzle(scene);
   const slow = setTimeout(() => ($('busy').hidden = false), 300);
   const quick = await ask('solve?first&path', puzzle, 'solve');
@@ -127,14 +140,21 @@ async function solve() {
 }
 
 function answered(answer, more) {
+  const before = picked === document.body.dataset.asked ? shots[chosen] : null;
   shots = answer.shots ?? [];
-  chosen = 0;
-  const { error, message = '' } = answer;
-  const text = error ? `${error.path} ${error.reason}`.trim() : message;
+  chosen = before ? likest(before) : 0;
+  last = answer;
+  const text = answer.error ? answer.error.reason : (answer.message ?? '');
   $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
   fill($('shots'), shots, chosen, { look, choose });
   look();
   if (!shots.length && !more) lacks(answer);
+}
+
+/** Which of the shots is the one that was chosen while better ones were looked for. */
+function likest(shot) {
+  const off = (other) => Math.abs(other.angle - shot.angle) + (pattern(other) === pattern(shot) ? 0 : 360);
+  return shots.reduce((best, other, i) => (off(other) < off(shots[best]) ? i : best), 0);
 }
 
 /** Why there is none, and what came nearest. */
@@ -151,10 +171,11 @@ async function lacks({ message = '', nearest, error }) {
 /** @param {number} [i] the shot that is looked at */
 function look(i = chosen) {
   const shot = shots[i];
+  $('shots').onmouseleave = () => i !== chosen && look();
   paint(layers.answer, table, scene, shots, shot);
-  board.place('cushion', closer.aimed ?? (shot?.path ? firstCushion(table, shot.path) : null));
+  board.place('cushion', closer.aimed ?? aimPoint(shot));
   $('title').textContent = heading(shot, scene.target);
-  for (const id of ['play', 'slow']) $(id).disabled = !shot?.path;
+  $('playing').hidden = !shot?.path;
   $('why').hidden = !shot;
   const rows = shot ? words(shot, sight(table, scene.ball, shot.angle).words, units.length) : [];
   $('words').replaceChildren(
@@ -169,8 +190,9 @@ function look(i = chosen) {
 
 function choose(i) {
   chosen = i;
+  picked = document.body.dataset.asked;
   closer.forgetAim();
-  fill($('shots'), shots, chosen, { look, choose });
+  mark($('shots'), chosen);
   look();
   closer.look();
   start(1);
@@ -186,7 +208,7 @@ async function start(pace, launch = shots[chosen]) {
   const followed = await follow(scene, launch, 'play');
   if (!followed || followed.error) return;
   const balls = Object.entries({ cue: followed.path, ...followed.paths }).map(([ball, path]) => ({
-    dot: board.grips.get(gripOf(ball)).dot,
+    ...board.grips.get(gripOf(ball)),
     path,
     turns: turns(followed.events, ball),
     radius: table.radius,
@@ -194,10 +216,18 @@ async function start(pace, launch = shots[chosen]) {
   document.body.dataset.playing = 'true';
   const sounds = $('sound').checked ? hits(followed.events) : [];
   if (!(await play(balls, pace, sounds, click))) return;
-  const last = ({ path }) => path[path.length - 1];
-  document.body.dataset.played = balls.map((ball) => last(ball).slice(1).join()).join(' ');
+  document.body.dataset.played = balls.map(({ path }) => path[path.length - 1].slice(1).join()).join(' ');
   delete document.body.dataset.playing;
   setTimeout(() => document.body.dataset.playing || board.placeAll(), 700);
+}
+
+/** What is played ends, and the balls stand where they stood. */
+function halt() {
+  for (const kind of ['play', 'play-path']) forget(kind);
+  if (!document.body.dataset.playing) return;
+  stop();
+  delete document.body.dataset.playing;
+  board.placeAll();
 }
 
 // ---- what is pressed ----
@@ -223,7 +253,7 @@ function listen() {
     state.remember,
     (key) => (shapes.includes(key) ? rebuild() : solve()),
   );
-  pressed('add', () => change(() => scene.others.push(free())));
+  pressed('add', () => free() && change(() => scene.others.push(free())));
   pressed('remove', () => change(() => scene.others.pop()));
   pressed('unordered', () => change(() => (scene.order = [])));
   pressed('undo', () => ((scene = state.undo(scene)), rebuild()));
@@ -234,35 +264,45 @@ function listen() {
   pressed('svg', () => save.svg(svg));
   pressed('png', () => save.png(svg));
   closer.listen();
-  on('inches', 'change', () => (units.useInches($('inches').checked), look()));
+  on('inches', 'change', () => (units.useInches($('inches').checked), answered(last, '')));
   for (const [name, address] of gallery) $('gallery').append(new Option(name, address));
-  on('gallery', 'change', () => $('gallery').value && change(() => (scene = state.read($('gallery').value))));
+  on('gallery', 'change', () => {
+    if ($('gallery').value) change(() => (scene = state.read($('gallery').value)));
+    $('gallery').value = '';
+  });
   svg.addEventListener('dblclick', (event) => {
     const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
     if (event.target.classList.contains('cloth')) change(() => scene.others.push(inside(table, [p.x, -p.y])));
   });
   addEventListener('resize', () => board.placeAll());
-  addEventListener('hashchange', () => ((scene = state.read()), rebuild()));
+  addEventListener('hashchange', () => change(() => (scene = state.read())));
   addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || !['z', 'y'].includes(key) || holding()) return;
     event.preventDefault();
-    scene = event.shiftKey ? state.redo(scene) : state.undo(scene);
+    scene = event.shiftKey || key === 'y' ? state.redo(scene) : state.undo(scene);
     rebuild();
   });
 }
 
-/** A place that no ball stands on. */
+/** A place that no ball stands on; none on a table that is full. */
 function free() {
   const clear = (at) =>
     [scene.ball, ...scene.others].every(([x, y]) => Math.hypot(x - at[0], y - at[1]) > 2 * table.radius);
-  for (let k = 1; ; ++k) {
-    const at = inside(table, [table.length * ((0.618 * k) % 1), table.width * ((0.382 * k + 0.2) % 1)]);
+  for (let k = 1; k < 1000; ++k) {
+    // Two numbers that fill a square evenly.
+    const at = inside(table, [table.length * ((0.7549 * k) % 1), table.width * ((0.5698 * k) % 1)]);
     if (clear(at)) return at;
   }
+  return null;
 }
 
 document.body.classList.toggle('embed', new URLSearchParams(location.search).has('embed'));
 $('inches').checked = units.inches;
 tables = await ask('tables');
-listen();
-rebuild();
+if (Array.isArray(tables)) {
+  listen();
+  rebuild();
+} else {
+  $('status').textContent = /** @type {any} */ (tables)?.error.reason ?? 'the engine does not answer';
+}

@@ -6,7 +6,7 @@ let running = 0;
 /**
  * @typedef {[number, number, number]} Sample time, x, y
  * @typedef {{type: string, time: number, velocity: number[], spin: number[]}} Turn right after an event
- * @typedef {{dot: SVGElement, path: Sample[], turns: Turn[], radius: number}} Moving
+ * @typedef {{dot: SVGElement, digit?: SVGElement, path: Sample[], turns: Turn[], radius: number}} Moving
  */
 
 /** Where the ball is after t seconds. @param {Sample[]} path @returns {[number, number]} */
@@ -77,6 +77,7 @@ function shown(ball) {
       const [x, y] = at(ball.path, t);
       ball.dot.setAttribute('cx', String(x));
       ball.dot.setAttribute('cy', String(y));
+      ball.digit?.setAttribute('transform', `translate(${x} ${y}) scale(1 -1)`);
       const { velocity, spin } = turning(ball, t);
       const slip = Math.hypot(velocity[0] - ball.radius * spin[1], velocity[1] + ball.radius * spin[0]);
       ball.dot.classList.toggle('slides', slip > 0.05 && t < ball.path[ball.path.length - 1][0]);

@@ -1,6 +1,12 @@
 // Takes things home: the puzzle and its answer as JSON, the picture as SVG and PNG.
 
-const kept = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity'];
+const kept = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity', 'paint-order'].concat([
+  'text-anchor',
+  'dominant-baseline',
+  'font-size',
+  'font-weight',
+  'font-family',
+]);
 
 /** The picture with its colours inside. @param {SVGSVGElement} svg */
 function alone(svg) {
@@ -10,7 +16,7 @@ function alone(svg) {
     const style = getComputedStyle(element);
     for (const name of kept) to[i].setAttribute(name, style.getPropertyValue(name));
   });
-  copy.querySelectorAll('.grip, .click').forEach((element) => element.remove());
+  copy.querySelectorAll('.grip, .click, [hidden]').forEach((element) => element.remove());
   const [, , width, height] = svg.getAttribute('viewBox').split(' ').map(Number);
   copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   copy.setAttribute('width', String(Math.round(500 * width)));

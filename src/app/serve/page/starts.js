@@ -2,18 +2,30 @@
 import { ask } from './engine.js';
 import { shape } from './table.js';
 
-const grid = [32, 16];
+const grids = [
+  [16, 8],
+  [32, 16],
+]; // a rough map first
 
 /**
  * @param {Element} layer
  * @param {any} puzzle
  * @param {import('./table.js').Table} table
- * @returns {Promise<string>} in words; nothing where another question took its place
+ * @param {(words: string) => void} say
  */
-export async function starts(layer, puzzle, table) {
-  const answer = await ask(`map?grid=${grid}`, puzzle, 'map');
-  if (!answer) return '';
-  if (answer.error) return answer.error.reason;
+export async function starts(layer, puzzle, table, say) {
+  for (const grid of grids) {
+    const answer = await ask(`map?grid=${grid}`, puzzle, 'map');
+    if (!answer) return;
+    if (answer.error && grid !== grids[0]) return; // the rough one stays
+    say(answer.error ? answer.error.reason : show(layer, answer, grid, table));
+    if (answer.error) return;
+  }
+}
+
+/** @returns {string} in words */
+function show(layer, answer, grid, table) {
+  layer.replaceChildren();
   const [head, ...lines] = answer.trim().split('\n');
   const names = head.split(',');
   const column = (name) => names.findIndex((n) => n.startsWith(name));
@@ -40,5 +52,5 @@ export async function starts(layer, puzzle, table) {
       layer,
     );
   }
-  return `It can be played from ${made} of ${lines.length} places; the darker, the surer.`;
+  return `It can be played from ${made} of ${lines.length} places; the stronger the colour, the surer.`;
 }

@@ -65,7 +65,7 @@ function pairs(numbers) {
 export function read(text = location.hash.slice(1)) {
   const scene = copy(first);
   for (const [key, value] of new URLSearchParams(text)) {
-    if (!(key in first)) continue;
+    if (!Object.hasOwn(first, key)) continue;
     const parsed = parse(key, value);
     if (parsed !== undefined) scene[key] = parsed;
   }
@@ -95,6 +95,9 @@ function back(from, to, scene) {
   to.push(copy(scene));
   return other;
 }
+
+/** Which of the two there is something for. */
+export const can = () => ({ undo: past.length > 0, redo: future.length > 0 });
 
 /** @param {Scene} scene @returns {Scene} the one before */
 export const undo = (scene) => back(past, future, scene);

@@ -31,7 +31,7 @@ export function tip(svg, put) {
   };
   let held = false;
   svg.addEventListener('pointerdown', (event) => {
-    if (svg.hasAttribute('aria-disabled')) return;
+    if (svg.hasAttribute('aria-disabled') || event.button !== 0) return;
     held = true;
     svg.setPointerCapture(event.pointerId);
     const [side, top] = at(event);

@@ -1,11 +1,24 @@
 // Places and lengths in words: millimetres or inches, and diamonds.
 
-export let inches = localStorage.getItem('unit') === 'inches';
+/** Where storage is blocked, metres it is. */
+function stored() {
+  try {
+    return localStorage.getItem('unit');
+  } catch {
+    return null;
+  }
+}
+
+export let inches = stored() === 'inches';
 
 /** @param {boolean} on */
 export function useInches(on) {
   inches = on;
-  localStorage.setItem('unit', on ? 'inches' : 'metres');
+  try {
+    localStorage.setItem('unit', on ? 'inches' : 'metres');
+  } catch {
+    // then it holds for this visit
+  }
 }
 
 /** @param {number} metres */
