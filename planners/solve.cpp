@@ -26,7 +26,7 @@ using planning::Wanted;
 std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shots) {
   std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling"};
   if (!is_straight(p.physics)) out.insert(out.begin(), "sliding");
-  constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010", "custom cushion"};
+  constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010", "stronge", "custom cushion"};
   out.push_back(cushions[p.physics.cushion.index()]);
   if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.cushion_stick; }))
     out.push_back("cushion-stick");

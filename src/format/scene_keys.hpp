@@ -11,7 +11,7 @@ inline constexpr std::string_view table_names[] = {"pool-7ft",     "pool-8ft",  
                                                    "snooker-12ft", "carom-10ft", "seed"};
 inline constexpr std::string_view layouts[] = {"none", "six"};
 inline constexpr std::string_view physics_names[] = {"ideal", "rolling", "spin"};
-inline constexpr std::string_view cushion_models[] = {"han2005", "mathavan2010", "mirror"};
+inline constexpr std::string_view cushion_models[] = {"han2005", "mathavan2010", "mirror", "stronge"};
 
 // The table.
 
@@ -91,11 +91,11 @@ inline constexpr Object friction_of_speed{"friction_of_speed", "Rolling friction
 
 inline constexpr Key bounce_of_speed_keys[] = {
     {"at_rest", "number", "", required, "0.9", "a of a + b·v", between(0, 1)},
-    {"per_speed", "number", "s/m", required, "-0.03", "b of a + b·v, the sum kept between 0 and 1"},
-    {"per_speed2", later},
+    {"per_speed", "number", "s/m", required, "-0.03", "b of a + b·v + c·v², the sum kept between 0 and 1"},
+    {"per_speed2", "number", "s²/m²", "0", "-0.01", "c of a + b·v + c·v²"},
 };
 inline constexpr Object restitution_of_speed{
-    "restitution_of_speed", "Restitution a + b·v at the speed v towards the cushion.", bounce_of_speed_keys};
+    "restitution_of_speed", "Restitution a + b·v + c·v² at the speed v towards the cushion.", bounce_of_speed_keys};
 
 inline constexpr Key cushion_keys[] = {
     {"model", "word", "", R"("han2005")", R"("mathavan2010")", "the law of a bounce", {}, cushion_models},
@@ -105,7 +105,9 @@ inline constexpr Key cushion_keys[] = {
     {"height", "number", "m",
      "1.28 R of the preset's ball, else of the struck ball; carom-10ft 0.037, snooker-12ft 0.03675", "0.0366",
      "of the nose over the cloth, between R and 2 R"},
-    {"frequency_ratio", later},
+    {"frequency_ratio", "number", "", "1.8", "1.7",
+     "of `stronge` alone: how fast the rubber gives across over how fast it gives along, between 1 and 2",
+     between(1, 2)},
 };
 inline constexpr Object cushion{"cushion", "What a bounce does with speed and spin.", cushion_keys};
 
@@ -124,10 +126,18 @@ inline constexpr Key rolling_balls_keys[] = {
 inline constexpr Object rolling_balls{"rolling_balls", "What a contact of two balls does that roll on at once.",
                                       rolling_balls_keys};
 
+inline constexpr Key friction_of_slip_keys[] = {
+    {"a", "number", "", required, "0.00995", "a of a + b exp(−c·s)", at_least(0)},
+    {"b", "number", "", required, "0.108", "b of a + b exp(−c·s)", at_least(0)},
+    {"c", "number", "s/m", required, "1.088", "c of a + b exp(−c·s)", at_least(0)},
+};
+inline constexpr Object friction_of_slip{
+    "friction_of_slip", "Friction of two balls a + b exp(−c·s) at the slip speed s.", friction_of_slip_keys};
+
 inline constexpr Key ball_ball_keys[] = {
     {"restitution", "number", "", "0.95", "0.93", "speed at which two balls part over that at which they met",
      between(0, 1)},
-    {"friction", "number", "", "0.05", "0.06", "between two balls: throw", at_least(0)},
+    {"friction", "number | {friction_of_slip}", "", "0.05", "0.06", "between two balls: throw", at_least(0)},
 };
 inline constexpr Object ball_ball{"ball_ball", "What a contact of two balls does.", ball_ball_keys};
 

@@ -10,7 +10,16 @@ namespace {
 Restitution read_restitution(const Reader& r) {
   if (!r.is_object()) return r.number(format::cushion["restitution"].bounds);
   r.only(format::restitution_of_speed);
-  return {r.need(format::restitution_of_speed["at_rest"]), r.need(format::restitution_of_speed["per_speed"])};
+  Restitution e{r.need(format::restitution_of_speed["at_rest"]), r.need(format::restitution_of_speed["per_speed"])};
+  r.read(format::restitution_of_speed["per_speed2"], e.per_speed2);
+  return e;
+}
+
+BallFriction read_ball_friction(const Reader& r) {
+  if (!r.is_object()) return r.number(format::ball_ball["friction"].bounds);
+  r.only(format::friction_of_slip);
+  return {r.need(format::friction_of_slip["a"]), r.need(format::friction_of_slip["b"]),
+          r.need(format::friction_of_slip["c"])};
 }
 
 RollingFriction read_rolling_friction(const Reader& r) {
@@ -27,12 +36,15 @@ decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sli
   r.only(format::cushion);
   std::size_t which = 0;
   if (const auto v = r.find("model")) {
-    if (v->is_string() && v->text() == "stronge") v->fail("is not supported yet");
     which = v->word("cushion model", format::cushion_models);
   }
   if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
   r.read(format::cushion["friction"], han.friction);
   r.read(format::cushion["height"], han.height);
+  Stronge stronge{han.height, han.restitution, han.friction};
+  if (const auto v = r.find("frequency_ratio"); v && which != 3) v->fail("is for the model \"stronge\" alone");
+  r.read(format::cushion["frequency_ratio"], stronge.frequency_ratio);
+  if (which == 3) return stronge;
   if (which == 2) return Mirror{han.restitution};
   if (which == 1)
     return Mathavan2010{.height = han.height,
@@ -57,8 +69,7 @@ Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body
   if (const auto v = r->find("ball_ball")) {
     v->only(format::ball_ball);
     v->read(format::ball_ball["restitution"], p.ball_ball.restitution);
-    if (const auto f = v->find("friction"); f && f->is_object()) f->fail("is not supported yet");
-    v->read(format::ball_ball["friction"], p.ball_ball.friction);
+    if (const auto f = v->find("friction")) p.ball_ball.friction = read_ball_friction(*f);
   }
   return p;
 }

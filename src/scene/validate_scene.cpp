@@ -136,6 +136,7 @@ void check_nose(const Physics& physics, const Body& body) {
   };
   if (const auto* han = std::get_if<Han2005>(&physics.cushion)) check(han->height);
   if (const auto* mathavan = std::get_if<Mathavan2010>(&physics.cushion)) check(mathavan->height);
+  if (const auto* stronge = std::get_if<Stronge>(&physics.cushion)) check(stronge->height);
 }
 
 void check_physics(const Physics& physics, const Body& body) {
@@ -154,6 +155,9 @@ void check_physics(const Physics& physics, const Body& body) {
     if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law)
       fail("/physics/cushion", "a custom cushion needs a law");
     check_nose(physics, body);
+    if (const auto* s = std::get_if<Stronge>(&physics.cushion);
+        s && !(s->frequency_ratio > 1 && s->frequency_ratio < 2))
+      fail("/physics/cushion/frequency_ratio", fmt::format("{} must be between 1 and 2", s->frequency_ratio));
     const auto* c = std::get_if<Mathavan2010>(&physics.cushion);
     if (c && c->sliding_friction != m->sliding_friction)
       fail("/physics/cushion", fmt::format("the cloth's sliding friction is {} during an impact and {} between two",
@@ -208,8 +212,11 @@ void check_others(const Table& table, const Boundary& boundary, const Ball& stru
   const BallBall& law = physics.ball_ball;
   if (!(law.restitution >= 0 && law.restitution <= 1))
     fail("/physics/ball_ball/restitution", fmt::format("{} must be between 0 and 1", law.restitution));
-  if (!(law.friction >= 0 && std::isfinite(law.friction)))
-    fail("/physics/ball_ball/friction", fmt::format("{} must be at least 0", law.friction));
+  const BallFriction& f = law.friction;
+  const auto finite = [](double v) { return v >= 0 && std::isfinite(v); };
+  if (!(finite(f.fast) && finite(f.fast + f.more) && finite(f.fades)))
+    fail("/physics/ball_ball/friction",
+         fmt::format("{} + {} exp(-{} slip) must be at least 0", f.fast, f.more, f.fades));
   for (std::size_t i = 0; i < others.size(); ++i) {
     const Ball& ball = others[i];
     const std::string path = at("/others", i);

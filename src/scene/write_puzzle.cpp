@@ -45,13 +45,18 @@ Json table_json(const Table& t) {
   return j;
 }
 
+Json friction_json(const BallFriction& f) {
+  return f.constant() ? Json(f.fast) : Json{{"a", f.fast}, {"b", f.more}, {"c", f.fades}};
+}
+
 Json physics_json(const Physics& p) {
   if (is_ideal(p)) return "ideal";
   const Restitution& e = restitution(p);
   const auto of_speed = [](const auto& f) {
     return f.per_speed == 0 ? Json(f.at_rest) : Json{{"at_rest", f.at_rest}, {"per_speed", f.per_speed}};
   };
-  const Json bounce = of_speed(e);
+  Json bounce = of_speed(e);
+  if (e.per_speed2 != 0) bounce = {{"at_rest", e.at_rest}, {"per_speed", e.per_speed}, {"per_speed2", e.per_speed2}};
   if (const auto* r = std::get_if<Rolling>(&p.motion)) {
     Json j{{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
     if (p.ball_ball.restitution != BallBall{}.restitution) j["ball_ball"] = {{"restitution", p.ball_ball.restitution}};
@@ -65,6 +70,12 @@ Json physics_json(const Physics& p) {
     cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};
   if (const auto* c = std::get_if<Mathavan2010>(&p.cushion))
     cushion = {{"model", "mathavan2010"}, {"restitution", bounce}, {"friction", c->friction}, {"height", c->height}};
+  if (const auto* c = std::get_if<Stronge>(&p.cushion))
+    cushion = {{"model", "stronge"},
+               {"restitution", bounce},
+               {"friction", c->friction},
+               {"height", c->height},
+               {"frequency_ratio", c->frequency_ratio}};
   Json j{{"model", "spin"},
          {"sliding_friction", m.sliding_friction},
          {"rolling_friction", of_speed(m.rolling_friction)},
@@ -72,7 +83,7 @@ Json physics_json(const Physics& p) {
          {"g", m.g},
          {"cushion", std::move(cushion)}};
   if (!(p.ball_ball == BallBall{}))
-    j["ball_ball"] = {{"restitution", p.ball_ball.restitution}, {"friction", p.ball_ball.friction}};
+    j["ball_ball"] = {{"restitution", p.ball_ball.restitution}, {"friction", friction_json(p.ball_ball.friction)}};
   return j;
 }
 

@@ -60,11 +60,6 @@ TEST_CASE("a key that is not supported yet is refused as such, and is in no sche
   const auto [change, path] = GENERATE(table<std::string, std::string>({
       {R"("table": {"preset": "pool-9ft", "cushions": {}})", "/table/cushions"},
       {R"("table": {"length": 2, "width": 1, "cushions": {}})", "/table/cushions"},
-      {R"("physics": {"model": "spin", "ball_ball": {"friction": {"a": 0.01, "b": 0.1, "c": 1}}})",
-       "/physics/ball_ball/friction"},
-      {R"("physics": {"model": "spin", "cushion": {"model": "stronge"}})", "/physics/cushion/model"},
-      {R"("physics": {"model": "spin", "cushion": {"frequency_ratio": 1.8}}, "table": "seed")",
-       "/physics/cushion/frequency_ratio"},
       {R"("noise": {"side": 0.1})", "/noise/side"},
   }));
   Json puzzle = Json::parse(R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.4]}, "target": {"pocket": "any"}})");

@@ -158,15 +158,36 @@ TEST_CASE("throw is that of Alciatore's TP A.14 with constant friction") {
   }
 }
 
+TEST_CASE("the largest throw of a stun shot with Alciatore's friction by slip speed") {
+  // TP A.14 with μ = 9.951e-3 + 0.108 exp(−1.088 s), equal balls, e 1: worked from the formula on a fine grid.
+  const Body body{0.028575, 0.17};
+  const double R = body.radius;
+  const BallBall law{1, {9.951e-3, 0.108, 1.088}};
+  for (const auto& [speed, most, at] : {std::tuple{0.447, 5.302, 33.0}, {1.341, 3.875, 25.4}, {3.129, 2.698, 18.3}}) {
+    double largest = 0, cut = 0;
+    for (int i = 1; i < 8900; ++i) {
+      const double phi = radians(i / 100.0);
+      const Two t{body, body, {{0, 0}, {speed, 0}, {}}, {{2 * R * std::cos(phi), 2 * R * std::sin(phi)}, {}, {}}};
+      const Vec2d out = collided(law, t).second.velocity;
+      const double thrown = degrees(phi - std::atan2(out.y, out.x));
+      if (thrown > largest) largest = thrown, cut = i / 100.0;
+    }
+    CHECK(largest == Approx(most).margin(6e-4));
+    CHECK(cut == Approx(at).margin(0.06));
+  }
+}
+
 TEST_CASE("derivatives of a contact are those of differences, also where nothing slips") {
   using D = Dual<2>;
   const Body body{0.028575, 0.17};
-  for (const bool slips : {true, false}) {
-    const auto run = [&](const D& speed, const D& side) {
+  const BallBall by_slip{0.95, {0.01, 0.1, 1.1}};
+  for (const auto& [slips, law] :
+       {std::pair{true, BallBall{}}, {false, BallBall{}}, {true, by_slip}, {false, by_slip}}) {
+    const auto run = [&, slips = slips, law = law](const D& speed, const D& side) {
       State<D> a{{D(0), D(0)}, {speed, D(0.2)}, {D(0), D(0), slips ? side * 40.0 : D(0)}};
       State<D> b{{D(0.05), D(std::sqrt(0.05715 * 0.05715 - 0.0025))}, {D(0), D(0)}, {D(0), D(0), D(0)}};
       if (!slips) a.velocity = Vec2<D>{b.at.x * speed, b.at.y * speed};
-      BallBall{}.collide(body, a, body, b);
+      law.collide(body, a, body, b);
       return b;
     };
     const State<D> at = run(D(1.3, 0), D(0.7, 1));

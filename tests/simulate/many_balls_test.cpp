@@ -106,6 +106,39 @@ TEST_CASE("a rolling ball leaves a quarter, half and three quarter hit at the an
   CHECK(deflection(simulate(two_balls(std::sin(radians(28.1)), 2, 1))) == Approx(33.749).margin(5e-4));
 }
 
+TEST_CASE("a rolling ball meets another as it was measured") {
+  // Mathavan, Jackson & Parkin 2014, snooker balls; speeds and directions when both roll again.
+  struct Measured {
+    double speed, cut, cue_speed, cue_turned, speed_sent, sent;
+  };
+  for (const Measured& m :
+       {Measured{1.539, 33.83, 0.914, 31.93, 0.831, 32.20}, {1.364, 40.52, 0.917, 29.91, 0.676, 38.62}}) {
+    ShotRequest shot{.table = rectangle_table(40, 20), .physics = spin_physics()};
+    shot.ball.body = {0.02625, 0.1406};
+    std::get<SlideRoll>(shot.physics.motion).sliding_friction = 0.21;
+    shot.physics.ball_ball = {0.89, 0.05};
+    shot.ball.at = {10, 10};
+    const Vec2d apart = direction(radians(m.cut)) * (2 * shot.ball.body.radius + 1e-9);
+    shot.others = {{shot.ball.at + apart, shot.ball.body, "1"}};
+    shot.launch = {m.speed, 0};
+    shot.spin.top = 1;
+    const Trajectory t = simulate(shot);
+    const auto rolls = [&](int ball) {
+      const auto met = std::ranges::find(t.events, EventKind::ball, &Record::kind);
+      const auto found = std::find_if(
+          met, t.events.end(), [&](const Record& e) { return e.kind == EventKind::slide_to_roll && e.ball == ball; });
+      REQUIRE(found != t.events.end());
+      return found->state.velocity;
+    };
+    const Vec2d cue = rolls(0), sent = rolls(1);
+    const auto turned = [](const Vec2d& v) { return std::abs(degrees(std::atan2(v.y, v.x))); };
+    CHECK(norm(cue) == Approx(m.cue_speed).margin(0.006));
+    CHECK(turned(cue) == Approx(m.cue_turned).margin(0.5));
+    CHECK(norm(sent) == Approx(m.speed_sent).margin(0.006));
+    CHECK(turned(sent) == Approx(m.sent).margin(0.1));
+  }
+}
+
 TEST_CASE("after a stun shot without friction two equal balls part at right angles") {
   for (const double offset : {0.1, 0.5, 0.9}) {
     ShotRequest shot = two_balls(offset, 2, 0);

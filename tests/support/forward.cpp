@@ -145,12 +145,13 @@ std::optional<Vec2d> random_place(Random& r, const Boundary& b, const Table& tab
   return {};
 }
 
-bool has_spin(Model model) { return model == Model::spin || model == Model::mathavan; }
+bool has_spin(Model model) { return model != Model::ideal && model != Model::rolling; }
 
 Physics usual_physics(Model model, const Body& body) {
   if (model == Model::ideal) return ideal_physics();
   if (model == Model::rolling) return rolling_physics();
   Physics p = spin_physics(body);
+  if (model == Model::stronge) p.cushion = Stronge{.height = 1.28 * body.radius};
   if (model == Model::mathavan) p.cushion = Mathavan2010{.height = 1.28 * body.radius};
   return p;
 }

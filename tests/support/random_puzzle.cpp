@@ -37,6 +37,7 @@ Physics random_physics(Random& r, Model model, Family family, double radius) {
   if (model == Model::ideal) return ideal_physics();
   if (model == Model::spin) return spin_physics({radius});
   if (model == Model::mathavan) return {spin_physics({radius}).motion, Mathavan2010{.height = 1.28 * radius}};
+  if (model == Model::stronge) return {spin_physics({radius}).motion, Stronge{.height = 1.28 * radius}};
   if (family == Family::discrete) return {Rolling{.friction = 0.01}, Mirror{r.chance(0.5) ? 1.0 : 0.75}};
   const double friction = r.log_uniform(0.005, 0.05);
   return {Rolling{.friction = friction}, Mirror{r.uniform(0.5, 1)}};
@@ -62,7 +63,7 @@ Table random_polygon(Random& r, bool convex) {
 }
 
 Made random_puzzle(Random& r, Family family, Model model, int bounces) {
-  const bool spins = model == Model::spin || model == Model::mathavan;
+  const bool spins = model != Model::ideal && model != Model::rolling;
   for (;;) {
     ShotRequest shot;
     shot.table = random_table(r, family);

@@ -16,7 +16,7 @@ using bankshot::Random;
 /// uniform: rectangles of many sizes, six pockets or none. discrete: grid positions, angles that are
 /// multiples of 15 degrees, exact corners, starts on a cushion. convex, reflex: random polygons.
 enum class Family { uniform, discrete, convex, reflex };
-enum class Model { ideal, rolling, spin, mathavan };
+enum class Model { ideal, rolling, spin, mathavan, stronge };
 inline constexpr Family families[] = {Family::uniform, Family::discrete, Family::convex, Family::reflex};
 std::string name(Family family);
 

@@ -25,12 +25,19 @@ void same(const SlideRoll& a, const SlideRoll& b) {
 void same(const Restitution& a, const Restitution& b) {
   CHECK(a.at_rest == b.at_rest);
   CHECK(a.per_speed == b.per_speed);
+  CHECK(a.per_speed2 == b.per_speed2);
 }
 void same(const Mirror& a, const Mirror& b) { same(a.restitution, b.restitution); }
 void same(const Han2005& a, const Han2005& b) {
   same(a.restitution, b.restitution);
   CHECK(a.height == b.height);
   CHECK(a.friction == b.friction);
+}
+void same(const Stronge& a, const Stronge& b) {
+  same(a.restitution, b.restitution);
+  CHECK(a.friction == b.friction);
+  CHECK(a.height == b.height);
+  CHECK(a.frequency_ratio == b.frequency_ratio);
 }
 void same(const Mathavan2010& a, const Mathavan2010& b) {
   same(a.restitution, b.restitution);

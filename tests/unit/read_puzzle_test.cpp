@@ -135,6 +135,29 @@ TEST_CASE("the cushion mathavan2010 takes the sliding friction of the cloth and 
   CHECK_THROWS_AS(validate(p), InvalidInput);
 }
 
+TEST_CASE("the cushion stronge, restitution by the square of speed and friction by slip are read and written back") {
+  const Json cushion{{"model", "stronge"},
+                     {"restitution", {{"at_rest", 0.6}, {"per_speed", 0.3}, {"per_speed2", -0.05}}},
+                     {"friction", 0.21},
+                     {"height", 0.0365},
+                     {"frequency_ratio", 1.7}};
+  const Json balls{{"restitution", 0.93}, {"friction", {{"a", 0.01}, {"b", 0.1}, {"c", 1.1}}}};
+  const Json physics{{"model", "spin"}, {"cushion", cushion}, {"ball_ball", balls}};
+  Puzzle p = read_puzzle(minimal({{"physics", physics}}));
+  auto& c = std::get<Stronge>(p.physics.cushion);
+  CHECK(c.restitution(2.0) == Approx(0.6 + 0.6 - 0.2));
+  CHECK(c.frequency_ratio == 1.7);
+  CHECK(p.physics.ball_ball.friction(0.5) == Approx(0.01 + 0.1 * std::exp(-0.55)));
+  const std::string written = write_puzzle(p);
+  CHECK(Json::parse(written)["physics"]["cushion"] == cushion);
+  CHECK(Json::parse(written)["physics"]["ball_ball"] == balls);
+  CHECK(write_puzzle(read_puzzle(written)) == written);
+  c.frequency_ratio = 2;
+  CHECK_THROWS_AS(validate(p), InvalidInput);
+  CHECK_THROWS_AS(read_puzzle(minimal({{"physics", {{"model", "spin"}, {"cushion", {{"frequency_ratio", 1.7}}}}}})),
+                  InvalidInput);
+}
+
 TEST_CASE("writing and reading a puzzle gives the same text") {
   const Json wrap{{"angle", {350.1, 10.3}}, {"noise", {{"angle", 0.1}}}, {"id", 5}, {"cushions", {{"min", 1}}}};
   for (const std::string& text : {std::string(full), minimal(), minimal(wrap), minimal({{"physics", "ideal"}})}) {

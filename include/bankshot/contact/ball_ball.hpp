@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Two balls meet: normal restitution along the line of centres, Coulomb friction across it, which throws the struck
-// ball and spins both (D. Alciatore, The Illustrated Principles of Pool and Billiards, TP A.14, here with constant
-// friction; for balls of any size and mass).
+// ball and spins both (D. Alciatore, The Illustrated Principles of Pool and Billiards, TP A.14; for balls of any size
+// and mass).
 //   n  from the first centre to the second, horizontal; balls count as discs, their lever arms are R₁ n and −R₂ n
 //   w = v₁ − v₂ + (R₁ ω₁ + R₂ ω₂) × n,  μ₁₂ = m₁ m₂/(m₁ + m₂)
-//   J = (1 + e)(w·n) μ₁₂,  T = min(μ J, 2/7 μ₁₂ |w_t|)
+//   J = (1 + e)(w·n) μ₁₂,  T = min(μ J, 2/7 μ₁₂ |w_t|),  μ = a + b exp(−c |w_t|), often a constant
 //   P = −J n − T ŵ_t;  v₁ += P/m₁, v₂ −= P/m₂ without their vertical part;  ωᵢ += 5/(2 mᵢ Rᵢ) n × P
 // Two that approach slower than tolerance::slow_contact do not part again: e = 0 and no friction.
 #pragma once
@@ -15,11 +15,41 @@
 
 namespace bankshot {
 
+/// a + b exp(−c s) at the slip speed s [m/s].
+template <class C>
+struct BallFrictionOf {
+  C fast{0.05};  ///< a, >= 0: where the slip is fast
+  C more{0};     ///< b: by how much it is more where the slip is slow
+  C fades{0};    ///< c [s/m], >= 0
+
+  constexpr BallFrictionOf() = default;
+  constexpr BallFrictionOf(const C& constant) : fast(constant) {}
+  constexpr BallFrictionOf(const C& a, const C& b, const C& c) : fast(a), more(b), fades(c) {}
+  friend bool operator==(const BallFrictionOf&, const BallFrictionOf&) = default;
+
+  bool constant() const { return value(more) == 0; }
+  bool none() const { return constant() && value(fast) == 0; }
+  template <class T>
+  T operator()(const T& slip) const {
+    using std::exp;
+    using K = Coefficient<T, C>;
+    if (constant()) return T(K(fast));
+    const T power = slip * T(K(fades));
+    const Real<T> at = exp(-value(power));
+    // exp with its derivatives, of which it is the first
+    if constexpr (has_derivatives<T>)
+      return T(K(fast)) + T(K(more)) * (T(at) - (power - T(value(power))) * at);
+    else
+      return T(K(fast)) + T(K(more)) * at;
+  }
+};
+using BallFriction = BallFrictionOf<double>;
+
 template <class C>
 struct BallBallOf {
   C restitution{0.95};  ///< e, in [0, 1]
-  C friction{0.05};     ///< μ, >= 0
-  bool lasts = true;    ///< slow contacts last
+  BallFrictionOf<C> friction{};
+  bool lasts = true;  ///< slow contacts last
 
   friend bool operator==(const BallBallOf&, const BallBallOf&) = default;
 
@@ -41,7 +71,7 @@ struct BallBallOf {
     const Number m1(body1.mass), m2(body2.mass), mass = m1 * m2 / (m1 + m2);
     const T normal = closing * T(K(slow ? K(1) : K(K(1) + K(restitution)))) * mass;
     T along(0), up(0);  // of the impulse T ŵ_t
-    if (!slow && value(friction) > 0) {
+    if (!slow && !friction.none()) {
       const auto surface = [&](const T& first_spin, const T& second_spin) {
         return T(first_spin * Number(body1.radius) + second_spin * Number(body2.radius));
       };
@@ -49,7 +79,10 @@ struct BallBallOf {
       const T slip_along = dot(first.velocity - second.velocity, t) + surface(first.spin.z, second.spin.z);
       const T slip_up = wx * n.y - wy * n.x;
       // Squares are compared, for a root of 0 has no derivative.
-      const T slip2 = slip_along * slip_along + slip_up * slip_up, most = normal * T(K(friction));
+      const T slip2 = slip_along * slip_along + slip_up * slip_up;
+      const T most = normal * (friction.constant() ? T(K(friction.fast))
+                               : value(slip2) > 0  ? friction(T(sqrt(slip2)))
+                                                   : friction(T(Number(0))));
       const Number sticks = mass * Number(2) / Number(7);
       const bool slides = value(slip2) * sticks * sticks > value(most) * value(most);
       const T share = slides ? T(most / sqrt(slip2)) : T(sticks);

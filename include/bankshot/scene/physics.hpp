@@ -14,6 +14,7 @@
 #include "bankshot/contact/han2005.hpp"
 #include "bankshot/contact/mathavan2010.hpp"
 #include "bankshot/contact/mirror.hpp"
+#include "bankshot/contact/stronge.hpp"
 #include "bankshot/motion/ideal.hpp"
 #include "bankshot/motion/rolling.hpp"
 #include "bankshot/motion/slide_roll.hpp"
@@ -22,7 +23,7 @@ namespace bankshot {
 
 struct Physics {
   std::variant<Ideal, Rolling, SlideRoll> motion = Rolling{};
-  std::variant<Mirror, Han2005, Mathavan2010, CustomCushion> cushion = Mirror{};
+  std::variant<Mirror, Han2005, Mathavan2010, Stronge, CustomCushion> cushion = Mirror{};
   BallBall ball_ball{};
 };
 
