@@ -215,6 +215,18 @@ for (const { name, url } of await ways(server))
       await own.page.keyboard.press('ArrowUp');
       await answered(own.page);
       assert.equal((await scene(own.page)).top, '0.1');
+      for (let i = 0; i < 4; ++i) {
+        await own.page.keyboard.press('Control+z');
+        await answered(own.page);
+      }
+      assert.deepEqual(await scene(own.page), {});
+      assert.ok(await own.page.isDisabled('#undo'));
+      await own.page.locator('[name="most"]').fill('3');
+      await answered(own.page);
+      await own.page.locator('[name="most"]').blur();
+      await own.page.click('#undo');
+      await answered(own.page);
+      assert.deepEqual(await scene(own.page), {});
       assert.deepEqual(own.complaints, []);
       await own.page.close();
     });

@@ -46,7 +46,7 @@ const closer = new Closer({
 const hands = {
   scene: () => scene,
   moved(before) {
-    if (before && state.address(before) !== state.address(scene)) state.remember(before);
+    if (before && state.address(before) !== state.address(scene)) remember(before);
     if (before) show();
     solve();
   },
@@ -110,11 +110,21 @@ function show() {
   form.elements.least.disabled = sent || scene.order.length > 0;
   form.elements.most.disabled = !sent && scene.order.length > 0;
   $('remove').disabled = scene.others.length === 0;
+  canUndo();
+}
+
+function canUndo() {
   for (const [id, can] of Object.entries(state.can())) $(id).disabled = !can;
 }
 
+/** Before it changes. @param {state.Scene} before */
+function remember(before) {
+  state.remember(before);
+  canUndo();
+}
+
 function change(f) {
-  state.remember(scene);
+  remember(scene);
   f();
   rebuild();
 }
@@ -236,7 +246,7 @@ let untouched = null;
 const drawTip = tip($('tip'), ({ side, top }, done) => {
   untouched ??= structuredClone(scene);
   Object.assign(scene, { side, top });
-  if (done) state.remember(untouched);
+  if (done) remember(untouched);
   if (done) untouched = null;
   solve();
 });
@@ -250,7 +260,7 @@ function listen() {
   controls.bind(
     form,
     () => scene,
-    state.remember,
+    remember,
     (key) => (shapes.includes(key) ? rebuild() : solve()),
   );
   pressed('add', () => free() && change(() => scene.others.push(free())));
