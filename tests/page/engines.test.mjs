@@ -5,27 +5,22 @@ import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { createContext, runInContext } from 'node:vm';
 import { program } from './browser.mjs';
 
 const folder = fileURLToPath(new URL('../../build/wasm/', import.meta.url));
 const seed = 7;
 
-/** As worker.js asks it. */
+/** The worker of the page, with what it posts as what it answers. */
 async function local() {
-  const make = createRequire(import.meta.url)(folder + 'engine.js');
-  const engine = await make({ wasmBinary: readFileSync(folder + 'engine.wasm') });
-  const put = (text) => {
-    const size = engine.lengthBytesUTF8(text) + 1;
-    const at = engine._malloc(size);
-    engine.stringToUTF8(text, at, size);
-    return at;
-  };
-  return (name, flags, body) => {
-    const words = [name, flags, body].map(put);
-    const at = engine._bankshot_ask(...words);
-    const text = engine.UTF8ToString(at);
-    for (const word of [...words, at]) engine._free(word);
-    return text.slice(text.indexOf('\n') + 1);
+  let posted;
+  const bankshotEngine = createRequire(import.meta.url)(folder + 'engine.js');
+  const worker = createContext({ bankshotEngine, WebAssembly, postMessage: (reply) => (posted = reply) });
+  runInContext(readFileSync(new URL('../../src/app/serve/wasm/worker.js', import.meta.url), 'utf8'), worker);
+  await worker.onmessage({ data: { module: await WebAssembly.compile(readFileSync(folder + 'engine.wasm')) } });
+  return async (name, flags, body) => {
+    await worker.onmessage({ data: { name, flags, body } });
+    return posted.text;
   };
 }
 
@@ -66,7 +61,7 @@ test('the program and the page’s own engine answer 200 puzzles alike', async (
       .split('\n');
     for (const line of lines) {
       const native = JSON.parse(run(['solve', '--json', '--no-timing'], line));
-      const own = JSON.parse(ask('solve', 'no-timing=\n', line));
+      const own = JSON.parse(await ask('solve', 'no-timing=\n', line));
       same(native, own, JSON.parse(line).id);
       ++puzzles;
     }
@@ -77,7 +72,7 @@ test('the program and the page’s own engine answer 200 puzzles alike', async (
 test('the page’s own engine refuses as the program does', async (t) => {
   if (!existsSync(folder + 'engine.wasm')) return t.skip('no engine: bash examples/page.sh');
   const ask = await local();
-  assert.deepEqual(JSON.parse(ask('solve', '', '{"table": "no"}')).path, '/table');
-  assert.match(JSON.parse(ask('solve', 'wrong=\n', '{}')).reason, /--wrong/);
-  assert.match(JSON.parse(ask('nothing', '', '')).reason, /nothing/);
+  assert.deepEqual(JSON.parse(await ask('solve', '', '{"table": "no"}')).path, '/table');
+  assert.match(JSON.parse(await ask('solve', 'wrong=\n', '{}')).reason, /--wrong/);
+  assert.match(JSON.parse(await ask('nothing', '', '')).reason, /nothing/);
 });

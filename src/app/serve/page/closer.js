@@ -8,6 +8,7 @@ import { mirrorAim, mirrorPath } from './mirror.js';
 import { firstCushion, lead } from './paint.js';
 import { starts } from './starts.js';
 import * as state from './state.js';
+import { wrapped } from './units.js';
 
 /**
  * @typedef {{
@@ -78,7 +79,7 @@ export class Closer {
     const layer = this.page.layers().own;
     layer.replaceChildren();
     lead(layer, [], followed, 'own');
-    const angle = (((launch.angle % 360) + 360) % 360).toFixed(2);
+    const angle = wrapped(launch.angle).toFixed(2);
     const words = outcome(this.page.scene(), followed);
     $('other').textContent = `Your aim, ${angle}° at ${launch.speed.toFixed(2)} m/s: it ${words}.`;
   }

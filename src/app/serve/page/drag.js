@@ -1,5 +1,16 @@
 // Moves what has a grip: with mouse, pen or finger, or with the arrow keys (1 mm, with Shift a tenth of it).
 
+/** Where a pointer is in the units of a picture, y upwards. @param {SVGSVGElement} svg @returns {[number, number]} */
+export function pointIn(svg, event) {
+  const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+  return [p.x, -p.y];
+}
+
+/** Which way an arrow key goes; undefined for any other key. @param {KeyboardEvent} event */
+export function arrow(event) {
+  return { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+}
+
 let grips = 0; // that are held
 
 export const holding = () => grips > 0;
@@ -12,24 +23,20 @@ export const holding = () => grips > 0;
  * @param {() => [number, number] | null} coarse how far a key moves, where it is not by millimetres
  */
 export function draggable(grip, svg, where, move, coarse) {
-  const place = (event) => {
-    const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-    return [p.x, -p.y];
-  };
   let held = null;
   let moved = false;
   grip.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     ++grips;
     const at = where();
-    const p = place(event);
+    const p = pointIn(svg, event);
     held = [at[0] - p[0], at[1] - p[1]];
     moved = false;
     grip.setPointerCapture(event.pointerId);
   });
   grip.addEventListener('pointermove', (event) => {
     if (!held) return;
-    const p = place(event);
+    const p = pointIn(svg, event);
     moved = true;
     move([p[0] + held[0], p[1] + held[1]], false);
   });
@@ -41,12 +48,7 @@ export function draggable(grip, svg, where, move, coarse) {
   grip.addEventListener('pointerup', drop);
   grip.addEventListener('pointercancel', drop);
   grip.addEventListener('keydown', (event) => {
-    const way = {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, 1],
-      ArrowDown: [0, -1],
-    }[event.key];
+    const way = arrow(event);
     if (!way) return;
     event.preventDefault();
     const fine = event.shiftKey ? 0.0001 : 0.001;

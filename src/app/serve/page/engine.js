@@ -31,8 +31,9 @@ export async function ask(path, body, kind = path) {
   const mine = new AbortController();
   asking.set(kind, mine);
   try {
-    const send = local.isHere ? local.send : atServer;
-    const { ok, text } = await send(path, body && JSON.stringify(body), kind, mine.signal);
+    const json = body && JSON.stringify(body);
+    const reply = local.isHere ? local.send(path, json, mine.signal) : atServer(path, json, kind, mine.signal);
+    const { ok, text } = await reply;
     if (asking.get(kind) !== mine) return null;
     if (!ok) return invalid(JSON.parse(text));
     return /^\s*[[{]/.test(text) ? JSON.parse(text) : text;

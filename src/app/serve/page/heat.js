@@ -1,22 +1,19 @@
 // Chance over aim and speed, around a shot: why it is safe or not. All shots found there are marked.
 import { ask } from './engine.js';
+import { wrapped } from './units.js';
 
 const columns = 160;
 const rows = 100;
 const beside = 3; // degrees shown on either side
 
-/** @param {any} puzzle @param {any} shot */
-function view(puzzle, shot) {
-  const [slow, fast] = [0.4 * shot.speed, 1.8 * shot.speed];
-  const angle = [shot.angle - beside, shot.angle + beside];
-  const fixed = {
-    ...puzzle,
-    ball: {
-      ...puzzle.ball,
-      ...(shot.spin && puzzle.ball.spin ? { spin: shot.spin } : {}),
-    },
-  };
-  return { angle, speed: [slow, fast], puzzle: fixed };
+/** What is shown, in degrees and m/s. @param {any} shot in the middle */
+function view(shot) {
+  return { angle: [shot.angle - beside, shot.angle + beside], speed: [0.4 * shot.speed, 1.8 * shot.speed] };
+}
+
+/** With the shot's spin, where the planner chose it. */
+function withSpin(puzzle, { spin }) {
+  return spin && puzzle.ball.spin ? { ...puzzle, ball: { ...puzzle.ball, spin } } : puzzle;
 }
 
 /** From the cloth's colour to the path's, by way of none: light where it is sure. */
@@ -31,8 +28,9 @@ function colour(chance) {
  * @returns {Promise<string>} what went wrong, or nothing
  */
 export async function heat(canvas, puzzle, shots, shot) {
-  const v = view(puzzle, shot);
-  const map = await ask(`launches?angle=${v.angle}&speed=${v.speed}&grid=${columns},${rows}`, v.puzzle, 'launches');
+  const v = view(shot);
+  const asked = `launches?angle=${v.angle}&speed=${v.speed}&grid=${columns},${rows}`;
+  const map = await ask(asked, withSpin(puzzle, shot), 'launches');
   if (!map) return '';
   if (map.error) return map.error.reason;
   const picture = new ImageData(columns, rows);
@@ -52,7 +50,7 @@ export async function heat(canvas, puzzle, shots, shot) {
 }
 
 function mark(pen, { angle, speed }, shot, chosen) {
-  const turn = ((((shot.angle - angle[0]) % 360) + 360) % 360) / (angle[1] - angle[0]);
+  const turn = wrapped(shot.angle - angle[0]) / (angle[1] - angle[0]);
   const faster = (shot.speed - speed[0]) / (speed[1] - speed[0]);
   if (turn > 1 || faster < 0 || faster > 1) return;
   pen.beginPath();
@@ -64,8 +62,7 @@ function mark(pen, { angle, speed }, shot, chosen) {
 
 /** The launch at a place of the picture. @param {any} shot in the middle @param {number} x from 0 to 1 @param {number} y from below */
 export function launchAt(shot, x, y) {
-  const v = view({ ball: {} }, shot);
-  const [a, s] = [v.angle, v.speed];
+  const { angle: a, speed: s } = view(shot);
   return {
     ...shot,
     angle: a[1] - x * (a[1] - a[0]),

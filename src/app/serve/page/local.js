@@ -62,8 +62,8 @@ async function free(work, module, signal) {
   }
 }
 
-/** @param {string} path @param {string} body @param {string} _kind @param {AbortSignal} signal */
-export async function send(path, body, _kind, signal) {
+/** @param {string} path @param {string} body @param {AbortSignal} signal */
+export async function send(path, body, signal) {
   const module = await (compiled ??= compile());
   const work = path.split('?')[0] + (path.includes('first') ? ' first' : '');
   const desk = await free(work, module, signal);

@@ -4,7 +4,7 @@ import { Board, inside } from './board.js';
 import { Closer } from './closer.js';
 import * as controls from './controls.js';
 import { $ } from './controls.js';
-import { holding } from './drag.js';
+import { holding, pointIn } from './drag.js';
 import { ask, forget } from './engine.js';
 import { follow, hits, turns } from './follow.js';
 import { gallery } from './gallery.js';
@@ -71,7 +71,6 @@ function targets() {
 
 /** Everything anew, after what is not a movement. */
 function rebuild() {
-  stop();
   const { grip, cushion } = svg.querySelector(':focus')?.dataset ?? {};
   table = tables.find(({ name }) => name === scene.table) ?? tables[0];
   scene.table = table.name;
@@ -263,7 +262,10 @@ function listen() {
     remember,
     (key) => (shapes.includes(key) ? rebuild() : solve()),
   );
-  pressed('add', () => free() && change(() => scene.others.push(free())));
+  pressed('add', () => {
+    const at = free();
+    if (at) change(() => scene.others.push(at));
+  });
   pressed('remove', () => change(() => scene.others.pop()));
   pressed('unordered', () => change(() => (scene.order = [])));
   pressed('undo', () => ((scene = state.undo(scene)), rebuild()));
@@ -281,8 +283,8 @@ function listen() {
     $('gallery').value = '';
   });
   svg.addEventListener('dblclick', (event) => {
-    const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-    if (event.target.classList.contains('cloth')) change(() => scene.others.push(inside(table, [p.x, -p.y])));
+    if (!event.target.classList.contains('cloth')) return;
+    change(() => scene.others.push(inside(table, pointIn(svg, event))));
   });
   addEventListener('resize', () => board.placeAll());
   addEventListener('hashchange', () => change(() => (scene = state.read())));

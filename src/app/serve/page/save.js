@@ -1,12 +1,8 @@
 // Takes things home: the puzzle and its answer as JSON, the picture as SVG and PNG.
 
-const kept = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity', 'paint-order'].concat([
-  'text-anchor',
-  'dominant-baseline',
-  'font-size',
-  'font-weight',
-  'font-family',
-]);
+const colours = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity', 'paint-order'];
+const letters = ['text-anchor', 'dominant-baseline', 'font-size', 'font-weight', 'font-family'];
+const kept = [...colours, ...letters];
 
 /** The picture with its colours inside. @param {SVGSVGElement} svg */
 function alone(svg) {

@@ -1,4 +1,5 @@
 // What is asked, as one plain object; its history, and the address that holds it.
+import { wrapped } from './units.js';
 
 /**
  * @typedef {[number, number]} Point in metres
@@ -181,6 +182,6 @@ export function shot(scene, { speed, angle, spin }) {
   return {
     ...rest,
     ball: { at: ball.at },
-    shot: { speed, angle: ((angle % 360) + 360) % 360, ...struck },
+    shot: { speed, angle: wrapped(angle), ...struck },
   };
 }

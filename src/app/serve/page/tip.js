@@ -1,4 +1,5 @@
 // Where the cue meets the ball: a picture of it, with a dot that is dragged or moved by arrow keys.
+import { arrow, pointIn } from './drag.js';
 import { shape } from './table.js';
 
 const widest = 1.25; // of spin, where the tip is half a radius off the centre: beyond, it slips
@@ -25,10 +26,7 @@ export function tip(svg, put) {
     show(now);
     put(now, done);
   };
-  const at = (event) => {
-    const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-    return [(p.x / half) * widest, (-p.y / half) * widest];
-  };
+  const at = (event) => pointIn(svg, event).map((v) => (v / half) * widest);
   let held = false;
   svg.addEventListener('pointerdown', (event) => {
     if (svg.hasAttribute('aria-disabled') || event.button !== 0) return;
@@ -48,12 +46,7 @@ export function tip(svg, put) {
       held = false;
     });
   dot.addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => {
-    const way = {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, 1],
-      ArrowDown: [0, -1],
-    }[event.key];
+    const way = arrow(event);
     if (!way || svg.hasAttribute('aria-disabled')) return;
     event.preventDefault();
     const step = event.shiftKey ? 0.02 : 0.1;

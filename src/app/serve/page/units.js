@@ -21,6 +21,9 @@ export function useInches(on) {
   }
 }
 
+/** The same direction, from 0 to 360. @param {number} degrees */
+export const wrapped = (degrees) => ((degrees % 360) + 360) % 360;
+
 /** @param {number} metres */
 export function length(metres) {
   if (inches) return (metres / 0.0254).toFixed(2) + ' in';
