@@ -65,19 +65,21 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
                faster = (grid.speed.high - grid.speed.low) / grid.speeds;
   const std::vector<double> by_aim = weights(puzzle.noise.angle, aim), by_speed = weights(puzzle.noise.speed, faster);
   const int beside = static_cast<int>(by_aim.size()) / 2, above = static_cast<int>(by_speed.size()) / 2;
+  // As far around the window as the noise reaches.
+  const LaunchGrid around{{grid.angle.low - beside * aim, grid.angle.high + beside * aim},
+                          {grid.speed.low - above * faster, grid.speed.high + above * faster},
+                          grid.angles + 2 * beside,
+                          grid.speeds + 2 * above};
+  if (static_cast<double>(around.angles) * around.speeds > most_cells) throw too_fine();
   const planning::Question q(puzzle);
   const planning::Goal goal = planning::Goal::of(q);
   planning::Ledger ledger(std::numeric_limits<long>::max(), cancelled);
-  Rows made{grid.angles + 2 * beside, grid.speeds + 2 * above};
-  if (static_cast<double>(made.columns) * made.rows > most_cells) throw too_fine();
-  made.cells.resize(static_cast<std::size_t>(made.columns * made.rows));
+  Rows made{around.angles, around.speeds, std::vector<double>(around.size())};
+  for (std::size_t i = 0; i < around.size() && !ledger.spent(); ++i) {
+    const Launch launch = around.at(i);
+    if (launch.speed > 0 && planning::replay(q, ledger, launch, goal).made) made.cells[i] = 1;
+  }
   LaunchMap map{grid, {}, {}};
-  for (int row = 0; row < made.rows; ++row)
-    for (int column = 0; column < made.columns && !ledger.spent(); ++column) {
-      const double speed = grid.speed.low + (row - above + 0.5) * faster,
-                   angle = grid.angle.low + (column - beside + 0.5) * aim;
-      if (speed > 0 && planning::replay(q, ledger, {speed, wrap_angle(angle)}, goal).made) made.at(column, row) = 1;
-    }
   for (int row = 0; row < grid.speeds; ++row)
     for (int column = 0; column < grid.angles; ++column) map.made.push_back(made.at(column + beside, row + above) != 0);
   Rows half = blurred(made, by_aim);
