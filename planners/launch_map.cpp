@@ -31,17 +31,20 @@ std::vector<double> weights(double deviation, double cell) {
 
 /// A table of numbers, row by row.
 struct Rows {
+  Rows(int of_columns, int of_rows)
+      : columns(of_columns), rows(of_rows), cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
   int columns, rows;
-  std::vector<double> cells{};
-  double& at(int column, int row) { return cells[static_cast<std::size_t>(row * columns + column)]; }
+  std::vector<double> cells;
+  double& at(int column, int row) {
+    return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
+  }
 };
 
 /// Each row summed with the weights: as many cells fewer on either side as the weights reach. Turned, so that twice
 /// does both directions.
 Rows blurred(Rows& from, const std::vector<double>& weights) {
   const auto reach = static_cast<int>(weights.size()) - 1;
-  Rows to{from.rows, from.columns - reach};
-  to.cells.resize(static_cast<std::size_t>(to.columns * to.rows));
+  Rows to(from.rows, from.columns - reach);
   for (int row = 0; row < from.rows; ++row)
     for (int column = 0; column < to.rows; ++column) {
       double sum = 0;
@@ -74,7 +77,7 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
   const planning::Question q(puzzle);
   const planning::Goal goal = planning::Goal::of(q);
   planning::Ledger ledger(std::numeric_limits<long>::max(), cancelled);
-  Rows made{around.angles, around.speeds, std::vector<double>(around.size())};
+  Rows made(around.angles, around.speeds);
   for (std::size_t i = 0; i < around.size() && !ledger.spent(); ++i) {
     const Launch launch = around.at(i);
     if (launch.speed > 0 && planning::replay(q, ledger, launch, goal).made) made.cells[i] = 1;
