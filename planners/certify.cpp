@@ -50,7 +50,8 @@ bool make_room(const Question& q, std::vector<Shot>& shots, const Shot& shot) {
 /// m: what rounding can do to an arrival (simulate/simulator.hpp, property 6).
 double rounding(const Question& q, const Shot& shot) {
   const bool integrated = std::holds_alternative<Mathavan2010>(q.puzzle.physics.cushion);
-  const double unit = integrated ? tolerance::impact : tolerance::simulation_error * 0x1p-53;
+  const double pieces = is_level(q.puzzle.physics) ? 1 : tolerance::pieces_rounding;
+  const double unit = integrated ? tolerance::impact : tolerance::simulation_error * 0x1p-53 * pieces;
   return unit * (1 + static_cast<double>(shot.cushions.size())) * (q.boundary.extent + shot.condition);
 }
 

@@ -45,7 +45,7 @@ std::optional<Vec2d> free_place(Random& r, const Boundary& b, const Table& table
 
 /// Half of all shots are struck in the centre; tenths of natural roll else.
 LaunchSpin draw_spin(Random& r, const Physics& physics) {
-  if (is_straight(physics) || r.chance(0.5)) return {};
+  if (!carries_spin(physics) || r.chance(0.5)) return {};
   LaunchSpin s{r.integer(-5, 10) / 10.0, r.integer(-5, 5) / 10.0, 0};
   if (r.chance(0.1)) s.masse = r.integer(-5, 5) / 10.0;
   return s;

@@ -364,6 +364,18 @@ inline constexpr double finest = 1e-15;
 inline constexpr double flat = 1e-6, least_scale = 1e-12, most_scale = 0.1;
 }  // namespace margin
 
+namespace all_errors {
+/// Simulations for the chance of a player who errs in more than aim and speed.
+inline constexpr int draws = 4096;
+}  // namespace all_errors
+
+namespace sensitivity {
+/// m/m. The slope of a level table where it varies: so little that it moves nothing, and its direction has derivatives.
+inline constexpr double least_rise = 1e-9;
+/// Of a coefficient, to either side: where a law is integrated, rounding and truncation are alike.
+inline constexpr double difference = 1e-5;
+}  // namespace sensitivity
+
 // In standard deviations of the player, where nothing else is said.
 namespace success {
 /// Simulations at most; 100 are usual. What the chance is off by is in planners/README.md.

@@ -10,6 +10,7 @@
 #include "planners/family/family.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/merit/safest.hpp"
+#include "planners/merit/sensitivity.hpp"
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/settings.hpp"
@@ -25,13 +26,14 @@ using planning::Wanted;
 
 std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shots) {
   std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling"};
-  if (!is_straight(p.physics)) out.insert(out.begin(), "sliding");
+  if (carries_spin(p.physics)) out.insert(out.begin(), "sliding");
   constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010", "stronge", "custom cushion"};
   out.push_back(cushions[p.physics.cushion.index()]);
   if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.cushion_stick; }))
     out.push_back("cushion-stick");
   if (!p.table.pockets.empty()) out.push_back("pockets");
   if (!p.others.empty()) out.push_back("balls");
+  if (!is_level(p.physics)) out.push_back("tilt");
   return out;
 }
 
@@ -78,6 +80,9 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
   if (!q.all() && distinct > 1) found.shots.resize(1);
+  if (options.sensitivity)
+    for (Shot& shot : found.shots)
+      planning::as_struck(q, shot, [&](const Question& own) { planning::add_sensitivity(own, shot); });
   a.shots = std::move(found.shots);
   a.modelled = modelled(q.puzzle, a.shots);
   a.message = planning::message(q, ledger, found, a, distinct);
@@ -109,7 +114,8 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   const planning::methods::Method& method = planning::methods::find(options.planner);
   if (!method.info.bends && !is_straight(puzzle.physics))
     throw InvalidInput(
-        "", fmt::format("the planner \"{}\" does not do physics with spin, where paths bend", method.info.name));
+        "", fmt::format("the planner \"{}\" does not do physics with spin or a tilted table, where paths bend",
+                        method.info.name));
   if ((then_of(puzzle.target) || off_of(puzzle.target) != 0) && options.planner != "auto")
     throw InvalidInput("", fmt::format("the planner \"{}\" sets no other ball going", method.info.name));
   const auto begin = std::chrono::steady_clock::now();
@@ -121,7 +127,10 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     const Question q(one ? *one : puzzle, wanted(options));
     Findings found;
     ledger.begin_part(spins.size() - i);
-    if (!ledger.spent() && !q.covering()) method.plan(q, ledger, found);
+    if (q.stop && !rests(q.puzzle.physics))
+      found.add_note("no ball comes to rest on a table that leans by more than rolling friction holds");
+    else if (!ledger.spent() && !q.covering())
+      method.plan(q, ledger, found);
     if (found.shots.empty() && !ledger.exhausted() && i + 1 < spins.size()) continue;
     planning::rank(q, found.shots);
     if (puzzle.aim == Aim::safest && !found.shots.empty())

@@ -100,7 +100,7 @@ std::string what_would_open(const Puzzle& puzzle, const Solve& solve) {
     for (const Contact c : shot->cushions) names += (names.empty() ? " (" : ", ") + contact_name(p.table, c);
     return fmt::format("there is a shot with {} cushion{}{}", n, n == 1 ? "" : "s", names.empty() ? "" : names + ")");
   }
-  if (is_straight(puzzle.physics) || puzzle.spin_range) return "";
+  if (!carries_spin(puzzle.physics) || puzzle.spin_range) return "";
   p = puzzle;
   for (const double side : settings::hints::side_spins) {
     p.spin.side = side;

@@ -44,12 +44,13 @@ double distance_to(const Vec2d& a, const Vec2d& b) {
 }  // namespace
 
 Unfolding::Unfolding(const Question& q, const Options& options)
-    : q_(q), options_(options), longest_(q.speed.high * q.speed.high / (2 * deceleration(q.puzzle.physics))) {
+    : q_(q), options_(options), longest_(q.speed.high * q.speed.high / (2 * least_deceleration(q.puzzle.physics))) {
+  for (int i = 0; i < static_cast<int>(q.boundary.walls.size()); ++i) mirrors_ = mirrors_ && restitution_of(i) == 1;
   const CushionRule& rule = q.cushions();
   const long images = 2L * (rule.max + 1L) * (rule.max + 1L) - 2L * rule.min * rule.min;
   if (q.route)
     follow_route();
-  else if (q.puzzle.table.is_rectangle() && options_.restitution == 1 && !options.keep_routes && images <= most_images)
+  else if (q.puzzle.table.is_rectangle() && mirrors_ && !options.keep_routes && images <= most_images)
     lattice();
   else {
     nodes_.reserve(usual_nodes);
@@ -94,9 +95,9 @@ Route Unfolding::route(const Candidate& c) const {
 void Unfolding::visit(Node node) {
   const CushionRule& rule = q_.cushions();
   if (node.bounces >= rule.min) propose(node);
-  if (node.bounces == rule.max || options_.restitution == 0) return;
+  if (node.bounces == rule.max) return;
   for (int wall = 0; wall < static_cast<int>(q_.boundary.walls.size()); ++wall)
-    if (auto next = child(node, wall)) {
+    if (auto next = restitution_of(wall) == 0 ? std::nullopt : child(node, wall)) {
       if (next->length <= longest_)
         add(*next);
       else
@@ -127,7 +128,7 @@ void Unfolding::find_window(const Node& node, const Mark& mark, Candidate& c) co
   const Vec2d middle = node.image.apply(mark.at) - q_.puzzle.ball.at;
   const double distance = norm(middle);
   // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
-  const double covers = mark.reach * (options_.restitution == 1 ? 1 : 2 * node.image.stretch()) / distance;
+  const double covers = mark.reach * (mirrors_ ? 1 : 2 * node.image.stretch()) / distance;
   const double half = covers < 1 ? std::asin(covers) : radians(180),
                turned = c.ray == middle ? 0 : angle_between(c.ray, middle);
   double low = -half, high = half;
@@ -145,7 +146,7 @@ void Unfolding::find_window(const Node& node, const Mark& mark, Candidate& c) co
 
 Affine Unfolding::through(const Affine& image, int wall) const {
   const Wall& w = q_.boundary.walls[static_cast<std::size_t>(wall)];
-  const double k = 1 + 1 / options_.restitution;
+  const double k = 1 + 1 / restitution_of(wall);
   const Vec2d n = w.normal;
   // image ∘ (x -> x − k (n·x − d) n)
   const double xx = 1 - k * n.x * n.x, xy = -k * n.x * n.y, yy = 1 - k * n.y * n.y;
@@ -153,6 +154,13 @@ Affine Unfolding::through(const Affine& image, int wall) const {
              image.yx * xy + image.yy * yy};
   out.shift = image.apply(n * (k * w.offset));
   return out;
+}
+
+double Unfolding::restitution_of(int wall) const {
+  const RailCushion* const rail = q_.boundary.own_cushion(Contact::rail(wall));
+  if (!rail || !rail->restitution) return options_.restitution;
+  const double shared = restitution(q_.puzzle.physics).at_rest;
+  return rail->restitution->at_rest * (shared > 0 ? options_.restitution / shared : 1);
 }
 
 double Unfolding::apart(int i, int j) {
@@ -193,7 +201,7 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   next.before = node.last;
   next.length_before = node.length;
   next.length = std::max(node.length + apart(node.last, wall), node.length_before + apart(node.before, wall));
-  if (options_.restitution == 1) next.length = std::max(next.length, next.distance);
+  if (mirrors_) next.length = std::max(next.length, next.distance);
   next.bounces = node.bounces + 1;
   next.parent = node.self;
   next.last = wall;
@@ -220,8 +228,9 @@ void Unfolding::follow_route() {
   Node node;
   for (const Meeting& meeting : *q_.route) {
     const Wall* const line = q_.boundary.line(meeting.with);
-    if (!line || options_.restitution == 0) return;  // no line is reflected at a vertex
+    if (!line) return;  // no line is reflected at a vertex
     const auto wall = static_cast<int>(line - q_.boundary.walls.data());
+    if (restitution_of(wall) == 0) return;
     std::optional<Node> next;
     if (!node.closed) next = child(node, wall);
     if (!next) {

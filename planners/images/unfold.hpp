@@ -43,7 +43,8 @@ class Unfolding {
  public:
   struct Options {
     bool parts = false;        ///< also propose images whose centre no ray reaches, but some part of which might be
-    double restitution = 1;    ///< what the unfolding stretches with; exact only where it is the cushions'
+    double restitution = 1;    ///< what the unfolding stretches with; exact only where it is the cushions'. A rail with
+                               ///< one of its own stretches with as large a share of that
     bool keep_routes = false;  ///< of each candidate, which a lattice does not; then `low` and `high` are left out
                                ///< where the centre's ray passes
   };
@@ -60,7 +61,7 @@ class Unfolding {
   /// Sequences left out because no launch within the speed bound rolls so far.
   long too_long() const { return too_long_; }
   /// Distances are path lengths: the first shot found is the shortest.
-  bool shortest_first() const { return options_.restitution == 1; }
+  bool shortest_first() const { return mirrors_; }
 
  private:
   struct Node {
@@ -100,9 +101,11 @@ class Unfolding {
   void follow_route();
   void lattice();
   Affine through(const Affine& image, int wall) const;
+  double restitution_of(int wall) const;
 
   const Question& q_;
   Options options_;
+  bool mirrors_ = true;  ///< all cushions stretch by 1
   bool whole_ = true;
   double longest_;  ///< m, how far the fastest launch rolls
   long visited_ = 0, too_long_ = 0;

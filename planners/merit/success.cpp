@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `success`: the chance that the target is made, by any allowed cushions, under the player's normal errors.
+// `success`: the chance that the target is made, by any allowed cushions, under the player's normal errors of aim and
+// speed (more of them: all_errors.hpp).
 // Method: counted in the player's deviations the errors of aim and speed are equally likely in every
 // direction, so their plane may be turned: `across` is the direction that moves the arrival most, to first
 // order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a line
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planners/merit/all_errors.hpp"
 #include "planners/merit/room.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
@@ -346,7 +348,8 @@ class Chance {
 }  // namespace
 
 void find_success(const Question& q, Ledger& ledger, Shot& shot, std::span<const Shot> others) {
-  shot.success = Chance(q, ledger, shot, others).run();
+  shot.success =
+      q.puzzle.noise.in_more() ? success_under_all_errors(q, ledger, shot) : Chance(q, ledger, shot, others).run();
 }
 
 }  // namespace bankshot::planning

@@ -75,7 +75,7 @@ void write_then(JsonWriter& w, const Puzzle& p, std::span<const Onward> then, co
 /// `why` is the reason of a nearest miss; none for a shot.
 void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, const std::string* why = nullptr) {
   // Without the physics `spin` the ball rolls from the start: natural roll, hit 2/5 R above centre.
-  const LaunchSpin spin = is_straight(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
+  const LaunchSpin spin = !carries_spin(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
   w.open('{');
   w.number("speed", shot.launch.speed);
   w.number("angle", exact_degrees(shot.launch.angle));
@@ -111,6 +111,12 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
     w.close('}');
   }
   if (shot.success) w.number("success", *shot.success);
+  if (!shot.sensitivity.empty()) {
+    w.key("sensitivity");
+    w.open('{');
+    for (const Sensitivity& s : shot.sensitivity) w.number(s.coefficient, s.by);
+    w.close('}');
+  }
   if (path) write_points(w, p, shot);
   w.string("planner", shot.planner);
   w.integer("simulations", shot.simulations);

@@ -38,7 +38,7 @@ std::vector<Contact> read_contacts(const Reader& r, const Table& table) {
 LaunchSpin read_spin(const Reader& r, const Puzzle& p) {
   LaunchSpin spin{r.need("top").number(), r.need("side").number(), 0};
   if (const auto v = r.find("masse")) spin.masse = v->number();
-  if (is_straight(p.physics)) spin.top -= 1;
+  if (!carries_spin(p.physics)) spin.top -= 1;
   return spin;
 }
 
@@ -88,6 +88,8 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   if (const auto m = r.find("margin"))
     s.margin = Margin{read_bounds(m->need("angle"), radians(1)), read_bounds(m->need("speed"), 1)};
   if (const auto v = r.find("success")) s.success = v->number();
+  if (const auto v = r.find("sensitivity"))
+    for (const auto& [coefficient, by] : v->members()) s.sensitivity.push_back({coefficient, by.number()});
   s.planner = r.need("planner").text();
   s.simulations = r.need("simulations").count();
   return s;

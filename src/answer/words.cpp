@@ -172,7 +172,7 @@ std::string speed_words(const ShotRequest& r) {
 
 std::string tip_words(const ShotRequest& r) {
   const LaunchSpin& s = r.spin;
-  Tip tip = tip_of(is_straight(r.physics) ? LaunchSpin{.top = 1} : s, r.ball.body.radius);
+  Tip tip = tip_of(!carries_spin(r.physics) ? LaunchSpin{.top = 1} : s, r.ball.body.radius);
   std::string raised;
   if (s.masse != 0) {
     if (!(s.masse * s.side > 0)) return "no cue gives this spin: a ball curves towards the side that it is struck on";
@@ -184,7 +184,7 @@ std::string tip_words(const ShotRequest& r) {
   if (tip.up != 0) text = side_words(tip.up, "above", "below") + " the centre";
   if (tip.right != 0) text += (text.empty() ? "" : ", ") + side_words(tip.right, "to the right", "to the left");
   if (text.empty()) text = "in the centre";
-  if (is_straight(r.physics)) return text + ", so that it rolls from the start";
+  if (!carries_spin(r.physics)) return text + ", so that it rolls from the start";
   if (may_miscue(s))
     raised += fmt::format("; it may slip off, {:.0f} % of the radius from the centre, where half is the limit",
                           100 * tip_of(s, 1).from_centre());
@@ -192,7 +192,11 @@ std::string tip_words(const ShotRequest& r) {
 }
 
 std::string noise_words(const Noise& n) {
-  return fmt::format("{:.3g} degrees of aim and {:.3g} m/s of speed", degrees(n.angle), n.speed);
+  std::string out = fmt::format("{:.3g} degrees of aim and {:.3g} m/s of speed", degrees(n.angle), n.speed);
+  if (n.side > 0) out += fmt::format(", {:.3g} of side spin", n.side);
+  if (n.top > 0) out += fmt::format(", {:.3g} of topspin", n.top);
+  if (n.at > 0) out += fmt::format(", {:.3g} mm of where the balls are", n.at * 1000);
+  return out;
 }
 
 namespace {
@@ -226,6 +230,35 @@ std::string target_of(const Puzzle& p, const Shot& shot, const std::string& aim)
     to += (to.empty() ? "to send " : "onto ") + name(sent.ball) + " " +
           (sent.cushions.empty() ? "" : "by " + cushion_names(p.table, sent.cushions) + " ");
   return to + aim;
+}
+
+/// What moves the arrival visibly, most first: by as much of each coefficient as one may well be wrong by.
+std::vector<std::string> sensitivity_words(const Puzzle& p, const Shot& shot) {
+  struct Step {
+    std::string_view in_name;
+    double by;
+    std::string_view words;
+  };
+  constexpr Step steps[] = {{"height", 0.001, "1 mm of nose height"},
+                            {"tilt.x", 0.001, "1 mm a metre of rise along x"},
+                            {"tilt.y", 0.001, "1 mm a metre of rise along y"},
+                            {"rolling_friction", 0.001, "0.001 of"},
+                            {"frequency_ratio", 0.1, "0.1 of"},
+                            {"", 0.01, "0.01 of"}};
+  std::vector<std::pair<double, std::string>> lines;
+  for (const Sensitivity& s : shot.sensitivity) {
+    const Step& step = *std::ranges::find_if(
+        steps, [&](const Step& one) { return s.coefficient.find(one.in_name) != std::string::npos; });
+    const std::string off = distance_words(s.by * step.by, p.table);
+    if (off == "exact") continue;
+    const std::string what =
+        step.words.ends_with(" of") ? fmt::format("{} {}", step.words, s.coefficient) : std::string(step.words);
+    lines.emplace_back(s.by * step.by, fmt::format("{} moves it by {}", what, off));
+  }
+  std::ranges::stable_sort(lines, std::greater(), [](const auto& line) { return line.first; });
+  std::vector<std::string> out;
+  for (auto& [by, line] : lines) out.push_back(std::move(line));
+  return out;
 }
 
 }  // namespace
@@ -270,6 +303,7 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   }
   rows.push_back({"note", "0.1 degrees of aim moves the arrival by " +
                               distance_words(norm(shot.by_angle) * radians(0.1), p.table)});
+  for (const std::string& line : sensitivity_words(p, shot)) rows.push_back({"", line});
   return rows;
 }
 

@@ -26,6 +26,9 @@ Run add(CLI::App& app);
 namespace batch {
 Run add(CLI::App& app);
 }
+namespace merge {
+Run add(CLI::App& app);
+}
 namespace simulate {
 Run add(CLI::App& app);
 }

@@ -30,7 +30,7 @@ std::vector<std::string> broken(const std::string& text, double width) {
 /// The ball as the player sees it over the cue: the circle of the miscue limit, and the tip.
 void draw_inset(Canvas& c, const ShotRequest& shot, const Vec2d& middle, double radius) {
   const double R = shot.ball.body.radius;
-  const Tip tip = tip_of(is_straight(shot.physics) ? LaunchSpin{.top = 1} : shot.spin, R);
+  const Tip tip = tip_of(!carries_spin(shot.physics) ? LaunchSpin{.top = 1} : shot.spin, R);
   c.circle(middle, radius, fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.6")", c.c.ball, c.c.ball_edge));
   constexpr const char* thin = "#8b939d";
   c.add(R"(<path d="M{:.1f} {:.1f}h{:.1f}M{:.1f} {:.1f}v{:.1f}" stroke="{}" stroke-width="0.8"/>)", middle.x - radius,

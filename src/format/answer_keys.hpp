@@ -83,6 +83,9 @@ inline constexpr Key answer_shot_keys[] = {
      "how much may be wrong"},
     {"success", "number", "", "left out with --no-robustness", "0.87", "chance that the target is made under `noise`",
      between(0, 1)},
+    {"sensitivity", "<number>", "m per unit", "with --sensitivity", R"({"cushion.height": 14.1})",
+     "how far the arrival moves for each coefficient of the table, by its path in `physics`; `tilt.x` and `tilt.y` are "
+     "the table's"},
     {"path", "[place]", "s, m, m", "with --path", "[[0, 0.635, 0.4], [0.0167, 0.66, 0.37]]",
      "[t, x, y] 60 times a second and at every event"},
     {"paths", "<[place]>", "s, m, m", "with --path, where other balls move",

@@ -13,7 +13,7 @@
 //   point place vector            [x, y]; [t, x, y]; [x, y, z]
 //   word                          one of the key's words
 //   never                         nothing but `false`
-//   [T] {name} <T>                a list of T; an object of that name; T of each ball, by its id
+//   [T] {name} <T>                a list of T; an object of that name; T of each of several, by name
 //   later                         of the format, and not supported yet
 // clang-format on
 #pragma once

@@ -80,9 +80,9 @@ inline constexpr Object arrive{"arrive", "How fast the ball is to be at its targ
 inline constexpr Key noise_keys[] = {
     {"angle", "number", "degrees", "0.125", "0.3", "of aim", at_least(0)},
     {"speed", "number", "m/s", "0.075", "0.1", "of launch speed", at_least(0)},
-    {"side", later},
-    {"top", later},
-    {"at", later},
+    {"side", "number", "natural roll", "0", "0.02", "of side spin; only with the physics `spin`", at_least(0)},
+    {"top", "number", "natural roll", "0", "0.02", "of topspin; only with the physics `spin`", at_least(0)},
+    {"at", "number", "m", "0", "0.001", "of each coordinate of each ball's place; the aim stays", at_least(0)},
 };
 inline constexpr Object noise{"noise", "How far a player is off, one standard deviation.", noise_keys};
 

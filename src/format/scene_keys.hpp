@@ -32,6 +32,14 @@ inline constexpr Key pocket_keys[] = {
 };
 inline constexpr Object pocket{"pocket", "A pocket of your own.", pocket_keys};
 
+inline constexpr Key own_cushion_keys[] = {
+    {"restitution", "number | {restitution_of_speed}", "", "the physics'", "0.8",
+     "speed after a square bounce over the speed before", between(0, 1)},
+    {"friction", "number", "", "the physics'", "0.25", "between ball and cushion; only with the physics `spin`",
+     at_least(0)},
+};
+inline constexpr Object own_cushion{"own_cushion", "What the cushion of one rail has of its own.", own_cushion_keys};
+
 inline constexpr Key pockets_key{"pockets",  "word | [{pocket}]",       "", R"("none")",
                                  R"("six")", "`six` needs a rectangle", {}, layouts};
 inline constexpr Key mouth_key{"mouth",
@@ -42,9 +50,13 @@ inline constexpr Key mouth_key{"mouth",
                                "of the layout `six`, and of no other"};
 inline constexpr Key jaws_key{"jaws", "boolean", "", "false", "true", "the cushions end in jaws at the pockets `six`"};
 inline constexpr Key tilt_key{
-    "tilt",       "pair", "", "[0, 0]", "[0, 0]", "rise of the cloth per metre; another than 0 is not supported yet",
-    between(0, 0)};
-inline constexpr Key own_cushions_key{"cushions", later};
+    "tilt", "pair", "", "[0, 0]", "[0.002, 0]", "rise of the cloth per metre, along x and y", between(-1, 1)};
+inline constexpr Key own_cushions_key{"cushions",
+                                      "<{own_cushion}>",
+                                      "",
+                                      "all as in the physics",
+                                      R"({"top": {"restitution": 0.8}})",
+                                      "what single cushions have of their own"};
 
 inline constexpr Key rectangle_keys[] = {
     {"length", "number", "m", required, "2.54", "from nose to nose, along x", positive},

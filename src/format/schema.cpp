@@ -85,7 +85,7 @@ std::string in_words(const Key& key, std::string_view type) {
   const std::string inner(type.substr(std::min<std::size_t>(type.size(), 1), type.size() - 2));
   if (type.starts_with('[')) return "list of " + in_words(key, inner) + (inner == "string" ? "s" : "");
   if (type.starts_with('{')) return fmt::format("[{}](#{})", inner, inner);
-  if (type.starts_with('<')) return "by the ids of balls a " + in_words(key, inner);
+  if (type.starts_with('<')) return "by name a " + in_words(key, inner);
   if (type == "whole") return "whole number";
   if (type == "never") return "`false`";
   if (type == "pair") return "`[a, b]`";

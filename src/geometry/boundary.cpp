@@ -65,7 +65,7 @@ Circle moved(const Bend& b, double radius, double touch) {
 }  // namespace
 
 Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> others, std::span<const int> except)
-    : body(of), diagonal(table.diagonal()), extent(diagonal) {
+    : own(table.own), body(of), diagonal(table.diagonal()), extent(diagonal) {
   const double radius = body.radius;
   for (const Vec2d& v : table.vertices) extent = std::max({extent, std::abs(v.x), std::abs(v.y)});
   touch = std::max(tolerance::touch * diagonal, tolerance::coordinate * extent);

@@ -105,6 +105,12 @@ Vec2d Reader::point() const {
   return {xy[0].number(), xy[1].number()};
 }
 
+Vec2d Reader::pair(const format::Bounds& bounds) const {
+  if (!is_array() || size() != 2) fail("must be a pair of numbers [x, y]");
+  const auto xy = items();
+  return {xy[0].number(bounds), xy[1].number(bounds)};
+}
+
 Range Reader::range() const {
   if (is_number()) return {number(), number()};
   if (!is_array() || size() != 2) fail("must be a number or a pair [low, high]");
@@ -125,6 +131,13 @@ std::vector<Reader> Reader::items() const {
   if (!is_array()) fail("must be a list");
   std::vector<Reader> out;
   for (std::size_t i = 0; i < value_->size(); ++i) out.emplace_back((*value_)[i], path_ + "/" + std::to_string(i));
+  return out;
+}
+
+std::vector<std::pair<std::string, Reader>> Reader::members() const {
+  if (!is_object()) fail("must be an object");
+  std::vector<std::pair<std::string, Reader>> out;
+  for (const auto& [name, member] : value_->items()) out.emplace_back(name, Reader(member, path_ + "/" + name));
   return out;
 }
 

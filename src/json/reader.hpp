@@ -38,11 +38,13 @@ class Reader {
   bool boolean() const;
   std::string text() const;
   Vec2d point() const;
-  Range range() const;  ///< a number or [low, high]
+  Vec2d pair(const format::Bounds& bounds) const;  ///< both within them
+  Range range() const;                             ///< a number or [low, high]
   /// One of the words; returns its index.
   std::size_t word(std::string_view what, std::span<const std::string_view> words) const;
 
   std::vector<Reader> items() const;
+  std::vector<std::pair<std::string, Reader>> members() const;  ///< of an object, by name
   std::size_t size() const { return value_->size(); }
 
   /// A member of an object; `find` gives none where it is missing, `need` complains.

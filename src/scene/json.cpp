@@ -65,7 +65,7 @@ std::optional<SpinRange> read_spin_range(const Reader& r) {
 
 /// `printed`: answers print the natural roll that every shot has without the physics `spin`.
 LaunchSpin read_spin(const Reader& r, const Physics& physics, bool printed) {
-  if (!is_straight(physics)) return read_spin(r);
+  if (carries_spin(physics)) return read_spin(r);
   if (printed && r.is_object()) {
     const LaunchSpin spin = read_spin(r);
     if (spin.top == 1 && spin.side == 0 && spin.masse == 0) return {};
@@ -216,6 +216,9 @@ Noise read_noise(const Reader& r) {
   Noise n;
   if (const auto v = r.find("angle")) n.angle = radians(v->number(format::noise["angle"].bounds));
   r.read(format::noise["speed"], n.speed);
+  r.read(format::noise["side"], n.side);
+  r.read(format::noise["top"], n.top);
+  r.read(format::noise["at"], n.at);
   return n;
 }
 
@@ -271,7 +274,7 @@ Puzzle read_puzzle(std::string_view text) {
   p.table = read_table(table, p.ball.body.radius);
   p.physics = read_physics(doc, p.ball);
   if (const auto v = doc.need("ball").find("spin")) {
-    if (!is_straight(p.physics)) p.spin_range = read_spin_range(*v);
+    if (carries_spin(p.physics)) p.spin_range = read_spin_range(*v);
     if (!p.spin_range) p.spin = read_spin(*v, p.physics, false);
   }
   p.others = read_others(doc, p.ball.body);

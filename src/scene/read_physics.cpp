@@ -5,7 +5,6 @@
 #include "scene/read_table.hpp"
 
 namespace bankshot {
-namespace {
 
 Restitution read_restitution(const Reader& r) {
   if (!r.is_object()) return r.number(format::cushion["restitution"].bounds);
@@ -14,6 +13,8 @@ Restitution read_restitution(const Reader& r) {
   r.read(format::restitution_of_speed["per_speed2"], e.per_speed2);
   return e;
 }
+
+namespace {
 
 BallFriction read_ball_friction(const Reader& r) {
   if (!r.is_object()) return r.number(format::ball_ball["friction"].bounds);
@@ -74,11 +75,8 @@ Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body
   return p;
 }
 
-}  // namespace
-
-Physics read_physics(const Reader& scene, const Ball& ball) {
+Physics read_level_physics(const Reader& scene, const Reader& table, const Ball& ball) {
   const auto r = scene.find("physics");
-  const Reader table = scene.need("table");
   if (r && !r->is_string() && !r->is_object()) r->fail("must be the name of a physics or an object");
   const Reader* overrides = r && r->is_object() ? &*r : nullptr;
   const Reader model = !r ? scene : r->is_string() ? *r : r->need("model");
@@ -106,6 +104,16 @@ Physics read_physics(const Reader& scene, const Ball& ball) {
     }
   }
   return {rolling, mirror, balls};
+}
+
+}  // namespace
+
+Physics read_physics(const Reader& scene, const Ball& ball) {
+  const Reader table = scene.need("table");
+  Physics p = read_level_physics(scene, table, ball);
+  const auto tilt = table.is_object() ? table.find("tilt") : std::nullopt;
+  if (tilt) p.tilt = tilt->pair(format::tilt_key.bounds);
+  return p;
 }
 
 }  // namespace bankshot

@@ -7,6 +7,8 @@
 
 namespace bankshot {
 
+Restitution read_restitution(const Reader& r);
+
 /// What a document says of its physics; what it does not say depends on its table and on the ball.
 Physics read_physics(const Reader& scene, const Ball& ball);
 

@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_table.hpp"
 
+#include <algorithm>
+
 #include "format/scene_keys.hpp"
+#include "scene/read_physics.hpp"
 
 namespace bankshot {
 namespace {
 
-/// A level one is all there is yet.
-void read_tilt(const Reader& table) {
-  const auto r = table.find("tilt");
-  if (r && !(r->point() == Vec2d{0, 0})) r->fail("other than [0, 0] is not supported yet");
+/// Of each cushion what it has of its own.
+std::vector<RailCushion> read_own_cushions(const Reader& table, const Table& shape) {
+  const auto r = table.find("cushions");
+  if (!r) return {};
+  const std::vector<std::string_view> names(shape.cushions.begin(), shape.cushions.end());
+  std::vector<RailCushion> own(names.size());
+  for (const auto& [name, rail] : r->members()) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) rail.fail("is no cushion of this table" + known_words(name, names));
+    rail.only(format::own_cushion);
+    RailCushion& cushion = own[static_cast<std::size_t>(found - names.begin())];
+    if (const auto v = rail.find("restitution")) cushion.restitution = read_restitution(*v);
+    if (const auto v = rail.find("friction")) cushion.friction = v->number(format::own_cushion["friction"].bounds);
+  }
+  return own;
 }
 
 Mouth read_mouth(const Reader& table, Mouth m) {
@@ -95,8 +109,11 @@ Table read_table(const Reader& table, double radius) {
   const TablePreset* const preset = preset_of(table);
   if (table.is_string()) return make_table(*preset);
   if (!table.is_object()) table.fail("must be the name of a table or an object");
-  read_tilt(table);
-  if (preset) return changed(table, *preset);
+  if (preset) {
+    Table shape = changed(table, *preset);
+    shape.own = read_own_cushions(table, shape);
+    return shape;
+  }
   Table shape;
   if (table.find("vertices")) {
     table.only(format::polygon);
@@ -107,6 +124,7 @@ Table read_table(const Reader& table, double radius) {
     shape = rectangle_table(length, table.need("width").number(format::rectangle["width"].bounds));
   }
   if (shape.vertices.size() >= 3) shape.pockets = read_pockets(table, shape, radius);
+  shape.own = read_own_cushions(table, shape);
   return shape;
 }
 

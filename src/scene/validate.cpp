@@ -122,7 +122,7 @@ Range ideal_speeds(const Puzzle& p) {
 void validate(const Puzzle& p) {
   const Boundary boundary = check_scene(p.table, p.ball, p.physics);
   check_others(p.table, boundary, p.ball, p.others, p.physics);
-  if (!is_straight(p.physics) && !p.spin_range) check_tip(p.spin, p.ball.body);
+  if (carries_spin(p.physics) && !p.spin_range) check_tip(p.spin, p.ball.body);
   check_target(p, boundary);
   check_cushions(p.cushions, boundary, "/cushions");
   check_range(p.speed, "/speed");
@@ -143,6 +143,9 @@ void validate(const Puzzle& p) {
     if (is_ideal(p.physics)) fail("/prefer/leave", "in ideal physics no ball comes to rest");
     check_inside(boundary, *p.leave, "/prefer/leave", "the centre of the struck ball");
   }
+  if ((p.noise.side > 0 || p.noise.top > 0) && !carries_spin(p.physics))
+    fail(p.noise.side > 0 ? "/noise/side" : "/noise/top",
+         "needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
   if (p.angle && !(p.angle->low <= p.angle->high && std::isfinite(p.angle->high)))
     fail("/angle", "must be a finite range");
 }

@@ -142,7 +142,7 @@ void check_nose(const Physics& physics, const Body& body) {
 void check_physics(const Physics& physics, const Body& body) {
   const double e = restitution(physics).at_rest;
   if (!(e >= 0 && e <= 1)) fail("/physics/restitution", fmt::format("{} must be between 0 and 1", e));
-  if (is_straight(physics) && !(std::holds_alternative<Mirror>(physics.cushion) && restitution(physics).constant()))
+  if (!carries_spin(physics) && !(std::holds_alternative<Mirror>(physics.cushion) && restitution(physics).constant()))
     fail("/physics/cushion", "without spin a cushion is a mirror of constant restitution");
   if (const auto* m = std::get_if<SlideRoll>(&physics.motion)) {
     if (!(body.radius > 0)) fail("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
@@ -163,9 +163,37 @@ void check_physics(const Physics& physics, const Body& body) {
       fail("/physics/cushion", fmt::format("the cloth's sliding friction is {} during an impact and {} between two",
                                            c->sliding_friction, m->sliding_friction));
   }
+  const Vec2d& tilt = physics.tilt;
+  if (!(std::abs(tilt.x) <= 1 && std::abs(tilt.y) <= 1))
+    fail("/table/tilt", fmt::format("{} must be between -1 and 1", show(tilt)));
+  if (is_ideal(physics) && !is_level(physics))
+    fail("/table/tilt", "in the physics \"ideal\" a ball has no weight; \"rolling\" and \"spin\" know one");
   const double a = deceleration(physics);
   if (!(a >= 0 && a <= tolerance::fastest))
     fail("/physics", fmt::format("friction · g is {} m/s² and must be between 0 and {}", a, tolerance::fastest));
+}
+
+void check_own_cushions(const Table& table, const Physics& physics) {
+  if (table.own.empty()) return;
+  if (table.own.size() != table.cushions.size())
+    fail("/table/cushions", fmt::format("{} cushions have {} entries", table.cushions.size(), table.own.size()));
+  for (std::size_t i = 0; i < table.own.size(); ++i) {
+    const RailCushion& rail = table.own[i];
+    if (!rail.any()) continue;
+    const std::string path = "/table/cushions/" + table.cushions[i];
+    if (is_ideal(physics)) fail(path, "in the physics \"ideal\" all cushions are perfect mirrors");
+    if (std::holds_alternative<CustomCushion>(physics.cushion)) fail(path, "a custom cushion is the same all around");
+    if (rail.restitution) {
+      const double e = rail.restitution->at_rest;
+      if (!(e >= 0 && e <= 1)) fail(path + "/restitution", fmt::format("{} must be between 0 and 1", e));
+      if (!carries_spin(physics) && !rail.restitution->constant())
+        fail(path + "/restitution", "must be one number without the physics \"spin\"");
+    }
+    if (rail.friction && std::holds_alternative<Mirror>(physics.cushion))
+      fail(path + "/friction", "a cushion that is a mirror has no friction");
+    if (rail.friction && !(*rail.friction >= 0 && std::isfinite(*rail.friction)))
+      fail(path + "/friction", fmt::format("{} must be at least 0", *rail.friction));
+  }
 }
 
 /// `path`: of the ball.
@@ -209,6 +237,9 @@ void check_others(const Table& table, const Boundary& boundary, const Ball& stru
                   const Physics& physics) {
   if (others.empty()) return;
   if (!(struck.body.radius > 0)) fail("/ball/radius", "0 is a point, which no other ball can meet");
+  if (!rests(physics) && !is_ideal(physics))
+    fail("/table/tilt",
+         fmt::format("{}: no ball stands on so steep a table, and there are \"others\"", show(physics.tilt)));
   const BallBall& law = physics.ball_ball;
   if (!(law.restitution >= 0 && law.restitution <= 1))
     fail("/physics/ball_ball/restitution", fmt::format("{} must be between 0 and 1", law.restitution));
@@ -239,6 +270,7 @@ Boundary check_scene(const Table& table, const Ball& ball, const Physics& physic
   check_names(table);
   check_body(ball.body, "/ball");
   check_physics(physics, ball.body);
+  check_own_cushions(table, physics);
   Boundary boundary(table, ball.body);
   check_inside(boundary, ball.at, "/ball/at", "the centre of the ball");
   check_pockets(table, boundary);

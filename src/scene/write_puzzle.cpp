@@ -16,16 +16,36 @@ Json range(const Range& r) { return r.fixed() ? Json(r.low) : both(r); }
 
 /// A table with jaws is told by what it was made of.
 Json jaws_json(const Table& t) {
+  Table plain = t;
+  plain.own.clear();
   for (const TablePreset& preset : table_presets())
-    if (preset.jaws && t == make_table(preset)) return preset.name;
+    if (preset.jaws && plain == make_table(preset)) return {{"preset", preset.name}};
   const Mouth mouth{t.pockets[0].jaws->mouth, t.pockets[1].jaws->mouth};
   return {{"pockets", "six"}, {"jaws", true}, {"mouth", {{"corner", mouth.corner}, {"middle", mouth.middle}}}};
 }
 
-Json table_json(const Table& t) {
+Json restitution_json(const Restitution& e) {
+  if (e.constant()) return e.at_rest;
+  Json j{{"at_rest", e.at_rest}, {"per_speed", e.per_speed}};
+  if (e.per_speed2 != 0) j["per_speed2"] = e.per_speed2;
+  return j;
+}
+
+Json own_json(const Table& t) {
+  Json j = Json::object();
+  for (std::size_t i = 0; i < t.own.size(); ++i) {
+    if (!t.own[i].any()) continue;
+    Json& rail = j[t.cushions[i]] = Json::object();
+    if (t.own[i].restitution) rail["restitution"] = restitution_json(*t.own[i].restitution);
+    if (t.own[i].friction) rail["friction"] = *t.own[i].friction;
+  }
+  return j;
+}
+
+Json level_table_json(const Table& t) {
   Json j = Json::object();
   if (!t.pockets.empty() && t.pockets[0].jaws) j = jaws_json(t);
-  if (j.is_string()) return j;
+  if (j.contains("preset")) return j;
   const Vec2d size = t.highest();
   const bool plain = t.is_rectangle() && t.lowest() == Vec2d{0, 0};
   if (plain && t.cushions == rectangle_table(size.x, size.y).cushions) {
@@ -45,6 +65,13 @@ Json table_json(const Table& t) {
   return j;
 }
 
+Json table_json(const Table& t, const Vec2d& tilt) {
+  Json j = level_table_json(t);
+  if (!(tilt == Vec2d{})) j["tilt"] = pair(tilt);
+  if (Json own = own_json(t); !own.empty()) j["cushions"] = std::move(own);
+  return j.size() == 1 && j.contains("preset") ? j["preset"] : j;
+}
+
 Json friction_json(const BallFriction& f) {
   return f.constant() ? Json(f.fast) : Json{{"a", f.fast}, {"b", f.more}, {"c", f.fades}};
 }
@@ -55,8 +82,7 @@ Json physics_json(const Physics& p) {
   const auto of_speed = [](const auto& f) {
     return f.per_speed == 0 ? Json(f.at_rest) : Json{{"at_rest", f.at_rest}, {"per_speed", f.per_speed}};
   };
-  Json bounce = of_speed(e);
-  if (e.per_speed2 != 0) bounce = {{"at_rest", e.at_rest}, {"per_speed", e.per_speed}, {"per_speed2", e.per_speed2}};
+  const Json bounce = restitution_json(e);
   if (const auto* r = std::get_if<Rolling>(&p.motion)) {
     Json j{{"model", "rolling"}, {"friction", r->friction}, {"restitution", bounce}, {"g", r->g}};
     if (p.ball_ball.restitution != BallBall{}.restitution) j["ball_ball"] = {{"restitution", p.ball_ball.restitution}};
@@ -142,6 +168,17 @@ Json others_json(const Puzzle& p) {
   return list;
 }
 
+Json noise_json(const Noise& n) {
+  Json j{{"angle", exact_degrees(n.angle)}, {"speed", n.speed}};
+  const auto put = [&](const char* key, double value) {
+    if (value > 0) j[key] = value;
+  };
+  put("side", n.side);
+  put("top", n.top);
+  put("at", n.at);
+  return j;
+}
+
 /// All but the scene.
 Json question_json(const Puzzle& p) {
   constexpr const char* preferences[] = {"robust", "soft", "quick"};
@@ -152,7 +189,7 @@ Json question_json(const Puzzle& p) {
   if (p.spin_range)
     j["ball"]["spin"] = {
         {"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};
-  else if (!is_straight(p.physics))
+  else if (carries_spin(p.physics))
     j["ball"]["spin"] = {{"top", p.spin.top}, {"side", p.spin.side}, {"masse", p.spin.masse}};
   j["target"] = target_json(p);
   j["cushions"] = cushions_json(p.cushions, p.table);
@@ -161,7 +198,7 @@ Json question_json(const Puzzle& p) {
   if (p.angle) j["angle"] = pair(exact_degrees(p.angle->low), exact_degrees(p.angle->high));
   j["prefer"] = p.leave ? Json{{"leave", pair(*p.leave)}} : Json(preferences[static_cast<int>(p.prefer)]);
   if (p.aim == Aim::safest) j["aim"] = "safest";
-  j["noise"] = {{"angle", exact_degrees(p.noise.angle)}, {"speed", p.noise.speed}};
+  j["noise"] = noise_json(p.noise);
   j["budget"] = {{"simulations", p.budget}};
   return j;
 }
@@ -170,7 +207,7 @@ Json question_json(const Puzzle& p) {
 
 std::string write_puzzle(const Puzzle& p) {
   Json j = Json::object();
-  j["table"] = table_json(p.table);
+  j["table"] = table_json(p.table, p.physics.tilt);
   j["physics"] = physics_json(p.physics);
   j.update(question_json(p));
   return write_json(p.id, j);

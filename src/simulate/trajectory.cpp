@@ -139,19 +139,21 @@ const Ball& ball_of(const ShotRequest& r, int ball) {
 
 State<double> state_at(const ShotRequest& r, const Leg& leg, double t) {
   const Body& body = ball_of(r, leg.ball).body;
-  return std::visit(
-      [&](const auto& motion) {
-        State<double> s = advance(motion, body, leg.start, leg.arc, leg.arc.parameter(t));
-        s.spin = motion.spin(body, s);
-        return s;
-      },
-      r.physics.motion);
+  return with_motion(r.physics, [&](const auto& motion) {
+    State<double> s = advance(motion, body, leg.start, leg.arc, leg.arc.parameter(t));
+    s.spin = motion.spin(body, s);
+    return s;
+  });
 }
 
 double energy(const Body& body, const State<double>& state) {
   const double v2 = dot(state.velocity, state.velocity);
   const Vec3<double> w{body.radius * state.spin.x, body.radius * state.spin.y, body.radius * state.spin.z};
   return body.mass * (v2 / 2 + (w.x * w.x + w.y * w.y + w.z * w.z) / 5);
+}
+
+double energy(const Physics& physics, const Body& body, const State<double>& state) {
+  return energy(body, state) + body.mass * gravity(physics) * dot(physics.tilt, state.at);
 }
 
 }  // namespace bankshot

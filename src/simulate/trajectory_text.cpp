@@ -30,13 +30,13 @@ Json event_json(const ShotRequest& r, const Record& e) {
 
 /// Where there are others, of the balls in play alone.
 double energy_at_end(const ShotRequest& r, const Trajectory& t) {
-  if (r.others.empty()) return energy(r.ball.body, t.events.back().state);
+  if (r.others.empty()) return energy(r.physics, r.ball.body, t.events.back().state);
   double sum = 0;
   std::vector<bool> fell(r.others.size() + 1);
   for (const Record& e : t.events) {
     const auto ball = static_cast<std::size_t>(e.ball);
     if (e.kind == EventKind::pocket) fell[ball] = true;
-    if (e.kind == EventKind::end && !fell[ball]) sum += energy(ball_of(r, e.ball).body, e.state);
+    if (e.kind == EventKind::end && !fell[ball]) sum += energy(r.physics, ball_of(r, e.ball).body, e.state);
   }
   return sum;
 }
@@ -54,7 +54,7 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
               {"cushions", t.cushions},
               {"length", t.length}};
   // The others stand at the start.
-  j["energy"] = {{"start", energy(r.ball.body, t.events.front().state)}, {"end", energy_at_end(r, t)}};
+  j["energy"] = {{"start", energy(r.physics, r.ball.body, t.events.front().state)}, {"end", energy_at_end(r, t)}};
   return write_json(r.id, j);
 }
 

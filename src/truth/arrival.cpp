@@ -165,7 +165,22 @@ double Scene::chance(const Shot& shot, int draws) const {
     const Launch l{shot.launch.speed + puzzle.noise.speed * size * std::cos(turn),
                    wrap_angle(shot.launch.angle + puzzle.noise.angle * size * std::sin(turn))};
     if (!(l.speed > 0)) continue;
-    made += judge(*this, run_double(in_double(l, shot.spin, rule.max)), goal).made();
+    const auto made_on = [&](const Scene& scene, const LaunchSpin& spin) {
+      made += judge(scene, run_double(scene.in_double(l, spin, rule.max)), goal).made();
+    };
+    if (!puzzle.noise.in_more()) {
+      made_on(*this, shot.spin);
+      continue;
+    }
+    const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(radians(360) * uniform()); };
+    LaunchSpin spin = shot.spin;
+    spin.side += puzzle.noise.side * normal();
+    spin.top += puzzle.noise.top * normal();
+    Puzzle moved = puzzle;
+    const auto move = [&](Vec2d& at) { at += Vec2d{normal(), normal()} * puzzle.noise.at; };
+    move(moved.ball.at);
+    for (Ball& other : moved.others) move(other.at);
+    puzzle.noise.at > 0 ? made_on(Scene(moved), spin) : made_on(*this, spin);
   }
   return static_cast<double>(made) / draws;
 }

@@ -17,7 +17,7 @@ using Dual = bankshot::Dual<7>;
 /// What a step of the simulator rounds or neglects, of the size of what it works on.
 double error_of_a_step(const Physics& p) {
   const auto* integrated = std::get_if<Mathavan2010>(&p.cushion);
-  return integrated ? integrated->tolerance : 0x1p-53;
+  return integrated ? integrated->tolerance : 0x1p-53 * (is_level(p) ? 1 : tolerance::pieces_rounding);
 }
 
 using Step = Eigen::Matrix<double, 7, 7>;

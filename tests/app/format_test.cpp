@@ -56,20 +56,6 @@ TEST_CASE("each object has its keys once, and each example is JSON") {
   CHECK(rows > 100);
 }
 
-TEST_CASE("a key that is not supported yet is refused as such, and is in no schema") {
-  const auto [change, path] = GENERATE(table<std::string, std::string>({
-      {R"("table": {"preset": "pool-9ft", "cushions": {}})", "/table/cushions"},
-      {R"("table": {"length": 2, "width": 1, "cushions": {}})", "/table/cushions"},
-      {R"("noise": {"side": 0.1})", "/noise/side"},
-  }));
-  Json puzzle = Json::parse(R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.4]}, "target": {"pocket": "any"}})");
-  puzzle.update(Json::parse("{" + change + "}"));
-  const Json answer = Json::parse(run_program("solve --json", puzzle.dump()).out);
-  INFO(answer);
-  CHECK(answer.at("error").at("path") == path);
-  CHECK_THAT(answer["error"]["reason"].get<std::string>(), Catch::Contains("not supported yet"));
-}
-
 TEST_CASE("an unknown document is refused, a recording is still to come") {
   CHECK_THAT(run_program("schema puzle").err, Catch::Contains("did you mean \"puzzle\"?"));
   CHECK_THAT(run_program("schema recording").err, Catch::Contains("not supported yet"));

@@ -15,6 +15,30 @@ using namespace bankshot;
 
 namespace {
 
+double normal(test::Random& random) {
+  return std::sqrt(-2 * std::log(1 - random.uniform(0, 1))) * std::cos(random.uniform(0, radians(360)));
+}
+
+/// The same where the player errs in spin and in places, too.
+double by_all_draws(const Puzzle& p, const Shot& shot, test::Random& random, int draws) {
+  int made = 0;
+  for (int i = 0; i < draws; ++i) {
+    Puzzle moved = p;
+    const auto move = [&](Vec2d& at) { at += Vec2d{normal(random), normal(random)} * p.noise.at; };
+    move(moved.ball.at);
+    for (Ball& other : moved.others) move(other.at);
+    planning::Question q(moved);
+    q.spin = shot.spin;
+    q.spin.side += p.noise.side * normal(random);
+    q.spin.top += p.noise.top * normal(random);
+    planning::Ledger ledger(2);
+    const Launch l{shot.launch.speed + p.noise.speed * normal(random),
+                   wrap_angle(shot.launch.angle + p.noise.angle * normal(random))};
+    made += l.speed > 0 && planning::replay(q, ledger, l, planning::Goal::of(q)).made;
+  }
+  return static_cast<double>(made) / draws;
+}
+
 /// The share of `draws` normal errors that is made.
 double by_draws(const Puzzle& p, const Shot& shot, test::Random& random, int draws) {
   const planning::Question q(p);
@@ -105,4 +129,39 @@ TEST_CASE("the chance of success takes no more simulations than are promised") {
 TEST_CASE("the chance of success is within its tolerance of 100,000 draws", "[.][long]") {
   for (const std::uint64_t seed : {31, 32, 33, 34, 35})
     compare(70, 100000, tolerance::success, test::seed_or_fresh(seed));
+}
+
+TEST_CASE("errors of spin and of places are counted as plain draws count them") {
+  test::Random random(3), errors(4);
+  double worst = 0;
+  int n = 0;
+  for (int i = 0; i < 8; ++i) {
+    Puzzle p = test::random_puzzle(random, test::Family::uniform, test::Model::spin, i % 3).puzzle;
+    p.noise.side = i % 2 == 0 ? 0.05 : 0;
+    p.noise.top = 0.05;
+    p.noise.at = i % 4 < 2 ? 0.002 : 0;
+    const Answer a = solve(p);
+    if (a.shots.empty()) continue;
+    const double error = std::abs(*a.shots[0].success - by_all_draws(p, a.shots[0], errors, 20000));
+    INFO("puzzle " << i << ": " << *a.shots[0].success);
+    CHECK(error < 0.015);
+    worst = std::max(worst, error);
+    ++n;
+  }
+  CHECK(n > 5);
+  WARN("success under all errors: worst error " << worst << " of " << n << " shots");
+}
+
+TEST_CASE("a player who also errs in spin or places makes a shot less often") {
+  Puzzle p{.table = rectangle_table(2.54, 1.27),
+           .physics = spin_physics(),
+           .ball = {.at = {0.635, 0.4}},
+           .target = PointTarget{{1.9, 0.3}, 0.05},
+           .cushions = CushionRule::exactly(2)};
+  const double usual = chance(p);
+  p.noise.side = 0.3;
+  CHECK(chance(p) < usual - 0.01);
+  p.noise.side = 0;
+  p.noise.at = 0.02;
+  CHECK(chance(p) < usual - 0.01);
 }

@@ -71,24 +71,29 @@ bool finite(const State<double>& s) {
 std::string check(const ShotRequest& shot, const Boundary& boundary, Tally& t) {
   return with_physics(shot.physics, [&](const auto& motion, const auto& cushion) -> std::string {
     Simulator sim(boundary, motion, cushion, start_state(shot));
+    double lowest = 0;  // J, so that none is negative where the table leans
+    for (const Vec2d& v : shot.table.vertices)
+      lowest = std::max(lowest, -shot.ball.body.mass * gravity(shot.physics) * dot(shot.physics.tilt, v));
     const auto energy_now = [&] {
       State<double> s = sim.state();
       s.spin = motion.spin(shot.ball.body, s);
-      return energy(shot.ball.body, s);
+      return energy(shot.physics, shot.ball.body, s) + lowest;
     };
     double before = energy_now();
+    const double most = is_level(shot.physics) ? 0 : before;  // height and motion are rounded as what they were
     int cushions = 0;
     for (long i = 0; i < endless; ++i) {
       const Event e = sim.step();
       ++t.events;
       if (!finite(sim.state()) || !std::isfinite(sim.time())) return "a number is not finite";
-      const double out =
-          std::max(outside(boundary, sim.state().at), outside_along(boundary, sim.arc(), sim.travelled()));
+      const double out = std::max(outside(boundary, sim.state().at),
+                                  sim.arc().chord ? 0 : outside_along(boundary, sim.arc(), sim.travelled()));
       t.outside = std::max(t.outside, out);
       if (out > 1) return fmt::format("outside by {:.3g} touch", out);
       const double now = energy_now();
       if (before > 0) t.gain = std::max(t.gain, now / before - 1);
-      if (now > before * (1 + energy_rounding)) return fmt::format("gains energy: {:.17g} J of {:.17g} J", now, before);
+      if (now > before + energy_rounding * std::max(before, most))
+        return fmt::format("gains energy: {:.17g} J of {:.17g} J", now, before);
       before = now;
       if (e.kind == EventKind::cushion) ++cushions;
       if (e.final() || cushions >= *shot.until.cushions) return "";

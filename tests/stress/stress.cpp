@@ -232,7 +232,7 @@ int main(int argc, char** argv) {
   app.add_option("--count", count)->capture_default_str();
   app.add_option("--seed", seed)->capture_default_str();
   app.add_option("--physics", physics)
-      ->check(CLI::IsMember({"ideal", "rolling", "spin", "mathavan", "stronge"}))
+      ->check(CLI::IsMember({"ideal", "rolling", "spin", "mathavan", "stronge", "tilted"}))
       ->capture_default_str();
   app.add_option("--family", family, "One family, all (the first four), or list")
       ->check([](const std::string& name) {
@@ -255,6 +255,7 @@ int main(int argc, char** argv) {
                             : physics == "rolling" ? test::Model::rolling
                             : physics == "spin"    ? test::Model::spin
                             : physics == "stronge" ? test::Model::stronge
+                            : physics == "tilted"  ? test::Model::tilted
                                                    : test::Model::mathavan;
   if (family == "list") {
     list_families();

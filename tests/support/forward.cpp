@@ -151,6 +151,7 @@ Physics usual_physics(Model model, const Body& body) {
   if (model == Model::ideal) return ideal_physics();
   if (model == Model::rolling) return rolling_physics();
   Physics p = spin_physics(body);
+  if (model == Model::tilted) p.tilt = {0.002, -0.001};
   if (model == Model::stronge) p.cushion = Stronge{.height = 1.28 * body.radius};
   if (model == Model::mathavan) p.cushion = Mathavan2010{.height = 1.28 * body.radius};
   return p;

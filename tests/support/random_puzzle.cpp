@@ -37,6 +37,12 @@ Physics random_physics(Random& r, Model model, Family family, double radius) {
   if (model == Model::ideal) return ideal_physics();
   if (model == Model::spin) return spin_physics({radius});
   if (model == Model::mathavan) return {spin_physics({radius}).motion, Mathavan2010{.height = 1.28 * radius}};
+  if (model == Model::tilted) {
+    const double rise = r.log_uniform(1e-4, 5e-3), way = r.uniform(0, radians(360));
+    Physics p = spin_physics({radius});
+    p.tilt = {rise * std::cos(way), rise * std::sin(way)};
+    return p;
+  }
   if (model == Model::stronge) return {spin_physics({radius}).motion, Stronge{.height = 1.28 * radius}};
   if (family == Family::discrete) return {Rolling{.friction = 0.01}, Mirror{r.chance(0.5) ? 1.0 : 0.75}};
   const double friction = r.log_uniform(0.005, 0.05);

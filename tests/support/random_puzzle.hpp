@@ -16,7 +16,8 @@ using bankshot::Random;
 /// uniform: rectangles of many sizes, six pockets or none. discrete: grid positions, angles that are
 /// multiples of 15 degrees, exact corners, starts on a cushion. convex, reflex: random polygons.
 enum class Family { uniform, discrete, convex, reflex };
-enum class Model { ideal, rolling, spin, mathavan, stronge };
+/// tilted: the physics `spin` on a table that leans by 0.1 to 5 mm a metre.
+enum class Model { ideal, rolling, spin, mathavan, stronge, tilted };
 inline constexpr Family families[] = {Family::uniform, Family::discrete, Family::convex, Family::reflex};
 std::string name(Family family);
 

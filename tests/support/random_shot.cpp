@@ -42,19 +42,25 @@ Physics random_physics(Random& r, ShotFamily f, double radius) {
     return r.chance(0.3 * slick) ? 0 : r.log_uniform(slick > 0 ? low * 1e-6 : low, high);
   };
   const bool drag = f == ShotFamily::drag, mathavan = f == ShotFamily::mathavan;
-  if (!drag && !mathavan && r.chance(0.15)) return {Rolling{.friction = friction(0.005, 0.05)}, Mirror{e.at_rest}};
+  const bool tilted = f == ShotFamily::tilted;
+  const double way = tilted ? r.uniform(0, radians(360)) : 0, rise = tilted ? r.log_uniform(1e-5, 0.03) : 0;
+  const Vec2d tilt{rise * std::cos(way), rise * std::sin(way)};
+  if (!drag && !mathavan && r.chance(0.15))
+    return {.motion = Rolling{.friction = friction(0.005, 0.05)}, .cushion = Mirror{e.at_rest}, .tilt = tilt};
   Physics p = spin_physics({radius});
   SlideRoll& m = std::get<SlideRoll>(p.motion);
   m.sliding_friction = friction(0.1, 0.4);
   m.rolling_friction = friction(0.003, 0.03);
   m.spinning_friction = friction(0.1, 1) * radius;
-  if (drag) m.rolling_friction.per_speed = r.log_uniform(1e-12, 1);
+  p.tilt = tilt;
+  if (drag || (tilted && r.chance(0.3))) m.rolling_friction.per_speed = r.log_uniform(1e-12, 1);
   Han2005& h = std::get<Han2005>(p.cushion);
   h.restitution = e;
   h.friction = r.chance(0.1) ? 0 : r.uniform(0.05, 0.4);
   h.height = radius * r.uniform(1.05, 1.6);
   const double height = h.height;
   if (r.chance(0.2)) p.cushion = Mirror{e};
+  if (tilted && r.chance(0.2)) p.cushion = Stronge{.height = height, .restitution = e};
   if (mathavan)
     p.cushion = Mathavan2010{
         .height = height, .restitution = e, .friction = r.uniform(0, 0.4), .sliding_friction = m.sliding_friction};
@@ -103,8 +109,8 @@ bool place(Random& r, ShotFamily f, const Boundary& b, const Table& t, Vec2d& at
 }  // namespace
 
 std::string name(ShotFamily family) {
-  constexpr const char* names[] = {"uniform", "discrete", "frozen", "corners", "grazing", "masse", "speeds",
-                                   "dead",    "slick",    "convex", "reflex",  "moved",   "drag",  "mathavan"};
+  constexpr const char* names[] = {"uniform", "discrete", "frozen", "corners", "grazing", "masse",    "speeds", "dead",
+                                   "slick",   "convex",   "reflex", "moved",   "drag",    "mathavan", "tilted"};
   return names[static_cast<int>(family)];
 }
 

@@ -16,7 +16,8 @@ namespace bankshot::test {
 /// to within 0 ... 1e-3 rad. grazing: 1e-12 ... 1e-2 rad to a cushion. masse: curves back to the cushion
 /// it lies at or leaves. speeds: 1e-6 ... 30 m/s. dead: restitution 0 ... 0.4. slick: some friction is
 /// 0 or nearly. convex, reflex: polygons. moved: a table of 1e-3 ... 1e3 m, up to 1e4 m from the origin. drag: rolling
-/// friction grows with the speed. mathavan: cushions are mathavan2010.
+/// friction grows with the speed. mathavan: cushions are mathavan2010. tilted: the table leans, by 10 µm to 3 cm a
+/// metre, and now and then friction grows with the speed there, too.
 enum class ShotFamily {
   uniform,
   discrete,
@@ -31,12 +32,13 @@ enum class ShotFamily {
   reflex,
   moved,
   drag,
-  mathavan
+  mathavan,
+  tilted
 };
 inline constexpr ShotFamily shot_families[] = {
-    ShotFamily::uniform, ShotFamily::discrete, ShotFamily::frozen, ShotFamily::corners, ShotFamily::grazing,
-    ShotFamily::masse,   ShotFamily::speeds,   ShotFamily::dead,   ShotFamily::slick,   ShotFamily::convex,
-    ShotFamily::reflex,  ShotFamily::moved,    ShotFamily::drag,   ShotFamily::mathavan};
+    ShotFamily::uniform, ShotFamily::discrete, ShotFamily::frozen, ShotFamily::corners,  ShotFamily::grazing,
+    ShotFamily::masse,   ShotFamily::speeds,   ShotFamily::dead,   ShotFamily::slick,    ShotFamily::convex,
+    ShotFamily::reflex,  ShotFamily::moved,    ShotFamily::drag,   ShotFamily::mathavan, ShotFamily::tilted};
 std::string name(ShotFamily family);
 
 /// Always valid. Stops at 200 cushions at the latest.

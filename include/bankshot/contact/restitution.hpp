@@ -17,6 +17,8 @@ struct RestitutionOf {
   constexpr RestitutionOf(const C& rest, const C& slope, const C& curve = C(0))
       : at_rest(rest), per_speed(slope), per_speed2(curve) {}
 
+  bool operator==(const RestitutionOf&) const = default;
+
   template <class T>
   T operator()(const T& normal_speed) const {
     if (constant()) return T(at_rest);

@@ -44,7 +44,8 @@ class LastingContacts {
       for (auto pair = these; pair != held_.end(); ++pair) {
         const std::size_t other = pair->first == balls[k] ? pair->second : pair->first;
         if (std::find(balls.begin(), balls.end(), other) != balls.end()) continue;
-        const bool rolls = in.balls[other].track.arc().pressed == Press::rolls;
+        const Arc<T>& arc = in.balls[other].track.arc();
+        const bool rolls = arc.pressed == Press::rolls && !arc.chord;
         in.bring(other, watch);
         if (rolls) in.slow_to_rest(in.balls[other]);
         balls.push_back(other);

@@ -32,8 +32,8 @@ Vec2<T> first_acceleration(const Arc<T>& arc) {
 
 template <class T>
 bool slides(const Arc<T>& arc) {
-  return arc.end == PhaseEnd::roll || arc.end == PhaseEnd::none ||
-         (arc.end == PhaseEnd::piece && arc.pressed != Press::rolls);
+  return arc.pressed != Press::rolls &&
+         (arc.end == PhaseEnd::roll || arc.end == PhaseEnd::none || arc.end == PhaseEnd::piece);
 }
 
 /// What a push has to move [kg].
@@ -76,6 +76,7 @@ void press(Arc<T>& arc, const Vec2<T>& push) {
   }
   arc.acceleration += push;
   arc.bends = true;
+  arc.chord = false;
 }
 
 /// A contact of two balls, by number; or of the first with a cushion.

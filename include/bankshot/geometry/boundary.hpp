@@ -59,9 +59,10 @@ struct Boundary {
   std::vector<Wall> walls;  ///< whole rails; where there are jaws a ball meets them only outside `breaks`
   std::vector<Circle> tips;
   std::vector<Circle> pockets;
-  std::vector<Circle> balls{};   ///< at rest
-  std::vector<JawWalls> jaws{};  ///< in the order of pockets; empty without
-  Body body;                     ///< of the ball that sees it
+  std::vector<Circle> balls{};     ///< at rest
+  std::vector<JawWalls> jaws{};    ///< in the order of pockets; empty without
+  std::vector<RailCushion> own{};  ///< of each wall; empty where no cushion has anything of its own
+  Body body;                       ///< of the ball that sees it
   double diagonal = 0;
   double extent = 0;            ///< m; diagonal or largest coordinate: what positions are rounded in units of
   double touch = 0;             ///< m; a centre this far beyond a cushion line still touches it
@@ -85,6 +86,12 @@ struct Boundary {
     for (const Circle& c : contact.kind == ContactKind::ball ? balls : tips)
       if (c.contact == contact) return &c;
     return nullptr;
+  }
+  /// What the cushion of a contact has of its own; null where that is nothing.
+  const RailCushion* own_cushion(Contact contact) const {
+    if (own.empty() || contact.kind != ContactKind::rail) return nullptr;
+    const RailCushion& rail = own[static_cast<std::size_t>(contact.index)];
+    return rail.any() ? &rail : nullptr;
   }
   /// Unit vector away from a contact, into the table, for a centre at `at`; 0 where there is no such contact.
   template <class T>

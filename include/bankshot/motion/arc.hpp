@@ -14,6 +14,8 @@
 //   finish(body, state, arc)     makes the state exact where the arc ends by itself
 //   roll(body, state)            makes the spin that of a ball that rolls
 //   spin(body, state)            the spin of a state, also where the model does not carry it
+//   follow(body, state, arc, t)  where its arcs are only chords of its paths (motion/tilted.hpp): the state on the path
+//   held(body, state, n, corner) there, too: the arc of a ball that cushions hold
 // It holds coefficients only; `body` is the ball's.
 //
 // A law that is no polynomial in time may hand over short pieces, each an arc of degree two that ends with
@@ -36,6 +38,11 @@ struct State {
   Vec2<T> at{}, velocity{};
   Vec3<T> spin{};
 };
+
+template <class T>
+State<Real<T>> value(const State<T>& s) {
+  return {value(s.at), value(s.velocity), {value(s.spin.x), value(s.spin.y), value(s.spin.z)}};
+}
 
 /// v² + (Rω)² of the part of the spin that moves the ball [m²/s²]: what speeds are small against.
 template <class T>
@@ -61,6 +68,7 @@ struct Arc {
   PhaseEnd end = PhaseEnd::none;
   bool bends = false;  ///< the acceleration need not be along the velocity
   Press pressed = Press::none;
+  bool chord = false;  ///< of a path that is no parabola: `follow` of the motion knows that
   Drag<T> drag{};
   Vec2<T> taken{};  ///< m/s²: friction that a cushion, or other balls, take from the centre, and that turns the ball
                     ///< all the same
@@ -115,6 +123,7 @@ decltype(auto) value(const Arc<T>& a) {
                         a.end,
                         a.bends,
                         a.pressed,
+                        a.chord,
                         {value(a.drag.constant), value(a.drag.linear)},
                         value(a.taken)};
   else
@@ -127,9 +136,17 @@ struct Unwatched {
   void operator()(const A&...) const {}
 };
 
+/// Arcs of the motion may be chords of its paths.
+template <class Motion>
+inline constexpr bool has_chords = requires {
+  Motion::plain;
+};
+
 /// The state at t on the arc that `motion` made of `s`.
 template <class T, class Motion>
 State<T> advance(const Motion& motion, const Body& body, const State<T>& s, const Arc<T>& arc, const T& t) {
+  if constexpr (has_chords<Motion>)
+    if (arc.chord) return motion.follow(body, s, arc, t);
   State<T> out{arc.position(t), arc.velocity_at(t), s.spin};
   motion.turn(body, out, arc, arc.seconds(t));
   return out;

@@ -60,6 +60,13 @@ struct SlideRollOf {
     } else if (arc.end != PhaseEnd::none) {
       roll(body, s);
     }
+    fade(body, s, t);
+  }
+
+  /// The spin about the vertical dies out.
+  template <class T>
+  void fade(const Body& body, State<T>& s, const T& t) const {
+    using Number = Real<T>;
     const T lost = t * Coefficient<T, C>(Number(2.5) * spinning_friction * g / body.radius);
     if (value(s.spin.z) > value(lost))
       s.spin.z -= lost;

@@ -55,6 +55,22 @@ inline constexpr double crawling = 1e-8;
 /// (detail/held.hpp), shorter slower.
 inline constexpr double longest_piece = 2e-3, last_piece = 1e-6;
 
+/// Of the ball's radius (of a point, a pool ball's). On a tilted table events are looked for on parabolas this close to
+/// the path; then they are moved onto it. Larger would miss cushions that are grazed, and show in the miss of a target
+/// passed; smaller takes more pieces, as its cube root.
+inline constexpr double chord = 4e-9;
+
+/// m/s. Of a faster ball that is larger by the fourth power of its speed, so that a path takes hardly more pieces.
+inline constexpr double fast_chord = 8;
+
+/// m/s. A ball that rolls slower than this on a tilted table halts, and starts again downhill where it cannot rest: one
+/// that rolls nearly straight uphill would else turn in ever shorter pieces. No path shows it.
+inline constexpr double halt = 1e-30;
+
+/// Seconds. A ball that starts downhill from a halt, where friction grows with the speed, speeds up evenly for so long:
+/// what that neglects is far below rounding.
+inline constexpr double first_piece = 1e-4;
+
 /// Of the launch's |v| + R|ω|. A ball slower than this after a bounce is at rest. Without friction it
 /// slows down by a factor a bounce for ever; much smaller and the squares of its speed would underflow.
 inline constexpr double still = 1e-100;
@@ -94,6 +110,10 @@ inline constexpr double edge_end = 1e-15;
 /// final position| <= C · 2⁻⁵³ · size · κ. Larger would promise less; the worst ratio seen is
 /// logged by `shots --truth` and by tests/simulate (1.7 among 72,000 shots).
 inline constexpr double simulation_error = 4;
+
+/// Of the unit of that bound, 2⁻⁵³: what it is where a table leans, and a path is summed up of hundreds of pieces, each
+/// rounded anew. The worst of 300 shots of `shots --family tilted --truth 300` was 112 units, C included.
+inline constexpr double pieces_rounding = 64;
 
 /// Of the diagonal. A target asked exactly on a cushion line, or a path through a corner, is
 /// approached from the side that keeps the asked bounces by moving the aim this much (and ten

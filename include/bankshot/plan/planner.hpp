@@ -16,11 +16,12 @@ namespace bankshot {
 
 struct SolveOptions {
   std::string planner = "auto";
-  bool all = false;        ///< every distinct shot, not only the best
-  bool first = false;      ///< the first shot found, not the best; not with `all`
-  bool robustness = true;  ///< margin and success; without, `robust` ranks by first-order margin
-  bool suggest = true;     ///< where there is no shot, look for what would make one possible
-  bool measure = false;    ///< fill Answer::cost, at the price of a clock beside each replay
+  bool all = false;          ///< every distinct shot, not only the best
+  bool first = false;        ///< the first shot found, not the best; not with `all`
+  bool robustness = true;    ///< margin and success; without, `robust` ranks by first-order margin
+  bool sensitivity = false;  ///< what each coefficient of the table moves each shot's arrival by
+  bool suggest = true;       ///< where there is no shot, look for what would make one possible
+  bool measure = false;      ///< fill Answer::cost, at the price of a clock beside each replay
   /// Ends the search, with what it has, as soon as this is true; may be set from another thread. Must outlive the call.
   const std::atomic<bool>* cancelled = nullptr;
 };

@@ -42,6 +42,12 @@ struct Onward {
   std::vector<Contact> cushions{};  ///< of its own, in order
 };
 
+/// What a wrong coefficient of the table costs.
+struct Sensitivity {
+  std::string coefficient;  ///< its path in `physics`, such as "cushion.height"; "tilt.x" and "tilt.y" are the table's
+  double by;                ///< m that the arrival moves, as by_angle, per unit of the coefficient
+};
+
 struct Shot {
   Launch launch{};
   LaunchSpin spin{};
@@ -70,7 +76,8 @@ struct Shot {
   double first_order = 0;
   double chance = 0;  ///< `success` to first order, from one simulation (planners/merit/first_order.hpp)
   std::optional<Margin> margin{};
-  std::optional<double> success{};  ///< chance that the target is made under the puzzle's noise
+  std::optional<double> success{};         ///< chance that the target is made under the puzzle's noise
+  std::vector<Sensitivity> sensitivity{};  ///< where it was asked for
   std::string planner{};
   long simulations = 0;  ///< spent until this shot was certified
 

@@ -33,10 +33,15 @@ struct SpinRange {
   Range top{0, 0}, side{0, 0}, masse{0, 0};
 };
 
-/// Standard deviations of a player: aim [rad] and speed [m/s].
+/// Standard deviations of a player.
 struct Noise {
-  double angle = radians(0.125);
-  double speed = 0.075;
+  double angle = radians(0.125);  ///< rad, of the aim
+  double speed = 0.075;           ///< m/s, of the launch
+  double side = 0, top = 0;       ///< of the spin at launch, in units of LaunchSpin
+  double at = 0;                  ///< m, of each coordinate of each ball; the aim stays
+
+  /// In more than aim and speed.
+  bool in_more() const { return side > 0 || top > 0 || at > 0; }
 };
 
 struct Puzzle {

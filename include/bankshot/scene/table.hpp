@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bankshot/contact/rail_cushion.hpp"
 #include "bankshot/numbers/vec.hpp"
 #include "bankshot/scene/body.hpp"
 
@@ -52,6 +53,7 @@ struct Table {
   std::vector<Vec2d> vertices{};
   std::vector<std::string> cushions{};  ///< cushions[i] runs from vertex i to vertex i+1
   std::vector<Pocket> pockets{};
+  std::vector<RailCushion> own{};  ///< of each cushion, in their order; none where all are the physics'
 
   bool operator==(const Table&) const = default;
   bool is_rectangle() const;

@@ -10,7 +10,9 @@
 // Properties as numbered in simulator.hpp. No allocation; laws are told the ball's body, which is the boundary's.
 #pragma once
 
+#include "bankshot/detail/bounce.hpp"
 #include "bankshot/detail/next_event.hpp"
+#include "bankshot/detail/on_path.hpp"
 #include "bankshot/detail/pressed.hpp"
 
 namespace bankshot {
@@ -35,6 +37,8 @@ class BallTrack {
   void begin(const Motion& motion) {
     set_out(motion);
     if constexpr (!Motion::straight) cushions_.hold(*boundary_, arc_);
+    if constexpr (has_chords<Motion>)
+      if (cushions_.any_holds()) hold_on_cushion(motion);
   }
 
   /// What ends the arc within `limit` seconds; its time is the arc's parameter. `straight`: the arc does not bend.
@@ -51,7 +55,12 @@ class BallTrack {
   }
 
   /// The time of what `next` told, with its derivatives.
-  T when(const NextEvent<Number>& next) const {
+  template <class Motion>
+  T when(const Motion& motion, const NextEvent<Number>& next) const {
+    if constexpr (has_chords<Motion>)
+      if (arc_.chord && next.event.contact && next.time != Number(0))
+        return lift_on_path(motion, *boundary_, state_, arc_, next.event.contact, cushions_.on(next.event.contact),
+                            false, next.time);
     return lift_event(*boundary_, next, arc_, cushions_.on(next.event.contact), limit_);
   }
 
@@ -133,15 +142,22 @@ class BallTrack {
     arc_ = motion.arc(boundary_->body, state_);
   }
 
+  template <class Motion>
+  void hold_on_cushion(const Motion& motion) {
+    const Contact first = cushions_.at(0), second = cushions_.at(1);
+    const bool by_first = first && cushions_.held(first), by_second = second && cushions_.held(second);
+    State<T> there = state_;
+    there.velocity = arc_.velocity;
+    arc_ = motion.held(boundary_->body, there, boundary_->normal(by_first ? first : second, value(state_.at)),
+                       by_first && by_second);
+  }
+
   template <class Cushion>
   void bounce(const Cushion& cushion, Contact contact) {
     const Body& body = boundary_->body;
     cushions_.settle(*boundary_, contact, state_.at);
     cushions_.bounces(squared_scale(state_, body.radius));
-    if (const Wall* const w = boundary_->line(contact))
-      cushion.bounce(body, state_, w->normal);
-    else
-      cushion.bounce(body, state_, boundary_->normal(contact, state_.at));
+    bounce_at(*boundary_, cushion, contact, state_);
     const Vec2<Number> v = value(state_.velocity);
     if (cushions_.is_rounding(dot(v, v))) state_.velocity = {T(0), T(0)};
     if (cushions_.is_still(squared_scale(state_, body.radius))) {

@@ -10,6 +10,8 @@
 #include <span>
 
 #include "bankshot/contact/ball_ball.hpp"
+#include "bankshot/detail/bounce.hpp"
+#include "bankshot/detail/on_path.hpp"
 #include "bankshot/detail/roots/roots.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/motion/arc.hpp"
@@ -29,14 +31,16 @@ struct StandingBall {
 };
 
 /// The balls of a route. The struck one alone is its boundary.
-struct RouteBalls {
+template <class C>
+struct RouteBallsOf {
   const Boundary& struck;
   std::span<const StandingBall> others{};
-  BallBall law{};
+  BallBallOf<C> law{};
   bool carom = false;  ///< it is the ball that touches another that goes on
 
-  RouteBalls(const Boundary& boundary) : struck(boundary) {}
-  RouteBalls(const Boundary& boundary, std::span<const StandingBall> standing, const BallBall& collision, bool stays)
+  RouteBallsOf(const Boundary& boundary) : struck(boundary) {}
+  RouteBallsOf(const Boundary& boundary, std::span<const StandingBall> standing, const BallBallOf<C>& collision,
+               bool stays)
       : struck(boundary), others(standing), law(collision), carom(stays) {}
 
   const StandingBall& standing(int ball) const {
@@ -46,6 +50,7 @@ struct RouteBalls {
   }
   const Boundary& boundary(int ball) const { return ball == 0 ? struck : *standing(ball).boundary; }
 };
+using RouteBalls = RouteBallsOf<double>;
 
 template <class T>
 struct LockedPath {
@@ -79,8 +84,11 @@ N time_to_contact(const Boundary& boundary, const Arc<N>& arc, Contact contact) 
 }
 
 /// The time at which a contact is met, with the derivatives of the arc; of a gap that counted as 0, none.
-template <class T>
-T lift_contact(const Boundary& boundary, const Arc<T>& arc, Contact contact, const Real<T>& t) {
+template <class T, class Motion>
+T lift_contact(const Motion& motion, const Boundary& boundary, const State<T>& start, const Arc<T>& arc,
+               Contact contact, const Real<T>& t) {
+  if constexpr (has_chords<Motion>)
+    if (arc.chord) return lift_on_path(motion, boundary, start, arc, contact, false, true, t);
   const Wall* const w = boundary.line(contact);
   if (!w) return lift_circle(arc, boundary.rim(contact)->centre, t);
   const bool beyond = !(dot(w->normal, value(arc.at)) - Real<T>(w->offset) > 0);
@@ -89,8 +97,8 @@ T lift_contact(const Boundary& boundary, const Arc<T>& arc, Contact contact, con
 }
 
 /// The ball that is met goes on, from where it stood; in a carom, the one that meets it.
-template <class T>
-void meet_ball(const RouteBalls& balls, Contact contact, LockedPath<T>& path) {
+template <class T, class C>
+void meet_ball(const RouteBallsOf<C>& balls, Contact contact, LockedPath<T>& path) {
   const StandingBall& other = balls.standing(contact.index);
   State<T> met{to<T>(other.at), {T(0), T(0)}, {T(0), T(0), T(0)}};
   balls.law.collide(balls.boundary(path.ball).body, path.state, other.boundary->body, met);
@@ -99,40 +107,58 @@ void meet_ball(const RouteBalls& balls, Contact contact, LockedPath<T>& path) {
   path.ball = other.ball;
 }
 
+/// Paths of many pieces are followed no farther than this beyond the table: on one that leans they may never end.
+template <class Motion, class N>
+bool is_lost(const Motion&, const Boundary& boundary, const Vec2<N>& from, const Vec2<N>& at) {
+  if constexpr (!has_chords<Motion>) {
+    return false;
+  } else {
+    constexpr double far = 3;  // diagonals
+    const Vec2<N> way = at - from;
+    return dot(way, way) > far * far * boundary.diagonal * boundary.diagonal;
+  }
+}
+
 /// From the ball of its first meeting on; where a ball sends another on the route is that one's. `watch` is shown each
 /// arc and how far it was followed.
-template <class T, class Motion, class Cushion, class Watch = Unwatched>
-LockedPath<T> follow_locked(const RouteBalls& balls, const Motion& motion, const Cushion& cushion,
+template <class T, class C, class Motion, class Cushion, class Watch = Unwatched>
+LockedPath<T> follow_locked(const RouteBallsOf<C>& balls, const Motion& motion, const Cushion& cushion,
                             std::span<const Meeting> route, const State<T>& start, Watch&& watch = {}) {
   using Number = Real<T>;
   LockedPath<T> path{start, T(0), route.empty() ? 0 : route.front().ball};
   for (const Meeting& meeting : route) {
     const Contact contact = meeting.with;
     const Boundary& boundary = balls.boundary(path.ball);
+    const Vec2<Number> from = value(path.state.at);
     for (;;) {
       const Arc<T> arc = motion.arc(boundary.body, path.state);
       const Number t = time_to_contact(boundary, value(arc), contact);
       const bool met = t <= value(arc.duration) && t < Number(forever);
-      if (!met && !arc.goes_on()) {
+      if (!met && (!arc.goes_on() || is_lost(motion, boundary, from, value(arc.at)))) {
         const bool towards = dot(boundary.normal(contact, value(arc.at)), value(arc.velocity)) < Number(0);
         path.end = towards ? LockedEnd::fell_short : LockedEnd::wrong_way;
         return path;
       }
-      const T on = met ? lift_contact(boundary, arc, contact, t) : arc.duration;
+      const T on = met ? lift_contact(motion, boundary, path.state, arc, contact, t) : arc.duration;
       watch(arc, on);
       path.time += arc.seconds(on);
       path.state = advance(motion, boundary.body, path.state, arc, on);
       if (met) break;
       motion.finish(boundary.body, path.state, arc);
     }
-    if (const Wall* const w = boundary.line(contact))
-      cushion.bounce(boundary.body, path.state, w->normal);
-    else if (contact.kind == ContactKind::ball)
+    if (contact.kind == ContactKind::ball)
       meet_ball(balls, contact, path);
     else
-      cushion.bounce(boundary.body, path.state, boundary.normal(contact, path.state.at));
+      bounce_at(boundary, cushion, contact, path.state);
   }
   return path;
+}
+
+/// Of the struck ball alone.
+template <class T, class Motion, class Cushion, class Watch = Unwatched>
+LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
+                            std::span<const Meeting> route, const State<T>& start, Watch&& watch = {}) {
+  return follow_locked(RouteBalls(boundary), motion, cushion, route, start, watch);
 }
 
 /// The last leg of a locked path: the state where the ball is abreast of the target, or enters the

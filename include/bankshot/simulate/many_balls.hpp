@@ -164,7 +164,7 @@ class ManyBalls {
   BallEvent meet(const Due& due, Watch&& watch) {
     const std::size_t i = due.first, j = due.second;
     const bool held = law_.lasts && approach(due) <= lasting_.slowest_meeting();
-    in_.now = lift_meeting(i, j, due.time);
+    in_.now = lift_meeting(i, j, met_at(due));
     for (const std::size_t k : {i, j}) {
       in_.bring(k, watch);
       changed_.push_back(k);
@@ -193,9 +193,9 @@ class ManyBalls {
       return {ball, {bounce_off(second), second, true}};
     }
     const NextEvent<Number> next = s.next;
-    const T parameter = s.track.when(next);
+    const T parameter = s.track.when(in_.motion, next);
     in_.now = s.began + s.track.arc().seconds(parameter);
-    const bool pressed = s.track.arc().pressed == Press::rolls;
+    const bool pressed = s.track.arc().pressed == Press::rolls && !s.track.arc().chord;
     if (s.moves) in_.go(i, parameter, watch);
     s.began = in_.now;
     if (next.piece) {
@@ -250,6 +250,30 @@ class ManyBalls {
     const std::size_t low = std::min(i, j), high = std::max(i, j);
     const Number t = first_meeting(in_.seen(low, high, now), in_.reach(i, j), Number(limit), in_.rounding);
     if (t < never) time = now + t;
+  }
+
+  Number met_at(const Due& due) const {
+    if constexpr (has_chords<Motion>)
+      return on_paths(due.first, due.second, due.time);
+    else
+      return due.time;
+  }
+
+  /// The time at which two meet whose arcs are chords of their paths.
+  Number on_paths(std::size_t i, std::size_t j, const Number& time) const {
+    const auto there = [&](std::size_t ball, const Number& when) {
+      const Ball& s = in_.balls[ball];
+      const State<Number> start = value(s.track.state());
+      return s.moves ? advance(in_.motion, in_.body(ball), start, value(s.track.arc()), Number(when - value(s.began)))
+                     : start;
+    };
+    const auto both = [&](const Number& when) { return std::pair(there(i, when), there(j, when)); };
+    const Number last = std::min<Number>(in_.balls[i].due, in_.balls[j].due);
+    return time_on_path(time, value(in_.now), last, both, [&](const auto& balls) {
+      const Vec2<Number> d = balls.second.at - balls.first.at, v = balls.second.velocity - balls.first.velocity;
+      const Number apart = norm(d);
+      return std::pair<Number, Number>(apart - in_.reach(i, j), -dot(d, v) / apart);
+    });
   }
 
   /// The instant at which two meet, with the derivatives of their arcs.

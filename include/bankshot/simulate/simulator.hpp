@@ -13,6 +13,7 @@
 //  6. Error. The walls and constants are the given doubles. With T = double the position of the last
 //     event differs from the exact one of the same start state by
 //       |error| <= C · 2⁻⁵³ · size · κ,   C = tolerance::simulation_error,   size = Boundary::extent,
+//       (2⁻⁵³ times tolerance::pieces_rounding where the table leans, for there each piece of a path rounds)
 //       κ = Σ_k ‖J_k D_k‖ / size over the start (k = 0) and every event before the last.
 //     J_k: Jacobian of that position by the state after event k (x, y, v, ω), D_k = diag(size, size, V,
 //     V, V/R, V/R, V/R), V = |v| + R|ω| where the arc that led to event k began. Each event rounds the
@@ -51,7 +52,7 @@ class Simulator {
         track_.stay();
         return {EventKind::horizon};
       }
-      track_.go(motion_, track_.when(next));
+      track_.go(motion_, track_.when(motion_, next));
       const T lasted = track_.arc().seconds(track_.travelled());
       time_ += lasted;
       if (!next.piece) return happens(next);

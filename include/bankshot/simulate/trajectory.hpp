@@ -57,6 +57,8 @@ Trajectory simulate(const ShotRequest& request);
 
 /// ½ m v² + ⅕ m R² ω² [J].
 double energy(const Body& body, const State<double>& state);
+/// With its height on a table that is not level.
+double energy(const Physics& physics, const Body& body, const State<double>& state);
 
 /// 0 is the one that is struck.
 const Ball& ball_of(const ShotRequest& request, int ball);

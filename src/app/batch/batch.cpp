@@ -7,6 +7,7 @@
 #include <iostream>
 #include <thread>
 
+#include "app/batch/part_record.hpp"
 #include "app/batch/pipeline.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
@@ -20,11 +21,17 @@ namespace {
 constexpr int by_signal = 128;  ///< exit codes above: ended by this signal
 
 struct Arguments {
-  std::string file, output = "-", cost;
+  std::string file, output = "-", cost, part;
   solve::SolveFlags flags;
   int threads = 0;
+  bool of_parts = false;  ///< only `part` of the input
   bool resume = false, quiet = false, strict = false, json = true;
 };
+
+/// Where a part is written until it is whole.
+std::string partial_of(const std::string& output) {
+  return is_packed(output) ? std::string(unpacked_name(output)) + ".partial.gz" : output + ".partial";
+}
 
 std::string without_time(std::string line) {
   const std::size_t begin = line.find("\"time_us\":"), end = line.find(',', begin);
@@ -97,12 +104,21 @@ Journal::Mark begin(Journal& journal, Output& out) {
   return {};
 }
 
+/// Of a part: what it is goes beside its output, and both to where they belong.
+void close_part(const Arguments& a, const LineReader& in, const Journal::Mark& at) {
+  const std::string partial = partial_of(a.output);
+  // Behind the last line; of a part without lines, where it begins.
+  const ReadMark& to = at.read.bytes > in.begun().bytes ? at.read : in.begun();
+  write_part(a.output, {part_of(a.part), a.flags.words(), in.begun(), to, measured(partial), at.tally.invalid});
+  put_in_place(partial, a.output);
+}
+
 void write_cost(const Arguments& a, const Cost& cost, const Journal::Mark& at, long kept, const Progress& progress) {
   if (!a.cost.empty()) write_file(a.cost, cost_csv(cost, at.tally, kept, progress));
 }
 
 int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal, const Journal::Mark& from) {
-  const long kept = from.read.lines;
+  const long before = in.begun().lines, kept = from.read.lines - before;
   Progress progress(kept, in.share(), !a.quiet && isatty(STDERR_FILENO) == 1);
   Cost cost;
   Batch batch{in, out, journal, a.flags, a.threads, progress, from, a.cost.empty() ? nullptr : &cost};
@@ -116,19 +132,48 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
   } catch (const FileError& e) {
     progress.clear();
     if (journal) out.cut_quietly(batch.at.written);
-    throw WriteError(fmt::format("{}; answers written: {}{}", e.what(), grouped(batch.at.read.lines), how_to_go_on));
+    throw WriteError(
+        fmt::format("{}; answers written: {}{}", e.what(), grouped(batch.at.read.lines - before), how_to_go_on));
   }
   progress.clear();
   if (interrupted()) {
     if (!a.quiet)
-      std::cerr << fmt::format("bankshot: interrupted after {} puzzles{}\n", grouped(batch.at.read.lines),
+      std::cerr << fmt::format("bankshot: interrupted after {} puzzles{}\n", grouped(batch.at.read.lines - before),
                                how_to_go_on);
     return by_signal + interrupted();
   }
+  if (a.of_parts) close_part(a, in, batch.at);
   if (journal) journal->remove();
   if (!a.quiet) std::cerr << closing_line(batch.at.tally, kept, progress);
   write_cost(a, cost, batch.at, kept, progress);
   return a.strict && batch.at.tally.invalid > 0 ? some_fail : done;
+}
+
+/// The part is there already, of this input and with these flags.
+bool is_done(const Arguments& a, const LineReader& in) {
+  if (!std::filesystem::exists(a.output)) return false;
+  const auto record = read_part(a.output);
+  const Part part = part_of(a.part);
+  const auto same = [](const ReadMark& x, const ReadMark& y) { return x.bytes == y.bytes && x.crc == y.crc; };
+  return record && record->part.k == part.k && record->part.n == part.n && record->flags == a.flags.words() &&
+         same(record->from, in.begun()) && same(measured(a.output), record->output);
+}
+
+int run_part(const Arguments& a) {
+  if (a.output == "-") throw FileError("--part needs a file of its own: -o SHOTS.jsonl");
+  const Part part = part_of(a.part);
+  LineReader in(a.file, is_packed(a.output), part);
+  if (a.resume && is_done(a, in)) {
+    if (!a.quiet) std::cerr << a.output << ": is whole already\n";
+    return done;
+  }
+  const std::string partial = partial_of(a.output);
+  Output out(partial);
+  if (!out.regular()) throw FileError(fmt::format("{}: is no file", partial));
+  Journal journal(partial, fmt::format("{} --part {}/{}", a.flags.words(), part.k, part.n), in.identity());
+  Journal::Mark from = a.resume ? go_on(journal, in, out, partial) : begin(journal, out);
+  if (from.read.lines == 0) from.read = in.begun();
+  return run_batch(a, in, out, &journal, from);
 }
 
 int run(Arguments a) {
@@ -137,6 +182,7 @@ int run(Arguments a) {
   if (a.threads == 0) a.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");
   const Interrupts watch;
+  if (a.of_parts) return run_part(a);
   LineReader in(a.file, a.output.ends_with(".gz"));
   Output out(a.output);
   if (a.resume && !out.regular()) throw FileError(fmt::format("{}: is no file that can be gone on with", a.output));
@@ -173,6 +219,8 @@ Run add(CLI::App& app) {
       "at most. A packed output (.gz) is a row of gzip members of 64 lines.",
       {{"bankshot batch puzzles.jsonl -o shots.jsonl", "the best shot of each"},
        {"bankshot batch puzzles.jsonl -o shots.jsonl --resume", "goes on where that was cut off"},
+       {"bankshot batch puzzles.jsonl --part 3/64 -o shots-3.jsonl",
+        "the fourth of 64 parts; bankshot merge joins them"},
        {"bankshot batch puzzles.jsonl -o all.jsonl.gz --all --strict", "every shot, packed; 1 where a line is bad"}},
       "0 done; 1 a line was invalid (--strict); 2 bad input or usage; 128 + n ended by signal n.");
   command->add_option("puzzles", a->file, "A puzzle in JSON on each line; - reads standard input, *.gz is unpacked")
@@ -182,6 +230,12 @@ Run add(CLI::App& app) {
   command->add_option("-j,--threads", a->threads, "Threads; 0: one for each core")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
+  command
+      ->add_option_function<std::string>(
+          "--part", [a](const std::string& part) { a->part = part, a->of_parts = true; },
+          "Only part K of N, from 0, line by line; bare, as Slurm or MPI numbers this process")
+      ->expected(0, 1)
+      ->type_name("K/N");
   command->add_flag("--resume", a->resume, "Go on where an earlier run of this command was cut off");
   command->add_flag("--quiet", a->quiet, "Nothing on standard error but errors");
   command->add_flag("--strict", a->strict, "Exit code 1 when a line was invalid");

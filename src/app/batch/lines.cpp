@@ -37,6 +37,49 @@ LineReader::LineReader(const std::string& path, bool whole_chunks)
   gzbuffer(gz_, buffer_size);
 }
 
+LineReader::LineReader(const std::string& path, bool whole_chunks, const Part& part) : LineReader(path, whole_chunks) {
+  if (size_ < 0) throw FileError(fmt::format("{}: only a file has parts", name_));
+  if (part.n > 1) find(part);
+}
+
+/// Lines belong to the part in which they begin, whatever packs them.
+void LineReader::find(const Part& part) {
+  long bytes = size_;
+  if (gz_) {
+    bytes = 0;
+    while (fill()) bytes += static_cast<long>(end_);
+    begin_ = end_ = 0;
+    gzrewind(gz_);
+  }
+  const auto cut = [&](long k) { return bytes / part.n * k + bytes % part.n * k / part.n; };
+  const long from = cut(part.k);
+  until_ = cut(part.k + 1);
+  // The line break before the part, and what comes up to it.
+  while (mark_.bytes < from && (begin_ < end_ || fill())) {
+    const char* const data = buffer_.data() + begin_;
+    const std::size_t most = std::min(end_ - begin_, static_cast<std::size_t>(from - mark_.bytes));
+    const auto* const last = static_cast<const char*>(memrchr(data, '\n', most));
+    const bool begins = mark_.bytes + static_cast<long>(most) == from;
+    mark_.lines += std::count(data, data + most, '\n');
+    mark_.crc = checksum(mark_.crc, data, most);
+    mark_.bytes += static_cast<long>(most);
+    begin_ += most;
+    if (!begins || last == data + most - 1) continue;
+    bool whole = false;
+    while (!whole && (begin_ < end_ || fill())) {
+      const char* const rest = buffer_.data() + begin_;
+      const auto* const line_break = static_cast<const char*>(std::memchr(rest, '\n', end_ - begin_));
+      whole = line_break != nullptr;
+      const std::size_t used = whole ? static_cast<std::size_t>(line_break - rest) + 1 : end_ - begin_;
+      mark_.crc = checksum(mark_.crc, rest, used);
+      mark_.bytes += static_cast<long>(used);
+      begin_ += used;
+    }
+    ++mark_.lines;  // the last of all may lack its line break
+  }
+  begun_ = mark_;
+}
+
 LineReader::~LineReader() {
   if (gz_) gzclose(gz_);
   if (fd_ > STDIN_FILENO) close(fd_);
@@ -46,7 +89,7 @@ bool LineReader::next(Lines& out) {
   out.text.clear();
   out.lines.clear();
   try {
-    while (out.lines.size() < lines_a_chunk && out.text.size() < bytes_a_chunk) {
+    while (out.lines.size() < lines_a_chunk && out.text.size() < bytes_a_chunk && mark_.bytes < until_) {
       if (!out.lines.empty() && !whole_chunks_ && !more_is_there()) break;
       if (!add_line(out)) break;
     }
@@ -151,6 +194,9 @@ bool LineReader::more_is_there() const {
 
 double LineReader::share() const {
   if (size_ <= 0) return -1;
+  if (until_ < std::numeric_limits<long>::max())
+    return std::min(1.0, static_cast<double>(mark_.bytes - begun_.bytes) /
+                             std::max(1.0, static_cast<double>(until_ - begun_.bytes)));
   const auto behind = gz_ ? static_cast<double>(gzoffset(gz_)) : static_cast<double>(mark_.bytes);
   return std::min(1.0, behind / static_cast<double>(size_));
 }

@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,11 @@ namespace bankshot::app::batch {
 struct ReadMark {
   long lines = 0, bytes = 0;
   std::uint32_t crc = 0;
+};
+
+/// Part number `k`, from 0, of `n` of nearly as many bytes each.
+struct Part {
+  long k = 0, n = 1;
 };
 
 /// A few lines without their line breaks.
@@ -43,6 +49,8 @@ class LineReader {
   /// `whole_chunks`: wait for them also where the input comes in slowly. Else what is there is handed
   /// out at once, so that a program can send a puzzle and wait for its answer.
   LineReader(const std::string& path, bool whole_chunks);
+  /// The lines that begin in this part of the file, which is no stream; what stands before them counts as read.
+  LineReader(const std::string& path, bool whole_chunks, const Part& part);
   ~LineReader();
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
@@ -55,9 +63,12 @@ class LineReader {
   /// for a stream.
   std::string identity() const;
   bool same_file(int descriptor) const;
-  double share() const;  ///< of the input that is read; -1 where its length is not known
+  double share() const;                             ///< of the input that is read; -1 where its length is not known
+  const ReadMark& begun() const { return begun_; }  ///< what stands before the first line
+  const ReadMark& mark() const { return mark_; }    ///< what was read
 
  private:
+  void find(const Part& part);
   bool add_line(Lines& out);
   bool fill();
   bool more_is_there() const;
@@ -70,7 +81,8 @@ class LineReader {
   bool whole_chunks_;
   std::string buffer_;
   std::size_t begin_ = 0, end_ = 0;
-  ReadMark mark_;
+  ReadMark mark_, begun_;
+  long until_ = std::numeric_limits<long>::max();  ///< bytes: no line that begins behind is read
 };
 
 }  // namespace bankshot::app::batch

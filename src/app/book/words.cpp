@@ -43,7 +43,7 @@ std::string scene(const Puzzle& p) {
   for (const TablePreset& t : table_presets())
     if (make_table(t).vertices == p.table.vertices) out = t.name;
   out += is_ideal(p.physics)                                       ? ", no friction"
-         : is_straight(p.physics)                                  ? ", rolling"
+         : !carries_spin(p.physics)                                ? ", rolling"
          : std::holds_alternative<Mathavan2010>(p.physics.cushion) ? ", spin after Mathavan"
                                                                    : ", spin";
   if (p.spin.top != 0) out += fmt::format(", top {:.2g}", p.spin.top);

@@ -60,7 +60,7 @@ Timed timed_shot(Random& draw, const Physics& physics, int cushions) {
     const Vec2d at{draw.uniform(radius, length - radius), draw.uniform(radius, width - radius)};
     const double speed = draw.log_uniform(1, 8), aim = draw.uniform(0, radians(360));
     LaunchSpin spin{draw.uniform(-0.5, 1), draw.uniform(-0.5, 0.5), 0};
-    if (is_straight(physics)) spin = {1, 0, 0};
+    if (!carries_spin(physics)) spin = {1, 0, 0};
     const Timed shot{launched(at, radius, direction(aim) * speed, spin), 0};
     const double until = with_physics(physics, [&](const auto& motion, const auto& cushion) {
       return moment(Simulator(comparison_table(), motion, cushion, shot.start), cushions);

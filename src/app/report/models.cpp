@@ -26,14 +26,12 @@ struct Model {
 
 /// Cheapest first; the last is the reference.
 std::vector<Model> models_in_order() {
-  Physics mirrors = spin_physics(), fullest = spin_physics();
+  Physics mirrors = spin_physics(), springs = spin_physics(), fullest = spin_physics();
   mirrors.cushion = Mirror{};
+  springs.cushion = Stronge{};
   fullest.cushion = Mathavan2010{};
-  return {{"ideal", ideal_physics()},
-          {"rolling", rolling_physics()},
-          {"spin, mirror", mirrors},
-          {"spin, han2005", spin_physics()},
-          {"spin, mathavan2010", fullest}};
+  return {{"ideal", ideal_physics()},        {"rolling", rolling_physics()}, {"spin, mirror", mirrors},
+          {"spin, han2005", spin_physics()}, {"spin, stronge", springs},     {"spin, mathavan2010", fullest}};
 }
 
 /// A ball that rolls and comes to rest after exactly n cushions in the fullest model.
@@ -67,7 +65,7 @@ Puzzle puzzle_of(const Question& q, const Physics& physics) {
     p.speed = {q.shot.launch.speed, q.shot.launch.speed};  // it knows no friction: the right speed is given
   else
     p.arrive = Range{0, 0};
-  if (!is_straight(physics)) p.spin = q.shot.spin;
+  if (carries_spin(physics)) p.spin = q.shot.spin;
   return p;
 }
 
@@ -110,6 +108,27 @@ Result measure(const Model& m, const std::vector<Question>& questions, int cushi
     csv += fmt::format("\"{}\",{},{:.4g},{:.4g},{:.4g}\n", m.name, cushions, miss, seconds.back(), a.time_us * 1e-6);
   }
   return {spread(misses), spread(seconds), spread(solving), solved};
+}
+
+/// How much more or less steeply a ball that rolls leaves a cushion than it came, over the angle of incidence, finely.
+Panel steepness(const std::vector<Model>& all, std::string& csv) {
+  constexpr double step = 0.05, from = 0.5, to = 89.5, speed = 2;  // degrees, m/s
+  Panel panel{"leaving less steeply than coming, every 0.05°", {"angle to the cushion [°]"}, {"angle lost [°]"}, {}};
+  csv = "model,incidence_deg,leaving_deg\n";
+  for (const Model& m : all) {
+    if (!carries_spin(m.physics)) continue;
+    Curve curve{m.name, {}, Curve::Style::dashes};
+    for (double a = from; a <= to; a += step) {
+      State<double> s{{0, 0}, {speed * std::cos(radians(a)), -speed * std::sin(radians(a))}};
+      s.spin = natural_roll(s.velocity, Body{}.radius);
+      std::visit([&](const auto& cushion) { cushion.bounce(Body{}, s, Vec2d{0, 1}); }, m.physics.cushion);
+      const double leaves = degrees(std::atan2(s.velocity.y, s.velocity.x));
+      curve.points.push_back({a, a - leaves, a - leaves, a - leaves});
+      csv += fmt::format("\"{}\",{:.2f},{:.9f}\n", m.name, a, leaves);
+    }
+    panel.curves.push_back(curve);
+  }
+  return panel;
 }
 
 constexpr const char* about =
@@ -172,6 +191,8 @@ Section models(const Settings& settings, Progress& progress) {
   share_y(s.figure.panels);
   const CirclesForJaws circles = circles_for_jaws(settings.shots * puzzles_a_shot, progress);
   s.figure.panels.push_back(circles.panel);
+  std::string sweep;
+  s.figure.panels.push_back(steepness(all, sweep));
   s.figure.columns = 2;
   s.figure.row_height = 300;
   s.caption = fmt::format("Medians of {} shots a point, with 10–90 % bands on the left.", settings.shots);
@@ -182,7 +203,8 @@ Section models(const Settings& settings, Progress& progress) {
   s.conclusion +=
       fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
   s.conclusion += circles.told;
-  s.data = {{s.name, medians}, {s.name + "-shots", csv}, {s.name + "-circles", circles.csv}};
+  s.data = {
+      {s.name, medians}, {s.name + "-shots", csv}, {s.name + "-circles", circles.csv}, {s.name + "-incidence", sweep}};
   return s;
 }
 

@@ -31,6 +31,7 @@ std::string SolveFlags::words() const {
   if (no_timing) out += " --no-timing";
   if (no_robustness) out += " --no-robustness";
   if (path) out += " --path";
+  if (options.sensitivity) out += " --sensitivity";
   return out;
 }
 
@@ -41,6 +42,8 @@ void add_solve_flags(CLI::App& command, SolveFlags& flags) {
   command.add_option("--budget", flags.budget, "Simulations to spend at most")->check(whole_number);
   command.add_flag("--no-timing", flags.no_timing, "Leave out time_us: same input, same bytes");
   command.add_flag("--no-robustness", flags.no_robustness, "Leave out margin and success");
+  command.add_flag("--sensitivity", flags.options.sensitivity,
+                   "Each shot with how far a wrong coefficient of the table moves its arrival");
   command.add_flag("--path", flags.path, "Each shot in JSON with the points of its path");
 }
 

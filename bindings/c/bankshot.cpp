@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+//
+// The interface in C (include/bankshot/bankshot.h): the answers of the server's api, and many launches of one scene.
+#include "bankshot/bankshot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <thread>
+#include <vector>
+
+#include "app/serve/api.hpp"
+#include "bankshot/plan/answer.hpp"
+#include "bankshot/scene/json.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+#include "json/writer.hpp"
+#include "truth/claims.hpp"
+
+namespace serve = bankshot::app::serve;
+
+struct bankshot_scene {
+  bankshot::ShotRequest request;
+};
+
+namespace {
+
+using bankshot::InvalidInput;
+
+/// A copy that C can free; false where there is no memory for it.
+bool hand_out(std::string_view text, bankshot_text* out) {
+  if (!out) return true;
+  out->length = 0;
+  out->data = static_cast<char*>(std::malloc(text.size() + 1));
+  if (!out->data) return false;
+  std::memcpy(out->data, text.data(), text.size());
+  out->data[text.size()] = '\0';
+  out->length = text.size();
+  return true;
+}
+
+std::string trouble(const std::string& path, const std::string& reason) {
+  bankshot::JsonWriter w;
+  w.open('{'), w.string("path", path), w.string("reason", reason), w.close('}');
+  return w.take() + "\n";
+}
+
+/// What `f` gives: a status and a text. Nothing is thrown across.
+template <class F>
+bankshot_status guarded(bankshot_text* out, const F& f) noexcept {
+  try {
+    try {
+      const auto [status, text] = f();
+      return hand_out(text, out) ? status : BANKSHOT_NO_MEMORY;
+    } catch (const InvalidInput& e) {
+      return hand_out(trouble(e.path, e.what()), out) ? BANKSHOT_BAD_INPUT : BANKSHOT_NO_MEMORY;
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& e) {
+      return hand_out(trouble("", e.what()), out) ? BANKSHOT_BAD_INPUT : BANKSHOT_NO_MEMORY;
+    }
+  } catch (...) {
+    if (out) *out = {nullptr, 0};
+    return BANKSHOT_NO_MEMORY;
+  }
+}
+
+/// "all&budget=500"
+serve::Query query_of(const char* flags) {
+  serve::Query query;
+  for (std::string_view left = flags ? flags : ""; !left.empty();) {
+    const std::string_view one = left.substr(0, left.find('&'));
+    const std::size_t end = std::min(one.find('='), one.size());
+    if (!one.empty()) query.emplace_back(one.substr(0, end), one.substr(std::min(end + 1, one.size())));
+    left.remove_prefix(std::min(one.size() + 1, left.size()));
+  }
+  return query;
+}
+
+std::string text_of(const char* data, std::size_t length) {
+  if (!data && length > 0) throw InvalidInput("", "there is no text at NULL");
+  return {data ? data : "", length};
+}
+
+using Result = std::pair<bankshot_status, std::string>;
+
+Result result_of(serve::Reply reply) {
+  return {reply.status == 200 ? BANKSHOT_DONE : BANKSHOT_BAD_INPUT, std::move(reply.body)};
+}
+
+/// Nobody ends a search from outside.
+template <class F>
+Result unhurried(const F& f) {
+  const std::atomic<bool> never{false};
+  return result_of(f(serve::Limit{never, never, 0}));
+}
+
+Result verified(const std::string& puzzle_text, const std::string& answer_text) {
+  const bankshot::Puzzle puzzle = bankshot::read_puzzle(puzzle_text);
+  const bankshot::Answer answer = bankshot::read_answer(answer_text, &puzzle, nullptr);
+  const auto checks = bankshot::truth::check(&puzzle, puzzle.id, answer);
+  const bool holds = std::ranges::all_of(checks, [](const auto& c) { return c.holds(); });
+  bankshot::JsonWriter w;
+  w.open('{');
+  w.boolean("holds", holds);
+  w.integer("checked", static_cast<long>(checks.size()));
+  w.key("failed"), w.open('[');
+  for (const auto& c : checks) {
+    if (c.holds()) continue;
+    w.open('{');
+    w.integer("shot", static_cast<long>(c.shot));
+    w.string("claim", bankshot::truth::name(c.claim));
+    w.number("off", c.off), w.number("allowed", c.allowed);
+    w.string("what", c.what);
+    w.close('}');
+  }
+  w.close(']'), w.close('}');
+  return {holds ? BANKSHOT_DONE : BANKSHOT_NOTHING, w.take() + "\n"};
+}
+
+bankshot_end end_of(const bankshot_scene& scene, const bankshot_launch& launch) {
+  bankshot_end out{};
+  out.kind = BANKSHOT_END_INVALID;
+  out.pocket = -1;
+  bankshot::ShotRequest request = scene.request;
+  request.launch = {launch.speed, launch.angle};
+  request.spin = {launch.top, launch.side, launch.masse};
+  const bool finite = std::isfinite(launch.angle + launch.top + launch.side + launch.masse);
+  if (!finite || !(launch.speed > 0 && std::isfinite(launch.speed))) return out;
+  try {
+    const bankshot::Trajectory t = bankshot::simulate(request);
+    const bankshot::Record& last = bankshot::end_of(t, 0);
+    const bankshot::State<double>& s = last.state;
+    out = {.time = last.time,
+           .length = t.length,
+           .x = s.at.x,
+           .y = s.at.y,
+           .vx = s.velocity.x,
+           .vy = s.velocity.y,
+           .wx = s.spin.x,
+           .wy = s.spin.y,
+           .wz = s.spin.z,
+           .cushions = t.cushions,
+           .kind = BANKSHOT_END_EVENTS,
+           .pocket = -1,
+           .reserved = 0};
+    using bankshot::EventKind;
+    if (t.end == EventKind::rest) out.kind = BANKSHOT_END_REST;
+    if (t.end == EventKind::horizon) out.kind = BANKSHOT_END_UNTIL;
+    for (const bankshot::Record& e : t.events)
+      if (e.ball == 0 && e.kind == EventKind::pocket) out.kind = BANKSHOT_END_POCKETED, out.pocket = e.contact.index;
+  } catch (const InvalidInput&) {
+    out.kind = BANKSHOT_END_INVALID;
+  }
+  return out;
+}
+
+}  // namespace
+
+int bankshot_abi_version() { return BANKSHOT_ABI_VERSION; }
+const char* bankshot_version() { return BANKSHOT_VERSION; }
+
+bankshot_status bankshot_solve(const char* puzzle, size_t length, const char* flags, bankshot_text* answer) {
+  return guarded(answer, [&]() -> Result {
+    Result r = unhurried(
+        [&](const serve::Limit& limit) { return serve::solve(query_of(flags), text_of(puzzle, length), limit); });
+    constexpr std::string_view solved = "\"status\":\"solved\"";
+    if (r.first == BANKSHOT_DONE && r.second.find(solved) == std::string::npos) r.first = BANKSHOT_NOTHING;
+    return r;
+  });
+}
+
+bankshot_status bankshot_simulate(const char* shot, size_t length, const char* flags, bankshot_text* path) {
+  return guarded(path, [&] { return result_of(serve::simulate(query_of(flags), text_of(shot, length))); });
+}
+
+bankshot_status bankshot_map(const char* puzzle, size_t length, const char* flags, bankshot_text* map) {
+  return guarded(map, [&] {
+    return unhurried(
+        [&](const serve::Limit& limit) { return serve::map(query_of(flags), text_of(puzzle, length), limit); });
+  });
+}
+
+bankshot_status bankshot_verify(const char* puzzle, size_t puzzle_length, const char* answer, size_t answer_length,
+                                bankshot_text* report) {
+  return guarded(report, [&] { return verified(text_of(puzzle, puzzle_length), text_of(answer, answer_length)); });
+}
+
+bankshot_status bankshot_schema(const char* document, bankshot_text* schema) {
+  return guarded(schema, [&] { return result_of(serve::schema({{"document", document ? document : "puzzle"}})); });
+}
+
+void bankshot_free(char* data) { std::free(data); }
+
+bankshot_scene* bankshot_scene_new(const char* shot, size_t length, bankshot_text* error) {
+  bankshot_scene* scene = nullptr;
+  const bankshot_status status = guarded(error, [&]() -> Result {
+    scene = new bankshot_scene{bankshot::read_shot(text_of(shot, length))};
+    return {BANKSHOT_DONE, ""};
+  });
+  if (status == BANKSHOT_DONE && error) bankshot_free(error->data), *error = {nullptr, 0};
+  return scene;
+}
+
+void bankshot_scene_free(bankshot_scene* scene) { delete scene; }
+
+bankshot_status bankshot_simulate_many(const bankshot_scene* scene, const bankshot_launch* launches, size_t count,
+                                       bankshot_end* ends, int threads) {
+  if (!scene || (count > 0 && (!launches || !ends))) return BANKSHOT_BAD_INPUT;
+  return guarded(nullptr, [&]() -> Result {
+    constexpr std::size_t at_once = 64;
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> failed{false};
+    const auto work = [&]() noexcept {
+      try {
+        for (std::size_t i; !failed && (i = next.fetch_add(at_once)) < count;)
+          for (std::size_t k = i; k < std::min(count, i + at_once); ++k) ends[k] = end_of(*scene, launches[k]);
+      } catch (...) {
+        failed = true;
+      }
+    };
+    const std::size_t usual = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : usual;
+    {
+      std::vector<std::jthread> others;
+      for (std::size_t i = 1; i < std::min(wanted, count / at_once + 1); ++i) others.emplace_back(work);
+      work();
+    }
+    if (failed) throw std::bad_alloc();
+    return {BANKSHOT_DONE, ""};
+  });
+}

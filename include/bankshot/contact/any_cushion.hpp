@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Whichever cushion a scene has, chosen at each bounce: for motions whose own work is so long that it does not show.
+#pragma once
+
+#include <variant>
+
+#include "bankshot/contact/custom.hpp"
+#include "bankshot/contact/han2005.hpp"
+#include "bankshot/contact/mathavan2010.hpp"
+#include "bankshot/contact/mirror.hpp"
+#include "bankshot/contact/rail_cushion.hpp"
+#include "bankshot/contact/stronge.hpp"
+
+namespace bankshot {
+
+using CushionVariant = std::variant<Mirror, Han2005, Mathavan2010, Stronge, CustomCushion>;
+
+struct AnyCushion {
+  CushionVariant law;
+
+  template <class T, class N>
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
+    std::visit([&](const auto& cushion) { cushion.bounce(body, s, away); }, law);
+  }
+};
+
+/// The law of a rail with its own coefficients.
+inline AnyCushion of_rail(const RailCushion& rail, const AnyCushion& cushion) {
+  return {std::visit([&](const auto& law) -> CushionVariant { return rail.of(law); }, cushion.law)};
+}
+template <class Cushion>
+Cushion of_rail(const RailCushion& rail, const Cushion& cushion) {
+  return rail.of(cushion);
+}
+
+}  // namespace bankshot

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// A ball bounces off what it met, by the law of the rail where that has its own.
+#pragma once
+
+#include "bankshot/contact/any_cushion.hpp"
+#include "bankshot/geometry/boundary.hpp"
+
+namespace bankshot {
+
+template <class T, class Cushion>
+void bounce_at(const Boundary& boundary, const Cushion& cushion, Contact contact, State<T>& s) {
+  const Wall* const w = boundary.line(contact);
+  if (!w)
+    cushion.bounce(boundary.body, s, boundary.normal(contact, s.at));
+  else if (const RailCushion* const own = boundary.own_cushion(contact))
+    of_rail(*own, cushion).bounce(boundary.body, s, w->normal);
+  else
+    cushion.bounce(boundary.body, s, w->normal);
+}
+
+}  // namespace bankshot

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// A vector under dry friction on an incline: the slip of a ball that slides on a tilted table, or the velocity of one
+// that rolls there,
+//   ẇ = −M ŵ − B w + a e,   q = |w|
+// M [m/s²] the friction, B [1/s] its growth with the speed, a [m/s²] the pull, e the unit vector downhill.
+// In the clock σ with dt = q dσ [s/m · m] the pair (q, w) obeys polynomials, without root or quotient:
+//   w' = −M w + a q e − B q w,   q' = −M q + a w·e − B q²,   t' = q,   r' = q w
+// and without B even linear ones (q² = w² is kept: a boost), so that what is left until w = 0 has a closed form: with
+// P = q + w·e, N = q − w·e, W = w·e⊥
+//   T   = P / 2(M−a) + N / 2(M+a)
+//   r_e = P² / 8(M−a) − N² / 8(M+a),   r_⊥ = W (P / (2M−a) + N / (2M+a)) / 2
+// Method: the power series in σ, over at most half of the time in which w would change by its own size: about twelve
+// terms in double. Error: a few units in the last place a series. Worked number: a ball that rolls at 1 m/s across a
+// slope of 2 mm a metre, M = 0.0981, a = 0.014014 m/s², rests after 10.406 s, 5.123 m on and 0.372 m downhill.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "bankshot/numbers/scalar.hpp"
+#include "bankshot/numbers/vec.hpp"
+
+namespace bankshot {
+
+/// K: of the coefficients, T or its numbers.
+template <class K>
+struct Incline {
+  K friction;    ///< M
+  K drag;        ///< B
+  K pull;        ///< a > 0
+  Vec2<K> down;  ///< e
+};
+
+/// What is left until w = 0, of an incline without drag whose friction is more than its pull, or straight uphill.
+template <class T>
+struct Stop {
+  T time;
+  Vec2<T> beyond;  ///< the integral of w − w(0)
+};
+
+template <class T, class K>
+Stop<T> stop_on(const Incline<K>& law, const Vec2<T>& w) {
+  using N = Real<T>;
+  const T along = dot(law.down, w), across = cross(law.down, w), q = norm(w);
+  const bool downhill = value(along) > N(0);
+  const T large = q + (downhill ? along : T(-along)), small = across * across / large;
+  const T p = downhill ? large : small, n = downhill ? small : large;
+  // With less friction than pull it stops straight uphill alone, where p is 0.
+  const bool stays = value(law.friction) > value(law.pull);
+  const auto ahead = [&](const K& slow) { return stays ? T(p / slow) : T(0); };
+  const K fast = law.friction + law.pull, twice = law.friction * N(2);
+  const T first = ahead(K(law.friction - law.pull)), then = n / fast;
+  const T time = (first + then) * N(0.5);
+  const T on = (p * first - n * then) * N(0.125);
+  const T aside = across * N(0.5) * (ahead(K(twice - law.pull)) + n / K(twice + law.pull));
+  const Vec2<T> moved{law.down.x * on - law.down.y * aside, law.down.y * on + law.down.x * aside};
+  return {time, moved - w * time};
+}
+
+/// The series from w on, over h [1 / m · s · m/s] of σ; x = σ/h, from 0 to about 1.
+template <class T, class K>
+class Glide {
+ public:
+  using Number = Real<T>;
+
+  Glide(const Incline<K>& law, const Vec2<T>& w, const Number& h) : down_{T(law.down.x), T(law.down.y)} {
+    along_[0] = T(dot(law.down, w));
+    across_[0] = T(cross(law.down, w));
+    speed_[0] = norm(w);
+    time_[0] = on_[0] = aside_[0] = T(0);
+    const Number scale = value(speed_[0]) * std::numeric_limits<Number>::epsilon();
+    const bool drags = value(law.drag) != Number(0);
+    using std::abs;
+    for (terms_ = 0; terms_ + 1 < most;) {
+      const std::size_t k = terms_;
+      const Number by = h / static_cast<double>(k + 1);
+      // Of w, and what of it is beyond w(0).
+      T later_on(0), later_aside(0), square(0);
+      for (std::size_t j = 0; j < k; ++j) {
+        later_on += speed_[j] * along_[k - j];
+        later_aside += speed_[j] * across_[k - j];
+      }
+      T along = along_[k] * -law.friction + speed_[k] * law.pull, across = across_[k] * -law.friction;
+      T speed = speed_[k] * -law.friction + along_[k] * law.pull;
+      if (drags) {
+        for (std::size_t j = 0; j <= k; ++j) square += speed_[j] * speed_[k - j];
+        along -= (later_on + speed_[k] * along_[0]) * law.drag;
+        across -= (later_aside + speed_[k] * across_[0]) * law.drag;
+        speed -= square * law.drag;
+      }
+      time_[k + 1] = speed_[k] * by;
+      on_[k + 1] = later_on * by;
+      aside_[k + 1] = later_aside * by;
+      along_[k + 1] = along * by;
+      across_[k + 1] = across * by;
+      speed_[k + 1] = speed * by;
+      ++terms_;
+      const bool small = !(abs(value(along_[k + 1])) > scale) && !(abs(value(across_[k + 1])) > scale) &&
+                         !(abs(value(speed_[k + 1])) > scale);
+      if (small && k > 1) break;
+    }
+  }
+
+  T time(const T& x) const { return sum(time_, x); }
+  Vec2<T> velocity(const T& x) const { return on_table(sum(along_, x), sum(across_, x)); }
+  /// The integral of w − w(0).
+  Vec2<T> beyond(const T& x) const { return on_table(sum(on_, x), sum(aside_, x)); }
+
+  /// The x at a time: Newton's method, and a last step for the derivatives.
+  T at(const T& t) const {
+    using std::abs;
+    const Number asked = value(t);
+    Number x = asked / value(time_[1]);
+    constexpr int enough = 20;
+    for (int i = 0; i < enough; ++i) {
+      const auto [reached, slope] = reached_at(x);
+      const Number step = (reached - asked) / slope;
+      x -= step;
+      if (!(abs(step) > 2 * std::numeric_limits<Number>::epsilon() * abs(x))) break;
+    }
+    if constexpr (has_derivatives<T>) {
+      const T missing = time(T(x)) - t;
+      return T(x) - (missing - value(missing)) / reached_at(x).second;
+    } else {
+      return x;
+    }
+  }
+
+ private:
+  static constexpr std::size_t most =
+      std::numeric_limits<Number>::digits10 > 20 ? std::numeric_limits<Number>::digits10 + 10 : 30;
+  using Series = std::array<T, most>;
+
+  T sum(const Series& c, const T& x) const {
+    T out = c[terms_];
+    for (std::size_t k = terms_; k-- > 0;) out = out * x + c[k];
+    return out;
+  }
+
+  /// The time at x and its slope.
+  std::pair<Number, Number> reached_at(const Number& x) const {
+    Number out = value(time_[terms_]), slope(0);
+    for (std::size_t k = terms_; k-- > 0;) {
+      slope = slope * x + out;
+      out = out * x + value(time_[k]);
+    }
+    return {out, slope};
+  }
+
+  Vec2<T> on_table(const T& along, const T& across) const {
+    return {down_.x * along - down_.y * across, down_.y * along + down_.x * across};
+  }
+
+  Vec2<T> down_;
+  Series along_, across_, speed_, time_, on_, aside_;
+  std::size_t terms_ = 0;  ///< the last that counts
+};
+
+}  // namespace bankshot

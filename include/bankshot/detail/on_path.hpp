@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// An event that was found on a chord of a path, moved onto the path: Newton's method for the time at which the gap to
+// what is met is 0.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/motion/arc.hpp"
+
+namespace bankshot {
+
+/// `state(t)` on the path, `gap(state)` the gap there and the speed at which it closes; `t` the time on the chord.
+/// Where Newton's method would leave the piece of the path that begins at `first` and ends at `last`, the chord's.
+template <class N, class On, class Gap>
+N time_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&& gap) {
+  using std::abs;
+  constexpr int enough = 8;
+  N t = chord;
+  for (int i = 0; i < enough; ++i) {
+    const auto [left, closes] = gap(state(t));
+    if (!(closes > N(0))) return chord;  // grazed: the chord says when
+    const N step = left / closes;
+    t += step;
+    if (!(t >= first && t <= last)) return chord;
+    if (!(abs(step) > 2 * std::numeric_limits<N>::epsilon() * abs(t))) break;
+  }
+  return t;
+}
+
+/// When the path meets a contact that its chord meets at t. `on`: the path begins on its line, exactly. A path that is
+/// told its route may have met it `before` it began.
+template <class T, class Motion>
+Real<T> time_on_path(const Motion& motion, const Boundary& boundary, const State<T>& start, const Arc<T>& arc,
+                     Contact contact, bool on, bool before, const Real<T>& t) {
+  using N = Real<T>;
+  if (!arc.chord || t == N(0)) return t;
+  const N first = before ? N(-value(arc.duration)) : N(0), last = value(arc.duration);
+  const auto state = [&](const N& when) {
+    if constexpr (Motion::plain)
+      return advance(motion, boundary.body, value(start), value(arc), when);
+    else
+      return value(advance(motion, boundary.body, start, arc, T(when)));
+  };
+  if (const Wall* const w = boundary.line(contact)) {
+    // What counts as touching begins with a gap of 0, whatever rounding has made of it.
+    const N begins = dot(w->normal, value(start.at)) - N(w->offset);
+    const N less = on || (begins < N(0) && begins > -N(boundary.touch)) ? begins : N(0);
+    return time_on_path(t, first, last, state, [&](const State<N>& s) {
+      return std::pair<N, N>(dot(w->normal, s.at) - N(w->offset) - less, -dot(w->normal, s.velocity));
+    });
+  }
+  const Circle* const c = boundary.rim(contact);
+  if (!c) return t;
+  return time_on_path(t, first, last, state, [&](const State<N>& s) {
+    const Vec2<N> d = s.at - to<N>(c->centre);
+    const N size = norm(d);
+    return std::pair<N, N>(size - N(c->radius), -dot(d, s.velocity) / size);
+  });
+}
+
+/// The same with the derivatives of the path.
+template <class T, class Motion>
+T lift_on_path(const Motion& motion, const Boundary& boundary, const State<T>& start, const Arc<T>& arc,
+               Contact contact, bool on, bool before, const Real<T>& found) {
+  using N = Real<T>;
+  const N t = time_on_path(motion, boundary, start, arc, contact, on, before, found);
+  if constexpr (!has_derivatives<T>) {
+    return t;
+  } else {
+    const State<T> there = advance(motion, boundary.body, start, arc, T(t));
+    if (const Wall* const w = boundary.line(contact)) {
+      const T gap = dot(w->normal, there.at);
+      const N closes = dot(w->normal, value(there.velocity));
+      return closes == N(0) ? T(t) : T(T(t) - (gap - value(gap)) / closes);
+    }
+    const Circle* const c = boundary.rim(contact);
+    if (!c) return T(t);
+    const Vec2<T> d = there.at - to<T>(c->centre);
+    const T half = dot(d, d) * 0.5;
+    const N closes = dot(value(d), value(there.velocity));
+    return closes == N(0) ? T(t) : T(T(t) - (half - value(half)) / closes);
+  }
+}
+
+}  // namespace bankshot

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "planners/merit/all_errors.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "planners/proof/replay.hpp"
+#include "planners/settings.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// Standard normal numbers, `count` a draw.
+class Draws {
+ public:
+  explicit Draws(std::size_t count) : step_(count + count % 2), at_(step_.size(), 0.5), normal_(step_.size()) {
+    const double d = static_cast<double>(step_.size());
+    double phi = 2;
+    constexpr int enough = 60;
+    for (int i = 0; i < enough; ++i) phi = std::pow(1 + phi, 1 / (d + 1));
+    for (std::size_t k = 0; k < step_.size(); ++k) step_[k] = std::pow(phi, -static_cast<double>(k + 1));
+  }
+
+  const std::vector<double>& next() {
+    for (std::size_t k = 0; k < at_.size(); ++k) at_[k] = std::fmod(at_[k] + step_[k], 1);
+    for (std::size_t k = 0; k < at_.size(); k += 2) {
+      const double size = std::sqrt(-2 * std::log(1 - at_[k])), turn = 2 * std::numbers::pi * at_[k + 1];
+      normal_[k] = size * std::cos(turn);
+      normal_[k + 1] = size * std::sin(turn);
+    }
+    return normal_;
+  }
+
+ private:
+  std::vector<double> step_, at_, normal_;
+};
+
+/// Back to where a centre can be.
+void keep_inside(const Table& table, Ball& ball) {
+  const Boundary boundary(table, ball.body);
+  for (const Wall& w : boundary.walls) {
+    const double gap = dot(w.normal, ball.at) - w.offset, along = dot(w.along, ball.at);
+    if (gap < 0 && gap > -2 * ball.body.radius && along >= w.begin && along <= w.end) ball.at -= w.normal * gap;
+  }
+}
+
+/// The second moves away from the first.
+void keep_apart(const Ball& first, Ball& second) {
+  const Vec2d between = second.at - first.at;
+  const double apart = norm(between), reach = first.body.radius + second.body.radius;
+  if (apart < reach && apart > 0) second.at += between * ((reach - apart) / apart);
+}
+
+/// The balls where a draw puts them; `normal`: two numbers a ball.
+Puzzle moved(const Puzzle& puzzle, const double* normal) {
+  Puzzle p = puzzle;
+  const auto move = [&](Ball& ball) {
+    ball.at += Vec2d{normal[0], normal[1]} * p.noise.at;
+    normal += 2;
+    keep_inside(p.table, ball);
+  };
+  move(p.ball);
+  for (Ball& ball : p.others) move(ball);
+  for (std::size_t i = 0; i < p.others.size(); ++i) {
+    keep_apart(p.ball, p.others[i]);
+    for (std::size_t j = 0; j < i; ++j) keep_apart(p.others[j], p.others[i]);
+  }
+  return p;
+}
+
+}  // namespace
+
+double success_under_all_errors(const Question& q, Ledger& ledger, const Shot& shot) {
+  const Noise& noise = q.puzzle.noise;
+  constexpr std::size_t launch = 4;
+  Draws draws(noise.at > 0 ? launch + 2 * (1 + q.puzzle.others.size()) : launch);
+  long made = 0;
+  for (int i = 0; i < settings::all_errors::draws; ++i) {
+    const std::vector<double>& z = draws.next();
+    const Launch struck{shot.launch.speed + noise.speed * z[0], wrap_angle(shot.launch.angle + noise.angle * z[1])};
+    if (!(struck.speed > 0)) continue;
+    LaunchSpin spin = shot.spin;
+    spin.side += noise.side * z[2];
+    spin.top += noise.top * z[3];
+    const auto try_it = [&](const Question& own) { made += replay(own, ledger, struck, Goal::of(own)).made; };
+    if (!(noise.at > 0)) {
+      try_it(q.spinning(spin));
+      continue;
+    }
+    const Puzzle puzzle = moved(q.puzzle, z.data() + launch);
+    Question own(puzzle);
+    own.spin = spin;
+    try_it(own);
+  }
+  return static_cast<double>(made) / settings::all_errors::draws;
+}
+
+}  // namespace bankshot::planning

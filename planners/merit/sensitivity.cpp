@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "planners/merit/sensitivity.hpp"
+
+#include <cmath>
+
+#include "bankshot/simulate/locked.hpp"
+#include "planners/locked/varied.hpp"
+#include "planners/start.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// m per unit of the coefficient that varies: as Shot::by_angle, how far the arrival moves.
+template <class Motion>
+double moved(const Question& q, const Shot& shot, const Route& route, const VariedPhysics& physics,
+             const Motion& motion) {
+  const RouteBalls plain = q.balls();
+  const RouteBallsOf<Varied> balls(plain.struck, plain.others, physics.balls, plain.carom);
+  const State<double> launch = start_of(q, shot.launch);
+  const State<Varied> start{to<Varied>(launch.at),
+                            to<Varied>(launch.velocity),
+                            {Varied(launch.spin.x), Varied(launch.spin.y), Varied(launch.spin.z)}};
+  const auto path = follow_locked(balls, motion, physics.cushion, std::span<const Meeting>(route), start);
+  const Body& body = q.boundary_of(q.mark_of(shot).ball).body;
+  const auto arrival = arrive_locked(motion, body, path.state, shot.arrival.at, 0, q.stop);
+  const Vec2<Varied>& end = arrival.state.at;
+  if (q.stop) return std::hypot(end.x.v[0], end.y.v[0]);
+  const Vec2<Varied> u = arrival.heading / norm(arrival.heading);
+  return std::abs(cross(u, to<Varied>(shot.arrival.at) - end).v[0]);
+}
+
+}  // namespace
+
+void add_sensitivity(const Question& q, Shot& shot) {
+  const Route route = route_with_jaws_of(shot);
+  const Physics& physics = q.puzzle.physics;
+  const std::size_t count = VariedPhysics(physics).coefficients(!shot.hits.empty()).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    VariedPhysics varied(physics);
+    const VariedPhysics::Named named = varied.coefficients(!shot.hits.empty())[i];
+    for (Varied* const coefficient : named.at) coefficient->v[0] = 1;
+    const bool leans = !varied.level || named.name.starts_with("tilt");
+    const double by =
+        leans ? moved(q, shot, route, varied, varied.motion)
+        : varied.motion.always_rolls
+            ? moved(q, shot, route, varied, RollingOf<Varied>{varied.motion.rolling_friction.at_rest, varied.motion.g})
+            : moved(q, shot, route, varied, static_cast<const SlideRollOf<Varied>&>(varied.motion));
+    shot.sensitivity.push_back({named.name, by});
+  }
+}
+
+}  // namespace bankshot::planning
