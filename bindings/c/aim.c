@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Aims by two cushions into a corner, checks the answer in 50 digits, and asks how a thousand launches around it end.
+ * Aims by a cushion into a corner, checks the answer in 50 digits, and asks how a thousand launches around it end.
  *   cc aim.c $(pkg-config --cflags --libs bankshot) -o aim
  */
 #include <bankshot/bankshot.h>
@@ -9,8 +9,8 @@
 #include <string.h>
 
 static const char puzzle[] =
-    "{\"table\": \"pool-9ft\", \"ball\": {\"at\": [0.635, 0.40]}, \"target\": {\"pocket\": \"top-right\"},"
-    " \"cushions\": [\"bottom\", \"right\"], \"speed\": [0.2, 8]}";
+    "{\"table\": \"pool-9ft\", \"ball\": {\"at\": [0.635, 0.40]}, \"target\": {\"pocket\": \"bottom-right\"},"
+    " \"cushions\": [\"top\"], \"speed\": [0.2, 8]}";
 static const char scene_text[] =
     "{\"table\": \"pool-9ft\", \"ball\": {\"at\": [0.635, 0.40]}, \"shot\": {\"speed\": 2, \"angle\": 0}}";
 
