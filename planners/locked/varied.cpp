@@ -12,17 +12,17 @@ RestitutionOf<Varied> varied(const Restitution& e) {
 
 VariedCushion varied(const CushionVariant& cushion) {
   struct Of {
-    decltype(VariedCushion::law) operator()(const Mirror& c) const { return MirrorOf<Varied>{varied(c.restitution)}; }
-    decltype(VariedCushion::law) operator()(const Han2005& c) const {
+    VariedLaw operator()(const Mirror& c) const { return MirrorOf<Varied>{varied(c.restitution)}; }
+    VariedLaw operator()(const Han2005& c) const {
       return Han2005Of<Varied>{Varied(c.height), varied(c.restitution), Varied(c.friction)};
     }
-    decltype(VariedCushion::law) operator()(const Mathavan2010& c) const {
+    VariedLaw operator()(const Mathavan2010& c) const {
       return VariedMathavan{c, varied(c.restitution), Varied(c.height), Varied(c.friction), Varied(c.sliding_friction)};
     }
-    decltype(VariedCushion::law) operator()(const Stronge& c) const {
+    VariedLaw operator()(const Stronge& c) const {
       return StrongeOf<Varied>{Varied(c.height), varied(c.restitution), Varied(c.friction), Varied(c.frequency_ratio)};
     }
-    decltype(VariedCushion::law) operator()(const CustomCushion& c) const { return c; }
+    VariedLaw operator()(const CustomCushion& c) const { return c; }
   };
   return {std::visit(Of{}, cushion)};
 }

@@ -27,8 +27,11 @@ struct VariedMathavan {
   void bounce(const Body& body, State<Varied>& s, const Vec2<Varied>& away) const { bounce(body, s, value(away)); }
 };
 
+using VariedLaw =
+    std::variant<MirrorOf<Varied>, Han2005Of<Varied>, VariedMathavan, StrongeOf<Varied>, CustomCushion>;
+
 struct VariedCushion {
-  std::variant<MirrorOf<Varied>, Han2005Of<Varied>, VariedMathavan, StrongeOf<Varied>, CustomCushion> law;
+  VariedLaw law;
 
   template <class N>
   void bounce(const Body& body, State<Varied>& s, const Vec2<N>& away) const {
@@ -36,7 +39,7 @@ struct VariedCushion {
   }
 };
 inline VariedCushion of_rail(const RailCushion& rail, const VariedCushion& cushion) {
-  return {std::visit([&](const auto& law) -> decltype(cushion.law) { return rail.of(law); }, cushion.law)};
+  return {std::visit([&](const auto& law) -> VariedLaw { return rail.of(law); }, cushion.law)};
 }
 
 struct VariedPhysics {
