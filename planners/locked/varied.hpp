@@ -27,8 +27,7 @@ struct VariedMathavan {
   void bounce(const Body& body, State<Varied>& s, const Vec2<Varied>& away) const { bounce(body, s, value(away)); }
 };
 
-using VariedLaw =
-    std::variant<MirrorOf<Varied>, Han2005Of<Varied>, VariedMathavan, StrongeOf<Varied>, CustomCushion>;
+using VariedLaw = std::variant<MirrorOf<Varied>, Han2005Of<Varied>, VariedMathavan, StrongeOf<Varied>, CustomCushion>;
 
 struct VariedCushion {
   VariedLaw law;
