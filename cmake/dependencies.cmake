@@ -33,12 +33,15 @@ if(BANKSHOT_NLOPT)
 else()
   message(STATUS "bankshot: no planners nlopt-*; tests, benchmarks and the report leave them out (BANKSHOT_NLOPT is off)")
 endif()
-# The program; of Boost headers only, for 50 digits and for the integrators that `report` compares with.
-if(BANKSHOT_PROGRAM)
+# The program and the interface in C; of Boost headers only, for 50 digits and for the integrators that `report`
+# compares with.
+if(BANKSHOT_PROGRAM OR BANKSHOT_C)
   bankshot_need(CLI11 2.1 libcli11-dev)
+  bankshot_need(Boost 1.74 libboost-dev)
+endif()
+if(BANKSHOT_PROGRAM)
   bankshot_need(TBB 2021 libtbb-dev)
   bankshot_need(ZLIB 1.2 zlib1g-dev)
-  bankshot_need(Boost 1.74 libboost-dev)
   # `serve`.
   find_package(PkgConfig QUIET)
   if(PkgConfig_FOUND)

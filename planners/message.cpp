@@ -51,8 +51,7 @@ std::string explain(const Question& q, const Failure& f) {
     case Foul::too_fast:
       return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
     case Foul::too_slow:
-      if (q.stop && !rests(q.puzzle.physics))
-        if (q.stop && deceleration(q.puzzle.physics) == 0) return "never stops, for the rolling friction is 0";
+      if (q.stop && deceleration(q.puzzle.physics) == 0) return "never stops, for the rolling friction is 0";
       return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
     case Foul::too_long:
       return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
