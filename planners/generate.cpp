@@ -196,11 +196,12 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
     const auto leg = static_cast<std::size_t>(r.integer(0, static_cast<int>(t.legs.size()) - 1));
     const Leg& l = t.legs[leg];
     const double time = l.duration * (r.chance(0.2) ? 1.0 : r.uniform(0.05, 1));
-    p.target = PointTarget{l.arc.position(time)};
+    const State<double> there = state_on(shot, l, time);
+    p.target = PointTarget{there.at};
     q.bounces = static_cast<int>(std::count_if(t.events.begin(), t.events.end(), [&](const Record& e) {
       return e.kind == EventKind::cushion && e.time <= l.begin;
     }));
-    arrival = norm(l.arc.velocity_at(time));
+    arrival = norm(there.velocity);
     if (!(arrival > 1e-3)) return {};
   }
   if (q.bounces < least || q.bounces > most) return {};

@@ -44,9 +44,7 @@ bool hand_out(std::string_view text, bankshot_text* out) {
 }
 
 std::string trouble(const std::string& path, const std::string& reason) {
-  bankshot::JsonWriter w;
-  w.open('{'), w.string("path", path), w.string("reason", reason), w.close('}');
-  return w.take() + "\n";
+  return serve::refusal(400, path, reason).body;
 }
 
 /// What `f` gives: a status and a text. Nothing is thrown across.
@@ -69,17 +67,7 @@ bankshot_status guarded(bankshot_text* out, const F& f) noexcept {
   }
 }
 
-/// "all&budget=500"
-serve::Query query_of(const char* flags) {
-  serve::Query query;
-  for (std::string_view left = flags ? flags : ""; !left.empty();) {
-    const std::string_view one = left.substr(0, left.find('&'));
-    const std::size_t end = std::min(one.find('='), one.size());
-    if (!one.empty()) query.emplace_back(one.substr(0, end), one.substr(std::min(end + 1, one.size())));
-    left.remove_prefix(std::min(one.size() + 1, left.size()));
-  }
-  return query;
-}
+serve::Query query_of(const char* flags) { return serve::query_of(flags ? flags : "", '&'); }
 
 std::string text_of(const char* data, std::size_t length) {
   if (!data && length > 0) throw InvalidInput("", "there is no text at NULL");

@@ -45,7 +45,8 @@ typedef struct bankshot_text {
 /* `flags` as the server takes them, names and values of the command line: "all&path&budget=500". NULL: none. */
 
 /* A puzzle; the text is what `bankshot solve --json` prints. */
-BANKSHOT_API bankshot_status bankshot_solve(const char* puzzle, size_t length, const char* flags, bankshot_text* answer);
+BANKSHOT_API bankshot_status bankshot_solve(const char* puzzle, size_t length, const char* flags,
+                                            bankshot_text* answer);
 /* A shot; as `bankshot simulate --json`, or with the flag csv (and rate=HZ) a table. */
 BANKSHOT_API bankshot_status bankshot_simulate(const char* shot, size_t length, const char* flags, bankshot_text* path);
 /* From where on the table a puzzle's shot can be made: CSV, or with the flag svg a picture; grid=NX,NY. */
@@ -67,16 +68,16 @@ BANKSHOT_API bankshot_scene* bankshot_scene_new(const char* shot, size_t length,
 BANKSHOT_API void bankshot_scene_free(bankshot_scene* scene);
 
 typedef struct bankshot_launch {
-  double speed, angle;      /* m/s; radians, anticlockwise from +x */
-  double top, side, masse;  /* spin, in units of natural roll */
+  double speed, angle;     /* m/s; radians, anticlockwise from +x */
+  double top, side, masse; /* spin, in units of natural roll */
 } bankshot_launch;
 
 typedef enum bankshot_end_kind {
   BANKSHOT_END_REST = 0,
   BANKSHOT_END_UNTIL = 1, /* time, cushions or length of the scene's `until` */
   BANKSHOT_END_POCKETED = 2,
-  BANKSHOT_END_EVENTS = 3,  /* too many of them */
-  BANKSHOT_END_INVALID = 4  /* the launch is no launch: a number that is not finite, a speed below 0 */
+  BANKSHOT_END_EVENTS = 3, /* too many of them */
+  BANKSHOT_END_INVALID = 4 /* the launch is no launch: a number that is not finite, a speed below 0 */
 } bankshot_end_kind;
 
 /* How the struck ball ends. */

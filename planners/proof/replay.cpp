@@ -89,14 +89,14 @@ class Follower {
 
   double look_at(const Vec2d& target) {
     const double t = closest_time(sim_.arc(), sim_.travelled(), target);
-    const Vec2d at = sim_.arc().position(t);
-    const double miss = norm(at - target);
+    const State<double> there = sim_.on_arc(t);
+    const double miss = norm(there.at - target);
     closest_ = t;
     if (miss < out_.replay.miss) {
       out_.replay.miss = miss;
       const Arc<double>& arc = sim_.arc();
-      out_.replay.arrival = {sim_.time() - arc.seconds(sim_.travelled()) + arc.seconds(t), norm(arc.velocity_at(t)),
-                             at};
+      out_.replay.arrival = {sim_.time() - arc.seconds(sim_.travelled()) + arc.seconds(t), norm(there.velocity),
+                             there.at};
     }
     return miss;
   }
@@ -136,10 +136,9 @@ class Follower {
 
   /// What it touches first of the jaws of the pocket it may fall into tells the line of travel there.
   void rattle(Contact jaw) {
-    const Arc<double>& arc = sim_.arc();
     const auto of_jaws = [&](const Mark& mark) { return mark.taken_by.index == jaw.jaw_pocket(); };
     if (!first_jaw_ && std::ranges::any_of(q_.marks, of_jaws))
-      first_jaw_ = Line{sim_.state().at, arc.velocity_at(sim_.travelled())};
+      first_jaw_ = Line{sim_.state().at, sim_.on_arc(sim_.travelled()).velocity};
     out_.replay.rattles = true;
   }
 

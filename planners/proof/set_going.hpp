@@ -52,8 +52,8 @@ class SetGoing {
     for (;;) {
       bool arrived = false;
       const BallEvent e = sim.step(
-          forever, [&](int ball, double began, const State<double>&, const Arc<double>& arc, double travelled) {
-            if (ball == on_its_way() && set_ > 0) arrived = arrived || passes(began, arc, travelled);
+          forever, [&](int ball, double began, const State<double>& from, const Arc<double>& arc, double travelled) {
+            if (ball == on_its_way() && set_ > 0) arrived = arrived || passes(began, from, arc, travelled);
           });
       // One that still comes nearer when its slide, or a piece of it, ends is closest on the next arc.
       const bool its = e.ball == on_its_way() || e.event.contact == Contact::ball(number());
@@ -144,18 +144,20 @@ class SetGoing {
   }
 
   /// An arc of the ball that is on its way: closest to a point, and whether it is made there.
-  bool passes(double began, const Arc<double>& arc, double travelled) {
-    last_ = arc.position(travelled);
-    incoming_ = {last_, arc.velocity_at(travelled)};
+  bool passes(double began, const State<double>& from, const Arc<double>& arc, double travelled) {
+    const auto on_path = [&](double t) { return advance(motion_, q_.boundary_of(number()).body, from, arc, t); };
+    const State<double> end = on_path(travelled);
+    last_ = end.at;
+    incoming_ = {last_, end.velocity};
     if (q_.stop || !all_set() || !counts()) return false;
     for (const Mark& mark : q_.marks) {
       if (mark.captures() || mark.ball != number()) continue;
       const double t = closest_time(arc, travelled, mark.at);
-      const Vec2d at = arc.position(t);
-      const double miss = norm(at - mark.at);
+      const State<double> there = on_path(t);
+      const double miss = norm(there.at - mark.at);
       if (miss < out_.miss) {
         out_.miss = miss;
-        out_.arrival = {begin_ + began + arc.seconds(t), norm(arc.velocity_at(t)), at};
+        out_.arrival = {begin_ + began + arc.seconds(t), norm(there.velocity), there.at};
       }
       near_end_ = miss <= mark.reach && !(t < travelled);
       if (miss <= mark.reach && t < travelled) return out_.made = true;

@@ -99,11 +99,7 @@ std::string Reader::text() const {
   return value_->get<std::string>();
 }
 
-Vec2d Reader::point() const {
-  if (!is_array() || size() != 2) fail("must be a pair of numbers [x, y]");
-  const auto xy = items();
-  return {xy[0].number(), xy[1].number()};
-}
+Vec2d Reader::point() const { return pair({}); }
 
 Vec2d Reader::pair(const format::Bounds& bounds) const {
   if (!is_array() || size() != 2) fail("must be a pair of numbers [x, y]");

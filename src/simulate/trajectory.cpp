@@ -138,9 +138,13 @@ const Ball& ball_of(const ShotRequest& r, int ball) {
 }
 
 State<double> state_at(const ShotRequest& r, const Leg& leg, double t) {
+  return state_on(r, leg, leg.arc.parameter(t));
+}
+
+State<double> state_on(const ShotRequest& r, const Leg& leg, double parameter) {
   const Body& body = ball_of(r, leg.ball).body;
   return with_motion(r.physics, [&](const auto& motion) {
-    State<double> s = advance(motion, body, leg.start, leg.arc, leg.arc.parameter(t));
+    State<double> s = advance(motion, body, leg.start, leg.arc, parameter);
     s.spin = motion.spin(body, s);
     return s;
   });

@@ -59,6 +59,9 @@ TEST_CASE("nothing comes to rest where the table is steeper than rolling frictio
   const Answer a = solve(bank(leaning(rolling_physics(), {0.03, 0.02})));
   CHECK(a.status == Status::no_shot);
   CHECK_THAT(a.message, Catch::Contains("leans"));
+  Physics slick = rolling_physics();
+  std::get<Rolling>(slick.motion).friction = 0;
+  CHECK_THAT(solve(bank(slick)).message, Catch::Contains("the rolling friction is 0"));
 }
 
 TEST_CASE("a rail with a cushion of its own bounces by it, the others by the physics'") {

@@ -95,7 +95,7 @@ Made slow_friction(Random& r, Model model, int bounces) {
     const double slow = r.log_uniform(2e-3, 0.1);
     const auto p = when_slowed_to(t.legs.back(), slow);
     if (!p) return {};
-    const auto deed = r.chance(0.2) ? its_rest(t) : passed(t, t.legs.back(), *p);
+    const auto deed = r.chance(0.2) ? its_rest(t) : passed(shot, t, t.legs.back(), *p);
     if (!deed || deed->bounces < bounces || deed->bounces > most) return {};
     return asked(r, shot, t, *deed);
   });
@@ -135,7 +135,7 @@ Made rail_hugging(Random& r, Model model, int bounces) {
     if (!hugs()) {
       const Leg& leg = t.legs[static_cast<std::size_t>(r.integer(0, static_cast<int>(t.legs.size()) - 1))];
       const auto p = beside_cushion(r, boundary, leg, r.log_uniform(least, widest));
-      deed = p ? passed(t, leg, *p) : std::nullopt;
+      deed = p ? passed(shot, t, leg, *p) : std::nullopt;
     }
     if (!deed || deed->bounces < bounces || deed->bounces > most) return {};
     return asked(r, shot, t, *deed);

@@ -42,14 +42,15 @@ std::optional<Deed> its_rest(const Trajectory& t) {
   return Deed{PointTarget{t.events.back().state.at}, 0, t.cushions, true};
 }
 
-std::optional<Deed> passed(const Trajectory& t, const Leg& leg, double p) {
-  const double speed = norm(leg.arc.velocity_at(p));
+std::optional<Deed> passed(const ShotRequest& shot, const Trajectory& t, const Leg& leg, double p) {
+  const State<double> there = state_on(shot, leg, p);
+  const double speed = norm(there.velocity);
   if (rattles(t)) return {};
   if (!(speed > slowest_pass)) return {};
-  return Deed{PointTarget{leg.arc.position(p)}, speed, bounces_before(t, leg), false};
+  return Deed{PointTarget{there.at}, speed, bounces_before(t, leg), false};
 }
 
-std::optional<Deed> some_deed(Random& r, const Trajectory& t, int least, int most) {
+std::optional<Deed> some_deed(Random& r, const ShotRequest& shot, const Trajectory& t, int least, int most) {
   std::optional<Deed> deed;
   if (t.legs.empty() || rattles(t)) return {};
   if (t.end == EventKind::pocket) {
@@ -59,7 +60,7 @@ std::optional<Deed> some_deed(Random& r, const Trajectory& t, int least, int mos
     deed = its_rest(t);
   } else {
     const Leg& leg = t.legs[static_cast<std::size_t>(r.integer(0, static_cast<int>(t.legs.size()) - 1))];
-    deed = passed(t, leg, std::min(leg.duration, 1e3) * r.uniform(0.05, 1));
+    deed = passed(shot, t, leg, std::min(leg.duration, 1e3) * r.uniform(0.05, 1));
   }
   if (deed && (deed->bounces < least || deed->bounces > most)) return {};
   return deed;
@@ -129,7 +130,7 @@ Made ask_for_some(Random& r, int bounces, int most, const DrawShot& draw) {
       *shot = on_exact_line(*shot);
       t = simulate(*shot);
     }
-    const auto deed = some_deed(r, t, least, limit);
+    const auto deed = some_deed(r, *shot, t, least, limit);
     if (!deed) return {};
     return asked(r, *shot, t, *deed);
   });

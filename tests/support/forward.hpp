@@ -21,11 +21,11 @@ struct Deed {
 
 /// The drop into a pocket; or else a rest or a place that was passed, half of the time each. None when the bounces are
 /// outside `least` to `most`.
-std::optional<Deed> some_deed(Random& random, const Trajectory& t, int least, int most);
+std::optional<Deed> some_deed(Random& random, const ShotRequest& shot, const Trajectory& t, int least, int most);
 /// Where it came to rest.
 std::optional<Deed> its_rest(const Trajectory& t);
 /// The place that was passed at parameter `p` of a leg.
-std::optional<Deed> passed(const Trajectory& t, const Leg& leg, double p);
+std::optional<Deed> passed(const ShotRequest& shot, const Trajectory& t, const Leg& leg, double p);
 
 /// The puzzle that asks for a deed: the arrival speed that was seen, a launch speed between half and twice that of the
 /// shot, or exactly that one and any arrival; the number of its bounces, or their sequence.

@@ -33,7 +33,8 @@ bool same_sequence(const std::vector<Contact>& asked, const Trajectory& t, std::
   return same_sequence(asked, hits, bounces);
 }
 
-double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bounces, double& speed) {
+double distance_to_path(const ShotRequest& shot, const Trajectory& t, const Vec2d& target, std::size_t bounces,
+                        double& speed) {
   double best = 1e300;
   std::vector<double> hits;
   for (const Record& e : t.events)
@@ -58,9 +59,14 @@ double distance_to_path(const Trajectory& t, const Vec2d& target, std::size_t bo
         const double better = low - dot(d, v) / (dot(v, v) + dot(d, l.arc.acceleration));
         if (better > 0 && better < end && off(better) <= off(low) * (1 + 1e-9)) low = better;
       }
-      if (off(low) >= best) continue;
-      best = off(low);
-      speed = norm(l.arc.velocity_at(low));
+      const State<double> there = state_on(shot, l, low);  // the arc may be but a chord of the path
+      const Vec2d d = target - there.at;
+      const double late = dot(d, there.velocity) / dot(there.velocity, there.velocity);
+      const bool within = l.arc.chord && low + late > 0 && low + late < end;
+      const double distance = within ? std::abs(cross(there.velocity, d)) / norm(there.velocity) : norm(d);
+      if (distance >= best) continue;
+      best = distance;
+      speed = norm(there.velocity);
     }
   }
   // A leg between two cushions met in one instant has no length, only its end.
@@ -243,7 +249,7 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
         c.problem = "does not rest after its bounces";
       miss = norm(t.events.back().state.at - point->at);
     } else {
-      miss = distance_to_path(t, point->at, n, speed);
+      miss = distance_to_path(request, t, point->at, n, speed);
     }
   } else {
     const Record& drop = t.events.size() > 1 ? t.events[t.events.size() - 2] : t.events.back();

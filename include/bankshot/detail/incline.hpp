@@ -4,7 +4,7 @@
 // that rolls there,
 //   ẇ = −M ŵ − B w + a e,   q = |w|
 // M [m/s²] the friction, B [1/s] its growth with the speed, a [m/s²] the pull, e the unit vector downhill.
-// In the clock σ with dt = q dσ [s/m · m] the pair (q, w) obeys polynomials, without root or quotient:
+// In the clock σ [s²/m] with dt = q dσ the pair (q, w) obeys polynomials, without root or quotient:
 //   w' = −M w + a q e − B q w,   q' = −M q + a w·e − B q²,   t' = q,   r' = q w
 // and without B even linear ones (q² = w² is kept: a boost), so that what is left until w = 0 has a closed form: with
 // P = q + w·e, N = q − w·e, W = w·e⊥
@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bankshot/numbers/scalar.hpp"
 #include "bankshot/numbers/vec.hpp"
@@ -40,16 +41,27 @@ struct Stop {
   Vec2<T> beyond;  ///< the integral of w − w(0)
 };
 
+/// P, N and W: e^−(M−a)σ, e^−(M+a)σ and e^−Mσ of them are left after σ. The small one of P and N without cancellation.
+template <class T>
+struct Fading {
+  T p, n, across;
+};
+
+template <class T, class K>
+Fading<T> fading(const Incline<K>& law, const Vec2<T>& w) {
+  const T along = dot(law.down, w), across = cross(law.down, w), q = norm(w);
+  const bool downhill = value(along) > Real<T>(0);
+  const T large = q + (downhill ? along : T(-along)), small = across * across / large;
+  return {downhill ? large : small, downhill ? small : large, across};
+}
+
 template <class T, class K>
 Stop<T> stop_on(const Incline<K>& law, const Vec2<T>& w) {
   using N = Real<T>;
-  const T along = dot(law.down, w), across = cross(law.down, w), q = norm(w);
-  const bool downhill = value(along) > N(0);
-  const T large = q + (downhill ? along : T(-along)), small = across * across / large;
-  const T p = downhill ? large : small, n = downhill ? small : large;
+  const auto [p, n, across] = fading(law, w);
   // With less friction than pull it stops straight uphill alone, where p is 0.
   const bool stays = value(law.friction) > value(law.pull);
-  const auto ahead = [&](const K& slow) { return stays ? T(p / slow) : T(0); };
+  const auto ahead = [&, p = p](const K& slow) { return stays ? T(p / slow) : T(0); };
   const K fast = law.friction + law.pull, twice = law.friction * N(2);
   const T first = ahead(K(law.friction - law.pull)), then = n / fast;
   const T time = (first + then) * N(0.5);
@@ -59,7 +71,41 @@ Stop<T> stop_on(const Incline<K>& law, const Vec2<T>& w) {
   return {time, moved - w * time};
 }
 
-/// The series from w on, over h [1 / m · s · m/s] of σ; x = σ/h, from 0 to about 1.
+/// What w is when `left` seconds of that stop are left. Newton's method for σ, in the logarithm of the time left, which
+/// is convex.
+template <class T, class K>
+Vec2<T> before_stop(const Incline<K>& law, const Vec2<T>& w, const T& left) {
+  using std::abs, std::exp, std::log;
+  using N = Real<T>;
+  auto [p, n, across] = fading(law, w);
+  if (!(value(law.friction) > value(law.pull))) p = T(0);
+  const K slow = law.friction - law.pull, fast = law.friction + law.pull;
+  const N first = value(p) == N(0) ? N(0) : N(value(p) / value(slow)), then = value(n) / value(fast);
+  // The time left after σ, and how fast it falls.
+  const auto at = [&](const N& sigma) {
+    const N a = first * exp(-value(slow) * sigma) * N(0.5), b = then * exp(-value(fast) * sigma) * N(0.5);
+    return std::pair<N, N>(a + b, value(slow) * a + value(fast) * b);
+  };
+  T sigma(0);
+  constexpr int enough = 60;
+  for (int i = 0; i < enough; ++i) {
+    const auto [lasts, falls] = at(value(sigma));
+    const N step = log(lasts / value(left)) * lasts / falls;
+    sigma += step;
+    if (!(abs(step) * value(fast) > 2 * std::numeric_limits<N>::epsilon())) break;
+  }
+  const auto after = [&](const T& amount, const K& rate) { return T(amount * exp(T(rate * -sigma))); };
+  if constexpr (has_derivatives<T>) {
+    const T lasts = (value(p) == N(0) ? T(0) : T(after(p, slow) / slow)) + after(n, fast) / fast;
+    const T missing = lasts * N(0.5) - left;
+    sigma += (missing - value(missing)) / at(value(sigma)).second;
+  }
+  const T left_p = value(p) == N(0) ? T(0) : after(p, slow), along = (left_p - after(n, fast)) * N(0.5);
+  const T aside = after(across, law.friction);
+  return {law.down.x * along - law.down.y * aside, law.down.y * along + law.down.x * aside};
+}
+
+/// The series from w on, over h [s²/m] of σ; x = σ/h, from 0 to about 1.
 template <class T, class K>
 class Glide {
  public:

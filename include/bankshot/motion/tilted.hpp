@@ -77,19 +77,18 @@ struct TiltedOf : SlideRollOf<C> {
       beyond = stop_on(phase.law, w).beyond;
       w = {T(0), T(0)};
     } else {
-      T left = t;
-      for (N step(piece.step);;) {
-        const Glide<T, K<T>> glide(phase.law, w, step);
-        // Of what is left of a path the series covers a part at a time.
-        const bool there = !piece.last || !(value(left) > value(glide.time(T(1))));
-        const T here = (whole && !piece.last) || !there ? T(1) : glide.at(left);
-        const T lasted = glide.time(here);
-        beyond += glide.beyond(here) + (w - phase.w) * lasted;
+      const Glide<T, K<T>> glide(phase.law, w, N(piece.step));
+      const T covered = glide.time(T(1));
+      if (piece.last && value(t) > value(covered)) {
+        // Farther than the series goes: all that is left less what is left then.
+        const Stop<T> stop = stop_on(phase.law, w);
+        const T left = stop.time - t;
+        w = before_stop(phase.law, w, left);
+        beyond = stop.beyond + (phase.w - w) * left - stop_on(phase.law, w).beyond;
+      } else {
+        const T here = whole ? T(1) : glide.at(t);
+        beyond = glide.beyond(here);
         w = glide.velocity(here);
-        if (there) break;
-        left -= lasted;
-        if (!(dot(value(w), value(w)) > N(0))) break;
-        step = N(shortest_step(phase.law, value(w)));
       }
     }
     State<T> out = s;
@@ -111,7 +110,7 @@ struct TiltedOf : SlideRollOf<C> {
   template <class T>
   Arc<T> held(const Body& body, const State<T>& s, const Vec2<Real<T>>& n, bool corner) const {
     using N = Real<T>;
-    using std::sqrt;
+    using std::abs;
     const Phase<T> phase = phase_of(body, s);
     const Vec2<T> along = to<T>(perpendicular(n));
     Arc<T> out{s.at, corner ? Vec2<T>{T(0), T(0)} : along * dot(along, s.velocity)};
@@ -120,15 +119,12 @@ struct TiltedOf : SlideRollOf<C> {
     const T pull = corner ? T(0) : T(dot(along, weight));
     if (phase.slides) {
       // û turns while it fades: a piece with the direction that it has (detail/held.hpp).
-      const T size = sqrt(dot(phase.w, phase.w));
-      const bool begins = !(value(size) > N(0));
-      const Vec2<T> unit = begins ? phase.downhill(K<T>(N(1))) : phase.w / size;
-      const T friction = T(K<T>(Level::sliding_friction) * N(Level::g));
-      const Vec2<T> force = unit * T(-friction);
+      const T size = norm(phase.w), friction = sliding_deceleration<T>();
+      const Vec2<T> unit = direction(phase);
       const T part = corner ? T(0) : T(dot(along, unit));
       const T fades = friction * (part * part * N(3.5) + (T(1) - part * part) * N(2.5)) + pull * part;
       out.acceleration = corner ? Vec2<T>{T(0), T(0)} : along * T(pull - friction * part);
-      out.taken = force - out.acceleration;
+      out.taken = unit * T(-friction) - out.acceleration;
       const T lasts = value(fades) > N(0) ? T(size / fades) : T(forever);
       const bool ends = corner || !(value(lasts) > N(tolerance::last_piece));
       out.end = ends && value(lasts) < N(forever) ? PhaseEnd::roll : PhaseEnd::piece;
@@ -138,9 +134,10 @@ struct TiltedOf : SlideRollOf<C> {
     }
     out.pressed = Press::rolls;
     const T v = corner ? T(0) : T(dot(along, s.velocity));
-    const T friction = T(phase.law.friction + phase.law.drag * N(sqrt(value(v) * value(v))));
+    const T friction = T(phase.law.friction + phase.law.drag * N(abs(value(v))));
     const bool stands = value(v) == N(0);
-    if (stands && !(value(pull) * value(pull) > value(friction) * value(friction))) {
+    const bool pulled = abs(value(pull)) > abs(value(friction));
+    if (stands && !pulled) {
       out.velocity = {T(0), T(0)};
       out.end = PhaseEnd::rest;
       out.duration = T(0);
@@ -151,9 +148,7 @@ struct TiltedOf : SlideRollOf<C> {
     out.acceleration = along * slope;
     const bool brakes = !stands && (value(slope) > N(0)) != (value(v) > N(0));
     out.duration = brakes ? T(-v / slope) : T(forever);
-    out.end = !brakes                                                         ? PhaseEnd::none
-              : value(pull) * value(pull) > value(friction) * value(friction) ? PhaseEnd::piece
-                                                                              : PhaseEnd::rest;
+    out.end = !brakes ? PhaseEnd::none : pulled ? PhaseEnd::piece : PhaseEnd::rest;
     if (value(phase.law.drag) > N(0) && !(value(out.duration) < N(tolerance::longest_piece))) {
       out.duration = T(N(tolerance::longest_piece));
       out.end = PhaseEnd::piece;
@@ -245,13 +240,22 @@ struct TiltedOf : SlideRollOf<C> {
     bool last = false, even = false;
   };
 
+  /// Of w; where it begins, downhill.
+  template <class T>
+  static Vec2<T> direction(const Phase<T>& phase) {
+    const T size = norm(phase.w);
+    return value(size) > Real<T>(0) ? phase.w / size : phase.downhill(K<T>(Real<T>(1)));
+  }
+  template <class T>
+  T sliding_deceleration() const {
+    return T(K<T>(Level::sliding_friction) * Real<T>(Level::g));
+  }
+
   /// The slip's friction, which the spin feels, is the acceleration with what is taken.
   template <class T>
   Arc<T> with_friction(Arc<T> arc, const Phase<T>& phase) const {
     if (!phase.slides) return arc;
-    const T size = norm(phase.w);
-    const Vec2<T> unit = value(size) > Real<T>(0) ? phase.w / size : phase.downhill(K<T>(Real<T>(1)));
-    arc.taken = unit * T(-(K<T>(Level::sliding_friction) * Real<T>(Level::g))) - arc.acceleration;
+    arc.taken = direction(phase) * T(-sliding_deceleration<T>()) - arc.acceleration;
     return arc;
   }
 

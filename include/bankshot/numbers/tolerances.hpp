@@ -112,7 +112,8 @@ inline constexpr double edge_end = 1e-15;
 inline constexpr double simulation_error = 4;
 
 /// Of the unit of that bound, 2⁻⁵³: what it is where a table leans, and a path is summed up of hundreds of pieces, each
-/// rounded anew. The worst of 300 shots of `shots --family tilted --truth 300` was 112 units, C included.
+/// rounded anew. Of 1,000 shots of `shots --family tilted --truth 1000` one is beyond the bound, at 13 units where C
+/// is 4.
 inline constexpr double pieces_rounding = 64;
 
 /// Of the diagonal. A target asked exactly on a cushion line, or a path through a corner, is
@@ -138,5 +139,22 @@ inline constexpr double margin = 1e-6;
 /// Of probability. What an answer's `success` may be off by: twice the worst of 1,050 random shots against 100,000
 /// draws (test_plan "[long]", 0.0051, draws included). Larger would let wrong chances pass `verify`.
 inline constexpr double success = 0.01;
+
+// What a recording of a real shot may be (scene/recording.hpp). Cameras err by millimetres and lose a ball for moments.
+namespace recording {
+
+/// m. Two samples in a row this far beyond the cushions are not on the table. Larger would fit what is seen of a ball
+/// on the floor; smaller would refuse lenses that bend the edges.
+inline constexpr double off_the_table = 0.05;
+
+/// m/s, and m. Between two samples no ball goes farther than this speed leads, and this much more: the fastest break
+/// shots are 14 m/s. Larger would take another ball for this one; smaller would refuse a fast shot.
+inline constexpr double fastest_ball = 20, jump = 0.05;
+
+/// m, and s. A ball that stays within this for so long stands. Larger would take a slow ball for one that stands,
+/// smaller a camera's noise for motion.
+inline constexpr double standing = 0.01, standing_time = 0.5;
+
+}  // namespace recording
 
 }  // namespace bankshot::tolerance

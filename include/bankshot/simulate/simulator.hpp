@@ -66,6 +66,10 @@ class Simulator {
   const T& time() const { return time_; }                     ///< seconds since the launch
   const Arc<T>& arc() const { return track_.arc(); }          ///< the arc that led to the last event
   const T& travelled() const { return track_.travelled(); }   ///< how far on that arc: its parameter, seconds on most
+  /// The state on the path along that arc, which may be its chord.
+  State<T> on_arc(const T& parameter) const {
+    return advance(motion_, track_.boundary().body, before(), arc(), parameter);
+  }
 
   /// Unit vector away from a contact, into the table, for the ball where it is now.
   Vec2<T> normal(Contact contact) const { return track_.boundary().normal(contact, state().at); }

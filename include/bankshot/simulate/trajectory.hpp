@@ -63,8 +63,9 @@ double energy(const Physics& physics, const Body& body, const State<double>& sta
 /// 0 is the one that is struck.
 const Ball& ball_of(const ShotRequest& request, int ball);
 
-/// The state `t` seconds into a leg.
+/// The state `t` seconds into a leg; and at a parameter of its arc, which may be a chord of the path.
 State<double> state_at(const ShotRequest& request, const Leg& leg, double t);
+State<double> state_on(const ShotRequest& request, const Leg& leg, double parameter);
 
 /// The state right after the launch.
 State<double> start_state(const ShotRequest& request);

@@ -21,10 +21,10 @@ namespace {
 constexpr int by_signal = 128;  ///< exit codes above: ended by this signal
 
 struct Arguments {
-  std::string file, output = "-", cost, part;
+  std::string file, output = "-", cost;
   solve::SolveFlags flags;
   int threads = 0;
-  bool of_parts = false;  ///< only `part` of the input
+  std::optional<Part> part{};  ///< of the input, that alone
   bool resume = false, quiet = false, strict = false, json = true;
 };
 
@@ -109,7 +109,7 @@ void close_part(const Arguments& a, const LineReader& in, const Journal::Mark& a
   const std::string partial = partial_of(a.output);
   // Behind the last line; of a part without lines, where it begins.
   const ReadMark& to = at.read.bytes > in.begun().bytes ? at.read : in.begun();
-  write_part(a.output, {part_of(a.part), a.flags.words(), in.begun(), to, measured(partial), at.tally.invalid});
+  write_part(a.output, {*a.part, a.flags.words(), in.begun(), to, measured(partial), at.tally.invalid});
   put_in_place(partial, a.output);
 }
 
@@ -142,7 +142,7 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
                                how_to_go_on);
     return by_signal + interrupted();
   }
-  if (a.of_parts) close_part(a, in, batch.at);
+  if (a.part) close_part(a, in, batch.at);
   if (journal) journal->remove();
   if (!a.quiet) std::cerr << closing_line(batch.at.tally, kept, progress);
   write_cost(a, cost, batch.at, kept, progress);
@@ -153,16 +153,13 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
 bool is_done(const Arguments& a, const LineReader& in) {
   if (!std::filesystem::exists(a.output)) return false;
   const auto record = read_part(a.output);
-  const Part part = part_of(a.part);
-  const auto same = [](const ReadMark& x, const ReadMark& y) { return x.bytes == y.bytes && x.crc == y.crc; };
-  return record && record->part.k == part.k && record->part.n == part.n && record->flags == a.flags.words() &&
-         same(record->from, in.begun()) && same(measured(a.output), record->output);
+  return record && record->part == a.part && record->flags == a.flags.words() && record->from == in.begun() &&
+         record->output == measured(a.output);
 }
 
 int run_part(const Arguments& a) {
   if (a.output == "-") throw FileError("--part needs a file of its own: -o SHOTS.jsonl");
-  const Part part = part_of(a.part);
-  LineReader in(a.file, is_packed(a.output), part);
+  LineReader in(a.file, is_packed(a.output), *a.part);
   if (a.resume && is_done(a, in)) {
     if (!a.quiet) std::cerr << a.output << ": is whole already\n";
     return done;
@@ -170,7 +167,7 @@ int run_part(const Arguments& a) {
   const std::string partial = partial_of(a.output);
   Output out(partial);
   if (!out.regular()) throw FileError(fmt::format("{}: is no file", partial));
-  Journal journal(partial, fmt::format("{} --part {}/{}", a.flags.words(), part.k, part.n), in.identity());
+  Journal journal(partial, fmt::format("{} --part {}/{}", a.flags.words(), a.part->k, a.part->n), in.identity());
   Journal::Mark from = a.resume ? go_on(journal, in, out, partial) : begin(journal, out);
   if (from.read.lines == 0) from.read = in.begun();
   return run_batch(a, in, out, &journal, from);
@@ -182,7 +179,7 @@ int run(Arguments a) {
   if (a.threads == 0) a.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");
   const Interrupts watch;
-  if (a.of_parts) return run_part(a);
+  if (a.part) return run_part(a);
   LineReader in(a.file, a.output.ends_with(".gz"));
   Output out(a.output);
   if (a.resume && !out.regular()) throw FileError(fmt::format("{}: is no file that can be gone on with", a.output));
@@ -232,7 +229,7 @@ Run add(CLI::App& app) {
       ->check(CLI::Range(0, 1024));
   command
       ->add_option_function<std::string>(
-          "--part", [a](const std::string& part) { a->part = part, a->of_parts = true; },
+          "--part", [a](const std::string& part) { a->part = part_of(part); },
           "Only part K of N, from 0, line by line; bare, as Slurm or MPI numbers this process")
       ->expected(0, 1)
       ->type_name("K/N");

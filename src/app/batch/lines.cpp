@@ -19,11 +19,11 @@ namespace {
 
 constexpr std::size_t buffer_size = 256 << 10;
 
+}  // namespace
+
 std::uint32_t checksum(std::uint32_t before, const char* data, std::size_t size) {
   return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(data), size));
 }
-
-}  // namespace
 
 LineReader::LineReader(const std::string& path, bool whole_chunks)
     : name_(path == "-" ? "standard input" : path), whole_chunks_(whole_chunks), buffer_(buffer_size, '\0') {

@@ -18,11 +18,16 @@ namespace bankshot::app::batch {
 struct ReadMark {
   long lines = 0, bytes = 0;
   std::uint32_t crc = 0;
+  bool operator==(const ReadMark&) const = default;
 };
+
+/// CRC-32 that goes on from `before`.
+std::uint32_t checksum(std::uint32_t before, const char* data, std::size_t size);
 
 /// Part number `k`, from 0, of `n` of nearly as many bytes each.
 struct Part {
   long k = 0, n = 1;
+  bool operator==(const Part&) const = default;
 };
 
 /// A few lines without their line breaks.

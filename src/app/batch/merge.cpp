@@ -17,7 +17,6 @@ namespace bankshot::app::merge {
 namespace {
 
 using batch::PartRecord;
-using batch::ReadMark;
 
 struct Arguments {
   std::vector<std::string> parts;
@@ -29,8 +28,6 @@ struct Found {
   std::string path;
   PartRecord record;
 };
-
-bool same(const ReadMark& a, const ReadMark& b) { return a.lines == b.lines && a.bytes == b.bytes && a.crc == b.crc; }
 
 /// Numbers as Slurm writes them: 0-3,7,9-11.
 std::string as_array(const std::vector<long>& numbers) {
@@ -61,7 +58,7 @@ std::vector<Found> found_parts(const Arguments& a, std::vector<long>& damaged) {
     if (record.flags != first.flags)
       throw FileError(fmt::format("{} was made with other flags than {}: {}; {}", path, found.front().path,
                                   record.flags, first.flags));
-    const bool whole = std::filesystem::exists(path) && same(batch::measured(path), record.output) &&
+    const bool whole = std::filesystem::exists(path) && batch::measured(path) == record.output &&
                        record.output.lines == record.to.lines - record.from.lines;
     if (whole) continue;
     std::cerr << fmt::format("bankshot: {}: is not what part {} wrote\n", path, record.part.k);
@@ -85,7 +82,7 @@ void check_whole(const std::vector<Found>& found, std::vector<long> again) {
     throw FileError(fmt::format("{} of {} parts are missing or damaged; make them again with --array={}", again.size(),
                                 n, as_array(again)));
   for (std::size_t i = 1; i < found.size(); ++i)
-    if (!same(found[i - 1].record.to, found[i].record.from))
+    if (found[i - 1].record.to != found[i].record.from)
       throw FileError(fmt::format("{} does not go on where {} ends: they are of different inputs", found[i].path,
                                   found[i - 1].path));
 }

@@ -95,6 +95,17 @@ void tell_why_it_ended(Answer& found, const Limit& limit) {
 
 }  // namespace
 
+Query query_of(std::string_view flags, char between) {
+  Query query;
+  while (!flags.empty()) {
+    const std::string_view one = flags.substr(0, flags.find(between));
+    const std::size_t end = std::min(one.find('='), one.size());
+    if (!one.empty()) query.emplace_back(one.substr(0, end), one.substr(std::min(end + 1, one.size())));
+    flags.remove_prefix(std::min(one.size() + 1, flags.size()));
+  }
+  return query;
+}
+
 Reply refusal(int status, const std::string& path, const std::string& reason) {
   JsonWriter w;
   w.open('{'), w.string("path", path), w.string("reason", reason), w.close('}');

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace bankshot::app::serve {
 
 /// `?all&budget=500`: names as after `--`, and their values.
 using Query = std::vector<std::pair<std::string, std::string>>;
+/// Of "all&budget=500", each flag apart from the next by `between`.
+Query query_of(std::string_view flags, char between);
 
 struct Reply {
   int status = 200;

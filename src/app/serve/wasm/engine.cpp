@@ -10,18 +10,6 @@
 namespace bankshot::app::serve {
 namespace {
 
-/// "all=\nbudget=500\n": a flag a line.
-Query query_of(std::string_view lines) {
-  Query query;
-  while (!lines.empty()) {
-    const std::string_view line = lines.substr(0, lines.find('\n'));
-    const std::size_t end = std::min(line.find('='), line.size());
-    query.emplace_back(line.substr(0, end), line.substr(std::min(end + 1, line.size())));
-    lines.remove_prefix(std::min(line.size() + 1, lines.size()));
-  }
-  return query;
-}
-
 /// Nobody can stop it from outside: a page ends its worker.
 Reply reply_to(std::string_view path, const Query& query, const std::string& body) {
   const std::atomic<bool> never{false};
@@ -41,6 +29,6 @@ Reply reply_to(std::string_view path, const Query& query, const std::string& bod
 /// The status, a line break and the body; the caller frees it.
 extern "C" EMSCRIPTEN_KEEPALIVE char* bankshot_ask(const char* path, const char* query, const char* body) {
   using namespace bankshot::app::serve;
-  const Reply reply = reply_to(path, query_of(query), body);
+  const Reply reply = reply_to(path, query_of(query, '\n'), body);
   return strdup((std::to_string(reply.status) + '\n' + reply.body).c_str());
 }
