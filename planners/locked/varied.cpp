@@ -6,100 +6,158 @@
 namespace bankshot::planning {
 namespace {
 
-RestitutionOf<Varied> varied(const Restitution& e) {
-  return {Varied(e.at_rest), Varied(e.per_speed), Varied(e.per_speed2)};
+template <class C>
+RestitutionOf<C> varied(const Restitution& e) {
+  return {C(e.at_rest), C(e.per_speed), C(e.per_speed2)};
+}
+template <class C>
+Restitution plain(const RestitutionOf<C>& e) {
+  return {e.at_rest.a, e.per_speed.a, e.per_speed2.a};
 }
 
-VariedCushion varied(const CushionVariant& cushion) {
+template <class C>
+VariedCushion<C> varied(const CushionVariant& cushion) {
   struct Of {
-    VariedLaw operator()(const Mirror& c) const { return MirrorOf<Varied>{varied(c.restitution)}; }
-    VariedLaw operator()(const Han2005& c) const {
-      return Han2005Of<Varied>{Varied(c.height), varied(c.restitution), Varied(c.friction)};
+    VariedLaw<C> operator()(const Mirror& c) const { return MirrorOf<C>{varied<C>(c.restitution)}; }
+    VariedLaw<C> operator()(const Han2005& c) const {
+      return Han2005Of<C>{C(c.height), varied<C>(c.restitution), C(c.friction)};
     }
-    VariedLaw operator()(const Mathavan2010& c) const {
-      return VariedMathavan{c, varied(c.restitution), Varied(c.height), Varied(c.friction), Varied(c.sliding_friction)};
+    VariedLaw<C> operator()(const Mathavan2010& c) const {
+      return VariedMathavan<C>{c, varied<C>(c.restitution), C(c.height), C(c.friction), C(c.sliding_friction)};
     }
-    VariedLaw operator()(const Stronge& c) const {
-      return StrongeOf<Varied>{Varied(c.height), varied(c.restitution), Varied(c.friction), Varied(c.frequency_ratio)};
+    VariedLaw<C> operator()(const Stronge& c) const {
+      return StrongeOf<C>{C(c.height), varied<C>(c.restitution), C(c.friction), C(c.frequency_ratio)};
     }
-    VariedLaw operator()(const CustomCushion& c) const { return c; }
+    VariedLaw<C> operator()(const CustomCushion& c) const { return c; }
   };
   return {std::visit(Of{}, cushion)};
 }
 
-TiltedOf<Varied> varied_motion(const Physics& physics) {
-  const Tilted plain = tilted(physics);
-  TiltedOf<Varied> out;
-  out.sliding_friction = Varied(plain.sliding_friction);
-  out.rolling_friction = {Varied(plain.rolling_friction.at_rest), Varied(plain.rolling_friction.per_speed)};
-  out.spinning_friction = Varied(plain.spinning_friction);
-  out.g = plain.g;
-  out.always_rolls = plain.always_rolls;
+template <class C>
+CushionVariant plain(const VariedCushion<C>& cushion) {
+  struct Of {
+    CushionVariant operator()(const MirrorOf<C>& c) const { return Mirror{plain(c.restitution)}; }
+    CushionVariant operator()(const Han2005Of<C>& c) const {
+      return Han2005{c.height.a, plain(c.restitution), c.friction.a};
+    }
+    CushionVariant operator()(const VariedMathavan<C>& c) const { return c.law(); }
+    CushionVariant operator()(const StrongeOf<C>& c) const {
+      return Stronge{c.height.a, plain(c.restitution), c.friction.a, c.frequency_ratio.a};
+    }
+    CushionVariant operator()(const CustomCushion& c) const { return c; }
+  };
+  return std::visit(Of{}, cushion.law);
+}
+
+template <class C>
+TiltedOf<C> varied_motion(const Physics& physics) {
+  const Tilted from = tilted(physics);
+  TiltedOf<C> out;
+  out.sliding_friction = C(from.sliding_friction);
+  out.rolling_friction = {C(from.rolling_friction.at_rest), C(from.rolling_friction.per_speed)};
+  out.spinning_friction = C(from.spinning_friction);
+  out.g = from.g;
+  out.always_rolls = from.always_rolls;
   const bool level = is_level(physics);
-  out.rise = {Varied(level ? settings::sensitivity::least_rise : plain.rise.x), Varied(plain.rise.y)};
+  out.rise = {C(level ? settings::sensitivity::least_rise : from.rise.x), C(from.rise.y)};
   return out;
+}
+
+/// Bounces with the five derivatives that an impact has, and chains those of the state through them: the impact is
+/// integrated, and in few derivatives that is quick.
+template <class C>
+void chain(const Mathavan2010& law, const Body& body, State<C>& s, const Vec2d& away) {
+  using Few = Dual<5>;
+  C* const members[] = {&s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
+  State<Few> few{to<Few>(value(s.at)),
+                 {Few(s.velocity.x.a, 0), Few(s.velocity.y.a, 1)},
+                 {Few(s.spin.x.a, 2), Few(s.spin.y.a, 3), Few(s.spin.z.a, 4)}};
+  law.bounce(body, few, away);
+  const Few* const ends[] = {&few.velocity.x, &few.velocity.y, &few.spin.x, &few.spin.y, &few.spin.z};
+  const C before[] = {*members[0], *members[1], *members[2], *members[3], *members[4]};
+  for (std::size_t i = 0; i < std::size(members); ++i) {
+    C end(ends[i]->a);
+    for (std::size_t k = 0; k < std::size(before); ++k) end += (before[k] - before[k].a) * ends[i]->v[k];
+    *members[i] = end;
+  }
+}
+
+/// Any of its derivatives.
+template <class C>
+bool varies(const C& x) {
+  for (int k = 0; k < static_cast<int>(sizeof(x.v) / sizeof(double)); ++k)
+    if (x.v[static_cast<std::size_t>(k)] != 0) return true;
+  return false;
 }
 
 }  // namespace
 
-void VariedMathavan::bounce(const Body& body, State<Varied>& s, const Vec2d& away) const {
-  Mathavan2010 law = plain;
-  law.restitution = {restitution.at_rest.a, restitution.per_speed.a, restitution.per_speed2.a};
-  law.friction = friction.a;
-  const State<double> before{value(s.at), value(s.velocity), {s.spin.x.a, s.spin.y.a, s.spin.z.a}};
-  law.bounce(body, s, away);
-  const auto add = [&](double& coefficient, const Varied& varied) {
-    if (varied.v[0] == 0) return;
+template <class C>
+Mathavan2010 VariedMathavan<C>::law() const {
+  Mathavan2010 out = origin;
+  out.restitution = plain(restitution);
+  out.height = height.a;
+  out.friction = friction.a;
+  out.sliding_friction = sliding_friction.a;
+  return out;
+}
+
+template <class C>
+void VariedMathavan<C>::bounce(const Body& body, State<C>& s, const Vec2d& away) const {
+  Mathavan2010 changed = law();
+  const State<double> before = value(s);
+  chain(changed, body, s, away);
+  const auto add = [&](double& coefficient, const C& varied) {
+    if (!varies(varied)) return;
     const double middle = coefficient, step = settings::sensitivity::difference;
     const auto after = [&](double its) {
       State<double> end = before;
       coefficient = its;
-      law.bounce(body, end, away);
+      changed.bounce(body, end, away);
       return end;
     };
     const State<double> low = after(middle - step), high = after(middle + step);
     coefficient = middle;
-    const double by = varied.v[0] / (2 * step);
-    const auto move = [&](Varied& x, double from, double to) { x.v[0] += (to - from) * by; };
+    const auto move = [&](C& x, double from, double to) { x += (varied - varied.a) * ((to - from) / (2 * step)); };
     move(s.velocity.x, low.velocity.x, high.velocity.x);
     move(s.velocity.y, low.velocity.y, high.velocity.y);
     move(s.spin.x, low.spin.x, high.spin.x);
     move(s.spin.y, low.spin.y, high.spin.y);
     move(s.spin.z, low.spin.z, high.spin.z);
   };
-  add(law.restitution.at_rest, restitution.at_rest);
-  add(law.restitution.per_speed, restitution.per_speed);
-  add(law.restitution.per_speed2, restitution.per_speed2);
-  add(law.height, height);
-  add(law.friction, friction);
-  add(law.sliding_friction, sliding_friction);
+  add(changed.restitution.at_rest, restitution.at_rest);
+  add(changed.restitution.per_speed, restitution.per_speed);
+  add(changed.restitution.per_speed2, restitution.per_speed2);
+  add(changed.height, height);
+  add(changed.friction, friction);
+  add(changed.sliding_friction, sliding_friction);
 }
 
-VariedPhysics::VariedPhysics(const Physics& physics)
-    : ideal(is_ideal(physics)),
+template <int N>
+VariedPhysics<N>::VariedPhysics(const Physics& physics)
+    : origin(physics),
       level(is_level(physics)),
-      motion(varied_motion(physics)),
-      cushion(varied(physics.cushion)) {
+      motion(varied_motion<C>(physics)),
+      cushion(varied<C>(physics.cushion)) {
   const BallBall law = collisions(physics);
-  balls = {Varied(law.restitution),
-           {Varied(law.friction.fast), Varied(law.friction.more), Varied(law.friction.fades)},
-           law.lasts};
+  balls = {C(law.restitution), {C(law.friction.fast), C(law.friction.more), C(law.friction.fades)}, law.lasts};
 }
 
-std::vector<VariedPhysics::Named> VariedPhysics::coefficients(bool meets_balls) {
+template <int N>
+std::vector<typename VariedPhysics<N>::Named> VariedPhysics<N>::coefficients(bool meets_balls) {
   std::vector<Named> out;
-  if (ideal) return out;
+  if (is_ideal(origin)) return out;
   const bool spins = !motion.always_rolls;
-  const auto restitution = [&](const std::string& name, RestitutionOf<Varied>& e) {
+  const auto restitution = [&](const std::string& name, RestitutionOf<C>& e) {
     if (e.constant()) return out.push_back({name, {&e.at_rest}});
     out.push_back({name + ".at_rest", {&e.at_rest}});
     out.push_back({name + ".per_speed", {&e.per_speed}});
     if (e.per_speed2.a != 0) out.push_back({name + ".per_speed2", {&e.per_speed2}});
   };
-  RollingFrictionOf<Varied>& rolling = motion.rolling_friction;
+  RollingFrictionOf<C>& rolling = motion.rolling_friction;
   if (spins) {
     out.push_back({"sliding_friction", {&motion.sliding_friction}});
-    if (auto* c = std::get_if<VariedMathavan>(&cushion.law)) out.back().at.push_back(&c->sliding_friction);
+    if (auto* c = std::get_if<VariedMathavan<C>>(&cushion.law)) out.back().at.push_back(&c->sliding_friction);
   }
   if (rolling.per_speed.a == 0) {
     out.push_back({spins ? "rolling_friction" : "friction", {&rolling.at_rest}});
@@ -123,7 +181,7 @@ std::vector<VariedPhysics::Named> VariedPhysics::coefficients(bool meets_balls) 
       cushion.law);
   if (meets_balls) {
     out.push_back({"ball_ball.restitution", {&balls.restitution}});
-    BallFrictionOf<Varied>& f = balls.friction;
+    BallFrictionOf<C>& f = balls.friction;
     if (f.constant()) {
       if (spins) out.push_back({"ball_ball.friction", {&f.fast}});
     } else {
@@ -136,5 +194,26 @@ std::vector<VariedPhysics::Named> VariedPhysics::coefficients(bool meets_balls) 
   out.push_back({"tilt.y", {&motion.rise.y}});
   return out;
 }
+
+template <int N>
+Physics VariedPhysics<N>::plain() const {
+  Physics out = origin;
+  const RollingFriction rolling{motion.rolling_friction.at_rest.a, motion.rolling_friction.per_speed.a};
+  if (auto* m = std::get_if<SlideRoll>(&out.motion))
+    *m = {motion.sliding_friction.a, rolling, motion.spinning_friction.a, motion.g};
+  if (auto* m = std::get_if<Rolling>(&out.motion)) m->friction = rolling.at_rest;
+  out.cushion = planning::plain(cushion);
+  if (!is_ideal(origin)) out.ball_ball.restitution = balls.restitution.a;
+  if (carries_spin(origin))
+    out.ball_ball.friction = {balls.friction.fast.a, balls.friction.more.a, balls.friction.fades.a};
+  return out;
+}
+
+template struct VariedMathavan<Dual<one_varies>>;
+template struct VariedMathavan<Dual<launch_varies>>;
+template struct VariedMathavan<Dual<all_vary>>;
+template struct VariedPhysics<one_varies>;
+template struct VariedPhysics<launch_varies>;
+template struct VariedPhysics<all_vary>;
 
 }  // namespace bankshot::planning

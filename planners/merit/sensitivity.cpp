@@ -10,9 +10,11 @@
 namespace bankshot::planning {
 namespace {
 
+using Varied = Dual<one_varies>;
+
 /// m per unit of the coefficient that varies: as Shot::by_angle, how far the arrival moves.
 template <class Motion>
-double moved(const Question& q, const Shot& shot, const Route& route, const VariedPhysics& physics,
+double moved(const Question& q, const Shot& shot, const Route& route, const VariedPhysics<one_varies>& physics,
              const Motion& motion) {
   const RouteBalls plain = q.balls();
   const RouteBallsOf<Varied> balls(plain.struck, plain.others, physics.balls, plain.carom);
@@ -34,17 +36,14 @@ double moved(const Question& q, const Shot& shot, const Route& route, const Vari
 void add_sensitivity(const Question& q, Shot& shot) {
   const Route route = route_with_jaws_of(shot);
   const Physics& physics = q.puzzle.physics;
-  const std::size_t count = VariedPhysics(physics).coefficients(!shot.hits.empty()).size();
+  const std::size_t count = VariedPhysics<one_varies>(physics).coefficients(!shot.hits.empty()).size();
   for (std::size_t i = 0; i < count; ++i) {
-    VariedPhysics varied(physics);
-    const VariedPhysics::Named named = varied.coefficients(!shot.hits.empty())[i];
+    VariedPhysics<one_varies> varied(physics);
+    const VariedPhysics<one_varies>::Named named = varied.coefficients(!shot.hits.empty())[i];
     for (Varied* const coefficient : named.at) coefficient->v[0] = 1;
     const bool leans = !varied.level || named.name.starts_with("tilt");
     const double by =
-        leans ? moved(q, shot, route, varied, varied.motion)
-        : varied.motion.always_rolls
-            ? moved(q, shot, route, varied, RollingOf<Varied>{varied.motion.rolling_friction.at_rest, varied.motion.g})
-            : moved(q, shot, route, varied, static_cast<const SlideRollOf<Varied>&>(varied.motion));
+        varied.with_motion(leans, [&](const auto& motion) { return moved(q, shot, route, varied, motion); });
     shot.sensitivity.push_back({named.name, by});
   }
 }

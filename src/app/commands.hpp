@@ -56,6 +56,11 @@ Run add(CLI::App& app);
 namespace serve {
 Run add(CLI::App& app);
 }
+#if BANKSHOT_LEARN
+namespace fit {
+Run add(CLI::App& app);
+}
+#endif
 // Written from the command line's own definitions.
 namespace manual {
 Run add_help(CLI::App& app);

@@ -28,7 +28,7 @@ int refuse(const std::string& reason, bool json) {
 /// The parser would only say that a command is missing.
 void check_command(const std::string& first, const std::map<std::string, Run>& commands) {
   if (first.starts_with('-') || commands.contains(first)) return;
-  constexpr std::string_view to_come[] = {"fit", "advise"};
+  constexpr std::string_view to_come[] = {"advise"};
   if (std::find(std::begin(to_come), std::end(to_come), first) != std::end(to_come))
     throw CLI::ParseError("the command " + quote(first) + " is not supported yet", bad_input);
   std::vector<std::string_view> names;
@@ -50,12 +50,18 @@ int main(int argc, char** argv) {
            {"bankshot solve puzzle.json --json --all", "every shot, as JSON"},
            {"bankshot help solve", "all that solve can do"}},
           "0 done; 1 nothing solved, or some shot fails; 2 bad input or usage.");
-  const std::map<std::string, Run> commands{
-      {"solve", solve::add(app)},      {"simulate", simulate::add(app)}, {"batch", batch::add(app)},
-      {"verify", verify::add(app)},    {"generate", generate::add(app)}, {"map", map::add(app)},
-      {"pocket", pocket::add(app)},    {"book", book::add(app)},         {"report", report::add(app)},
-      {"schema", schema::add(app)},    {"serve", serve::add(app)},       {"merge", merge::add(app)},
-      {"help", manual::add_help(app)}, {"man", manual::add_man(app)},    {"completion", manual::add_completion(app)}};
+  const std::map<std::string, Run> commands {
+    {"solve", solve::add(app)}, {"simulate", simulate::add(app)}, {"batch", batch::add(app)},
+        {"verify", verify::add(app)}, {"generate", generate::add(app)}, {"map", map::add(app)},
+        {"pocket", pocket::add(app)}, {"book", book::add(app)}, {"report", report::add(app)},
+        {"schema", schema::add(app)}, {"serve", serve::add(app)}, {"merge", merge::add(app)},
+#if BANKSHOT_LEARN
+        {"fit", fit::add(app)},
+#endif
+        {"help", manual::add_help(app)}, {"man", manual::add_man(app)}, {
+      "completion", manual::add_completion(app)
+    }
+  };
   try {
     if (argc > 1) check_command(argv[1], commands);
     app.parse(argc, argv);

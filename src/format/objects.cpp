@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "format/shot_keys.hpp"
+#include "format/recording_keys.hpp"
 
 namespace bankshot::format {
 namespace {
@@ -13,6 +13,7 @@ namespace {
 constexpr const Object* all[] = {&puzzle,
                                  &shot,
                                  &answer,
+                                 &recording,
                                  &mouth,
                                  &pocket,
                                  &own_cushion,
@@ -21,6 +22,7 @@ constexpr const Object* all[] = {&puzzle,
                                  &polygon,
                                  &ideal,
                                  &rolling,
+                                 &covariance,
                                  &cushion,
                                  &spins,
                                  &spin_physics,

@@ -125,6 +125,19 @@ inline constexpr Object cushion{"cushion", "What a bounce does with speed and sp
 
 inline constexpr Key gravity_key{"g", "number", "m/s²", "9.81", "9.8", "gravity", positive};
 
+inline constexpr Key covariance_keys[] = {
+    {"names", "[string]", "", required, R"(["cushion.friction"])", "of coefficients, as `fit` names them"},
+    {"matrix", "[[number]]", "", required, "[[0.0001]]", "their covariance, in the units of each"},
+};
+inline constexpr Object covariance{"covariance", "How well the coefficients are known: written by `fit`.",
+                                   covariance_keys};
+inline constexpr Key covariance_key{"covariance",
+                                    "{covariance}",
+                                    "",
+                                    "they are exact",
+                                    R"({"names": ["cushion.friction"], "matrix": [[0.0001]]})",
+                                    "how well the coefficients are known: written by `fit`"};
+
 inline constexpr std::string_view only_ideal[] = {"ideal"}, only_rolling[] = {"rolling"}, only_spin[] = {"spin"};
 inline constexpr Key ideal_keys[] = {
     {"model", "word", "", required, R"("ideal")", "", {}, only_ideal},
@@ -161,6 +174,7 @@ inline constexpr Key rolling_keys[] = {
     gravity_key,
     {"ball_ball", "{rolling_balls}", "", "restitution 0.95", R"({"restitution": 1})",
      "what a contact of two balls does"},
+    covariance_key,
 };
 inline constexpr Object rolling{"rolling", "The ball rolls from the start, and cushions are mirrors that take speed.",
                                 rolling_keys};
@@ -176,6 +190,7 @@ inline constexpr Key spin_keys[] = {
     {"cushion", "{cushion}", "", "han2005", R"({"model": "mathavan2010", "friction": 0.14})", "what a bounce does"},
     {"ball_ball", "{ball_ball}", "", "restitution 0.95, friction 0.05", R"({"friction": 0.06})",
      "what a contact of two balls does"},
+    covariance_key,
 };
 inline constexpr Object spin_physics{"spin_physics", "Sliding, rolling, side spin and massé, as on cloth.", spin_keys};
 

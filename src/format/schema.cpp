@@ -131,7 +131,7 @@ std::string presets() {
 }  // namespace
 
 std::span<const std::string_view> documents() {
-  static constexpr std::string_view names[] = {"puzzle", "shot", "answer"};
+  static constexpr std::string_view names[] = {"puzzle", "shot", "answer", "recording"};
   return names;
 }
 

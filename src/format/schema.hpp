@@ -10,7 +10,7 @@
 
 namespace bankshot::format {
 
-/// "puzzle", "shot", "answer".
+/// "puzzle", "shot", "answer", "recording".
 std::span<const std::string_view> documents();
 
 /// `document` is one of documents().

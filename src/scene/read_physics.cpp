@@ -55,6 +55,25 @@ decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sli
   return han;
 }
 
+CoefficientErrors read_covariance(const Reader& r) {
+  r.only(format::covariance);
+  CoefficientErrors out;
+  for (const Reader& name : r.need("names").items()) out.names.push_back(name.text());
+  const Reader matrix = r.need("matrix");
+  const std::size_t n = out.names.size();
+  if (!matrix.is_array() || matrix.size() != n) matrix.fail("must have a row for each name");
+  for (const Reader& row : matrix.items()) {
+    if (!row.is_array() || row.size() != n) row.fail("must have a number for each name");
+    for (const Reader& number : row.items()) out.covariance.push_back(number.number());
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (out.covariance[i * n + i] < 0) matrix.fail("has a negative variance");
+    for (std::size_t j = 0; j < i; ++j)
+      if (out.covariance[i * n + j] != out.covariance[j * n + i]) matrix.fail("is not symmetric");
+  }
+  return out;
+}
+
 Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body) {
   const TablePreset* const preset = preset_of(table);
   Physics p = spin_physics(body, preset ? std::optional(preset->nose()) : std::nullopt);
@@ -67,6 +86,7 @@ Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body
   r->read(format::spin_physics["spinning_friction"], motion.spinning_friction);
   r->read(format::spin_physics["g"], motion.g);
   if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion, motion.sliding_friction);
+  if (const auto v = r->find("covariance")) p.errors = read_covariance(*v);
   if (const auto v = r->find("ball_ball")) {
     v->only(format::ball_ball);
     v->read(format::ball_ball["restitution"], p.ball_ball.restitution);
@@ -93,7 +113,9 @@ Physics read_level_physics(const Reader& scene, const Reader& table, const Ball&
   Rolling rolling;
   Mirror mirror;
   BallBall balls;
+  std::optional<CoefficientErrors> errors;
   if (overrides) {
+    if (const auto v = r->find("covariance")) errors = read_covariance(*v);
     r->only(format::rolling);
     r->read(format::rolling["friction"], rolling.friction);
     r->read(format::rolling["restitution"], mirror.restitution.at_rest);
@@ -103,7 +125,7 @@ Physics read_level_physics(const Reader& scene, const Reader& table, const Ball&
       v->read(format::rolling_balls["restitution"], balls.restitution);
     }
   }
-  return {rolling, mirror, balls};
+  return {rolling, mirror, balls, {}, std::move(errors)};
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ TEST_CASE("bad usage is refused with what was meant") {
       {"solve --planner imge", "did you mean \"image\"?"},
       {"solve --budget -1", "--budget: \"-1\" must be a whole number"},
       {"solve --svg -", "standard output"},
-      {"fit", "\"fit\" is not supported yet"},
+      {"advise", "\"advise\" is not supported yet"},
       {"simulate --rate 0", "--rate"},
   }));
   INFO(arguments);

@@ -25,6 +25,7 @@ class ScratchFile {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
+  void write(const std::string& text) const { std::ofstream(path, std::ios::binary) << text; }
   const std::string path;
 };
 

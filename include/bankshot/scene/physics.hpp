@@ -5,9 +5,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "bankshot/contact/any_cushion.hpp"
 #include "bankshot/contact/ball_ball.hpp"
@@ -18,11 +20,18 @@
 
 namespace bankshot {
 
+/// How well coefficients are known that were fitted (learn/fit.hpp).
+struct CoefficientErrors {
+  std::vector<std::string> names{};
+  std::vector<double> covariance{};  ///< row by row, in the units of each
+};
+
 struct Physics {
   std::variant<Ideal, Rolling, SlideRoll> motion = Rolling{};
   CushionVariant cushion = Mirror{};
   BallBall ball_ball{};
-  Vec2d tilt{};  ///< rise of the cloth per metre, along x and y; 0 in `ideal`
+  Vec2d tilt{};                               ///< rise of the cloth per metre, along x and y; 0 in `ideal`
+  std::optional<CoefficientErrors> errors{};  ///< none: the coefficients are exact
 };
 
 /// How balls of this physics collide: elastically in `ideal`, without friction where no spin is carried.

@@ -13,6 +13,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/json.hpp"
+#include "bankshot/simulate/camera.hpp"
 
 namespace bankshot::app::simulate {
 namespace {
@@ -21,6 +22,8 @@ struct Arguments {
   std::string file = "-", csv;
   PictureFlags picture;
   double rate = usual_rate;
+  double record = 0, noise = 0, drop = 0;  // Hz, mm, share
+  std::uint64_t seed = 1;
   bool json = false;
 };
 
@@ -90,6 +93,12 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
          (r.others.empty() ? "" : others_text(r, t));
 }
 
+std::string recording_of(const Arguments& a, const ShotRequest& request, const Trajectory& t) {
+  constexpr double mm = 1e-3;
+  Random random(a.seed);
+  return write_recording(film(request, t, {.rate = a.record, .noise = a.noise * mm, .drop = a.drop}, random)) + "\n";
+}
+
 constexpr double most_rows = 1e7;  // about a gigabyte
 
 int run(const Arguments& a) {
@@ -101,9 +110,10 @@ int run(const Arguments& a) {
       a.picture.write([&](const PictureStyle& style) { return draw(request, t, style); });
       if (!a.csv.empty() && a.csv != "-") write_file(a.csv, csv_of(request, t, a.rate, most_rows));
     };
-    print_after(write, a.csv == "-" ? csv_of(request, t, a.rate, most_rows)
-                       : a.json     ? to_json(request, t) + "\n"
-                                    : text_of(request, t));
+    print_after(write, a.csv == "-"   ? csv_of(request, t, a.rate, most_rows)
+                       : a.record > 0 ? recording_of(a, request, t)
+                       : a.json       ? to_json(request, t) + "\n"
+                                      : text_of(request, t));
     return done;
   } catch (const InvalidInput& e) {
     std::cerr << complaint(a.file, e) << '\n';
@@ -125,11 +135,25 @@ Run add(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::Range(1e-3, 1e6));
   command->add_flag("--json", a->json, "One line of JSON instead of text");
+  CLI::Option* const record =
+      command
+          ->add_option("--record", a->record, "Print what a camera would see, so often a second: a recording for fit")
+          ->check(CLI::Range(1.0, 1e4));
+  command->add_option("--noise", a->noise, "mm by which each coordinate of a recording errs, one standard deviation")
+      ->check(CLI::Range(0.0, 100.0))
+      ->needs(record);
+  command->add_option("--drop", a->drop, "Share of a recording's samples that are missing")
+      ->check(CLI::Range(0.0, 0.99))
+      ->needs(record);
+  command->add_option("--seed", a->seed, "Other seeds, other errors of a recording")
+      ->needs(record)
+      ->check(whole_number);
   explain(*command,
           "A shot is a scene and a launch; a puzzle with a shot of its answer is one too, and its other keys are not\n"
           "read. It ends at rest, in a pocket, or where \"until\" says. A name that ends in .gz is packed.",
           {{"bankshot simulate shot.json", "its events, one a line"},
            {"bankshot simulate shot.json --csv - --rate 100", "its path, 100 points a second"},
+           {"bankshot simulate shot.json --record 60 --noise 2 --drop 0.1", "what a camera would see of it"},
            {"bankshot simulate shot.json --json --svg shot.svg", "its events as JSON, and a picture"}},
           "0 done; 2 bad input or usage.");
   return [a] {

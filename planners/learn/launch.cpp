@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+#include "planners/learn/launch.hpp"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planners/learn/bounds.hpp"
+#include "planners/learn/settings.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+using namespace settings::learn;
+
+/// Least squares of the launch alone, up to the window.
+double solve(Seen& seen, const Common& common, Work& work) {
+  ceres::Problem::Options shared;
+  shared.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(shared);
+  SeenCost cost(seen, common.names, common.base);
+  std::vector<double> values = common.values;
+  std::vector<double*> blocks{seen.launch.data()};
+  if (!values.empty()) blocks.push_back(values.data());
+  problem.AddResidualBlock(&cost, nullptr, blocks);
+  if (!values.empty()) problem.SetParameterBlockConstant(values.data());
+  bound_launch(problem, seen);
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = 40;
+  options.function_tolerance = 1e-8;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  work.simulations += static_cast<long>(summary.iterations.size());
+  return std::sqrt(2 * summary.final_cost / cost.num_residuals());
+}
+
+/// The times at which the struck ball bounces, by the recording's clock.
+std::vector<double> bounces(const Seen& seen, const Common& common, Work& work) {
+  ++work.simulations;
+  std::vector<double> times;
+  try {
+    ShotRequest shot = with_launch(seen.recording.scene, seen.launch);
+    shot.physics = common.physics();
+    shot.until.time = std::max(0.0, seen.last - seen.launch[start_time]) + after_bounce;
+    for (const Record& e : simulate(shot).events)
+      if (e.ball == 0 && (is_bounce(e.kind) || e.kind == EventKind::ball))
+        times.push_back(seen.launch[start_time] + e.time);
+  } catch (const InvalidInput&) {  // the launch on its way stands beside the table
+  }
+  return times;
+}
+
+bool same(const std::vector<Told>& a, const std::vector<Told>& b) {
+  return std::ranges::equal(a, b,
+                            [](const Told& s, const Told& t) { return s.before == t.before && s.route == t.route; });
+}
+
+/// Fits up to the window, again where that changes what the ball meets.
+double fit_window(Seen& seen, const Common& common, Work& work) {
+  double off = forever;
+  for (int round = 0; round < 3; ++round) {
+    const std::vector<Told> before = seen.told;
+    if (!tell(seen, common, work)) return forever;
+    if (round > 0 && same(before, seen.told)) break;
+    off = solve(seen, common, work);
+  }
+  return off;
+}
+
+double first_window(const Seen& seen, const Common& common, Work& work) {
+  const auto times = bounces(seen, common, work);
+  return times.empty() || times.front() + after_bounce >= seen.last ? forever : times.front() + after_bounce;
+}
+
+/// Moves the window on to after the next bounce.
+void move_on(Seen& seen, const Common& common, Work& work) {
+  double next = forever;
+  for (const double t : bounces(seen, common, work))
+    if (t > seen.window) {
+      next = t + after_bounce;
+      break;
+    }
+  seen.window = next < seen.last ? next : forever;
+}
+
+/// From bounce to bounce, so that each next one is met nearly where it was.
+double grow(Seen& seen, const Common& common, double until, Work& work) {
+  seen.window = std::min(until, first_window(seen, common, work));
+  for (;;) {
+    const double off = fit_window(seen, common, work);
+    if (!(off < forever) || seen.window == until) return off;
+    move_on(seen, common, work);
+    seen.window = std::min(until, seen.window);
+  }
+}
+
+double median(std::vector<double> v) {
+  const auto middle = v.begin() + static_cast<long>(v.size() / 2);
+  std::ranges::nth_element(v, middle);
+  return *middle;
+}
+
+/// Launches that a track may begin with. The velocity is the median of those between its first samples that moved;
+/// where these may lie beyond a bounce, also as it was before.
+std::vector<LaunchUnknowns> launches_of_track(const Seen& seen) {
+  std::vector<LaunchUnknowns> out;
+  const auto& tracks = seen.recording.tracks;
+  if (tracks.empty() || tracks.front().ball != 0 || tracks.front().samples.empty()) return out;
+  const std::vector<Sample>& s = tracks.front().samples;
+  const Vec2d stood = seen.recording.scene.ball.at;
+  const double moved = 5 * seen.sigma + 2e-3;
+  std::size_t m = 0;
+  while (m + 2 < s.size() && (norm(s[m].at - stood) < moved || norm(s[m + 1].at - stood) < moved)) ++m;
+  constexpr std::size_t few = 5;
+  const std::size_t last = std::min(m + few, s.size());
+  std::vector<double> vx, vy;
+  for (std::size_t i = m; i < last; ++i)
+    for (std::size_t j = i + 1; j < last; ++j) {
+      const Vec2d v = (s[j].at - s[i].at) / (s[j].time - s[i].time);
+      vx.push_back(v.x), vy.push_back(v.y);
+    }
+  if (vx.empty()) return out;
+  const auto add = [&](const Vec2d& v) {
+    const double fast = std::max(norm(v), least_speed);
+    for (const LaunchUnknowns& other : out) {
+      constexpr double nearly = 0.98;
+      if (dot(Vec2d{std::cos(other[angle]), std::sin(other[angle])}, v) > nearly * norm(v)) return;
+    }
+    ShotRequest shot = seen.recording.scene;
+    shot.launch = {fast, std::atan2(v.y, v.x)};
+    shot.spin = {};
+    const double first = s[m].time - norm(s[m].at - stood) / fast;
+    out.push_back(unknowns_of(shot, m > 0 ? std::max(first, s[m - 1].time) : first));
+  };
+  const Vec2d v{median(vx), median(vy)};
+  add(v);
+  if (m + 1 < s.size()) add((s[m + 1].at - s[m].at) / (s[m + 1].time - s[m].time));
+  const double way = norm(v) * (s[last - 1].time - s[m].time) + norm(s[m].at - stood);
+  for (const Wall& w : seen.stand.struck().walls)
+    if (dot(w.normal, stood) - w.offset < way && dot(w.normal, v) > 0) add(v - w.normal * (2 * dot(w.normal, v)));
+  return out;
+}
+
+struct Candidate {
+  double off;
+  LaunchUnknowns launch;
+};
+
+/// Launches that fit the first part, best first.
+std::vector<Candidate> candidates(Seen& seen, const Common& common, Work& work) {
+  std::vector<Candidate> found;
+  const Recording& r = seen.recording;
+  const double begins = r.tracks.empty() || r.tracks.front().samples.empty() ? 0 : r.tracks.front().samples[0].time;
+  const auto add = [&] {
+    ++work.restarts;
+    seen.window = first_window(seen, common, work);
+    const double off = fit_window(seen, common, work);
+    if (off < forever) found.push_back({off, seen.launch});
+  };
+  if (r.launch_given) seen.launch = unknowns_of(r.scene, begins), add();
+  for (const LaunchUnknowns& first : launches_of_track(seen)) {
+    seen.launch = first;
+    if (!carries_spin(common.base)) add();
+    for (const double t : first_tops)
+      for (const double s : first_sides) {
+        if (!carries_spin(common.base)) break;
+        seen.launch = first;
+        seen.launch[top] = t, seen.launch[side] = s;
+        add();
+      }
+  }
+  std::ranges::sort(found, {}, &Candidate::off);
+  return found;
+}
+
+bool alike(const LaunchUnknowns& a, const LaunchUnknowns& b) {
+  return std::abs(a[speed] - b[speed]) < 1e-3 && std::abs(a[top] - b[top]) < 0.01 && std::abs(a[side] - b[side]) < 0.01;
+}
+
+}  // namespace
+
+Physics Common::physics() const {
+  Varying<launch_varies> varying(base, true);
+  varying.set(names, values.data(), -1);
+  return varying.plain();
+}
+
+bool tell(Seen& seen, const Common& common, Work& work) {
+  ++work.simulations;
+  constexpr double beyond = 0.1;  // s: what is met a little later may be met a little earlier as the fit moves
+  try {
+    ShotRequest shot = with_launch(seen.recording.scene, seen.launch);
+    shot.physics = common.physics();
+    const double until = std::max(0.0, std::min(seen.window, seen.last) - seen.launch[start_time]) + beyond;
+    const bool to_rest = std::ranges::any_of(seen.recording.tracks, [](const Track& t) { return t.rest.has_value(); });
+    if (!(to_rest && seen.window >= seen.last)) shot.until.time = until;
+    const Trajectory t = simulate(shot);
+    for (std::size_t k = 0; k < seen.told.size(); ++k)
+      seen.told[k] = told_of(t, seen.recording.tracks[k].ball, shot.until.time ? until : forever);
+  } catch (const InvalidInput&) {
+    return false;
+  }
+  if (const auto& cushions = seen.recording.cushions; cushions && seen.recording.scene.others.empty())
+    for (Told& told : seen.told) told.route = route_by(*cushions);
+  return true;
+}
+
+double spread(const Seen& seen, const Common& common) {
+  constexpr double share = 0.7, of_normal = 1.036;
+  constexpr std::size_t parts = 4, least = 6;
+  double largest = 0;
+  const auto off = misses(seen, common.names, common.values.data(), common.base);
+  for (std::size_t k = 0; k < off.size(); ++k) {
+    std::size_t n = 0;
+    for (const Sample& s : seen.recording.tracks[k].samples)
+      n += s.time <= seen.window && s.time - seen.launch[start_time] <= seen.told[k].until;
+    const std::size_t each = std::max(least, n / parts + 1);
+    for (std::size_t from = 0; from + least <= n; from += each) {
+      std::vector<double> sizes;
+      for (std::size_t i = from; i < std::min(n, from + each); ++i)
+        sizes.push_back(std::abs(off[k][i].x)), sizes.push_back(std::abs(off[k][i].y));
+      const auto at = sizes.begin() + static_cast<long>(share * static_cast<double>(sizes.size() - 1));
+      std::ranges::nth_element(sizes, at);
+      largest = std::max(largest, *at / of_normal / seen.sigma);
+    }
+  }
+  return largest;
+}
+
+double excess(const Seen& seen, const Common& common) {
+  const auto off = misses(seen, common.names, common.values.data(), common.base);
+  double sum = 0;
+  int n = 0;
+  for (std::size_t k = 0; k < off.size(); ++k)
+    for (std::size_t i = 0; i < off[k].size(); ++i) {
+      const double time = seen.recording.tracks[k].samples[i].time;
+      if (time > seen.window || time - seen.launch[start_time] > seen.told[k].until) break;
+      if (!seen.outlier[k][i]) sum += dot(off[k][i], off[k][i]), n += 2;
+    }
+  return n > launch_size ? std::sqrt(sum / (n - launch_size)) / seen.sigma : 0;
+}
+
+bool is_off(const Seen& seen, const Common& common) {
+  return seen.robust > 0 ? spread(seen, common) > good : excess(seen, common) > chance;
+}
+
+bool fit_farther(Seen& seen, const Common& common, Work& work) {
+  if (seen.window == forever) return false;
+  move_on(seen, common, work);
+  fit_window(seen, common, work);
+  return true;
+}
+
+double fit_anew(Seen& seen, const Common& common, double until, Work& work) {
+  Candidate best{forever, seen.launch};
+  std::vector<LaunchUnknowns> tried;
+  for (const Candidate& c : candidates(seen, common, work)) {
+    if (std::ranges::any_of(tried, [&](const LaunchUnknowns& other) { return alike(other, c.launch); })) continue;
+    tried.push_back(c.launch);
+    seen.launch = c.launch;
+    if (const double off = grow(seen, common, until, work); off < best.off) best = {off, seen.launch};
+    if (!is_off(seen, common) || tried.size() == followed) break;
+  }
+  seen.launch = best.launch;
+  seen.window = until;
+  tell(seen, common, work);
+  return best.off;
+}
+
+namespace {
+
+/// Where hardly any side is left it is gone before it meets a cushion, and with it what would say that there was some.
+double fit_side(Seen& seen, const Common& common, Work& work) {
+  double best = fit_window(seen, common, work);
+  constexpr double hardly = 0.06, some = 0.12;
+  if (!carries_spin(common.base) || std::abs(seen.launch[side]) > hardly) return best;
+  LaunchUnknowns launch = seen.launch;
+  const LaunchUnknowns first = launch;
+  for (const double start : {some, -some}) {
+    seen.launch = first;
+    seen.launch[side] = start;
+    if (const double off = fit_window(seen, common, work); off < best) best = off, launch = seen.launch;
+  }
+  seen.launch = launch;
+  tell(seen, common, work);
+  return best;
+}
+
+}  // namespace
+
+bool look_again(Seen& seen, const Common& common, Work& work) {
+  const double until = seen.window;
+  const double off = fit_side(seen, common, work);
+  const LaunchUnknowns launch = seen.launch;
+  const std::vector<Told> told = seen.told;
+  constexpr double clearly = 0.98;
+  const bool better = is_off(seen, common) && fit_anew(seen, common, until, work) < clearly * off;
+  if (!better) seen.launch = launch, seen.told = told, seen.window = until;
+  return better;
+}
+
+double fit_first_part(Seen& seen, const Common& common, Work& work) {
+  const std::vector<Candidate> found = candidates(seen, common, work);
+  if (found.empty()) return forever;
+  seen.launch = found.front().launch;
+  seen.window = first_window(seen, common, work);
+  return fit_window(seen, common, work);
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// One recorded shot in a fit: what was seen, and how far the path of a launch with some coefficients is from that.
+// Ceres asks it as a cost function of two blocks, the launch and the coefficients.
+#pragma once
+
+#include <ceres/cost_function.h>
+
+#include <memory>
+#include <vector>
+
+#include "planners/learn/unknowns.hpp"
+#include "planners/learn/way.hpp"
+
+namespace bankshot::planning {
+
+/// What is seen of a shot and how much it weighs; kept by the fit, read by the cost.
+struct Seen {
+  explicit Seen(const Recording& recording);
+
+  const Recording& recording;
+  Stand stand;
+  std::vector<std::vector<char>> outlier;  ///< of each sample of each track
+  double sigma = 1e-3;                     ///< m, of one coordinate; larger where the physics cannot follow the shot
+  double sigma_at = 1e-3;                  ///< m, of where the struck ball stood before
+  double last = 0;                         ///< s, of the latest sample
+
+  LaunchUnknowns launch{};
+  std::vector<Told> told{};   ///< of each track
+  double window = forever;    ///< s: samples later than this are not looked at
+  double masse_spread = 0.1;  ///< natural rolls; of the masse that a launch may have
+  bool left_out = false;      ///< the coefficients are learnt from the others
+  double robust = 0;          ///< in sigmas: distances count as squares up to this, linearly beyond; 0: always squares
+
+  int samples_used() const;
+};
+
+/// Distances of the shot's places from those seen, in sigmas: two for each sample used, two for each place of rest,
+/// then what is known of any launch beforehand (`prior_size`).
+class SeenCost : public ceres::CostFunction {
+ public:
+  static constexpr int prior_size = 6;
+
+  /// All three must outlive it. `names` and `physics` may not change.
+  SeenCost(const Seen& seen, const std::vector<std::string>& names, const Physics& physics);
+
+  bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override;
+
+ private:
+  template <int N>
+  void evaluate(Varying<N>& varying, const double* const* blocks, double* residuals, double** jacobians) const;
+
+  const Seen& seen_;
+  const std::vector<std::string>& names_;
+  mutable Varying<launch_varies> launch_only_;
+  mutable std::unique_ptr<Varying<all_vary>> all_;
+};
+
+/// m, of every sample, used or not, for what the shot's launch and these coefficients say; track by track.
+std::vector<std::vector<Vec2d>> misses(const Seen& seen, const std::vector<std::string>& names, const double* values,
+                                       const Physics& physics);
+
+}  // namespace bankshot::planning

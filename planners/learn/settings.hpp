@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// What a fit chooses; none of it decides what is true, but how soon it is found.
+#pragma once
+
+#include <cstddef>
+
+namespace bankshot::planning::settings::learn {
+
+/// What is known of any launch before a track is seen. s: between its first sample and the launch. Spins are in units
+/// of natural roll: players mostly hit near the centre, a little high, and hold the cue nearly level.
+inline constexpr double spread_of_start = 1;
+inline constexpr double middle_of_top = 0.3, spread_of_spin = 0.8, spread_of_masse = 0.1;
+/// Of the masse until the rest is known: it bends any path to any other.
+inline constexpr double first_masse = 0.005;
+/// Spins that a fit of a launch starts from: without side the derivative by it is lost where it fades.
+inline constexpr double first_tops[] = {0.3, 1, -0.5, -1.2}, first_sides[] = {0.3, -0.3, 1, -1};
+/// Of those, so many different ones are followed to the end of the shot.
+inline constexpr std::size_t followed = 5;
+/// s. A launch is fitted first up to so long after its first bounce, then up to each next one.
+inline constexpr double after_bounce = 0.25;
+/// In standard deviations: distances beyond weigh linearly until outliers are known, and are outliers beyond that.
+inline constexpr double robust = 2.5, outlier = 5;
+/// A launch whose spread is below this is the one; else others are tried. Chance and one sample in twenty that is an
+/// outlier make it 1.2.
+inline constexpr double good = 1.35;
+
+/// A shot whose spread is so many times that of half of the shots is not followed: the others teach the coefficients.
+inline constexpr double lost = 3;
+/// Where outliers are known and the laws can follow the shots: a root mean square distance of so many sigmas is not
+/// chance, the launch is another's. A track of 100 samples is within 1.15 but once in 1000.
+inline constexpr double chance = 1.15;
+
+}  // namespace bankshot::planning::settings::learn

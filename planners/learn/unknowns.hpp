@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// What a fit moves: of each shot how it was launched, and of all together the coefficients of the physics and the
+// camera.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bankshot/learn/fit.hpp"
+#include "planners/locked/varied.hpp"
+
+namespace bankshot::planning {
+
+/// start [s], x, y [m], speed [m/s], angle [rad], top, side, masse.
+inline constexpr int launch_size = launch_varies;
+using LaunchUnknowns = std::array<double, launch_size>;
+enum LaunchIndex : std::size_t { start_time, x, y, speed, angle, top, side, masse };
+
+LaunchUnknowns unknowns_of(const ShotRequest& shot, double start);
+/// The scene with this launch.
+ShotRequest with_launch(ShotRequest scene, const LaunchUnknowns& launch);
+
+/// One coefficient, or part of the camera, that may be fitted.
+struct Fittable {
+  std::string name;
+  double low, high;  ///< where it may be
+  double guess;      ///< what is known of it anyhow: a standard error above this says nothing
+  double start;
+};
+
+/// Names, bounds and starts of all that this physics has, tilt and camera at the end.
+std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, bool meets_balls);
+
+/// Camera: seen = offset + scale · true.
+template <int N>
+struct Varying {
+  explicit Varying(const Physics& physics, bool meets_balls);
+
+  /// Sets the coefficients of these names; the k-th varies as the number `first + k`, none where `first` is negative.
+  void set(const std::vector<std::string>& names, const double* values, int first);
+
+  /// The laws with the values that were set.
+  Physics plain() const;
+
+  VariedPhysics<N> physics;
+  Dual<N> scale{1.0};
+  Vec2<Dual<N>> offset{};
+  bool leans = false;  ///< the tilt is one of the names
+
+ private:
+  std::vector<Dual<N>*> places(const std::string& name);
+  std::vector<typename VariedPhysics<N>::Named> named_;
+  std::vector<std::string> names_;  ///< of the last `set`
+  std::vector<std::vector<Dual<N>*>> at_;
+};
+
+}  // namespace bankshot::planning

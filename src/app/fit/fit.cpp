@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+//
+// bankshot fit: the coefficients of a table from recorded shots.
+#include "bankshot/learn/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "app/line_file.hpp"
+#include "app/option_checks.hpp"
+#include "app/report/progress.hpp"
+#include "json/reader.hpp"
+
+namespace bankshot::app::fit {
+namespace {
+
+constexpr const char* bounces[] = {"as-given", "constant", "linear", "square"};
+
+struct Arguments {
+  std::string file = "-", out, model, bounce = bounces[0];
+  std::vector<std::string> free;
+  int holdout = 0, jobs = 0;
+  bool predict = false, quiet = false;
+};
+
+/// Of every line that is one; the others are told, with file and line.
+std::vector<Recording> read_recordings(const std::string& file, long& bad) {
+  std::vector<Recording> out;
+  LineFile lines(file);
+  for (std::string line; lines.next(line);) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      out.push_back(read_recording(line));
+    } catch (const InvalidInput& e) {
+      ++bad;
+      std::cerr << fmt::format("{}:{}: {}{}{}\n", lines.name, lines.number, e.path, e.path.empty() ? "" : " ",
+                               one_line(e.what()));
+    }
+  }
+  return out;
+}
+
+int run(const Arguments& a) {
+  long bad = 0;
+  const std::vector<Recording> recordings = read_recordings(a.file, bad);
+  if (recordings.empty())
+    throw FileError(fmt::format("{}: no recording in it{}", a.file, bad > 0 ? " that can be read" : ""));
+  FitWish wish{.free = a.free, .model = a.model, .holdout = a.holdout, .predict = a.predict};
+  for (std::size_t i = 0; i < std::size(bounces); ++i)
+    if (a.bounce == bounces[i]) wish.bounce = static_cast<FitWish::Bounce>(i);
+  wish.threads = a.jobs > 0 ? a.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  Fit result;
+  {
+    constexpr std::size_t percent = 100;
+    report::Progress bar(1);
+    bar.begin("fit", percent);
+    std::size_t shown = 0;
+    if (!a.quiet)
+      wish.progress = [&](double share) {
+        for (; shown < static_cast<std::size_t>(share * percent); ++shown) bar.step();
+      };
+    result = bankshot::fit(recordings, wish);
+  }
+  print_after(
+      [&] {
+        if (!a.out.empty()) write_file(a.out, physics_of(result) + "\n");
+      },
+      to_json(result) + "\n");
+  if (!a.quiet) std::cerr << message_of(result) << '\n';
+  if (bad > 0)
+    std::cerr << fmt::format("bankshot: {} of {} lines were left out\n", bad,
+                             bad + static_cast<long>(recordings.size()));
+  return done;
+}
+
+}  // namespace
+
+Run add(CLI::App& app) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("fit", "Learn a table's physics from recorded shots");
+  command->add_option("recordings", a->file, "Recordings, one JSON a line; - reads standard input")
+      ->capture_default_str();
+  command->add_option("-o,--output", a->out, "Write the physics alone to this file: every command takes it")
+      ->check(file_or_output);
+  command
+      ->add_option("--free", a->free,
+                   "What is fitted, such as cushion.friction, tilt or camera.scale; with none all of the physics")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--model", a->model,
+                   "The cushions' law: mirror, han2005, mathavan2010, stronge; any tries the last three")
+      ->check(CLI::IsMember({"mirror", "han2005", "mathavan2010", "stronge", "any"}));
+  command->add_option("--restitution", a->bounce, "How the cushions' restitution depends on speed")
+      ->capture_default_str()
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(bounces), std::end(bounces))));
+  command->add_option("--holdout", a->holdout, "Leave so many shots out at a time, and predict them")
+      ->check(CLI::Range(0, 1000000));
+  command->add_flag("--predict", a->predict, "Predict each shot from its first part, 0.25 s beyond its first bounce");
+  command->add_option("-j,--jobs", a->jobs, "Threads; 0: as many as the machine has")->capture_default_str();
+  command->add_flag("--quiet", a->quiet, "No bar and no summary on standard error");
+  explain(
+      *command,
+      "A recording is a scene and where its balls were seen: {\"table\":, \"ball\":, \"track\": {\"cue\": [[t, x, y], "
+      "...]}}\n"
+      "(docs/recordings.md). Standard output gets one line of JSON: the physics, each coefficient with its standard\n"
+      "error, each shot's launch, and in words what the recordings could not tell; that is held where it was. Lines\n"
+      "that are no recording are told and left out.",
+      {{"bankshot fit shots.jsonl -o physics.json", "all coefficients, from what the shots' tracks say"},
+       {"bankshot fit shots.jsonl --model any --holdout 5", "the cushions that predict best what they have not seen"},
+       {"bankshot fit shots.jsonl --free cushion.friction,tilt", "these alone"}},
+      "0 done; 2 bad input or usage.");
+  return [a] { return run(*a); };
+}
+
+}  // namespace bankshot::app::fit

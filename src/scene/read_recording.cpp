@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/scene/json.hpp"
+#include "bankshot/scene/recording.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+#include "format/recording_keys.hpp"
+#include "json/reader.hpp"
+#include "scene/read_balls.hpp"
+#include "scene/read_physics.hpp"
+#include "scene/read_table.hpp"
+#include "scene/write_scene.hpp"
+
+namespace bankshot {
+namespace {
+
+using namespace tolerance::recording;
+
+/// The number of a ball by its name.
+int ball_named(const Reader& r, const std::string& name, const ShotRequest& scene) {
+  std::vector<std::string_view> names{scene.ball.id};
+  for (const Ball& other : scene.others) names.push_back(other.id);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) r.fail("is of no ball of this scene" + known_words(name, names));
+  return static_cast<int>(found - names.begin());
+}
+
+Sample read_sample(const Reader& r) {
+  if (!r.is_array() || r.size() != 3) r.fail("must be [t, x, y]");
+  const auto numbers = r.items();
+  return {numbers[0].number(), {numbers[1].number(), numbers[2].number()}};
+}
+
+/// Beyond the cushions, by more than a camera errs.
+bool off_table(const Boundary& boundary, const Vec2d& at) { return boundary.clearance(at) < -off_the_table; }
+
+/// Faster than a ball can be.
+bool too_far(const Sample& a, const Sample& b) { return norm(b.at - a.at) > jump + fastest_ball * (b.time - a.time); }
+
+/// One sample may be anywhere: it is an outlier. Two in a row that agree with each other, and not with those before,
+/// are not.
+void check_way(const std::vector<Reader>& places, const std::vector<Sample>& samples, const Boundary& boundary) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i > 0 && !(samples[i].time > samples[i - 1].time))
+      places[i].fail(fmt::format("must be later than the sample before it, which is of {} s", samples[i - 1].time));
+    if (i + 1 == samples.size()) break;
+    const Sample &here = samples[i], &next = samples[i + 1];
+    if (off_table(boundary, here.at) && off_table(boundary, next.at))
+      places[i].fail("is off the table, and so is the next");
+    if (i < 2 || !(next.time > here.time) || too_far(here, next)) continue;
+    const Sample &before = samples[i - 1], &first = samples[i - 2];
+    if (too_far(before, here) && too_far(before, next) && too_far(first, here) && !too_far(first, before))
+      places[i].fail("is farther from those before it than a ball can go; from here on it may be another ball");
+  }
+}
+
+/// A ball that has stood for a while does not go on by itself. The balls that others may have struck are not looked at.
+void check_one_shot(const std::vector<Reader>& places, const std::vector<Sample>& samples) {
+  const auto stands = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from + 1; i <= to; ++i)
+      if (norm(samples[i].at - samples[from].at) > standing) return false;
+    return true;
+  };
+  bool moved = false, stood = false;
+  for (std::size_t i = 0, from = 0; i < samples.size(); ++i) {
+    while (samples[i].time - samples[from].time > standing_time) ++from;
+    const bool still = i > 0 && samples[i].time - samples[0].time >= standing_time && i - from >= 4 && stands(from, i);
+    moved = moved || norm(samples[i].at - samples[0].at) > 10 * standing;
+    if (stood && !still && i + 2 < samples.size()) {
+      const auto away = [&](std::size_t k) { return norm(samples[k].at - samples[from].at) > 10 * standing; };
+      if (away(i) && away(i + 1) && away(i + 2)) places[i].fail("moves again after it stood: this is a second shot");
+      continue;
+    }
+    stood = moved && still;
+  }
+}
+
+Track read_track(const Reader& r, int ball, const ShotRequest& scene, const Boundary& boundary) {
+  Track track{.ball = ball};
+  const std::vector<Reader> places = r.items();
+  for (const Reader& place : places) track.samples.push_back(read_sample(place));
+  if (track.samples.size() < 3) r.fail("must have at least three samples");
+  check_way(places, track.samples, boundary);
+  if (ball == 0 && scene.others.empty()) check_one_shot(places, track.samples);
+  return track;
+}
+
+/// Where a ball stands is measured too: a little beyond a cushion, it touched it.
+void push_in(const Boundary& boundary, Vec2d& at) {
+  for (const Wall& w : boundary.walls)
+    if (const double gap = dot(w.normal, at) - w.offset; gap < 0 && gap > -off_the_table) at -= w.normal * gap;
+}
+
+std::vector<Contact> read_seen(const Reader& r, const Table& table) {
+  const std::vector<std::string_view> names(table.cushions.begin(), table.cushions.end());
+  std::vector<Contact> seen;
+  for (const Reader& item : r.items()) {
+    const auto found = find_cushion(table, item.text());
+    seen.push_back(found ? *found : Contact::rail(static_cast<int>(item.word("cushion", names))));
+  }
+  return seen;
+}
+
+void read_launch(const Reader& doc, ShotRequest& scene, bool& given) {
+  if (const auto of_ball = doc.need("ball").find("spin")) scene.spin = read_spin(*of_ball, scene.physics, false);
+  const auto shot = doc.find("shot");
+  if (!shot) return;
+  shot->only(format::launch);
+  if (const auto v = shot->find("spin")) scene.spin = read_spin(*v, scene.physics, true);
+  scene.launch = {shot->need(format::launch["speed"]), wrap_angle(radians(shot->need("angle").number()))};
+  given = true;
+}
+
+}  // namespace
+
+Recording read_recording(std::string_view text) {
+  Recording out;
+  ShotRequest& s = out.scene;
+  const Json json = parse_document(text, &s.id);
+  const Reader doc(json);
+  doc.only(format::recording);
+  const Reader table = doc.need("table");
+  s.ball = read_ball(doc, default_ball(table));
+  s.table = read_table(table, s.ball.body.radius);
+  s.physics = read_physics(doc, s.ball);
+  s.others = read_others(doc, s.ball.body);
+  read_launch(doc, s, out.launch_given);
+  const Boundary boundary(s.table, s.ball.body);
+  push_in(boundary, s.ball.at);
+  for (Ball& other : s.others) push_in(Boundary(s.table, other.body), other.at);
+  validate(s);
+  if (const auto v = doc.find("sigma")) out.sigma = v->number(format::recording["sigma"].bounds);
+  if (const auto v = doc.find("cushions")) out.cushions = read_seen(*v, s.table);
+  const auto tracks = doc.find("track"), rests = doc.find("rest");
+  if (!tracks && !rests) doc.fail("must have one of the keys \"track\", \"rest\"");
+  if (tracks)
+    for (const auto& [name, r] : tracks->members())
+      out.tracks.push_back(read_track(r, ball_named(r, name, s), s, boundary));
+  if (rests)
+    for (const auto& [name, r] : rests->members()) {
+      const int ball = ball_named(r, name, s);
+      auto track = std::ranges::find(out.tracks, ball, &Track::ball);
+      if (track == out.tracks.end()) track = out.tracks.insert(track, Track{.ball = ball});
+      track->rest = r.point();
+      if (off_table(boundary, *track->rest)) r.fail("is off the table");
+    }
+  std::ranges::sort(out.tracks, {}, &Track::ball);
+  return out;
+}
+
+namespace {
+
+/// By its name where it has one, for that says how high its cushions are.
+Json named_table_json(const ShotRequest& s) {
+  for (const TablePreset& preset : table_presets())
+    if (is_level(s.physics) && s.table == make_table(preset)) return preset.name;
+  return table_json(s.table, s.physics.tilt);
+}
+
+}  // namespace
+
+std::string write_recording(const Recording& r) {
+  const ShotRequest& s = r.scene;
+  constexpr const char* models[] = {"ideal", "rolling", "spin"};
+  Json j{{"table", named_table_json(s)},
+         {"physics", models[s.physics.motion.index()]},
+         {"ball", {{"at", pair_json(s.ball.at)}, {"radius", s.ball.body.radius}, {"mass", s.ball.body.mass}}}};
+  for (const Ball& other : s.others)
+    j["others"].push_back(
+        {{"id", other.id}, {"at", pair_json(other.at)}, {"radius", other.body.radius}, {"mass", other.body.mass}});
+  for (const Track& track : r.tracks) {
+    const std::string& id = ball_of(s, track.ball).id;
+    for (const Sample& sample : track.samples) j["track"][id].push_back({sample.time, sample.at.x, sample.at.y});
+    if (track.rest) j["rest"][id] = pair_json(*track.rest);
+  }
+  if (r.sigma) j["sigma"] = *r.sigma;
+  if (r.cushions)
+    for (const Contact c : *r.cushions) j["cushions"].push_back(contact_name(s.table, c));
+  if (r.launch_given)
+    j["shot"] = {{"speed", s.launch.speed},
+                 {"angle", exact_degrees(s.launch.angle)},
+                 {"spin", {{"top", s.spin.top}, {"side", s.spin.side}, {"masse", s.spin.masse}}}};
+  return write_json(s.id, j);
+}
+
+}  // namespace bankshot

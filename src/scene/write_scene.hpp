@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Parts of a scene as the JSON that is read back to them, every choice written out.
+#pragma once
+
+#include "bankshot/scene/physics.hpp"
+#include "bankshot/scene/table.hpp"
+#include "json/document.hpp"
+
+namespace bankshot {
+
+/// [x, y]
+Json pair_json(const Vec2d& p);
+
+/// The tilt of the physics stands with the table. A preset is told by its name.
+Json table_json(const Table& table, const Vec2d& tilt);
+
+/// Throws InvalidInput for a custom cushion.
+Json physics_json(const Physics& physics);
+
+}  // namespace bankshot

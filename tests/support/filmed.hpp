@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Recordings of shots whose truth is known: random launches on a table of random coefficients, as a camera sees them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bankshot/simulate/camera.hpp"
+
+namespace bankshot::test {
+
+struct Filmed {
+  Physics truth;
+  std::vector<ShotRequest> shots;
+  std::vector<Recording> recordings;
+};
+
+struct FilmWish {
+  int shots = 30;
+  double seconds = 5;
+  Camera camera{.rate = 60, .noise = 2e-3, .outliers = 0.05};
+  double slowest = 1.5, fastest = 5;  ///< m/s
+};
+
+/// Coefficients as tables have them, cushions after han2005.
+Physics random_table(Random& random, const Body& body);
+
+Filmed filmed(const Physics& truth, const FilmWish& wish, Random& random);
+
+/// Of a coefficient, by its name in a fit.
+double coefficient(const Physics& physics, const std::string& name);
+
+}  // namespace bankshot::test
