@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bankshot/scene/coefficients.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
 
@@ -53,8 +54,7 @@ void keep_apart(const Ball& first, Ball& second) {
 }
 
 /// The balls where a draw puts them; `normal`: two numbers a ball.
-Puzzle moved(const Puzzle& puzzle, const double* normal) {
-  Puzzle p = puzzle;
+void move_balls(Puzzle& p, const double* normal) {
   const auto move = [&](Ball& ball) {
     ball.at += Vec2d{normal[0], normal[1]} * p.noise.at;
     normal += 2;
@@ -66,7 +66,6 @@ Puzzle moved(const Puzzle& puzzle, const double* normal) {
     keep_apart(p.ball, p.others[i]);
     for (std::size_t j = 0; j < i; ++j) keep_apart(p.others[j], p.others[i]);
   }
-  return p;
 }
 
 }  // namespace
@@ -74,7 +73,9 @@ Puzzle moved(const Puzzle& puzzle, const double* normal) {
 double success_under_all_errors(const Question& q, Ledger& ledger, const Shot& shot) {
   const Noise& noise = q.puzzle.noise;
   constexpr std::size_t launch = 4;
-  Draws draws(noise.at > 0 ? launch + 2 * (1 + q.puzzle.others.size()) : launch);
+  const std::size_t places = noise.at > 0 ? 2 * (1 + q.puzzle.others.size()) : 0;
+  const DrawnPhysics physics(q.puzzle.physics);
+  Draws draws(launch + places + physics.count());
   long made = 0;
   for (int i = 0; i < settings::all_errors::draws; ++i) {
     const std::vector<double>& z = draws.next();
@@ -84,11 +85,13 @@ double success_under_all_errors(const Question& q, Ledger& ledger, const Shot& s
     spin.side += noise.side * z[2];
     spin.top += noise.top * z[3];
     const auto try_it = [&](const Question& own) { made += replay(own, ledger, struck, Goal::of(own)).made; };
-    if (!(noise.at > 0)) {
+    if (places == 0 && physics.count() == 0) {
       try_it(q.spinning(spin));
       continue;
     }
-    const Puzzle puzzle = moved(q.puzzle, z.data() + launch);
+    Puzzle puzzle = q.puzzle;
+    if (places > 0) move_balls(puzzle, z.data() + launch);
+    if (physics.count() > 0) puzzle.physics = physics.draw(z.data() + launch + places, puzzle.ball.body);
     Question own(puzzle);
     own.spin = spin;
     try_it(own);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `success` where a player errs also in spin, or does not know exactly where the balls are: the share that is made of
+// `success` where a player errs also in spin, or does not know exactly where the balls are or what the table does (a
+// physics with a covariance): the share that is made of
 // draws of all errors at once, spread evenly by an additive sequence (the fractional parts of i φ⁻ᵏ, φ^(d+1) = φ + 1
 // for d errors), the same for every shot.
 // Error: what is random in such a share of settings::all_errors::draws, 0.004 at most by one standard deviation; less

@@ -125,18 +125,45 @@ inline constexpr Object cushion{"cushion", "What a bounce does with speed and sp
 
 inline constexpr Key gravity_key{"g", "number", "m/s²", "9.81", "9.8", "gravity", positive};
 
+inline constexpr std::string_view coefficient_names[] = {"sliding_friction",
+                                                         "rolling_friction",
+                                                         "rolling_friction.at_rest",
+                                                         "rolling_friction.per_speed",
+                                                         "spinning_friction",
+                                                         "friction",
+                                                         "restitution",
+                                                         "cushion.restitution",
+                                                         "cushion.restitution.at_rest",
+                                                         "cushion.restitution.per_speed",
+                                                         "cushion.restitution.per_speed2",
+                                                         "cushion.friction",
+                                                         "cushion.height",
+                                                         "cushion.frequency_ratio",
+                                                         "ball_ball.restitution",
+                                                         "ball_ball.friction",
+                                                         "ball_ball.friction.a",
+                                                         "ball_ball.friction.b",
+                                                         "ball_ball.friction.c"};
 inline constexpr Key covariance_keys[] = {
-    {"names", "[string]", "", required, R"(["cushion.friction"])", "of coefficients, as `fit` names them"},
+    {"names",
+     "[word]",
+     "",
+     required,
+     R"(["cushion.friction"])",
+     "of coefficients, as `fit` names them",
+     {},
+     coefficient_names},
     {"matrix", "[[number]]", "", required, "[[0.0001]]", "their covariance, in the units of each"},
 };
 inline constexpr Object covariance{"covariance", "How well the coefficients are known: written by `fit`.",
                                    covariance_keys};
-inline constexpr Key covariance_key{"covariance",
-                                    "{covariance}",
-                                    "",
-                                    "they are exact",
-                                    R"({"names": ["cushion.friction"], "matrix": [[0.0001]]})",
-                                    "how well the coefficients are known: written by `fit`"};
+inline constexpr Key covariance_key{
+    "covariance",
+    "{covariance}",
+    "",
+    "they are exact",
+    R"({"names": ["cushion.friction"], "matrix": [[0.0001]]})",
+    "how well the coefficients are known, written by `fit`: `success` is then the chance with all that they may be"};
 
 inline constexpr std::string_view only_ideal[] = {"ideal"}, only_rolling[] = {"rolling"}, only_spin[] = {"spin"};
 inline constexpr Key ideal_keys[] = {

@@ -58,7 +58,8 @@ decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sli
 CoefficientErrors read_covariance(const Reader& r) {
   r.only(format::covariance);
   CoefficientErrors out;
-  for (const Reader& name : r.need("names").items()) out.names.push_back(name.text());
+  for (const Reader& name : r.need("names").items())
+    out.names.emplace_back(format::coefficient_names[name.word("coefficient", format::coefficient_names)]);
   const Reader matrix = r.need("matrix");
   const std::size_t n = out.names.size();
   if (!matrix.is_array() || matrix.size() != n) matrix.fail("must have a row for each name");

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/scene/coefficients.hpp"
 #include "truth/judge.hpp"
 #include "truth/line_in.hpp"
 
@@ -159,6 +160,7 @@ double Scene::chance(const Shot& shot, int draws) const {
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
   const CushionRule& rule = puzzle.cushions;
   const Goal goal{rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr, nullptr, shot.arrival.time};
+  const DrawnPhysics physics(puzzle.physics);
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double size = std::sqrt(-2 * std::log(uniform())), turn = radians(360) * uniform();  // Box and Muller
@@ -168,7 +170,7 @@ double Scene::chance(const Shot& shot, int draws) const {
     const auto made_on = [&](const Scene& scene, const LaunchSpin& spin) {
       made += judge(scene, run_double(scene.in_double(l, spin, rule.max)), goal).made();
     };
-    if (!puzzle.noise.in_more()) {
+    if (!puzzle.errs_in_more()) {
       made_on(*this, shot.spin);
       continue;
     }
@@ -180,7 +182,10 @@ double Scene::chance(const Shot& shot, int draws) const {
     const auto move = [&](Vec2d& at) { at += Vec2d{normal(), normal()} * puzzle.noise.at; };
     move(moved.ball.at);
     for (Ball& other : moved.others) move(other.at);
-    puzzle.noise.at > 0 ? made_on(Scene(moved), spin) : made_on(*this, spin);
+    std::vector<double> off(physics.count());
+    for (double& z : off) z = normal();
+    if (physics.count() > 0) moved.physics = physics.draw(off.data(), moved.ball.body);
+    puzzle.noise.at > 0 || physics.count() > 0 ? made_on(Scene(moved), spin) : made_on(*this, spin);
   }
   return static_cast<double>(made) / draws;
 }

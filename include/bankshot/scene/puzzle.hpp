@@ -64,6 +64,9 @@ struct Puzzle {
   Aim aim = Aim::centre;
   Noise noise{};
   long budget = 100000;  ///< simulations
+
+  /// The chance of a shot is that under more than errors of aim and speed.
+  bool errs_in_more() const { return noise.in_more() || physics.errors; }
 };
 
 /// A `simulate` document: a scene and a launch, and when to stop looking.
