@@ -174,7 +174,7 @@ void settle(Learnt& l, int threads, Work& work) {
   constexpr int rounds = 3;
   for (int round = 0; round < rounds; ++round) {
     leave_out_lost(l.shots, l.common);
-    solve_joint(l.shots, l.common, l.bounds, threads, work);
+    solve_joint(l.shots, l.common, l.bounds, work);
     std::atomic<int> changed = 0;
     each_shot(
         l.shots, threads,
@@ -222,11 +222,11 @@ void shake(Learnt& l, int threads, Work& work) {
     each_shot(
         l.shots, threads, [&](Seen& seen, Work& its) { look_again(seen, l.common, its); }, work);
     leave_out_lost(l.shots, l.common);
-    solve_joint(l.shots, l.common, l.bounds, threads, work);
+    solve_joint(l.shots, l.common, l.bounds, work);
     each_shot(
         l.shots, threads, [&](Seen& seen, Work& its) { look_again(seen, l.common, its); }, work);
     leave_out_lost(l.shots, l.common);
-    solve_joint(l.shots, l.common, l.bounds, threads, work);
+    solve_joint(l.shots, l.common, l.bounds, work);
     constexpr double gain = 1;
     const double after = cost_of(l);
     in_vain = after < cost - gain ? 0 : in_vain + 1;
@@ -269,7 +269,7 @@ Learnt learn(const Recordings& recordings, const Physics& base, const std::vecto
       l.shots, threads, [&](Seen& seen, Work& its) { fit_first_part(seen, l.common, its); }, work);
   for (std::atomic<bool> more = true; more;) {
     leave_out_lost(l.shots, l.common);
-    solve_joint(l.shots, l.common, l.bounds, threads, work);
+    solve_joint(l.shots, l.common, l.bounds, work);
     more = false;
     each_shot(
         l.shots, threads,
@@ -289,7 +289,7 @@ Learnt learn(const Recordings& recordings, const Physics& base, const std::vecto
     settle(l, threads, work);
   }
   progress(0.7);
-  while (hold_one(l)) solve_joint(l.shots, l.common, l.bounds, threads, work);
+  while (hold_one(l)) solve_joint(l.shots, l.common, l.bounds, work);
   bool astray = weigh(l);
   if (astray) {
     shake(l, threads, work);

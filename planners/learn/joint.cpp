@@ -31,7 +31,7 @@ struct Joint {
 
 }  // namespace
 
-void solve_joint(Shots& shots, Common& common, const std::vector<Fittable>& bounds, int threads, Work& work) {
+void solve_joint(Shots& shots, Common& common, const std::vector<Fittable>& bounds, Work& work) {
   if (shots.empty() || common.names.empty()) return;
   Joint joint(shots, common);
   for (std::size_t k = 0; k < common.names.size(); ++k) {
@@ -46,7 +46,8 @@ void solve_joint(Shots& shots, Common& common, const std::vector<Fittable>& boun
     if (!seen.left_out) order->AddElementToGroup(seen.launch.data(), 0);
   order->AddElementToGroup(common.values.data(), 1);
   options.linear_solver_ordering.reset(order);
-  options.num_threads = threads;
+  options.num_threads =
+      1;  // sums of several threads round as these come to an end: the same input gives the same bytes
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 100;
   // Paths have kinks, where a spin has just died or a contact just sticks: one shot at one must not stop all.

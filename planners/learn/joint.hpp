@@ -13,7 +13,7 @@ namespace bankshot::planning {
 using Shots = std::list<Seen>;
 
 /// Least squares over all shots, as each is told.
-void solve_joint(Shots& shots, Common& common, const std::vector<Fittable>& bounds, int threads, Work& work);
+void solve_joint(Shots& shots, Common& common, const std::vector<Fittable>& bounds, Work& work);
 
 /// What the shots tell of the coefficients, the launches being unknown too: the inverse of their covariance, in units
 /// of sigmas. (The Schur complement of the launches in JᵀJ.)

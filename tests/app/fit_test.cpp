@@ -51,6 +51,9 @@ TEST_CASE("fit prints a physics that every command takes, and goes on after bad 
   CHECK(fit["parameters"][1]["name"] == "rolling_friction");
   CHECK(fit["parameters"][1]["value"].get<double>() == Approx(0.008).epsilon(0.02));
   CHECK(fit["shots"].size() == 5);
+  const std::string again = "fit " + recordings.path + " --free rolling_friction,sliding_friction --quiet -j ";
+  CHECK(run_program(again + "1").out == run.out);
+  CHECK(run_program(again + "3").out == run.out);
   CHECK(fit["shots"][2]["id"] == 2);
   const Json puzzle{{"table", "carom-10ft"},
                     {"ball", {{"at", {0.5, 0.5}}}},
