@@ -76,7 +76,7 @@ part() {
       for free in nothing window arrive spin both; do "$bin/best" --count 1000 --seed 2 --free $free --worst 0 --no-header; done
       for free in nothing window arrive; do "$bin/best" --count 1000 --seed 2 --physics rolling --free $free --worst 0 --no-header; done
       ;;
-    learn) "$bin/learn" --repeats 200 --shots 30 --threads 2 --csv 2>build/learn.log || failed=1 ;;
+    learn) "$bin/learn" --repeats 20 --shots 30 --threads 1 --csv 2>build/learn.log || failed=1 ;;
     knock) "$bin/knock" --csv || failed=1 ;;
     play) "$bin/play" --layouts 20 --csv 2>build/play.log || true ;;
     shots) "$bin/shots" --count 1000000 --seed 1 --truth 10000 --csv || failed=1 ;;
