@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "planners/learn/launch.hpp"
 
-#include <ceres/ceres.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "planners/learn/bounds.hpp"
+#include "planners/learn/goodness.hpp"
+#include "planners/learn/least_squares.hpp"
 #include "planners/learn/settings.hpp"
 
 namespace bankshot::planning {
@@ -14,42 +13,14 @@ namespace {
 
 using namespace settings::learn;
 
-/// Least squares of the launch alone, up to the window.
-double solve(Seen& seen, const Common& common, Work& work) {
-  ceres::Problem::Options shared;
-  shared.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(shared);
-  SeenCost cost(seen, common.names, common.base);
-  std::vector<double> values = common.values;
-  std::vector<double*> blocks{seen.launch.data()};
-  if (!values.empty()) blocks.push_back(values.data());
-  problem.AddResidualBlock(&cost, nullptr, blocks);
-  if (!values.empty()) problem.SetParameterBlockConstant(values.data());
-  bound_launch(problem, seen);
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.max_num_iterations = 40;
-  options.function_tolerance = 1e-8;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  work.simulations += static_cast<long>(summary.iterations.size());
-  return std::sqrt(2 * summary.final_cost / cost.num_residuals());
-}
-
 /// The times at which the struck ball bounces, by the recording's clock.
 std::vector<double> bounces(const Seen& seen, const Common& common, Work& work) {
-  ++work.simulations;
   std::vector<double> times;
-  try {
-    ShotRequest shot = with_launch(seen.recording.scene, seen.launch);
-    shot.physics = common.physics();
-    shot.until.time = std::max(0.0, seen.last - seen.launch[start_time]) + after_bounce;
-    for (const Record& e : simulate(shot).events)
-      if (e.ball == 0 && (is_bounce(e.kind) || e.kind == EventKind::ball))
-        times.push_back(seen.launch[start_time] + e.time);
-  } catch (const InvalidInput&) {  // the launch on its way stands beside the table
-  }
+  const auto shot = play(seen, common, seen.last - seen.launch[start_time] + after_bounce, work);
+  if (!shot) return times;
+  for (const Record& e : shot->events)
+    if (e.ball == 0 && (is_bounce(e.kind) || e.kind == EventKind::ball))
+      times.push_back(seen.launch[start_time] + e.time);
   return times;
 }
 
@@ -65,25 +36,20 @@ double fit_window(Seen& seen, const Common& common, Work& work) {
     const std::vector<Told> before = seen.told;
     if (!tell(seen, common, work)) return forever;
     if (round > 0 && same(before, seen.told)) break;
-    off = solve(seen, common, work);
+    off = solve_launch(seen, common, work);
   }
   return off;
 }
 
-double first_window(const Seen& seen, const Common& common, Work& work) {
+/// Up to after the first bounce later than this; all there is where there is none.
+double next_window(const Seen& seen, const Common& common, double later_than, Work& work) {
   const auto times = bounces(seen, common, work);
-  return times.empty() || times.front() + after_bounce >= seen.last ? forever : times.front() + after_bounce;
+  const auto next = std::ranges::upper_bound(times, later_than);
+  return next == times.end() || *next + after_bounce >= seen.last ? forever : *next + after_bounce;
 }
 
-/// Moves the window on to after the next bounce.
-void move_on(Seen& seen, const Common& common, Work& work) {
-  double next = forever;
-  for (const double t : bounces(seen, common, work))
-    if (t > seen.window) {
-      next = t + after_bounce;
-      break;
-    }
-  seen.window = next < seen.last ? next : forever;
+double first_window(const Seen& seen, const Common& common, Work& work) {
+  return next_window(seen, common, -forever, work);
 }
 
 /// From bounce to bounce, so that each next one is met nearly where it was.
@@ -92,15 +58,8 @@ double grow(Seen& seen, const Common& common, double until, Work& work) {
   for (;;) {
     const double off = fit_window(seen, common, work);
     if (!(off < forever) || seen.window == until) return off;
-    move_on(seen, common, work);
-    seen.window = std::min(until, seen.window);
+    seen.window = std::min(until, next_window(seen, common, seen.window, work));
   }
-}
-
-double median(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<long>(v.size() / 2);
-  std::ranges::nth_element(v, middle);
-  return *middle;
 }
 
 /// Launches that a track may begin with. The velocity is the median of those between its first samples that moved;
@@ -180,76 +139,54 @@ bool alike(const LaunchUnknowns& a, const LaunchUnknowns& b) {
   return std::abs(a[speed] - b[speed]) < 1e-3 && std::abs(a[top] - b[top]) < 0.01 && std::abs(a[side] - b[side]) < 0.01;
 }
 
+/// Where hardly any side is left it is gone before it meets a cushion, and with it what would say that there was some.
+double fit_side(Seen& seen, const Common& common, Work& work) {
+  double best = fit_window(seen, common, work);
+  constexpr double hardly = 0.06, some = 0.12;
+  if (!carries_spin(common.base) || std::abs(seen.launch[side]) > hardly) return best;
+  LaunchUnknowns launch = seen.launch;
+  const LaunchUnknowns first = launch;
+  for (const double start : {some, -some}) {
+    seen.launch = first;
+    seen.launch[side] = start;
+    if (const double off = fit_window(seen, common, work); off < best) best = off, launch = seen.launch;
+  }
+  seen.launch = launch;
+  tell(seen, common, work);
+  return best;
+}
+
 }  // namespace
 
-Physics Common::physics() const {
-  Varying<launch_varies> varying(base, true);
-  varying.set(names, values.data(), -1);
-  return varying.plain();
+std::optional<Trajectory> play(const Seen& seen, const Common& common, std::optional<double> seconds, Work& work) {
+  ++work.simulations;
+  ShotRequest shot = with_launch(seen.recording.scene, seen.launch);
+  shot.physics = common.physics();
+  if (seconds) shot.until.time = std::max(0.0, *seconds);
+  try {
+    return simulate(shot);
+  } catch (const InvalidInput&) {  // on its way a launch may stand beside the table
+    return {};
+  }
 }
 
 bool tell(Seen& seen, const Common& common, Work& work) {
-  ++work.simulations;
   constexpr double beyond = 0.1;  // s: what is met a little later may be met a little earlier as the fit moves
-  try {
-    ShotRequest shot = with_launch(seen.recording.scene, seen.launch);
-    shot.physics = common.physics();
-    const double until = std::max(0.0, std::min(seen.window, seen.last) - seen.launch[start_time]) + beyond;
-    const bool to_rest = std::ranges::any_of(seen.recording.tracks, [](const Track& t) { return t.rest.has_value(); });
-    if (!(to_rest && seen.window >= seen.last)) shot.until.time = until;
-    const Trajectory t = simulate(shot);
-    for (std::size_t k = 0; k < seen.told.size(); ++k)
-      seen.told[k] = told_of(t, seen.recording.tracks[k].ball, shot.until.time ? until : forever);
-  } catch (const InvalidInput&) {
-    return false;
-  }
+  const double until = std::max(0.0, std::min(seen.window, seen.last) - seen.launch[start_time]) + beyond;
+  const bool to_rest = seen.window >= seen.last &&
+                       std::ranges::any_of(seen.recording.tracks, [](const Track& t) { return t.rest.has_value(); });
+  const auto shot = play(seen, common, to_rest ? std::nullopt : std::optional(until), work);
+  if (!shot) return false;
+  for (std::size_t k = 0; k < seen.told.size(); ++k)
+    seen.told[k] = told_of(*shot, seen.recording.tracks[k].ball, to_rest ? forever : until);
   if (const auto& cushions = seen.recording.cushions; cushions && seen.recording.scene.others.empty())
     for (Told& told : seen.told) told.route = route_by(*cushions);
   return true;
 }
 
-double spread(const Seen& seen, const Common& common) {
-  constexpr double share = 0.7, of_normal = 1.036;
-  constexpr std::size_t parts = 4, least = 6;
-  double largest = 0;
-  const auto off = misses(seen, common.names, common.values.data(), common.base);
-  for (std::size_t k = 0; k < off.size(); ++k) {
-    std::size_t n = 0;
-    for (const Sample& s : seen.recording.tracks[k].samples)
-      n += s.time <= seen.window && s.time - seen.launch[start_time] <= seen.told[k].until;
-    const std::size_t each = std::max(least, n / parts + 1);
-    for (std::size_t from = 0; from + least <= n; from += each) {
-      std::vector<double> sizes;
-      for (std::size_t i = from; i < std::min(n, from + each); ++i)
-        sizes.push_back(std::abs(off[k][i].x)), sizes.push_back(std::abs(off[k][i].y));
-      const auto at = sizes.begin() + static_cast<long>(share * static_cast<double>(sizes.size() - 1));
-      std::ranges::nth_element(sizes, at);
-      largest = std::max(largest, *at / of_normal / seen.sigma);
-    }
-  }
-  return largest;
-}
-
-double excess(const Seen& seen, const Common& common) {
-  const auto off = misses(seen, common.names, common.values.data(), common.base);
-  double sum = 0;
-  int n = 0;
-  for (std::size_t k = 0; k < off.size(); ++k)
-    for (std::size_t i = 0; i < off[k].size(); ++i) {
-      const double time = seen.recording.tracks[k].samples[i].time;
-      if (time > seen.window || time - seen.launch[start_time] > seen.told[k].until) break;
-      if (!seen.outlier[k][i]) sum += dot(off[k][i], off[k][i]), n += 2;
-    }
-  return n > launch_size ? std::sqrt(sum / (n - launch_size)) / seen.sigma : 0;
-}
-
-bool is_off(const Seen& seen, const Common& common) {
-  return seen.robust > 0 ? spread(seen, common) > good : excess(seen, common) > chance;
-}
-
 bool fit_farther(Seen& seen, const Common& common, Work& work) {
   if (seen.window == forever) return false;
-  move_on(seen, common, work);
+  seen.window = next_window(seen, common, seen.window, work);
   fit_window(seen, common, work);
   return true;
 }
@@ -269,27 +206,6 @@ double fit_anew(Seen& seen, const Common& common, double until, Work& work) {
   tell(seen, common, work);
   return best.off;
 }
-
-namespace {
-
-/// Where hardly any side is left it is gone before it meets a cushion, and with it what would say that there was some.
-double fit_side(Seen& seen, const Common& common, Work& work) {
-  double best = fit_window(seen, common, work);
-  constexpr double hardly = 0.06, some = 0.12;
-  if (!carries_spin(common.base) || std::abs(seen.launch[side]) > hardly) return best;
-  LaunchUnknowns launch = seen.launch;
-  const LaunchUnknowns first = launch;
-  for (const double start : {some, -some}) {
-    seen.launch = first;
-    seen.launch[side] = start;
-    if (const double off = fit_window(seen, common, work); off < best) best = off, launch = seen.launch;
-  }
-  seen.launch = launch;
-  tell(seen, common, work);
-  return best;
-}
-
-}  // namespace
 
 bool look_again(Seen& seen, const Common& common, Work& work) {
   const double until = seen.window;

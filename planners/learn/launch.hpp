@@ -3,36 +3,18 @@
 // How a recorded shot was launched, with the physics as it is taken to be.
 #pragma once
 
+#include <optional>
+
 #include "planners/learn/seen.hpp"
 
 namespace bankshot::planning {
 
-/// What all shots have in common: coefficients by name, in the physics they belong to.
-struct Common {
-  Physics base;
-  std::vector<std::string> names;
-  std::vector<double> values;
+/// What the shot's launch does with these coefficients, to its end or so many seconds since the launch; none where that
+/// is no shot.
+std::optional<Trajectory> play(const Seen& seen, const Common& common, std::optional<double> seconds, Work& work);
 
-  /// The laws with these values.
-  Physics physics() const;
-};
-
-struct Work {
-  long simulations = 0, restarts = 0;
-};
-
-/// Simulates what the shot's launch says and tells each track what it meets. False where that is no shot.
+/// Tells each track what its ball meets when this is played. False where that is no shot.
 bool tell(Seen& seen, const Common& common, Work& work);
-
-/// How far seven samples of ten are off at most, over what normal errors of sigma would be; of those in the window, in
-/// that quarter of each track where this is largest.
-double spread(const Seen& seen, const Common& common);
-
-/// Root mean square distance of what counts, in sigmas.
-double excess(const Seen& seen, const Common& common);
-
-/// Whether this launch cannot be the one.
-bool is_off(const Seen& seen, const Common& common);
 
 /// The launch that fits the samples up to `until` [s], which becomes the window, found from the track's first ones and
 /// several spins. Returns the root mean square distance in sigmas; infinite where no launch makes a shot.

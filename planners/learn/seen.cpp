@@ -34,13 +34,9 @@ Way<Dual<N>> way_of(const Seen& seen, const Told& told, const Varying<N>& varyin
 template <class See>
 void each_used(const Seen& seen, See&& see) {
   for (std::size_t k = 0; k < seen.recording.tracks.size(); ++k) {
-    const Track& track = seen.recording.tracks[k];
-    const double until = seen.told.empty() ? forever : seen.told[k].until;
-    for (std::size_t i = 0; i < track.samples.size(); ++i) {
-      const double time = track.samples[i].time;
-      if (time > seen.window || time - seen.launch[start_time] > until) break;
+    const std::size_t n = seen.followed(k);
+    for (std::size_t i = 0; i < n; ++i)
       if (!seen.outlier[k][i]) see(k, i);
-    }
   }
 }
 
@@ -58,11 +54,20 @@ T huber(const T& square, double k) {
 
 }  // namespace
 
-Seen::Seen(const Recording& r) : recording(r), stand(r.scene), told(r.tracks.size()) {
+Seen::Seen(const Recording& r, double usual)
+    : recording(r), stand(r.scene), noise(r.sigma.value_or(usual)), sigma(noise), told(r.tracks.size()) {
   for (const Track& track : r.tracks) {
     outlier.emplace_back(track.samples.size(), 0);
     if (!track.samples.empty()) last = std::max(last, track.samples.back().time);
   }
+}
+
+std::size_t Seen::followed(std::size_t track) const {
+  const std::vector<Sample>& s = recording.tracks[track].samples;
+  const auto is_followed = [&](const Sample& sample) {
+    return sample.time <= window && sample.time - launch[start_time] <= told[track].until;
+  };
+  return static_cast<std::size_t>(std::ranges::partition_point(s, is_followed) - s.begin());
 }
 
 int Seen::samples_used() const {
@@ -141,17 +146,16 @@ void SeenCost::evaluate(Varying<N>& varying, const double* const* blocks, double
   prior(start_time, first, spread_of_start);
   const T stood_x = varying.offset.x + varying.scale * T(u[x], static_cast<int>(x));
   const T stood_y = varying.offset.y + varying.scale * T(u[y], static_cast<int>(y));
-  put((stood_x - scene.ball.at.x) / seen_.sigma_at);
-  put((stood_y - scene.ball.at.y) / seen_.sigma_at);
+  put((stood_x - scene.ball.at.x) / seen_.noise);
+  put((stood_y - scene.ball.at.y) / seen_.noise);
   prior(top, middle_of_top, spread_of_spin);
   prior(side, 0, spread_of_spin);
   prior(masse, 0, seen_.masse_spread);
 }
 
-std::vector<std::vector<Vec2d>> misses(const Seen& seen, const std::vector<std::string>& names, const double* values,
-                                       const Physics& physics) {
-  Varying<launch_varies> varying(physics, !seen.recording.scene.others.empty());
-  varying.set(names, values, -1);
+std::vector<std::vector<Vec2d>> misses(const Seen& seen, const Common& common) {
+  Varying<launch_varies> varying(common.base, !seen.recording.scene.others.empty());
+  varying.set(common.names, common.values.data(), -1);
   const ShotRequest& scene = seen.recording.scene;
   const auto start = start_of<launch_varies>(seen.launch, scene.physics, scene.ball.body.radius);
   std::vector<std::vector<Vec2d>> out;

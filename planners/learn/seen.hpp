@@ -6,6 +6,7 @@
 
 #include <ceres/cost_function.h>
 
+#include <list>
 #include <memory>
 #include <vector>
 
@@ -16,13 +17,14 @@ namespace bankshot::planning {
 
 /// What is seen of a shot and how much it weighs; kept by the fit, read by the cost.
 struct Seen {
-  explicit Seen(const Recording& recording);
+  /// `noise` where the recording says none.
+  Seen(const Recording& recording, double noise);
 
   const Recording& recording;
   Stand stand;
   std::vector<std::vector<char>> outlier;  ///< of each sample of each track
-  double sigma = 1e-3;                     ///< m, of one coordinate; larger where the physics cannot follow the shot
-  double sigma_at = 1e-3;                  ///< m, of where the struck ball stood before
+  double noise;                            ///< m, how much one coordinate of a sample errs
+  double sigma;                            ///< m: the same, larger where the physics cannot follow the shot
   double last = 0;                         ///< s, of the latest sample
 
   LaunchUnknowns launch{};
@@ -32,6 +34,8 @@ struct Seen {
   bool left_out = false;      ///< the coefficients are learnt from the others
   double robust = 0;          ///< in sigmas: distances count as squares up to this, linearly beyond; 0: always squares
 
+  /// How many samples of a track, from its first on, lie in the window and before what fits do not follow.
+  std::size_t followed(std::size_t track) const;
   int samples_used() const;
 };
 
@@ -56,8 +60,9 @@ class SeenCost : public ceres::CostFunction {
   mutable std::unique_ptr<Varying<all_vary>> all_;
 };
 
+using Shots = std::list<Seen>;
+
 /// m, of every sample, used or not, for what the shot's launch and these coefficients say; track by track.
-std::vector<std::vector<Vec2d>> misses(const Seen& seen, const std::vector<std::string>& names, const double* values,
-                                       const Physics& physics);
+std::vector<std::vector<Vec2d>> misses(const Seen& seen, const Common& common);
 
 }  // namespace bankshot::planning

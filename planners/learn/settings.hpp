@@ -7,6 +7,8 @@
 
 namespace bankshot::planning::settings::learn {
 
+/// m/s: slower is no launch.
+inline constexpr double least_speed = 0.02;
 /// What is known of any launch before a track is seen. s: between its first sample and the launch. Spins are in units
 /// of natural roll: players mostly hit near the centre, a little high, and hold the cue nearly level.
 inline constexpr double spread_of_start = 1;

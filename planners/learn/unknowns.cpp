@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bankshot/scene/coefficients.hpp"
+
 namespace bankshot::planning {
 
 LaunchUnknowns unknowns_of(const ShotRequest& s, double start) {
@@ -61,6 +63,22 @@ std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, 
   return out;
 }
 
+const Fittable& Common::fittable(const std::string& name) const {
+  return *std::ranges::find(known, name, &Fittable::name);
+}
+
+void Common::add(const std::string& name) {
+  names.push_back(name);
+  values.push_back(fittable(name).start);
+}
+
+Physics Common::physics() const {
+  Physics out = base;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    for (double* const place : coefficient(out, names[k])) *place = values[k];
+  return out;
+}
+
 template <int N>
 Varying<N>::Varying(const Physics& from, bool meets_balls) : physics(from), named_(physics.coefficients(meets_balls)) {}
 
@@ -83,13 +101,6 @@ void Varying<N>::set(const std::vector<std::string>& names, const double* values
   for (std::size_t k = 0; k < at_.size(); ++k)
     for (Dual<N>* const place : at_[k])
       *place = first < 0 ? Dual<N>(values[k]) : Dual<N>(values[k], first + static_cast<int>(k));
-}
-
-template <int N>
-Physics Varying<N>::plain() const {
-  Physics out = physics.plain();
-  if (leans) out.tilt = {physics.motion.rise.x.a, physics.motion.rise.y.a};
-  return out;
 }
 
 template struct Varying<launch_varies>;

@@ -33,6 +33,23 @@ struct Fittable {
 /// Names, bounds and starts of all that this physics has, tilt and camera at the end.
 std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, bool meets_balls);
 
+/// What all shots have in common: coefficients by name, in the physics they belong to.
+struct Common {
+  Physics base;
+  std::vector<Fittable> known{};  ///< all that may be fitted
+  std::vector<std::string> names{};
+  std::vector<double> values{};
+
+  const Fittable& fittable(const std::string& name) const;
+  void add(const std::string& name);
+  /// The laws with these values.
+  Physics physics() const;
+};
+
+struct Work {
+  long simulations = 0, restarts = 0;
+};
+
 /// Camera: seen = offset + scale · true.
 template <int N>
 struct Varying {
@@ -40,9 +57,6 @@ struct Varying {
 
   /// Sets the coefficients of these names; the k-th varies as the number `first + k`, none where `first` is negative.
   void set(const std::vector<std::string>& names, const double* values, int first);
-
-  /// The laws with the values that were set.
-  Physics plain() const;
 
   VariedPhysics<N> physics;
   Dual<N> scale{1.0};

@@ -34,22 +34,6 @@ VariedCushion<C> varied(const CushionVariant& cushion) {
 }
 
 template <class C>
-CushionVariant plain(const VariedCushion<C>& cushion) {
-  struct Of {
-    CushionVariant operator()(const MirrorOf<C>& c) const { return Mirror{plain(c.restitution)}; }
-    CushionVariant operator()(const Han2005Of<C>& c) const {
-      return Han2005{c.height.a, plain(c.restitution), c.friction.a};
-    }
-    CushionVariant operator()(const VariedMathavan<C>& c) const { return c.law(); }
-    CushionVariant operator()(const StrongeOf<C>& c) const {
-      return Stronge{c.height.a, plain(c.restitution), c.friction.a, c.frequency_ratio.a};
-    }
-    CushionVariant operator()(const CustomCushion& c) const { return c; }
-  };
-  return std::visit(Of{}, cushion.law);
-}
-
-template <class C>
 TiltedOf<C> varied_motion(const Physics& physics) {
   const Tilted from = tilted(physics);
   TiltedOf<C> out;
@@ -192,20 +176,6 @@ std::vector<typename VariedPhysics<N>::Named> VariedPhysics<N>::coefficients(boo
   }
   out.push_back({"tilt.x", {&motion.rise.x}});
   out.push_back({"tilt.y", {&motion.rise.y}});
-  return out;
-}
-
-template <int N>
-Physics VariedPhysics<N>::plain() const {
-  Physics out = origin;
-  const RollingFriction rolling{motion.rolling_friction.at_rest.a, motion.rolling_friction.per_speed.a};
-  if (auto* m = std::get_if<SlideRoll>(&out.motion))
-    *m = {motion.sliding_friction.a, rolling, motion.spinning_friction.a, motion.g};
-  if (auto* m = std::get_if<Rolling>(&out.motion)) m->friction = rolling.at_rest;
-  out.cushion = planning::plain(cushion);
-  if (!is_ideal(origin)) out.ball_ball.restitution = balls.restitution.a;
-  if (carries_spin(origin))
-    out.ball_ball.friction = {balls.friction.fast.a, balls.friction.more.a, balls.friction.fades.a};
   return out;
 }
 

@@ -57,9 +57,6 @@ struct VariedPhysics {
   /// Those that a shot with these balls and cushions may depend on. Valid as long as this stays where it is.
   std::vector<Named> coefficients(bool meets_balls);
 
-  /// The laws with the values that the coefficients have here.
-  Physics plain() const;
-
   /// `f(motion)` with the simplest type that these coefficients allow; `leaning`: also where the tilt itself varies.
   template <class F>
   decltype(auto) with_motion(bool leaning, F&& f) const {

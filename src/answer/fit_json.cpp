@@ -12,17 +12,10 @@ namespace {
 Json id_json(const std::string& id) { return id.empty() ? Json() : parse_document(id); }
 
 Json shot_json(const FittedShot& s) {
-  Json j{{"id", id_json(s.id)},
-         {"shot",
-          {{"speed", s.launch.speed},
-           {"angle", exact_degrees(s.launch.angle)},
-           {"spin", {{"top", s.spin.top}, {"side", s.spin.side}, {"masse", s.spin.masse}}}}},
-         {"at", pair_json(s.at)},
-         {"start", s.start},
-         {"cushions", s.cushions},
-         {"rms", s.rms},
-         {"samples", s.samples},
-         {"outliers", s.outliers}};
+  Json j{{"id", id_json(s.id)},    {"shot", launch_json(s.launch, s.spin)},
+         {"at", pair_json(s.at)},  {"start", s.start},
+         {"cushions", s.cushions}, {"rms", s.rms},
+         {"samples", s.samples},   {"outliers", s.outliers}};
   if (s.unexplained > 0) j["unexplained"] = s.unexplained;
   return j;
 }

@@ -3,6 +3,9 @@
 // The objects of a puzzle, key by key (format/key.hpp says how a row is read).
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "bankshot/scene/puzzle.hpp"
 #include "format/scene_keys.hpp"
 
@@ -99,33 +102,38 @@ inline constexpr Key budget_keys[] = {
 };
 inline constexpr Object budget{"budget", "How long to search.", budget_keys};
 
-inline constexpr Key id_key{.name = "id",
-                            .type = "string | number",
-                            .fallback = "none",
-                            .example = R"("two-rail-1")",
-                            .meaning = "comes back in the answer"};
-inline constexpr Key about_key{"about",
-                               "any",
-                               "",
-                               "none",
-                               R"({"title": "The long bank", "difficulty": "hard"})",
-                               "anything; carried to the answer, never interpreted"};
-inline constexpr Key table_key{"table",         "word | {preset} | {rectangle} | {polygon}", "", required,
-                               R"("pool-9ft")", "a table by its name, or your own",          {}, table_names};
-inline constexpr Key physics_key{
-    "physics",      "word | {ideal} | {rolling} | {spin_physics}",        "", R"("spin")",
-    R"("rolling")", "the laws, by name or with coefficients of your own", {}, physics_names};
-inline constexpr Key ball_key{"ball", "{ball}", "", required, R"({"at": [0.635, 0.4]})", "the ball that is struck"};
-inline constexpr Key others_key{"others",       "[{other}]", "", "[]", R"([{"id": "8", "at": [1.9, 0.635]}])",
-                                "balls at rest"};
+inline constexpr Key scene_keys[] = {
+    {"id", "string | number", "", "none", R"("two-rail-1")", "comes back in the answer"},
+    {"about", "any", "", "none", R"({"title": "The long bank", "difficulty": "hard"})",
+     "anything; carried to the answer, never interpreted"},
+    {"table",
+     "word | {preset} | {rectangle} | {polygon}",
+     "",
+     required,
+     R"("pool-9ft")",
+     "a table by its name, or your own",
+     {},
+     table_names},
+    {"physics",
+     "word | {ideal} | {rolling} | {spin_physics}",
+     "",
+     R"("spin")",
+     R"("rolling")",
+     "the laws, by name or with coefficients of your own",
+     {},
+     physics_names},
+    {"ball", "{ball}", "", required, R"({"at": [0.635, 0.4]})", "the ball that is struck"},
+    {"others", "[{other}]", "", "[]", R"([{"id": "8", "at": [1.9, 0.635]}])", "balls at rest"},
+};
+/// Those, then the document's own.
+template <std::size_t N>
+constexpr auto with_scene_keys(const Key (&own)[N]) {
+  std::array<Key, std::size(scene_keys) + N> out{};
+  std::ranges::copy(own, std::ranges::copy(scene_keys, out.begin()).out);
+  return out;
+}
 
-inline constexpr Key puzzle_keys[] = {
-    id_key,
-    about_key,
-    table_key,
-    physics_key,
-    ball_key,
-    others_key,
+inline constexpr auto puzzle_keys = with_scene_keys({
     {"target", "{to_point} | {to_pocket} | {to_ball} | {carom}", "", required, R"({"pocket": "top-right"})",
      "what the ball is to reach"},
     {"cushions", "whole | [string] | {count}", "", R"({"min": 0, "max": 3})", R"(["bottom", "right"])",
@@ -153,7 +161,7 @@ inline constexpr Key puzzle_keys[] = {
      aims},
     {"noise", "{noise}", "", R"({"angle": 0.125, "speed": 0.075})", R"({"angle": 0.3})", "the player"},
     {"budget", "{budget}", "", R"({"simulations": 100000})", R"({"simulations": 20000})", "how long to search"},
-};
+});
 inline constexpr Object puzzle{"puzzle", "What is asked: the input of `solve`, a line of `batch`.", puzzle_keys};
 
 }  // namespace bankshot::format

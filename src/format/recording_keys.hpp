@@ -7,13 +7,7 @@
 
 namespace bankshot::format {
 
-inline constexpr Key recording_keys[] = {
-    id_key,
-    about_key,
-    table_key,
-    physics_key,
-    ball_key,
-    others_key,
+inline constexpr auto recording_keys = with_scene_keys({
     {"track", "<[place]>", "s, m", "none", R"({"cue": [[0, 0.5, 0.6], [0.02, 0.54, 0.61]]})",
      "[t, x, y] of balls by their names: seconds from any zero, later and later, and centres; gaps are allowed"},
     {"rest", "<point>", "m", "not seen", R"({"cue": [1.9, 0.4]})", "where balls came to rest"},
@@ -22,7 +16,7 @@ inline constexpr Key recording_keys[] = {
      "those that the struck ball was seen to meet, in order"},
     {"shot", "{launch}", "", "found by the fit", R"({"speed": 2.1, "angle": 312.4})",
      "the launch as far as it is known: where a fit starts"},
-};
+});
 inline constexpr Object recording{
     "recording",
     "What was seen of one real shot: the input of `fit`, one a line. `track`, `rest` or both must stand there.",

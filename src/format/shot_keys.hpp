@@ -31,16 +31,10 @@ inline constexpr Key until_keys[] = {
 };
 inline constexpr Object until{"until", "When to stop looking; else where the ball rests or falls.", until_keys};
 
-inline constexpr Key shot_keys[] = {
-    id_key,
-    about_key,
-    table_key,
-    physics_key,
-    ball_key,
-    others_key,
+inline constexpr auto shot_keys = with_scene_keys({
     {"shot", "{launch}", "", required, R"({"speed": 2.1, "angle": 312.4})", "how the ball leaves"},
     {"until", "{until}", "", "the end", R"({"cushions": 3})", "when to stop looking"},
-};
+});
 inline constexpr Object shot{"shot",
                              "The input of `simulate`. The other keys of a puzzle may stand here too and are not read.",
                              shot_keys, puzzle_keys};

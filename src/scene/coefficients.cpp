@@ -77,6 +77,8 @@ std::vector<double> cholesky(std::vector<double> a, std::size_t n) {
 
 std::vector<double*> coefficient(Physics& p, std::string_view name) {
   constexpr std::string_view of_a_cushion = "cushion.", of_two_balls = "ball_ball.";
+  if (name == "tilt.x") return {&p.tilt.x};
+  if (name == "tilt.y") return {&p.tilt.y};
   if (is_ideal(p)) return {};
   if (name.starts_with(of_two_balls)) return of_balls(p.ball_ball, name.substr(of_two_balls.size()));
   if (auto* cloth = std::get_if<SlideRoll>(&p.motion))

@@ -9,8 +9,8 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "format/shot_keys.hpp"
 #include "json/reader.hpp"
-#include "scene/read_balls.hpp"
 #include "scene/read_physics.hpp"
+#include "scene/read_shot.hpp"
 #include "scene/read_table.hpp"
 
 namespace bankshot {
@@ -44,14 +44,7 @@ CushionRule read_cushions(const Reader& r, const Table& table) {
     return rule;
   }
   if (!r.is_array()) r.fail("must be a number, a list of cushions or {\"min\":, \"max\":}");
-  if (r.size() > static_cast<std::size_t>(max_cushions)) r.fail("must have at most 20000 cushions");
-  const std::vector<std::string_view> names(table.cushions.begin(), table.cushions.end());
-  std::vector<Contact> contacts;
-  for (const Reader& item : r.items()) {
-    const auto found = find_cushion(table, item.text());
-    contacts.push_back(found ? *found : Contact::rail(static_cast<int>(item.word("cushion", names))));
-  }
-  return CushionRule::in_order(std::move(contacts));
+  return CushionRule::in_order(read_sequence(r, table));
 }
 
 std::vector<std::string_view> names_of(const Reader& r, const std::vector<Ball>& others) {
@@ -182,12 +175,6 @@ Noise read_noise(const Reader& r) {
   return n;
 }
 
-/// `written`: its text in the document.
-std::string read_id(const Reader& doc, std::string written) {
-  if (const auto r = doc.find("id"); r && !r->is_string() && !r->is_number()) r->fail("must be a string or a number");
-  return written;
-}
-
 void read_choices(const Reader& doc, Puzzle& p) {
   if (const auto v = doc.find("prefer")) {
     if (v->is_object()) {
@@ -229,15 +216,11 @@ Puzzle read_puzzle(std::string_view text) {
   Puzzle p;
   p.id = read_id(doc, std::move(id));
   p.about = about_of(json);
-  const Reader table = doc.need("table");
-  p.ball = read_ball(doc, default_ball(table));
-  p.table = read_table(table, p.ball.body.radius);
-  p.physics = read_physics(doc, p.ball);
+  read_setting(doc, p);
   if (const auto v = doc.need("ball").find("spin")) {
     if (carries_spin(p.physics)) p.spin_range = read_spin_range(*v);
     if (!p.spin_range) p.spin = read_spin(*v, p.physics, false);
   }
-  p.others = read_others(doc, p.ball.body);
   p.target = read_target(doc.need("target"), p.table, p.others);
   if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);
   if (const auto v = doc.find("speed")) p.speed = v->range();
@@ -258,18 +241,9 @@ ShotRequest read_shot(std::string_view text) {
   doc.only(format::shot);
   ShotRequest s;
   s.id = read_id(doc, std::move(id));
-  const Reader table = doc.need("table");
-  s.ball = read_ball(doc, default_ball(table));
-  s.table = read_table(table, s.ball.body.radius);
-  s.physics = read_physics(doc, s.ball);
-  s.others = read_others(doc, s.ball.body);
-  const Reader shot = doc.need("shot");
-  shot.only(format::launch);
-  if (const auto v = shot.find("spin"))
-    s.spin = read_spin(*v, s.physics, true);
-  else if (const auto of_ball = doc.need("ball").find("spin"))
-    s.spin = read_spin(*of_ball, s.physics, false);
-  s.launch = {shot.need(format::launch["speed"]), wrap_angle(radians(shot.need("angle").number()))};
+  read_setting(doc, s);
+  doc.need("shot");
+  read_launch(doc, s);
   if (const auto until = doc.find("until")) s.until = read_until(*until);
   validate(s);
   return s;

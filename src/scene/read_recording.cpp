@@ -10,9 +10,7 @@
 #include "bankshot/simulate/trajectory.hpp"
 #include "format/recording_keys.hpp"
 #include "json/reader.hpp"
-#include "scene/read_balls.hpp"
-#include "scene/read_physics.hpp"
-#include "scene/read_table.hpp"
+#include "scene/read_shot.hpp"
 #include "scene/write_scene.hpp"
 
 namespace bankshot {
@@ -95,46 +93,24 @@ void push_in(const Boundary& boundary, Vec2d& at) {
     if (const double gap = dot(w.normal, at) - w.offset; gap < 0 && gap > -off_the_table) at -= w.normal * gap;
 }
 
-std::vector<Contact> read_seen(const Reader& r, const Table& table) {
-  const std::vector<std::string_view> names(table.cushions.begin(), table.cushions.end());
-  std::vector<Contact> seen;
-  for (const Reader& item : r.items()) {
-    const auto found = find_cushion(table, item.text());
-    seen.push_back(found ? *found : Contact::rail(static_cast<int>(item.word("cushion", names))));
-  }
-  return seen;
-}
-
-void read_launch(const Reader& doc, ShotRequest& scene, bool& given) {
-  if (const auto of_ball = doc.need("ball").find("spin")) scene.spin = read_spin(*of_ball, scene.physics, false);
-  const auto shot = doc.find("shot");
-  if (!shot) return;
-  shot->only(format::launch);
-  if (const auto v = shot->find("spin")) scene.spin = read_spin(*v, scene.physics, true);
-  scene.launch = {shot->need(format::launch["speed"]), wrap_angle(radians(shot->need("angle").number()))};
-  given = true;
-}
-
 }  // namespace
 
 Recording read_recording(std::string_view text) {
   Recording out;
   ShotRequest& s = out.scene;
-  const Json json = parse_document(text, &s.id);
+  std::string id;
+  const Json json = parse_document(text, &id);
   const Reader doc(json);
   doc.only(format::recording);
-  const Reader table = doc.need("table");
-  s.ball = read_ball(doc, default_ball(table));
-  s.table = read_table(table, s.ball.body.radius);
-  s.physics = read_physics(doc, s.ball);
-  s.others = read_others(doc, s.ball.body);
-  read_launch(doc, s, out.launch_given);
+  s.id = read_id(doc, std::move(id));
+  read_setting(doc, s);
+  out.launch_given = read_launch(doc, s);
   const Boundary boundary(s.table, s.ball.body);
   push_in(boundary, s.ball.at);
   for (Ball& other : s.others) push_in(Boundary(s.table, other.body), other.at);
   validate(s);
   if (const auto v = doc.find("sigma")) out.sigma = v->number(format::recording["sigma"].bounds);
-  if (const auto v = doc.find("cushions")) out.cushions = read_seen(*v, s.table);
+  if (const auto v = doc.find("cushions")) out.cushions = read_sequence(*v, s.table);
   const auto tracks = doc.find("track"), rests = doc.find("rest");
   if (!tracks && !rests) doc.fail("must have one of the keys \"track\", \"rest\"");
   if (tracks)
@@ -166,12 +142,8 @@ Json named_table_json(const ShotRequest& s) {
 std::string write_recording(const Recording& r) {
   const ShotRequest& s = r.scene;
   constexpr const char* models[] = {"ideal", "rolling", "spin"};
-  Json j{{"table", named_table_json(s)},
-         {"physics", models[s.physics.motion.index()]},
-         {"ball", {{"at", pair_json(s.ball.at)}, {"radius", s.ball.body.radius}, {"mass", s.ball.body.mass}}}};
-  for (const Ball& other : s.others)
-    j["others"].push_back(
-        {{"id", other.id}, {"at", pair_json(other.at)}, {"radius", other.body.radius}, {"mass", other.body.mass}});
+  Json j{{"table", named_table_json(s)}, {"physics", models[s.physics.motion.index()]}, {"ball", ball_json(s.ball)}};
+  if (!s.others.empty()) j["others"] = others_json(s.others, s.ball.body);
   for (const Track& track : r.tracks) {
     const std::string& id = ball_of(s, track.ball).id;
     for (const Sample& sample : track.samples) j["track"][id].push_back({sample.time, sample.at.x, sample.at.y});
@@ -180,10 +152,7 @@ std::string write_recording(const Recording& r) {
   if (r.sigma) j["sigma"] = *r.sigma;
   if (r.cushions)
     for (const Contact c : *r.cushions) j["cushions"].push_back(contact_name(s.table, c));
-  if (r.launch_given)
-    j["shot"] = {{"speed", s.launch.speed},
-                 {"angle", exact_degrees(s.launch.angle)},
-                 {"spin", {{"top", s.spin.top}, {"side", s.spin.side}, {"masse", s.spin.masse}}}};
+  if (r.launch_given) j["shot"] = launch_json(s.launch, s.spin);
   return write_json(s.id, j);
 }
 

@@ -56,17 +56,6 @@ Json target_json(const Puzzle& p) {
   return std::visit([&](const auto& target) { return json_of(target, p); }, p.target);
 }
 
-Json others_json(const Puzzle& p) {
-  Json list = Json::array();
-  for (const Ball& other : p.others) {
-    Json ball{{"id", other.id}, {"at", pair_json(other.at)}};
-    if (other.body.radius != p.ball.body.radius) ball["radius"] = other.body.radius;
-    if (other.body.mass != p.ball.body.mass) ball["mass"] = other.body.mass;
-    list.push_back(std::move(ball));
-  }
-  return list;
-}
-
 Json noise_json(const Noise& n) {
   Json j{{"angle", exact_degrees(n.angle)}, {"speed", n.speed}};
   const auto put = [&](const char* key, double value) {
@@ -83,13 +72,13 @@ Json question_json(const Puzzle& p) {
   constexpr const char* preferences[] = {"robust", "soft", "quick"};
   Json j = Json::object();
   if (!p.about.empty()) j["about"] = parse_document(p.about);
-  j["ball"] = {{"at", pair_json(p.ball.at)}, {"radius", p.ball.body.radius}, {"mass", p.ball.body.mass}};
-  if (!p.others.empty()) j["others"] = others_json(p);
+  j["ball"] = ball_json(p.ball);
+  if (!p.others.empty()) j["others"] = others_json(p.others, p.ball.body);
   if (p.spin_range)
     j["ball"]["spin"] = {
         {"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};
   else if (carries_spin(p.physics))
-    j["ball"]["spin"] = {{"top", p.spin.top}, {"side", p.spin.side}, {"masse", p.spin.masse}};
+    j["ball"]["spin"] = spin_json(p.spin);
   j["target"] = target_json(p);
   j["cushions"] = cushions_json(p.cushions, p.table);
   if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};

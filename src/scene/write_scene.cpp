@@ -2,7 +2,6 @@
 #include "scene/write_scene.hpp"
 
 #include "bankshot/geometry/boundary.hpp"
-#include "bankshot/scene/puzzle.hpp"
 
 namespace bankshot {
 namespace {
@@ -78,6 +77,25 @@ Json with_errors(Json j, const Physics& p) {
 }  // namespace
 
 Json pair_json(const Vec2d& p) { return Json::array({p.x, p.y}); }
+
+Json ball_json(const Ball& b) { return {{"at", pair_json(b.at)}, {"radius", b.body.radius}, {"mass", b.body.mass}}; }
+
+Json others_json(const std::vector<Ball>& others, const Body& struck) {
+  Json list = Json::array();
+  for (const Ball& other : others) {
+    Json ball{{"id", other.id}, {"at", pair_json(other.at)}};
+    if (other.body.radius != struck.radius) ball["radius"] = other.body.radius;
+    if (other.body.mass != struck.mass) ball["mass"] = other.body.mass;
+    list.push_back(std::move(ball));
+  }
+  return list;
+}
+
+Json spin_json(const LaunchSpin& s) { return {{"top", s.top}, {"side", s.side}, {"masse", s.masse}}; }
+
+Json launch_json(const Launch& launch, const LaunchSpin& spin) {
+  return {{"speed", launch.speed}, {"angle", exact_degrees(launch.angle)}, {"spin", spin_json(spin)}};
+}
 
 Json table_json(const Table& t, const Vec2d& tilt) {
   Json j = level_table_json(t);

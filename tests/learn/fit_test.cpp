@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bankshot/scene/json.hpp"
-#include "planners/learn/joint.hpp"
+#include "planners/learn/launch.hpp"
 #include "support/catch.hpp"
 #include "support/filmed.hpp"
 
@@ -148,11 +148,11 @@ TEST_CASE("distances have exact derivatives") {
   for (const std::string& name : names) values.push_back(coefficient(truth, name));
   for (std::size_t k = 0; k < f.shots.size(); ++k) {
     INFO("shot " << k);
-    Seen seen(f.recordings[k]);
+    Seen seen(f.recordings[k], 1e-3);
     constexpr double early = 1e-3;  // s: no sample lies at the launch, where paths have a kink
     seen.launch = unknowns_of(f.shots[k], -early);
     Work work;
-    REQUIRE(tell(seen, {truth, names, values}, work));
+    REQUIRE(tell(seen, {.base = truth, .names = names, .values = values}, work));
     const SeenCost cost(seen, names, truth);
     const auto rows = static_cast<std::size_t>(cost.num_residuals());
     const auto at = [&](const LaunchUnknowns& launch, const std::vector<double>& v, double** jacobians) {

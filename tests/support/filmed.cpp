@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
+#include "bankshot/scene/coefficients.hpp"
 #include "bankshot/scene/scene.hpp"
 
 namespace bankshot::test {
@@ -36,20 +35,6 @@ Filmed filmed(const Physics& truth, const FilmWish& wish, Random& random) {
   return out;
 }
 
-double coefficient(const Physics& p, const std::string& name) {
-  if (name == "tilt.x") return p.tilt.x;
-  if (name == "tilt.y") return p.tilt.y;
-  if (name == "friction") return std::get<Rolling>(p.motion).friction;
-  if (name == "restitution") return restitution(p).at_rest;
-  const SlideRoll& cloth = std::get<SlideRoll>(p.motion);
-  const Han2005& cushion = std::get<Han2005>(p.cushion);
-  if (name == "sliding_friction") return cloth.sliding_friction;
-  if (name == "rolling_friction") return cloth.rolling_friction.at_rest;
-  if (name == "spinning_friction") return cloth.spinning_friction;
-  if (name == "cushion.restitution") return cushion.restitution.at_rest;
-  if (name == "cushion.friction") return cushion.friction;
-  if (name == "cushion.height") return cushion.height;
-  throw std::logic_error("no coefficient " + name);
-}
+double coefficient(Physics p, const std::string& name) { return *bankshot::coefficient(p, name).at(0); }
 
 }  // namespace bankshot::test

@@ -29,6 +29,6 @@ Physics random_table(Random& random, const Body& body);
 Filmed filmed(const Physics& truth, const FilmWish& wish, Random& random);
 
 /// Of a coefficient, by its name in a fit.
-double coefficient(const Physics& physics, const std::string& name);
+double coefficient(Physics physics, const std::string& name);
 
 }  // namespace bankshot::test

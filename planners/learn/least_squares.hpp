@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// All shots of a fit at once: their launches, and the coefficients that they share.
+// What Ceres solves: one launch, or all launches and the coefficients that they share.
 #pragma once
 
 #include <Eigen/Core>
-#include <list>
 
-#include "planners/learn/launch.hpp"
+#include "planners/learn/seen.hpp"
 
 namespace bankshot::planning {
 
-using Shots = std::list<Seen>;
+/// The launch alone, up to the window, as the shot is told. Returns the root mean square distance in sigmas.
+double solve_launch(Seen& seen, const Common& common, Work& work);
 
-/// Least squares over all shots, as each is told.
-void solve_joint(Shots& shots, Common& common, const std::vector<Fittable>& bounds, Work& work);
+/// All shots that are not left out, with the coefficients.
+void solve_all(Shots& shots, Common& common, Work& work);
 
 /// What the shots tell of the coefficients, the launches being unknown too: the inverse of their covariance, in units
 /// of sigmas. (The Schur complement of the launches in JᵀJ.)

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "planners/learn/goodness.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planners/learn/settings.hpp"
+
+namespace bankshot::planning {
+
+double median(std::vector<double> v) {
+  if (v.empty()) return 0;
+  const auto middle = v.begin() + static_cast<long>(v.size() / 2);
+  std::ranges::nth_element(v, middle);
+  return *middle;
+}
+
+double spread(const Seen& seen, const Common& common) {
+  constexpr double share = 0.7, of_normal = 1.036;
+  constexpr std::size_t parts = 4, least = 6;
+  double largest = 0;
+  const auto off = misses(seen, common);
+  for (std::size_t k = 0; k < off.size(); ++k) {
+    const std::size_t n = seen.followed(k), each = std::max(least, n / parts + 1);
+    for (std::size_t from = 0; from + least <= n; from += each) {
+      std::vector<double> sizes;
+      for (std::size_t i = from; i < std::min(n, from + each); ++i)
+        sizes.push_back(std::abs(off[k][i].x)), sizes.push_back(std::abs(off[k][i].y));
+      const auto at = sizes.begin() + static_cast<long>(share * static_cast<double>(sizes.size() - 1));
+      std::ranges::nth_element(sizes, at);
+      largest = std::max(largest, *at / of_normal / seen.sigma);
+    }
+  }
+  return largest;
+}
+
+double excess(const Seen& seen, const Common& common) {
+  const auto off = misses(seen, common);
+  double sum = 0;
+  int n = 0;
+  for (std::size_t k = 0; k < off.size(); ++k)
+    for (std::size_t i = 0; i < seen.followed(k); ++i)
+      if (!seen.outlier[k][i]) sum += dot(off[k][i], off[k][i]), n += 2;
+  return n > launch_size ? std::sqrt(sum / (n - launch_size)) / seen.sigma : 0;
+}
+
+bool is_off(const Seen& seen, const Common& common) {
+  using namespace settings::learn;
+  return seen.robust > 0 ? spread(seen, common) > good : excess(seen, common) > chance;
+}
+
+}  // namespace bankshot::planning

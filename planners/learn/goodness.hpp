@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// How well a shot's launch and the coefficients agree with what was seen of it.
+#pragma once
+
+#include "planners/learn/seen.hpp"
+
+namespace bankshot::planning {
+
+/// The upper one of two in the middle; 0 of none.
+double median(std::vector<double> values);
+
+/// The standard deviation of normal errors is so many times the median of their sizes.
+inline constexpr double of_median = 1.4826;
+
+/// How far seven samples of ten are off at most, over what normal errors of sigma would be; of those in the window, in
+/// that quarter of each track where this is largest.
+double spread(const Seen& seen, const Common& common);
+
+/// Root mean square distance of what counts, in sigmas.
+double excess(const Seen& seen, const Common& common);
+
+/// Whether this launch cannot be the one.
+bool is_off(const Seen& seen, const Common& common);
+
+}  // namespace bankshot::planning

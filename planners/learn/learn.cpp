@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "planners/learn/learn.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "bankshot/numbers/random.hpp"
+#include "planners/learn/goodness.hpp"
+#include "planners/learn/launch.hpp"
+#include "planners/learn/least_squares.hpp"
+#include "planners/learn/settings.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+using namespace settings::learn;
+
+/// Of `f(seen, work)`, how many returned true.
+int count_shots(Shots& shots, int threads, const std::function<bool(Seen&, Work&)>& f, Work& work) {
+  std::vector<Seen*> list;
+  for (Seen& seen : shots) list.push_back(&seen);
+  std::vector<Work> works(list.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<int> count = 0;
+  const auto run = [&] {
+    for (std::size_t i; (i = next++) < list.size();) count += f(*list[i], works[i]);
+  };
+  {
+    std::vector<std::jthread> pool;
+    for (int k = 1; k < threads; ++k) pool.emplace_back(run);
+    run();
+  }
+  for (const Work& w : works) work.simulations += w.simulations, work.restarts += w.restarts;
+  return count;
+}
+
+/// Where the laws cannot follow the shots, samples err by what half of them are off; all alike, for a shot that is hard
+/// to follow tells the most of the laws. Returns whether that is so.
+bool weigh(Learnt& l) {
+  std::vector<double> sizes;
+  for (const Seen& seen : l.shots)
+    for (const auto& track : misses(seen, l.common))
+      for (const Vec2d& d : track) sizes.push_back(std::abs(d.x)), sizes.push_back(std::abs(d.y));
+  const double off = of_median * median(sizes);
+  constexpr double clearly = 1.5;
+  for (Seen& seen : l.shots) seen.sigma = off > clearly * seen.noise ? off : seen.noise;
+  return off > clearly * l.noise;
+}
+
+/// The direction that the shots tell least of, while that is less than a guess would: its largest part is held.
+bool hold_one(Learnt& l) {
+  Common& c = l.common;
+  if (c.names.empty()) return false;
+  Eigen::MatrixXd told = information(l.shots, c);
+  const auto m = told.rows();
+  const auto guess = [&](Eigen::Index k) { return c.fittable(c.names[static_cast<std::size_t>(k)]).guess; };
+  for (Eigen::Index i = 0; i < m; ++i)
+    for (Eigen::Index j = 0; j < m; ++j) told(i, j) *= guess(i) * guess(j);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(told);
+  if (solver.eigenvalues()(0) >= 1) return false;
+  const Eigen::VectorXd v = solver.eigenvectors().col(0).cwiseAbs();
+  Eigen::Index worst = 0;
+  v.maxCoeff(&worst);
+  HeldCoefficient held{c.names[static_cast<std::size_t>(worst)], 0};
+  held.value = c.fittable(held.name).start;
+  constexpr double shares = 0.3;
+  for (Eigen::Index k = 0; k < m; ++k)
+    if (k != worst && v(k) > shares * v(worst)) held.like.push_back(c.names[static_cast<std::size_t>(k)]);
+  c.names.erase(c.names.begin() + worst);
+  c.values.erase(c.values.begin() + worst);
+  l.held.push_back(held);
+  return true;
+}
+
+/// Those that are far worse than the others would lead the coefficients astray.
+void leave_out_lost(Learnt& l) {
+  std::vector<double> spreads;
+  for (const Seen& seen : l.shots) spreads.push_back(spread(seen, l.common));
+  const double most = lost * std::max(good, median(spreads));
+  auto own = spreads.begin();
+  std::size_t out = 0;
+  for (Seen& seen : l.shots) out += seen.left_out = *own++ > most || (seen.robust == 0 && is_off(seen, l.common));
+  if (2 * out <= l.shots.size()) return;
+  for (Seen& seen : l.shots) seen.left_out = false;  // no half of the shots is wrong: the coefficients are
+}
+
+void solve(Learnt& l, Work& work) {
+  leave_out_lost(l);
+  solve_all(l.shots, l.common, work);
+}
+
+/// Launches and coefficients together, until no launch that does not fit well is replaced by a better one.
+void settle(Learnt& l, int threads, Work& work) {
+  constexpr int rounds = 3;
+  for (int round = 0, changed = 1; round < rounds && changed > 0; ++round) {
+    solve(l, work);
+    const auto again = [&](Seen& seen, Work& its) {
+      const bool better = look_again(seen, l.common, its);
+      tell(seen, l.common, its);
+      return better;
+    };
+    changed = count_shots(l.shots, threads, again, work);
+    weigh(l);
+  }
+}
+
+/// Sum of squares in sigmas over the shots that teach.
+double cost_of(const Learnt& l) {
+  double sum = 0;
+  for (const Seen& seen : l.shots) {
+    const double e = excess(seen, l.common);
+    sum += e * e * seen.samples_used();
+  }
+  return sum;
+}
+
+/// Paths have kinks, at which all may stop on the way: set off again from near by, and keep what is better.
+void shake(Learnt& l, int threads, Work& work) {
+  constexpr int tries = 8, most_in_vain = 2;
+  constexpr double way = 6;  // standard errors
+  Random random(1);
+  for (int i = 0, in_vain = 0; i < tries && in_vain < most_in_vain; ++i) {
+    const Eigen::MatrixXd errors = covariance(l.shots, l.common);
+    if (errors.size() == 0) return;
+    const Common before = l.common;
+    std::vector<std::pair<LaunchUnknowns, std::vector<Told>>> launches;
+    for (const Seen& seen : l.shots) launches.emplace_back(seen.launch, seen.told);
+    const double cost = cost_of(l);
+    for (std::size_t k = 0; k < l.common.values.size(); ++k) {
+      const auto j = static_cast<Eigen::Index>(k);
+      const Fittable& of = l.common.fittable(l.common.names[k]);
+      double& value = l.common.values[k];
+      value = std::clamp(value + random.uniform(-way, way) * std::sqrt(errors(j, j)), of.low, of.high);
+    }
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds; ++round) {
+      count_shots(
+          l.shots, threads, [&](Seen& seen, Work& its) { return look_again(seen, l.common, its); }, work);
+      solve(l, work);
+    }
+    constexpr double gain = 1;
+    const double after = cost_of(l);
+    in_vain = after < cost - gain ? 0 : in_vain + 1;
+    if (after < cost) continue;
+    l.common = before;
+    auto was = launches.begin();
+    for (Seen& seen : l.shots) std::tie(seen.launch, seen.told) = *was++;
+  }
+  leave_out_lost(l);
+}
+
+/// From bounce to bounce: the coefficients are learnt where launches are sure before they are asked where a long path
+/// leads.
+void follow(Learnt& l, int threads, Work& work) {
+  const auto begin = [&](Seen& seen, Work& its) { return fit_first_part(seen, l.common, its) < forever; };
+  const auto farther = [&](Seen& seen, Work& its) {
+    look_again(seen, l.common, its);
+    if (!fit_farther(seen, l.common, its)) return false;
+    look_again(seen, l.common, its);
+    return true;
+  };
+  count_shots(l.shots, threads, begin, work);
+  do solve(l, work);
+  while (count_shots(l.shots, threads, farther, work) > 0);
+}
+
+/// How a coefficient depends on speed is asked when the rest is nearly known.
+bool is_fine(const std::string& name) { return name.ends_with(".per_speed") || name.ends_with(".per_speed2"); }
+
+}  // namespace
+
+Learnt learn(const Recordings& recordings, const Asked& asked, Work& work,
+             const std::function<void(double)>& progress) {
+  const bool balls = std::ranges::any_of(recordings, [](const Recording* r) { return !r->scene.others.empty(); });
+  Learnt l{.common = {asked.base, coefficients_of(asked.base, recordings.front()->scene.ball.body, balls)},
+           .noise = noise_of(recordings)};
+  const auto add = [&](bool fine) {
+    for (const std::string& name : asked.names)
+      if (is_fine(name) == fine) l.common.add(name);
+  };
+  add(false);
+  for (const Recording* r : recordings) {
+    Seen& seen = l.shots.emplace_back(*r, l.noise);
+    seen.robust = robust;
+    seen.masse_spread = first_masse;
+    mark_apart(seen);
+  }
+  follow(l, asked.threads, work);
+  progress(0.5);
+  weigh(l);
+  settle(l, asked.threads, work);
+  if (std::ranges::any_of(asked.names, is_fine)) {
+    add(true);
+    settle(l, asked.threads, work);
+  }
+  progress(0.7);
+  while (hold_one(l)) solve_all(l.shots, l.common, work);
+  bool astray = weigh(l);
+  if (astray) {
+    shake(l, asked.threads, work);
+    astray = weigh(l);
+  }
+  for (Seen& seen : l.shots) {
+    seen.masse_spread = spread_of_masse;
+    seen.robust = astray ? robust : 0;
+    mark_outliers(seen, l.common);
+  }
+  settle(l, asked.threads, work);
+  if (!astray) shake(l, asked.threads, work);
+  progress(0.9);
+  return l;
+}
+
+}  // namespace bankshot::planning
