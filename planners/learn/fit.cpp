@@ -37,19 +37,10 @@ FittedShot fitted_shot(const Seen& seen, const Common& common, Work& work) {
   const ShotRequest shot = with_launch(seen.recording.scene, seen.launch);
   FittedShot out{
       .id = shot.id, .start = seen.launch[start_time], .at = shot.ball.at, .launch = shot.launch, .spin = shot.spin};
-  double sum = 0;
-  const auto off = misses(seen, common);
-  for (std::size_t k = 0; k < off.size(); ++k) {
-    const std::size_t n = seen.followed(k);
-    out.unexplained += static_cast<int>(off[k].size() - n);
-    for (std::size_t i = 0; i < off[k].size(); ++i) {
-      out.distances.push_back(norm(off[k][i]));
-      if (i >= n) continue;
-      ++(seen.outlier[k][i] ? out.outliers : out.samples);
-      if (!seen.outlier[k][i]) sum += dot(off[k][i], off[k][i]);
-    }
-  }
-  if (out.samples > 0) out.rms = std::sqrt(sum / out.samples);
+  Distances off = distances(seen, common);
+  out.rms = off.rms;
+  out.samples = off.samples, out.outliers = off.outliers, out.unexplained = off.unexplained;
+  out.distances = std::move(off.each);
   if (const auto played = play(seen, common, seen.last - out.start, work)) out.cushions = played->cushions;
   return out;
 }

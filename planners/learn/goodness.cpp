@@ -34,14 +34,30 @@ double spread(const Seen& seen, const Common& common) {
   return largest;
 }
 
-double excess(const Seen& seen, const Common& common) {
-  const auto off = misses(seen, common);
+Distances distances(const Seen& seen, const Common& common) {
+  Distances out;
   double sum = 0;
-  int n = 0;
+  const auto off = misses(seen, common);
   for (std::size_t k = 0; k < off.size(); ++k)
-    for (std::size_t i = 0; i < seen.followed(k); ++i)
-      if (!seen.outlier[k][i]) sum += dot(off[k][i], off[k][i]), n += 2;
-  return n > launch_size ? std::sqrt(sum / (n - launch_size)) / seen.sigma : 0;
+    for (std::size_t i = 0; i < off[k].size(); ++i) {
+      out.each.push_back(norm(off[k][i]));
+      if (i >= seen.followed(k)) {
+        ++out.unexplained;
+      } else if (seen.outlier[k][i]) {
+        ++out.outliers;
+      } else {
+        ++out.samples;
+        sum += dot(off[k][i], off[k][i]);
+      }
+    }
+  if (out.samples > 0) out.rms = std::sqrt(sum / out.samples);
+  return out;
+}
+
+double excess(const Seen& seen, const Common& common) {
+  const Distances off = distances(seen, common);
+  const int free = 2 * off.samples - launch_size;
+  return free > 0 ? off.rms * std::sqrt(static_cast<double>(off.samples) / free) / seen.sigma : 0;
 }
 
 bool is_off(const Seen& seen, const Common& common) {

@@ -17,7 +17,17 @@ inline constexpr double of_median = 1.4826;
 /// that quarter of each track where this is largest.
 double spread(const Seen& seen, const Common& common);
 
-/// Root mean square distance of what counts, in sigmas.
+/// How far the samples lie from where the ball is said to be.
+struct Distances {
+  std::vector<double> each{};  ///< m, of every sample of each track in order
+  int samples = 0;             ///< that count: neither outliers nor
+  int unexplained = 0;         ///< after a contact that fits do not follow
+  int outliers = 0;
+  double rms = 0;  ///< m, of those that count
+};
+Distances distances(const Seen& seen, const Common& common);
+
+/// Standard deviation of a coordinate of what counts, in sigmas; 0 where there are no more coordinates than unknowns.
 double excess(const Seen& seen, const Common& common);
 
 /// Whether this launch cannot be the one.

@@ -52,16 +52,6 @@ double first_window(const Seen& seen, const Common& common, Work& work) {
   return next_window(seen, common, -forever, work);
 }
 
-/// From bounce to bounce, so that each next one is met nearly where it was.
-double grow(Seen& seen, const Common& common, double until, Work& work) {
-  seen.window = std::min(until, first_window(seen, common, work));
-  for (;;) {
-    const double off = fit_window(seen, common, work);
-    if (!(off < forever) || seen.window == until) return off;
-    seen.window = std::min(until, next_window(seen, common, seen.window, work));
-  }
-}
-
 /// Launches that a track may begin with. The velocity is the median of those between its first samples that moved;
 /// where these may lie beyond a bounce, also as it was before.
 std::vector<LaunchUnknowns> launches_of_track(const Seen& seen) {
@@ -184,6 +174,15 @@ bool tell(Seen& seen, const Common& common, Work& work) {
   return true;
 }
 
+double fit_on(Seen& seen, const Common& common, double until, Work& work) {
+  seen.window = std::min(until, first_window(seen, common, work));
+  for (;;) {
+    const double off = fit_window(seen, common, work);
+    if (!(off < forever) || seen.window == until) return off;
+    seen.window = std::min(until, next_window(seen, common, seen.window, work));
+  }
+}
+
 bool fit_farther(Seen& seen, const Common& common, Work& work) {
   if (seen.window == forever) return false;
   seen.window = next_window(seen, common, seen.window, work);
@@ -198,7 +197,7 @@ double fit_anew(Seen& seen, const Common& common, double until, Work& work) {
     if (std::ranges::any_of(tried, [&](const LaunchUnknowns& other) { return alike(other, c.launch); })) continue;
     tried.push_back(c.launch);
     seen.launch = c.launch;
-    if (const double off = grow(seen, common, until, work); off < best.off) best = {off, seen.launch};
+    if (const double off = fit_on(seen, common, until, work); off < best.off) best = {off, seen.launch};
     if (!is_off(seen, common) || tried.size() == followed) break;
   }
   seen.launch = best.launch;

@@ -16,6 +16,10 @@ std::optional<Trajectory> play(const Seen& seen, const Common& common, std::opti
 /// Tells each track what its ball meets when this is played. False where that is no shot.
 bool tell(Seen& seen, const Common& common, Work& work);
 
+/// From the launch that it has, from bounce to bounce up to `until` [s], which becomes the window. Returns as
+/// `fit_anew`.
+double fit_on(Seen& seen, const Common& common, double until, Work& work);
+
 /// The launch that fits the samples up to `until` [s], which becomes the window, found from the track's first ones and
 /// several spins. Returns the root mean square distance in sigmas; infinite where no launch makes a shot.
 double fit_anew(Seen& seen, const Common& common, double until, Work& work);

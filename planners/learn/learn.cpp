@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <thread>
 
 #include "bankshot/numbers/random.hpp"
 #include "planners/learn/goodness.hpp"
 #include "planners/learn/launch.hpp"
 #include "planners/learn/least_squares.hpp"
+#include "planners/learn/parallel.hpp"
 #include "planners/learn/settings.hpp"
 
 namespace bankshot::planning {
@@ -23,16 +23,8 @@ int count_shots(Shots& shots, int threads, const std::function<bool(Seen&, Work&
   std::vector<Seen*> list;
   for (Seen& seen : shots) list.push_back(&seen);
   std::vector<Work> works(list.size());
-  std::atomic<std::size_t> next = 0;
   std::atomic<int> count = 0;
-  const auto run = [&] {
-    for (std::size_t i; (i = next++) < list.size();) count += f(*list[i], works[i]);
-  };
-  {
-    std::vector<std::jthread> pool;
-    for (int k = 1; k < threads; ++k) pool.emplace_back(run);
-    run();
-  }
+  for_each_index(list.size(), threads, [&](std::size_t i) { count += f(*list[i], works[i]); });
   for (const Work& w : works) work.simulations += w.simulations, work.restarts += w.restarts;
   return count;
 }
@@ -185,7 +177,7 @@ Learnt learn(const Recordings& recordings, const Asked& asked, Work& work,
   for (const Recording* r : recordings) {
     Seen& seen = l.shots.emplace_back(*r, l.noise);
     seen.robust = robust;
-    seen.masse_spread = first_masse;
+    seen.spread[masse] = first_masse;
     mark_apart(seen);
   }
   follow(l, asked.threads, work);
@@ -204,7 +196,7 @@ Learnt learn(const Recordings& recordings, const Asked& asked, Work& work,
     astray = weigh(l);
   }
   for (Seen& seen : l.shots) {
-    seen.masse_spread = spread_of_masse;
+    seen.spread[masse] = spread_of_masse;
     seen.robust = astray ? robust : 0;
     mark_outliers(seen, l.common);
   }

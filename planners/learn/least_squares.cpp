@@ -11,8 +11,7 @@ namespace bankshot::planning {
 namespace {
 
 /// Keeps a launch what a cue can do.
-void bound_launch(ceres::Problem& problem, Seen& seen) {
-  double* const block = seen.launch.data();
+void bound_launch(ceres::Problem& problem, const Seen& seen, double* block) {
   const auto keep = [&](LaunchIndex k, double low, double high) {
     block[k] = std::min(std::max(block[k], low), high);
     problem.SetParameterLowerBound(block, static_cast<int>(k), low);
@@ -38,48 +37,64 @@ void bound_launch(ceres::Problem& problem, Seen& seen) {
   keep(masse, -most_masse, most_masse);
 }
 
-/// Shots and coefficients as Ceres sees them.
-struct LeastSquares {
-  explicit LeastSquares(Common& of) : common(of), problem(costs_are_ours()) { options.logging_type = ceres::SILENT; }
-
-  void add(Seen& seen) {
-    costs.emplace_back(seen, common.names, common.base);
-    std::vector<double*> blocks{seen.launch.data()};
-    if (!common.values.empty()) blocks.push_back(common.values.data());
-    problem.AddResidualBlock(&costs.back(), nullptr, blocks);
-    bound_launch(problem, seen);
+/// Shots and coefficients as Ceres sees them: in one array, for it goes by addresses, and where these change from run
+/// to run so does the rounding.
+class LeastSquares {
+ public:
+  LeastSquares(const std::vector<Seen*>& shots, const Common& common)
+      : shots_(shots), unknowns_(shots.size() * launch_size), problem(costs_are_ours()) {
+    unknowns_.insert(unknowns_.end(), common.values.begin(), common.values.end());
+    options.logging_type = ceres::SILENT;
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+      std::ranges::copy(shots[i]->launch, launch(i));
+      costs_.emplace_back(*shots[i], common.names, common.base);
+      std::vector<double*> blocks{launch(i)};
+      if (!common.values.empty()) blocks.push_back(values());
+      problem.AddResidualBlock(&costs_.back(), nullptr, blocks);
+      bound_launch(problem, *shots[i], launch(i));
+    }
   }
-  void add(Shots& shots) {
-    for (Seen& seen : shots)
-      if (!seen.left_out) add(seen);
-  }
 
+  double* launch(std::size_t i) { return unknowns_.data() + i * launch_size; }
+  double* values() { return launch(shots_.size()); }
+
+  /// Leaves the launches with their shots.
   ceres::Solver::Summary solve(Work& work) {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
-    work.simulations += static_cast<long>(summary.iterations.size() * costs.size());
+    work.simulations += static_cast<long>(summary.iterations.size() * costs_.size());
+    for (std::size_t i = 0; i < shots_.size(); ++i) std::copy_n(launch(i), launch_size, shots_[i]->launch.begin());
     return summary;
   }
 
+ private:
   static ceres::Problem::Options costs_are_ours() {
     ceres::Problem::Options out;
     out.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     return out;
   }
 
-  Common& common;
-  std::list<SeenCost> costs;
+  std::vector<Seen*> shots_;
+  std::vector<double> unknowns_;
+  std::list<SeenCost> costs_;
+
+ public:
   ceres::Problem problem;
   ceres::Solver::Options options;
 };
 
+std::vector<Seen*> that_teach(Shots& shots) {
+  std::vector<Seen*> out;
+  for (Seen& seen : shots)
+    if (!seen.left_out) out.push_back(&seen);
+  return out;
+}
+
 }  // namespace
 
 double solve_launch(Seen& seen, const Common& common, Work& work) {
-  Common held = common;
-  LeastSquares squares(held);
-  squares.add(seen);
-  if (!held.values.empty()) squares.problem.SetParameterBlockConstant(held.values.data());
+  LeastSquares squares({&seen}, common);
+  if (!common.values.empty()) squares.problem.SetParameterBlockConstant(squares.values());
   squares.options.linear_solver_type = ceres::DENSE_QR;
   squares.options.max_num_iterations = 40;
   squares.options.function_tolerance = 1e-8;
@@ -88,19 +103,18 @@ double solve_launch(Seen& seen, const Common& common, Work& work) {
 
 void solve_all(Shots& shots, Common& common, Work& work) {
   if (shots.empty() || common.names.empty()) return;
-  LeastSquares squares(common);
-  squares.add(shots);
+  const std::vector<Seen*> teachers = that_teach(shots);
+  LeastSquares squares(teachers, common);
   for (std::size_t k = 0; k < common.names.size(); ++k) {
     const Fittable& of = common.fittable(common.names[k]);
-    squares.problem.SetParameterLowerBound(common.values.data(), static_cast<int>(k), of.low);
-    squares.problem.SetParameterUpperBound(common.values.data(), static_cast<int>(k), of.high);
+    squares.problem.SetParameterLowerBound(squares.values(), static_cast<int>(k), of.low);
+    squares.problem.SetParameterUpperBound(squares.values(), static_cast<int>(k), of.high);
   }
   ceres::Solver::Options& options = squares.options;
   options.linear_solver_type = ceres::DENSE_SCHUR;
   auto* const order = new ceres::ParameterBlockOrdering;
-  for (Seen& seen : shots)
-    if (!seen.left_out) order->AddElementToGroup(seen.launch.data(), 0);
-  order->AddElementToGroup(common.values.data(), 1);
+  for (std::size_t i = 0; i < teachers.size(); ++i) order->AddElementToGroup(squares.launch(i), 0);
+  order->AddElementToGroup(squares.values(), 1);
   options.linear_solver_ordering.reset(order);
   options.num_threads = 1;  // sums of several threads round as these come to an end: the bytes would differ
   options.max_num_iterations = 100;
@@ -109,6 +123,17 @@ void solve_all(Shots& shots, Common& common, Work& work) {
   options.max_consecutive_nonmonotonic_steps = 10;
   options.function_tolerance = 1e-9;
   squares.solve(work);
+  std::copy_n(squares.values(), common.values.size(), common.values.begin());
+}
+
+Eigen::Matrix<double, launch_size, launch_size> launch_information(const Seen& seen, const Common& common) {
+  const SeenCost cost(seen, common.names, common.base);
+  Eigen::Matrix<double, Eigen::Dynamic, launch_size, Eigen::RowMajor> launch(cost.num_residuals(), launch_size);
+  std::vector<double> residuals(static_cast<std::size_t>(cost.num_residuals()));
+  const double* blocks[] = {seen.launch.data(), common.values.data()};
+  double* jacobians[] = {launch.data(), nullptr};
+  cost.Evaluate(blocks, residuals.data(), jacobians);
+  return launch.transpose() * launch;
 }
 
 Eigen::MatrixXd information(const Shots& shots, const Common& common) {
@@ -129,15 +154,14 @@ Eigen::MatrixXd information(const Shots& shots, const Common& common) {
   return sum;
 }
 
-Eigen::MatrixXd covariance(Shots& shots, Common& common) {
+Eigen::MatrixXd covariance(Shots& shots, const Common& common) {
   const auto m = static_cast<Eigen::Index>(common.names.size());
   if (m == 0) return {};
-  LeastSquares squares(common);
-  squares.add(shots);
+  LeastSquares squares(that_teach(shots), common);
   ceres::Covariance::Options options;
   options.algorithm_type = ceres::SPARSE_QR;
   ceres::Covariance covariance(options);
-  const double* const block = common.values.data();
+  const double* const block = squares.values();
   const std::vector<std::pair<const double*, const double*>> pairs{{block, block}};
   if (!covariance.Compute(pairs, &squares.problem)) return {};
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> out(m, m);

@@ -15,11 +15,14 @@ double solve_launch(Seen& seen, const Common& common, Work& work);
 /// All shots that are not left out, with the coefficients.
 void solve_all(Shots& shots, Common& common, Work& work);
 
+/// What is told of the launch, in units of sigmas, what is expected of it included (JᵀJ).
+Eigen::Matrix<double, launch_size, launch_size> launch_information(const Seen& seen, const Common& common);
+
 /// What the shots tell of the coefficients, the launches being unknown too: the inverse of their covariance, in units
 /// of sigmas. (The Schur complement of the launches in JᵀJ.)
 Eigen::MatrixXd information(const Shots& shots, const Common& common);
 
 /// The covariance of the coefficients (ceres::Covariance), in units of sigmas; empty where it has none.
-Eigen::MatrixXd covariance(Shots& shots, Common& common);
+Eigen::MatrixXd covariance(Shots& shots, const Common& common);
 
 }  // namespace bankshot::planning

@@ -20,7 +20,8 @@ Restitution bounce_of(Restitution e, FitWish::Bounce bounce) {
 Physics with_model(Physics p, const std::string& model, FitWish::Bounce bounce, const Body& body) {
   if (!carries_spin(p)) return p;
   const Restitution e = bounce_of(restitution(p), bounce);
-  auto [height, unused, friction] = std::get<Han2005>(spin_physics(body).cushion);
+  const Han2005 usual = std::get<Han2005>(spin_physics(body).cushion);
+  double height = usual.height, friction = usual.friction;
   std::visit(
       [&](auto& c) {
         if constexpr (requires { c.height; }) height = c.height, friction = c.friction;

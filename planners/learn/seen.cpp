@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "planners/learn/seen.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "planners/learn/settings.hpp"
 
@@ -52,6 +54,8 @@ T huber(const T& square, double k) {
   return sqrt(2 * k * far - k * k) / far;
 }
 
+double wrap_half(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
 }  // namespace
 
 Seen::Seen(const Recording& r, double usual)
@@ -60,6 +64,11 @@ Seen::Seen(const Recording& r, double usual)
     outlier.emplace_back(track.samples.size(), 0);
     if (!track.samples.empty()) last = std::max(last, track.samples.back().time);
   }
+  using namespace settings::learn;
+  const Vec2d stood = r.scene.ball.at;
+  const bool timed = !r.tracks.empty() && !r.tracks.front().samples.empty();
+  expected = {timed ? r.tracks.front().samples[0].time : 0, stood.x, stood.y, 0, 0, middle_of_top, 0, 0};
+  spread = {spread_of_start, noise, noise, forever, forever, spread_of_spin, spread_of_spin, spread_of_masse};
 }
 
 std::size_t Seen::followed(std::size_t track) const {
@@ -83,7 +92,8 @@ SeenCost::SeenCost(const Seen& seen, const std::vector<std::string>& names, cons
   if (!names.empty()) mutable_parameter_block_sizes()->push_back(static_cast<int>(names.size()));
   int rests = 0;
   for (std::size_t k = 0; k < seen.recording.tracks.size(); ++k) rests += uses_rest(seen, k);
-  set_num_residuals(2 * (seen.samples_used() + rests) + prior_size);
+  set_num_residuals(2 * (seen.samples_used() + rests) +
+                    static_cast<int>(launch_size - std::ranges::count(seen.spread, forever)));
 }
 
 bool SeenCost::Evaluate(const double* const* blocks, double* residuals, double** jacobians) const {
@@ -137,20 +147,15 @@ void SeenCost::evaluate(Varying<N>& varying, const double* const* blocks, double
   });
   for (std::size_t k = 0; k < seen_.recording.tracks.size(); ++k)
     if (uses_rest(seen_, k)) follow(k), put_place(way->end(), *seen_.recording.tracks[k].rest);
-  using namespace settings::learn;
-  const auto prior = [&](LaunchIndex k, double middle, double spread) {
-    put((T(u[k], static_cast<int>(k)) - middle) / spread);
-  };
-  const double first =
-      seen_.recording.tracks.front().samples.empty() ? 0 : seen_.recording.tracks.front().samples[0].time;
-  prior(start_time, first, spread_of_start);
-  const T stood_x = varying.offset.x + varying.scale * T(u[x], static_cast<int>(x));
-  const T stood_y = varying.offset.y + varying.scale * T(u[y], static_cast<int>(y));
-  put((stood_x - scene.ball.at.x) / seen_.noise);
-  put((stood_y - scene.ball.at.y) / seen_.noise);
-  prior(top, middle_of_top, spread_of_spin);
-  prior(side, 0, spread_of_spin);
-  prior(masse, 0, seen_.masse_spread);
+  for (std::size_t k = 0; k < launch_size; ++k) {
+    if (seen_.spread[k] == forever) continue;
+    T it(u[k], static_cast<int>(k));
+    if (k == x) it = varying.offset.x + varying.scale * it;
+    if (k == y) it = varying.offset.y + varying.scale * it;
+    T off = it - seen_.expected[k];
+    if (k == angle) off.a = wrap_half(off.a);
+    put(off / seen_.spread[k]);
+  }
 }
 
 std::vector<std::vector<Vec2d>> misses(const Seen& seen, const Common& common) {

@@ -28,11 +28,12 @@ struct Seen {
   double last = 0;                         ///< s, of the latest sample
 
   LaunchUnknowns launch{};
-  std::vector<Told> told{};   ///< of each track
-  double window = forever;    ///< s: samples later than this are not looked at
-  double masse_spread = 0.1;  ///< natural rolls; of the masse that a launch may have
-  bool left_out = false;      ///< the coefficients are learnt from the others
-  double robust = 0;          ///< in sigmas: distances count as squares up to this, linearly beyond; 0: always squares
+  /// What is known of it beforehand, with its standard deviation; forever where nothing is.
+  LaunchUnknowns expected{}, spread{};
+  std::vector<Told> told{};  ///< of each track
+  double window = forever;   ///< s: samples later than this are not looked at
+  bool left_out = false;     ///< the coefficients are learnt from the others
+  double robust = 0;         ///< in sigmas: distances count as squares up to this, linearly beyond; 0: always squares
 
   /// How many samples of a track, from its first on, lie in the window and before what fits do not follow.
   std::size_t followed(std::size_t track) const;
@@ -40,11 +41,9 @@ struct Seen {
 };
 
 /// Distances of the shot's places from those seen, in sigmas: two for each sample used, two for each place of rest,
-/// then what is known of any launch beforehand (`prior_size`).
+/// then one for each unknown of the launch of which something is known beforehand.
 class SeenCost : public ceres::CostFunction {
  public:
-  static constexpr int prior_size = 6;
-
   /// All three must outlive it. `names` and `physics` may not change.
   SeenCost(const Seen& seen, const std::vector<std::string>& names, const Physics& physics);
 

@@ -15,6 +15,13 @@ inline constexpr double spread_of_start = 1;
 inline constexpr double middle_of_top = 0.3, spread_of_spin = 0.8, spread_of_masse = 0.1;
 /// Of the masse until the rest is known: it bends any path to any other.
 inline constexpr double first_masse = 0.005;
+/// What a player meant says of what came of it: that it is within so many usual errors. Taken out again of what the
+/// samples say, it keeps fits where paths are nearly straight lines of the launch.
+inline constexpr double errors_of_a_player = 6;
+/// In side, at least twice a player's error.
+inline constexpr double much_aside = 0.15;
+/// In massé, of which `noise` knows no error.
+inline constexpr double off_masse = 1e-4;
 /// Spins that a fit of a launch starts from: without side the derivative by it is lost where it fades.
 inline constexpr double first_tops[] = {0.3, 1, -0.5, -1.2}, first_sides[] = {0.3, -0.3, 1, -1};
 /// Of those, so many different ones are followed to the end of the shot.

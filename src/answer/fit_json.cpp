@@ -9,8 +9,6 @@
 namespace bankshot {
 namespace {
 
-Json id_json(const std::string& id) { return id.empty() ? Json() : parse_document(id); }
-
 Json shot_json(const FittedShot& s) {
   Json j{{"id", id_json(s.id)},    {"shot", launch_json(s.launch, s.spin)},
          {"at", pair_json(s.at)},  {"start", s.start},

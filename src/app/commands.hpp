@@ -60,6 +60,9 @@ Run add(CLI::App& app);
 namespace fit {
 Run add(CLI::App& app);
 }
+namespace advise {
+Run add(CLI::App& app);
+}
 #endif
 // Written from the command line's own definitions.
 namespace manual {

@@ -28,9 +28,6 @@ int refuse(const std::string& reason, bool json) {
 /// The parser would only say that a command is missing.
 void check_command(const std::string& first, const std::map<std::string, Run>& commands) {
   if (first.starts_with('-') || commands.contains(first)) return;
-  constexpr std::string_view to_come[] = {"advise"};
-  if (std::find(std::begin(to_come), std::end(to_come), first) != std::end(to_come))
-    throw CLI::ParseError("the command " + quote(first) + " is not supported yet", bad_input);
   std::vector<std::string_view> names;
   for (const auto& [name, run] : commands) names.push_back(name);
   throw CLI::ParseError(quote(first) + " is no command" + known_words(first, names), bad_input);
@@ -56,7 +53,7 @@ int main(int argc, char** argv) {
         {"pocket", pocket::add(app)}, {"book", book::add(app)}, {"report", report::add(app)},
         {"schema", schema::add(app)}, {"serve", serve::add(app)}, {"merge", merge::add(app)},
 #if BANKSHOT_LEARN
-        {"fit", fit::add(app)},
+        {"fit", fit::add(app)}, {"advise", advise::add(app)},
 #endif
         {"help", manual::add_help(app)}, {"man", manual::add_man(app)}, {
       "completion", manual::add_completion(app)

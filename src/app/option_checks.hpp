@@ -14,4 +14,7 @@ std::string file_or_output(const std::string& text);
 /// At least 0; CLI11's own check prints its bounds with 309 digits.
 std::string whole_number(const std::string& text);
 
+/// As many threads as asked for; 0: as the machine has.
+int threads_for(int jobs);
+
 }  // namespace bankshot::app

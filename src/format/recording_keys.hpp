@@ -15,11 +15,16 @@ inline constexpr auto recording_keys = with_scene_keys({
     {"cushions", "[string]", "", "found by the fit", R"(["top", "right"])",
      "those that the struck ball was seen to meet, in order"},
     {"shot", "{launch}", "", "found by the fit", R"({"speed": 2.1, "angle": 312.4})",
-     "the launch as far as it is known: where a fit starts"},
+     "the launch as far as it is known, where a fit starts; for `advise` the one that was meant"},
+    {"puzzle", "{puzzle}", "", "none",
+     R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.4]}, "target": {"pocket": "any"}})",
+     "for `advise`: what was meant, where it is not known by which launch"},
+    {"made", "boolean", "", "none", "true", "for `advise`: whether the puzzle's target was made"},
 });
 inline constexpr Object recording{
     "recording",
-    "What was seen of one real shot: the input of `fit`, one a line. `track`, `rest` or both must stand there.",
+    "What was seen of one real shot: the input of `fit` and `advise`, one a line. `track`, `rest` or both must stand "
+    "there; for `advise` `made` with a `puzzle` will do.",
     recording_keys};
 
 }  // namespace bankshot::format

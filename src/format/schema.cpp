@@ -146,7 +146,9 @@ std::string schema(std::string_view document) {
 
 std::string markdown(std::string_view document) {
   std::string out;
+  const auto told_before = document == puzzle.name ? std::vector<const Object*>{} : objects_of(puzzle.name);
   for (const Object* object : objects_of(document)) {
+    if (std::ranges::find(told_before, object) != told_before.end()) continue;
     out +=
         fmt::format("{} {}\n\n{}\n\n| key | value | unit | default | example | meaning |\n|---|---|---|---|---|---|\n",
                     object->name == document ? "##" : "###", object->name, object->meaning);

@@ -16,7 +16,7 @@ std::span<const std::string_view> documents();
 /// `document` is one of documents().
 std::string schema(std::string_view document);
 
-/// A table in Markdown for each of its objects.
+/// A table in Markdown for each of its objects; those that a puzzle has too stand with the puzzle alone.
 std::string markdown(std::string_view document);
 
 }  // namespace bankshot::format

@@ -5,8 +5,8 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/scene/attempt.hpp"
 #include "bankshot/scene/json.hpp"
-#include "bankshot/scene/recording.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "format/recording_keys.hpp"
 #include "json/reader.hpp"
@@ -93,14 +93,9 @@ void push_in(const Boundary& boundary, Vec2d& at) {
     if (const double gap = dot(w.normal, at) - w.offset; gap < 0 && gap > -off_the_table) at -= w.normal * gap;
 }
 
-}  // namespace
-
-Recording read_recording(std::string_view text) {
+Recording read_recording(const Reader& doc, std::string id) {
   Recording out;
   ShotRequest& s = out.scene;
-  std::string id;
-  const Json json = parse_document(text, &id);
-  const Reader doc(json);
   doc.only(format::recording);
   s.id = read_id(doc, std::move(id));
   read_setting(doc, s);
@@ -112,7 +107,6 @@ Recording read_recording(std::string_view text) {
   if (const auto v = doc.find("sigma")) out.sigma = v->number(format::recording["sigma"].bounds);
   if (const auto v = doc.find("cushions")) out.cushions = read_sequence(*v, s.table);
   const auto tracks = doc.find("track"), rests = doc.find("rest");
-  if (!tracks && !rests) doc.fail("must have one of the keys \"track\", \"rest\"");
   if (tracks)
     for (const auto& [name, r] : tracks->members())
       out.tracks.push_back(read_track(r, ball_named(r, name, s), s, boundary));
@@ -128,8 +122,6 @@ Recording read_recording(std::string_view text) {
   return out;
 }
 
-namespace {
-
 /// By its name where it has one, for that says how high its cushions are.
 Json named_table_json(const ShotRequest& s) {
   for (const TablePreset& preset : table_presets())
@@ -138,6 +130,33 @@ Json named_table_json(const ShotRequest& s) {
 }
 
 }  // namespace
+
+Recording read_recording(std::string_view text) {
+  std::string id;
+  const Json json = parse_document(text, &id);
+  const Reader doc(json);
+  Recording out = read_recording(doc, std::move(id));
+  if (out.tracks.empty()) doc.fail("must have one of the keys \"track\", \"rest\"");
+  return out;
+}
+
+Attempt read_attempt(std::string_view text) {
+  std::string id;
+  const Json json = parse_document(text, &id);
+  const Reader doc(json);
+  Attempt out{.seen = read_recording(doc, std::move(id))};
+  if (doc.find("puzzle")) try {
+      out.puzzle = read_puzzle(write_json(json.at("puzzle")));
+    } catch (const InvalidInput& e) {
+      throw InvalidInput("/puzzle" + e.path, e.what());
+    }
+  if (const auto v = doc.find("made")) out.made = v->boolean();
+  if (!out.seen.launch_given && !out.puzzle) doc.fail("must say what was meant: \"shot\" or \"puzzle\"");
+  if (!out.seen.tracks.empty()) return out;
+  if (!out.made) doc.fail("must say what happened: \"track\", \"rest\" or \"made\"");
+  if (!out.puzzle) doc.fail("must have the \"puzzle\" that was made or missed where no ball was seen");
+  return out;
+}
 
 std::string write_recording(const Recording& r) {
   const ShotRequest& s = r.scene;

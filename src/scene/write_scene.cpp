@@ -78,6 +78,8 @@ Json with_errors(Json j, const Physics& p) {
 
 Json pair_json(const Vec2d& p) { return Json::array({p.x, p.y}); }
 
+Json id_json(const std::string& id) { return id.empty() ? Json() : parse_document(id); }
+
 Json ball_json(const Ball& b) { return {{"at", pair_json(b.at)}, {"radius", b.body.radius}, {"mass", b.body.mass}}; }
 
 Json others_json(const std::vector<Ball>& others, const Body& struck) {

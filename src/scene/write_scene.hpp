@@ -12,6 +12,9 @@ namespace bankshot {
 /// [x, y]
 Json pair_json(const Vec2d& p);
 
+/// Null where there is none.
+Json id_json(const std::string& id);
+
 /// The tilt of the physics stands with the table. A preset is told by its name.
 Json table_json(const Table& table, const Vec2d& tilt);
 

@@ -165,14 +165,13 @@ TEST_CASE("bad usage is refused with what was meant") {
       {"solve /no/such/file.json", "/no/such/file.json: cannot be read: No such file"},
       {"solve /", "/: cannot be read: Is a directory"},
       {"solve --frob", "--frob"},
-      {"slove", "\"slove\" is no command; known are batch, "},
+      {"slove", "\"slove\" is no command; known are advise, "},
       {"slove", "did you mean \"solve\"?"},
       {"", "subcommand is required"},
       {"solve --planner imge", "--planner: \"imge\" is no planner"},
       {"solve --planner imge", "did you mean \"image\"?"},
       {"solve --budget -1", "--budget: \"-1\" must be a whole number"},
       {"solve --svg -", "standard output"},
-      {"advise", "\"advise\" is not supported yet"},
       {"simulate --rate 0", "--rate"},
   }));
   INFO(arguments);

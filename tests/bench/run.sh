@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|batch|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -76,6 +76,9 @@ part() {
       for free in nothing window arrive spin both; do "$bin/best" --count 1000 --seed 2 --free $free --worst 0 --no-header; done
       for free in nothing window arrive; do "$bin/best" --count 1000 --seed 2 --physics rolling --free $free --worst 0 --no-header; done
       ;;
+    advise)
+      "$bin/advise" --repeats 200 --attempts 50 --threads 1 --csv || failed=1
+      "$bin/advise" --repeats 200 --attempts 200 --threads 1 --csv | tail -n +2 || failed=1 ;;
     learn) "$bin/learn" --repeats 20 --shots 30 --threads 1 --csv 2>build/learn.log || failed=1 ;;
     knock) "$bin/knock" --csv || failed=1 ;;
     play) "$bin/play" --layouts 20 --csv 2>build/play.log || true ;;
@@ -149,7 +152,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page best shots all-shots planners-rolling planners-spin pockets acceptance learn batch report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch report
 for name; do
   if [ "$name" = report ]; then
     report

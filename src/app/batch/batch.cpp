@@ -176,7 +176,7 @@ int run_part(const Arguments& a) {
 int run(Arguments a) {
   if (a.flags.options.planner == "list") return print(solve::list_of_planners()), done;
   solve::check_planner(a.flags.options.planner);
-  if (a.threads == 0) a.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  a.threads = threads_for(a.threads);
   if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");
   const Interrupts watch;
   if (a.part) return run_part(a);

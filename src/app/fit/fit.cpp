@@ -6,14 +6,12 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <thread>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
-#include "app/line_file.hpp"
 #include "app/option_checks.hpp"
+#include "app/read_each.hpp"
 #include "app/report/progress.hpp"
-#include "json/reader.hpp"
 
 namespace bankshot::app::fit {
 namespace {
@@ -27,32 +25,16 @@ struct Arguments {
   bool predict = false, quiet = false;
 };
 
-/// Of every line that is one; the others are told, with file and line.
-std::vector<Recording> read_recordings(const std::string& file, long& bad) {
-  std::vector<Recording> out;
-  LineFile lines(file);
-  for (std::string line; lines.next(line);) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    try {
-      out.push_back(read_recording(line));
-    } catch (const InvalidInput& e) {
-      ++bad;
-      std::cerr << fmt::format("{}:{}: {}{}{}\n", lines.name, lines.number, e.path, e.path.empty() ? "" : " ",
-                               one_line(e.what()));
-    }
-  }
-  return out;
-}
-
 int run(const Arguments& a) {
   long bad = 0;
-  const std::vector<Recording> recordings = read_recordings(a.file, bad);
+  const auto recordings = read_each(
+      a.file, [](const std::string& line) { return read_recording(line); }, bad);
   if (recordings.empty())
     throw FileError(fmt::format("{}: no recording in it{}", a.file, bad > 0 ? " that can be read" : ""));
   FitWish wish{.free = a.free, .model = a.model, .holdout = a.holdout, .predict = a.predict};
   for (std::size_t i = 0; i < std::size(bounces); ++i)
     if (a.bounce == bounces[i]) wish.bounce = static_cast<FitWish::Bounce>(i);
-  wish.threads = a.jobs > 0 ? a.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  wish.threads = threads_for(a.jobs);
   Fit result;
   {
     constexpr std::size_t percent = 100;
@@ -71,9 +53,7 @@ int run(const Arguments& a) {
       },
       to_json(result) + "\n");
   if (!a.quiet) std::cerr << message_of(result) << '\n';
-  if (bad > 0)
-    std::cerr << fmt::format("bankshot: {} of {} lines were left out\n", bad,
-                             bad + static_cast<long>(recordings.size()));
+  tell_left_out(bad, recordings.size());
   return done;
 }
 
