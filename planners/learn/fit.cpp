@@ -41,6 +41,7 @@ FittedShot fitted_shot(const Seen& seen, const Common& common, Work& work) {
   out.rms = off.rms;
   out.samples = off.samples, out.outliers = off.outliers, out.unexplained = off.unexplained;
   out.distances = std::move(off.each);
+  out.counted = std::move(off.counted);
   if (const auto played = play(seen, common, seen.last - out.start, work)) out.cushions = played->cushions;
   return out;
 }
@@ -118,8 +119,8 @@ Given given_by(const Recordings& recordings) {
   return out;
 }
 
-Asked asked(const Given& given, const FitWish& wish, const std::string& model, FitWish::Bounce bounce) {
-  const Physics physics = with_model(given.physics, model, bounce, given.body);
+Asked asked(const Given& given, const FitWish& wish) {
+  const Physics physics = with_laws(given.physics, wish, given.body);
   return {physics, names_asked(coefficients_of(physics, given.body, given.meets_balls), wish.free),
           std::max(1, wish.threads)};
 }
@@ -128,18 +129,20 @@ Asked asked(const Given& given, const FitWish& wish, const std::string& model, F
 Asked best_model(const Recordings& all, const Given& given, const FitWish& wish, Fit& out, Work& work,
                  const std::function<void(double)>& progress) {
   constexpr const char* models[] = {"han2005", "mathavan2010", "stronge"};
-  constexpr FitWish::Bounce bounces[] = {FitWish::Bounce::constant, FitWish::Bounce::linear};
+  constexpr FitWish::BySpeed laws[] = {FitWish::BySpeed::constant, FitWish::BySpeed::linear};
   const int group = wish.holdout > 0 ? wish.holdout : std::max(1, static_cast<int>(all.size()) / 4);
   Asked best;
   double least = forever;
   for (const char* model : models)
-    for (const FitWish::Bounce bounce : bounces) {
-      const Asked its = asked(given, wish, model, bounce);
+    for (const FitWish::BySpeed restitution : laws) {
+      FitWish one = wish;
+      one.model = model, one.restitution = restitution;
+      const Asked its = asked(given, one);
       const Learnt l = learn(all, its, work, [](double) {});
       const double predicted = median_rms(held_out(all, its, group, work));
       out.models.push_back({model_name(its.base), median_rms(fitted_shots(l, work)), predicted});
       if (predicted < least) least = predicted, best = its;
-      progress(static_cast<double>(out.models.size()) / (std::size(models) * std::size(bounces)));
+      progress(static_cast<double>(out.models.size()) / (std::size(models) * std::size(laws)));
     }
   return best;
 }
@@ -167,7 +170,7 @@ Fit fit(std::span<const Recording> recordings, const FitWish& wish) {
   Fit out;
   Work work;
   const Asked wanted = any ? best_model(all, given, wish, out, work, [&](double share) { progress(to_choose * share); })
-                           : asked(given, wish, wish.model, wish.bounce);
+                           : asked(given, wish);
   Learnt l =
       learn(all, wanted, work, [&](double share) { progress(any ? to_choose + (1 - to_choose) * share : share); });
   out.shots = fitted_shots(l, work);

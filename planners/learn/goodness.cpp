@@ -41,6 +41,7 @@ Distances distances(const Seen& seen, const Common& common) {
   for (std::size_t k = 0; k < off.size(); ++k)
     for (std::size_t i = 0; i < off[k].size(); ++i) {
       out.each.push_back(norm(off[k][i]));
+      out.counted.push_back(i < seen.followed(k) && !seen.outlier[k][i]);
       if (i >= seen.followed(k)) {
         ++out.unexplained;
       } else if (seen.outlier[k][i]) {

@@ -19,9 +19,10 @@ double spread(const Seen& seen, const Common& common);
 
 /// How far the samples lie from where the ball is said to be.
 struct Distances {
-  std::vector<double> each{};  ///< m, of every sample of each track in order
-  int samples = 0;             ///< that count: neither outliers nor
-  int unexplained = 0;         ///< after a contact that fits do not follow
+  std::vector<double> each{};   ///< m, of every sample of each track in order
+  std::vector<char> counted{};  ///< whether it does: neither an outlier nor unexplained
+  int samples = 0;              ///< that count
+  int unexplained = 0;          ///< after a contact that fits do not follow
   int outliers = 0;
   double rms = 0;  ///< m, of those that count
 };

@@ -30,16 +30,16 @@ int count_shots(Shots& shots, int threads, const std::function<bool(Seen&, Work&
 }
 
 /// Where the laws cannot follow the shots, samples err by what half of them are off; all alike, for a shot that is hard
-/// to follow tells the most of the laws. Returns whether that is so.
-bool weigh(Learnt& l) {
+/// to follow tells the most of the laws.
+void weigh(Learnt& l) {
   std::vector<double> sizes;
   for (const Seen& seen : l.shots)
     for (const auto& track : misses(seen, l.common))
       for (const Vec2d& d : track) sizes.push_back(std::abs(d.x)), sizes.push_back(std::abs(d.y));
-  const double off = of_median * median(sizes);
+  l.off = of_median * median(sizes);
   constexpr double clearly = 1.5;
-  for (Seen& seen : l.shots) seen.sigma = off > clearly * seen.noise ? off : seen.noise;
-  return off > clearly * l.noise;
+  for (Seen& seen : l.shots) seen.sigma = l.off > clearly * seen.noise ? l.off : seen.noise;
+  l.astray = l.off > clearly * l.noise;
 }
 
 /// The direction that the shots tell least of, while that is less than a guess would: its largest part is held.
@@ -162,16 +162,21 @@ void follow(Learnt& l, int threads, Work& work) {
 /// How a coefficient depends on speed is asked when the rest is nearly known.
 bool is_fine(const std::string& name) { return name.ends_with(".per_speed") || name.ends_with(".per_speed2"); }
 
-}  // namespace
-
-Learnt learn(const Recordings& recordings, const Asked& asked, Work& work,
-             const std::function<void(double)>& progress) {
+/// Outliers not yet known. Coefficients start where the physics has them; by another `attempt`, as far off as tables
+/// differ.
+Learnt first_fit(const Recordings& recordings, const Asked& asked, int attempt, Work& work) {
   const bool balls = std::ranges::any_of(recordings, [](const Recording* r) { return !r->scene.others.empty(); });
   Learnt l{.common = {asked.base, coefficients_of(asked.base, recordings.front()->scene.ball.body, balls)},
            .noise = noise_of(recordings)};
+  Random random(static_cast<std::uint64_t>(attempt));
   const auto add = [&](bool fine) {
-    for (const std::string& name : asked.names)
-      if (is_fine(name) == fine) l.common.add(name);
+    for (const std::string& name : asked.names) {
+      if (is_fine(name) != fine) continue;
+      l.common.add(name);
+      const Fittable& of = l.common.fittable(name);
+      if (attempt > 0)
+        l.common.values.back() = std::clamp(of.start + random.uniform(-1, 1) * of.guess, of.low, of.high);
+    }
   };
   add(false);
   for (const Recording* r : recordings) {
@@ -181,29 +186,46 @@ Learnt learn(const Recordings& recordings, const Asked& asked, Work& work,
     mark_apart(seen);
   }
   follow(l, asked.threads, work);
-  progress(0.5);
   weigh(l);
   settle(l, asked.threads, work);
   if (std::ranges::any_of(asked.names, is_fine)) {
     add(true);
     settle(l, asked.threads, work);
   }
-  progress(0.7);
   while (hold_one(l)) solve_all(l.shots, l.common, work);
-  bool astray = weigh(l);
-  if (astray) {
-    shake(l, asked.threads, work);
-    astray = weigh(l);
+  weigh(l);
+  return l;
+}
+
+void finish(Learnt& l, int threads, Work& work) {
+  if (l.astray) {
+    shake(l, threads, work);
+    weigh(l);
   }
   for (Seen& seen : l.shots) {
     seen.spread[masse] = spread_of_masse;
-    seen.robust = astray ? robust : 0;
+    seen.robust = l.astray ? robust : 0;
     mark_outliers(seen, l.common);
   }
-  settle(l, asked.threads, work);
-  if (!astray) shake(l, asked.threads, work);
+  settle(l, threads, work);
+  if (!l.astray) shake(l, threads, work);
+}
+
+}  // namespace
+
+Learnt learn(const Recordings& recordings, const Asked& asked, Work& work,
+             const std::function<void(double)>& progress) {
+  Learnt best = first_fit(recordings, asked, 0, work);
+  progress(0.5);
+  // Laws that cannot follow the shots may be the right ones with coefficients that were led astray.
+  constexpr int attempts = 4;
+  constexpr double clearly = 0.7;
+  for (int i = 1; i < attempts && best.astray; ++i)
+    if (Learnt other = first_fit(recordings, asked, i, work); other.off < clearly * best.off) best = std::move(other);
+  progress(0.7);
+  finish(best, asked.threads, work);
   progress(0.9);
-  return l;
+  return best;
 }
 
 }  // namespace bankshot::planning

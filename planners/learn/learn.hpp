@@ -19,7 +19,9 @@ struct Learnt {
   Common common;
   Shots shots{};
   std::vector<HeldCoefficient> held{};
-  double noise = 0;  ///< m, of one coordinate of a sample
+  double noise = 0;     ///< m, of one coordinate of a sample
+  double off = 0;       ///< m, standard deviation of what is left over, as half of the samples have it
+  bool astray = false;  ///< that is clearly more than the noise: the laws cannot follow the shots
 };
 
 /// `progress` is told the share that is done.

@@ -4,22 +4,33 @@
 namespace bankshot::planning {
 namespace {
 
+using BySpeed = FitWish::BySpeed;
+
 /// A slope of exactly 0 would be none.
-Restitution bounce_of(Restitution e, FitWish::Bounce bounce) {
-  constexpr double slope = 1e-4;
-  if (bounce == FitWish::Bounce::as_given) return e;
-  if (bounce == FitWish::Bounce::constant) return {e(1.0)};
+constexpr double slope = 1e-4;
+
+Restitution by_speed(Restitution e, BySpeed wish) {
+  if (wish == BySpeed::as_given) return e;
+  if (wish == BySpeed::constant) return {e(1.0)};
   if (e.per_speed == 0) e.per_speed = -slope;
-  if (bounce == FitWish::Bounce::linear) return {e.at_rest, e.per_speed};
+  if (wish == BySpeed::linear) return {e.at_rest, e.per_speed};
   if (e.per_speed2 == 0) e.per_speed2 = -slope;
   return e;
 }
 
+RollingFriction by_speed(RollingFriction f, BySpeed wish) {
+  if (wish == BySpeed::constant) return {f.at_rest};
+  if (wish != BySpeed::as_given && f.per_speed == 0) f.per_speed = slope;
+  return f;
+}
+
 }  // namespace
 
-Physics with_model(Physics p, const std::string& model, FitWish::Bounce bounce, const Body& body) {
+Physics with_laws(Physics p, const FitWish& wish, const Body& body) {
   if (!carries_spin(p)) return p;
-  const Restitution e = bounce_of(restitution(p), bounce);
+  SlideRoll& cloth = std::get<SlideRoll>(p.motion);
+  cloth.rolling_friction = by_speed(cloth.rolling_friction, wish.rolling);
+  const Restitution e = by_speed(restitution(p), wish.restitution);
   const Han2005 usual = std::get<Han2005>(spin_physics(body).cushion);
   double height = usual.height, friction = usual.friction;
   std::visit(
@@ -28,14 +39,12 @@ Physics with_model(Physics p, const std::string& model, FitWish::Bounce bounce, 
         if constexpr (requires { c.restitution; }) c.restitution = e;
       },
       p.cushion);
-  if (model == "mirror") p.cushion = Mirror{e};
-  if (model == "han2005") p.cushion = Han2005{height, e, friction};
-  if (model == "stronge") p.cushion = Stronge{height, e, friction};
-  if (model == "mathavan2010")
-    p.cushion = Mathavan2010{.height = height,
-                             .restitution = e,
-                             .friction = friction,
-                             .sliding_friction = std::get<SlideRoll>(p.motion).sliding_friction};
+  if (wish.model == "mirror") p.cushion = Mirror{e};
+  if (wish.model == "han2005") p.cushion = Han2005{height, e, friction};
+  if (wish.model == "stronge") p.cushion = Stronge{height, e, friction};
+  if (wish.model == "mathavan2010")
+    p.cushion = Mathavan2010{
+        .height = height, .restitution = e, .friction = friction, .sliding_friction = cloth.sliding_friction};
   return p;
 }
 

@@ -7,9 +7,9 @@
 
 namespace bankshot::planning {
 
-/// With cushions after this model, restitution depending on speed as asked; what the given cushions do not have is
-/// usual for such a ball. An empty name keeps their model.
-Physics with_model(Physics physics, const std::string& model, FitWish::Bounce bounce, const Body& body);
+/// With cushions after `wish.model`, restitution and rolling friction depending on speed as wished; what the given
+/// cushions do not have is usual for such a ball.
+Physics with_laws(Physics physics, const FitWish& wish, const Body& body);
 
 std::string model_name(const Physics& physics);
 

@@ -11,39 +11,57 @@ namespace bankshot::planning {
 
 using settings::learn::outlier;
 
+namespace {
+
+/// Of each sample, whether neither those before it, nor those after it, nor both lead to it.
+std::vector<char> apart(const std::vector<Sample>& s, double noise) {
+  constexpr double bends = 20;  // m/s², more than any cloth does
+  const auto leads = [&](std::size_t a, std::size_t b, std::size_t to) {
+    const double share = (s[to].time - s[a].time) / (s[b].time - s[a].time), far = s[to].time - s[b].time;
+    const Vec2d at = s[a].at + (s[b].at - s[a].at) * share;
+    const double errs = noise * std::sqrt(1 + share * share + (1 - share) * (1 - share));
+    return norm(s[to].at - at) < outlier * errs + bends * far * far;
+  };
+  std::vector<char> out(s.size(), 0);
+  for (std::size_t i = 0; i < s.size() && s.size() > 6; ++i) {
+    const auto fits = [&](std::size_t a, std::size_t b) { return a < s.size() && b < s.size() && leads(a, b, i); };
+    out[i] = !(fits(i - 1, i + 1) || fits(i - 2, i - 1) || fits(i + 1, i + 2) || fits(i - 3, i - 1) ||
+               fits(i + 1, i + 3) || fits(i - 2, i + 1) || fits(i - 1, i + 2));
+  }
+  return out;
+}
+
+/// Third differences of four samples at even times, of which none is left out; their variance is 20 sigma squared.
+void add_thirds(const std::vector<Sample>& samples, const std::vector<char>& out, std::vector<double>& thirds) {
+  for (std::size_t i = 3; i < samples.size(); ++i) {
+    const Sample* s = &samples[i - 3];
+    const double step = s[1].time - s[0].time;
+    if (std::abs(s[2].time - s[1].time - step) > 0.1 * step || std::abs(s[3].time - s[2].time - step) > 0.1 * step)
+      continue;
+    if (out[i - 3] || out[i - 2] || out[i - 1] || out[i]) continue;
+    const Vec2d d = (s[3].at - s[0].at) - (s[2].at - s[1].at) * 3.0;
+    thirds.push_back(std::abs(d.x)), thirds.push_back(std::abs(d.y));
+  }
+}
+
+}  // namespace
+
 double noise_of(const Recordings& recordings) {
-  std::vector<double> thirds;
-  for (const Recording* r : recordings)
-    for (const Track& track : r->tracks)
-      for (std::size_t i = 3; i < track.samples.size(); ++i) {
-        const Sample* s = &track.samples[i - 3];
-        const double step = s[1].time - s[0].time;
-        if (std::abs(s[2].time - s[1].time - step) > 0.1 * step || std::abs(s[3].time - s[2].time - step) > 0.1 * step)
-          continue;
-        const Vec2d d = (s[3].at - s[0].at) - (s[2].at - s[1].at) * 3.0;
-        thirds.push_back(std::abs(d.x)), thirds.push_back(std::abs(d.y));
-      }
   constexpr double least = 1e-5, usual = 1e-3;
-  return thirds.empty() ? usual : std::max(least, of_median * median(thirds) / std::sqrt(20.0));
+  double noise = forever;  // outliers are known when it is nearly known
+  for (int round = 0; round < 3; ++round) {
+    std::vector<double> thirds;
+    for (const Recording* r : recordings)
+      for (const Track& track : r->tracks) add_thirds(track.samples, apart(track.samples, noise), thirds);
+    if (thirds.empty()) return usual;
+    noise = std::max(least, of_median * median(thirds) / std::sqrt(20.0));
+  }
+  return noise;
 }
 
 void mark_apart(Seen& seen) {
-  constexpr double bends = 20;  // m/s², more than any cloth does
-  for (std::size_t k = 0; k < seen.outlier.size(); ++k) {
-    const std::vector<Sample>& s = seen.recording.tracks[k].samples;
-    const auto leads = [&](std::size_t a, std::size_t b, std::size_t to) {
-      const double share = (s[to].time - s[a].time) / (s[b].time - s[a].time), far = s[to].time - s[b].time;
-      const Vec2d at = s[a].at + (s[b].at - s[a].at) * share;
-      const double errs = seen.noise * std::sqrt(1 + share * share + (1 - share) * (1 - share));
-      return norm(s[to].at - at) < outlier * errs + bends * far * far;
-    };
-    for (std::size_t i = 0; i < s.size(); ++i) {
-      const auto fits = [&](std::size_t a, std::size_t b) { return a < s.size() && b < s.size() && leads(a, b, i); };
-      const bool any = fits(i - 1, i + 1) || fits(i - 2, i - 1) || fits(i + 1, i + 2) || fits(i - 3, i - 1) ||
-                       fits(i + 1, i + 3) || fits(i - 2, i + 1) || fits(i - 1, i + 2);
-      seen.outlier[k][i] = s.size() > 6 && !any;
-    }
-  }
+  for (std::size_t k = 0; k < seen.outlier.size(); ++k)
+    seen.outlier[k] = apart(seen.recording.tracks[k].samples, seen.noise);
 }
 
 void mark_outliers(Seen& seen, const Common& common) {

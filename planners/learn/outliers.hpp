@@ -9,8 +9,7 @@ namespace bankshot::planning {
 
 using Recordings = std::vector<const Recording*>;
 
-/// m: how much one coordinate of a sample errs, from what neighbours do not share: third differences of four samples at
-/// even times, whose variance is 20 sigma squared.
+/// m: how much one coordinate of a sample errs, from what neighbours do not share.
 double noise_of(const Recordings& recordings);
 
 /// Before anything is fitted: samples that neither those before them, nor those after them, nor both lead to.

@@ -38,10 +38,11 @@ TEST_CASE("a recording that is simulated has as many samples as its rate says, l
 TEST_CASE("fit prints a physics that every command takes, and goes on after bad lines") {
   std::string lines;
   for (int i = 0; i < 5; ++i) lines += recorded(i);
-  const ScratchFile recordings("fit.jsonl"), physics("physics.json");
+  const ScratchFile recordings("fit.jsonl"), physics("physics.json"), picture("fit.svg");
   recordings.write(lines + "{\"table\": \"carom-10ft\"}\n" + recorded(6).substr(0, 300) + "\n");
-  const Run run =
-      run_program("fit " + recordings.path + " --free rolling_friction,sliding_friction -o " + physics.path, "");
+  const Run run = run_program("fit " + recordings.path + " --free rolling_friction,sliding_friction -o " +
+                                  physics.path + " --svg " + picture.path,
+                              "");
   CHECK(run.exit == 0);
   CHECK_THAT(run.err, Contains(recordings.path + ":6: /ball"));
   CHECK_THAT(run.err, Contains(recordings.path + ":7:"));
@@ -55,6 +56,11 @@ TEST_CASE("fit prints a physics that every command takes, and goes on after bad 
   CHECK(run_program(again + "1").out == run.out);
   CHECK(run_program(again + "3").out == run.out);
   CHECK(fit["shots"][2]["id"] == 2);
+  const std::string svg = picture.text();
+  CHECK_THAT(svg, Contains("A table from 5 shots") && Contains("rolling_friction"));
+  std::size_t dots = 0;  // each sample on the table and below it
+  for (std::size_t at = 0; (at = svg.find("r=\"2.4", at)) != std::string::npos; ++at) ++dots;
+  CHECK(dots == 2 * 5 * 181);
   const Json puzzle{{"table", "carom-10ft"},
                     {"ball", {{"at", {0.5, 0.5}}}},
                     {"target", {{"point", {2, 1}}}},

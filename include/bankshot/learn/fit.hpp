@@ -24,8 +24,9 @@ struct FitWish {
   /// Cushions after mirror, han2005, mathavan2010 or stronge; "any": that which predicts best what was left out. Empty:
   /// the recordings' own.
   std::string model{};
-  /// How a cushion's restitution depends on speed.
-  enum class Bounce { as_given, constant, linear, square } bounce = Bounce::as_given;
+  /// How the cushions' restitution and the rolling friction (which has no square) depend on speed.
+  enum class BySpeed { as_given, constant, linear, square };
+  BySpeed restitution = BySpeed::as_given, rolling = BySpeed::as_given;
   int holdout = 0;       ///< so many shots are left out at a time, and predicted
   bool predict = false;  ///< with `holdout` 0, from what all shots taught
   int threads = 1;
@@ -58,6 +59,7 @@ struct FittedShot {
   int samples = 0, outliers = 0, cushions = 0;
   int unexplained = 0;              ///< samples after a contact that fits do not follow
   std::vector<double> distances{};  ///< m, of each sample of each track in order
+  std::vector<char> counted{};      ///< whether it did: neither an outlier nor unexplained
 };
 
 /// What became of a shot whose launch was fitted on its first part, up to 0.25 s after its first bounce.

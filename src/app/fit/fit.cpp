@@ -5,22 +5,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/option_checks.hpp"
+#include "app/picture.hpp"
 #include "app/read_each.hpp"
 #include "app/report/progress.hpp"
+#include "bankshot/draw/fit.hpp"
 
 namespace bankshot::app::fit {
 namespace {
 
-constexpr const char* bounces[] = {"as-given", "constant", "linear", "square"};
+constexpr const char* by_speed[] = {"as-given", "constant", "linear", "square"};
+
+FitWish::BySpeed read_by_speed(const std::string& word) {
+  return static_cast<FitWish::BySpeed>(std::ranges::find(by_speed, word) - std::begin(by_speed));
+}
 
 struct Arguments {
-  std::string file = "-", out, model, bounce = bounces[0];
+  std::string file = "-", out, model, restitution = by_speed[0], rolling = by_speed[0];
   std::vector<std::string> free;
+  std::string picture;
+  PictureStyle style;
   int holdout = 0, jobs = 0;
   bool predict = false, quiet = false;
 };
@@ -32,8 +41,7 @@ int run(const Arguments& a) {
   if (recordings.empty())
     throw FileError(fmt::format("{}: no recording in it{}", a.file, bad > 0 ? " that can be read" : ""));
   FitWish wish{.free = a.free, .model = a.model, .holdout = a.holdout, .predict = a.predict};
-  for (std::size_t i = 0; i < std::size(bounces); ++i)
-    if (a.bounce == bounces[i]) wish.bounce = static_cast<FitWish::Bounce>(i);
+  wish.restitution = read_by_speed(a.restitution), wish.rolling = read_by_speed(a.rolling);
   wish.threads = threads_for(a.jobs);
   Fit result;
   {
@@ -50,6 +58,7 @@ int run(const Arguments& a) {
   print_after(
       [&] {
         if (!a.out.empty()) write_file(a.out, physics_of(result) + "\n");
+        if (!a.picture.empty()) write_picture(a.picture, draw(recordings, result, a.style));
       },
       to_json(result) + "\n");
   if (!a.quiet) std::cerr << message_of(result) << '\n';
@@ -75,13 +84,21 @@ Run add(CLI::App& app) {
       ->add_option("--model", a->model,
                    "The cushions' law: mirror, han2005, mathavan2010, stronge; any tries the last three")
       ->check(CLI::IsMember({"mirror", "han2005", "mathavan2010", "stronge", "any"}));
-  command->add_option("--restitution", a->bounce, "How the cushions' restitution depends on speed")
+  const std::vector<std::string> words(std::begin(by_speed), std::end(by_speed));
+  command->add_option("--restitution", a->restitution, "How the cushions' restitution depends on speed")
       ->capture_default_str()
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(bounces), std::end(bounces))));
+      ->check(CLI::IsMember(words));
+  command->add_option("--rolling", a->rolling, "How rolling friction does, without a square")
+      ->capture_default_str()
+      ->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end() - 1)));
   command->add_option("--holdout", a->holdout, "Leave so many shots out at a time, and predict them")
       ->check(CLI::Range(0, 1000000));
   command->add_flag("--predict", a->predict, "Predict each shot from its first part, 0.25 s beyond its first bounce");
   command->add_option("-j,--jobs", a->jobs, "Threads; 0: as many as the machine has")->capture_default_str();
+  command
+      ->add_option("--svg", a->picture, "Draw each shot, where its balls were seen, and how far that is from its path")
+      ->check(picture_name);
+  add_theme_flag(*command, a->style.theme);
   command->add_flag("--quiet", a->quiet, "No bar and no summary on standard error");
   explain(
       *command,
