@@ -132,7 +132,7 @@ std::string draw(std::span<const Recording> recordings, const Fit& fit, const Pi
   for (std::size_t i = 0; i < recordings.size(); ++i)
     shots.plates.push_back(plate(recordings[i], fit.shots[i], fit.physics, style));
   return draw_page({&shots, 1}, {.columns = 2,
-                                 .title = fmt::format("A table from {} shots", recordings.size()),
+                                 .title = fmt::format("A table from {} shots", fit.shots.size()),
                                  .subtitle = fmt::format("a coordinate of a sample errs by {:.2g} mm", mm * fit.sigma),
                                  .theme = style.theme});
 }

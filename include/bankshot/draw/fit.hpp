@@ -12,7 +12,7 @@
 
 namespace bankshot {
 
-/// `recordings`: those that were fitted, in the same order.
+/// `recordings`: the first of those that were fitted, or all of them.
 std::string draw(std::span<const Recording> recordings, const Fit& fit, const PictureStyle& style = {});
 
 }  // namespace bankshot
