@@ -16,7 +16,13 @@ namespace {
 /// Of M numbers first log sigma of each, then its bias, in usual errors; of the speed the bias is a share in `share`s
 /// of what was meant.
 template <int M>
-using Unknowns = std::array<double, 2 * M>;
+using Unknowns = std::array<double, static_cast<std::size_t>(M) * 2>;
+/// Where they stand in it.
+constexpr std::size_t sigma_of(int k) { return static_cast<std::size_t>(k); }
+template <int M>
+constexpr std::size_t bias_of(int k) {
+  return sigma_of(M) + sigma_of(k);
+}
 constexpr double share = 0.02;
 
 /// How the bias of a speed counts for one attempt.
@@ -129,7 +135,7 @@ double end_of(Unlikelihood<M> f, const Unknowns<M>& best, int k, double least, d
     f.value = at;
     return lowest(f, x) - least > quantile / 2;
   };
-  const double begin = best[static_cast<std::size_t>(k)];
+  const double begin = best[sigma_of(k)];
   double in = begin, step = way;
   constexpr double far = 8;  // e-folds
   while (!rises(in + step)) {
@@ -165,16 +171,16 @@ std::array<double, M> bias_errors(const Unlikelihood<M>& f, const Unknowns<M>& b
   Eigen::Matrix<double, M, M> curve;
   for (int k = 0; k < M; ++k) {
     Unknowns<M> low = best, high = best;
-    low[static_cast<std::size_t>(M + k)] -= step, high[static_cast<std::size_t>(M + k)] += step;
+    low[bias_of<M>(k)] -= step, high[bias_of<M>(k)] += step;
     const Unknowns<M> a = gradient(low), b = gradient(high);
     for (int i = 0; i < M; ++i) {
-      const auto at = static_cast<std::size_t>(M + i);
+      const std::size_t at = bias_of<M>(i);
       curve(i, k) = (b[at] - a[at]) / (2 * step);
     }
   }
   const Eigen::Matrix<double, M, M> covariance = curve.inverse();
   std::array<double, M> out;
-  for (int k = 0; k < M; ++k) out[static_cast<std::size_t>(k)] = std::sqrt(covariance(k, k));
+  for (int k = 0; k < M; ++k) out[sigma_of(k)] = std::sqrt(covariance(k, k));
   return out;
 }
 
@@ -187,8 +193,8 @@ bool leave_out(std::span<Evidence> evidence, const Unknowns<M>& x) {
     if (!e.error.measured || e.error.left_out) continue;
     Eigen::Matrix<double, M, 1> variance, middle;
     for (int k = 0; k < M; ++k) {
-      variance(k) = std::exp(2 * x[static_cast<std::size_t>(k)]);
-      middle(k) = x[static_cast<std::size_t>(M + k)] * (k == 1 ? by_speed(e) : 1);
+      variance(k) = std::exp(2 * x[sigma_of(k)]);
+      middle(k) = x[bias_of<M>(k)] * (k == 1 ? by_speed(e) : 1);
     }
     using Matrix = Eigen::Matrix<double, M, M>;
     const Matrix told = e.information.topLeftCorner<M, M>();
@@ -222,18 +228,17 @@ std::vector<PlayerError> find(std::span<Evidence> evidence) {
   constexpr const char* names[] = {"angle", "speed", "side", "top"};
   std::vector<PlayerError> out;
   for (int k = 0; k < M; ++k) {
-    const auto at = static_cast<std::size_t>(k);
     const double unit = usual_error()(k), unit_of_bias = k == 1 ? share : unit;
     PlayerError& e = out.emplace_back(PlayerError{.name = names[k], .sigma_interval = {0, forever}});
     if (!is_told(evidence, k)) continue;
-    e.sigma = unit * std::exp(x[at]);
+    e.sigma = unit * std::exp(x[sigma_of(k)]);
     constexpr double first = 0.1;  // e-folds
     e.sigma_interval = {unit * std::exp(end_of<M>(f, x, k, least, -first)),
                         unit * std::exp(end_of<M>(f, x, k, least, first))};
-    if (!std::isfinite(errors[at]) || !f.biased) continue;
-    const double off = student(static_cast<double>(measured - 1)) * errors[at];
-    e.bias = unit_of_bias * x[M + at];
-    e.bias_interval = {unit_of_bias * (x[M + at] - off), unit_of_bias * (x[M + at] + off)};
+    if (!std::isfinite(errors[sigma_of(k)]) || !f.biased) continue;
+    const double off = student(static_cast<double>(measured - 1)) * errors[sigma_of(k)];
+    e.bias = unit_of_bias * x[bias_of<M>(k)];
+    e.bias_interval = {unit_of_bias * (x[bias_of<M>(k)] - off), unit_of_bias * (x[bias_of<M>(k)] + off)};
     e.bias_is_told = true;
   }
   return out;
