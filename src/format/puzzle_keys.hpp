@@ -129,7 +129,7 @@ inline constexpr Key scene_keys[] = {
 template <std::size_t N>
 constexpr auto with_scene_keys(const Key (&own)[N]) {
   std::array<Key, std::size(scene_keys) + N> out{};
-  std::ranges::copy(own, std::ranges::copy(scene_keys, out.begin()).out);
+  std::copy(std::begin(own), std::end(own), std::copy(std::begin(scene_keys), std::end(scene_keys), out.begin()));
   return out;
 }
 
