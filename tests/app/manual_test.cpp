@@ -47,7 +47,7 @@ std::string quick(const std::string& line) { return line.starts_with("bankshot r
 
 }  // namespace
 
-TEST_CASE("every --help has examples that work, and its exit codes") {
+TEST_CASE("every --help has examples that work, and its exit codes", "[heavy]") {
   for (const std::string& command : commands) {
     INFO(command);
     const std::string help = run_program(command + " --help").out;
@@ -71,7 +71,7 @@ TEST_CASE("every --help has examples that work, and its exit codes") {
   CHECK_THAT(wrong.err, Contains("did you mean \"solve\"?"));
 }
 
-TEST_CASE("every line that a document says to type works") {
+TEST_CASE("every line that a document says to type works", "[heavy]") {
   int typed = 0;
   for (const char* document : {"docs/format.md", "docs/csv.md"}) {
     const std::string text = read_repository_file(document);
@@ -89,7 +89,7 @@ TEST_CASE("every line that a document says to type works") {
   CHECK(typed >= 10);
 }
 
-TEST_CASE("docs/csv.md has every column of every table") {
+TEST_CASE("docs/csv.md has every column of every table", "[heavy]") {
   const std::string text = read_repository_file("docs/csv.md");
   std::set<std::string> columns;
   const Run run = type(R"(bankshot simulate shot.json --csv - | head -n 1

@@ -45,7 +45,7 @@ const std::string batch = "batch --no-timing --no-robustness --quiet ";
 
 }  // namespace
 
-TEST_CASE("parts of a batch, merged, are the bytes of the batch in one go") {
+TEST_CASE("parts of a batch, merged, are the bytes of the batch in one go", "[heavy]") {
   const Folder in;
   std::ofstream(in.path + "/p.jsonl", std::ios::binary) << puzzles(160);
   run_shell("gzip -k " + in("p.jsonl"));

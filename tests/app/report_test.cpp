@@ -84,7 +84,7 @@ std::string that_measures_itself(const ScratchFolder& folder) {
 
 }  // namespace
 
-TEST_CASE("report writes a page that opens offline and shows every figure") {
+TEST_CASE("report writes a page that opens offline and shows every figure", "[heavy]") {
   const ScratchFolder folder("it's-a-report");
   const auto run = run_program("report --quick --shots 1 -o \"" + folder.path + "\"");
   CHECK(run.exit == 0);
@@ -105,7 +105,7 @@ TEST_CASE("report writes a page that opens offline and shows every figure") {
   CHECK(count(browsed->log, "CONSOLE") == 0);
 }
 
-TEST_CASE("without gnuplot report says so, names the package and writes the numbers") {
+TEST_CASE("without gnuplot report says so, names the package and writes the numbers", "[heavy]") {
   const ScratchFolder folder("report-without-gnuplot");
   const char* const found = std::getenv("PATH");
   const std::string path = found ? found : "";

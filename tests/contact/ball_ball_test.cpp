@@ -67,7 +67,7 @@ double difference(const Two& a, const Two& b) {
 
 }  // namespace
 
-TEST_CASE("a contact of two balls keeps momentum, restitution, spin about the line of centres, and energy") {
+TEST_CASE("a contact of two balls keeps momentum, restitution, spin about the line of centres, and energy", "[heavy]") {
   Random r(seed);
   double momentum = 0, part = 0, about = 0, gained = -1, kept = 0;
   constexpr int draws = 1000000;

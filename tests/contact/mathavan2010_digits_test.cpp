@@ -44,7 +44,7 @@ double size(const test::Arrival& a) {
 
 }  // namespace
 
-TEST_CASE("mathavan2010 in 50 digits: the published impacts, to 1e-20 and by double to 1e-12") {
+TEST_CASE("mathavan2010 in 50 digits: the published impacts, to 1e-20 and by double to 1e-12", "[heavy]") {
   std::istringstream lines(test::read_repository_file("tests/problems/mathavan2010_impacts.jsonl"));
   double by_tolerance = 0, by_double = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -66,7 +66,7 @@ TEST_CASE("mathavan2010 in 50 digits: the published impacts, to 1e-20 and by dou
   WARN("tolerance 1e-22 against 1e-25: " << by_tolerance << "; double: " << by_double << " of |v| + R|ω|");
 }
 
-TEST_CASE("mathavan2010 in 50 digits: random impacts at three tolerances") {
+TEST_CASE("mathavan2010 in 50 digits: random impacts at three tolerances", "[heavy]") {
   constexpr std::uint64_t seed = 71;
   constexpr int families = static_cast<int>(std::size(test::impact_families)), count = 300;
   constexpr double tolerances[] = {1e-6, 1e-9, 1e-13}, allowed[] = {1e-5, 1e-8, 1e-12};

@@ -11,7 +11,7 @@
 using namespace bankshot;
 using namespace bankshot::test;
 
-TEST_CASE("paths by integrated impacts keep the bound of their tolerance") {
+TEST_CASE("paths by integrated impacts keep the bound of their tolerance", "[heavy]") {
   Worst worst("integrated impacts");
   for (const HardCase& c : hard_cases("integrated impacts")) {
     INFO(c.what);

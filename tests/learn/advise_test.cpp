@@ -74,7 +74,7 @@ TEST_CASE("a miscue is left out and told") {
   CHECK_THAT(message_of(after), Catch::Contains("of them left out"));
 }
 
-TEST_CASE("where balls came to rest tells something, and whether they fell a little") {
+TEST_CASE("where balls came to rest tells something, and whether they fell a little", "[heavy]") {
   Random random(34);
   const Advice rests = advise(attempts_of(steady, {.attempts = 60, .rests_only = true}, random));
   CHECK(rests.noise.speed == Approx(steady.habits.at("speed").sigma).epsilon(0.5));
@@ -89,7 +89,7 @@ TEST_CASE("where balls came to rest tells something, and whether they fell a lit
   CHECK(of_bad.errors.size() == 2);
 }
 
-TEST_CASE("choices are made by the player's own noise, and are no worse by it than the usual ones") {
+TEST_CASE("choices are made by the player's own noise, and are no worse by it than the usual ones", "[heavy]") {
   Random random(35);
   Player wild = steady;
   wild.habits["angle"].sigma = radians(0.5);

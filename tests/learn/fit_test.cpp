@@ -45,7 +45,7 @@ TEST_CASE("a table seen without errors is found to its digits") {
   }
 }
 
-TEST_CASE("of noisy shots each coefficient is within its errors, and outliers are known") {
+TEST_CASE("of noisy shots each coefficient is within its errors, and outliers are known", "[heavy]") {
   constexpr std::uint64_t seed = 12;
   Random random(seed);
   const Physics truth = random_table(random, carom_ball);
@@ -63,7 +63,7 @@ TEST_CASE("of noisy shots each coefficient is within its errors, and outliers ar
   CHECK(static_cast<double>(outliers) / static_cast<double>(outliers + samples) == Approx(0.05).epsilon(0.4));
 }
 
-TEST_CASE("the physics of a fit takes the place of a puzzle's, and says how well it is known") {
+TEST_CASE("the physics of a fit takes the place of a puzzle's, and says how well it is known", "[heavy]") {
   Random random(13);
   const Filmed f = filmed(random_table(random, carom_ball), {.shots = 6}, random);
   const Fit fit = bankshot::fit(f.recordings, {.free = {"cushion.restitution", "rolling_friction"}});
@@ -100,7 +100,7 @@ TEST_CASE("what the shots cannot tell is held, and named") {
         5 * of(fit, "rolling_friction").error);
 }
 
-TEST_CASE("a tilt is learnt where it is asked for") {
+TEST_CASE("a tilt is learnt where it is asked for", "[heavy]") {
   Random random(15);
   Physics truth = random_table(random, carom_ball);
   truth.tilt = {0.002, -0.001};
@@ -126,7 +126,7 @@ TEST_CASE("a rolling table is learnt too") {
   }
 }
 
-TEST_CASE("a shot that is left out is predicted from its first part") {
+TEST_CASE("a shot that is left out is predicted from its first part", "[heavy]") {
   Random random(17);
   const Filmed f = filmed(random_table(random, carom_ball), {.shots = 8}, random);
   const Fit fit = bankshot::fit(f.recordings, {.holdout = 4});

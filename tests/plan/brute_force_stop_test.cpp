@@ -237,7 +237,7 @@ void compare(int puzzles, const Fineness& fine, std::uint64_t seed, Puzzle (*dra
 
 }  // namespace
 
-TEST_CASE("all shots that stop at a point are those of brute force") {
+TEST_CASE("all shots that stop at a point are those of brute force", "[heavy]") {
   compare(20, {.aims = 360, .speed_step = 0.1, .root = 1e-6}, 29, anywhere);
 }
 

@@ -18,7 +18,7 @@ Puzzle carom(const std::string& keys) {
 
 }  // namespace
 
-TEST_CASE("caroms that a shot made are found, nearly always, and no shot is wrong") {
+TEST_CASE("caroms that a shot made are found, nearly always, and no shot is wrong", "[heavy]") {
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 40}, {test::Model::rolling, 40}, {test::Model::spin, 40}, {test::Model::mathavan, 2}}));
   const test::FoundAgain found = test::find_again("caroms", model, count, 47, 10);

@@ -162,7 +162,7 @@ TEST_CASE("a budget of nothing or almost nothing is kept") {
     }
 }
 
-TEST_CASE("bounds on speed and aim are kept") {
+TEST_CASE("bounds on speed and aim are kept", "[heavy]") {
   const std::string planner = GENERATE(from_range(planner_names));
   INFO(planner);
   int kept = 0;

@@ -20,7 +20,7 @@ Answer solved(const std::string& keys, const SolveOptions& options = {}) {
 
 }  // namespace
 
-TEST_CASE("every kick that a shot made is found, at its cut and speed") {
+TEST_CASE("every kick that a shot made is found, at its cut and speed", "[heavy]") {
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 300}, {test::Model::rolling, 300}, {test::Model::spin, 200}, {test::Model::mathavan, 30}}));
   const test::FoundAgain found = test::find_again("kicks", model, count, 42, 10);

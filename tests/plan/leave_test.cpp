@@ -33,7 +33,7 @@ TEST_CASE("where the struck ball rests is where the simulation of all balls leav
   CHECK(resting > 3);
 }
 
-TEST_CASE("of shots that are as likely the one is chosen that leaves the struck ball best") {
+TEST_CASE("of shots that are as likely the one is chosen that leaves the struck ball best", "[heavy]") {
   const Vec2d leave = GENERATE(Vec2d{2.2, 0.3}, Vec2d{0.4, 1.0}, Vec2d{1.2, 0.2});
   const std::string keys = "{\"leave\": [" + std::to_string(leave.x) + ", " + std::to_string(leave.y) + "]}";
   const Puzzle p = pot(keys);

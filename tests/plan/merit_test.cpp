@@ -140,7 +140,7 @@ TEST_CASE("a margin jumps no launch that is not made") {
   CHECK(ends > 1000);
 }
 
-TEST_CASE("a nearest miss is no farther than a scan of 1,000 launches, and has a condition") {
+TEST_CASE("a nearest miss is no farther than a scan of 1,000 launches, and has a condition", "[heavy]") {
   test::Random random(45);
   int misses = 0;
   for (int i = 0; i < 200; ++i) {

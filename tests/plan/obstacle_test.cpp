@@ -16,7 +16,7 @@ Answer solved(const std::string& keys, const SolveOptions& options = {}) {
 
 }  // namespace
 
-TEST_CASE("a shot past other balls is found, and touches none") {
+TEST_CASE("a shot past other balls is found, and touches none", "[heavy]") {
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 300}, {test::Model::rolling, 300}, {test::Model::spin, 150}, {test::Model::mathavan, 30}}));
   const test::FoundAgain found = test::find_again("obstacles", model, count, 41, 10);

@@ -10,7 +10,7 @@
 
 namespace bankshot {
 
-TEST_CASE("shots that only rattle in are found, at the speed asked") {
+TEST_CASE("shots that only rattle in are found, at the speed asked", "[heavy]") {
   int rattling = 0, missed = 0, seen = 0;
   for (std::uint64_t i = 0; seen < 150; ++i) {
     test::Random random(15, i);

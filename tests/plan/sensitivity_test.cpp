@@ -115,7 +115,7 @@ void compare_all(int each, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("sensitivity is what shots simulated again with another coefficient show") { compare_all(12, 5); }
+TEST_CASE("sensitivity is what shots simulated again with another coefficient show", "[heavy]") { compare_all(12, 5); }
 TEST_CASE("sensitivity of a thousand shots", "[.][long]") { compare_all(250, test::seed_or_fresh(6)); }
 
 TEST_CASE("sensitivity names the coefficients of the laws that a shot depends on") {

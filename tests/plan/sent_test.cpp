@@ -18,7 +18,7 @@ Puzzle pool(const std::string& keys) {
 
 }  // namespace
 
-TEST_CASE("what shots did with another ball is found again, nearly always, and no shot is wrong") {
+TEST_CASE("what shots did with another ball is found again, nearly always, and no shot is wrong", "[heavy]") {
   const std::string family =
       GENERATE("pots", "banks", "kick-pots", "kick-banks", "sent-to-rest", "sent-past", "combinations");
   const auto [model, count] = GENERATE(table<test::Model, int>(

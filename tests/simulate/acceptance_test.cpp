@@ -26,7 +26,7 @@ double drops(const Scene& scene, int pocket, int degrees, double speed) {
 
 }  // namespace
 
-TEST_CASE("as many parallel lines drop as published") {
+TEST_CASE("as many parallel lines drop as published", "[heavy]") {
   constexpr double grid = 0.6;  // mm: a line more or less
   const Scene jaws = pool("true");
   const struct {
@@ -51,7 +51,7 @@ TEST_CASE("as many parallel lines drop as published") {
   CHECK(1e3 * in_middle.width(50, Entry::clean) == Approx(87).margin(grid));
 }
 
-TEST_CASE("the lines that drop cleanly are those of the opening, at every speed") {
+TEST_CASE("the lines that drop cleanly are those of the opening, at every speed", "[heavy]") {
   for (const char* jaws : {"true", "false"})
     for (const char* preset : {"pool-9ft", "snooker-12ft"}) {
       const Scene scene =

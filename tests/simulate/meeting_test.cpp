@@ -115,7 +115,7 @@ double found_by(const Case& c) {
 
 }  // namespace
 
-TEST_CASE("meetings of two balls are those of 50 digits: none lost, none made up") {
+TEST_CASE("meetings of two balls are those of 50 digits: none lost, none made up", "[heavy]") {
   constexpr std::uint64_t seed = 61;
   constexpr double unit = 0x1p-53, most = 16;
   Random r(seed);

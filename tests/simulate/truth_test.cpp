@@ -13,7 +13,7 @@
 using namespace bankshot;
 using namespace bankshot::test;
 
-TEST_CASE("the error of a run in double is within C 2^-53 size kappa") {
+TEST_CASE("the error of a run in double is within C 2^-53 size kappa", "[heavy]") {
   Worst worst("random shots", 10);  // 3 of 555 were seen, all of the family `corners`
   constexpr std::uint64_t seed = 31;
   for (const ShotFamily family : shot_families) {
@@ -30,7 +30,7 @@ TEST_CASE("the error of a run in double is within C 2^-53 size kappa") {
   CHECK(worst.ratio > 0.01);  // the bound is not so wide that it says nothing
 }
 
-TEST_CASE("derivatives through every event agree with differences in 50 digits") {
+TEST_CASE("derivatives through every event agree with differences in 50 digits", "[heavy]") {
   constexpr std::uint64_t seed = 37;
   double worst = 0;
   int compared = 0;

@@ -77,7 +77,7 @@ TEST_CASE("the gap of an opening holds the lines that enter where a ball's centr
   CHECK(all.inside > 100'000);
 }
 
-TEST_CASE("with jaws the gap holds the lines that touch none of them") {
+TEST_CASE("with jaws the gap holds the lines that touch none of them", "[heavy]") {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
   long lines = 0, inside = 0;
