@@ -438,6 +438,8 @@ inline constexpr double widest_cut = radians(89), sweep_beyond = 1.3, widest_aim
 /// Of the bound on the launch: no slower speed is where a sweep begins.
 inline constexpr double slowest_swept = 0.05;
 inline constexpr int sweep_steps = 24, sweep_halvings = 8;
+/// Of the mark's reach: where a launch of a sweep lacks more clearance, nothing beside it is looked for.
+inline constexpr double least_hope = 3;
 /// Aims to either side and speeds of a grid, and how many of its cells away a root may be that a node predicts.
 inline constexpr int grid_steps = 12, grid_rows = 12;
 inline constexpr double grid_reach = 2;

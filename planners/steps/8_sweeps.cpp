@@ -9,6 +9,7 @@
 // grid. Guarantee: none beyond the proof.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <set>
 #include <tuple>
@@ -41,6 +42,7 @@ class Sweeps {
     each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
     each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
     if (!q_.drops()) launches(to_ball);
+    climb_peaks();
   }
 
  private:
@@ -77,7 +79,7 @@ class Sweeps {
   struct Side {
     Launch launch;
     double side = 0;
-    double lateral = 0;  ///< m, from the exact line
+    double room = 0;  ///< m, its clearance
   };
 
   std::optional<Side> side_at(const LockedAim& aim, double angle, double guess) {
@@ -85,9 +87,7 @@ class Sweeps {
     const auto speed = speed_near(aim, ledger_, angle, guess);
     const auto l = speed ? linearise(aim, ledger_, {*speed, angle}) : std::nullopt;
     if (!l) return {};
-    return Side{{*speed, angle},
-                q_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0],
-                std::abs(l->r[0]) * q_.boundary.diagonal};
+    return Side{{*speed, angle}, q_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0]};
   }
 
   /// Where Newton's method does not come to the speed that arrives as asked.
@@ -99,7 +99,7 @@ class Sweeps {
   void sweep(const LockedAim& aim, const Range& across) {
     const double middle = (across.low + across.high) / 2, half = (across.high - across.low) / 2;
     std::optional<Side> last;
-    std::vector<Side> beside;
+    std::vector<Side> row;
     double guess = middle_speed(q_);
     for (int i = -sweep_steps; i <= sweep_steps && !over(); ++i) {
       const double cut = widest_cut * i / sweep_steps;
@@ -109,9 +109,9 @@ class Sweeps {
       if (now) guess = now->launch.speed;
       if (now && last && (now->side > 0) != (last->side > 0)) between(aim, *last, *now);
       last = now;
-      if (now && !q_.starts() && now->lateral < 2 * aim.mark.reach) beside.push_back(*now);
+      if (now && !q_.starts()) row.push_back(*now);
     }
-    make_beside(aim, beside);
+    make_beside(aim, row);
   }
 
   void between(const LockedAim& aim, const Side& a, const Side& b) {
@@ -129,15 +129,30 @@ class Sweeps {
     if (root) certify_root(aim, ledger_, found_, root.launch, word::chains);
   }
 
-  /// Where the exact line needs a launch that no bound allows, or is blocked, others lead in beside it.
-  void make_beside(const LockedAim& aim, std::vector<Side>& launches) {
-    std::ranges::sort(launches, {}, &Side::lateral);
-    for (const Side& s : launches) {
+  /// Where the exact line needs a launch that no bound allows, or is blocked, others lead in beside it: those of the
+  /// row with room, and what is between two of them around each that has more than its neighbours.
+  void make_beside(const LockedAim& aim, std::vector<Side>& row) {
+    for (Side& s : row) s.room = clearance(aim, ledger_, s.launch).value_or(-q_.boundary.diagonal);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Side& s = row[i];
       if (over()) return;
-      if (!q_.speed.contains(s.launch.speed) || !(clearance(aim, ledger_, s.launch).value_or(-1) > 0)) continue;
-      certify(q_, ledger_, found_, {s.launch.speed, wrap_angle(s.launch.angle)}, bounces_of(aim.route), word::chains,
-              Demand::off_centre);
+      if (q_.speed.contains(s.launch.speed) && s.room > 0)
+        certify(q_, ledger_, found_, {s.launch.speed, wrap_angle(s.launch.angle)}, bounces_of(aim.route), word::chains,
+                Demand::off_centre);
+      const Side& before = row[i > 0 ? i - 1 : i];
+      const Side& after = row[std::min(i + 1, row.size() - 1)];
+      if (s.room < before.room || s.room < after.room || s.room < -least_hope * aim.mark.reach) continue;
+      const double half = std::max(s.launch.angle - before.launch.angle, after.launch.angle - s.launch.angle);
+      peaks_.push_back({s.launch, Route(aim.route.begin(), aim.route.end()), aim.mark, q_.spin, half, s.room});
     }
+  }
+
+  /// Last of all, since each takes a hundred simulations: the most hopeful first.
+  void climb_peaks() {
+    if (over()) return;
+    std::ranges::sort(peaks_, std::ranges::greater{}, &Lead::room);
+    std::ranges::move(peaks_, std::back_inserter(found_.leads));
+    parts_.climb(q_, ledger_, found_);
   }
 
   void grid(const LockedAim& aim, const Range& across) {
@@ -159,6 +174,7 @@ class Sweeps {
   Ledger& ledger_;
   Findings& found_;
   Parts& parts_;
+  std::vector<Lead> peaks_{};  ///< of clearance, between two aims of a sweep
 };
 
 }  // namespace
