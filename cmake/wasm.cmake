@@ -23,5 +23,5 @@ bankshot_headers(CLI11::CLI11 CLI/CLI.hpp libcli11-dev)
 bankshot_headers(Eigen3::Eigen Eigen/Core libeigen3-dev)
 bankshot_headers(Ceres::ceres ceres/jet.h libceres-dev)
 # Exceptions as WebAssembly has them: by way of JavaScript, which is the default, they cost up to seven times.
-add_compile_options(-fwasm-exceptions "SHELL:-include \"${PROJECT_SOURCE_DIR}/src/app/serve/wasm/libcxx14.hpp\"")
+add_compile_options(-fwasm-exceptions "SHELL:-include \"${PROJECT_SOURCE_DIR}/bindings/javascript/libcxx14.hpp\"")
 add_link_options(-fwasm-exceptions)

@@ -21,7 +21,7 @@ for block in block-*; do
   case $block in
     *.bash) { echo 'set -eu'; cat "$block"; } | bash ;;
     *.python) python3 "$block" ;;
-    *.javascript) mv "$block" "$block.cjs" && node "$block.cjs" ;;
+    *.javascript) mv "$block" "$block.mjs" && node "$block.mjs" ;;
   esac
 done
 [ "$found" = 1 ] || { echo "$page has no commands" >&2; exit 1; }

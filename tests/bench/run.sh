@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -116,6 +116,10 @@ part() {
       bash examples/page.sh build/wasm/bankshot.html
       (cd tests/page && npm ci --silent --no-audit --no-fund && node timing.mjs)
       ;;
+    javascript)  # In Node.
+      bash bindings/javascript/package.sh build/wasm/npm
+      (cd tests/page && npm ci --silent --no-audit --no-fund && node engine_timing.mjs)
+      ;;
     planners-rolling)  # Not every planner looks for parts of pockets.
       for planner in auto image sweep ceres nlopt-bobyqa nlopt-direct; do
         look "planners-rolling-$planner" --count 2000 --seed 2 --physics rolling --family uniform --planner $planner
@@ -152,7 +156,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch report
 for name; do
   if [ "$name" = report ]; then
     report

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The page and the engine as one file: node one_file.mjs PAGE_FOLDER SCRIPT.js ENGINE_FOLDER WORKER.js > bankshot.html
+// The page and the engine as one file: node one_file.mjs PAGE_FOLDER SCRIPT.js PACKAGE_FOLDER > bankshot.html
 // SCRIPT is the page's modules joined, since modules do not load from a disk.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
-const [page, script, engine, worker] = process.argv.slice(2);
+const [page, script, engine] = process.argv.slice(2);
 const text = (path) => readFileSync(path, 'utf8');
 const hash = (code) => `'sha256-${createHash('sha256').update(code).digest('base64')}'`;
 
@@ -19,8 +19,8 @@ function put(html, old, now) {
 const code = `\n${text(script)}`.replaceAll('</script', '<\\/script');
 const style = text(`${page}/style.css`);
 const icon = 'data:image/svg+xml;base64,' + readFileSync(`${page}/icon.svg`).toString('base64');
-const own = `${text(`${engine}/engine.js`)}\n${text(worker)}`.replaceAll('</script', '<\\/script');
-const bytes = gzipSync(readFileSync(`${engine}/engine.wasm`), {
+const own = text(`${engine}/worker.js`).replaceAll('</script', '<\\/script');
+const bytes = gzipSync(readFileSync(`${engine}/bankshot.wasm`), {
   level: 9,
 }).toString('base64');
 const policy = [

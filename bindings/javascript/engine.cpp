@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The engine of a page that has no server: the server's answers, called from JavaScript. Built by emscripten alone.
+// The server's answers, called from JavaScript: the engine of the npm package, and of a page that has no server. Built
+// by emscripten alone.
 #include <emscripten.h>
 
 #include <cstring>
@@ -10,7 +11,7 @@
 namespace bankshot::app::serve {
 namespace {
 
-/// Nobody can stop it from outside: a page ends its worker.
+/// Nobody can stop it from outside: whoever asks ends its worker.
 Reply reply_to(std::string_view path, const Query& query, const std::string& body) {
   const std::atomic<bool> never{false};
   const Limit limit{never, never, 0};
@@ -20,6 +21,7 @@ Reply reply_to(std::string_view path, const Query& query, const std::string& bod
   if (path == "launches") return launches(query, body, limit);
   if (path == "tables") return tables(query);
   if (path == "schema") return schema(query);
+  if (path == "version") return {200, BANKSHOT_VERSION};
   return refusal(404, "", "the engine has no " + std::string(path));
 }
 

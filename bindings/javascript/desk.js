@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// An engine in a worker, one question at a time; what is asked meanwhile waits its turn.
+
+/** ms for an answer that nobody waits for any longer; then its worker ends, and the next question begins another. */
+const patience = 60;
+
+export class Desk {
+  #begin;
+  #module;
+  #worker = null;
+  /** @type {Set<AbortController>} of each question that is not answered */
+  #asked = new Set();
+  #turn = Promise.resolve();
+  #fail = null; // of the question that the worker is at
+
+  /**
+   * @param {() => Worker} begin
+   * @param {WebAssembly.Module} module
+   */
+  constructor(begin, module) {
+    this.#begin = begin;
+    this.#module = module;
+  }
+
+  /**
+   * @param {import('./instance.js').Question} question
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<import('./instance.js').Reply>}
+   */
+  ask(question, signal) {
+    return new Promise((done, fail) => {
+      const stop = new AbortController();
+      const leave = () => stop.abort(signal.reason);
+      stop.signal.onabort = () => fail(stop.signal.reason);
+      if (signal?.aborted) return leave();
+      signal?.addEventListener('abort', leave, { once: true });
+      this.#asked.add(stop);
+      this.#turn = this.#turn
+        .then(() => (stop.signal.aborted ? null : this.#put(question, stop.signal)))
+        .then(done, fail)
+        .finally(() => {
+          this.#asked.delete(stop);
+          signal?.removeEventListener('abort', leave);
+        });
+    });
+  }
+
+  /** Ends the worker and all that was asked; another question begins a new one. */
+  end() {
+    const why = new Error('its worker was ended');
+    for (const stop of this.#asked) stop.abort(why);
+    this.#drop(why);
+  }
+
+  #drop(why) {
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#fail?.(why);
+  }
+
+  #start() {
+    const worker = this.#begin();
+    worker.postMessage({ module: this.#module });
+    return worker;
+  }
+
+  /** @param {AbortSignal} signal */
+  async #put(question, signal) {
+    const worker = /** @type {any} */ (this.#worker ??= this.#start());
+    let late;
+    signal.addEventListener('abort', () => (late = setTimeout(() => this.#drop(signal.reason), patience)));
+    worker.ref?.(); // Node waits for a worker that has something to do
+    try {
+      return await new Promise((done, fail) => {
+        this.#fail = fail;
+        worker.onmessage = ({ data }) => (data.broken ? this.#drop(new Error(data.broken)) : done(data));
+        worker.onerror = (event) => this.#drop(new Error(event.message ?? 'its worker did not begin'));
+        worker.postMessage(question);
+      });
+    } finally {
+      this.#fail = null;
+      clearTimeout(late);
+      worker.unref?.();
+    }
+  }
+}

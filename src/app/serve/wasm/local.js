@@ -1,0 +1,37 @@
+// The engine inside the page's own file: WebAssembly in workers, so that the page never waits.
+import { Desk } from '../../../../bindings/javascript/desk.js';
+import { answerBy } from '../page/engine.js';
+
+const longest = 10000; // ms for an answer, as the server has it
+const code = document.getElementById('engine-worker').textContent;
+const bytes = document.getElementById('engine-bytes').textContent; // gzip, base64
+
+const url = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
+const module = compile();
+/** @type {Map<string, Desk>} one for each kind of work */
+const desks = new Map();
+
+async function compile() {
+  const packed = Uint8Array.from(atob(bytes.trim()), (c) => c.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+}
+
+async function deskFor(work) {
+  const compiled = await module;
+  if (!desks.has(work)) desks.set(work, new Desk(() => new Worker(url), compiled));
+  return desks.get(work);
+}
+
+answerBy(async (path, body, kind, signal) => {
+  const [name, query = ''] = path.split('?');
+  const flags = [...new URLSearchParams(query)].map(([k, v]) => `${k}=${v}\n`).join('');
+  const desk = await deskFor(name + (path.includes('first') ? ' first' : ''));
+  const limit = AbortSignal.timeout(longest);
+  try {
+    return await desk.ask({ name, flags, body: body ?? '' }, AbortSignal.any([signal, limit]));
+  } catch (error) {
+    if (signal.aborted || !limit.aborted) throw error;
+    return { ok: false, text: JSON.stringify({ path: '', reason: `the time limit of ${longest / 1000} s ended it` }) };
+  }
+});

@@ -1,0 +1,57 @@
+// What the tests of the npm package share: where it is, what the program says, and when two answers are one.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { program } from './browser.mjs';
+
+const root = new URL('../../', import.meta.url);
+export const folder = fileURLToPath(new URL('build/wasm/npm/', root));
+
+export const isBuilt = existsSync(`${folder}documents.d.ts`);
+if (!isBuilt) {
+  assert.ok(!process.env.BANKSHOT_BROWSER, 'no engine: bash examples/page.sh');
+  console.error('SKIPPED: no engine (bash examples/page.sh)');
+}
+
+export const { load, loadWorker, BankshotError } = isBuilt ? await import(`${folder}index.js`) : {};
+
+/** The puzzles of examples/, by name. @type {Record<string, any>} */
+export const examples = Object.fromEntries(
+  readdirSync(new URL('examples/puzzles/', root))
+    .filter((name) => name.endsWith('.json'))
+    .map((name) => [name, JSON.parse(readFileSync(new URL(`examples/puzzles/${name}`, root), 'utf8'))]),
+);
+
+/** Whose map takes hours: a test that waits for it fails. */
+export const endless = {
+  ...examples['two-cushion-bank.json'],
+  physics: { model: 'spin', cushion: { model: 'mathavan2010' } },
+  cushions: { min: 4, max: 5 },
+};
+
+/** What the program prints; that a puzzle has no shot is exit 1. */
+export function run(args, document) {
+  const input = typeof document === 'object' ? JSON.stringify(document) : document;
+  try {
+    return execFileSync(program, args, { input, encoding: 'utf8', maxBuffer: 1e9, stdio: ['pipe', 'pipe', 'ignore'] });
+  } catch (error) {
+    if (error.status === 1) return error.stdout;
+    throw error;
+  }
+}
+
+/**
+ * Numbers but for rounding (the C libraries' sines differ in the last digit), all else as it is. How many simulations
+ * it took hangs on the last digit, and on NLopt, which the engine has not.
+ */
+export function same(a, b, path = '') {
+  if (path.endsWith('simulations')) return;
+  if (typeof a === 'number' && typeof b === 'number') {
+    const rough = /success|margin|condition|miss/.test(path) ? 1e-3 : 1e-7;
+    assert.ok(Math.abs(a - b) <= rough * Math.max(1, Math.abs(a)), `${path}: ${a} and ${b}`);
+  } else if (a && b && typeof a === 'object') {
+    assert.deepEqual(Object.keys(a), Object.keys(b), path);
+    for (const key of Object.keys(a)) same(a[key], b[key], `${path}/${key}`);
+  } else assert.equal(a, b, path);
+}
