@@ -14,7 +14,8 @@ namespace {
 /// Nobody can stop it from outside: whoever asks ends its worker.
 Reply reply_to(std::string_view path, const Query& query, const std::string& body) {
   const std::atomic<bool> never{false};
-  const Limit limit{never, never, 0};
+  const std::atomic<const char*> why{""};
+  const Limit limit{never, why};
   if (path == "solve") return solve(query, body, limit);
   if (path == "simulate") return simulate(query, body);
   if (path == "map") return map(query, body, limit);

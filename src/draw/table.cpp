@@ -2,9 +2,11 @@
 #include "draw/table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "geometry/mouth.hpp"
 
 namespace bankshot::drawing {
 namespace {
@@ -34,21 +36,11 @@ void draw_hole(Canvas& c, const Pocket& p, double grow, const char* colour) {
 /// The cloth between the jaws of a pocket: along a tip and a facing into the hole, and out again.
 void draw_mouth(Canvas& c, const JawPieces& j) {
   std::string path;
-  const auto point = [&](const char* to, const Vec2d& p) {
-    path += fmt::format("{}{:.1f} {:.1f}", to, c.at(p).x, c.at(p).y);
-  };
   const auto arc = [&](const Bend& tip) { return fmt::format("A{0:.2f} {0:.2f} 0 0 1 ", c.px(tip.radius)); };
-  const auto on_rail = [&](int rail, double s) {
-    const auto i = static_cast<std::size_t>(rail);
-    const Vec2d from = c.table.vertices[i], way = c.table.vertices[(i + 1) % c.table.vertices.size()] - from;
-    return from + way * (s / norm(way));
-  };
-  point("M", on_rail(j.breaks.front().rail, j.breaks.front().begin));
-  point(arc(j.tips[0]).c_str(), j.facings[0].from);
-  point("L", j.facings[0].to);
-  point("L", j.facings[1].from);
-  point("L", j.facings[1].to);
-  point(arc(j.tips[1]).c_str(), on_rail(j.breaks.back().rail, j.breaks.back().end));
+  const std::array<std::string, 6> ways{"M", arc(j.tips[0]), "L", "L", "L", arc(j.tips[1])};
+  const std::array<Vec2d, 6> points = mouth(c.table, j);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    path += fmt::format("{}{:.1f} {:.1f}", ways[i], c.at(points[i]).x, c.at(points[i]).y);
   c.add(R"(<path d="{}z" fill="{}"/>)", path, c.c.cloth);
 }
 

@@ -6,12 +6,17 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "app/files.hpp"
+#include "app/serve/desk.hpp"
 #include "app/serve/door.hpp"
 #include "app/serve/server.hpp"
 #include "bankshot/numbers/random.hpp"
@@ -68,24 +73,54 @@ class Running {
 
 nlohmann::json json_of(const httplib::Result& reply) { return nlohmann::json::parse(reply->body); }
 
-/// Sends these bytes as they are; what comes back, until the server closes or `patience` s have passed.
-std::string talk(int port, const std::string& bytes, long patience = 3) {
-  const int s = socket(AF_INET, SOCK_STREAM, 0);
-  const timeval limit{patience, 0};
-  setsockopt(s, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
-  sockaddr_in to{};
-  to.sin_family = AF_INET;
-  to.sin_port = htons(static_cast<std::uint16_t>(port));
-  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  REQUIRE(connect(s, reinterpret_cast<sockaddr*>(&to), sizeof to) == 0);
-  send(s, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-  shutdown(s, SHUT_WR);
-  std::string back;
-  char part[4096];
-  for (ssize_t n = 0; patience > 0 && (n = recv(s, part, sizeof part, 0)) > 0;)
-    back.append(part, static_cast<std::size_t>(n));
-  close(s);
-  return back;
+/// A client that does as it likes.
+class Caller {
+ public:
+  /// Takes no more than `room` bytes before it reads, where that is given.
+  explicit Caller(int port, int room = 0) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    if (room > 0) setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
+    const timeval limit{20, 0};
+    setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(static_cast<std::uint16_t>(port));
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    REQUIRE(connect(socket_, reinterpret_cast<sockaddr*>(&to), sizeof to) == 0);
+  }
+  Caller(const Caller&) = delete;
+  Caller& operator=(const Caller&) = delete;
+  ~Caller() { close(socket_); }
+
+  /// False once the server has closed.
+  bool says(const std::string& bytes) const {
+    return send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
+  }
+  /// All that comes until the server closes.
+  std::string hears() const {
+    std::string back;
+    char part[4096];
+    for (ssize_t n = 0; (n = recv(socket_, part, sizeof part, 0)) > 0;) back.append(part, static_cast<std::size_t>(n));
+    return back;
+  }
+
+ private:
+  const int socket_;
+};
+
+std::string asks(int port, const std::string& path, const std::string& body) {
+  return "POST " + path + " HTTP/1.1\r\nHost: localhost:" + std::to_string(port) +
+         "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
+/// Asked again for as long as there is no room; 20 s at most.
+int status_at_last(const Running& server, const std::string& body) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  int status = 503;
+  while (status == 503 && std::chrono::steady_clock::now() < until) {
+    const auto reply = server.post("/api/solve", body);
+    status = reply ? reply->status : 0;
+  }
+  return status;
 }
 
 }  // namespace
@@ -155,6 +190,7 @@ TEST_CASE("simulate, map, tables and schema answer as their commands do") {
   const nlohmann::json tables = json_of(server.client().Get("/api/tables"));
   CHECK(tables.at(0).at("name") == "pool-7ft");
   CHECK(tables.at(0).at("pockets").size() == 6);
+  CHECK(tables.at(0).at("pockets").at(0).at("mouth").size() == 6);
   CHECK(server.client().Get("/api/schema?document=shot")->body == test::run_program("schema shot").out);
 }
 
@@ -206,7 +242,7 @@ TEST_CASE("a search ends at its time limit, and says so") {
   options.time_limit = 0.1;
   const Running server(options);
   const nlohmann::json answer = json_of(server.post("/api/solve?all&no-robustness", endless));
-  CHECK(answer.at("message").get<std::string>().find("the time limit of 0.1 s ended the search") != std::string::npos);
+  CHECK(answer.at("message").get<std::string>().find("the time limit of 0.1 s was over") != std::string::npos);
   CHECK((answer.at("status") == "budget" || answer.at("status") == "solved"));
   CHECK(server.post("/api/map?grid=9,9&no-robustness", endless)->status == 503);
 }
@@ -243,15 +279,78 @@ TEST_CASE("what no server needs to understand is refused, and the next request i
   for (int i = 0; i < 60; ++i) {
     std::string bytes = i % 2 ? "POST /api/solve HTTP/1.1\r\nHost: localhost\r\n" : "";
     for (int k = random.integer(0, 300); k > 0; --k) bytes += static_cast<char>(random.integer(0, 255));
-    talk(server.port(), bytes, 0);
+    Caller(server.port()).says(bytes);
   }
-  // One that goes away in mid-solve.
-  const std::string body = endless;
-  talk(server.port(),
-       "POST /api/solve?all HTTP/1.1\r\nHost: localhost:" + std::to_string(server.port()) +
-           "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body,
-       0);
   CHECK(server.post("/api/solve", easy)->status == 200);
+}
+
+TEST_CASE("a body that comes in pieces or packed is no larger than another") {
+  const Running server;
+  const std::string piece = "10000\r\n" + std::string(0x10000, ' ') + "\r\n";
+  const Caller caller(server.port());
+  bool open = caller.says("POST /api/solve HTTP/1.1\r\nHost: localhost:" + std::to_string(server.port()) +
+                          "\r\nTransfer-Encoding: chunked\r\n\r\n");
+  for (int i = 0; i < 17 && open; ++i) open = caller.says(piece);
+  CHECK(caller.hears().find("413") != std::string::npos);
+  CHECK(server.post("/api/solve", easy)->status == 200);
+}
+
+TEST_CASE("a search ends when its client goes away") {
+  ServerOptions options;
+  options.at_once = 1, options.waiting = 0, options.time_limit = 1000;
+  const Running server(options);
+  for (const char* path : {"/api/solve?all&no-robustness", "/api/map?grid=9,9&no-robustness"}) {
+    CAPTURE(path);
+    auto caller = std::make_unique<Caller>(server.port());
+    REQUIRE(caller->says(asks(server.port(), path, endless)));
+    while (server.post("/api/solve", "{}")->status != 503) continue;  // until it is worked on
+    caller.reset();
+    CHECK(status_at_last(server, easy) == 200);  // the one place is free again
+  }
+}
+
+TEST_CASE("who goes away while it waits makes room at the desk, too") {
+  app::serve::Desk desk(1, 1, 1000);
+  std::atomic<bool> gone{false};
+  const auto work = desk.begin("", [] { return false; });
+  auto waiting = std::async(std::launch::async, [&] { return desk.begin("", [&] { return gone.load(); }); });
+  CHECK(waiting.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout);
+  gone = true;
+  CHECK(waiting.wait_for(std::chrono::seconds(20)) == std::future_status::ready);
+  CHECK(!work->stop);
+}
+
+TEST_CASE("a client that is slow loses its connection, not the server") {
+  ServerOptions options;
+  options.connections = 1;
+  options.patience = {.request = std::chrono::milliseconds(300), .answer = std::chrono::milliseconds(300)};
+  const Running server(options);
+  const std::string request = asks(server.port(), "/api/solve", easy + std::string(100000, ' '));
+  SECTION("a byte now and then: of the head") {
+    const Caller caller(server.port());
+    std::size_t sent = 0;
+    while (sent < 10000 && caller.says(request.substr(sent % 8, 1)))
+      ++sent, std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    CHECK(sent < 10000);
+  }
+  SECTION("a byte now and then: of the body") {
+    const Caller caller(server.port());
+    REQUIRE(caller.says(request.substr(0, 500)));
+    std::size_t sent = 500;
+    while (sent < request.size() && caller.says(request.substr(sent, 1)))
+      ++sent, std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    CHECK(sent < request.size());
+    CHECK(caller.hears().find("408") != std::string::npos);
+  }
+  SECTION("it does not read its answer") {
+    const std::string rolls = R"({"table": {"length": 2, "width": 1}, "physics": "ideal", "ball": {"at": [0.5, 0.5]},
+      "shot": {"speed": 1, "angle": 33}, "until": {"cushions": 5000}})";
+    const Caller caller(server.port(), 4096);
+    REQUIRE(caller.says(asks(server.port(), "/api/simulate?csv", rolls)));
+    CHECK(status_at_last(server, easy) == 200);
+    CHECK(caller.hears().size() < server.post("/api/simulate?csv", rolls)->body.size());
+  }
+  CHECK(status_at_last(server, easy) == 200);
 }
 
 TEST_CASE("the page comes with its files and lets nothing else in") {

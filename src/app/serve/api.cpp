@@ -17,6 +17,7 @@
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "format/schema.hpp"
+#include "geometry/mouth.hpp"
 #include "json/reader.hpp"
 #include "json/writer.hpp"
 
@@ -46,16 +47,22 @@ Reply answer(const F& f) {
   }
 }
 
-void write_point(JsonWriter& w, std::string_view key, const Vec2d& p) {
-  w.key(key), w.open('['), w.number(p.x), w.number(p.y), w.close(']');
-}
+void write_point(JsonWriter& w, const Vec2d& p) { w.open('['), w.number(p.x), w.number(p.y), w.close(']'); }
 
-void write_pocket(JsonWriter& w, const Table& table, const Pocket& pocket) {
+void write_pocket(JsonWriter& w, const Table& table, const Pocket& pocket, const JawPieces* jaws) {
   w.open('{');
   w.string("name", pocket.name);
-  write_point(w, "at", pocket.place());
+  w.key("at"), write_point(w, pocket.place());
   w.number("half", pocket.half());
-  write_point(w, "out", view(table, pocket).out);
+  w.key("out"), write_point(w, view(table, pocket).out);
+  w.key("hole"), write_point(w, pocket.at);
+  w.number("radius", pocket.radius);
+  if (jaws) {
+    w.key("mouth"), w.open('[');
+    for (const Vec2d& p : mouth(table, *jaws)) write_point(w, p);
+    w.close(']');
+    w.number("tip", jaws->tips[0].radius);
+  }
   w.close('}');
 }
 
@@ -68,7 +75,9 @@ void write_preset(JsonWriter& w, const TablePreset& preset) {
   for (const std::string& name : table.cushions) w.string(name);
   w.close(']');
   w.key("pockets"), w.open('[');
-  for (const Pocket& pocket : table.pockets) write_pocket(w, table, pocket);
+  const std::vector<JawPieces> jaws = obstacles(table).jaws;  // of every pocket, or none
+  for (std::size_t i = 0; i < table.pockets.size(); ++i)
+    write_pocket(w, table, table.pockets[i], jaws.empty() ? nullptr : &jaws[i]);
   w.close(']');
   w.number("radius", preset.body.radius);
   w.number("diamond", preset.length / 8);
@@ -85,12 +94,6 @@ void check_length(const Puzzle& p, const Answer& found) {
     points += shot.arrival.time * usual_rate * static_cast<double>(1 + p.others.size());
   if (points > most_rows)
     throw WriteError(fmt::format("the paths would have {:.2g} points, and {:.0g} is the most", points, most_rows));
-}
-
-void tell_why_it_ended(Answer& found, const Limit& limit) {
-  if (!limit.stop) return;
-  found.message += limit.late ? fmt::format("; the time limit of {:g} s ended the search", limit.seconds)
-                              : "; a newer request took its place";
 }
 
 }  // namespace
@@ -123,7 +126,7 @@ Reply solve(const Query& query, const std::string& body, const Limit& limit) {
     SolveOptions options = flags.solve_options();
     options.cancelled = &limit.stop;
     Answer found = bankshot::solve(puzzle, options);
-    tell_why_it_ended(found, limit);
+    if (limit.stop) found.message += fmt::format("; {}", limit.why.load());
     if (flags.path) check_length(puzzle, found);
     return Reply{200, to_json(puzzle, found, !flags.no_timing, flags.path) + "\n"};
   });
@@ -162,7 +165,7 @@ Reply map(const Query& query, const std::string& body, const Limit& limit) {
     if (budget >= 0) puzzle.budget = budget;
     const StartMap map =
         app::map::map_of(puzzle, grid[0], grid[1], {.robustness = !no_robustness, .cancelled = &limit.stop});
-    if (limit.stop) return refusal(503, "", fmt::format("the time limit of {:g} s ended the map", limit.seconds));
+    if (limit.stop) return refusal(503, "", limit.why.load());
     if (svg) return Reply{200, draw(puzzle, map, Theme::light), "image/svg+xml"};
     return Reply{200, to_csv(puzzle, map), "text/csv"};
   });
@@ -182,7 +185,7 @@ Reply launches(const Query& query, const std::string& body, const Limit& limit) 
     if (!(speed[0] < speed[1])) return refusal(400, "", "--speed: the first must be less than the second");
     const LaunchGrid asked{{radians(angle[0]), radians(angle[1])}, {speed[0], speed[1]}, grid[0], grid[1]};
     const LaunchMap map = launch_map(read_puzzle(body), asked, &limit.stop);
-    if (limit.stop) return refusal(503, "", fmt::format("the time limit of {:g} s ended the map", limit.seconds));
+    if (limit.stop) return refusal(503, "", limit.why.load());
     return Reply{200, to_json(map) + "\n"};
   });
 }

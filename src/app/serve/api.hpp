@@ -25,12 +25,12 @@ struct Reply {
 /// 400 and the like: `{"path": "/ball/at", "reason": "…"}`.
 Reply refusal(int status, const std::string& path, const std::string& reason);
 
-/// The flags of `solve` that answer in JSON. `stop` ends the search with what it has; `why` says then why that was.
+/// What ends a search from outside.
 struct Limit {
   const std::atomic<bool>& stop;
-  const std::atomic<bool>& late;  ///< it was the time limit
-  double seconds;
+  const std::atomic<const char*>& why;  ///< in words, once it stops
 };
+/// The flags of `solve` that answer in JSON. Stopped, it answers with what it has.
 Reply solve(const Query& query, const std::string& body, const Limit& limit);
 Reply simulate(const Query& query, const std::string& body);
 /// `?grid=40,20`: a table, or with `svg` a picture.

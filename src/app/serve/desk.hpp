@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Which requests are worked on: at most one for each core, a few that wait, and no more; each has a time limit, and
-// makes room for a newer one of the same page.
+// Which requests are worked on: at most one for each core, a few that wait, and no more; each has a time limit, makes
+// room for a newer one of the same page, and ends when nobody waits for it any longer.
 #pragma once
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -31,26 +32,29 @@ class Desk {
     Work& operator=(const Work&) = delete;
     ~Work() { desk_.leave(*this); }
 
-    std::atomic<bool> stop{false}, late{false};
+    std::atomic<bool> stop{false};
+    std::atomic<const char*> why{""};  ///< in words, once it stops
 
    private:
     friend class Desk;
     Desk& desk_;
+    std::function<bool()> gone_;
     std::string page_;
     std::chrono::steady_clock::time_point until_;
   };
-  /// Null where too many wait already. `page`: older work of the same one is stopped; empty: of no page.
-  std::unique_ptr<Work> begin(const std::string& page);
-
-  double seconds() const { return seconds_; }
+  /// Null where too many wait already; stopped at once where it ended before its turn. `page`: older work of the same
+  /// one is stopped; empty: of no page. `gone`: whether the asker has; called from another thread while the work lives.
+  std::unique_ptr<Work> begin(const std::string& page, std::function<bool()> gone);
   void stop_all();
 
  private:
+  void end(Work& work, const char* why);
   void leave(Work& work);
   void watch();
 
   const int at_once_, most_waiting_;
-  const double seconds_;
+  const std::chrono::duration<double> longest_;
+  const std::string too_long_;
   std::mutex mutex_;
   std::condition_variable free_, ended_;
   int working_ = 0, waiting_ = 0;

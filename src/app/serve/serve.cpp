@@ -69,8 +69,9 @@ Run add(CLI::App& app) {
       "/api/schema?document=puzzle. Flags are query parameters of the same names (?all&path&budget=500), and the\n"
       "answer to /api/solve is the bytes of `bankshot solve --json` with the same flags. What is wrong with a\n"
       "request is answered with 400 and {\"path\", \"reason\"}; a search that takes longer than the limit ends with\n"
-      "what it has; 503 and Retry-After ask to come back. A body has at most 1 MB. A request with the header\n"
-      "Bankshot-Page ends older ones with the same. Pages from elsewhere may not ask.",
+      "what it has, and one whose client goes away ends; 503 and Retry-After ask to come back. A body has at most\n"
+      "1 MB, and a request 10 s to arrive. One with the header Bankshot-Page ends older ones with the same. Pages\n"
+      "from elsewhere may not ask.",
       {{"bankshot serve --open", "the page"},
        {"curl --json @puzzle.json 'localhost:8080/api/solve?all'", "every shot, from another program"}},
       "0 ended by Ctrl-C or a polite kill; 2 bad usage, or the port is taken.");

@@ -2,7 +2,6 @@
 #include "app/serve/server.hpp"
 
 #include <fmt/format.h>
-#include <httplib.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -12,46 +11,15 @@
 #include "app/serve/api.hpp"
 #include "app/serve/desk.hpp"
 #include "app/serve/door.hpp"
+#include "app/serve/listener.hpp"
 #include "app/serve/page.hpp"
 
 namespace bankshot::app::serve {
 namespace {
 
 constexpr std::size_t largest_body = 1 << 20;         // bytes
-constexpr int slowest_client = 5;                     // s between two of its bytes
-constexpr int idle_connection = 2;                    // s: a worker that waits for one serves no other
 constexpr std::size_t most_of_a_connection = 100000;  // requests
 constexpr const char* page_header = "Bankshot-Page";
-
-/// Whether this thread only sends away: see Workers.
-thread_local bool no_room = false;
-
-/// As many threads as connections at once; those beyond are told so by one more.
-class Workers : public httplib::TaskQueue {
- public:
-  explicit Workers(std::size_t connections) : connections_(connections), pool_(connections), door_(1) {}
-
-  void enqueue(std::function<void()> connection) override {
-    if (open_.fetch_add(1) < connections_)
-      pool_.enqueue([this, connection = std::move(connection)] { run(connection); });
-    else
-      door_.enqueue([this, connection = std::move(connection)] { no_room = true, run(connection); });
-  }
-  void shutdown() override {
-    pool_.shutdown();
-    door_.shutdown();
-  }
-
- private:
-  void run(const std::function<void()>& connection) {
-    connection();
-    --open_;
-  }
-
-  const std::size_t connections_;
-  std::atomic<std::size_t> open_{0};
-  httplib::ThreadPool pool_, door_;
-};
 
 Query query_of(const httplib::Request& request) { return {request.params.begin(), request.params.end()}; }
 
@@ -66,11 +34,21 @@ void put(httplib::Response& response, const Reply& reply) {
   response.set_content_provider(reply.body.size(), reply.type, piece);
 }
 
+/// What remains of it would be taken for the next request.
+void unread(httplib::Response& response, Connection& client, std::size_t body) {
+  if (client.cut()) response.status = 408;
+  if (body > largest_body) response.status = 413;
+  client.cut_off();
+  response.set_header("Connection", "close");
+}
+
 std::string words_of(int status) {
   switch (status) {
     case 404:
       return "there is nothing here; POST to /api/solve, /api/simulate, /api/map or /api/launches, GET /api/tables or "
              "/api/schema";
+    case 408:
+      return "the request took too long to arrive";
     case 413:
       return fmt::format("the body is larger than {} bytes", largest_body);
     case 414:
@@ -84,21 +62,19 @@ std::string words_of(int status) {
 
 struct Server::Parts {
   ServerOptions options;
-  httplib::Server http{};
+  Listener http;
   Desk desk;
   std::unique_ptr<Door> door{};
 
   explicit Parts(const ServerOptions& o)
       : options(o),
+        http(o.connections, o.patience),
         desk(o.at_once > 0 ? o.at_once : std::max(1, static_cast<int>(std::thread::hardware_concurrency())), o.waiting,
              o.time_limit) {}
 
   void limits() {
-    http.new_task_queue = [n = options.connections] { return new Workers(n); };  // which httplib deletes
     http.set_payload_max_length(largest_body);
-    http.set_read_timeout(slowest_client);
-    http.set_write_timeout(slowest_client);
-    http.set_keep_alive_timeout(idle_connection);
+    http.set_keep_alive_timeout(static_cast<time_t>(options.patience.idle.count()));  // which clients are told
     http.set_keep_alive_max_count(most_of_a_connection);
     http.set_tcp_nodelay(true);
     // Without SO_REUSEPORT, which lets two servers listen at one port.
@@ -118,8 +94,7 @@ struct Server::Parts {
   void refusals() {
     http.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       using enum httplib::Server::HandlerResponse;
-      if (no_room) {
-        response.set_header("Connection", "close");
+      if (Listener::no_room()) {
         put(response, refusal(503, "", "too many connections; come back in a second"));
         return Handled;
       }
@@ -148,11 +123,15 @@ struct Server::Parts {
     http.Post(path, [this, answer](const httplib::Request& request, httplib::Response& response,
                                    const httplib::ContentReader& read) {
       std::string body;
-      const auto more = [&](const char* bytes, std::size_t n) { return body.append(bytes, n), true; };
-      if (!read(more)) return;  // it says what was wrong
-      const auto mine = desk.begin(request.get_header_value(page_header));
+      const auto more = [&](const char* bytes, std::size_t n) {
+        body.append(bytes, n);
+        return body.size() <= largest_body;  // httplib counts neither pieces nor what was packed
+      };
+      Connection& client = Listener::here();
+      if (!read(more)) return unread(response, client, body.size());
+      const auto mine = desk.begin(request.get_header_value(page_header), [&] { return client.gone(); });
       if (!mine) return put(response, refusal(503, "", "the server is busy; come back in a second"));
-      put(response, answer(query_of(request), body, Limit{mine->stop, mine->late, desk.seconds()}));
+      put(response, answer(query_of(request), body, Limit{mine->stop, mine->why}));
     });
   }
 
@@ -182,6 +161,7 @@ struct Server::Parts {
     if (options.port < 0)
       throw FileError(
           fmt::format("cannot listen at {}: the port is taken, or this machine has no such address", options.host));
+    http.let_many_wait();
     door = std::make_unique<Door>(options.host, options.port);
   }
 };

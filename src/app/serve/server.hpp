@@ -3,8 +3,11 @@
 // The HTTP around the answers (api.hpp): limits, refusals and the page's files.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
+
+#include "app/serve/patience.hpp"
 
 namespace bankshot::app::serve {
 
@@ -15,6 +18,7 @@ struct ServerOptions {
   int at_once = 0;         ///< requests that are worked on; 0: one for each core
   int waiting = 64;        ///< requests that wait for that; more are told to come back
   std::size_t connections = 96;
+  Patience patience{};  ///< with each of them
 };
 
 class Server {

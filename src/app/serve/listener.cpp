@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/listener.hpp"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+
+namespace bankshot::app::serve {
+namespace {
+
+/// How this thread meets whoever comes.
+enum class Welcome { served, told_to_come_back, closed };
+thread_local Welcome welcome = Welcome::served;
+thread_local Connection* connection_here = nullptr;
+
+constexpr Patience at_the_door{.idle = Waiting{0.5}, .request = Waiting{0.5}, .answer = Waiting{0.5}};
+
+class Workers : public httplib::TaskQueue {
+ public:
+  explicit Workers(std::size_t connections) : connections_(connections), pool_(connections), door_(1) {}
+
+  void enqueue(std::function<void()> connection) override {
+    const std::size_t open = open_.fetch_add(1);
+    const auto met = [this, connection = std::move(connection)](Welcome how) {
+      return [this, connection, how] {
+        welcome = how;
+        connection();
+        --open_;
+      };
+    };
+    if (open < connections_)
+      pool_.enqueue(met(Welcome::served));
+    else if (open < 2 * connections_)
+      door_.enqueue(met(Welcome::told_to_come_back));
+    else
+      met(Welcome::closed)();
+  }
+  void shutdown() override {
+    pool_.shutdown();
+    door_.shutdown();
+  }
+
+ private:
+  const std::size_t connections_;
+  std::atomic<std::size_t> open_{0};
+  httplib::ThreadPool pool_, door_;
+};
+
+}  // namespace
+
+Listener::Listener(std::size_t connections, const Patience& patience) : patience_(patience) {
+  new_task_queue = [connections] { return new Workers(connections); };  // which httplib deletes
+}
+
+void Listener::let_many_wait() const { ::listen(svr_sock_, SOMAXCONN); }
+
+Connection& Listener::here() { return *connection_here; }
+
+bool Listener::no_room() { return welcome == Welcome::told_to_come_back; }
+
+bool Listener::process_and_close_socket(socket_t socket) {
+  Connection connection(socket, no_room() ? at_the_door : patience_);
+  connection_here = &connection;
+  bool more = welcome != Welcome::closed;
+  for (std::size_t left = keep_alive_max_count_; more && left > 0; --left) {
+    const bool last = no_room() || left == 1;
+    bool closes = false;
+    more = connection.begins([&] { return svr_sock_ != -1; }) && process_request(connection, last, closes, nullptr) &&
+           !closes && !last && !connection.cut();
+  }
+  shutdown(socket, SHUT_RDWR);
+  return close(socket) == 0;
+}
+
+}  // namespace bankshot::app::serve
