@@ -159,6 +159,25 @@ for (const { name, url } of await ways(server))
       await page.uncheck('#mirror');
     });
 
+    test('another physics stands beside, with its answer and where each one’s leads', async () => {
+      await page.selectOption('#compare', 'rolling');
+      await page.waitForSelector('#sides figure >> nth=1');
+      const [here, there] = await page.locator('#sides figure').allTextContents();
+      assert.match(here, /If spin is right.*spin says.*: into top-right.*rolling says/s);
+      assert.match(there, /If rolling is right.*rolling says.*: into top-right.*spin says/s);
+      assert.equal(await page.locator('#sides .path.best').count(), 2);
+      assert.equal(await page.locator('#sides .path.compare').count(), 2);
+      await page.selectOption('#compare', '');
+      assert.equal(await page.locator('#sides figure').count(), 0);
+    });
+
+    test('pockets have their jaws, and a carom table none', async () => {
+      assert.equal(await page.locator('#table path.cloth').count(), 6);
+      const own = await open(browser, `${url}#table=carom-10ft&target=point`);
+      assert.equal(await own.page.locator('#table path.cloth, #table .pocket').count(), 0);
+      await own.page.close();
+    });
+
     test('says why it is sure, and from where it can be played', async () => {
       await page.locator('summary', { hasText: 'Why' }).click();
       await page.waitForFunction(() => {
@@ -251,6 +270,12 @@ for (const { name, url } of await ways(server))
         [...document.querySelectorAll('.grip:not([hidden])')].map((e) => e.getBoundingClientRect().width),
       );
       for (const size of small) assert.ok(size >= 14, `a grip of ${size} px`);
+      await own.page.evaluate(() => (location.hash = 'target=point&least=0&most=0&others=1.2,0.623'));
+      await own.page.waitForSelector('.note');
+      const high = await own.page.evaluate(() =>
+        ['.note', '.digit'].map((text) => document.querySelector(text).getBoundingClientRect().height),
+      );
+      for (const size of high) assert.ok(size >= 11, `letters of ${size} px`);
       await own.page.close();
     });
   });

@@ -6,7 +6,7 @@ const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
 export function pattern(shot) {
   const sent = shot.then;
   const way = sent ? `${sent.ball} into ${sent.pocket}${by(sent.cushions)}` : shot.cushions.join(', ') || 'straight';
-  return way + (shot.rattles ? ', off jaws' : '');
+  return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', a scratch' : '');
 }
 
 /** @param {any} shot @param {string} target */
@@ -56,6 +56,17 @@ export function words(shot, aim, length) {
   return rows;
 }
 
+/** Terms and what is said of them. @param {HTMLElement} list @param {[string, string][]} rows */
+export function tell(list, rows) {
+  const items = rows.flatMap(([name, text]) => {
+    const [term, value] = [document.createElement('dt'), document.createElement('dd')];
+    term.textContent = name;
+    value.textContent = text;
+    return [term, value];
+  });
+  list.replaceChildren(...items);
+}
+
 /**
  * The list, best pattern first.
  * @param {HTMLElement} list
@@ -89,7 +100,7 @@ export function mark(list, chosen) {
 function entry(shot, i, current, on) {
   const [item, button, chance, text] = ['li', 'button', 'strong', 'span'].map((tag) => document.createElement(tag));
   chance.textContent = percent(shot.success);
-  text.textContent = `${shot.angle.toFixed(1)}°, ${shot.speed.toFixed(2)} m/s`;
+  text.textContent = `${shot.angle.toFixed(2)}°, ${shot.speed.toFixed(2)} m/s`;
   button.setAttribute('type', 'button');
   button.dataset.shot = String(i);
   button.setAttribute('aria-current', String(current));

@@ -1,6 +1,6 @@
 // What stands on the table and is moved by hand.
 import { draggable } from './drag.js';
-import { shape } from './table.js';
+import { metres, shape } from './table.js';
 
 /**
  * @typedef {[number, number]} Point
@@ -15,6 +15,8 @@ import { shape } from './table.js';
  */
 
 const reach = 11; // pixels: a grip's radius is no smaller
+const letters = 11; // pixels
+const smallest = 9; // pixels: smaller ones are not read on a ball
 
 /** Half a diamond either way. @param {import('./table.js').Table} table @returns {Point} */
 const snaps = (table) => [table.length / 16, table.width / 8];
@@ -28,9 +30,30 @@ export function inside(table, [x, y], snap = false) {
   return [clamp(to(x, dx), table.length), clamp(to(y, dy), table.width)];
 }
 
+/** A place that no ball stands on; none on a table that is full. @param {import('./table.js').Table} table @param {Point[]} balls */
+export function free(table, balls) {
+  const clear = (at) => balls.every(([x, y]) => Math.hypot(x - at[0], y - at[1]) > 2 * table.radius);
+  for (let k = 1; k < 1000; ++k) {
+    // Two numbers that fill a square evenly.
+    const at = inside(table, [table.length * ((0.7549 * k) % 1), table.width * ((0.5698 * k) % 1)]);
+    if (clear(at)) return at;
+  }
+  return null;
+}
+
 /** Which pocket is meant. @param {import('./table.js').Table} table @param {Point} at */
 function pocketNear(table, [x, y]) {
   return table.pockets.find(({ at, half }) => Math.hypot(x - at[0], y - at[1]) < 1.6 * half);
+}
+
+/** On the ball, or, where it were too small there, beside it. */
+function writeDigit(digit, at, radius, pixel) {
+  const on = 1.2 * radius;
+  const beside = on < smallest * pixel;
+  const off = beside ? radius + 0.35 * letters * pixel : 0;
+  digit.setAttribute('font-size', String(beside ? letters * pixel : on));
+  digit.setAttribute('transform', `translate(${at[0] + off} ${at[1] + off}) scale(1 -1)`);
+  digit.classList.toggle('beside', beside);
 }
 
 export class Board {
@@ -58,14 +81,13 @@ export class Board {
 
   /** In metres, as the picture stands. */
   reach() {
-    const { width } = this.svg.viewBox.baseVal;
-    return (reach * width) / this.svg.getBoundingClientRect().width;
+    return metres(this.svg, reach);
   }
 
   target() {
     const { table, hands } = this;
     const pocket = () => table.pockets.find(({ name }) => name === hands.scene().target);
-    const size = () => (pocket() ? pocket().half * 1.15 : table.radius);
+    const size = () => (pocket() ? pocket().radius + 0.012 : table.radius);
     const put = (at) => {
       const into = pocketNear(table, at);
       if (into) hands.scene().target = into.name;
@@ -75,7 +97,7 @@ export class Board {
           point: inside(table, at, hands.snaps()),
         });
     };
-    const where = () => pocket()?.at ?? hands.scene().point;
+    const where = () => pocket()?.hole ?? hands.scene().point;
     const resized = (at) => {
       put(at);
       this.grips.get('target').dot.setAttribute('r', String(size()));
@@ -125,7 +147,7 @@ export class Board {
       'stroke-width': 0.01,
     };
     const grip = shape('circle', { class: 'grip', r: Math.max(radius, this.reach()), ...attributes }, this.layer);
-    const digit = /^Ball/.test(label) ? shape('text', { class: 'digit', 'font-size': 1.2 * radius }, this.layer) : null;
+    const digit = /^Ball/.test(label) ? shape('text', { class: 'digit' }, this.layer) : null;
     if (digit) digit.textContent = label.slice(5);
     this.grips.set(name, { dot, grip, where, digit });
     this.place(name);
@@ -153,7 +175,7 @@ export class Board {
   place(name, at = this.grips.get(name)?.where()) {
     if (!this.grips.has(name)) return;
     const { dot, grip, digit } = this.grips.get(name);
-    if (digit) digit.setAttribute('transform', `translate(${at}) scale(1 -1)`);
+    if (digit) writeDigit(digit, at, Number(dot.getAttribute('r')), metres(this.svg, 1));
     for (const element of [dot, grip]) {
       element.toggleAttribute('hidden', !at);
       if (at) element.setAttribute('cx', String(at[0]));

@@ -1,11 +1,12 @@
-// A closer look at a shot: an aim of one's own, what the mirror image and another physics would say, why it is sure, and
-// from where it can be played.
+// A closer look at a shot: an aim of one's own, what the mirror image would do, the same in another physics, why it is
+// sure, and from where it can be played.
 import { $ } from './controls.js';
-import { ask, forget } from './engine.js';
+import { forget } from './engine.js';
 import { follow, outcome } from './follow.js';
-import { heat, launchAt } from './heat.js';
+import { heat, launchAt, scale } from './heat.js';
 import { mirrorAim, mirrorPath } from './mirror.js';
 import { firstCushion, lead } from './paint.js';
+import { forgetSides, sides } from './sides.js';
 import { starts } from './starts.js';
 import * as state from './state.js';
 import { wrapped } from './units.js';
@@ -23,13 +24,12 @@ export class Closer {
     this.page = page;
     /** @type {[number, number] | null} where an aim of one's own meets the first cushion */
     this.aimed = null;
-    this.compared = 0; // how often
   }
 
   listen() {
     $('starts').addEventListener('click', () => this.starts());
-    $('mirror').addEventListener('change', () => this.compare());
-    $('compare').addEventListener('change', () => this.compare());
+    $('mirror').addEventListener('change', () => this.mirror());
+    $('compare').addEventListener('change', () => this.sides());
     $('why').addEventListener('toggle', () => this.heat());
     $('heat').addEventListener('click', (event) => {
       const box = $('heat').getBoundingClientRect();
@@ -40,7 +40,8 @@ export class Closer {
 
   /** The scene has changed: nothing of it holds. */
   clear() {
-    for (const kind of ['map', 'launches', 'mirror', 'compare']) forget(kind);
+    for (const kind of ['map', 'launches', 'mirror', 'mirror-path']) forget(kind);
+    forgetSides();
     this.forgetAim();
     const layers = this.page.layers();
     for (const layer of [layers.under, layers.compare]) layer.replaceChildren();
@@ -57,7 +58,8 @@ export class Closer {
   /** At the chosen shot, as far as is asked. */
   look() {
     this.heat();
-    this.compare();
+    this.mirror();
+    this.sides();
   }
 
   /** The aim that meets the first cushion there, at the chosen shot's speed. @param {[number, number]} at */
@@ -84,58 +86,38 @@ export class Closer {
     $('other').textContent = `Your aim, ${angle}° at ${launch.speed.toFixed(2)} m/s: it ${words}.`;
   }
 
-  /** What mirrors and another physics would say, and where that leads. */
-  async compare() {
+  /** What the mirror image would say, and where that really leads. */
+  async mirror() {
     const shot = this.page.shot();
-    const mine = ++this.compared;
-    const ways = [$('mirror').checked && this.mirrored, $('compare').value && this.otherwise].filter(Boolean);
-    this.page.layers().compare.replaceChildren();
+    const layer = this.page.layers().compare;
+    const say = (words) => ($('other').textContent = words);
+    layer.replaceChildren();
     if (!shot) return;
-    if (!this.aimed) $('other').textContent = ways.length && shot.then ? 'Nothing to compare: it sends a ball on.' : '';
-    if (shot.then) return;
-    const said = [];
-    for (const way of ways) {
-      const found = await way.call(this, shot);
-      if (mine !== this.compared) return;
-      const words = typeof found === 'string' ? found : found && (await this.lead(found));
-      if (mine !== this.compared) return;
-      if (words) said.push(words);
-      $('other').textContent = said.join(' ');
-    }
-  }
-
-  /** Where a launch really leads, drawn and in words. */
-  async lead({ kind, name, launch, promised }) {
-    const scene = this.page.scene();
-    const followed = await follow(scene, launch, kind);
-    if (!followed || followed.error) return '';
-    lead(this.page.layers().compare, promised, followed, kind);
-    return `${name}, it ${outcome(scene, followed)}.`;
-  }
-
-  mirrored(shot) {
-    if (!shot.cushions.length) return 'Straight, a mirror changes nothing.';
+    if (!this.aimed) say('');
+    if (!$('mirror').checked) return;
+    if (shot.then) return say('No mirror: it sends a ball on.');
+    if (!shot.cushions.length) return say('Straight, a mirror changes nothing.');
     const [scene, table] = [this.page.scene(), this.page.table()];
     const to = scene.target === 'point' ? scene.point : shot.arrival.at;
-    const angle = mirrorAim(table, scene.ball, to, shot.cushions);
-    const promised = mirrorPath(table, scene.ball, to, shot.cushions);
-    return { kind: 'mirror', name: 'Aimed at the mirror image', launch: { ...shot, angle }, promised };
+    const launch = { ...shot, angle: mirrorAim(table, scene.ball, to, shot.cushions) };
+    const followed = await follow(scene, launch, 'mirror');
+    if (!followed || followed.error) return;
+    lead(layer, mirrorPath(table, scene.ball, to, shot.cushions), followed, 'mirror');
+    say(`Aimed at the mirror image, it ${outcome(scene, followed)}.`);
   }
 
-  async otherwise(shot) {
-    const physics = $('compare').value;
-    const speed = physics === 'ideal' ? { speed: shot.speed } : {}; // there any speed would do
-    const puzzle = { ...state.puzzle({ ...this.page.scene(), physics }), cushions: shot.cushions, ...speed };
-    const answer = await ask('solve?path&no-robustness', puzzle, 'compare');
-    const launch = answer?.shots?.[0];
-    if (!launch) return answer && `${physics} knows no such shot.`;
-    return { kind: 'compare', name: `Aimed as ${physics} says`, launch, promised: launch.path };
+  /** The same in another physics, beside this one. */
+  async sides() {
+    const [shot, physics, box] = [this.page.shot(), $('compare').value, $('sides')];
+    if (physics && shot) await sides(box, this.page.table(), this.page.scene(), shot, physics);
+    else box.replaceChildren();
   }
 
   async heat() {
     const shot = this.page.shot();
     if (!shot || !$('why').open) return;
     const wrong = await heat($('heat'), state.puzzle(this.page.scene()), this.page.shots(), shot);
+    $('scale').textContent = scale(shot);
     if (wrong) $('other').textContent = wrong;
   }
 

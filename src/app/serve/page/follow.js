@@ -40,15 +40,22 @@ export function hits(events) {
   return events.filter(({ type }) => ['cushion', 'jaw', 'ball', 'pocket'].includes(type));
 }
 
+const counted = (n) => (n === 1 ? 'one cushion' : `${n || 'no'} cushions`);
+
 /** How it ended, in words. @param {state.Scene} scene */
-export function outcome(scene, followed) {
-  const own = followed.events.filter(({ ball }) => ball === 'cue');
-  const bounces = own.filter(({ type }) => type === 'cushion').length;
-  const after = bounces === 1 ? 'after one cushion' : `after ${bounces || 'no'} cushions`;
-  const fell = own.find(({ type }) => type === 'pocket');
+export function outcome(scene, { events, path }) {
+  const fallen = (one) => events.find(({ type, ball }) => type === 'pocket' && one(ball));
+  if (scene.target === state.anyBall) {
+    const sent = fallen((ball) => ball !== 'cue');
+    return sent ? `sends ball ${sent.ball} into ${sent.pocket}` : 'sends no ball into a pocket';
+  }
+  const own = events.filter(({ ball }) => ball === 'cue');
+  const jaws = own.some(({ type }) => type === 'jaw') ? ', off a jaw' : '';
+  const after = `after ${counted(own.filter(({ type }) => type === 'cushion').length)}${jaws}`;
+  const fell = fallen((ball) => ball === 'cue');
   if (fell) return `falls into ${fell.pocket} ${after}`;
-  if (scene.target !== 'point') return `comes to rest ${after}`;
-  const [, x, y] = followed.path[followed.path.length - 1];
+  if (scene.target !== 'point') return `falls nowhere and comes to rest ${after}`;
+  const [, x, y] = path[path.length - 1];
   const miss = Math.hypot(x - scene.point[0], y - scene.point[1]);
   return `rests ${(100 * miss).toFixed(1)} cm from the target ${after}`;
 }

@@ -60,6 +60,14 @@ function mark(pen, { angle, speed }, shot, chosen) {
   pen.stroke();
 }
 
+/** What the picture's sides are. @param {any} shot in the middle */
+export function scale(shot) {
+  const { angle, speed } = view(shot);
+  const [right, left] = angle.map((v) => wrapped(v).toFixed(1));
+  const [slow, fast] = speed.map((v) => v.toFixed(2));
+  return `Aim from ${left}° on the left to ${right}°, speed from ${slow} m/s up to ${fast}.`;
+}
+
 /** The launch at a place of the picture. @param {any} shot in the middle @param {number} x from 0 to 1 @param {number} y from below */
 export function launchAt(shot, x, y) {
   const { angle: a, speed: s } = view(shot);

@@ -1,12 +1,12 @@
 // The page: what is asked, the picture of it, and the engine's answer while things are dragged.
-import { fill, heading, mark, pattern, words } from './answer.js';
-import { Board, inside } from './board.js';
+import { fill, heading, mark, pattern, tell, words } from './answer.js';
+import { Board, free, inside } from './board.js';
 import { Closer } from './closer.js';
 import * as controls from './controls.js';
 import { $ } from './controls.js';
 import { holding, pointIn } from './drag.js';
 import { ask, forget } from './engine.js';
-import { follow, hits, turns } from './follow.js';
+import { follow, hits, outcome, turns } from './follow.js';
 import { gallery } from './gallery.js';
 import { firstCushion, lead, note, paint } from './paint.js';
 import { play, stop } from './play.js';
@@ -173,8 +173,9 @@ async function lacks({ message = '', nearest, error }) {
   if (asked !== document.body.dataset.asked) return;
   if (followed?.path) lead(layers.answer, [], followed, 'nearest');
   const why = (error ? error.reason : message).split('; ').pop();
-  note(layers.answer, table, why[0].toUpperCase() + why.slice(1));
-  if (nearest) $('other').textContent = `The nearest ${nearest.why}: ${units.length(nearest.miss)} off.`;
+  const point = scene.target === 'point' ? [scene.point] : [];
+  note(layers.answer, table, why[0].toUpperCase() + why.slice(1), [scene.ball, ...scene.others, ...point]);
+  if (followed?.path) $('other').textContent = `What comes nearest ${outcome(scene, followed)}.`;
 }
 
 /** @param {number} [i] the shot that is looked at */
@@ -187,14 +188,7 @@ function look(i = chosen) {
   $('playing').hidden = !shot?.path;
   $('why').hidden = !shot;
   const rows = shot ? words(shot, sight(table, scene.ball, shot.angle).words, units.length) : [];
-  $('words').replaceChildren(
-    ...rows.flatMap(([name, text]) => {
-      const [term, value] = [document.createElement('dt'), document.createElement('dd')];
-      term.textContent = name;
-      value.textContent = text;
-      return [term, value];
-    }),
-  );
+  tell($('words'), rows);
 }
 
 function choose(i) {
@@ -263,7 +257,7 @@ function listen() {
     (key) => (shapes.includes(key) ? rebuild() : solve()),
   );
   pressed('add', () => {
-    const at = free();
+    const at = free(table, [scene.ball, ...scene.others]);
     if (at) change(() => scene.others.push(at));
   });
   pressed('remove', () => change(() => scene.others.pop()));
@@ -295,18 +289,6 @@ function listen() {
     scene = event.shiftKey || key === 'y' ? state.redo(scene) : state.undo(scene);
     rebuild();
   });
-}
-
-/** A place that no ball stands on; none on a table that is full. */
-function free() {
-  const clear = (at) =>
-    [scene.ball, ...scene.others].every(([x, y]) => Math.hypot(x - at[0], y - at[1]) > 2 * table.radius);
-  for (let k = 1; k < 1000; ++k) {
-    // Two numbers that fill a square evenly.
-    const at = inside(table, [table.length * ((0.7549 * k) % 1), table.width * ((0.5698 * k) % 1)]);
-    if (clear(at)) return at;
-  }
-  return null;
 }
 
 document.body.classList.toggle('embed', new URLSearchParams(location.search).has('embed'));

@@ -1,5 +1,5 @@
 // Draws the answer on the table: paths, the line of aim, how far it may be off, and what others would do.
-import { shape, sight } from './table.js';
+import { metres, shape, sight } from './table.js';
 
 const points = (path) => path.map((p) => p.slice(-2).join()).join(' ');
 
@@ -19,7 +19,7 @@ function fan(layer, table, from, shot) {
 }
 
 /**
- * @param {Element} layer emptied first
+ * @param {SVGGElement} layer emptied first
  * @param {import('./table.js').Table} table
  * @param {import('./state.js').Scene} scene
  * @param {any[]} shots
@@ -33,31 +33,41 @@ export function paint(layer, table, scene, shots, shot) {
   if (!shot?.path) return;
   fan(layer, table, scene.ball, shot);
   const [x1, y1] = scene.ball;
-  const [x2, y2] = sight(table, scene.ball, shot.angle).at;
+  const aim = sight(table, scene.ball, shot.angle);
+  const [x2, y2] = aim.at;
   shape('line', { class: 'aim', x1, y1, x2, y2, 'stroke-width': 0.005 }, layer);
+  write(layer, 'count', aim.at, metres(layer.ownerSVGElement, 12)).textContent = aim.count;
   line(layer, shot.path, 'best', 0.011);
   for (const path of Object.values(shot.paths ?? {})) line(layer, path, 'sent', 0.008);
   const [, cx, cy] = shot.path[shot.path.length - 1];
   shape('circle', { class: 'ghost', cx, cy, r: table.radius, 'stroke-width': 0.004 }, layer);
 }
 
-const longest = 46; // letters of a line
+/** @param {Element} layer @param {string} kind @param {[number, number]} at @param {number} size [m] */
+function write(layer, kind, [x, y], size) {
+  return shape('text', { class: kind, 'font-size': size, transform: `translate(${x} ${y}) scale(1 -1)` }, layer);
+}
 
-/** Words in the middle of the table. @param {Element} layer @param {import('./table.js').Table} table @param {string} words */
-export function note(layer, table, words) {
+const wide = 0.6; // of its size is a letter
+
+/**
+ * Words on the table, where they cover no ball if there is such a place.
+ * @param {SVGGElement} layer @param {import('./table.js').Table} table @param {string} words @param {number[][]} balls
+ */
+export function note(layer, table, words, balls) {
+  const size = Math.max(table.length / 40, metres(layer.ownerSVGElement, 13));
+  const longest = (0.9 * table.length) / (wide * size);
   const lines = [''];
   for (const word of words.split(' ')) {
     const last = lines[lines.length - 1];
     if ((last + word).length > longest) lines.push(word);
     else lines[lines.length - 1] = `${last} ${word}`.trim();
   }
-  const size = table.length / 40;
-  const [x, y] = [table.length / 2, table.width / 2 + (1.3 * size * (lines.length - 1)) / 2];
-  const text = shape(
-    'text',
-    { class: 'note', 'font-size': size, transform: `translate(${x} ${y}) scale(1 -1)` },
-    layer,
-  );
+  const high = 1.3 * size * (lines.length - 1);
+  const clear = (y) => Math.min(table.radius + size, ...balls.map((ball) => Math.abs(ball[1] - y) - high / 2));
+  const rows = [0.5, 0.72, 0.28].map((part) => part * table.width);
+  const y = rows.reduce((best, row) => (clear(row) > clear(best) ? row : best));
+  const text = write(layer, 'note', [table.length / 2, y + high / 2], size);
   lines.forEach((line, i) => {
     shape('tspan', { x: 0, y: 1.3 * size * i }, text).textContent = line;
   });
@@ -69,7 +79,7 @@ export function note(layer, table, words) {
  */
 export function lead(layer, promised, followed, kind) {
   if (promised.length) line(layer, promised, kind + ' promised', 0.005);
-  line(layer, followed.path, kind, 0.007);
+  for (const path of Object.values(followed.paths)) line(layer, path, kind, 0.007);
   const [, cx, cy] = followed.path[followed.path.length - 1];
   shape('circle', { class: 'ghost ' + kind, cx, cy, r: 0.02, 'stroke-width': 0.004 }, layer);
 }

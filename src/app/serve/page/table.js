@@ -1,8 +1,9 @@
 // Draws a table to scale. One unit is a metre, y upwards.
 
 const space = 'http://www.w3.org/2000/svg';
-const wood = 0.13;
+const wood = 0.15;
 const nose = 0.045;
+const leather = 0.012; // round a hole
 export const diamondInset = 0.094;
 
 /**
@@ -20,7 +21,9 @@ export function shape(name, attributes, parent) {
 
 /**
  * @typedef {{name: string, length: number, width: number, cushions: string[], radius: number, diamond: number,
- *   pockets: {name: string, at: [number, number], half: number}[]}} Table
+ *   pockets: Pocket[]}} Table
+ * @typedef {{name: string, at: [number, number], half: number, hole: [number, number], radius: number,
+ *   mouth?: [number, number][], tip?: number}} Pocket `mouth`: from a rail round a tip, along a facing, across and back
  */
 
 /** Along the nose of each cushion, as wide as the wood. @param {Table} table */
@@ -33,40 +36,22 @@ function rails({ length, width }) {
   };
 }
 
-/**
- * Empties the picture and draws the table.
- * @param {SVGSVGElement} svg
- * @param {Table} table
- * @param {(cushion: string) => void} clicked
- * @returns groups for what lies under paths, for paths, and for what may be dragged; from below
- */
-export function draw(svg, table, clicked) {
-  const { length, width } = table;
-  svg.replaceChildren();
-  svg.setAttribute('viewBox', `${-wood} ${-width - wood} ${length + 2 * wood} ${width + 2 * wood}`);
-  const all = shape('g', { transform: 'scale(1 -1)' }, svg);
-  const box = (by) => ({
-    x: -by,
-    y: -by,
-    width: length + 2 * by,
-    height: width + 2 * by,
-  });
-  shape('rect', { class: 'rail', ...box(wood), rx: 0.06 }, all);
-  shape('rect', { class: 'nose', ...box(nose) }, all);
-  shape('rect', { class: 'cloth', ...box(0) }, all);
-  diamonds(all, table, table.pockets.length > 0);
-  for (const [name, [x, y, w, h]] of Object.entries(rails(table))) {
+/** So many pixels in metres, as the picture stands. @param {SVGSVGElement} svg @param {number} pixels */
+export function metres(svg, pixels) {
+  return (pixels * svg.viewBox.baseVal.width) / svg.getBoundingClientRect().width;
+}
+
+/** The cloth between two jaws. @param {Pocket} pocket */
+function mouth({ mouth, tip }) {
+  const ways = ['M', `A${tip} ${tip} 0 0 0 `, 'L', 'L', 'L', `A${tip} ${tip} 0 0 0 `];
+  return mouth.map(([x, y], i) => `${ways[i]}${x} ${y}`).join('') + 'z';
+}
+
+/** What is clicked for a cushion to be added to the order. */
+function clickable(all, table, clicked) {
+  for (const [name, [x, y, width, height]] of Object.entries(rails(table))) {
     const label = `${name} cushion: add it to the order`;
-    const attributes = {
-      class: 'click',
-      x,
-      y,
-      width: w,
-      height: h,
-      tabindex: 0,
-      role: 'button',
-      'aria-label': label,
-    };
+    const attributes = { class: 'click', x, y, width, height, tabindex: 0, role: 'button', 'aria-label': label };
     const rail = shape('rect', { ...attributes, 'data-cushion': name, 'stroke-width': 0.01 }, all);
     rail.addEventListener('click', () => clicked(name));
     rail.addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => {
@@ -75,8 +60,31 @@ export function draw(svg, table, clicked) {
       clicked(name);
     });
   }
-  for (const pocket of table.pockets)
-    shape('circle', { class: 'pocket', cx: pocket.at[0], cy: pocket.at[1], r: pocket.half }, all);
+}
+
+/**
+ * Empties the picture and draws the table.
+ * @param {SVGSVGElement} svg
+ * @param {Table} table
+ * @param {(cushion: string) => void} [clicked] without it nothing is to be clicked
+ * @returns groups for what lies under paths, for paths, and for what may be dragged; from below
+ */
+export function draw(svg, table, clicked) {
+  const { length, width } = table;
+  svg.replaceChildren();
+  svg.setAttribute('viewBox', `${-wood} ${-width - wood} ${length + 2 * wood} ${width + 2 * wood}`);
+  const all = shape('g', { transform: 'scale(1 -1)' }, svg);
+  const box = (by) => ({ x: -by, y: -by, width: length + 2 * by, height: width + 2 * by });
+  shape('rect', { class: 'rail', ...box(wood), rx: 0.06 }, all);
+  for (const { hole, radius } of table.pockets)
+    shape('circle', { class: 'leather', cx: hole[0], cy: hole[1], r: radius + leather }, all);
+  shape('rect', { class: 'nose', ...box(nose) }, all);
+  shape('rect', { class: 'cloth', ...box(0) }, all);
+  for (const pocket of table.pockets) if (pocket.mouth) shape('path', { class: 'cloth', d: mouth(pocket) }, all);
+  diamonds(all, table, table.pockets.length > 0);
+  if (clicked) clickable(all, table, clicked);
+  for (const { hole, radius } of table.pockets)
+    shape('circle', { class: 'pocket', cx: hole[0], cy: hole[1], r: radius }, all);
   return {
     under: shape('g', {}, all),
     paths: shape('g', {}, all),
@@ -104,7 +112,7 @@ function diamonds(parent, { length, width }, pockets) {
 /**
  * Where the line of aim crosses the line of diamonds.
  * @param {Table} table @param {[number, number]} from @param {number} degrees
- * @returns {{at: [number, number], words: string}}
+ * @returns {{at: [number, number], count: string, words: string}}
  */
 export function sight(table, from, degrees) {
   const a = (degrees * Math.PI) / 180;
@@ -118,5 +126,5 @@ export function sight(table, from, degrees) {
   const long = ty <= tx;
   const count = (long ? (at[0] / table.length) * 8 : (at[1] / table.width) * 4).toFixed(2);
   const side = long ? (uy > 0 ? 'top' : 'bottom') : ux > 0 ? 'right' : 'left';
-  return { at, words: `diamond ${count} on the ${side} rail` };
+  return { at, count, words: `diamond ${count} on the ${side} rail` };
 }
