@@ -10,11 +10,7 @@ std::array<Vec2d, 6> mouth(const Table& table, const JawPieces& jaws) {
     return from + way * (s / norm(way));
   };
   const auto& [before, after] = jaws.facings;
-  return {on_rail(jaws.breaks.front().rail, jaws.breaks.front().begin),
-          before.from,
-          before.to,
-          after.from,
-          after.to,
+  return {on_rail(jaws.breaks.front().rail, jaws.breaks.front().begin), before.from, before.to, after.from, after.to,
           on_rail(jaws.breaks.back().rail, jaws.breaks.back().end)};
 }
 

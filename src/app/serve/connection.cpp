@@ -11,8 +11,8 @@
 namespace bankshot::app::serve {
 namespace {
 
-/// Of a request, its headers with it: httplib bounds a header but not how many there are. Twice the largest body, so that
-/// one that is too large is mostly told so.
+/// Of a request, its headers with it: httplib bounds a header but not how many there are. Twice the largest body, so
+/// that one that is too large is mostly told so.
 constexpr std::size_t most_bytes = 1 << 21;
 
 /// What came of the socket within `wait`; 0 where nothing did.
@@ -44,9 +44,15 @@ bool Connection::is_writable() const { return polled(socket_, POLLOUT, Waiting{0
 
 bool Connection::ready(short event, Waiting& left) const {
   const auto begin = std::chrono::steady_clock::now();
-  const bool is = polled(socket_, event, left) != 0;
+  const bool is = left.count() > 0 && polled(socket_, event, left) != 0;
   left -= std::chrono::steady_clock::now() - begin;
   return is;
+}
+
+void Connection::part() {
+  shutdown(socket_, SHUT_WR);
+  Waiting left{0.5};
+  while (cut_ && ready(POLLIN, left) && recv(socket_, read_.data(), read_.size(), 0) > 0) continue;
 }
 
 ssize_t Connection::read(char* to, size_t size) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A client's socket under httplib, which itself waits for every byte anew and does not tell that a client has gone. Here
-// a request has one time to arrive and its answer one to be taken, and whoever works for a client can ask whether it is
-// still there.
+// A client's socket under httplib, which itself waits for every byte anew and does not tell that a client has gone.
+// Here a request has one time to arrive and its answer one to be taken, and whoever works for a client can ask whether
+// it is still there.
 #pragma once
 
 #include <httplib.h>
@@ -25,6 +25,9 @@ class Connection final : public httplib::Stream {
   /// Its request took too long, or was longer than any that is answered: nothing more is read from it.
   bool cut() const { return cut_; }
   void cut_off() { cut_ = true; }
+  /// Nothing more is sent. What is still under way from a client that was cut off is taken first: a socket that is
+  /// closed over unread bytes takes back its last answer.
+  void part();
 
   bool is_readable() const override;
   bool is_writable() const override;

@@ -69,7 +69,7 @@ bool Listener::process_and_close_socket(socket_t socket) {
     more = connection.begins([&] { return svr_sock_ != -1; }) && process_request(connection, last, closes, nullptr) &&
            !closes && !last && !connection.cut();
   }
-  shutdown(socket, SHUT_RDWR);
+  connection.part();
   return close(socket) == 0;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is served: as many connections as there are threads; one more thread tells others to come back, and those that are
-// too many even for that are closed.
+// Who is served: as many connections as there are threads; one more thread tells others to come back, and those that
+// are too many even for that are closed.
 #pragma once
 
 #include <httplib.h>
