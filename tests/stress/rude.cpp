@@ -157,8 +157,9 @@ int main(int argc, char** argv) {
     hanging += c.hanging;
   }
   const bool flat = late - early < grows;
-  std::cout << fmt::format("{} requests, seed {}: {} left hanging, {} honest ones not served; memory {:.1f} MB after "
-                           "half, {:.1f} MB at the end\n",
-                           requests, seed, hanging, unserved.load(), early.load(), late);
+  std::cout << fmt::format(
+      "{} requests, seed {}: {} left hanging, {} honest ones not served; memory {:.1f} MB after "
+      "half, {:.1f} MB at the end\n",
+      requests, seed, hanging, unserved.load(), early.load(), late);
   return hanging > 0 || unserved > 0 || !flat ? 1 : 0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A client of `serve` that does as it likes: it sends any bytes, or stops in the midst of them, and hears all that comes.
+// A client of `serve` that does as it likes: it sends any bytes, or stops in the midst of them, and hears all that
+// comes.
 #pragma once
 
 #include <arpa/inet.h>
@@ -58,9 +59,10 @@ class Caller {
 
 /// A request as it is sent; `more`: headers, each with its end of line.
 inline std::string post(int port, const std::string& path, const std::string& body, const std::string& more = {}) {
-  const std::string host = more.find("Host:") == std::string::npos ? "Host: localhost:" + std::to_string(port) + "\r\n" : "";
-  return "POST " + path + " HTTP/1.1\r\n" + host + more + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" +
-         body;
+  const std::string host =
+      more.find("Host:") == std::string::npos ? "Host: localhost:" + std::to_string(port) + "\r\n" : "";
+  return "POST " + path + " HTTP/1.1\r\n" + host + more + "Content-Length: " + std::to_string(body.size()) +
+         "\r\n\r\n" + body;
 }
 
 }  // namespace bankshot::test
