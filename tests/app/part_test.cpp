@@ -2,6 +2,8 @@
 //
 // A batch in parts, each its own process, and `merge`: the same bytes as in one go, whatever the lines, the number of
 // parts and the packing; and what is missing, damaged or of another batch is told.
+#include <algorithm>
+
 #include "app/scratch_file.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
@@ -105,7 +107,21 @@ TEST_CASE("merge tells what is missing, damaged or of another batch, and writes 
   make("p.jsonl", 3, 9, "3");
   CHECK_THAT(merge("01234567"), Contains("one of 9 parts"));
   std::filesystem::remove(in.path + "/3.part");
-  CHECK_THAT(merge("01234567"), Contains("is no part"));
+  CHECK_THAT(merge("01234567"), Contains("3.part is missing, which stands beside a part that is whole"));
+  CHECK(run_program(batch + in("p.jsonl") + " --part 3/8 --resume -o " + in("3")).exit == 0);
+  CHECK_THAT(merge("01234567"), Contains("60 answers of 8 parts"));
+}
+
+TEST_CASE("a packed part that is cut off is damaged, and made again") {
+  const Folder in;
+  std::ofstream(in.path + "/p.jsonl", std::ios::binary) << puzzles(60);
+  const std::string make = batch + in("p.jsonl") + " --part 0/1 --resume -o " + in("0.gz");
+  REQUIRE(run_program(make).exit == 0);
+  std::filesystem::resize_file(in.path + "/0.gz", std::filesystem::file_size(in.path + "/0.gz") / 2);
+  const std::string merge = "merge " + in("0.gz") + " -o " + in("merged.gz");
+  CHECK_THAT(run_program(merge).err, Contains("make them again with --array=0"));
+  REQUIRE(run_program(make).exit == 0);
+  CHECK(run_program(merge).exit == 0);
 }
 
 TEST_CASE("a part that is there is not made again, and one that was cut off goes on") {
@@ -115,6 +131,12 @@ TEST_CASE("a part that is there is not made again, and one that was cut off goes
   REQUIRE(run_program(command).exit == 0);
   const std::string whole = in.read("b");
   CHECK_THAT(run_program(command + " --resume").err, Contains("is whole already"));
+  // Of another input it is not, also where nothing before it differs.
+  std::ofstream(in.path + "/other.jsonl", std::ios::binary) << puzzles(899);
+  const std::string first = "batch --no-timing --no-robustness -o " + in("first") + " --part 0/1 --resume ";
+  REQUIRE(run_program(first + in("other.jsonl")).exit == 0);
+  CHECK_THAT(run_program(first + in("p.jsonl")).err, Contains("900 puzzles"));
+  CHECK_THAT(run_program(first + in("p.jsonl")).err, Contains("is whole already"));
   // As after a kill: some answers, and a mark that says how far they are right.
   std::filesystem::remove(in.path + "/b");
   const auto killed = run_shell("(ulimit -f 30; PROGRAM " + command + " --quiet) 2>/dev/null; ls " + in(""));
@@ -122,6 +144,64 @@ TEST_CASE("a part that is there is not made again, and one that was cut off goes
   CHECK_THAT(killed.out, !Contains("b\n"));
   CHECK(run_program(command + " --resume").exit == 0);
   CHECK((in.read("b") == whole));
+}
+
+TEST_CASE("a part that runs is not run a second time; where no lock tells, nothing wrong passes for right") {
+  const Folder in;
+  std::ofstream(in.path + "/p.jsonl", std::ios::binary) << puzzles(3000);
+  const std::string timing = GENERATE("--no-timing ", "");
+  const std::string command = "batch --no-robustness --quiet " + timing + in("p.jsonl") + " --part 0/1 -o " + in("b");
+  const std::string journal = in("b.partial.progress");
+  // The first run stands still once it has written something, as on a node that hangs; meanwhile there is a second.
+  // On a machine that has much else to do the first may be done before it is told to stand still: then again.
+  const auto both = [&](const std::string& between) {
+    return run_shell("for try in 1 2 3 4 5 6 7 8 9; do PROGRAM " + command + " & first=$!; while [ ! -s " + journal +
+                     " ] || [ ! -s " + in("b.partial") + " ]; do [ ! -e " + in("b") +
+                     " ] || break; done; kill -STOP $first; [ -e " + in("b") +
+                     " ] || break; kill -CONT $first; wait; rm -f " + in("b") + "; done; " + between + "PROGRAM " +
+                     command + " --resume; echo second $?; kill -CONT $first; wait $first; echo first $?");
+  };
+  const auto refused = both("");
+  CHECK_THAT(refused.err, Contains("b.partial: another bankshot is writing this file"));
+  CHECK_THAT(refused.out, Contains("second 2") && Contains("first 0"));
+  const std::string whole = in.read("b");
+  CHECK((std::ranges::count(whole, '\n') == 3000));
+  std::filesystem::remove(in.path + "/b");
+  // A lock of the old file does not hold the new one: so do two machines without locks between them.
+  const auto unlocked = both("cp " + journal + " " + in("j") + "; mv " + in("j") + " " + journal + "; ");
+  INFO(unlocked.out << unlocked.err);
+  CHECK_THAT(unlocked.out, Contains("second 0"));
+  const std::string merge = "merge " + in("b") + " -o " + in("merged");
+  if (timing.empty()) {  // both wrote other bytes
+    CHECK_THAT(unlocked.out, Contains("first 2"));
+    CHECK_THAT(unlocked.err, Contains("is not what was written to it"));
+    CHECK_THAT(run_program(merge).err, Contains("--array=0"));
+    CHECK(run_program(command + " --resume").exit == 0);
+    CHECK(run_program(merge).exit == 0);
+  } else {
+    CHECK_THAT(unlocked.out, Contains("first 0"));
+    CHECK(run_program(merge).exit == 0);
+    CHECK((in.read("merged") == whole));
+  }
+}
+
+TEST_CASE("answers that a machine took with it when it died are made again") {
+  const Folder in;
+  std::ofstream(in.path + "/p.jsonl", std::ios::binary) << puzzles(900);
+  const auto [suffix, part] =
+      GENERATE(table<std::string, std::string>({{"", " --part 0/1"}, {".gz", " --part 0/1"}, {"", ""}}));
+  const std::string name = "b" + suffix, grows = part.empty() ? name : "b.partial" + suffix;
+  const std::string command = "batch --no-timing --no-robustness --quiet " + in("p.jsonl") + part + " -o " + in(name);
+  REQUIRE(run_program(command).exit == 0);
+  const std::string whole = in.read(name);
+  std::filesystem::remove(in.path + "/" + name);
+  const int blocks = static_cast<int>(whole.size() / 2 / 512);
+  run_shell("ulimit -f " + std::to_string(blocks) + "; PROGRAM " + command);
+  REQUIRE(in.has(grows + ".progress"));
+  // The file has its length, but a block in it never came to the disk; the journal did.
+  run_shell("dd if=/dev/zero of=" + in(grows) + " bs=512 count=1 seek=" + std::to_string(blocks / 2) + " conv=notrunc");
+  CHECK(run_program(command + " --resume").exit == 0);
+  CHECK((in.read(name) == whole));
 }
 
 TEST_CASE("which part a process is, schedulers tell") {

@@ -79,7 +79,7 @@ bool finished(LineReader& in, const Arguments& a, long& invalid) {
 /// How far an earlier run had come, checked and with the output cut to it.
 Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::string& path) {
   journal.check_same();
-  const auto mark = journal.last(out.size());
+  const auto mark = journal.last(path);
   if (!mark) {
     journal.begin();
     out.cut(0);
@@ -88,14 +88,14 @@ Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::st
   if (!in.skip(mark->read) && !interrupted())
     throw FileError(fmt::format("{}: this batch was begun with another input: its first {} lines differ",
                                 Journal::path_for(path), mark->read.lines));
-  out.cut(mark->written);
+  out.cut(mark->written, mark->crc);
   journal.go_on(*mark);
   return *mark;
 }
 
 /// A new output; the answers of a run that was cut off are not thrown away unasked.
 Journal::Mark begin(Journal& journal, Output& out) {
-  if (const auto mark = journal.last(out.size()); mark && out.size() > 0)
+  if (const auto mark = journal.last(out.name()); mark && out.size() > 0)
     throw FileError(fmt::format(
         "{} holds the first {} answers of a batch that was cut off: --resume goes on with it; remove it to begin again",
         out.name(), grouped(mark->read.lines)));
@@ -104,9 +104,26 @@ Journal::Mark begin(Journal& journal, Output& out) {
   return {};
 }
 
+/// The part is there already, of this input and with these flags.
+bool is_done(const Arguments& a) {
+  if (!std::filesystem::exists(a.output)) return false;
+  const auto record = read_part(a.output);
+  if (!record || record->part != *a.part || record->flags != a.flags.words() || !is_whole(a.output, *record))
+    return false;
+  LineReader in(a.file, true, *a.part);
+  Lines more;
+  return in.begun() == record->from && in.skip(record->to) && !in.next(more) && !interrupted();
+}
+
 /// Of a part: what it is goes beside its output, and both to where they belong.
 void close_part(const Arguments& a, const LineReader& in, const Journal::Mark& at) {
   const std::string partial = partial_of(a.output);
+  if (!std::filesystem::exists(partial) && is_done(a)) return;  // by another run, unknown to this one
+  if (Kept kept(partial); !kept.holds(at.written, at.crc) || !kept.at_end())
+    throw WriteError(fmt::format(
+        "{}: is not what was written to it, as where another bankshot writes to it too, or a disk fails; the same "
+        "command with --resume goes on behind what is right",
+        partial));
   // Behind the last line; of a part without lines, where it begins.
   const ReadMark& to = at.read.bytes > in.begun().bytes ? at.read : in.begun();
   write_part(a.output, {*a.part, a.flags.words(), in.begun(), to, measured(partial), at.tally.invalid});
@@ -149,25 +166,19 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
   return a.strict && batch.at.tally.invalid > 0 ? some_fail : done;
 }
 
-/// The part is there already, of this input and with these flags.
-bool is_done(const Arguments& a, const LineReader& in) {
-  if (!std::filesystem::exists(a.output)) return false;
-  const auto record = read_part(a.output);
-  return record && record->part == a.part && record->flags == a.flags.words() && record->from == in.begun() &&
-         record->output == measured(a.output);
-}
-
 int run_part(const Arguments& a) {
   if (a.output == "-") throw FileError("--part needs a file of its own: -o SHOTS.jsonl");
   LineReader in(a.file, is_packed(a.output), *a.part);
-  if (a.resume && is_done(a, in)) {
+  const std::string partial = partial_of(a.output);
+  // First of all the lock, else another run of this part might finish between a look and the next step.
+  Journal journal(partial, fmt::format("{} --part {}/{}", a.flags.words(), a.part->k, a.part->n), in.identity());
+  if (a.resume && is_done(a)) {
+    journal.remove();
     if (!a.quiet) std::cerr << a.output << ": is whole already\n";
     return done;
   }
-  const std::string partial = partial_of(a.output);
   Output out(partial);
   if (!out.regular()) throw FileError(fmt::format("{}: is no file", partial));
-  Journal journal(partial, fmt::format("{} --part {}/{}", a.flags.words(), a.part->k, a.part->n), in.identity());
   Journal::Mark from = a.resume ? go_on(journal, in, out, partial) : begin(journal, out);
   if (from.read.lines == 0) from.read = in.begun();
   return run_batch(a, in, out, &journal, from);

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "app/batch/output.hpp"
 #include "app/files.hpp"
 
 namespace bankshot::app::batch {
@@ -18,17 +20,18 @@ namespace {
 
 std::string text_of(const Journal::Mark& m) {
   const Tally& t = m.tally;
-  return fmt::format("{} {} {:08x} {} {} {} {} {} {} {} {} {}\n", m.read.lines, m.read.bytes, m.read.crc, m.written,
-                     t.solved, t.no_shot, t.budget, t.invalid, t.first_invalid, t.beside, t.simulations, t.worst_miss);
+  return fmt::format("{} {} {:08x} {} {:08x} {} {} {} {} {} {} {} {}\n", m.read.lines, m.read.bytes, m.read.crc,
+                     m.written, m.crc, t.solved, t.no_shot, t.budget, t.invalid, t.first_invalid, t.beside,
+                     t.simulations, t.worst_miss);
 }
 
 std::optional<Journal::Mark> mark_of(const std::string& line) {
   Journal::Mark m;
   Tally& t = m.tally;
-  const int n = std::sscanf(line.c_str(), "%ld %ld %" SCNx32 " %ld %ld %ld %ld %ld %ld %ld %ld %lf", &m.read.lines,
-                            &m.read.bytes, &m.read.crc, &m.written, &t.solved, &t.no_shot, &t.budget, &t.invalid,
-                            &t.first_invalid, &t.beside, &t.simulations, &t.worst_miss);
-  constexpr int numbers = 12;
+  const int n = std::sscanf(line.c_str(), "%ld %ld %" SCNx32 " %ld %" SCNx32 " %ld %ld %ld %ld %ld %ld %ld %lf",
+                            &m.read.lines, &m.read.bytes, &m.read.crc, &m.written, &m.crc, &t.solved, &t.no_shot,
+                            &t.budget, &t.invalid, &t.first_invalid, &t.beside, &t.simulations, &t.worst_miss);
+  constexpr int numbers = 13;
   return n == numbers ? std::optional(m) : std::nullopt;
 }
 
@@ -39,14 +42,28 @@ Journal::Journal(const std::string& output, const std::string& flags, const std:
       header_{"bankshot " BANKSHOT_VERSION
               " is not done with the file beside this one; the same command with --resume goes on",
               "flags: " + flags, "input: " + input} {
-  constexpr mode_t everybody = 0666;  // less the umask
-  fd_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everybody);
-  if (fd_ < 0) throw WriteError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
-  if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(fd_);
-    throw FileError(fmt::format("{}: another bankshot is writing this file", output));
-  }
+  lock(output);
   read();
+}
+
+void Journal::lock(const std::string& output) {
+  constexpr mode_t everybody = 0666;  // less the umask
+  constexpr int tries = 10;           // a run that ends between two steps of this one costs a try
+  for (int i = 0; i < tries; ++i) {
+    fd_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everybody);
+    if (fd_ < 0) throw WriteError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+    if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      close(fd_);
+      throw FileError(fmt::format("{}: another bankshot is writing this file", output));
+    }
+    struct stat ours {
+    }, named{};
+    if (fstat(fd_, &ours) == 0 && stat(path_.c_str(), &named) == 0 && ours.st_dev == named.st_dev &&
+        ours.st_ino == named.st_ino)
+      return;
+    close(fd_);  // who held it was done with it and removed it
+  }
+  throw FileError(fmt::format("{}: is another file each time it is opened", path_));
 }
 
 Journal::~Journal() {
@@ -73,10 +90,14 @@ void Journal::read() {
   }
 }
 
-std::optional<Journal::Mark> Journal::last(long size) const {
-  for (auto it = marks_.rbegin(); it != marks_.rend(); ++it)
-    if (it->second.written <= size) return it->second;
-  return {};
+std::optional<Journal::Mark> Journal::last(const std::string& output) const {
+  Kept kept(output);
+  std::optional<Mark> last;
+  for (const auto& [end, mark] : marks_) {
+    if (!kept.holds(mark.written, mark.crc)) break;
+    last = mark;
+  }
+  return last;
 }
 
 void Journal::check_same() const {

@@ -3,8 +3,10 @@
 // What makes a batch crash-proof: a small file beside the output (SHOTS.jsonl.progress) that says
 // whose answers those are (version, flags, input) and then, a line each time, how far input and
 // output have come. An answer is written first and its mark after it, so whatever the moment of a
-// kill, the output holds at least what the last whole mark says. To resume: cut the output there,
-// check that the input up to there is the same, go on. The file goes when the batch is done.
+// kill, the output holds at least what the last whole mark says. Where a machine dies or two write
+// at once it may hold less, so a mark has the checksum of both. To resume: find the last mark that
+// the output keeps, cut it there, check that the input up to there is the same, go on. The file goes
+// when the batch is done.
 #pragma once
 
 #include <optional>
@@ -19,20 +21,22 @@ class Journal {
  public:
   struct Mark {
     ReadMark read;
-    long written = 0;  ///< bytes of output
+    long written = 0;       ///< bytes of output
+    std::uint32_t crc = 0;  ///< of them
     Tally tally;
   };
 
   static std::string path_for(const std::string& output) { return output + ".progress"; }
 
-  /// Opens or makes the file; throws FileError where another program is at work on this output.
+  /// Opens or makes the file; throws FileError where another program is at work on this output. From then on nobody
+  /// else is, where the file system has locks.
   Journal(const std::string& output, const std::string& flags, const std::string& input);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// The last mark that an output of `size` bytes covers; none where nothing is worth keeping.
-  std::optional<Mark> last(long size) const;
+  /// The last mark whose answers the output holds, byte for byte; none where nothing is worth keeping.
+  std::optional<Mark> last(const std::string& output) const;
   /// Throws FileError when the earlier run had other flags, another input or another version.
   void check_same() const;
   void begin();               ///< empty but for the header
@@ -41,6 +45,7 @@ class Journal {
   void remove();
 
  private:
+  void lock(const std::string& output);
   void read();
   void append(const std::string& text);
 

@@ -47,7 +47,11 @@ std::vector<Found> found_parts(const Arguments& a, std::vector<long>& damaged) {
   std::vector<Found> found;
   for (const std::string& path : a.parts) {
     auto record = batch::read_part(path);
-    if (!record) throw FileError(fmt::format("{}: is no part: {} is missing", path, PartRecord::path_for(path)));
+    if (!record)
+      throw FileError(
+          fmt::format("{}: is no part: {} is missing, which stands beside a part that is whole; copy it too, or make "
+                      "the part again",
+                      path, PartRecord::path_for(path)));
     found.push_back({path, *record});
   }
   const PartRecord& first = found.front().record;
@@ -58,9 +62,7 @@ std::vector<Found> found_parts(const Arguments& a, std::vector<long>& damaged) {
     if (record.flags != first.flags)
       throw FileError(fmt::format("{} was made with other flags than {}: {}; {}", path, found.front().path,
                                   record.flags, first.flags));
-    const bool whole = std::filesystem::exists(path) && batch::measured(path) == record.output &&
-                       record.output.lines == record.to.lines - record.from.lines;
-    if (whole) continue;
+    if (batch::is_whole(path, record)) continue;
     std::cerr << fmt::format("bankshot: {}: is not what part {} wrote\n", path, record.part.k);
     damaged.push_back(record.part.k);
   }

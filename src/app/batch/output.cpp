@@ -6,10 +6,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
+#include "app/batch/lines.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
 
@@ -34,9 +36,10 @@ long Output::size() const {
   return fstat(fd_, &s) == 0 ? s.st_size : 0;
 }
 
-void Output::cut(long size) {
+void Output::cut(long size, std::uint32_t crc) {
   if (ftruncate(fd_, size) != 0 || lseek(fd_, size, SEEK_SET) != size) fail();
   at_ = size;
+  crc_ = crc;
 }
 
 void Output::cut_quietly(long size) noexcept {
@@ -44,6 +47,7 @@ void Output::cut_quietly(long size) noexcept {
 }
 
 void Output::write(std::string_view bytes) {
+  crc_ = checksum(crc_, bytes.data(), bytes.size());
   while (!bytes.empty()) {
     const ssize_t n = ::write(fd_, bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
@@ -54,7 +58,18 @@ void Output::write(std::string_view bytes) {
 }
 
 void Output::finish() {
+  if (regular_ && fsync(fd_) != 0) fail();
   if (fd_ > STDERR_FILENO && close(std::exchange(fd_, -1)) != 0) fail();
+}
+
+bool Kept::holds(long bytes, std::uint32_t crc) {
+  char piece[1 << 16];
+  while (at_ < bytes && in_) {
+    in_.read(piece, std::min<long>(sizeof piece, bytes - at_));
+    crc_ = checksum(crc_, piece, static_cast<std::size_t>(in_.gcount()));
+    at_ += in_.gcount();
+  }
+  return at_ == bytes && crc_ == crc;
 }
 
 }  // namespace bankshot::app::batch

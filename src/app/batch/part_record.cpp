@@ -38,12 +38,15 @@ std::optional<long> variable(const std::string& name) {
   return value ? whole_number(value) : std::nullopt;
 }
 
-/// A file's bytes, or a folder's names, are on disk.
-void settle(const std::string& path) {
+/// A file's bytes, or a folder's names, are on disk; false where they cannot be brought there.
+bool settle(const std::string& path) {
   const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd < 0) return;
-  fsync(fd);
+  if (fd < 0) return false;
+  const bool settled = fsync(fd) == 0;
+  const int error = errno;
   close(fd);
+  errno = error;
+  return settled;
 }
 
 Part of_scheduler() {
@@ -75,11 +78,10 @@ ReadMark measured(const std::string& path) {
 }
 
 void put_in_place(const std::string& from, const std::string& to) {
-  settle(from);
-  if (std::rename(from.c_str(), to.c_str()) != 0)
+  if (!settle(from) || std::rename(from.c_str(), to.c_str()) != 0)
     throw WriteError(fmt::format("{}: cannot be written: {}", to, std::strerror(errno)));
   const auto folder = std::filesystem::path(to).parent_path();
-  settle(folder.empty() ? "." : folder.string());
+  settle(folder.empty() ? "." : folder.string());  // not every file system can; then it does so by itself
 }
 
 void write_part(const std::string& output, const PartRecord& r) {
@@ -115,6 +117,12 @@ std::optional<PartRecord> read_part(const std::string& output) {
   } catch (const InvalidInput& e) {
     throw FileError(complaint(path, e));
   }
+}
+
+bool is_whole(const std::string& output, const PartRecord& r) try {
+  return std::filesystem::exists(output) && r.output.lines == r.to.lines - r.from.lines && measured(output) == r.output;
+} catch (const FileError&) {
+  return false;  // packed, and cut off
 }
 
 Part part_of(const std::string& text) {

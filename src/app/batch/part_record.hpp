@@ -31,6 +31,9 @@ void write_part(const std::string& output, const PartRecord& record);
 /// None where there is none; throws FileError where it cannot be understood.
 std::optional<PartRecord> read_part(const std::string& output);
 
+/// The output is all that the record says.
+bool is_whole(const std::string& output, const PartRecord& record);
+
 /// Moves a finished file to its name in one step, safely on disk. Throws WriteError.
 void put_in_place(const std::string& from, const std::string& to);
 

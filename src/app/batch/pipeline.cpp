@@ -119,7 +119,7 @@ void work(Chunk& c, const solve::SolveFlags& flags, bool gzip, bool measure) {
 void write(Batch& b, Chunk& c) {
   Laps laps(b.cost != nullptr);
   b.out.write(c.out);
-  Journal::Mark mark{c.in.after, b.out.written(), b.at.tally};
+  Journal::Mark mark{c.in.after, b.out.written(), b.out.crc(), b.at.tally};
   mark.tally.add(c.tally);
   if (b.journal) b.journal->add(mark);
   b.at = mark;
