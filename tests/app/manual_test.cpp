@@ -101,8 +101,8 @@ bankshot report -o report --quick --shots 2 2>log.txt >page.txt
 for table in report/*.csv; do head -n 1 "$table"; done)");
   REQUIRE(run.exit == 0);
   std::string heads = run.out;
-  for (const char* table : {"acceptance", "all-shots", "batch", "breaks", "page", "planners-rolling", "planners-spin",
-                            "pockets", "shots", "stress", "simulate"}) {
+  for (const char* table : {"acceptance", "all-shots", "batch", "breaks", "cluster", "page", "planners-rolling",
+                            "planners-spin", "pockets", "shots", "stress", "simulate"}) {
     const std::string csv = read_repository_file(fmt::format("tests/bench/results/{}.csv", table));
     heads += csv.substr(0, csv.find('\n') + 1);
   }

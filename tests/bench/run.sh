@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
+<<<<<<< HEAD
 #   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|report ...]
+=======
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|cluster|report ...]
+>>>>>>> 527edc3 (A Slurm of two nodes on one machine loses one in mid-run; parts by GNU parallel, MPI and Dask; what parts cost on many cores)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -142,6 +146,12 @@ part() {
       answer spin 100000 2 --no-robustness
       answer spin 100000 2
       ;;
+    cluster)  # In both orders: as they come, and the easy ones before the hard ones.
+      bash tests/cluster/puzzles.sh 100000 "$bankshot" >"$scratch/mixed.jsonl"
+      { grep '"rolling"' "$scratch/mixed.jsonl"; grep -v '"rolling"' "$scratch/mixed.jsonl"; } >"$scratch/grouped.jsonl"
+      python3 tests/bench/cluster.py "$bankshot" "$scratch/mixed.jsonl"
+      python3 tests/bench/cluster.py "$bankshot" "$scratch/grouped.jsonl" --order grouped | tail -n +2
+      ;;
     *) echo "no part is called $1" >&2 && exit 2 ;;
   esac
 }
@@ -156,7 +166,11 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
+<<<<<<< HEAD
 [ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch report
+=======
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch cluster report
+>>>>>>> 527edc3 (A Slurm of two nodes on one machine loses one in mid-run; parts by GNU parallel, MPI and Dask; what parts cost on many cores)
 for name; do
   if [ "$name" = report ]; then
     report
