@@ -23,11 +23,6 @@ bool same_launch(const Launch& a, const Launch& b) {
          std::abs(a.speed - b.speed) <= tolerance::exact_speed * std::max(1.0, b.speed);
 }
 
-bool same_shot(const Question& q, const Shot& known, const Shot& shot) {
-  return same_launch(known.launch, shot.launch) &&
-         !(std::abs(known.arrival.time - shot.arrival.time) * shot.launch.speed > same_arrival(q));
-}
-
 void count_failure(Findings& found, const Proof& proof, int bounces) {
   const Foul foul = proof.failure.foul;
   // An aim outside its bounds is no near miss, but is better than none.
@@ -96,6 +91,11 @@ bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) 
 }
 
 }  // namespace
+
+bool same_shot(const Question& q, const Shot& known, const Shot& shot) {
+  return same_launch(known.launch, shot.launch) &&
+         !(std::abs(known.arrival.time - shot.arrival.time) * shot.launch.speed > same_arrival(q));
+}
 
 std::optional<int> promised_digits(const Question& q, const Shot& shot) {
   const double of_diagonal = rounding(q, shot) / q.boundary.diagonal;

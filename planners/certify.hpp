@@ -16,6 +16,9 @@ namespace bankshot::planning {
 bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& launch, int bounces,
              std::string_view step, Demand demand = Demand::exact);
 
+/// One launch that arrives once.
+bool same_shot(const Question& q, const Shot& known, const Shot& shot);
+
 /// Keeps a shot that was proved, unless it is known.
 void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const Goal& goal, std::string_view step);
 

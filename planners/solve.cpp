@@ -69,9 +69,8 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   a.time_us = time_us;
   a.cost.certify_us = ledger.proof_us;
   a.status = !found.shots.empty() ? Status::solved : ledger.cut() ? Status::budget : Status::no_shot;
-  const std::size_t distinct = found.shots.size();
   planning::add_nearest(q, found, options.suggest, a);
-  if (options.robustness && distinct > 0) {
+  if (options.robustness && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
     Ledger aside(std::numeric_limits<long>::max());  // margin and success are no part of the search
     if (q.puzzle.prefer == Prefer::robust && !q.all()) planning::likeliest_first(q, aside, found.shots);
@@ -79,6 +78,7 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
     planning::add_robustness(q, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
+  const std::size_t distinct = found.shots.size();
   if (!q.all() && distinct > 1) found.shots.resize(1);
   if (options.sensitivity)
     for (Shot& shot : found.shots)

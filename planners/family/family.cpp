@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "planners/certify.hpp"
 #include "planners/locked/clearance.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/rank.hpp"
@@ -227,7 +228,14 @@ void tune(const Question& q, Ledger& ledger, Findings& found) {
     const Lead lead = lead_of(q, shot);
     if (!shot.off_centre) shot = Family(q, ledger, found, lead, shot.planner).tuned(shot);
   }
-  if (!q.all()) order_by_success(shots);
+  if (!q.all()) return order_by_success(shots);
+  // Two that were tuned into one were of one family.
+  std::vector<Shot> distinct;
+  for (Shot& shot : found.shots) {
+    const auto same = [&](const Shot& known) { return known.spin == shot.spin && same_shot(q, known, shot); };
+    if (std::ranges::none_of(distinct, same)) distinct.push_back(std::move(shot));
+  }
+  found.shots = std::move(distinct);
 }
 
 }  // namespace bankshot::planning::family

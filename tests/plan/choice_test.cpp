@@ -40,6 +40,17 @@ TEST_CASE("of a range of spin the one that prefer likes best is used") {
   }
 }
 
+TEST_CASE("of all shots none is there twice: two that are tuned into one were of one family") {
+  const Puzzle p = read_puzzle(
+      R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.5]}, "target": {"pocket": "top-right"}, "cushions": 2})");
+  const Answer a = solve(p, {.all = true});
+  REQUIRE(a.shots.size() > 1);
+  for (std::size_t i = 0; i < a.shots.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      CHECK(std::abs(a.shots[i].launch.angle - a.shots[k].launch.angle) > radians(0.01));
+  CHECK_THAT(a.message, Catch::Contains(std::to_string(a.shots.size()) + " distinct shots"));
+}
+
 TEST_CASE("margin and chance of a free spin are the shot's own") {
   int shots = 0;
   for (const char* prefer : {"robust", "soft", "quick"})
