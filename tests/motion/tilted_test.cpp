@@ -3,7 +3,6 @@
 // A table that leans: the path against another way to it (the closed forms of friction on an incline, with exponentials
 // in 50 digits, where the simulator sums power series in pieces), its energy with the height, what it does at
 // standstill and along cushions, and that a table that hardly leans is a level one.
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"
+#include "support/incline_forms.hpp"
 #include "support/models.hpp"
 
 using namespace bankshot;
@@ -18,34 +18,8 @@ using namespace bankshot::test;
 
 namespace {
 
-using Long = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-
 constexpr std::uint64_t seed = 23;
 constexpr double g = 9.81;
-
-template <class T>
-struct Carried {
-  T time;
-  Vec2<T> moved, w;  ///< the integral of w, and w
-};
-
-/// Friction M on an incline of pull a, e downhill, from w on, to σ; σ < 0: to the end. The boost of (|w|, w), written
-/// with exponentials; M > a.
-template <class T>
-Carried<T> carried(const T& M, const T& a, const Vec2<T>& e, const Vec2<T>& w, const T& sigma) {
-  using std::exp;
-  const T along = dot(e, w), across = cross(e, w), q = norm(w);
-  const bool ends = sigma < T(0);
-  const auto left = [&](const T& rate) { return ends ? T(0) : T(exp(T(-rate * sigma))); };
-  const auto lost = [&](const T& rate) { return T((T(1) - left(rate)) / rate); };
-  const T P = q + along, N = q - along, slow = M - a, fast = M + a;
-  const T time = (P * lost(slow) + N * lost(fast)) / 2;
-  const T on = P * P / 4 * lost(T(2 * slow)) - N * N / 4 * lost(T(2 * fast));
-  const T aside = across / 2 * (P * lost(T(M + slow)) + N * lost(T(M + fast)));
-  const T p = P * left(slow), n = N * left(fast), later = (p - n) / 2, beside = across * left(M);
-  const auto out = [&](const T& x, const T& y) { return Vec2<T>{e.x * x - e.y * y, e.y * x + e.x * y}; };
-  return {time, out(on, aside), out(later, beside)};
-}
 
 /// Slides and rolls to rest without meeting anything: where it begins to roll, and where and when it rests.
 struct Whole {
@@ -164,7 +138,7 @@ TEST_CASE("rolling straight up or down a slope is a level roll with another fric
   Random r(seed);
   for (int i = 0; i < 300; ++i) {
     Tilted m = leaning(r, 1);
-    m.rolling_friction.per_speed = r.log_uniform(1e-4, 0.1);
+    m.rolling_friction.per_speed = r.log_uniform(1e-12, 0.1);
     const double rise = norm(m.rise), way = i % 2 == 0 ? 1 : -1, v = r.log_uniform(0.01, 5);
     m.rise = {rise, 0};
     const State<double> s{{0, 0}, {way * v, 0}, natural_roll(Vec2d{way * v, 0}, body.radius)};
@@ -271,4 +245,17 @@ TEST_CASE("derivatives along a leaning path, by the launch and by the slope, are
     CHECK(exact.first.y.v[1] == Approx(by_rise).epsilon(1e-4).margin(1e-5));
   }
   CHECK(compared > 80);
+}
+
+TEST_CASE("a path that grazes is met where it falls through 0, or else where it is nearest") {
+  // A gap of (t − 1)² − depth that closes at 2 (1 − t), met by its chord where the path opens it again.
+  const auto met = [](double depth, double chord) {
+    const auto gap = [&](double t) { return std::pair((t - 1) * (t - 1) - depth, 2 * (1 - t)); };
+    return time_on_path(
+        chord, 0.0, 2.0, [](double t) { return t; }, gap);
+  };
+  CHECK(met(1e-10, 1 + 1e-6) == Approx(1 - 1e-5).epsilon(1e-12));
+  CHECK(met(1e-10, 1 - 2e-5) == Approx(1 - 1e-5).epsilon(1e-12));
+  CHECK(met(-1e-10, 1 + 1e-6) == Approx(1).epsilon(1e-12));
+  CHECK(met(-1e-10, 1 - 1e-6) == Approx(1).epsilon(1e-12));
 }

@@ -13,8 +13,29 @@
 
 namespace bankshot {
 
-/// `state(t)` on the path, `gap(state)` the gap there and the speed at which it closes; `t` the time on the chord.
-/// Where Newton's method would leave the piece of the path that begins at `first` and ends at `last`, the chord's.
+/// Where a path only grazes what its chord meets: when the gap falls through 0, or, where the chord alone does so, when
+/// it is least. The chord's time unless the gap closes where the piece begins and opens where it ends.
+template <class N, class On, class Gap>
+N graze_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&& gap) {
+  constexpr int enough = std::numeric_limits<N>::digits;
+  const auto [gap_first, closes_first] = gap(state(first));
+  if (!(closes_first > N(0)) || gap(state(last)).second > N(0)) return chord;
+  N low = first, high = last;
+  const auto halve = [&](auto&& is_before) {
+    for (int i = 0; i < enough; ++i) {
+      const N middle = (low + high) * N(0.5);
+      (is_before(gap(state(middle))) ? low : high) = middle;
+    }
+  };
+  halve([](const std::pair<N, N>& there) { return there.second > N(0); });
+  if (!(gap(state(high)).first < N(0)) || !(gap_first > N(0))) return high;
+  low = first;
+  halve([](const std::pair<N, N>& there) { return there.first > N(0); });
+  return high;
+}
+
+/// `state(t)` on the path, `gap(state)` the gap there and the speed at which it closes; `t` the time on the chord, of a
+/// piece of the path that begins at `first` and ends at `last`.
 template <class N, class On, class Gap>
 N time_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&& gap) {
   using std::abs;
@@ -22,10 +43,10 @@ N time_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&& 
   N t = chord;
   for (int i = 0; i < enough; ++i) {
     const auto [left, closes] = gap(state(t));
-    if (!(closes > N(0))) return chord;  // grazed: the chord says when
+    if (!(closes > N(0))) return graze_on_path(chord, first, last, state, gap);
     const N step = left / closes;
     t += step;
-    if (!(t >= first && t <= last)) return chord;
+    if (!(t >= first && t <= last)) return graze_on_path(chord, first, last, state, gap);
     if (!(abs(step) > 2 * std::numeric_limits<N>::epsilon() * abs(t))) break;
   }
   return t;

@@ -280,14 +280,16 @@ struct TiltedOf : SlideRollOf<C> {
     const double half = shortest_step(law, value(phase.w)), sine = std::abs(across) / q;
     piece.step = half;
     const double fast = std::max(1.0, q / tolerance::fast_chord), beyond = fast * fast;  // a planner may try any speed
-    const double fine = tolerance::chord * (body.radius > 0 ? body.radius : Body{}.radius) * beyond * beyond;
+    const double size = body.radius > 0 ? body.radius : Body{}.radius;
+    const double fine = tolerance::chord * size * beyond * beyond;
     const double epsilon = static_cast<double>(std::numeric_limits<Real<T>>::epsilon());
     const double turns = sine == 0 ? 0 : along < 0 ? 1 : sine;
     const bool stops = m > a || (sine == 0 && along < 0);
     if (stops) {
       const double lasts = along < 0 && !(m > a) ? q / (m + a) : (m * q + a * along) / ((m - a) * (m + a));
       const double off = m > a ? share * turns * a / m * q * lasts / 8 : 0;
-      if (off <= fine && b * lasts <= std::sqrt(epsilon)) {
+      // The closed form knows no drag: what that would take of the way left must be less than rounding.
+      if (off <= fine && b * lasts <= std::sqrt(epsilon) && b * lasts * share * q * lasts <= epsilon * size) {
         piece.last = true;
         return piece;
       }
