@@ -20,8 +20,8 @@ using bankshot::test::run_program;
 using bankshot::test::ScratchFile;
 using Catch::Contains;
 
-constexpr const char* sections[] = {"1-simulators",   "2-models",     "3-planners",
-                                    "4-conditioning", "5-hard-cases", "6-scaling"};
+constexpr const char* sections[] = {"1-simulators", "2-models",  "3-planners", "4-conditioning",
+                                    "5-hard-cases", "6-scaling", "7-tilt"};
 
 /// A folder in the temporary folder that goes with its contents.
 struct ScratchFolder : ScratchFile {
@@ -89,7 +89,8 @@ TEST_CASE("report writes a page that opens offline and shows every figure", "[he
   const auto run = run_program("report --quick --shots 1 -o \"" + folder.path + "\"");
   CHECK(run.exit == 0);
   CHECK(run.err.empty());  // no bar where there is no terminal
-  for (const char* title : {"Simulators: ", "Models: ", "Planners: ", "Conditioning: ", "Hard cases: ", "Scaling: "})
+  for (const char* title :
+       {"Simulators: ", "Models: ", "Planners: ", "Conditioning: ", "Hard cases: ", "Scaling: ", "Tilt: "})
     CHECK_THAT(run.out, Contains(title));
   check_files(folder, true);
   const std::string page = folder.read("index.html");
@@ -101,7 +102,7 @@ TEST_CASE("report writes a page that opens offline and shows every figure", "[he
 
   const auto browsed = bankshot::test::browse(that_measures_itself(folder));
   if (!browsed) return;
-  CHECK_THAT(browsed->dom, Contains("<title>6 figures, wide false</title>"));
+  CHECK_THAT(browsed->dom, Contains("<title>7 figures, wide false</title>"));
   CHECK(count(browsed->log, "CONSOLE") == 0);
 }
 

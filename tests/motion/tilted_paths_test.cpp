@@ -73,7 +73,9 @@ struct Meets {
 /// `left`: the wall that the path begins on.
 Meets first_met(const Phase<double>& p, const Tilted& m, const Boundary& b, const Wall* left) {
   constexpr double part = 0.01;
-  const auto gap = [&](std::size_t i, const State<double>& s) { return dot(b.walls[i].normal, s.at) - b.walls[i].offset; };
+  const auto gap = [&](std::size_t i, const State<double>& s) {
+    return dot(b.walls[i].normal, s.at) - b.walls[i].offset;
+  };
   Meets met;
   std::vector<double> before(b.walls.size()), previous(b.walls.size());
   double time = 0, sigma = 0;
@@ -129,7 +131,8 @@ struct Found {
 Found follow(const ShotRequest& shot, const Boundary& b) {
   const Tilted m = tilted(shot.physics);
   const State<double> start = start_state(shot);
-  State<Long> s{to<Long>(start.at), to<Long>(start.velocity), {Long(start.spin.x), Long(start.spin.y), Long(start.spin.z)}};
+  State<Long> s{
+      to<Long>(start.at), to<Long>(start.velocity), {Long(start.spin.x), Long(start.spin.y), Long(start.spin.z)}};
   Found out;
   const double radius = shot.ball.body.radius;
   const Vec2d slip = SlideRoll::slip(shot.ball.body, start);
@@ -143,7 +146,7 @@ Found follow(const ShotRequest& shot, const Boundary& b) {
     Long lasts;
     if (met.walls.empty()) {
       s = phase.at(Long(-1), m, lasts);
-        out.events.push_back({rolls ? EventKind::rest : EventKind::slide_to_roll, {}});
+      out.events.push_back({rolls ? EventKind::rest : EventKind::slide_to_roll, {}});
       if (rolls) break;
       rolls = true;
       left = nullptr;
@@ -155,7 +158,8 @@ Found follow(const ShotRequest& shot, const Boundary& b) {
     const Wall& w = *roots[0].second;
     s = phase.at(roots[0].first, m, lasts);
     out.events.push_back({EventKind::cushion, w.contact});
-    std::visit([&](const auto& cushion) { cushion.bounce(shot.ball.body, s, Vec2<double>(w.normal)); }, shot.physics.cushion);
+    std::visit([&](const auto& cushion) { cushion.bounce(shot.ball.body, s, Vec2<double>(w.normal)); },
+               shot.physics.cushion);
     left = &w;
     rolls = false;
     const double leaves = static_cast<double>(dot(to<Long>(w.normal), s.velocity));

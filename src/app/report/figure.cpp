@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <ranges>
 
 extern char** environ;
 
@@ -132,7 +133,7 @@ std::string key_of(const Figure& f, const Names& names, const std::vector<std::s
   std::string out;
   for (const std::string& name : shown_names) {
     Curve::Style kind = Curve::Style::line_points;
-    for (const Panel& p : f.panels)
+    for (const Panel& p : f.panels | std::views::reverse)  // as where it is first seen
       for (const Curve& c : p.curves)
         if (c.name == name) kind = c.style;
     out += fmt::format("{}NaN {} title \"{}\"", out.empty() ? "plot " : ", \\\n     ", style(names, name, kind),

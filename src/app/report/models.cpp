@@ -110,10 +110,12 @@ Result measure(const Model& m, const std::vector<Question>& questions, int cushi
   return {spread(misses), spread(seconds), spread(solving), solved};
 }
 
-/// How much more or less steeply a ball that rolls leaves a cushion than it came, over the angle of incidence, finely.
-Panel steepness(const std::vector<Model>& all, std::string& csv) {
-  constexpr double step = 0.05, from = 0.5, to = 89.5, speed = 2;  // degrees, m/s
-  Panel panel{"leaving less steeply than coming, every 0.05°", {"angle to the cushion [°]"}, {"angle lost [°]"}, {}};
+/// How much more or less steeply a ball that rolls leaves a cushion than it came, over the angle of incidence, finely;
+/// and in words, by how much at most from one angle to the next.
+Panel steepness(const std::vector<Model>& all, std::string& csv, std::string& told) {
+  constexpr double step = 0.1, from = 0.5, to = 89.5, speed = 2;  // degrees, m/s
+  Panel panel{"leaving less steeply than coming, every 0.1°", {"angle to the cushion [°]"}, {"angle lost [°]"}, {}};
+  double jump = 0;
   csv = "model,incidence_deg,leaving_deg\n";
   for (const Model& m : all) {
     if (!carries_spin(m.physics)) continue;
@@ -123,11 +125,17 @@ Panel steepness(const std::vector<Model>& all, std::string& csv) {
       s.spin = natural_roll(s.velocity, Body{}.radius);
       std::visit([&](const auto& cushion) { cushion.bounce(Body{}, s, Vec2d{0, 1}); }, m.physics.cushion);
       const double leaves = degrees(std::atan2(s.velocity.y, s.velocity.x));
-      curve.points.push_back({a, a - leaves, a - leaves, a - leaves});
-      csv += fmt::format("\"{}\",{:.2f},{:.9f}\n", m.name, a, leaves);
+      const double lost = a - leaves;
+      if (!curve.points.empty()) jump = std::max(jump, std::abs(lost - curve.points.back().y));
+      curve.points.push_back({a, lost, lost, lost});
+      csv += fmt::format("\"{}\",{:.1f},{:.6f}\n", m.name, a, leaves);
     }
     panel.curves.push_back(curve);
   }
+  told = fmt::format(
+      " Over the angle of incidence no cushion jumps: from one tenth of a degree to the next what it takes "
+      "changes by at most {:.2g}°.",
+      jump);
   return panel;
 }
 
@@ -191,8 +199,8 @@ Section models(const Settings& settings, Progress& progress) {
   share_y(s.figure.panels);
   const CirclesForJaws circles = circles_for_jaws(settings.shots * puzzles_a_shot, progress);
   s.figure.panels.push_back(circles.panel);
-  std::string sweep;
-  s.figure.panels.push_back(steepness(all, sweep));
+  std::string sweep, smooth;
+  s.figure.panels.push_back(steepness(all, sweep, smooth));
   s.figure.columns = 2;
   s.figure.row_height = 300;
   s.caption = fmt::format("Medians of {} shots a point, with 10–90 % bands on the left.", settings.shots);
@@ -202,7 +210,7 @@ Section models(const Settings& settings, Progress& progress) {
                                 short_length(at_three[k].miss.median), short_time(at_three[k].seconds.median));
   s.conclusion +=
       fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
-  s.conclusion += circles.told;
+  s.conclusion += circles.told + smooth;
   s.data = {
       {s.name, medians}, {s.name + "-shots", csv}, {s.name + "-circles", circles.csv}, {s.name + "-incidence", sweep}};
   return s;

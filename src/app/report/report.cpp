@@ -23,7 +23,7 @@ struct Arguments {
 constexpr int full_shots = 40, quick_shots = 10;
 
 using Measure = Section (*)(const Settings&, Progress&);
-constexpr Measure parts[] = {simulators, models, planners, conditioning, hard_cases, scaling};
+constexpr Measure parts[] = {simulators, models, planners, conditioning, hard_cases, scaling, tilt};
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code problem;

@@ -19,5 +19,6 @@ Section planners(const Settings& settings, Progress& progress);  ///< planners.c
 Section conditioning(const Settings& settings, Progress& progress);
 Section hard_cases(const Settings& settings, Progress& progress);
 Section scaling(const Settings& settings, Progress& progress);
+Section tilt(const Settings& settings, Progress& progress);
 
 }  // namespace bankshot::app::report

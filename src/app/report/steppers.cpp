@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/report/forces.hpp"
+#include "app/report/inclines.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot::app::report {
@@ -251,7 +252,38 @@ class Run {
   Stepped out_;
 };
 
+/// Dry friction on an incline, in time: of w and its integral.
+using Sliding = std::array<double, 4>;
+using DormandPrince = boost::numeric::odeint::runge_kutta_dopri5<Sliding>;
+
+auto rate_on(const Incline<double>& law) {
+  return [law](const Sliding& y, Sliding& rate, double) {
+    const double by = -(law.friction / std::hypot(y[2], y[3]) + law.drag);
+    rate = {y[2], y[3], by * y[2] + law.pull * law.down.x, by * y[3] + law.pull * law.down.y};
+  };
+}
+
 }  // namespace
+
+Slipped dormand_prince(const Incline<double>& law, const Vec2d& w, double until, int steps) {
+  DormandPrince stepper;
+  Sliding y{0, 0, w.x, w.y};
+  const double h = until / steps;
+  for (int i = 0; i < steps; ++i) stepper.do_step(rate_on(law), y, i * h, h);
+  return {until, {y[0], y[1]}, {y[2], y[3]}};
+}
+
+Slipped dormand_prince_to_stop(const Incline<double>& law, const Vec2d& w, double tolerance) {
+  auto stepper = boost::numeric::odeint::make_controlled(tolerance, tolerance, DormandPrince());
+  Sliding y{0, 0, w.x, w.y};
+  // What is left then is a share of the whole way as small as the tolerance.
+  const double slow = std::sqrt(tolerance) * norm(w);
+  double t = 0, h = norm(w) / law.friction / 10;
+  while (std::hypot(y[2], y[3]) > slow) stepper.try_step(rate_on(law), y, t, h);
+  const Vec2d left{y[2], y[3]};
+  const double q = norm(left), lasts = q / (law.friction - law.pull * dot(law.down, left) / q);
+  return {t + lasts, Vec2d{y[0], y[1]} + left * (lasts / 2), {0, 0}};
+}
 
 Stepped step_through(const Boundary& boundary, const Physics& physics, const State<double>& start, double until,
                      const Scheme& scheme) {
