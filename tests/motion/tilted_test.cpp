@@ -8,7 +8,9 @@
 
 #include "bankshot/detail/drag.hpp"
 #include "bankshot/numbers/dual.hpp"
+#include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/trajectory.hpp"
 #include "support/catch.hpp"
 #include "support/incline_forms.hpp"
 #include "support/models.hpp"
@@ -258,4 +260,18 @@ TEST_CASE("a path that grazes is met where it falls through 0, or else where it 
   CHECK(met(1e-10, 1 - 2e-5) == Approx(1 - 1e-5).epsilon(1e-12));
   CHECK(met(-1e-10, 1 + 1e-6) == Approx(1).epsilon(1e-12));
   CHECK(met(-1e-10, 1 - 1e-6) == Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("a ball that a leaning table presses to a rail leaves it where the rail ends") {
+  const Scene scene = preset_scene("pool-9ft");
+  ShotRequest shot{.table = scene.table, .physics = scene.physics, .ball = scene.ball, .launch = {1.2, 0}};
+  shot.ball.at = {1.8, scene.ball.body.radius};
+  shot.spin = {1, 0, 0};
+  for (const double rise : {1e-5, 1e-3, 1e-2}) {
+    shot.physics.tilt = {0, rise};
+    const Trajectory t = simulate(shot);
+    INFO("rise " << rise);
+    CHECK(t.end == EventKind::pocket);
+    CHECK(t.cushions == 0);
+  }
 }

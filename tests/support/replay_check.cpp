@@ -59,10 +59,14 @@ double distance_to_path(const ShotRequest& shot, const Trajectory& t, const Vec2
         const double better = low - dot(d, v) / (dot(v, v) + dot(d, l.arc.acceleration));
         if (better > 0 && better < end && off(better) <= off(low) * (1 + 1e-9)) low = better;
       }
-      const State<double> there = state_on(shot, l, low);  // the arc may be but a chord of the path
-      const Vec2d d = target - there.at;
+      State<double> there = state_on(shot, l, low);  // the arc may be but a chord of the path
+      Vec2d d = target - there.at;
       const double late = dot(d, there.velocity) / dot(there.velocity, there.velocity);
       const bool within = l.arc.chord && low + late > 0 && low + late < end;
+      if (within) {
+        there = state_on(shot, l, low + late);
+        d = target - there.at;
+      }
       const double distance = within ? std::abs(cross(there.velocity, d)) / norm(there.velocity) : norm(d);
       if (distance >= best) continue;
       best = distance;
@@ -144,8 +148,8 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
       if (rests || leg.ball != ball) continue;
       const double s = leg.arc.parameter(shot.arrival.time - leg.begin);
       if (!(s >= -1e-9) || s > leg.duration + 1e-9) continue;
-      const double off = norm(leg.arc.position(s) - point->at);
-      const double now = norm(leg.arc.velocity_at(s));
+      const State<double> there = state_on(request, leg, s);
+      const double off = norm(there.at - point->at), now = norm(there.velocity);
       const bool as_near = std::abs(off - miss) < exact;  // on both sides of a bounce
       if (off < miss || (as_near && std::abs(now - shot.arrival.speed) < std::abs(speed - shot.arrival.speed)))
         miss = std::min(off, miss), speed = now;
@@ -203,7 +207,7 @@ Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) 
   if (std::any_of(t.events.begin(), met, fell)) return {"is pocketed first", 0};
   Vec2d before = start_state(request).velocity;
   for (const Leg& leg : t.legs)
-    if (leg.ball == 0 && leg.begin < met->time) before = leg.arc.velocity_at(leg.duration);
+    if (leg.ball == 0 && leg.begin < met->time) before = state_on(request, leg, leg.duration).velocity;
   const Vec2d apart = met->other.at - met->state.at;
   const double sine = cross(before, apart) / (norm(before) * norm(apart)), reach = norm(apart);
   const double miss = reach * std::abs(sine - std::sin(asked.cut)), allowed = 1e-9 * p.table.diagonal() + shot.miss;

@@ -77,12 +77,20 @@ struct EventFinder {
   bool is_at_mouth(const NextEvent<N>& first) const {
     if (cushions.any_holds()) return true;
     const auto breached = [&](Contact rail) {
-      const Wall& w = boundary.walls[static_cast<std::size_t>(rail.index)];
-      return boundary.break_at(w, static_cast<double>(dot(w.along, arc.position(first.time)))) >= 0;
+      return mouth_at(boundary.walls[static_cast<std::size_t>(rail.index)], first.time) >= 0;
     };
     if (first.event.bounces() && (breached(first.event.contact) || (first.second && breached(first.second))))
       return true;
     return between_jaws() >= 0;
+  }
+
+  /// The pocket in whose mouth the arc crosses a rail's line; -1 where the rail is whole. A ball that the rail held to
+  /// its end, and that goes on, is in the mouth.
+  int mouth_at(const Wall& w, const N& t) const {
+    const double s = static_cast<double>(dot(w.along, arc.position(t)));
+    const int pocket = boundary.break_at(w, s);
+    if (pocket >= 0 || t > N(0)) return pocket;
+    return boundary.break_at(w, s + (dot(w.along, arc.velocity) < N(0) ? -boundary.touch : boundary.touch));
   }
 
   /// The pocket between whose jaws the arc starts; -1 where that is on the table, as on a rail.
@@ -112,7 +120,7 @@ struct EventFinder {
     for (const Wall& w : boundary.walls) {
       const N t = wall_hit(w, first.time);
       if (!(t <= first.time) || !(t < N(forever))) continue;
-      const int pocket = boundary.break_at(w, static_cast<double>(dot(w.along, arc.position(t))));
+      const int pocket = mouth_at(w, t);
       pocket < 0 ? consider(first, w.contact, t) : look(pocket);
     }
     for (int i = 0; i < count; ++i) consider_jaws(first, pockets[i]);
@@ -237,7 +245,8 @@ T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc
     case EventKind::ball:
       return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::horizon:
-      return next.piece ? arc.duration : horizon;
+      if (!next.piece) return horizon;
+      return next.time < value(arc.duration) ? T(next.time) : arc.duration;  // a rail that holds the ball ends
     default:
       return arc.duration;
   }

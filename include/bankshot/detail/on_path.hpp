@@ -14,12 +14,12 @@
 namespace bankshot {
 
 /// Where a path only grazes what its chord meets: when the gap falls through 0, or, where the chord alone does so, when
-/// it is least. The chord's time unless the gap closes where the piece begins and opens where it ends.
+/// it is least. The chord's time unless there is a gap that closes where the piece begins and opens where it ends.
 template <class N, class On, class Gap>
 N graze_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&& gap) {
   constexpr int enough = std::numeric_limits<N>::digits;
   const auto [gap_first, closes_first] = gap(state(first));
-  if (!(closes_first > N(0)) || gap(state(last)).second > N(0)) return chord;
+  if (!(gap_first > N(0)) || !(closes_first > N(0)) || gap(state(last)).second > N(0)) return chord;
   N low = first, high = last;
   const auto halve = [&](auto&& is_before) {
     for (int i = 0; i < enough; ++i) {
@@ -28,7 +28,7 @@ N graze_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&&
     }
   };
   halve([](const std::pair<N, N>& there) { return there.second > N(0); });
-  if (!(gap(state(high)).first < N(0)) || !(gap_first > N(0))) return high;
+  if (!(gap(state(high)).first < N(0))) return high;
   low = first;
   halve([](const std::pair<N, N>& there) { return there.first > N(0); });
   return high;
