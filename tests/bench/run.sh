@@ -53,7 +53,8 @@ part() {
     mathavan) google '^mathavan' ;;
     stress)
       for physics in ideal rolling mathavan; do measure --count 100000 --physics $physics; done
-      measure --count 1000000 --physics spin
+      for physics in spin stronge; do measure --count 1000000 --physics $physics; done
+      measure --count 10000 --physics tilted
       ;;
     families)
       for physics in spin rolling; do
