@@ -112,8 +112,8 @@ inline constexpr double edge_end = 1e-15;
 inline constexpr double simulation_error = 4;
 
 /// Of the unit of that bound, 2⁻⁵³: what it is where a table leans, and a path is summed up of hundreds of pieces, each
-/// rounded anew. Of 1,000 shots of `shots --family tilted --truth 1000` one is beyond the bound, at 13 units where C
-/// is 4.
+/// rounded anew. Of 1,000 shots of `shots --family tilted` (125 each of the seeds 1 to 8) the worst is at 1.7 units,
+/// where C is 4.
 inline constexpr double pieces_rounding = 64;
 
 /// Of the diagonal. A target asked exactly on a cushion line, or a path through a corner, is
