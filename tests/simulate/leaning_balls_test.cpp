@@ -49,7 +49,6 @@ Watched watched(const ShotRequest& shot) {
   for (int i = 0; i < sim.count(); ++i)
     all += sim.body(i).mass * gravity(shot.physics) * norm(shot.physics.tilt) * shot.table.diagonal();
   double before = look();
-  int fallen = 0;
   for (; w.events < endless && !w.ended; ++w.events) {
     const BallEvent e = sim.step(0.05);  // also between events
     const double now = look();
@@ -57,7 +56,6 @@ Watched watched(const ShotRequest& shot) {
     if (e.event.kind != EventKind::pocket) w.gained = std::max(w.gained, (now - before) / all);
     before = now;
     w.meetings += e.event.kind == EventKind::ball;
-    fallen += e.event.kind == EventKind::pocket;
     w.ended = true;
     for (int i = 0; i < sim.count(); ++i) w.ended = w.ended && !sim.moves(i);
   }

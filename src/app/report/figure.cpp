@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <ranges>
 
 extern char** environ;
 
@@ -133,8 +132,8 @@ std::string key_of(const Figure& f, const Names& names, const std::vector<std::s
   std::string out;
   for (const std::string& name : shown_names) {
     Curve::Style kind = Curve::Style::line_points;
-    for (const Panel& p : f.panels | std::views::reverse)  // as where it is first seen
-      for (const Curve& c : p.curves)
+    for (auto p = f.panels.rbegin(); p != f.panels.rend(); ++p)  // as where it is first seen
+      for (const Curve& c : p->curves)
         if (c.name == name) kind = c.style;
     out += fmt::format("{}NaN {} title \"{}\"", out.empty() ? "plot " : ", \\\n     ", style(names, name, kind),
                        plain(name));

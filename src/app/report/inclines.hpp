@@ -9,7 +9,6 @@
 #pragma once
 
 #include "bankshot/detail/incline.hpp"
-#include "bankshot/scene/scene.hpp"
 
 namespace bankshot::app::report {
 
