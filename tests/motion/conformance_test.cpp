@@ -19,17 +19,6 @@ constexpr int draws = 2000;
 template <class Motion>
 constexpr bool never_ends = std::is_same_v<Motion, Ideal>;
 
-/// A state of the motion: of one whose friction grows with the speed, which only a rolling ball feels, every other one
-/// rolls.
-template <class Motion>
-State<double> draw_state_of(const Motion& motion, Random& r) {
-  State<double> s = draw_state(r);
-  if constexpr (std::is_same_v<Motion, Dragging>)
-    if (r.chance(0.5)) s.spin = natural_roll(s.velocity, body.radius);
-  s.spin = motion.spin(body, s);
-  return s;
-}
-
 /// Whether two states on an arc are alike to so many roundings of |v| + R|ω|. An arc with a drag knows the place; near
 /// its rest speed and time are square roots of what is left, so there the square of the speed is held to it.
 bool alike(const State<double>& a, const State<double>& b, double roundings, double scale, const Arc<double>& arc) {

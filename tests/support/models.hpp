@@ -110,6 +110,17 @@ inline State<double> draw_state(Random& r) {
           {w * r.uniform(-2, 2), w * r.uniform(-2, 2), w * r.uniform(-2, 2)}};
 }
 
+/// A state of the motion: of one whose friction grows with the speed, which only a rolling ball feels, every other one
+/// rolls.
+template <class Motion>
+State<double> draw_state_of(const Motion& motion, Random& r) {
+  State<double> s = draw_state(r);
+  if constexpr (std::is_same_v<Motion, Dragging>)
+    if (r.chance(0.5)) s.spin = natural_roll(s.velocity, body.radius);
+  s.spin = motion.spin(body, s);
+  return s;
+}
+
 inline double energy_of(const State<double>& s) { return bankshot::energy_of(s, ball_radius); }
 inline double scale_of(const State<double>& s) { return bankshot::scale_of(s, ball_radius); }
 inline double difference(const State<double>& a, const State<double>& b) {
