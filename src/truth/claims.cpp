@@ -71,10 +71,9 @@ class ShotCheck {
     return other;
   }
 
-  /// What is promised: nine digits of the diagonal, or as many as the shot says.
-  double place_tolerance() const {
-    return (shot_.digits ? std::pow(10, -*shot_.digits) : tolerance::exact_miss) * scene_.boundary.diagonal;
-  }
+  /// What is promised: this share, or as many digits as the shot says.
+  double promised(double share) const { return shot_.digits ? std::max(share, std::pow(10, -*shot_.digits)) : share; }
+  double place_tolerance() const { return promised(tolerance::exact_miss) * scene_.boundary.diagonal; }
 
   void bounds() {
     const double v = shot_.launch.speed;
@@ -137,12 +136,13 @@ class ShotCheck {
     compare(Claim::time, std::abs(said.time - there.time),
             time_tolerance(there, place) + tolerance::exact_speed * there.time,
             fmt::format("says {} s and arrives after {} s", said.time, there.time));
-    compare(Claim::arrival, std::abs(said.speed - there.speed), tolerance::exact_speed * std::max(1.0, there.speed),
+    compare(Claim::arrival, std::abs(said.speed - there.speed),
+            promised(tolerance::exact_speed) * std::max(1.0, there.speed),
             fmt::format("says {} m/s and arrives at {} m/s", said.speed, there.speed));
     // The safest launch need not arrive at the speed asked: what counts as made does not speak of it.
     if (const auto asked = arrival_range(p_); asked && p_.aim == Aim::centre)
       compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high),
-              tolerance::exact_speed * std::max(1.0, asked->high),
+              promised(tolerance::exact_speed) * std::max(1.0, asked->high),
               fmt::format("arrives at {} m/s, and {} to {} is asked", there.speed, asked->low, asked->high));
   }
 
@@ -174,7 +174,9 @@ class ShotCheck {
     if (!truth) return;
     const double scale = std::max(*truth, scene_.boundary.extent);
     constexpr double digits = 1e-6;  // what a player or a program may build on
-    compare(Claim::condition, std::abs(*truth - shot_.condition) / scale, digits,
+    // Where the place has fewer, what the path bends around, of a ball's size or more, turns by so much more or less.
+    const double turns = shot_.digits ? place_ / scene_.boundary.body.radius : 0;
+    compare(Claim::condition, std::abs(*truth - shot_.condition) / scale, std::max(digits, turns),
             fmt::format("says {} m and it is {} m", shot_.condition, *truth));
   }
 

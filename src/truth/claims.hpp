@@ -2,9 +2,10 @@
 //
 // Every claim of an answer, held against a replay in 50 digits.
 // What may differ: a place by `exact_miss` of the diagonal or, where the shot promises fewer `digits`, by as many of
-// the diagonal (of a shot that promises none its bounds alone are held to it); a speed by `exact_speed`; a time by that
-// place at the ball's speed. With mathavan2010 the impacts of the replay are integrated 1e7 times finer than those of
-// the solver.
+// the diagonal (of a shot that promises none its bounds alone are held to it); a time by that place at the ball's
+// speed; a speed on arrival by `exact_speed`, or as many digits; a condition by 1e-6 or, where there are fewer digits,
+// by that place over the ball's radius. With mathavan2010 the impacts of the replay are integrated 1e7 times finer than
+// those of the solver.
 #pragma once
 
 #include <string>
