@@ -140,6 +140,8 @@ inline constexpr double beyond = 1.1;
 namespace forward {
 /// Of the diagonal: a leg that begins this far past the target no longer leads to it.
 inline constexpr double behind = 0.05;
+/// Of the way to a mouth: how far beside its line of travel a ball that slides may bend.
+inline constexpr double bends = 0.3;
 }  // namespace forward
 
 namespace roots {
@@ -201,21 +203,29 @@ inline constexpr double nearly_allowed = 1.3;
 }  // namespace parts
 
 namespace rattles {
-/// Cells from which launches are sent into mouths. Of 384 random shots that only drop by the jaws they fall between, 12
-/// are not found, from bands of less than 0.0005 rad; rows eight times as dense find none of them.
-inline constexpr Spacing cell{radians(2), 0.1};
-/// Of a pocket's radius of capture: how far to either side of its exact line launches are sent, and how many.
-inline constexpr double mouths_across = 1.5;
-inline constexpr int launches_across = 24;
-/// rad: apart where the launch speed is fixed; so many times finer beside launches that meet jaws. Brute force in steps
-/// of 0.02 degrees then finds none of 200 no-shots to have a shot; 18 without this, 4 with launches so far apart alone.
-inline constexpr double coarse_aim = radians(0.02);
-inline constexpr int finer = 5;
-/// Of the squared arrival speed by the squared launch speed, in units of their ratio: the first slope. Of the squared
-/// launch speed, relative: the farthest that a secant goes where the path's shape changes with it, and where not; how
-/// many at most; and how often one is shortened, by how much, where the ball does not drop.
-inline constexpr double usual_slope = 2, farthest = 0.6, most_braked = 0.9, most_pushed = 3, shorter = 4;
-inline constexpr int most_secants = 12, most_shortened = 3;
+/// How mouths are looked into: cells from which launches are sent, radii of the ball from one to the next across a
+/// mouth, and off the jaws of how many mouths the ball may come on its way. One look after the other until there is a
+/// shot: of random drops between jaws the first two leave 0.2 % unsolved with `spin`, the next two 0.1 %, where the
+/// usual budget ends; with `rolling`, whose looks are at one speed, all six leave none of 100,000.
+struct Look {
+  Spacing cell;
+  double apart;
+  int on_the_way;
+};
+inline constexpr int most_on_the_way = 2;
+inline constexpr std::array looks{Look{{radians(2), 0.1}, 0.25, 0},   Look{{radians(2), 0.1}, 0.25, 1},
+                                  Look{{radians(1), 0.15}, 0.25, 1},  Look{{radians(2), 0.3}, 0.25, 2},
+                                  Look{{radians(0.5), 0.1}, 0.12, 1}, Look{{radians(0.5), 0.2}, 0.12, 2}};
+/// The same in the last mouth of a ball that came off others: any launch that drops will do.
+inline constexpr double apart_at_last = 0.75;
+/// Radii that launches are sent beyond the ends of the rails, and into what leads straight in, since derivatives tell
+/// less the farther a path goes. In the last mouth less than this loses shots after four cushions.
+inline constexpr double beyond = 0.2, beyond_at_last = 1.5;
+/// The longest step along a band; how many at most; and how often one is shortened, by how much, where the ball does
+/// not drop.
+inline constexpr Neighbourhood farthest{radians(10), 0.5};
+inline constexpr int most_steps = 12, most_shortened = 3;
+inline constexpr double shorter = 4;
 /// Shots enough to choose from.
 inline constexpr std::size_t enough = 8;
 }  // namespace rattles

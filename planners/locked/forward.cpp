@@ -14,7 +14,7 @@ using Dual = bankshot::Dual<2>;
 /// One path, and what it passes.
 class Follower {
  public:
-  Follower(const Question& q, Forward& out) : q_(q), out_(out) {}
+  Follower(const Question& q, std::span<const Mark> marks, Forward& out) : q_(q), marks_(marks), out_(out) {}
 
   template <class Motion, class Cushion>
   void along_route(const Motion& motion, const Cushion& cushion, const State<Dual>& start) {
@@ -44,13 +44,31 @@ class Follower {
     }
   }
 
+  /// Past aims so near [rad].
+  template <class Motion, class Cushion>
+  void through_jaws(const Motion& motion, const Cushion& cushion, const State<Dual>& start, double near) {
+    near_ = near;
+    Simulator sim(q_.alone(), motion, cushion, start);
+    for (int bounces = 0;;) {
+      look(motion, sim.state());
+      Event e = sim.step();
+      while (e.kind == EventKind::slide_to_roll) e = sim.step();
+      const bool bounce = e.kind == EventKind::cushion && bounces < q_.cushions().max;
+      if (!(bounce || e.kind == EventKind::jaw) || sim.time().a > q_.latest) return;
+      if (bounce && q_.route && e.contact != (*q_.route)[static_cast<std::size_t>(bounces)].with) return;
+      out_.route.push_back({0, e.contact});
+      bounces += bounce;
+    }
+  }
+
  private:
   /// Adds how a free leg from `state` misses each mark.
   template <class Motion>
   void look(const Motion& motion, const State<Dual>& state) {
     if (!(dot(state.velocity, state.velocity).a > 0)) return;
-    for (std::size_t i = 0; i < q_.marks.size(); ++i) {
-      const LockedAim aim{q_, out_.route, q_.marks[i]};
+    for (std::size_t i = 0; i < marks_.size(); ++i) {
+      const LockedAim aim{q_, out_.route, marks_[i]};
+      if (near_ && !leads_near(aim.mark, state)) continue;
       const LockedArrival<Dual> arrival =
           arrive_locked(motion, q_.boundary.body, state, aim.mark.at, aim.mark.capture(), q_.stop);
       Dual r[2] = {Dual(0), Dual(0)};
@@ -58,31 +76,59 @@ class Follower {
       const Vec2<Dual> off = to<Dual>(aim.mark.at) - arrival.state.at;
       const double ahead = dot(arrival.heading, off).a / norm(arrival.heading).a;
       if (!q_.stop && !arrival.at_rest && ahead < -settings::forward::behind * q_.boundary.diagonal) continue;
-      out_.passages.push_back({out_.route.size(), i, q_.one_unknown() ? linear<1>(r) : linear<2>(r)});
+      const Vec2d heading = value(arrival.heading);
+      out_.passages.push_back(
+          {out_.route.size(), i, q_.one_unknown() ? linear<1>(r) : linear<2>(r), heading / norm(heading)});
     }
   }
 
+  /// The line of travel does, of some aim that is as near as asked.
+  bool leads_near(const Mark& mark, const State<Dual>& state) const {
+    const Vec2<Dual> off = to<Dual>(mark.at) - state.at, u = state.velocity / norm(state.velocity);
+    const Dual lateral = cross(u, off);
+    const double room = 2 * mark.reach + settings::forward::bends * norm(off).a + *near_ * std::abs(lateral.v[0]);
+    return std::abs(lateral.a) < room && dot(u, off).a > -room;
+  }
+
   const Question& q_;
+  std::span<const Mark> marks_;
+  std::optional<double> near_{};
   Forward& out_;
 };
 
-}  // namespace
-
-void forward(const Question& q, Ledger& ledger, const Launch& launch, bool locked, Forward& out) {
+/// `f(follower, motion, cushion, start)` of an answer that is empty yet.
+template <class F>
+void follow(const Question& q, Ledger& ledger, const Launch& launch, std::span<const Mark> marks, Forward& out, F&& f) {
   out.route.clear();
   out.places.clear();
   out.passages.clear();
   out.rests = false;
   if (ledger.spent()) return;
   with_physics(q.rough, [&](const auto& motion, const auto& cushion) {
-    const State<Dual> start = dual_start<Dual, 2>(q, launch);
-    Follower follower(q, out);
-    if (q.route && locked)
-      follower.along_route(motion, cushion, start);
-    else
-      follower.freely(motion, cushion, start);
+    Follower follower(q, marks, out);
+    f(follower, motion, cushion, dual_start<Dual, 2>(q, launch));
   });
   ledger.charge(out.route.size());
+}
+
+}  // namespace
+
+void forward(const Question& q, Ledger& ledger, const Launch& launch, bool locked, Forward& out) {
+  follow(q, ledger, launch, q.marks, out,
+         [&](auto& follower, const auto& motion, const auto& cushion, const State<Dual>& start) {
+           if (q.route && locked)
+             follower.along_route(motion, cushion, start);
+           else
+             follower.freely(motion, cushion, start);
+         });
+}
+
+void forward_through_jaws(const Question& q, Ledger& ledger, const Launch& launch, double near,
+                          std::span<const Mark> mouths, Forward& out) {
+  follow(q, ledger, launch, mouths, out,
+         [near](auto& follower, const auto& motion, const auto& cushion, const State<Dual>& start) {
+           follower.through_jaws(motion, cushion, start, near);
+         });
 }
 
 }  // namespace bankshot::planning

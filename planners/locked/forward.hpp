@@ -2,8 +2,10 @@
 //
 // The real path of a launch, and how it would miss each mark if its bounces ended after any number of them that the
 // puzzle allows: what one node of a map sees. Cost: one simulation with dual numbers.
+// A path that comes off jaws ends there, unless it is asked for: then their contacts are meetings of its route.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "planners/locked/residual.hpp"
@@ -11,8 +13,9 @@
 namespace bankshot::planning {
 
 struct Passage {
-  std::size_t bounces, mark;  ///< how many, and which of the question's
+  std::size_t meetings, mark;  ///< how many of the route's, and which of the marks
   Linear linear;
+  Vec2d along;  ///< unit, of the line of travel there
 };
 
 /// Where a bounce lies along its cushion [m], and how that changes with the aim [m/rad]; of a vertex nothing.
@@ -22,12 +25,17 @@ struct BouncePlace {
 
 struct Forward {
   Route route;
-  std::vector<BouncePlace> places;  ///< of the real path's bounces
+  std::vector<BouncePlace> places;  ///< of the real path's meetings
   std::vector<Passage> passages;
   bool rests = false;  ///< the path ends by itself before all the bounces asked
 };
 
 /// `locked`: a route that is given is followed on its locked path.
 void forward(const Question& q, Ledger& ledger, const Launch& launch, bool locked, Forward& out);
+
+/// On through jaws, past those of these mouths into which an aim so near [rad] may lead, after any bounces that what is
+/// asked for may begin with.
+void forward_through_jaws(const Question& q, Ledger& ledger, const Launch& launch, double near,
+                          std::span<const Mark> mouths, Forward& out);
 
 }  // namespace bankshot::planning

@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: MIT
 //
-// Shots that count on the jaws of their pocket, for where none enters cleanly.
-// Method: the forward map tells which aims lead from each cell across a mouth; rows of launches across it are replayed.
-// Between two that drop, one too fast and one too slow, the aim is bisected; of others the speed is corrected by
-// secants, which keep to launches that drop, until the ball falls as fast as asked. Where one launch speed is all there
-// is, or shows the shape of all paths, all aims are tried instead, in steps of 0.02°.
-// Cost: a simulation a cell, and some twenty for each mouth that a cell looks into; 20,000 for all aims.
-// Guarantee: none; balls rattle in from bands of aims, of which narrow ones lie between the launches of a row, as do
-// nearly all that meet a cushion after a jaw.
+// Shots that count on jaws, for where none enters cleanly.
+// Method: the real path of a launch goes on through jaws, whose contacts are meetings of its route, and its derivatives
+// tell which aims beside it lead into which mouth (locked/forward.hpp). Rows of launches across a mouth that is asked
+// for are replayed. Launches into a mouth on the way are followed in the same manner, each for the aims up to its
+// neighbours, so that windows as narrow as rounding allows are seen. What drops is moved along its band, the launches
+// that fall at the same place by the same route, by Newton's method on the locked path with its jaws until the ball
+// falls as fast as asked; between two that drop, one too fast and one too slow, the aim is bisected.
+// Worked number: from 1 m a mouth is 7 degrees wide and a tip of it 2; what comes off that tip meets another mouth 1 m
+// on from bands of 0.1 degrees, and off a second tip from some of 0.003.
+// Cost: a simulation a cell, one for each quarter of a radius across each mouth that it looks into, and so on from
+// those that meet its jaws: where the speed is free 5,000 with no mouth on the way, 15,000 to 45,000 with one.
+// Guarantee: none; bands are missed where the path bends within a row more than its derivatives tell.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/certify.hpp"
 #include "planners/line_search.hpp"
 #include "planners/locked/forward.hpp"
+#include "planners/locked/newton.hpp"
 #include "planners/settings.hpp"
 #include "planners/steps/forward_map.hpp"
 #include "planners/steps/steps.hpp"
@@ -29,75 +37,147 @@ using namespace settings::rattles;
 class Rattles {
  public:
   Rattles(const Question& q, Ledger& ledger, Findings& found)
-      : q_(q), ledger_(ledger), found_(found), straight_(is_straight(q.puzzle.physics)) {}
+      : q_(q), ledger_(ledger), found_(found), mouths_(marks_of(PocketTarget{}, q.boundary)) {}
 
+  /// Where some shots count on fewer mouths, those on more are not looked for.
   void run() {
-    const Range aims = q_.angle.value_or(whole_turn);
-    if (q_.one_unknown() || straight_) return all_aims(aims);
-    const int columns = static_cast<int>(std::ceil((aims.high - aims.low) / cell.aim));
-    const double width = columns > 0 ? (aims.high - aims.low) / columns : 0;
-    for (const double speed : speeds_to_try(q_, cell.speed))
-      for (int i = 0; i < std::max(columns, 1); ++i) {
-        look_into_mouths(aims.low + width * (i + 0.5), width / 2, speed);
-        if (done()) return;
-      }
+    for (const Look& look : looks)
+      if (found_.shots.empty() && !done()) all_round(look);
   }
 
  private:
   bool done() const { return ledger_.spent() || (!q_.all() && found_.shots.size() >= (q_.first() ? 1 : enough)); }
 
-  /// A launch that drops.
+  void all_round(const Look& look) {
+    look_ = look;
+    const Range aims = q_.angle.value_or(whole_turn);
+    const int columns = std::max(1, static_cast<int>(std::ceil((aims.high - aims.low) / look.cell.aim)));
+    const double half = (aims.high - aims.low) / columns / 2;
+    for (const double speed : speeds())
+      for (int i = 0; i < columns && !done(); ++i)
+        look_into_mouths({{speed, aims.low + half * (2 * i + 1)}, half, look.on_the_way});
+  }
+
+  /// One is enough where it shows the shape of all paths.
+  std::vector<double> speeds() const {
+    if (q_.one_unknown()) return {q_.fixed_speed()};
+    if (is_straight(q_.puzzle.physics)) return {q_.speed.high};
+    return speeds_to_try(q_, look_.cell.speed);
+  }
+
+  /// Launches at one speed.
+  struct Beam {
+    Launch middle;
+    double half;            ///< rad to either side
+    int on_the_way;         ///< mouths before the one that is asked for
+    std::size_t after = 0;  ///< meetings, the last of them with a jaw
+  };
+
+  void look_into_mouths(const Beam& beam) {
+    const bool first = beam.after == 0, last = beam.on_the_way == 0;
+    const Launch launch{beam.middle.speed, wrap_angle(beam.middle.angle)};
+    const std::vector<Mark>& marks = first && last ? q_.marks : mouths_;
+    Forward& forward = forwards_[static_cast<std::size_t>(beam.on_the_way)];
+    if (first && last)
+      planning::forward(q_, ledger_, launch, true, forward);
+    else
+      forward_through_jaws(q_, ledger_, launch, beam.half, mouths_, forward);
+    const Route& route = forward.route;
+    if (!first && !(route.size() >= beam.after && route[beam.after - 1].with.kind == ContactKind::jaw)) return;
+    for (const Passage& p : forward.passages) {
+      const Mark& mouth = marks[p.mark];
+      if (p.meetings < beam.after || too_slow(p.linear)) continue;
+      if (last && !may_end(std::span(route).first(p.meetings), mouth)) continue;
+      if (last)
+        across(beam, {p, mouth, whole(mouth, p, beyond_at_last)}, first ? look_.apart : apart_at_last);
+      else
+        for (const Range& offsets : beside_opening(mouth, p)) across(beam, {p, mouth, offsets}, look_.apart);
+    }
+  }
+
+  /// Lines of travel that lead between the ends of two rails, by their offsets [m] (geometry/opening.hpp).
+  struct Mouth {
+    const Passage& passage;
+    const Mark& mark;
+    Range offsets;
+  };
+
+  /// A row of launches on these lines, as far as the beam sees them.
+  void across(const Beam& beam, const Mouth& mouth, double apart) {
+    const Linear& l = mouth.passage.linear;
+    const double exact = mouth.mark.exact_offset(mouth.passage.along, 0), diagonal = q_.boundary.diagonal;
+    const auto aim = [&](double offset) {
+      return beam.middle.angle + ((exact - offset) / diagonal - l.r[0]) / l.by_aim(0);
+    };
+    const auto [from, to] = std::minmax({aim(mouth.offsets.low), aim(mouth.offsets.high)});
+    const double low = std::max(from, beam.middle.angle - beam.half);
+    const double high = std::min(to, beam.middle.angle + beam.half);
+    if (!(low < high)) return;
+    const double metres = (high - low) * std::abs(l.by_aim(0)) * diagonal;
+    const int launches = 1 + static_cast<int>(metres / (apart * q_.puzzle.ball.body.radius));
+    const double half = (high - low) / launches / 2;
+    const auto launch = [&](int i) { return Launch{beam.middle.speed, low + half * (2 * i + 1)}; };
+    if (beam.on_the_way == 0) return fall(launches, launch);
+    for (int i = 0; i < launches && !done(); ++i)
+      look_into_mouths({launch(i), half, beam.on_the_way - 1, mouth.passage.meetings + 1});
+  }
+
+  /// From the end of one rail to that of the other, and so many radii more.
+  Range whole(const Mark& mark, const Passage& p, double more) const {
+    Range out{forever, -forever};
+    for (const Circle& tip : q_.boundary.jaws[static_cast<std::size_t>(mark.taken_by.index)].tips) {
+      const Contact rail = tip.before.kind == ContactKind::rail ? tip.before : tip.after;
+      const Vec2d end = tip.centre + q_.boundary.line(rail)->normal * tip.radius;
+      const double offset = cross(p.along, end - mark.at);
+      out = {std::min(out.low, offset), std::max(out.high, offset)};
+    }
+    more *= q_.puzzle.ball.body.radius;
+    return {out.low - more, out.high + more};
+  }
+
+  /// Where a ball meets jaws: on both sides of what leads straight in.
+  std::array<Range, 2> beside_opening(const Mark& mark, const Passage& p) const {
+    const Range all = whole(mark, p, beyond);
+    const Gap<double> gap = mark.gap(p.along, 0);
+    const double more = beyond * q_.puzzle.ball.body.radius;
+    return {Range{all.low, std::min(all.high, gap.low + more)}, Range{std::max(all.low, gap.high - more), all.high}};
+  }
+
+  /// After these meetings the ball may fall there.
+  bool may_end(std::span<const Meeting> route, const Mark& mouth) const {
+    return bounces_of(route) >= q_.cushions().min && std::ranges::count(q_.marks, mouth.taken_by, &Mark::taken_by) > 0;
+  }
+
+  /// It passes slower than asked, by more than a cell.
+  bool too_slow(const Linear& l) const {
+    return !q_.one_unknown() && q_.arrival->fixed() && -l.r[1] > look_.cell.speed * l.by_speed(1);
+  }
+
+  /// A launch that drops, and the speed at which it does.
   struct Dropped {
     Launch launch;
     double arrival;  ///< m/s
+    Route route;
+    Mark mark;
   };
 
-  /// Where one launch speed is all there is, or shows the shape of all: those that come off other jaws first are found
-  /// as well. Beside an aim that meets jaws the next are nearer.
-  void all_aims(const Range& aims) {
-    const int launches = 1 + static_cast<int>((aims.high - aims.low) / coarse_aim);
-    const double step = (aims.high - aims.low) / launches;
-    bool before = false;
-    for (int i = 0; i <= launches && !done(); ++i) {
-      const double aim = aims.low + step * i;
-      const bool here = meets_jaws(aim);
-      for (int k = 1; k < finer && i > 0 && (before || here) && !done(); ++k) meets_jaws(aim - step * k / finer);
-      before = here;
+  /// Keeps what there is in a row of launches.
+  template <class LaunchOf>
+  void fall(int launches, const LaunchOf& launch_of) {
+    std::optional<Dropped> before;
+    for (int i = 0; i < launches && !done(); ++i) {
+      auto here = drop(launch_of(i));
+      if (here && !(before && keep_between(*before, *here))) keep_along(*here);
+      before = std::move(here);
     }
   }
 
-  /// Kept, where it is made.
-  bool meets_jaws(double aim) {
-    const Launch launch{q_.one_unknown() ? q_.fixed_speed() : q_.speed.high, aim};
-    const Replay r = replay(q_, ledger_, launch, Goal::of(q_, Demand::made));
-    if (r.made) keep_near({launch, r.arrival.speed}, Goal::exactly(q_, r.bounces, Demand::made));
-    return r.rattles;
-  }
-
-  /// From a cell: launches at one speed, in a row across each mouth that its aims lead into.
-  void look_into_mouths(double aim, double half, double speed) {
-    forward(q_, ledger_, {speed, wrap_angle(aim)}, true, forward_);
-    for (const Passage& p : forward_.passages) {
-      const double by_aim = p.linear.by_aim(0) * q_.boundary.diagonal, across = p.linear.r[0] * q_.boundary.diagonal;
-      const double middle = aim - across / by_aim, wide = mouths_across * q_.marks[p.mark].reach / std::abs(by_aim);
-      const double low = std::max(aim - half, middle - wide), high = std::min(aim + half, middle + wide);
-      if (!(low <= high)) continue;
-      const int launches = 1 + static_cast<int>(launches_across * (high - low) / (2 * wide));
-      const Goal goal = Goal::exactly(q_, static_cast<int>(p.bounces), Demand::made);
-      std::optional<Dropped> before;
-      for (int i = 0; i < launches && !done(); ++i) {
-        const auto here = drop({speed, low + (high - low) * (i + 0.5) / launches}, goal);
-        if (here && !(before && keep_between(*before, *here, goal))) keep_near(*here, goal);
-        before = here;
-      }
-    }
-  }
-
-  std::optional<Dropped> drop(const Launch& launch, const Goal& goal) {
+  std::optional<Dropped> drop(const Launch& launch) {
     if (ledger_.spent() || launch.speed < q_.speed.low || launch.speed > q_.speed.high) return {};
-    const Replay r = replay(q_, ledger_, launch, goal);
+    std::vector<Contact> cushions;
+    const Replay r = replay(q_, ledger_, launch, Goal::of(q_, Demand::made), &cushions);
     if (!r.made) return {};
-    return Dropped{launch, r.arrival.speed};
+    return Dropped{launch, r.arrival.speed, route_by(r.rattles ? r.met : cushions), q_.nearest_mark(r.arrival.at)};
   }
 
   /// Too slow: below 0.
@@ -107,45 +187,50 @@ class Rattles {
     return std::abs(by) < fine ? 0 : by;
   }
 
-  bool keep(const Dropped& d, const Goal& goal) {
-    return excess(d) == 0 && certify(q_, ledger_, found_, d.launch, goal.min, word::rattles, Demand::off_centre);
+  bool keep(const Dropped& d) {
+    return excess(d) == 0 &&
+           certify(q_, ledger_, found_, d.launch, bounces_of(d.route), word::rattles, Demand::off_centre);
   }
 
   /// One of them is too fast, the other too slow: the aim between.
-  bool keep_between(Dropped a, Dropped b, const Goal& goal) {
+  bool keep_between(Dropped a, Dropped b) {
     while (excess(a) * excess(b) < 0) {
       const double aim = arithmetic_mean(a.launch.angle, b.launch.angle);
       if (aim == a.launch.angle || aim == b.launch.angle) return false;
-      const auto middle = drop({a.launch.speed, aim}, goal);
+      auto middle = drop({a.launch.speed, aim});
       if (!middle) return false;
-      (excess(*middle) * excess(a) > 0 ? a : b) = *middle;
+      (excess(*middle) * excess(a) > 0 ? a : b) = std::move(*middle);
     }
-    return keep(a, goal) || keep(b, goal);
+    return keep(a) || keep(b);
   }
 
-  /// With the same aim, by secants of the squared speeds that are shortened where they lead out of what drops.
-  bool keep_near(Dropped at, const Goal& goal) {
-    const auto square = [](double x) { return x * x; };
-    double slope = (straight_ ? 1 : usual_slope) * square(at.arrival / at.launch.speed);
-    for (int i = 0; i < most_secants && excess(at) != 0; ++i) {
-      double by = (square(q_.asked) - square(at.arrival)) / (slope * square(at.launch.speed));
-      if (!straight_ && !(std::abs(by) < farthest)) return false;
-      by = std::clamp(by, -most_braked, most_pushed);
-      const auto changed = [&] { return drop({at.launch.speed * std::sqrt(1 + by), at.launch.angle}, goal); };
-      auto next = changed();
-      for (int k = 0; !next && k < most_shortened; ++k) by /= shorter, next = changed();
+  /// Along its band; steps are shortened where they lead out of it.
+  bool keep_along(Dropped at) {
+    for (int i = 0; i < most_steps && excess(at) != 0; ++i) {
+      auto l = linearise({q_, at.route, at.mark}, ledger_, at.launch);
+      if (!l) return false;
+      l->r[0] = 0;  // it falls where it falls
+      const auto step = newton_step(*l, false);
+      if (!step) return false;
+      const auto [turn, push] = *step;
+      double by = 1 / std::max({1.0, std::abs(turn) / farthest.step_aim, std::abs(push) / farthest.step_speed});
+      const auto moved = [&] {
+        return drop({at.launch.speed * std::exp(by * (*step)[1]), at.launch.angle + by * (*step)[0]});
+      };
+      auto next = moved();
+      for (int k = 0; !next && k < most_shortened; ++k) by /= shorter, next = moved();
       if (!next) return false;
-      slope = (square(next->arrival) - square(at.arrival)) / (square(next->launch.speed) - square(at.launch.speed));
-      at = *next;
+      at = std::move(*next);
     }
-    return keep(at, goal);
+    return keep(at);
   }
 
   const Question& q_;
   Ledger& ledger_;
   Findings& found_;
-  bool straight_;  ///< the speed does not change the shape of a path
-  Forward forward_{};
+  std::vector<Mark> mouths_;
+  Look look_{};
+  std::array<Forward, most_on_the_way + 1> forwards_{};
 };
 
 }  // namespace

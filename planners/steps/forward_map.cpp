@@ -79,7 +79,7 @@ ForwardMap::Node ForwardMap::node(double angle, double speed) {
   forward(q_, ledger_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
   for (const Passage& p : forward_.passages) {
     keep_lead(angle, speed, p);
-    roots_.visit({q_, std::span<const Meeting>(forward_.route).first(p.bounces), q_.marks[p.mark]}, {speed, angle},
+    roots_.visit({q_, std::span<const Meeting>(forward_.route).first(p.meetings), q_.marks[p.mark]}, {speed, angle},
                  p.linear);
   }
   return {angle, speed, forward_.route, forward_.places, place()};
@@ -125,7 +125,7 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
   const Mark& mark = q_.marks[p.mark];
   const double wide = mark.reach / q_.boundary.diagonal + std::abs(by_aim) * cell_.aim;
   if (!(std::abs(lateral) < wide && std::abs(step) < settings::roots::seed_reach * cell_.speed)) return;
-  const std::span<const Meeting> route(forward_.route.data(), p.bounces);
+  const std::span<const Meeting> route(forward_.route.data(), p.meetings);
   for (const Lead& known : leads_)
     if (known.mark == mark && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
         std::ranges::equal(known.route, route))

@@ -39,10 +39,11 @@ inline std::vector<Contact> contacts_of(std::span<const Meeting> route, int ball
   return contacts;
 }
 
-/// How often the struck ball bounces.
+/// How often the struck ball bounces off cushions; jaws are none.
 inline int bounces_of(std::span<const Meeting> route) {
   int bounces = 0;
-  for (const Meeting& meeting : route) bounces += meeting.ball == 0 && meeting.with.kind != ContactKind::ball;
+  for (const Meeting& meeting : route)
+    bounces += meeting.ball == 0 && meeting.with.kind != ContactKind::ball && meeting.with.kind != ContactKind::jaw;
   return bounces;
 }
 
