@@ -1,104 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
 // bankshot generate: seeded puzzles that have a shot, one JSON a line.
-#include "bankshot/plan/generate.hpp"
-
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <iostream>
-#include <sstream>
 
 #include "app/batch/output.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/generate/wishes.hpp"
 #include "app/gzip.hpp"
 #include "app/option_checks.hpp"
-#include "app/scene_flags.hpp"
-#include "bankshot/geometry/boundary.hpp"
-#include "bankshot/scene/json.hpp"
-#include "json/reader.hpp"
 
 namespace bankshot::app::generate {
 namespace {
 
-/// In the order of Wish::Kind.
-constexpr const char* kinds[] = {"pocket", "stop", "pass", "kick", "pot", "carom"};
-
-struct Arguments {
-  std::uint64_t seed = 0;
+struct Arguments : Wishes {
   long count = 0;
-  std::string table = "pool-9ft", physics = "spin", cushions = "1-3", then = "0", difficulty, target, out = "-";
-  int balls = 0;
-  bool unique = false;
+  std::string out = "-";
 };
-
-int whole(const std::string& text) {
-  constexpr std::size_t most_digits = 5;
-  const bool digits =
-      !text.empty() && text.size() <= most_digits && text.find_first_not_of("0123456789") == std::string::npos;
-  const int n = digits ? std::stoi(text) : -1;
-  return n <= max_cushions ? n : -1;
-}
-
-/// "2", "1-3" or "top,left".
-CushionRule read_rule(const std::string& text, const Table& table, std::string_view flag) {
-  if (const int n = whole(text); n >= 0) return CushionRule::exactly(n);
-  const auto dash = text.find('-');
-  const int low = whole(text.substr(0, dash)), high = dash == std::string::npos ? -1 : whole(text.substr(dash + 1));
-  if (low >= 0 && high >= low) return {low, high, {}};
-  const std::vector<std::string>& all = table.cushions;
-  const std::vector<std::string_view> names(all.begin(), all.end());
-  std::vector<Contact> contacts;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto it = std::find(all.begin(), all.end(), word);
-    if (it == all.end())
-      throw FileError(fmt::format("{}: {} is neither a number, LOW-HIGH nor a cushion{}", flag, quote(word),
-                                  known_words(word, names)));
-    contacts.push_back(Contact::rail(static_cast<int>(it - all.begin())));
-  }
-  return CushionRule::in_order(std::move(contacts));
-}
-
-Wish read_wish(const Arguments& a) {
-  Wish w;
-  const Scene scene = read_scene_flags(a.table, a.physics, "--");
-  w.table = scene.table, w.physics = scene.physics, w.ball = scene.ball;
-  w.cushions = read_rule(a.cushions, w.table, "--cushions");
-  w.then = read_rule(a.then, w.table, "--then");
-  w.others = a.balls;
-  for (const Difficulty d : {Difficulty::easy, Difficulty::medium, Difficulty::hard})
-    if (a.difficulty == name(d)) w.difficulty = d;
-  for (std::size_t i = 0; i < std::size(kinds); ++i)
-    if (a.target == kinds[i]) w.kind = static_cast<Wish::Kind>(i);
-  if ((w.kind == Wish::Kind::pocket || w.kind == Wish::Kind::pot) && w.table.pockets.empty())
-    throw FileError("--target " + a.target + ": this table has no pockets");
-  if (a.then != "0" && w.kind != Wish::Kind::pot)
-    throw FileError("--then: is of the ball that is sent into a pocket, with --target pot");
-  if (w.kind == Wish::Kind::stop && deceleration(w.physics) == 0)
-    throw FileError("--target stop: without friction no ball comes to rest");
-  w.unique = a.unique;
-  return w;
-}
-
-/// One puzzle as text, or why there is none.
-struct Made {
-  std::string line;
-  Tries tries;
-};
-
-Made make(const Arguments& a, const Wish& w, long number) {
-  Made made;
-  Random random(a.seed, static_cast<std::uint64_t>(number));
-  auto g = bankshot::generate(w, random, &made.tries);
-  if (!g) return made;
-  g->puzzle.id = fmt::format("\"{}-{}\"", a.seed, number);
-  g->puzzle.about = fmt::format(R"({{"difficulty":"{}"}})", name(difficulty(g->answer.shots.front())));
-  made.line = write_puzzle(g->puzzle, as_json(a.table), as_json(a.physics)) + "\n";
-  return made;
-}
 
 int run(const Arguments& a) {
   const Wish wish = read_wish(a);

@@ -3,10 +3,13 @@
 // The flags that `solve` and `batch` share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "bankshot/plan/planner.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace bankshot::app::solve {
 
