@@ -33,9 +33,9 @@ if(BANKSHOT_NLOPT)
 else()
   message(STATUS "bankshot: no planners nlopt-*; tests, benchmarks and the report leave them out (BANKSHOT_NLOPT is off)")
 endif()
-# The program and the interface in C; of Boost headers only, for 50 digits and for the integrators that `report`
+# The program and the bindings; of Boost headers only, for 50 digits and for the integrators that `report`
 # compares with.
-if(BANKSHOT_PROGRAM OR BANKSHOT_C)
+if(BANKSHOT_PROGRAM OR BANKSHOT_C OR BANKSHOT_PYTHON)
   bankshot_need(CLI11 2.1 libcli11-dev)
   bankshot_need(Boost 1.74 libboost-dev)
 endif()

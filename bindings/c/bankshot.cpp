@@ -3,23 +3,16 @@
 // The interface in C (include/bankshot/bankshot.h): the answers of the server's api, and many launches of one scene.
 #include "bankshot/bankshot.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <new>
-#include <thread>
-#include <vector>
 
 #include "app/serve/api.hpp"
-#include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/trajectory.hpp"
-#include "json/writer.hpp"
-#include "truth/claims.hpp"
+#include "bindings/many.hpp"
+#include "bindings/verified.hpp"
 
 namespace serve = bankshot::app::serve;
 
@@ -87,66 +80,6 @@ Result unhurried(const F& f) {
   return result_of(f(serve::Limit{never, never, 0}));
 }
 
-Result verified(const std::string& puzzle_text, const std::string& answer_text) {
-  const bankshot::Puzzle puzzle = bankshot::read_puzzle(puzzle_text);
-  const bankshot::Answer answer = bankshot::read_answer(answer_text, &puzzle, nullptr);
-  const auto checks = bankshot::truth::check(&puzzle, puzzle.id, answer);
-  const bool holds = std::ranges::all_of(checks, [](const auto& c) { return c.holds(); });
-  bankshot::JsonWriter w;
-  w.open('{');
-  w.boolean("holds", holds);
-  w.integer("checked", static_cast<long>(checks.size()));
-  w.key("failed"), w.open('[');
-  for (const auto& c : checks) {
-    if (c.holds()) continue;
-    w.open('{');
-    w.integer("shot", static_cast<long>(c.shot));
-    w.string("claim", bankshot::truth::name(c.claim));
-    w.number("off", c.off), w.number("allowed", c.allowed);
-    w.string("what", c.what);
-    w.close('}');
-  }
-  w.close(']'), w.close('}');
-  return {holds ? BANKSHOT_DONE : BANKSHOT_NOTHING, w.take() + "\n"};
-}
-
-bankshot_end end_of(const bankshot_scene& scene, const bankshot_launch& launch) {
-  bankshot_end out{};
-  out.kind = BANKSHOT_END_INVALID;
-  out.pocket = -1;
-  bankshot::ShotRequest request = scene.request;
-  request.launch = {launch.speed, launch.angle};
-  request.spin = {launch.top, launch.side, launch.masse};
-  const bool finite = std::isfinite(launch.angle + launch.top + launch.side + launch.masse);
-  if (!finite || !(launch.speed > 0 && std::isfinite(launch.speed))) return out;
-  try {
-    const bankshot::Trajectory t = bankshot::simulate(request);
-    const bankshot::Record& last = bankshot::end_of(t, 0);
-    const bankshot::State<double>& s = last.state;
-    out = {.time = last.time,
-           .length = t.length,
-           .x = s.at.x,
-           .y = s.at.y,
-           .vx = s.velocity.x,
-           .vy = s.velocity.y,
-           .wx = s.spin.x,
-           .wy = s.spin.y,
-           .wz = s.spin.z,
-           .cushions = t.cushions,
-           .kind = BANKSHOT_END_EVENTS,
-           .pocket = -1,
-           .reserved = 0};
-    using bankshot::EventKind;
-    if (t.end == EventKind::rest) out.kind = BANKSHOT_END_REST;
-    if (t.end == EventKind::horizon) out.kind = BANKSHOT_END_UNTIL;
-    for (const bankshot::Record& e : t.events)
-      if (e.ball == 0 && e.kind == EventKind::pocket) out.kind = BANKSHOT_END_POCKETED, out.pocket = e.contact.index;
-  } catch (const InvalidInput&) {
-    out.kind = BANKSHOT_END_INVALID;
-  }
-  return out;
-}
-
 }  // namespace
 
 int bankshot_abi_version() { return BANKSHOT_ABI_VERSION; }
@@ -175,7 +108,10 @@ bankshot_status bankshot_map(const char* puzzle, size_t length, const char* flag
 
 bankshot_status bankshot_verify(const char* puzzle, size_t puzzle_length, const char* answer, size_t answer_length,
                                 bankshot_text* report) {
-  return guarded(report, [&] { return verified(text_of(puzzle, puzzle_length), text_of(answer, answer_length)); });
+  return guarded(report, [&]() -> Result {
+    auto [holds, text] = bankshot::bindings::verified(text_of(puzzle, puzzle_length), text_of(answer, answer_length));
+    return {holds ? BANKSHOT_DONE : BANKSHOT_NOTHING, std::move(text)};
+  });
 }
 
 bankshot_status bankshot_schema(const char* document, bankshot_text* schema) {
@@ -200,25 +136,8 @@ bankshot_status bankshot_simulate_many(const bankshot_scene* scene, const banksh
                                        bankshot_end* ends, int threads) {
   if (!scene || (count > 0 && (!launches || !ends))) return BANKSHOT_BAD_INPUT;
   return guarded(nullptr, [&]() -> Result {
-    constexpr std::size_t at_once = 64;
-    std::atomic<std::size_t> next{0};
-    std::atomic<bool> failed{false};
-    const auto work = [&]() noexcept {
-      try {
-        for (std::size_t i; !failed && (i = next.fetch_add(at_once)) < count;)
-          for (std::size_t k = i; k < std::min(count, i + at_once); ++k) ends[k] = end_of(*scene, launches[k]);
-      } catch (...) {
-        failed = true;
-      }
-    };
-    const std::size_t usual = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : usual;
-    {
-      std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < std::min(wanted, count / at_once + 1); ++i) others.emplace_back(work);
-      work();
-    }
-    if (failed) throw std::bad_alloc();
+    const std::atomic<bool> never{false};
+    bankshot::bindings::simulate_many(scene->request, {launches, count}, ends, threads, never);
     return {BANKSHOT_DONE, ""};
   });
 }

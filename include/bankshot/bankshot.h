@@ -77,7 +77,8 @@ typedef enum bankshot_end_kind {
   BANKSHOT_END_UNTIL = 1, /* time, cushions or length of the scene's `until` */
   BANKSHOT_END_POCKETED = 2,
   BANKSHOT_END_EVENTS = 3, /* too many of them */
-  BANKSHOT_END_INVALID = 4 /* the launch is no launch: a number that is not finite, a speed below 0 */
+  BANKSHOT_END_INVALID = 4 /* the launch is no launch: a number that is not finite, a speed that is not above 0, or spin
+                              in physics that have none */
 } bankshot_end_kind;
 
 /* How the struck ball ends. */

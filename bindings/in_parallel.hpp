@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// Work on many things, on all cores, that somebody may end.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace bankshot::bindings {
+
+/// `work(begin, end)` for blocks of [0, count) until `stop`, on so many threads (0: one for each core). This thread is
+/// one of them, and calls `between()` after each of its blocks. Throws what either throws, once all threads are done.
+template <class Work, class Between>
+void in_parallel(std::size_t count, std::size_t block, int threads, const std::atomic<bool>& stop, const Work& work,
+                 const Between& between) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> failed{false};
+  std::exception_ptr error;
+  std::mutex of_error;
+  const auto run = [&](bool own) noexcept {
+    try {
+      for (std::size_t i; !failed && !stop && (i = next.fetch_add(block)) < count;) {
+        work(i, std::min(count, i + block));
+        if (own) between();
+      }
+    } catch (...) {
+      const std::lock_guard lock(of_error);
+      if (!error) error = std::current_exception();
+      failed = true;
+    }
+  };
+  const std::size_t wanted =
+      threads > 0 ? static_cast<std::size_t>(threads) : std::max(1U, std::thread::hardware_concurrency());
+  {
+    std::vector<std::jthread> others;
+    try {
+      while (others.size() + 1 < std::min(wanted, (count + block - 1) / block)) others.emplace_back(run, false);
+    } catch (const std::system_error&) {
+      // The system has no more threads to give: those there are do the work.
+    }
+    run(true);
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace bankshot::bindings
