@@ -28,10 +28,12 @@ need() {
 
 # The C++ files of the repository, a line each; also where there is no git.
 cpp_files() {
-  git ls-files '*.cpp' '*.hpp' 2>/dev/null | grep . || find examples include planners src tests -name '*.[ch]pp'
+  git ls-files '*.cpp' '*.hpp' 2>/dev/null | grep . || find bindings examples include planners src tests -name '*.[ch]pp'
 }
 
 toolchain="g++ cmake ninja-build ccache nlohmann-json3-dev libfmt-dev libcli11-dev libeigen3-dev libceres-dev libnlopt-dev libboost-dev libtbb-dev zlib1g-dev libcpp-httplib-dev pkg-config"
+# The Python module, pip with all that it must not ask a registry for, and what the module's tests look at.
+python="python3-dev python3-numpy pybind11-dev python3-pybind11 python3-pip python3-venv python3-setuptools python3-wheel python3-matplotlib python3-tqdm mypy"
 
 # configure PRESET [ARG...]
 configure() {

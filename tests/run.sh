@@ -5,15 +5,15 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/packages.sh
-need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium python3-jsonschema jq
+need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium python3-jsonschema jq $python
 preset=${1:-release}
 case $preset in *clang | fuzz) need clang ;; esac
 [ $# -gt 0 ] && shift
 if [ $# = 0 ]; then
-  build "$preset" -DBANKSHOT_TESTS=ON
+  build "$preset" -DBANKSHOT_TESTS=ON -DBANKSHOT_PYTHON=ON
   ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)"
 else
-  build "$preset" -DBANKSHOT_TESTS=ON -- $(printf 'test_%s ' "$@")
+  build "$preset" -DBANKSHOT_TESTS=ON -DBANKSHOT_PYTHON=ON -- $(printf 'test_%s ' "$@")
   folders=$(IFS='|' && echo "$*")
   ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -R "^($folders):"
 fi

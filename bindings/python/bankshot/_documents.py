@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""Puzzles and scenes as JSON, as dicts or as classes. docs/format.md has every key, with its unit and its default."""
+from __future__ import annotations
+
+import dataclasses
+import json
+from dataclasses import dataclass
+from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Type, TypeVar, Union
+
+Named = Union[str, Mapping[str, Any]]
+"""A name, such as "pool-9ft" or "spin", or an object with keys of its own."""
+Range = Union[float, Tuple[float, float], Sequence[float]]
+"""One number, or the lowest and the highest."""
+_T = TypeVar("_T", bound="_Document")
+
+
+class _Document:
+    """What its fields hold, without those that are None."""
+
+    def to_dict(self) -> Dict[str, Any]:
+        fields = dataclasses.fields(self)
+        return {f.name: getattr(self, f.name) for f in fields if getattr(self, f.name) is not None}
+
+    @classmethod
+    def from_dict(cls: Type[_T], document: Mapping[str, Any]) -> _T:
+        return cls(**document)
+
+    def __repr__(self) -> str:
+        """Without what is not set."""
+        return f"{type(self).__name__}({', '.join(f'{key}={value!r}' for key, value in self.to_dict().items())})"
+
+
+@dataclass(repr=False)
+class Puzzle(_Document):
+    """What is asked: the input of `solve`. None is the default of docs/format.md.
+
+    Lengths are in metres from the lower left corner of the cloth, speeds in m/s, angles in degrees anticlockwise
+    from +x. Puzzle("pool-9ft", {"at": [0.635, 0.40]}, {"pocket": "top-right"}, cushions=1)
+    """
+
+    table: Named
+    ball: Mapping[str, Any]
+    target: Mapping[str, Any]
+    physics: Optional[Named] = None
+    others: Optional[Sequence[Mapping[str, Any]]] = None
+    cushions: Union[None, int, Sequence[str], Mapping[str, int]] = None
+    arrive: Optional[Mapping[str, Any]] = None
+    speed: Optional[Range] = None
+    angle: Optional[Sequence[float]] = None
+    prefer: Optional[Named] = None
+    aim: Optional[str] = None
+    noise: Optional[Mapping[str, float]] = None
+    budget: Optional[Mapping[str, int]] = None
+    id: Union[None, str, int, float] = None
+    about: Any = None
+
+
+@dataclass(repr=False)
+class Scene(_Document):
+    """A table with its balls, and how one is struck: the input of `simulate`. None is the default of docs/format.md.
+
+    shot:  {"speed": m/s, "angle": degrees, "spin": {"top", "side", "masse"} in units of natural roll}, or a Shot
+    until: where to stop: {"time": s, "cushions": bounces, "length": m}
+    """
+
+    table: Named
+    ball: Mapping[str, Any]
+    shot: Union[None, Mapping[str, Any], "Shot"] = None
+    physics: Optional[Named] = None
+    others: Optional[Sequence[Mapping[str, Any]]] = None
+    until: Optional[Mapping[str, float]] = None
+    id: Union[None, str, int, float] = None
+
+
+@dataclass(frozen=True, repr=False)
+class Shot(_Document):
+    """What to do, and the proof: one shot of an answer. docs/format.md has more of each key."""
+
+    speed: float  # m/s, of the launch
+    angle: float  # degrees, anticlockwise from +x
+    spin: Dict[str, float]  # "top", "side", "masse": units of natural roll
+    tip: Dict[str, float]  # m, "right" and "up" of the ball's centre
+    cushions: Sequence[str]  # the bounces in order
+    miss: float  # m, how far a replay is off
+    arrival: Dict[str, Any]  # "time" s, "speed" m/s, "at" m
+    condition: float  # m of arrival for a radian of aim
+    planner: str
+    simulations: int
+    pocket: Optional[str] = None
+    offset: Optional[float] = None  # m, beside the pocket's centre
+    hits: Optional[Sequence[Dict[str, Any]]] = None
+    then: Optional[Dict[str, Any]] = None
+    scratch: Optional[bool] = None
+    cue_rests: Optional[Sequence[float]] = None  # m
+    rattles: Optional[bool] = None
+    off_centre: Optional[bool] = None
+    digits: Optional[int] = None
+    margin: Optional[Dict[str, Any]] = None  # "angle" degrees, "speed" m/s: [down, up]
+    success: Optional[float] = None  # chance that it is made
+    sensitivity: Optional[Dict[str, float]] = None  # m per unit
+    path: Optional[Sequence[Sequence[float]]] = None  # [s, m, m]
+    paths: Optional[Dict[str, Any]] = None
+    why: Optional[str] = None  # what is wrong with a miss
+
+    def __repr__(self) -> str:
+        return f"<Shot {self.in_words()}>"
+
+    def in_words(self) -> str:
+        by = f" by {', '.join(self.cushions)}" if self.cushions else ""
+        into = f" into {self.pocket}" if self.pocket else ""
+        chance = "" if self.success is None else f", {100 * self.success:.0f} %"
+        return f"{self.angle:.2f} degrees at {self.speed:.2f} m/s{by}{into}{chance}"
+
+
+Document = Union[str, bytes, Mapping[str, Any], Puzzle, Scene]
+"""JSON as text, a dict, or one of the classes."""
+
+
+def _plain(value: Any) -> Any:
+    """Of numpy, and of our classes inside a dict."""
+    for how in ("to_dict", "tolist"):
+        if hasattr(value, how):
+            return getattr(value, how)()
+    raise TypeError(f"{type(value).__name__} is nothing that JSON can hold")
+
+
+def text_of(document: Document) -> str:
+    """The JSON of a document, every number as it is."""
+    if isinstance(document, str):
+        return document
+    if isinstance(document, bytes):
+        return document.decode()
+    return json.dumps(document, default=_plain)
+
+
+def dict_of(document: Document) -> Dict[str, Any]:
+    """The same as a dict of its own; a text must be right JSON."""
+    return dict(json.loads(text_of(document)))

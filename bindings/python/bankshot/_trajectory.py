@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any, Dict, List, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _engine
+from ._documents import Document, text_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Column = npt.NDArray[np.float64]
+
+
+def is_dark(theme: str) -> bool:
+    if theme not in ("light", "dark"):
+        raise ValueError(f'theme must be "light" or "dark", and is "{theme}"')
+    return theme == "dark"
+
+
+class Trajectory:
+    """A shot as it rolls: arrays of the struck ball, sampled `rate` times a second and at every event.
+
+    t s; x, y m; vx, vy m/s; wx, wy, wz rad/s, z points up. `of("8")` has those of another ball. In a notebook it draws
+    itself.
+    """
+
+    def __init__(self, scene: Document, rate: float = 60) -> None:
+        self._scene, self._rate = text_of(scene), rate
+        self._played = _engine.simulate(self._scene)
+        self._rows: Optional[npt.NDArray[np.void]] = None
+        self._document: Optional[Dict[str, Any]] = None
+
+    @property
+    def rows(self) -> npt.NDArray[np.void]:
+        """All balls, in the order of time: t, ball (a number: `balls` has its name), x, y, vx, vy, wx, wy, wz."""
+        if self._rows is None:
+            self._rows = self._played.rows(self._rate)
+        return self._rows
+
+    def of(self, ball: str) -> npt.NDArray[np.void]:
+        """The rows of one ball, by its name; the struck one is "cue"."""
+        if ball not in self.balls:
+            raise KeyError(f'no ball is called "{ball}": {", ".join(self.balls)}')
+        return self._of(self.balls.index(ball))
+
+    def _of(self, ball: int) -> npt.NDArray[np.void]:
+        rows: npt.NDArray[np.void] = self.rows[self.rows["ball"] == ball]
+        return rows
+
+    def _column(self, name: str) -> Column:
+        column: Column = self._of(0)[name]
+        return column
+
+    @property
+    def t(self) -> Column:
+        """s since the launch"""
+        return self._column("t")
+
+    @property
+    def x(self) -> Column:
+        """m, of the ball's centre"""
+        return self._column("x")
+
+    @property
+    def y(self) -> Column:
+        """m, of the ball's centre"""
+        return self._column("y")
+
+    @property
+    def vx(self) -> Column:
+        """m/s"""
+        return self._column("vx")
+
+    @property
+    def vy(self) -> Column:
+        """m/s"""
+        return self._column("vy")
+
+    @property
+    def wx(self) -> Column:
+        """rad/s"""
+        return self._column("wx")
+
+    @property
+    def wy(self) -> Column:
+        """rad/s"""
+        return self._column("wy")
+
+    @property
+    def wz(self) -> Column:
+        """rad/s, anticlockwise seen from above"""
+        return self._column("wz")
+
+    @property
+    def balls(self) -> List[str]:
+        """Their names; the first one is struck."""
+        return self._played.balls()
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The document of `bankshot simulate --json`."""
+        if self._document is None:
+            self._document = json.loads(self.json)
+        return dict(self._document)
+
+    @property
+    def json(self) -> str:
+        """One line, to the byte as the program prints it."""
+        return self._played.json()
+
+    @property
+    def events(self) -> List[Dict[str, Any]]:
+        """In order: "type", "time" s, "ball", "at" m, "velocity" m/s, "spin" rad/s, and what was met."""
+        events: List[Dict[str, Any]] = self.to_dict()["events"]
+        return events
+
+    @property
+    def end(self) -> Dict[str, Any]:
+        """Of the struck ball: "reason", "time" s, "at" m, "cushions", "length" m."""
+        end: Dict[str, Any] = self.to_dict()["end"]
+        return end
+
+    def __repr__(self) -> str:
+        end = self.end
+        return (
+            f"<Trajectory {end['reason']} after {end['time']:.3f} s, {end['length']:.3f} m and {end['cushions']}"
+            f" cushions at ({end['at'][0]:.4f}, {end['at'][1]:.4f}) m>"
+        )
+
+    def svg(self, theme: str = "light", words: bool = True, animate: bool = False) -> str:
+        """The picture of `bankshot simulate --svg`. theme: "light" or "dark"; animate: the balls roll."""
+        return self._played.svg(is_dark(theme), words, animate)
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def plot(self, ax: Optional["Axes"] = None) -> "Axes":
+        """Draws the table and the paths of all balls with matplotlib: metres."""
+        from . import _plot
+
+        return _plot.path(self, _plot.table(self, ax))
+
+    def __reduce__(self) -> Any:
+        return Trajectory, (self._scene, self._rate)
