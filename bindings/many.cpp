@@ -1,51 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/many.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "bankshot/simulate/each.hpp"
 #include "bindings/in_parallel.hpp"
 
 namespace bankshot::bindings {
 namespace {
 
-/// `request` is the scene; its launch is written over.
-bankshot_end end_of(ShotRequest& request, const bankshot_launch& launch) {
+bankshot_end of_no_launch() {
   bankshot_end out{};
   out.kind = BANKSHOT_END_INVALID;
   out.pocket = -1;
-  request.launch = {launch.speed, launch.angle};
-  request.spin = {launch.top, launch.side, launch.masse};
-  const bool finite = std::isfinite(launch.angle + launch.top + launch.side + launch.masse);
-  if (!finite || !(launch.speed > 0 && std::isfinite(launch.speed))) return out;
-  if (!carries_spin(request.physics)) {
-    // Natural roll is what an answer prints there, and no spin of the launch's own.
-    if (request.spin != LaunchSpin{} && request.spin != LaunchSpin{.top = 1}) return out;
-    request.spin = {};
-  }
-  try {
-    const Trajectory t = simulate(request);
-    const Record& last = end_of(t, 0);
-    const State<double>& s = last.state;
-    out = {.time = last.time,
-           .length = t.length,
-           .x = s.at.x,
-           .y = s.at.y,
-           .vx = s.velocity.x,
-           .vy = s.velocity.y,
-           .wx = s.spin.x,
-           .wy = s.spin.y,
-           .wz = s.spin.z,
-           .cushions = t.cushions,
-           .kind = BANKSHOT_END_EVENTS,
-           .pocket = -1,
-           .reserved = 0};
-    if (t.end == EventKind::rest) out.kind = BANKSHOT_END_REST;
-    if (t.end == EventKind::horizon) out.kind = BANKSHOT_END_UNTIL;
-    for (const Record& e : t.events)
-      if (e.ball == 0 && e.kind == EventKind::pocket) out.kind = BANKSHOT_END_POCKETED, out.pocket = e.contact.index;
-  } catch (const InvalidInput&) {
-    out.kind = BANKSHOT_END_INVALID;
-  }
+  return out;
+}
+
+/// None where the launch is none.
+std::optional<Stroke> stroke_of(const bankshot_launch& l, bool spins) {
+  const Stroke stroke{{l.speed, l.angle}, {l.top, l.side, l.masse}};
+  if (!(l.speed > 0) || !std::isfinite(l.angle + l.top + l.side + l.masse)) return {};
+  if (spins || stroke.spin == LaunchSpin{}) return stroke;
+  // Natural roll is what an answer prints where balls roll from the start.
+  if (stroke.spin == LaunchSpin{.top = 1}) return Stroke{stroke.launch};
+  return {};
+}
+
+bankshot_end end_of(const Trajectory& t) {
+  const Record& last = bankshot::end_of(t, 0);
+  const State<double>& s = last.state;
+  bankshot_end out{.time = last.time,
+                   .length = t.length,
+                   .x = s.at.x,
+                   .y = s.at.y,
+                   .vx = s.velocity.x,
+                   .vy = s.velocity.y,
+                   .wx = s.spin.x,
+                   .wy = s.spin.y,
+                   .wz = s.spin.z,
+                   .cushions = t.cushions,
+                   .kind = BANKSHOT_END_EVENTS,
+                   .pocket = -1,
+                   .reserved = 0};
+  if (t.end == EventKind::rest) out.kind = BANKSHOT_END_REST;
+  if (t.end == EventKind::horizon) out.kind = BANKSHOT_END_UNTIL;
+  for (const Record& e : t.events)
+    if (e.ball == 0 && e.kind == EventKind::pocket) out.kind = BANKSHOT_END_POCKETED, out.pocket = e.contact.index;
   return out;
 }
 
@@ -53,12 +56,21 @@ bankshot_end end_of(ShotRequest& request, const bankshot_launch& launch) {
 
 void simulate_many(const ShotRequest& scene, std::span<const bankshot_launch> launches, bankshot_end* ends, int threads,
                    const std::atomic<bool>& stop) {
-  constexpr std::size_t block = 64;
+  const bool spins = carries_spin(scene.physics);
+  // Launches of a block share what their scene costs once; few are spread all the same.
+  const std::size_t block = std::clamp<std::size_t>(launches.size() / 64, 1, 256);
   in_parallel(
       launches.size(), block, threads, stop,
       [&](std::size_t begin, std::size_t end) {
-        ShotRequest own = scene;
-        for (std::size_t i = begin; i < end; ++i) ends[i] = end_of(own, launches[i]);
+        std::vector<Stroke> strokes;
+        std::vector<std::size_t> numbers;
+        for (std::size_t i = begin; i < end; ++i) {
+          ends[i] = of_no_launch();
+          if (const auto stroke = stroke_of(launches[i], spins)) strokes.push_back(*stroke), numbers.push_back(i);
+        }
+        simulate_each(scene, strokes, [&](std::size_t i, const Trajectory* t) {
+          if (t) ends[numbers[i]] = end_of(*t);
+        });
       },
       [] {});
 }

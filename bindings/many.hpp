@@ -11,7 +11,8 @@
 
 namespace bankshot::bindings {
 
-/// `ends[i]` for `launches[i]`, on so many threads (0: one for each core), until `stop`.
+/// `ends[i]` for `launches[i]`, on so many threads (0: one for each core), until `stop`. The scene's own shot does not
+/// count. Throws InvalidInput where the scene breaks a rule.
 void simulate_many(const ShotRequest& scene, std::span<const bankshot_launch> launches, bankshot_end* ends, int threads,
                    const std::atomic<bool>& stop);
 

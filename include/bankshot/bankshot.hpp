@@ -22,6 +22,7 @@
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/scene.hpp"          // tables, balls and physics by name
 #include "bankshot/simulate/acceptance.hpp"  // what a pocket takes
+#include "bankshot/simulate/each.hpp"        // many launches of one scene
 #include "bankshot/simulate/locked.hpp"      // a path along given cushions
 #include "bankshot/simulate/many_balls.hpp"  // event by event, with other balls
 #include "bankshot/simulate/simulator.hpp"   // event by event, in any scalar

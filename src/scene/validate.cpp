@@ -10,6 +10,7 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/tip.hpp"
+#include "scene/validate_launch.hpp"
 #include "scene/validate_scene.hpp"
 
 namespace bankshot {
@@ -150,15 +151,19 @@ void validate(const Puzzle& p) {
     fail("/angle", "must be a finite range");
 }
 
+void validate(const Launch& launch, const LaunchSpin& spins) {
+  check_speed(launch.speed, "/shot/speed");
+  need_finite(launch.angle, "/shot/angle");
+  for (const double spin : {spins.top, spins.side, spins.masse})
+    if (!(std::abs(spin) * launch.speed <= tolerance::fastest))
+      fail("/shot/spin", fmt::format("{} times {} m/s is too fast to compute with; at most {:g} m/s", spin,
+                                     launch.speed, tolerance::fastest));
+}
+
 void validate(const ShotRequest& s) {
   const Boundary boundary = check_scene(s.table, s.ball, s.physics);
   check_others(s.table, boundary, s.ball, s.others, s.physics);
-  check_speed(s.launch.speed, "/shot/speed");
-  need_finite(s.launch.angle, "/shot/angle");
-  for (const double spin : {s.spin.top, s.spin.side, s.spin.masse})
-    if (!(std::abs(spin) * s.launch.speed <= tolerance::fastest))
-      fail("/shot/spin", fmt::format("{} times {} m/s is too fast to compute with; at most {:g} m/s", spin,
-                                     s.launch.speed, tolerance::fastest));
+  validate(s.launch, s.spin);
 }
 
 std::string contact_name(const Puzzle& p, Contact contact) {

@@ -6,7 +6,9 @@
 #include <span>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/simulate/each.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "scene/validate_launch.hpp"
 #include "simulate/path_length.hpp"
 #include "simulate/record_many.hpp"
 
@@ -16,13 +18,15 @@ namespace {
 template <class Motion, class Cushion>
 class Recorder {
  public:
-  Recorder(const ShotRequest& r, const Motion& motion, const Cushion& cushion)
-      : r_(r), boundary_(r.table, r.ball.body), motion_(motion), sim_(boundary_, motion, cushion, start_state(r)) {
+  /// `out` is empty, but may have room.
+  Recorder(const ShotRequest& r, const Boundary& boundary, const Motion& motion, const Cushion& cushion,
+           Trajectory& out)
+      : r_(r), motion_(motion), sim_(boundary, motion, cushion, start_state(r)), out_(out) {
     if (std::is_same_v<Motion, Ideal> && !r.until.time && !r.until.cushions && !r.until.length)
       cushions_ = ideal_cushions;
   }
 
-  Trajectory run() {
+  void run() {
     note(EventKind::start);
     if (r_.launch.speed == 0) return finish(EventKind::rest);
     for (long events = 0; events < max_events; ++events) {
@@ -39,11 +43,15 @@ class Recorder {
  private:
   /// The next event, or what `until` stops the ball at. A ball that stands though its spin never ends has neither.
   Event next() {
+    const double limit = r_.until.time ? std::max(0.0, *r_.until.time - sim_.time()) : forever;
+    stopped_ = r_.until.time.has_value();
+    return r_.until.length ? step_to_length(*r_.until.length, limit) : step(limit);
+  }
+
+  Event step_to_length(double most, double limit) {
     const auto before = sim_;
     const std::size_t legs = out_.legs.size();
-    const double length_before = out_.length, most = r_.until.length.value_or(forever),
-                 limit = r_.until.time ? std::max(0.0, *r_.until.time - sim_.time()) : forever;
-    stopped_ = r_.until.time.has_value();
+    const double length_before = out_.length;
     const Event e = step(limit);
     if (!(out_.length > most)) return e;
     const double horizon = time_to_length(std::span(out_.legs).subspan(legs), std::max(0.0, most - length_before));
@@ -73,19 +81,17 @@ class Recorder {
     out_.events.push_back({kind, sim_.time(), now, contact});
   }
 
-  Trajectory finish(EventKind end) {
+  void finish(EventKind end) {
     out_.end = end;
     note(EventKind::end);
-    return std::move(out_);
   }
 
   const ShotRequest& r_;
-  Boundary boundary_;
   Motion motion_;
   Simulator<double, Motion, Cushion> sim_;
   std::optional<int> cushions_ = r_.until.cushions;
   bool stopped_ = false;  ///< `until` stopped the ball
-  Trajectory out_{};
+  Trajectory& out_;
 };
 
 }  // namespace
@@ -93,8 +99,46 @@ class Recorder {
 Trajectory simulate(const ShotRequest& request) {
   validate(request);
   if (!request.others.empty()) return record_many(request);
-  return with_physics(request.physics, [&](const auto& motion, const auto& cushion) {
-    return Recorder(request, motion, cushion).run();
+  const Boundary boundary(request.table, request.ball.body);
+  Trajectory out;
+  with_physics(request.physics, [&](const auto& motion, const auto& cushion) {
+    Recorder(request, boundary, motion, cushion, out).run();
+  });
+  return out;
+}
+
+namespace {
+
+bool can_be(const Stroke& stroke) {
+  try {
+    validate(stroke.launch, stroke.spin);
+    return true;
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+void simulate_each(ShotRequest scene, std::span<const Stroke> strokes,
+                   const std::function<void(std::size_t, const Trajectory*)>& see) {
+  scene.launch = {1, 0}, scene.spin = {};
+  validate(scene);
+  const Boundary boundary(scene.table, scene.ball.body);
+  Trajectory out;
+  with_physics(scene.physics, [&](const auto& motion, const auto& cushion) {
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+      scene.launch = strokes[i].launch, scene.spin = strokes[i].spin;
+      const bool can = can_be(strokes[i]);
+      if (can && scene.others.empty()) {
+        out.events.clear(), out.legs.clear();
+        out.length = 0, out.cushions = 0;
+        Recorder(scene, boundary, motion, cushion, out).run();
+      } else if (can) {
+        out = record_many(scene);
+      }
+      see(i, can ? &out : nullptr);
+    }
   });
 }
 
