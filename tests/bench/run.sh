@@ -2,11 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-<<<<<<< HEAD
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|report ...]
-=======
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|cluster|report ...]
->>>>>>> 527edc3 (A Slurm of two nodes on one machine loses one in mid-run; parts by GNU parallel, MPI and Dask; what parts cost on many cores)
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|cluster|python|pooltool|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -42,6 +38,14 @@ answer() {  # SET COUNT THREADS FLAGS
   [ $header = yes ] && echo "set,threads,flags,$(head -n 1 "$scratch/cost.csv")"
   header=no
   echo "$1,$3,${4:-},$(tail -n 1 "$scratch/cost.csv")"
+}
+
+# With the interpreter that the module was built for.
+python_module() {  # SCRIPT ARG...
+  need $python
+  build release -DBANKSHOT_PYTHON=ON -- bankshot_python
+  PYTHONPATH=build/release/bindings/python${PYTHONPATH:+:$PYTHONPATH} \
+    "$(sed -n 's/^_Python3_EXECUTABLE:INTERNAL=//p' build/release/CMakeCache.txt)" "tests/bench/$1" "${@:2}"
 }
 
 part() {
@@ -140,6 +144,8 @@ part() {
         done
       done
       ;;
+    python) python_module python_calls.py "$bin/bench/one_call" ;;
+    pooltool) python_module pooltool_shots.py ;;  # where it can be imported
     batch)
       answer rolling 1000000 2 --no-robustness
       answer rolling 1000000 1 --no-robustness
@@ -167,11 +173,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-<<<<<<< HEAD
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch report
-=======
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch cluster report
->>>>>>> 527edc3 (A Slurm of two nodes on one machine loses one in mid-run; parts by GNU parallel, MPI and Dask; what parts cost on many cores)
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch cluster python report
 for name; do
   if [ "$name" = report ]; then
     report

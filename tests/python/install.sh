@@ -3,6 +3,8 @@
 # Installs the module as docs/python.md says (its block of sh), in a home of its own, and solves with it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+# A home of its own, but for the compiler's cache.
+export XDG_CACHE_HOME=${XDG_CACHE_HOME:-$HOME/.cache} XDG_CONFIG_HOME=${XDG_CONFIG_HOME:-$HOME/.config}
 HOME=$(mktemp -d)
 export HOME
 unset PYTHONPATH

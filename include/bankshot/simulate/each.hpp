@@ -16,9 +16,9 @@ struct Stroke {
   LaunchSpin spin{};
 };
 
-/// `see(i, trajectory)` of each stroke, what `simulate` gives for the scene struck so; null where it would throw for the
-/// stroke. What strokes share is made once. Throws InvalidInput where the scene, whose own launch does not count, breaks
-/// a rule.
+/// `see(i, trajectory)` of each stroke, what `simulate` gives for the scene struck so; null where it would throw for
+/// the stroke. What strokes share is made once. Throws InvalidInput where the scene, whose own launch does not count,
+/// breaks a rule.
 void simulate_each(ShotRequest scene, std::span<const Stroke> strokes,
                    const std::function<void(std::size_t, const Trajectory*)>& see);
 
