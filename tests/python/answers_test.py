@@ -27,7 +27,7 @@ class Answers(unittest.TestCase):
                 self.assertEqual(bankshot.solve(puzzle, no_timing=True).json, self.answers[i])
 
     def test_solve_as_the_command_prints_it(self):
-        for puzzle in self.puzzles[::10]:
+        for puzzle in self.puzzles[::20]:
             with self.subTest(puzzle=puzzle):
                 for flags, words in (({}, []), ({"all": True}, ["--all"]), ({"path": True}, ["--path"])):
                     told = program.run("solve", "--json", "--no-timing", *words, text=puzzle, exit=(0, 1))
@@ -35,13 +35,13 @@ class Answers(unittest.TestCase):
 
     def test_batch(self):
         self.assertEqual(self.from_file, self.answers)
-        dicts = [json.loads(p) for p in self.puzzles]
+        dicts = [json.loads(p) for p in self.puzzles[::5]]
         for threads in (1, 3):
             answers = bankshot.solve_batch(dicts, threads=threads, no_timing=True)
-            self.assertEqual([a.json for a in answers], self.answers)
+            self.assertEqual([a.json for a in answers], self.answers[::5])
 
     def test_every_way_to_write_a_puzzle(self):
-        for puzzle, answer in zip(self.puzzles[::7], self.answers[::7]):
+        for puzzle, answer in zip(self.puzzles[::15], self.answers[::15]):
             as_dict = json.loads(puzzle)
             for document in (as_dict, bankshot.Puzzle.from_dict(as_dict), puzzle.encode()):
                 with self.subTest(puzzle=puzzle):
@@ -66,7 +66,7 @@ class Answers(unittest.TestCase):
 
     def test_verify(self):
         held = 0
-        for puzzle in self.puzzles[::20]:
+        for puzzle in self.puzzles[::40]:
             answer = bankshot.solve(puzzle)
             report = bankshot.verify(puzzle, answer)
             self.assertTrue(report["holds"], report)
@@ -78,7 +78,7 @@ class Answers(unittest.TestCase):
             report = bankshot.verify(puzzle, false)
             self.assertFalse(report["holds"])
             self.assertIn("arrival speed", {claim["claim"] for claim in report["failed"]})
-        self.assertGreater(held, 100)
+        self.assertGreater(held, 80)
 
     def test_generate(self):
         for seed, words in program.seeds[:3]:
@@ -88,6 +88,25 @@ class Answers(unittest.TestCase):
             self.assertEqual([puzzle.to_dict() for puzzle in made], [json.loads(line) for line in told])
         banks = bankshot.generate(2, 4, target="pot", cushions=0, then=(1, 1))
         self.assertEqual({puzzle.target["then"]["cushions"] for puzzle in banks}, {1})
+
+    def test_fit(self):
+        shot = {"table": "pool-9ft", "ball": {"at": [0.6, 0.4]}, "physics": {"model": "spin", "cushion": {"model": "han2005", "restitution": 0.8}}}
+        recordings = []
+        for i in range(1, 5):
+            text = json.dumps({**shot, "shot": {"speed": i + 0.5, "angle": 30 * i + 7}})
+            recordings.append(program.run("simulate", "-", "--record", 60, "--noise", 1, "--seed", i, text=text))
+        told = program.run("fit", "-", "--free", "cushion.restitution", "-j", 1, "--quiet", text="".join(recordings))
+        found = bankshot.fit(recordings, free=["cushion.restitution"], threads=1)
+        self.assertEqual(found, json.loads(told))
+        self.assertAlmostEqual(found["physics"]["cushion"]["restitution"], 0.8, delta=0.001)
+        learnt = {**json.loads(self.puzzles[0]), "physics": found["physics"]}
+        self.assertIn(bankshot.solve(learnt).status, ("solved", "no-shot"))
+        with self.assertRaises(bankshot.InvalidInput):
+            bankshot.fit([])
+        with self.assertRaises(bankshot.InvalidInput):
+            bankshot.fit(["{}"])
+        with self.assertRaisesRegex(ValueError, "none of"):
+            bankshot.fit(recordings, rolling="square")
 
     def test_map(self):
         puzzle = (program.puzzles / "two-cushion-bank.json").read_text()

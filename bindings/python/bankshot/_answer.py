@@ -44,13 +44,14 @@ class Answer:
         return self._text
 
     def to_dict(self) -> Dict[str, Any]:
-        """As docs/format.md has it."""
-        if self._document is None:
-            self._document = json.loads(self.json)
-        return dict(self._document)
+        """As docs/format.md has it; a new one each time."""
+        document: Dict[str, Any] = json.loads(self.json)
+        return document
 
     def _get(self, key: str) -> Any:
-        return self.to_dict().get(key)
+        if self._document is None:
+            self._document = self.to_dict()
+        return self._document.get(key)
 
     @property
     def puzzle(self) -> Puzzle:

@@ -102,10 +102,14 @@ class Trajectory:
         return self._played.balls()
 
     def to_dict(self) -> Dict[str, Any]:
-        """The document of `bankshot simulate --json`."""
+        """The document of `bankshot simulate --json`; a new one each time."""
+        document: Dict[str, Any] = json.loads(self.json)
+        return document
+
+    def _get(self, key: str) -> Any:
         if self._document is None:
-            self._document = json.loads(self.json)
-        return dict(self._document)
+            self._document = self.to_dict()
+        return self._document[key]
 
     @property
     def json(self) -> str:
@@ -115,13 +119,13 @@ class Trajectory:
     @property
     def events(self) -> List[Dict[str, Any]]:
         """In order: "type", "time" s, "ball", "at" m, "velocity" m/s, "spin" rad/s, and what was met."""
-        events: List[Dict[str, Any]] = self.to_dict()["events"]
+        events: List[Dict[str, Any]] = self._get("events")
         return events
 
     @property
     def end(self) -> Dict[str, Any]:
         """Of the struck ball: "reason", "time" s, "at" m, "cushions", "length" m."""
-        end: Dict[str, Any] = self.to_dict()["end"]
+        end: Dict[str, Any] = self._get("end")
         return end
 
     def __repr__(self) -> str:
