@@ -121,7 +121,7 @@ void translate(std::exception_ptr thrown) {
     PyErr_SetObject(type.ptr(), py::make_tuple(path, reason).ptr());
   };
   try {
-    std::rethrow_exception(thrown);
+    std::rethrow_exception(std::move(thrown));
   } catch (const InvalidInput& e) {
     const Answer answer = invalid_answer("", e);  // its reason names the line of a text that is no JSON
     raise(answer.error->path, answer.error->reason);
@@ -185,8 +185,9 @@ PYBIND11_MODULE(_engine, m) {
   });
   m.def(
       "generate",
-      [](long count, int threads, std::uint64_t seed, std::string table, std::string physics, std::string cushions,
-         std::string target, int balls, std::string then, std::string difficulty, bool unique) {
+      [](long count, int threads, std::uint64_t seed, const std::string& table, const std::string& physics,
+         const std::string& cushions, const std::string& target, int balls, const std::string& then,
+         const std::string& difficulty, bool unique) {
         return generate_lines({seed, table, physics, cushions, then, difficulty, target, balls, unique}, count,
                               threads);
       },

@@ -68,7 +68,7 @@ TEST_CASE("of many launches each is as it is alone") {
   for (const double x : {1.2, 1.26, 1.9}) with_others.others.push_back({{x, 0.6}, pool.ball.body, std::to_string(x)});
   with_others.launch = {4, 0.3};
   seen += each_as_alone(with_others, random);
-  CHECK(seen == (14 * 30 + 2 + 1) * 5);
+  CHECK(seen == 5L * (14 * 30 + 2 + 1));
 }
 
 TEST_CASE("a launch that is none is left out, and a scene that is none is refused") {
