@@ -77,7 +77,8 @@ Result result_of(serve::Reply reply) {
 template <class F>
 Result unhurried(const F& f) {
   const std::atomic<bool> never{false};
-  return result_of(f(serve::Limit{never, never, 0}));
+  const std::atomic<const char*> why{nullptr};
+  return result_of(f(serve::Limit{never, why}));
 }
 
 }  // namespace
