@@ -48,14 +48,21 @@ double next_window(const Seen& seen, const Common& common, double later_than, Wo
   return next == times.end() || *next + after_bounce >= seen.last ? forever : *next + after_bounce;
 }
 
+/// Of the track where that shows a bounce: the same for all launches, so that these compare.
 double first_window(const Seen& seen, const Common& common, Work& work) {
-  return next_window(seen, common, -forever, work);
+  if (seen.bounced == forever) return next_window(seen, common, -forever, work);
+  return seen.bounced + after_bounce < seen.last ? seen.bounced + after_bounce : forever;
 }
+
+struct Begin {
+  LaunchUnknowns launch;
+  bool before_bounce = false;  ///< that lies before the first samples
+};
 
 /// Launches that a track may begin with. The velocity is the median of those between its first samples that moved;
 /// where these may lie beyond a bounce, also as it was before.
-std::vector<LaunchUnknowns> launches_of_track(const Seen& seen) {
-  std::vector<LaunchUnknowns> out;
+std::vector<Begin> launches_of_track(const Seen& seen) {
+  std::vector<Begin> out;
   const auto& tracks = seen.recording.tracks;
   if (tracks.empty() || tracks.front().ball != 0 || tracks.front().samples.empty()) return out;
   const std::vector<Sample>& s = tracks.front().samples;
@@ -72,30 +79,32 @@ std::vector<LaunchUnknowns> launches_of_track(const Seen& seen) {
       vx.push_back(v.x), vy.push_back(v.y);
     }
   if (vx.empty()) return out;
-  const auto add = [&](const Vec2d& v) {
+  const auto add = [&](const Vec2d& v, bool before_bounce = false) {
     const double fast = std::max(norm(v), least_speed);
-    for (const LaunchUnknowns& other : out) {
+    for (const Begin& other : out) {
       constexpr double nearly = 0.98;
-      if (dot(Vec2d{std::cos(other[angle]), std::sin(other[angle])}, v) > nearly * norm(v)) return;
+      const double a = other.launch[angle];
+      if (dot(Vec2d{std::cos(a), std::sin(a)}, v) > nearly * norm(v)) return;
     }
     ShotRequest shot = seen.recording.scene;
     shot.launch = {fast, std::atan2(v.y, v.x)};
     shot.spin = {};
     const double first = s[m].time - norm(s[m].at - stood) / fast;
-    out.push_back(unknowns_of(shot, m > 0 ? std::max(first, s[m - 1].time) : first));
+    out.push_back({unknowns_of(shot, m > 0 ? std::max(first, s[m - 1].time) : first), before_bounce});
   };
   const Vec2d v{median(vx), median(vy)};
   add(v);
   if (m + 1 < s.size()) add((s[m + 1].at - s[m].at) / (s[m + 1].time - s[m].time));
   const double way = norm(v) * (s[last - 1].time - s[m].time) + norm(s[m].at - stood);
   for (const Wall& w : seen.stand.struck().walls)
-    if (dot(w.normal, stood) - w.offset < way && dot(w.normal, v) > 0) add(v - w.normal * (2 * dot(w.normal, v)));
+    if (dot(w.normal, stood) - w.offset < way && dot(w.normal, v) > 0) add(v - w.normal * (2 * dot(w.normal, v)), true);
   return out;
 }
 
 struct Candidate {
   double off;
   LaunchUnknowns launch;
+  double rank;  ///< by which it is tried sooner
 };
 
 /// Launches that fit the first part, best first.
@@ -103,25 +112,25 @@ std::vector<Candidate> candidates(Seen& seen, const Common& common, Work& work) 
   std::vector<Candidate> found;
   const Recording& r = seen.recording;
   const double begins = r.tracks.empty() || r.tracks.front().samples.empty() ? 0 : r.tracks.front().samples[0].time;
-  const auto add = [&] {
+  const auto add = [&](bool before_bounce = false) {
     ++work.restarts;
     seen.window = first_window(seen, common, work);
     const double off = fit_window(seen, common, work);
-    if (off < forever) found.push_back({off, seen.launch});
+    if (off < forever) found.push_back({off, seen.launch, before_bounce ? off * rare : off});
   };
   if (r.launch_given) seen.launch = unknowns_of(r.scene, begins), add();
-  for (const LaunchUnknowns& first : launches_of_track(seen)) {
+  for (const auto& [first, before_bounce] : launches_of_track(seen)) {
     seen.launch = first;
-    if (!carries_spin(common.base)) add();
+    if (!carries_spin(common.base)) add(before_bounce);
     for (const double t : first_tops)
       for (const double s : first_sides) {
         if (!carries_spin(common.base)) break;
         seen.launch = first;
         seen.launch[top] = t, seen.launch[side] = s;
-        add();
+        add(before_bounce);
       }
   }
-  std::ranges::sort(found, {}, &Candidate::off);
+  std::ranges::sort(found, {}, &Candidate::rank);
   return found;
 }
 
@@ -191,13 +200,13 @@ bool fit_farther(Seen& seen, const Common& common, Work& work) {
 }
 
 double fit_anew(Seen& seen, const Common& common, double until, Work& work) {
-  Candidate best{forever, seen.launch};
+  Candidate best{forever, seen.launch, forever};
   std::vector<LaunchUnknowns> tried;
   for (const Candidate& c : candidates(seen, common, work)) {
     if (std::ranges::any_of(tried, [&](const LaunchUnknowns& other) { return alike(other, c.launch); })) continue;
     tried.push_back(c.launch);
     seen.launch = c.launch;
-    if (const double off = fit_on(seen, common, until, work); off < best.off) best = {off, seen.launch};
+    if (const double off = fit_on(seen, common, until, work); off < best.off) best = {off, seen.launch, off};
     if (!is_off(seen, common) || tried.size() == followed) break;
   }
   seen.launch = best.launch;

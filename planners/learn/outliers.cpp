@@ -44,6 +44,25 @@ void add_thirds(const std::vector<Sample>& samples, const std::vector<char>& out
   }
 }
 
+/// When the struck ball first turns back at a straight cushion: between two samples that come and two that leave.
+double first_bounce(const Seen& seen) {
+  const auto& tracks = seen.recording.tracks;
+  if (tracks.empty() || tracks.front().ball != 0 || !seen.recording.scene.others.empty()) return forever;
+  std::vector<Sample> s;
+  for (std::size_t i = 0; i < tracks.front().samples.size(); ++i)
+    if (!seen.outlier.front()[i]) s.push_back(tracks.front().samples[i]);
+  const double clearly = outlier * seen.noise;
+  for (std::size_t i = 2; i + 2 < s.size(); ++i)
+    for (const Wall& w : seen.stand.struck().walls) {
+      const auto gap = [&](std::size_t k) { return dot(w.normal, s[k].at) - w.offset; };
+      const double came = gap(i - 2) - gap(i - 1), left = gap(i + 2) - gap(i + 1);
+      if (gap(i) > gap(i - 1) || gap(i) > gap(i + 1) || came < clearly || left < clearly) continue;
+      const double step = s[i - 1].time - s[i - 2].time, met = s[i - 1].time + gap(i - 1) * step / came;
+      if (std::abs(met - s[i].time) < 2 * step) return std::clamp(met, s[i - 1].time, s[i + 1].time);
+    }
+  return forever;
+}
+
 }  // namespace
 
 double noise_of(const Recordings& recordings) {
@@ -62,6 +81,7 @@ double noise_of(const Recordings& recordings) {
 void mark_apart(Seen& seen) {
   for (std::size_t k = 0; k < seen.outlier.size(); ++k)
     seen.outlier[k] = apart(seen.recording.tracks[k].samples, seen.noise);
+  seen.bounced = first_bounce(seen);
 }
 
 void mark_outliers(Seen& seen, const Common& common) {

@@ -13,7 +13,7 @@ Prediction predict(const Recording& recording, const Common& common, double nois
   unseen.cushions.reset();
   Seen seen(unseen, noise);
   seen.robust = settings::learn::robust;
-  seen.spread[masse] = settings::learn::first_masse;
+  seen.spread[masse] = settings::learn::masse_of_first_part;
   mark_apart(seen);
   Prediction out{recording.scene.id, 0, 0};
   if (!(fit_first_part(seen, common, work) < forever)) return out;

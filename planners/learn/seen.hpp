@@ -26,6 +26,7 @@ struct Seen {
   double noise;                            ///< m, how much one coordinate of a sample errs
   double sigma;                            ///< m: the same, larger where the physics cannot follow the shot
   double last = 0;                         ///< s, of the latest sample
+  double bounced = forever;  ///< s, when the struck ball was first seen to turn back at a straight cushion
 
   LaunchUnknowns launch{};
   /// What is known of it beforehand, with its standard deviation; forever where nothing is.

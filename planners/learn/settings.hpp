@@ -15,6 +15,8 @@ inline constexpr double spread_of_start = 1;
 inline constexpr double middle_of_top = 0.3, spread_of_spin = 0.8, spread_of_masse = 0.1;
 /// Of the masse until the rest is known: it bends any path to any other.
 inline constexpr double first_masse = 0.005;
+/// And where no more than the first part is known, which cannot tell it from side.
+inline constexpr double masse_of_first_part = 1e-3;
 /// What a player meant says of what came of it: that it is within so many usual errors. Taken out again of what the
 /// samples say, it keeps fits where paths are nearly straight lines of the launch.
 inline constexpr double errors_of_a_player = 6;
@@ -28,6 +30,8 @@ inline constexpr double first_tops[] = {0.3, 1, -0.5, -1.2}, first_sides[] = {0.
 inline constexpr std::size_t followed = 5;
 /// s. A launch is fitted first up to so long after its first bounce, then up to each next one.
 inline constexpr double after_bounce = 0.25;
+/// A bounce between the launch and the first samples is rare: such a launch must fit so many times as well.
+inline constexpr double rare = 2;
 /// In standard deviations: distances beyond weigh linearly until outliers are known, and are outliers beyond that.
 inline constexpr double robust = 2.5, outlier = 5;
 /// A launch whose spread is below this is the one; else others are tried. Chance and one sample in twenty that is an

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bankshot/scene/coefficients.hpp"
 #include "bankshot/scene/scene.hpp"
 
@@ -29,6 +31,12 @@ Filmed filmed(const Physics& truth, const FilmWish& wish, Random& random) {
     s.launch = {random.uniform(wish.slowest, wish.fastest), random.uniform(0, 2 * 3.14159265358979323846)};
     if (carries_spin(truth)) s.spin = {.top = random.uniform(-0.8, 1), .side = random.uniform(-0.8, 0.8)};
     s.until.time = wish.seconds;
+    if (!wish.bounces) {
+      s.ball.at.x = 0.3;
+      s.ball.at.y = std::clamp(s.ball.at.y, 0.3, size.y - 0.3);
+      s.launch = {random.uniform(0.8, 1.4), wrap_angle(random.uniform(-0.1, 0.1))};
+      s.until.length = 2;
+    }
     out.recordings.push_back(film(s, simulate(s), wish.camera, random));
     out.shots.push_back(s);
   }
