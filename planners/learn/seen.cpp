@@ -69,6 +69,11 @@ Seen::Seen(const Recording& r, double usual)
   const bool timed = !r.tracks.empty() && !r.tracks.front().samples.empty();
   expected = {timed ? r.tracks.front().samples[0].time : 0, stood.x, stood.y, 0, 0, middle_of_top, 0, 0};
   spread = {spread_of_start, noise, noise, forever, forever, spread_of_spin, spread_of_spin, spread_of_masse};
+  const bool sampled = std::ranges::any_of(r.tracks, [](const Track& track) { return !track.samples.empty(); });
+  if (sampled || !r.launch_given) return;  // places of rest alone tell nothing of a launch: it is as it was given
+  launch = expected = unknowns_of(r.scene, 0);
+  spread[speed] = known_speed * expected[speed], spread[angle] = known_angle;
+  spread[top] = spread[side] = known_spin;
 }
 
 std::size_t Seen::followed(std::size_t track) const {

@@ -17,6 +17,9 @@ inline constexpr double middle_of_top = 0.3, spread_of_spin = 0.8, spread_of_mas
 inline constexpr double first_masse = 0.005;
 /// And where no more than the first part is known, which cannot tell it from side.
 inline constexpr double masse_of_first_part = 1e-3;
+/// A launch that is given where nothing but places of rest was seen is known so well: a share of the speed, rad,
+/// LaunchSpin.
+inline constexpr double known_speed = 0.01, known_angle = 2e-3, known_spin = 0.02;
 /// What a player meant says of what came of it: that it is within so many usual errors. Taken out again of what the
 /// samples say, it keeps fits where paths are nearly straight lines of the launch.
 inline constexpr double errors_of_a_player = 6;

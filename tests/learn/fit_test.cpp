@@ -185,7 +185,7 @@ TEST_CASE("places of rest alone tell the rolling friction of launches that are k
   const double true_one = coefficient(truth, "rolling_friction");
   INFO(found.value << " +- " << found.error << ", truth " << true_one);
   CHECK(std::abs(found.value - true_one) < 5 * found.error);
-  CHECK(found.value == Approx(true_one).epsilon(0.03));
+  CHECK(found.value == Approx(true_one).epsilon(0.05));
 }
 
 TEST_CASE("a camera that sees the table too large and shifted is learnt") {
