@@ -107,6 +107,7 @@ Question Question::better_than(const Shot& shot) const {
   Question q = *this;
   if (puzzle.prefer == Prefer::soft) q.speed.high = std::max(speed.low, std::min(speed.high, shot.launch.speed));
   if (puzzle.prefer == Prefer::quick) q.latest = shot.arrival.time;
+  if (puzzle.prefer == Prefer::robust) q.likelier = shot.chance;
   return q;
 }
 

@@ -64,6 +64,7 @@ struct Question {
   bool stop;                       ///< the ball must come to rest at its mark
   double asked = 0;                ///< m/s: of a range of arrival speeds the one aimed for; `prefer` chooses
   double latest = forever;         ///< s: paths that take longer need not be followed
+  double likelier = 0;             ///< roots that lead to shots less likely than this need not be found
   std::optional<double> pinned{};  ///< m/s: a launch speed to keep to; then any arrival in the range will do
   std::optional<Route> route{};    ///< the cushions, where the puzzle gives them in order
 

@@ -72,10 +72,11 @@ bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
   return true;
 }
 
-/// The values and derivatives of N dual residuals.
+/// The values and derivatives of N dual residuals of an arrival at this time.
 template <int N, class Dual>
-Linear linear(const Dual* r) {
+Linear linear(const Dual* r, double time) {
   Linear out;
+  out.time = time;
   for (std::size_t k = 0; k < N; ++k) {
     out.r[k] = r[k].a;
     for (int i = 0; i < N; ++i) out.by[k][static_cast<std::size_t>(i)] = r[k].v[i];

@@ -20,7 +20,7 @@ class Follower {
   void along_route(const Motion& motion, const Cushion& cushion, const State<Dual>& start) {
     out_.route = *q_.route;
     const auto path = follow_locked(q_.boundary, motion, cushion, std::span<const Meeting>(out_.route), start);
-    if (path.end == LockedEnd::complete) look(motion, path.state);
+    if (path.end == LockedEnd::complete) look(motion, path.state, path.time.a);
     out_.rests = path.end == LockedEnd::fell_short;
   }
 
@@ -30,7 +30,8 @@ class Follower {
     Simulator sim(q_.alone(), motion, cushion, start);
     for (;;) {
       const std::size_t bounces = out_.route.size();
-      if (static_cast<int>(bounces) >= rule.min && (!q_.route || out_.route == *q_.route)) look(motion, sim.state());
+      if (static_cast<int>(bounces) >= rule.min && (!q_.route || out_.route == *q_.route))
+        look(motion, sim.state(), sim.time().a);
       if (static_cast<int>(bounces) == rule.max) return;
       Event e = sim.step();
       while (e.kind == EventKind::slide_to_roll) e = sim.step();
@@ -50,7 +51,7 @@ class Follower {
     near_ = near;
     Simulator sim(q_.alone(), motion, cushion, start);
     for (int bounces = 0;;) {
-      look(motion, sim.state());
+      look(motion, sim.state(), sim.time().a);
       Event e = sim.step();
       while (e.kind == EventKind::slide_to_roll) e = sim.step();
       const bool bounce = e.kind == EventKind::cushion && bounces < q_.cushions().max;
@@ -62,9 +63,9 @@ class Follower {
   }
 
  private:
-  /// Adds how a free leg from `state` misses each mark.
+  /// Adds how a free leg that begins so misses each mark.
   template <class Motion>
-  void look(const Motion& motion, const State<Dual>& state) {
+  void look(const Motion& motion, const State<Dual>& state, double begin) {
     if (!(dot(state.velocity, state.velocity).a > 0)) return;
     for (std::size_t i = 0; i < marks_.size(); ++i) {
       const LockedAim aim{q_, out_.route, marks_[i]};
@@ -77,8 +78,9 @@ class Follower {
       const double ahead = dot(arrival.heading, off).a / norm(arrival.heading).a;
       if (!q_.stop && !arrival.at_rest && ahead < -settings::forward::behind * q_.boundary.diagonal) continue;
       const Vec2d heading = value(arrival.heading);
-      out_.passages.push_back(
-          {out_.route.size(), i, q_.one_unknown() ? linear<1>(r) : linear<2>(r), heading / norm(heading)});
+      const double time = begin + arrival.time.a;
+      out_.passages.push_back({out_.route.size(), i, q_.one_unknown() ? linear<1>(r, time) : linear<2>(r, time),
+                               heading / norm(heading)});
     }
   }
 

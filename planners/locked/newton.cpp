@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "planners/settings.hpp"
 
@@ -43,14 +44,15 @@ NewtonResult newton(const LockedAim& aim, Ledger& ledger, const Launch& from, co
   NewtonResult result{from};
   Launch& at = result.launch;
   Launch before = from;
+  bool rough = std::holds_alternative<Mathavan2010>(aim.q.rough.cushion);  // until the root is near
   double least = std::numeric_limits<double>::infinity();
   const auto end = [&](NewtonStatus status) { return result.status = status, result; };
   for (int& i = result.iterations; i < most_steps; ++i) {
-    auto l = linearise(aim, ledger, at);
+    auto l = linearise(aim, ledger, at, rough);
     const auto worse = [&] { return !l || (i >= usual_steps && !(l->size() < least)); };
     if (i > 0 && worse()) {
       at = half_way(at, before);
-      l = linearise(aim, ledger, at);
+      l = linearise(aim, ledger, at, rough);
     }
     if (i >= patience && worse()) return end(NewtonStatus::astray);
     before = at;
@@ -61,8 +63,9 @@ NewtonResult newton(const LockedAim& aim, Ledger& ledger, const Launch& from, co
     if (!std::isfinite(size)) return end(NewtonStatus::singular);
     const double damped = size > 1 ? 1 / size : 1;
     for (std::size_t k = 0; k < unknowns.size(); ++k) move(at, unknowns[k].what, damped * (*step)[k]);
-    if (known && known(at, size)) return end(NewtonStatus::known);
-    if (size < settled) return at.angle = wrap_angle(at.angle), end(NewtonStatus::converged);
+    if (known && known(at, size, *l)) return end(NewtonStatus::known);
+    const bool exact = !std::exchange(rough, rough && size > fine_from);
+    if (exact && size < settled) return at.angle = wrap_angle(at.angle), end(NewtonStatus::converged);
     if (left(from, at, unknowns)) return end(NewtonStatus::left);
   }
   return end(NewtonStatus::astray);

@@ -26,8 +26,8 @@ struct NewtonResult {
   explicit operator bool() const { return status == NewtonStatus::converged; }
 };
 
-/// Asked after each step where it led, and how long it was, in longest steps: true to give up.
-using Known = std::function<bool(const Launch&, double size)>;
+/// Asked after each step where it led, how long it was, in longest steps, and what it followed: true to give up.
+using Known = std::function<bool(const Launch&, double size, const Linear&)>;
 
 NewtonResult newton(const LockedAim& aim, Ledger& ledger, const Launch& from, const Unknowns& unknowns,
                     const Known& known = {});

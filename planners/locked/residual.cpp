@@ -10,20 +10,21 @@ namespace bankshot::planning {
 namespace {
 
 template <int N>
-std::optional<Linear> linearise(const LockedAim& aim, const Launch& launch) {
+std::optional<Linear> linearise(const LockedAim& aim, const Launch& launch, const Physics& physics) {
   using Dual = bankshot::Dual<N>;
-  const auto arrival = arrival_of(aim, dual_start<Dual, N>(aim.q, launch), aim.q.puzzle.physics);
+  const auto arrival = arrival_of(aim, dual_start<Dual, N>(aim.q, launch), physics);
   Dual r[N];
   if (!arrival || !residuals_of<N>(aim, *arrival, r)) return {};
-  return linear<N>(r);
+  return linear<N>(r, arrival->time.a);
 }
 
 }  // namespace
 
-std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
+std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch, bool roughly) {
   if (ledger.spent()) return {};
   ledger.charge(aim.route.size());
-  return aim.q.one_unknown() ? linearise<1>(aim, launch) : linearise<2>(aim, launch);
+  const Physics& physics = roughly ? aim.q.rough : aim.q.puzzle.physics;
+  return aim.q.one_unknown() ? linearise<1>(aim, launch, physics) : linearise<2>(aim, launch, physics);
 }
 
 std::optional<double> excess_speed2(const LockedAim& aim, Ledger& ledger, double angle, double square) {

@@ -37,6 +37,7 @@ struct LockedAim {
 struct Linear {
   std::array<double, most_unknowns> r{};
   std::array<std::array<double, most_unknowns>, most_unknowns> by{};  ///< by[k][i]: of residual k by unknown i
+  double time = 0;                                                    ///< s, of the arrival
 
   double by_aim(std::size_t k) const { return by[k][0]; }
   double by_speed(std::size_t k) const { return by[k][1]; }
@@ -48,7 +49,8 @@ struct Linear {
 };
 
 /// One locked simulation with dual numbers; none where the path never gets to its last leg, or the budget is spent.
-std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch);
+/// Roughly: impacts are integrated no more finely than a seed needs.
+std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch, bool roughly = false);
 
 /// By how much the squared speed of arrival exceeds the one asked [m²/s²], both as residual [1] counts them, at an
 /// angle and a squared launch speed. One locked simulation, no finer than a seed needs.

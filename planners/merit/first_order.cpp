@@ -176,6 +176,20 @@ FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& 
   return path.first_order();
 }
 
+double chance_on_mark(const LockedAim& aim, const Launch& launch, const Linear& l) {
+  const Question& q = aim.q;
+  const double per_rad = q.puzzle.noise.angle * q.boundary.diagonal;
+  const double per_log = q.one_unknown() ? 0 : q.puzzle.noise.speed / launch.speed * q.boundary.diagonal;
+  const auto within = [&](double deviation) { return std::erf(aim.mark.reach / (std::sqrt(2.0) * deviation)); };
+  const Vec2d across{l.by_aim(0) * per_rad, l.by_speed(0) * per_log};
+  if (!q.stop || q.one_unknown()) return within(norm(across));
+  // A disc lies inside the square along the axes of the ellipse of errors.
+  const Vec2d along{l.by_aim(1) * per_rad, l.by_speed(1) * per_log};
+  const double sum = dot(across, across) + dot(along, along), product = std::abs(cross(across, along));
+  const double longer = std::sqrt((sum + std::sqrt(std::max(sum * sum - 4 * product * product, 0.0))) / 2);
+  return within(longer) * within(product / longer);
+}
+
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit) {
   Path path(aim, launch, unit);
   const bool arrives = with_physics(aim.q.puzzle.physics, [&](const auto& motion, const auto& cushion) {

@@ -26,6 +26,10 @@ struct FirstOrder {
 /// Of a launch along a route; `at` is where it arrives, or the mark where no replay has told.
 FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at);
 
+/// The chance that errors leave the arrival on the mark, whatever else limits it: not less than that of the root beside
+/// a launch, as the derivatives of its residuals say.
+double chance_on_mark(const LockedAim& aim, const Launch& launch, const Linear& linear);
+
 /// What limits a launch along a route, where errors are counted in units of `unit`; none where the path never gets to
 /// its last leg.
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit);

@@ -87,10 +87,10 @@ bool passes_before(const Question& q, Ledger& ledger, const Shot& shot) {
   return replay(q, ledger, shot.launch, sooner).made;
 }
 
-/// What the success of a shot may be, as its first-order chance and those of the shots beside it say: an upper bound
-/// that settings::rank measures. One simulation. `q` has the spin of the shot.
-double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot) {
-  using namespace settings::rank;
+/// What the success of a shot may be, as its first-order chance and those of the shots beside it say. One simulation.
+/// `q` has the spin of the shot.
+double shot_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot) {
+  using settings::rank::beside;
   if (passes_before(q, ledger, shot)) return 1;
   // One that misses by the cushions of this shot may touch the second ball after more of them.
   if (q.carom() && !q.route && static_cast<int>(shot.cushions.size()) < q.cushions().max) return 1;
@@ -98,16 +98,21 @@ double success_at_most(const Question& q, Ledger& ledger, std::span<const Shot> 
   for (const Shot& other : shots)
     if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
   const Mark& mark = q.mark_of(shot);
-  const bool at_cushion = !mark.captures() && q.boundary_of(mark.ball).clearance(mark.at) < mark.reach;
   // A ball that a jaw or, where another bounce is allowed, a cushion beside the pocket turns away may fall all the
   // same.
   const int bounces = static_cast<int>(shot.cushions.size());
   if (mark.captures() && (!q.boundary.jaws.empty() || (!q.route && bounces < q.cushions().max)))
     chance = std::max(chance, std::erf(shot.first_order / std::sqrt(2.0)));
-  return std::min(1.0, at_cushion ? at_cushion_times * chance + at_cushion_more : times * chance + more);
+  return success_at_most(q, mark, chance);
 }
 
 }  // namespace
+
+double success_at_most(const Question& q, const Mark& mark, double chance) {
+  using namespace settings::rank;
+  const bool at_cushion = !mark.captures() && q.boundary_of(mark.ball).clearance(mark.at) < mark.reach;
+  return std::min(1.0, at_cushion ? at_cushion_times * chance + at_cushion_more : times * chance + more);
+}
 
 double first_merit(const Puzzle& p, const Shot& shot) {
   switch (p.prefer) {
@@ -140,7 +145,7 @@ void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots
   std::vector<Candidate> candidates;
   for (const Shot& shot : shots)
     candidates.push_back(
-        {as_struck(q, shot, [&](const Question& own) { return success_at_most(own, ledger, shots, shot); }),
+        {as_struck(q, shot, [&](const Question& own) { return shot_at_most(own, ledger, shots, shot); }),
          candidates.size()});
   // The shots are in the order of their margins, which decides between equals.
   std::stable_sort(candidates.begin(), candidates.end(),

@@ -32,7 +32,10 @@ bool settled(const Question& q, const Ledger& ledger, const Findings& found) {
 
 /// The best shot so far, as far as can be told before its chance is known.
 const Shot& best_of(const Question& q, const Findings& found) {
-  return *std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return first_merit(q.puzzle, s); });
+  const auto merit = [&](const Shot& s) {
+    return q.puzzle.prefer == Prefer::robust ? s.chance : first_merit(q.puzzle, s);
+  };
+  return *std::ranges::max_element(found.shots, {}, merit);
 }
 
 /// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.

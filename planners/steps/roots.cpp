@@ -6,6 +6,8 @@
 #include "planners/certify.hpp"
 #include "planners/line_search.hpp"
 #include "planners/locked/speed.hpp"
+#include "planners/merit/first_order.hpp"
+#include "planners/merit/rank.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::steps {
@@ -13,14 +15,39 @@ namespace bankshot::planning::steps {
 using namespace settings::roots;
 
 void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear) {
-  keep_nearest(aim, node, q_.one_unknown() ? std::abs(linear.r[0]) : linear.size());
+  if (rest_wanted()) keep_nearest(aim, node, q_.one_unknown() ? std::abs(linear.r[0]) : linear.size());
   const auto step = newton_step(linear, q_.one_unknown());
   if (!step ||
       !(std::abs((*step)[0]) < seed_reach * cell_.step_aim && std::abs((*step)[1]) < seed_reach * cell_.step_speed))
     return;
+  if (!every_root_ && on_side_of_known(aim, linear)) return;
   const Launch predicted{node.speed * std::exp((*step)[1]), node.angle + (*step)[0]};
-  const auto known_there = [&](const Launch& at, double size) { return size < near && known(aim, at, 2 * size); };
-  if (const auto root = newton(aim, ledger_, predicted, cell_, known_there)) add(aim, root.launch);
+  const auto give_up = [&](const Launch& at, double size, const Linear& there) {
+    return (size < near && known(aim, at, 2 * size)) || (!every_root_ && hopeless(aim, at, size, there));
+  };
+  if (const auto root = newton(aim, ledger_, predicted, cell_, give_up)) add(aim, root.launch);
+}
+
+/// Two roots of a route nearly always lie on the two sides of a fold: a node leads to the one on its own side.
+bool Roots::on_side_of_known(const LockedAim& aim, const Linear& node) {
+  const bool one_unknown = q_.one_unknown();
+  for (Root& root : roots_) {
+    if (!belongs(root, aim)) continue;
+    if (!root.determinant) {
+      const auto there = linearise(aim, ledger_, root.launch, true);
+      root.determinant = there ? there->determinant(one_unknown) : 0;
+    }
+    if (*root.determinant * node.determinant(one_unknown) > 0) return true;
+  }
+  return false;
+}
+
+/// Better shots are wanted than one that is known, and the root so many cells from here leads to none.
+bool Roots::hopeless(const LockedAim& aim, const Launch& at, double cells, const Linear& linear) const {
+  if (at.speed > q_.speed.high * std::exp(2 * cells * cell_.step_speed)) return true;
+  if (!(cells < near)) return false;
+  if (linear.time > q_.latest * (1 + near)) return true;
+  return q_.likelier > 0 && success_at_most(q_, aim.mark, chance_on_mark(aim, at, linear)) < q_.likelier;
 }
 
 void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) {
@@ -139,7 +166,7 @@ void Roots::beside_rail(const LockedAim& aim, const Launch& root) {
 /// too far apart to see both. So Newton's method also starts around a root wherever that sign is another, or where its
 /// first step does not lead back there.
 void Roots::across_fold(const LockedAim& aim, const Launch& root) {
-  const auto at_root = linearise(aim, ledger_, root);
+  const auto at_root = linearise(aim, ledger_, root, true);
   if (!at_root) return;
   for (const double cells : rings)
     for (int i = 0; i < ways; ++i) from_beside(aim, root, *at_root, direction(radians(360) * i / ways) * cells, cells);
@@ -149,7 +176,7 @@ void Roots::from_beside(const LockedAim& aim, const Launch& root, const Linear& 
                         double cells) {
   const bool one_unknown = q_.one_unknown();
   const Launch from{root.speed * std::exp(turn.y * cell_.step_speed), root.angle + turn.x * cell_.step_aim};
-  const auto at = linearise(aim, ledger_, from);
+  const auto at = linearise(aim, ledger_, from, true);
   const auto step = at ? newton_step(*at, one_unknown) : std::nullopt;
   if (!step) return;
   const double missed =

@@ -3,12 +3,14 @@
 // The roots that a map finds, route by route. A node of the map predicts where the root of its route lies;
 // a prediction within reach seeds Newton's method on the locked path, unless that leads to a root that is known.
 // Each root becomes a shot, or a lead. What one seed cannot see is sought besides: the other root of a pair across a
-// fold or a kink, and roots of routes that were seen but gave none.
+// fold or a kink, and roots of routes that were seen but gave none. Where only better shots than one that is known are
+// wanted, a search ends as soon as the derivatives tell that its root is none of them.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,9 +22,13 @@ namespace bankshot::planning::steps {
 
 class Roots {
  public:
-  /// `cell`: how far apart nodes are, rad of aim and of ln speed.
-  Roots(const Question& q, Ledger& ledger, Findings& found, const Neighbourhood& cell, std::string_view step)
-      : q_(q), ledger_(ledger), found_(found), cell_(cell), step_(step) {
+  Roots(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing, std::string_view step)
+      : q_(q),
+        ledger_(ledger),
+        found_(found),
+        cell_{spacing.aim, spacing.speed},
+        every_root_(spacing.every_root),
+        step_(step) {
     for (const Shot& s : found.shots)
       if (!s.off_centre) roots_.push_back({route_by(s.cushions), q.nearest_mark(s.arrival.at), s.launch});
   }
@@ -33,6 +39,9 @@ class Roots {
   /// Routes that were visited and have no root yet: from the nodes that came nearest.
   void seek_rest();
 
+  /// Whether those are wanted.
+  bool rest_wanted() const { return q_.all() || found_.shots.empty(); }
+
   /// Nothing more is looked for.
   bool done() const { return stop::over(q_, ledger_, found_) || stop::route_settled(q_, found_); }
 
@@ -42,6 +51,7 @@ class Roots {
     Route route;
     Mark mark;
     Launch launch;
+    std::optional<double> determinant{};  ///< of its derivatives, once it was asked for
   };
   static constexpr double none = std::numeric_limits<double>::infinity();
   struct Nearest {
@@ -64,6 +74,8 @@ class Roots {
   Seen& seen(const LockedAim& aim);
   void keep_nearest(const LockedAim& aim, const Launch& node, double miss);
   bool known(const LockedAim& aim, const Launch& l, double cells) const;
+  bool on_side_of_known(const LockedAim& aim, const Linear& node);
+  bool hopeless(const LockedAim& aim, const Launch& at, double cells, const Linear& linear) const;
   void add(const LockedAim& aim, const Launch& root);
   void across_fold(const LockedAim& aim, const Launch& root);
   void from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn, double cells);
@@ -79,7 +91,8 @@ class Roots {
   const Question& q_;
   Ledger& ledger_;
   Findings& found_;
-  Neighbourhood cell_;
+  Neighbourhood cell_;  ///< how far apart nodes are
+  bool every_root_;
   std::string_view step_;
   std::vector<Root> roots_{};
   std::vector<Seen> seen_{};

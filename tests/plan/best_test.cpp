@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The softest and the quickest shot of `--all` against brute force that shares only the simulator with the planners
-// (support/by_force.hpp), where nothing is left free: each must find what the other finds. At length: stress/best.cpp.
+// (support/by_force.hpp), where nothing is left free: each must find what the other finds; and what plain `solve`
+// answers against the first of `--all`. At length: stress/best.cpp.
 #include "bankshot/plan/planner.hpp"
 #include "support/by_force.hpp"
 #include "support/catch.hpp"
@@ -45,4 +46,39 @@ TEST_CASE("the best of all shots is that of brute force") {
     CHECK(by_force <= by_solve * (1 + little));
   }
   CHECK(compared > puzzles / 2);
+}
+
+TEST_CASE("plain solve is hardly ever worse than the first of all, in a few hundred simulations") {
+  constexpr int puzzles = 50;
+  constexpr std::uint64_t seed = 4;
+  constexpr double little = 0.005;  // of speed, of time, or of chance
+  for (const Prefer prefer : {Prefer::robust, Prefer::soft, Prefer::quick}) {
+    int compared = 0, worse = 0;
+    long simulations = 0;
+    for (int i = 0; i < puzzles; ++i) {
+      test::Random random(seed, static_cast<std::uint64_t>(i));
+      Puzzle p = test::ask_for_some(random, -1, 3, [&] {
+                   return std::optional(test::usual_shot(random, test::Model::spin));
+                 }).puzzle;
+      p.prefer = prefer;
+      p.cushions = {0, 3, {}};
+      const bool robust = prefer == Prefer::robust;
+      const Answer best = solve(p, {.robustness = robust}), all = solve(p, {.all = true, .robustness = robust});
+      REQUIRE(best.status == Status::solved);
+      REQUIRE(all.status == Status::solved);
+      const Shot &a = best.shots.front(), &b = all.shots.front();
+      if (a.off_centre || b.off_centre) continue;
+      ++compared;
+      simulations += best.simulations;
+      const double by =
+          robust ? *b.success - *a.success
+                 : cost(prefer, a.launch.speed, a.arrival.time) / cost(prefer, b.launch.speed, b.arrival.time) - 1;
+      worse += by > little;
+    }
+    INFO("prefer " << static_cast<int>(prefer) << ": " << worse << " of " << compared << ", " << simulations
+                   << " simulations, seed " << seed);
+    CHECK(compared > puzzles * 2 / 3);
+    CHECK(worse <= 1);
+    CHECK(simulations < 800 * compared);
+  }
 }

@@ -106,7 +106,7 @@ TEST_CASE("Newton's method says how it ended") {
   CHECK(linearise(aim, ledger, found.launch)->size() < 1e-12);
   CHECK(newton(aim, ledger, near, Neighbourhood{1e-3, 1e-3}).status == NewtonStatus::left);
   CHECK(newton(aim, ledger, {1.2, radians(90)}, settings::wide).status != NewtonStatus::converged);
-  const auto known = [](const Launch&, double) { return true; };
+  const auto known = [](const Launch&, double, const Linear&) { return true; };
   CHECK(newton(aim, ledger, near, settings::wide, known).status == NewtonStatus::known);
 }
 

@@ -49,7 +49,7 @@ std::optional<Linear> by_dual_numbers(Path& p, double angle, double log_speed) {
   const auto r = p.off(Dual<2>(angle, 0), Dual<2>(log_speed, 1));
   if (!r) return {};
   const Dual<2> both[] = {r->x, r->y};
-  return linear<2>(both);
+  return linear<2>(both, 0);
 }
 
 /// Steps near the best compromise of rounding and curvature: the square root and the cube root of 2⁻⁵².
