@@ -117,7 +117,7 @@ class Sweep {
           lost = i >= m.sides.size();
           return !lost && (m.sides[i].lateral > 0) == side;
         });
-    if (!lost) certify_aim(q_, ledger_, found_, wrap_angle(low), bounces, steps::word::sweep);
+    if (!lost && !ledger_.spent()) certify_aim(q_, ledger_, found_, wrap_angle(low), bounces, steps::word::sweep);
   }
 
   const Question& q_;
