@@ -82,9 +82,7 @@ ForwardMap::Node ForwardMap::node(double angle, double speed) {
     roots_.visit({q_, std::span<const Meeting>(forward_.route).first(p.meetings), q_.marks[p.mark]}, {speed, angle},
                  p.linear);
   }
-  Node out{angle, speed, forward_.route, forward_.places, place(), {}};
-  if (q_.one_unknown()) out.passages = forward_.passages;
-  return out;
+  return {angle, speed, forward_.route, forward_.places, place()};
 }
 
 /// Of what was followed last.
@@ -137,27 +135,12 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
 }
 
 void ForwardMap::between(const Node& a, const Node& b) {
-  if (ledger_.spent() || b.angle - a.angle < (q_.route ? narrowest_given : cell_.narrowest)) return;
-  if (a.route == b.route || (q_.route && cell_.locked)) return turns(a, b);
-  if (hopeless(a, b)) return;
+  if (a.route == b.route || hopeless(a, b) || ledger_.spent()) return;
+  if (q_.route && cell_.locked) return;
+  if (b.angle - a.angle < (q_.route ? narrowest_given : cell_.narrowest)) return;
   const Node other = node(change(a, b), a.speed);
   between(a, other);
   between(other, b);
-}
-
-/// A residual that turns round between two nodes of one route, and reaches 0 as far as its tangents tell.
-void ForwardMap::turns(const Node& a, const Node& b) {
-  for (const Passage& p : a.passages) {
-    const auto same = [&](const Passage& o) { return o.bounces == p.bounces && o.mark == p.mark; };
-    const auto other = std::ranges::find_if(b.passages, same);
-    if (other == b.passages.end()) continue;
-    const double forth = -p.linear.r[0] / p.linear.by_aim(0), back = other->linear.r[0] / other->linear.by_aim(0);
-    if ((p.linear.r[0] > 0) != (other->linear.r[0] > 0) || !(forth > 0 && back > 0 && forth + back < b.angle - a.angle))
-      continue;
-    const Node middle = node((a.angle + forth + b.angle - back) / 2, a.speed);
-    between(a, middle);
-    return between(middle, b);
-  }
 }
 
 /// A path between them is too fast as well, or ends too early to meet all the cushions.

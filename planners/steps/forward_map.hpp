@@ -4,13 +4,13 @@
 // Method: each node simulates the real path with dual numbers (forward.hpp); the free leg after any number of bounces
 // that is allowed has a residual and its derivatives, which lead to roots (roots.hpp). Of each aim only the speeds are
 // tried that may arrive as asked. Between two neighbours that meet different cushions the aim is divided near where
-// that changes, so that narrow routes get nodes of their own. Where only the aim is unknown it is also divided where
-// tangents from both sides cross 0 before they meet: two roots may lie there. A route that is given is mapped on its
-// locked path. Worked number: cells of 2° and 0.12 of ln speed are 180 aims by 39 speeds from 0.1 to 10 m/s; a ball
-// that must rest at a point three cushions on does so from three or four speeds an aim, so some 700 nodes are followed,
-// and about 2,000 more where cushions change: 3,000 simulations. Cost: some thousands of simulations with dual numbers,
-// a third of a microsecond a bounce each. Guarantee: none; a root is missed where the map bends within a cell more than
-// the reach allows, or where a route is narrower than the spacing and lies between equal neighbours.
+// that changes, so that narrow routes get nodes of their own. A route that is given is mapped on its locked path.
+// Worked number: cells of 2° and 0.12 of ln speed are 180 aims by 39 speeds from 0.1 to 10 m/s; a ball that must rest
+// at a point three cushions on does so from three or four speeds an aim, so some 700 nodes are followed, and about
+// 2,000 more where cushions change: 3,000 simulations.
+// Cost: some thousands of simulations with dual numbers, a third of a microsecond a bounce each.
+// Guarantee: none; a root is missed where the map bends within a cell more than the reach allows, or where a route is
+// narrower than the spacing and lies between equal neighbours.
 #pragma once
 
 #include <optional>
@@ -48,7 +48,6 @@ class ForwardMap {
     Route route;
     std::vector<BouncePlace> places;
     Place place;
-    std::vector<Passage> passages;  ///< where only the aim is unknown
   };
   using Column = std::vector<std::optional<Node>>;  ///< one aim at all speeds, where it is worth while
 
@@ -59,7 +58,6 @@ class ForwardMap {
   double cells_of_speed(const Passage& p) const;
   void keep_lead(double angle, double speed, const Passage& p);
   void between(const Node& a, const Node& b);
-  void turns(const Node& a, const Node& b);
   bool hopeless(const Node& a, const Node& b) const;
   double change(const Node& a, const Node& b) const;
 
