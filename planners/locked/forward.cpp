@@ -79,8 +79,8 @@ class Follower {
       if (!q_.stop && !arrival.at_rest && ahead < -settings::forward::behind * q_.boundary.diagonal) continue;
       const Vec2d heading = value(arrival.heading);
       const double time = begin + arrival.time.a;
-      out_.passages.push_back({out_.route.size(), i, q_.one_unknown() ? linear<1>(r, time) : linear<2>(r, time),
-                               heading / norm(heading)});
+      out_.passages.push_back(
+          {out_.route.size(), i, q_.one_unknown() ? linear<1>(r, time) : linear<2>(r, time), heading / norm(heading)});
     }
   }
 
