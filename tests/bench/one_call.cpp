@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What one call costs in C++, to compare calls from other languages with.
-//   one_call solve puzzle.json 2000      microseconds of CPU: the call alone, and from text to text
+// What one call costs in C++ and in C, to compare calls from other languages with.
+//   one_call solve puzzle.json 2000      microseconds of CPU: the call alone, and from text to text in C++ and in C
 //   one_call simulate shot.json 2000
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 #include <sstream>
 #include <vector>
 
+#include "bankshot/bankshot.h"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/trajectory.hpp"
@@ -35,6 +36,16 @@ double microseconds(long count, const F& call) {
 
 volatile std::size_t used = 0;  // so that no call is left out
 
+using InC = bankshot_status (*)(const char* document, size_t length, const char* flags, bankshot_text* out);
+
+void report_c(long count, const std::string& text, InC call) {
+  fmt::print("{:.3f}\n", microseconds(count, [&] {
+               bankshot_text out;
+               if (call(text.data(), text.size(), nullptr, &out) == BANKSHOT_DONE) used = out.length;
+               bankshot_free(out.data);
+             }));
+}
+
 void report(long count, const std::string& text, bool solves) {
   if (solves) {
     const Puzzle puzzle = read_puzzle(text);
@@ -43,6 +54,7 @@ void report(long count, const std::string& text, bool solves) {
                  const Puzzle p = read_puzzle(text);
                  used = to_json(p, solve(p)).size();
                }));
+    report_c(count, text, bankshot_solve);
   } else {
     const ShotRequest shot = read_shot(text);
     fmt::print("{:.3f}\n", microseconds(count, [&] { used = simulate(shot).events.size(); }));
@@ -50,6 +62,7 @@ void report(long count, const std::string& text, bool solves) {
                  const ShotRequest s = read_shot(text);
                  used = to_json(s, simulate(s)).size();
                }));
+    report_c(count, text, bankshot_simulate);
   }
 }
 

@@ -48,9 +48,10 @@ def in_cpp(what, document, count):
 
 
 def calls(what, name, document, count, call, look):
-    alone, from_text_to_text = in_cpp(what, document, count)
+    alone, from_text_to_text, in_c = in_cpp(what, document, count)
     row(name, "C++", count, alone)
     row(name, "C++ from text to text", count, from_text_to_text)
+    row(name, "C from text to text", count, in_c)
     text = json.dumps(document)
     row(name, "Python from text to text", count, us(lambda: call(text).json, count))
     row(name, "Python from a dict to a number", count, us(lambda: look(call(document)), count))
