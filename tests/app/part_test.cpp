@@ -146,7 +146,7 @@ TEST_CASE("a part that is there is not made again, and one that was cut off goes
   CHECK((in.read("b") == whole));
 }
 
-TEST_CASE("a part that runs is not run a second time; where no lock tells, nothing wrong passes for right") {
+TEST_CASE("a part that runs is not run a second time and, where no lock tells, nothing wrong passes for right") {
   const Folder in;
   std::ofstream(in.path + "/p.jsonl", std::ios::binary) << puzzles(3000);
   const std::string timing = GENERATE("--no-timing ", "");
