@@ -48,19 +48,23 @@ const Shot* shot_from(const StartMap& m, std::size_t i) {
 template <class Part>
 std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> legend, const std::string& title,
                  Theme theme, Part&& part) {
-  const char *hole = drawing::colours(theme).page, *cloth = drawing::colours(theme).cloth;
+  const drawing::Colours& c = drawing::colours(theme);
   std::vector<Cell> cells;
-  bool holes = false;
+  bool without = false, unknown = false;
   for (std::size_t i = 0; i < m.starts.size(); ++i) {
     if (m.starts[i] != Start::legal) continue;
     const Vec2d half = m.grid.cell / 2.0, at = m.grid.at(i);
     const Shot* s = shot_from(m, i);
-    holes = holes || !s;
-    cells.push_back({at - half, at + half, s ? colour(part(*s)) : hole,
+    const bool cut = m.answers[i].status == Status::budget;
+    unknown = unknown || (!s && cut);
+    without = without || (!s && !cut);
+    const char* const none = cut ? c.faint : c.page;
+    cells.push_back({at - half, at + half, s ? colour(part(*s)) : none,
                      s ? std::optional(s->launch.angle) : std::nullopt, s && part(*s) > light ? "#222" : "#fff"});
   }
-  if (holes) legend.push_back({"no shot", hole});
-  if (cells.size() < m.starts.size()) legend.push_back({"no start", cloth});
+  if (without) legend.push_back({"no shot", c.page});
+  if (unknown) legend.push_back({"out of budget", c.faint});
+  if (cells.size() < m.starts.size()) legend.push_back({"no start", c.cloth});
   return draw(p, cells, legend, title, {.theme = theme});
 }
 
