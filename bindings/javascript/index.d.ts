@@ -85,14 +85,29 @@ export interface Trajectory {
   energy: { start: number; end: number };
 }
 
+/** A pocket of a table by its name, as it is drawn. */
+export interface NamedPocket {
+  name: string;
+  at: [number, number];
+  /** Of the mouth's width. */
+  half: number;
+  /** Away from the table. */
+  out: [number, number];
+  /** The middle of the circle in which a ball falls, and that circle's radius. */
+  hole: [number, number];
+  radius: number;
+  /** With jaws: from a rail round its tip, along both facings, round the other tip; and the radius of a tip. */
+  mouth?: [number, number][];
+  tip?: number;
+}
+
 /** A table by its name, as it is drawn. */
 export interface NamedTable {
   name: string;
   length: number;
   width: number;
   cushions: string[];
-  /** `half` of the mouth; `out` is where a ball leaves. */
-  pockets: { name: string; at: [number, number]; half: number; out: [number, number] }[];
+  pockets: NamedPocket[];
   /** Of its balls. */
   radius: number;
   /** From one to the next. */
