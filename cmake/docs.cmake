@@ -23,5 +23,5 @@ set(DOXYGEN_OUTPUT_DIRECTORY docs)
 set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR}/include)
 set(DOXYGEN_STRIP_FROM_INC_PATH ${PROJECT_SOURCE_DIR}/include)
 # The comment at the top of a header says what it is for: it becomes the page of the file.
-set(DOXYGEN_INPUT_FILTER "awk -f ${PROJECT_SOURCE_DIR}/cmake/header_page.awk")
+set(DOXYGEN_INPUT_FILTER "awk -f '${PROJECT_SOURCE_DIR}/cmake/header_page.awk'")
 doxygen_add_docs(docs ${PROJECT_SOURCE_DIR}/include COMMENT "API pages in docs/html")
