@@ -106,7 +106,7 @@ int exit_of(pid_t child, const fs::path& complaints) {
 
 class Disturbance {
  public:
-  Disturbance(fs::path folder, std::uint64_t seed) : random(seed), complaints_(std::move(folder) / "stderr") {}
+  Disturbance(const fs::path& folder, std::uint64_t seed) : random(seed), complaints_(folder / "stderr") {}
 
   /// To its end, undisturbed.
   void finish(const Command& c) { run(c, {}, 0); }
