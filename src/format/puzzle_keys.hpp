@@ -125,7 +125,7 @@ inline constexpr Key scene_keys[] = {
     {"ball", "{ball}", "", required, R"({"at": [0.635, 0.4]})", "the ball that is struck"},
     {"others", "[{other}]", "", "[]", R"([{"id": "8", "at": [1.9, 0.635]}])", "balls at rest"},
 };
-/// Those, then the document's own.
+/// Those, then the document's own. Without std::ranges::copy, which libc++ 14, that of the engine, does not have.
 template <std::size_t N>
 constexpr auto with_scene_keys(const Key (&own)[N]) {
   std::array<Key, std::size(scene_keys) + N> out{};
