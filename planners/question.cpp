@@ -22,6 +22,21 @@ LaunchSpin least_of(const SpinRange& r) {
   return {least(r.top), least(r.side), least(r.masse)};
 }
 
+/// The cushions and vertices that a ball touches.
+std::vector<Contact> touched_by(const Boundary& boundary, const Vec2d& at) {
+  const double slack = boundary.touch;
+  std::vector<Contact> out;
+  for (const Wall& w : boundary.walls) {
+    const double s = dot(w.along, at);
+    if (dot(w.normal, at) - w.offset <= slack && s >= w.begin - slack && s <= w.end + slack &&
+        boundary.break_at(w, s) < 0)
+      out.push_back(w.contact);
+  }
+  for (const Circle& tip : boundary.tips)
+    if (norm(at - tip.centre) - tip.radius <= slack) out.push_back(tip.contact);
+  return out;
+}
+
 }  // namespace
 
 Objects::Objects(const Puzzle& p) {
@@ -60,6 +75,7 @@ Question::Question(const Puzzle& p, Wanted w)
       rough(roughly(p.physics)),
       wanted(w),
       marks(then_of(p.target) ? marks_of(p) : marks_of(p.target, boundary)),
+      touched(touched_by(boundary, p.ball.at)),
       speed(p.speed),
       angle(p.angle),
       spin(p.spin_range ? least_of(*p.spin_range) : p.spin),
@@ -134,29 +150,11 @@ Contact Question::covering() const {
 
 bool Question::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }
 
-bool Question::touches(Contact contact) const {
-  const double slack = boundary.touch;
-  if (const Wall* const w = boundary.line(contact)) {
-    const double s = dot(w->along, puzzle.ball.at);
-    const bool in_mouth = contact.kind == ContactKind::rail && boundary.break_at(*w, s) >= 0;
-    return dot(w->normal, puzzle.ball.at) - w->offset <= slack && s >= w->begin - slack && s <= w->end + slack &&
-           !in_mouth;
-  }
-  const Circle* const rim = boundary.rim(contact);
-  return rim && norm(puzzle.ball.at - rim->centre) - rim->radius <= slack;
-}
-
-bool Question::frozen() const {
-  const auto touched = [&](const auto& obstacle) { return touches(obstacle.contact); };
-  return std::ranges::any_of(boundary.walls, touched) || std::ranges::any_of(boundary.tips, touched);
-}
-
-bool Question::into_touched_cushion(const Vec2d& direction) const {
-  for (const Wall& w : boundary.walls)
-    if (dot(w.normal, direction) < 0 && touches(w.contact)) return true;
-  for (const Circle& tip : boundary.tips)
-    if (dot(puzzle.ball.at - tip.centre, direction) < 0 && touches(tip.contact)) return true;
-  return false;
+bool Question::into_touched_cushion(double launch_angle) const {
+  if (touched.empty()) return false;
+  const Vec2d towards = direction(launch_angle);
+  return std::ranges::any_of(
+      touched, [&](Contact contact) { return dot(boundary.normal(contact, puzzle.ball.at), towards) < 0; });
 }
 
 Route route_with_jaws_of(const Shot& shot) {

@@ -55,10 +55,11 @@ struct Question {
   std::shared_ptr<const Objects> objects;  ///< where balls are sent on, or touched on the way, else null
   Physics rough;                           ///< the puzzle's, integrated no more finely than a seed needs
   Wanted wanted;
-  bool every = false;          ///< all shots are wanted, also of a question for roots to start from
-  std::vector<Mark> marks;     ///< the places to aim at
-  Range speed;                 ///< m/s, of the launch
-  std::optional<Range> angle;  ///< rad, of the aim; none: any
+  bool every = false;            ///< all shots are wanted, also of a question for roots to start from
+  std::vector<Mark> marks;       ///< the places to aim at
+  std::vector<Contact> touched;  ///< what the ball touches at the start
+  Range speed;                   ///< m/s, of the launch
+  std::optional<Range> angle;    ///< rad, of the aim; none: any
   LaunchSpin spin;
   std::optional<Range> arrival;    ///< m/s at the mark; none: any
   bool stop;                       ///< the ball must come to rest at its mark
@@ -115,11 +116,10 @@ struct Question {
   /// A miss this small is one of the exact line or point.
   bool centred(double miss) const;
 
-  /// The ball touches this contact at the start; any at all.
-  bool touches(Contact contact) const;
-  /// The launch would drive the ball into a cushion that it touches: a bounce before it moves.
-  bool into_touched_cushion(const Vec2d& direction) const;
-  bool frozen() const;
+  /// The ball touches this cushion or vertex at the start.
+  bool touches(Contact contact) const { return std::ranges::find(touched, contact) != touched.end(); }
+  /// A launch at this angle would drive the ball into a cushion that it touches: a bounce before it moves.
+  bool into_touched_cushion(double launch_angle) const;
 };
 
 /// `f` of the question with the spin of a shot, which is the shot's own where the puzzle leaves it free.

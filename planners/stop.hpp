@@ -36,7 +36,7 @@ inline bool enough_images(const Question& q, const Findings& found, bool shortes
   if (satisfied(q, found)) return true;
   if (q.all() || !shortest_first) return false;
   // Those into a cushion that the ball touches come last.
-  const auto counts = [&](const Shot& s) { return !q.into_touched_cushion(direction(s.launch.angle)); };
+  const auto counts = [&](const Shot& s) { return !q.into_touched_cushion(s.launch.angle); };
   const auto seen = static_cast<std::size_t>(std::ranges::count_if(found.shots, counts));
   return seen >= (q.puzzle.prefer == Prefer::robust ? settings::enough_to_compare : 1);
 }

@@ -23,7 +23,7 @@ double merit(const Puzzle& p, const Shot& shot) {
 
 /// Nobody strikes a ball straight into the cushion it touches while there is another shot.
 bool last_choice(const Question& q, const Shot& shot) {
-  return !shot.cushions.empty() && !q.route && q.into_touched_cushion(direction(shot.launch.angle));
+  return !shot.cushions.empty() && !q.route && q.into_touched_cushion(shot.launch.angle);
 }
 
 /// m from where the struck ball should rest.

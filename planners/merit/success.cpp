@@ -5,9 +5,8 @@
 // Method: counted in the player's deviations the errors of aim and speed are equally likely in every
 // direction, so their plane may be turned: `across` is the direction that moves the arrival most, to first
 // order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a line
-// across it the edges are bisected, and the chance on that line follows from them. Lines begin evenly
-// spaced; more are laid where the chance changes other than its neighbours say. Between lines it is a
-// monotone cubic (Fritsch & Butland 1984), summed with the normal density by Gauss's rule.
+// across it the edges are bisected, and the chance on that line follows from them; lines.hpp says what all lines
+// together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its neighbours say.
 // Edges are looked for where the neighbouring lines have them, between some points spread over the line and
 // its ends, so that a band which nobody expects is met too, and where other shots are; then the neighbours are
 // looked at again. Where that agrees with first order (limits.hpp), it ends.
@@ -20,6 +19,7 @@
 #include <limits>
 
 #include "planners/merit/all_errors.hpp"
+#include "planners/merit/lines.hpp"
 #include "planners/merit/room.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
@@ -29,44 +29,10 @@ namespace {
 
 using namespace settings::success;
 
-double normal_below(double z) { return std::erfc(-z / std::sqrt(2.0)) / 2; }
-
 /// The logistic distribution, near enough to the normal one to spread points by, and its inverse.
 constexpr double logistic = 1.702;
 double about_below(double z) { return 1 / (1 + std::exp(-logistic * z)); }
 double about_at(double p) { return std::log(p / (1 - p)) / logistic; }
-
-/// The errors that have one size along the band.
-struct Line {
-  struct Try {
-    double across;
-    bool made;
-  };
-  double along;
-  std::vector<Try> tries{};     ///< in order of `across`
-  std::vector<double> edges{};  ///< where being made begins or ends, in order
-  bool open = false;            ///< made before the first edge
-  double chance = 0;            ///< of all errors on this line
-
-  bool made(double across) const {
-    const auto before = std::lower_bound(edges.begin(), edges.end(), across) - edges.begin();
-    return open != (before % 2 == 1);
-  }
-
-  /// Edges and chance from the tries; an edge expected inside its bracket is taken to lie there.
-  void read_off(const std::vector<double>& expected) {
-    edges.clear();
-    open = !tries.empty() && tries.front().made;
-    chance = !tries.empty() && tries.back().made ? 1 : 0;
-    for (std::size_t i = 0; i + 1 < tries.size(); ++i) {
-      const double low = tries[i].across, high = tries[i + 1].across;
-      if (tries[i].made == tries[i + 1].made) continue;
-      const auto inside = std::find_if(expected.begin(), expected.end(), [&](double e) { return low < e && e < high; });
-      edges.push_back(inside != expected.end() ? *inside : (low + high) / 2);
-      chance += (tries[i].made ? 1 : -1) * normal_below(edges.back());
-    }
-  }
-};
 
 class Chance {
  public:
@@ -89,7 +55,7 @@ class Chance {
     if (scale < 1)
       for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
     for (const Known& k : known_) look_at(k);
-    if (const double so_far = sum(); std::abs(so_far - shot_.chance) < agrees) return so_far;
+    if (const double so_far = chance_of(lines_); std::abs(so_far - shot_.chance) < agrees) return so_far;
     while (used_ + cheapest_line <= most_samples) {
       std::size_t at = 0;
       double most = least_doubt;
@@ -98,7 +64,7 @@ class Chance {
       if (at == 0) break;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
-    return sum();
+    return chance_of(lines_);
   }
 
  private:
@@ -293,44 +259,6 @@ class Chance {
                  after = i + 2 < lines_.size() ? off(lines_[i + 2], b, a) : 0;
     return (normal_below(b.along) - normal_below(a.along)) *
            (std::max(before, after) + doubt_of_change * std::abs(b.chance - a.chance) + doubt_always);
-  }
-
-  /// Slopes of the monotone cubic at the lines.
-  std::vector<double> slopes() const {
-    const std::size_t n = lines_.size();
-    std::vector<double> steps(n - 1), slope(n);
-    for (std::size_t i = 0; i + 1 < n; ++i)
-      steps[i] = (lines_[i + 1].chance - lines_[i].chance) / (lines_[i + 1].along - lines_[i].along);
-    slope.front() = steps.front();
-    slope.back() = steps.back();
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const double before = lines_[i].along - lines_[i - 1].along, after = lines_[i + 1].along - lines_[i].along;
-      const double u = 2 * after + before, v = after + 2 * before;
-      slope[i] = steps[i - 1] * steps[i] > 0 ? (u + v) / (u / steps[i - 1] + v / steps[i]) : 0;
-    }
-    return slope;
-  }
-
-  /// The chance of all lines together.
-  double sum() const {
-    constexpr double node[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
-    constexpr double weight[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
-    constexpr double density_at_0 = 0.3989422804014327;
-    if (std::all_of(lines_.begin(), lines_.end(), [](const Line& l) { return l.chance == 1; })) return 1;
-    const std::vector<double> slope = slopes();
-    double total = lines_.front().chance * normal_below(lines_.front().along) +
-                   lines_.back().chance * normal_below(-lines_.back().along);
-    for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
-      const Line &a = lines_[i], &b = lines_[i + 1];
-      const double h = b.along - a.along;
-      for (std::size_t k = 0; k < std::size(node); ++k) {
-        const double x = (1 + node[k]) / 2, y = 1 - x, along = a.along + h * x;
-        const double chance = y * y * ((1 + 2 * x) * a.chance + x * h * slope[i]) +
-                              x * x * ((3 - 2 * x) * b.chance - y * h * slope[i + 1]);
-        total += weight[k] * h / 2 * chance * density_at_0 * std::exp(-along * along / 2);
-      }
-    }
-    return std::clamp(total, 0.0, 1.0);
   }
 
   const Question& q_;

@@ -101,13 +101,15 @@ void check_target(const Puzzle& p, const Boundary& boundary) {
       path += "/then";
       check_cushions(then->cushions_of(n), boundary, path + "/cushions");
     }
-  const std::vector<Mark> marks = marks_of(p);
+  const std::vector<Mark> marks = p.others.empty() ? marks_of(p.target, boundary) : marks_of(p);
   if (marks.empty())
     fail(path + "/pocket", p.table.pockets.empty() ? "this table has no pockets" : "there is no pocket of that number");
   for (const Mark& mark : marks) {
     if (mark.captures()) continue;
-    const Boundary own(p.table, mark.ball == 0 ? p.ball.body : p.others[static_cast<std::size_t>(mark.ball) - 1].body);
-    check_inside(own, mark.at, path + "/point", "the centre of a ball at the target");
+    const std::optional<Boundary> own =
+        mark.ball == 0 ? std::nullopt
+                       : std::optional(Boundary(p.table, p.others[static_cast<std::size_t>(mark.ball) - 1].body));
+    check_inside(own ? *own : boundary, mark.at, path + "/point", "the centre of a ball at the target");
     if (!(mark.reach > 0)) fail(path + "/within", "must be greater than 0");
   }
 }

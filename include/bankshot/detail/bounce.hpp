@@ -9,7 +9,8 @@
 namespace bankshot {
 
 template <class T, class Cushion>
-void bounce_at(const Boundary& boundary, const Cushion& cushion, Contact contact, State<T>& s) {
+[[gnu::always_inline]] inline void bounce_at(const Boundary& boundary, const Cushion& cushion, Contact contact,
+                                             State<T>& s) {
   const Wall* const w = boundary.line(contact);
   if (!w)
     cushion.bounce(boundary.body, s, boundary.normal(contact, s.at));

@@ -235,6 +235,7 @@ struct EventFinder {
 /// the arc starts, exactly.
 template <class T>
 T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc<T>& arc, bool on, const T& horizon) {
+  if constexpr (!has_derivatives<T>) return next.time;
   const Contact contact = next.event.contact;
   switch (next.event.kind) {
     case EventKind::cushion:

@@ -12,7 +12,7 @@ namespace bankshot {
 
 /// The rolling phase from velocity v with deceleration a [m/s²].
 template <class T, class A>
-Arc<T> rolling_arc(const Vec2<T>& at, const Vec2<T>& velocity, const A& a) {
+[[gnu::always_inline]] inline Arc<T> rolling_arc(const Vec2<T>& at, const Vec2<T>& velocity, const A& a) {
   const T speed2 = dot(velocity, velocity);
   if (!(value(speed2) > 0)) return {at, velocity, {T(0), T(0)}, T(0), PhaseEnd::rest};
   if (value(a) == 0) return {at, velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};

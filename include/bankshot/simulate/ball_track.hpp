@@ -27,7 +27,7 @@ class BallTrack {
       : BallTrack(boundary, start, squared_scale(start, boundary.body.radius)) {}
   /// `launch2`: squared_scale of the launch, where another ball is struck.
   BallTrack(const Boundary& boundary, const State<T>& start, const Number& launch2)
-      : boundary_(&boundary), state_(start), cushions_(launch2) {}
+      : boundary_(&boundary), state_(start), before_(start), arc_{start.at, start.velocity}, cushions_(launch2) {}
 
   /// A ball that starts against a cushion is put exactly on its line.
   void settle() { cushions_.settle_at_start(*boundary_, state_.at); }
@@ -87,8 +87,9 @@ class BallTrack {
   }
 
   /// Bounces off the other one. No time passes, but the instant of the second bounce has derivatives of its own.
+  /// Rare, so out of line: the common bounce is short enough to be inlined then.
   template <class Motion, class Cushion>
-  void meet_also(const Motion& motion, const Cushion& cushion, Contact contact) {
+  [[gnu::noinline]] void meet_also(const Motion& motion, const Cushion& cushion, Contact contact) {
     set_out(motion);
     travelled_ = T(0);
     if (const Wall* const w = boundary_->line(contact); has_derivatives<T> && w) {
@@ -152,8 +153,9 @@ class BallTrack {
                        by_first && by_second);
   }
 
+  // A call takes a tenth of a shot whose paths are straight.
   template <class Cushion>
-  void bounce(const Cushion& cushion, Contact contact) {
+  [[gnu::always_inline]] void bounce(const Cushion& cushion, Contact contact) {
     const Body& body = boundary_->body;
     cushions_.settle(*boundary_, contact, state_.at);
     cushions_.bounces(squared_scale(state_, body.radius));
@@ -168,8 +170,8 @@ class BallTrack {
 
   const Boundary* boundary_;
   State<T> state_;
-  State<T> before_{};
-  Arc<T> arc_{};
+  State<T> before_;
+  Arc<T> arc_;
   T limit_{0};  ///< of the arc's parameter
   T travelled_{0};
   OnCushions<Number> cushions_;

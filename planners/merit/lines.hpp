@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Lines of errors, all of one size along the band of what is made: where being made begins and ends on each, and the
+// chance of all of them together. Errors are counted in deviations of the player.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace bankshot::planning {
+
+/// Of a normal error.
+double normal_below(double deviations);
+
+struct Line {
+  struct Try {
+    double across;
+    bool made;
+  };
+  double along;
+  std::vector<Try> tries{};     ///< in order of `across`
+  std::vector<double> edges{};  ///< where being made begins or ends, in order
+  bool open = false;            ///< made before the first edge
+  double chance = 0;            ///< of all errors on this line
+
+  bool made(double across) const;
+  /// Edges and chance from the tries; an edge expected inside its bracket is taken to lie there.
+  void read_off(const std::vector<double>& expected);
+};
+
+/// The chance of all errors. Between lines, in order of `along`, it is a monotone cubic (Fritsch & Butland 1984), summed
+/// with the normal density by Gauss's rule; beyond them it is that of the last.
+double chance_of(std::span<const Line> lines);
+
+}  // namespace bankshot::planning
