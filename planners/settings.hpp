@@ -464,6 +464,22 @@ inline constexpr int finer_alone = 2;
 inline constexpr int most_secants = 12;
 }  // namespace chains
 
+namespace bands {
+/// Launch speeds, evenly in their logarithm; aims around the circle; of a band, to either side of its middle.
+inline constexpr int rows = 16, fan_steps = 180, cut_steps = 12, last_steps = 24;
+/// Sine of the largest cut: where a band ends.
+inline constexpr double widest = 0.9998;
+/// Of ln speed: from farther Newton's method would lead to another root, if to any.
+inline constexpr double farthest = 1;
+/// Of both ends: where a crossing is near enough for Newton's method; evaluations at most.
+inline constexpr double settled = 1e-4;
+inline constexpr int most_halvings = 20;
+/// Of one route, launches after which the ball fell that are tried.
+inline constexpr std::size_t most_falls = 8;
+/// Rad, and of ln speed: a difference that tells a slope.
+inline constexpr double small = 1e-5;
+}  // namespace bands
+
 namespace caroms {
 /// Aims to either side across the first ball and launch speeds: of the first look, and of a closer one.
 inline constexpr int aims = 40, speeds = 8, close_aims = 160, close_speeds = 16;

@@ -21,6 +21,7 @@
 #include "planners/locked/newton.hpp"
 #include "planners/locked/speed.hpp"
 #include "planners/settings.hpp"
+#include "planners/steps/bands.hpp"
 #include "planners/steps/leg.hpp"
 #include "planners/steps/part.hpp"
 #include "planners/steps/steps.hpp"
@@ -53,6 +54,8 @@ class Chains {
   }
 
   void closely(Parts& parts) {
+    bands(q_, ledger_, found_, chain_);
+    parts.climb(q_, ledger_, found_);
     std::vector<Leg> all = legs(q_, ledger_, chain_, starts_by_map);
     std::stable_partition(all.begin(), all.end(), [](const Leg& leg) { return leg.clear; });
     for (const Leg& leg : all) {

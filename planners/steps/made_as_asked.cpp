@@ -26,7 +26,7 @@ bool as_fast(const Question& q, double arrived) {
 
 }  // namespace
 
-std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch at) {
+std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch at, double turn) {
   const Goal goal = Goal::of(q, Demand::made);
   const auto follow = [&] { return replay(q, ledger, {at.speed, wrap_angle(at.angle)}, goal); };
   Replay r = follow();
@@ -35,7 +35,9 @@ std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch a
     if (ledger.spent()) return {};
     const double before = square(at.speed), arrived = square(r.arrival.speed);
     const double off = square(wanted(q, r.arrival.speed)) - arrived;
-    at.speed *= std::sqrt(1 + std::clamp(off / (slope * before), -0.5, 1.0));
+    const double faster = std::sqrt(1 + std::clamp(off / (slope * before), -0.5, 1.0));
+    at.speed *= faster;
+    at.angle += turn * std::log(faster);
     r = follow();
     const double grown = (square(r.arrival.speed) - arrived) / (square(at.speed) - before);
     if (grown > 0) slope = grown;

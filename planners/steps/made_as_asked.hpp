@@ -16,8 +16,8 @@ struct AsAsked {
   Replay replay;
 };
 
-/// At the aim of a launch, and from its speed: by secants of the squared speeds. None where it is not made, there or on
-/// the way. A simulation a step.
-std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch at);
+/// From a launch on, at its aim or turned by so many rad per ln speed: by secants of the squared speeds. None where it
+/// is not made, there or on the way. A simulation a step.
+std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch at, double turn = 0);
 
 }  // namespace bankshot::planning::steps
