@@ -63,9 +63,11 @@ Launch turned(const Launch& l, const Turn& t, int aim, int speed) {
   return {l.speed * (1 + speed * t.speed), wrap_angle(l.angle + aim * t.aim)};
 }
 
-/// Launches that rounding can tell from the shot's no better bounce as often as it does.
-bool is_firm(const Question& q, Ledger& ledger, const Shot& shot) {
-  const Turn t = turn_by(settings::edge::surely * rounding(q, shot), shot);
+/// Launches that rounding can tell from the shot's no better bounce as often as it does. `least`: rad, and of the
+/// speed, that they differ at least.
+bool is_firm(const Question& q, Ledger& ledger, const Shot& shot, double least = 0) {
+  const Turn by = turn_by(settings::edge::surely * rounding(q, shot), shot);
+  const Turn t{std::max(by.aim, least), std::max(by.speed, least)};
   const Goal goal = Goal::along(shot);
   for (const auto& [aim, speed] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
     if (!replay(q, ledger, turned(shot.launch, t, aim, speed), goal).made) return false;
@@ -110,9 +112,10 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
   if (!proof.holds()) return count_failure(found, proof, bounces), false;
   if (q.objects && proof.shot.off_centre) {
     // Launches that are made by rounding alone are no shots: where a cushion ends at a pocket's circle, or after a
-    // contact that would leave the struck ball standing.
+    // contact that would leave the struck ball standing. What rolls along a rail arrives the same, but may not bounce
+    // so.
     add_first_order(q, proof.shot);
-    if (!is_firm(q, ledger, proof.shot)) return false;
+    if (!is_firm(q, ledger, proof.shot, settings::edge::unmoved)) return false;
   }
   keep(q, ledger, found, std::move(proof.shot), goal, step);
   return true;

@@ -309,6 +309,8 @@ inline constexpr double surely = 100;
 inline constexpr std::array beside{2e-11, 2e-10, 8e-10};
 /// rad, or a share of the speed: an arrival that hardly moves with one of them is not moved by it.
 inline constexpr double farthest = 1e-6;
+/// The same that is tried all the same: what rounding does to the path before.
+inline constexpr double unmoved = 1e-12;
 }  // namespace edge
 
 namespace nlopt {
@@ -465,8 +467,9 @@ inline constexpr int most_secants = 12;
 }  // namespace chains
 
 namespace bands {
-/// Launch speeds, evenly in their logarithm; aims around the circle; of a band, to either side of its middle.
-inline constexpr int rows = 16, fan_steps = 180, cut_steps = 12, last_steps = 24;
+/// Launch speeds, evenly in their logarithm, every second of them where all else fails; aims around the circle; of a
+/// band, to either side of its middle.
+inline constexpr int rows = 32, fan_steps = 180, cut_steps = 12, last_steps = 24;
 /// Sine of the largest cut: where a band ends.
 inline constexpr double widest = 0.9998;
 /// Of ln speed: from farther Newton's method would lead to another root, if to any.
@@ -474,6 +477,9 @@ inline constexpr double farthest = 1;
 /// Of both ends: where a crossing is near enough for Newton's method; evaluations at most.
 inline constexpr double settled = 1e-4;
 inline constexpr int most_halvings = 20;
+/// Halvings between two aims whose balls end otherwise, and how near to the mark one of them must pass, of its reach.
+inline constexpr int most_divisions = 6;
+inline constexpr double near = 4;
 /// Of one route, launches after which the ball fell that are tried.
 inline constexpr std::size_t most_falls = 8;
 /// Rad, and of ln speed: a difference that tells a slope.

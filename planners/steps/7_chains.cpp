@@ -7,9 +7,9 @@
 // so that no cosine of the cut is left; what throw turns the other ball by, the ghost is turned back. From there
 // Newton's method on the whole chain, with derivatives through the contact. In a combination it is the last ball that
 // is looked at alone, and what leads through its ghost is the chain of those before it, found in the same way.
-// Closely, the last ball's launches come from maps too, then sweeps are made (8_sweeps.cpp), and last of all what leads
-// to the ghost is looked for closely. Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond the
-// proof; a root is found where its seed leads, and a chain of routes hardly ever has two.
+// Closely, the last ball's launches come from maps too; then the chain is followed forwards (bands.cpp), and last
+// sweeps are made (8_sweeps.cpp). Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond the proof; a
+// root is found where its seed leads, and a chain of routes hardly ever has two.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -54,8 +54,6 @@ class Chains {
   }
 
   void closely(Parts& parts) {
-    bands(q_, ledger_, found_, chain_);
-    parts.climb(q_, ledger_, found_);
     std::vector<Leg> all = legs(q_, ledger_, chain_, starts_by_map);
     std::stable_partition(all.begin(), all.end(), [](const Leg& leg) { return leg.clear; });
     for (const Leg& leg : all) {
@@ -63,17 +61,13 @@ class Chains {
       join_all(leg, chains);
       parts.climb(q_, ledger_, found_);
     }
+    if (sweeps_over(q_, ledger_, found_)) return;
+    bands(q_, ledger_, found_, chain_);
+    parts.climb(q_, ledger_, found_);
     sweeps(q_, ledger_, found_, chain_, all, parts);
-    for (const Leg& leg : all)
-      if (by_ && !sweeps_over(q_, ledger_, found_)) join_all(leg, before_closely);
   }
 
  private:
-  static void before_closely(const Question& q, Ledger& ledger, Findings& found) {
-    Parts none;
-    chains_closely(q, ledger, found, none);
-  }
-
   /// With all that leads through the ghost; `before` finds that of a combination.
   void join_all(const Leg& leg, Step before) {
     const Question at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place

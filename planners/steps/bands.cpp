@@ -2,19 +2,21 @@
 //
 // A chain followed forwards. At one launch speed the aims by which a ball is touched along one route are a band; the
 // next ball is touched from bands inside it, and the last passes its mark on one side or the other.
-// Method: at each speed of a row, aims evenly in the cut across a band are followed through the contact and on, as if no
-// other ball stood there. Each leg of the ball that was touched passes the next one at some offset, which is continuous
-// along a route; so false position finds where a band begins and ends, and where the last ball is on its exact line.
-// From there Newton's method on the whole chain, to the speed that arrives as asked. Balls that fell without such a root
-// (rolling along a rail into a pocket, say) are brought to that speed as they are. Narrow bands are found at the speeds
-// where they are, which those of other speeds do not tell. Cost: two simulations an aim, some 100 aims a speed, band and
-// ball. Guarantee: none beyond the proof; a route narrower than the step of aims between two others is passed over.
+// Method: at each speed of a row, aims evenly in the cut across a band are followed through the contact and on, as if
+// no other ball stood there. Each leg of the ball that was touched passes the next one at some offset, which is
+// continuous along a route; so false position finds where a band begins and ends, and where the last ball is on its
+// exact line. From there Newton's method on the whole chain, to the speed that arrives as asked. Balls that fell
+// without such a root (rolling along a rail into a pocket, say) are brought to that speed as they are. Narrow bands are
+// found at the speeds where they are, which those of other speeds do not tell. Cost: two simulations an aim, some 100
+// aims a speed, band and ball. Guarantee: none beyond the proof; a route narrower than the step of aims between two
+// others is passed over.
 #include "planners/steps/bands.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -44,11 +46,16 @@ class Bands {
   }
 
   void run() {
-    if (q_.one_unknown())
-      at_speed(q_.fixed_speed(), settings::chains::finer_alone);
-    else
-      each_row([&](double speed) { at_speed(speed, 1); });
-    bring_to_speed();
+    if (q_.one_unknown()) {
+      for (const bool finely : {false, true}) look({q_.fixed_speed()}, finely);
+      return;
+    }
+    look({row(0), row(rows)}, false);  // wide steps first, since one root is mostly enough
+    for (int step = rows / 2; step > 0; step /= 2) {
+      std::vector<double> speeds;
+      for (int i = step; i < rows; i += 2 * step) speeds.push_back(row(i));
+      look(speeds, step == 1);
+    }
   }
 
  private:
@@ -69,10 +76,15 @@ class Bands {
   };
   /// By the routes of the ball, as they go on from the band's.
   using Passes = std::map<Route, Pass>;
+  /// An aim, and what becomes of the ball.
   struct Sample {
     double aim;
-    Passes passes;
+    Passes passes{};
+    Route route{};  ///< until it has met more than it may, falls or rests
+    Contact end{};
+    double nearest = forever;  ///< m, to the place
   };
+  using Track = std::vector<std::optional<Pass>>;
   struct Fall {
     Launch launch;
     double arrived;  ///< m/s
@@ -82,13 +94,18 @@ class Bands {
 
   bool over() const { return sweeps_over(q_, ledger_, found_); }
 
-  /// Wide steps first, since one root is mostly enough.
-  template <class Look>
-  void each_row(const Look& look) const {
-    const double slowest = slowest_tried(q_), ratio = q_.speed.high / slowest;
-    for (int step = rows; step > 0; step /= 2)
-      for (int i = step == rows ? 0 : step; i <= rows; i += step == rows ? step : 2 * step)
-        if (!over()) look(slowest * std::pow(ratio, static_cast<double>(i) / rows));
+  double row(int i) const {
+    const double slowest = slowest_tried(q_);
+    return slowest * std::pow(q_.speed.high / slowest, static_cast<double>(i) / rows);
+  }
+
+  void look(const std::vector<double>& speeds, bool finely) {
+    finely_ = finely;
+    for (const double speed : speeds) {
+      if (over()) return;
+      at_speed(speed, q_.one_unknown() ? settings::chains::finer_alone : 1);
+    }
+    bring_to_speed();
   }
 
   int last() const { return static_cast<int>(chain_.balls.size()); }
@@ -98,9 +115,7 @@ class Bands {
   int number(int ball) const { return ball == 0 ? 0 : at(ball).ball; }
   const Objects::Object& at(int ball) const { return *chain_.balls[static_cast<std::size_t>(ball) - 1]; }
   const Body& body(int ball) const { return ball == 0 ? q_.puzzle.ball.body : at(ball).at_rest.body; }
-  const Boundary& alone(int ball) const {
-    return ball == 0 ? q_.alone() : alone_[static_cast<std::size_t>(ball) - 1];
-  }
+  const Boundary& alone(int ball) const { return ball == 0 ? q_.alone() : alone_[static_cast<std::size_t>(ball) - 1]; }
   Place next_of(int ball) const {
     const Objects::Object& next = at(ball + 1);
     return {next.at_rest.at, body(ball).radius + next.at_rest.body.radius};
@@ -125,7 +140,7 @@ class Bands {
   std::vector<Band> to_first(int finer) {
     const Place first = next_of(0);
     std::vector<Band> out;
-    if (hit_straight(q_, first)) {
+    if (q_.cushions().max == 0 && q_.spin.masse == 0) {
       const Vec2d way = first.at - q_.puzzle.ball.at;
       const double half = widest * std::asin(std::min(1.0, first.reach / norm(way))), to = std::atan2(way.y, way.x);
       out.push_back({{{0, Contact::ball(number(1))}}, {to - half, to + half}});
@@ -136,7 +151,6 @@ class Bands {
     touching(0, {}, fan, out);
     return out;
   }
-  bool hit_straight(const Question& q, const Place&) const { return q.cushions().max == 0 && q.spin.masse == 0; }
 
   static std::vector<double> across(const Band& band, int each_way) {
     std::vector<double> aims;
@@ -147,62 +161,65 @@ class Bands {
   }
 
   /// The bands from which a ball touches the next, of aims in turn.
-  void touching(int ball, const Route& before, const std::vector<double>& aims, std::vector<Band>& out) {
+  void touching(int ball, const Route& before, const std::vector<double>& tried, std::vector<Band>& out) {
     const Place place = next_of(ball);
     const double edge = widest * place.reach;
-    each_track(ball, before, place, aims, [&](const Route& route, const std::vector<std::optional<Pass>>& track) {
-      Route whole = joined(before, route);
-      const auto left = [&](double aim) { return left_of(whole, ball, place, aim); };
-      std::optional<double> begin;
-      const auto end = [&](double aim) {
-        if (!begin) return;
-        Route touched = whole;
-        touched.push_back({number(ball), Contact::ball(number(ball + 1))});
-        out.push_back({std::move(touched), {*begin, aim}});
-        begin.reset();
-      };
-      for (std::size_t i = 0; i < aims.size(); ++i) {
-        if (!track[i]) {
-          if (i > 0) end(aims[i - 1]);
-          continue;
-        }
-        const bool inside = std::abs(track[i]->left) < edge;
-        if (i > 0 && track[i - 1] && (track[i]->ahead || track[i - 1]->ahead)) {
-          const double from = track[i - 1]->left, to = track[i]->left;
-          const auto cross = [&](double level) {
-            return crossing(aims[i - 1], from - level, aims[i], to - level, [&](double aim) {
-              const auto l = left(aim);
-              return l ? std::optional(*l - level) : std::nullopt;
-            });
-          };
-          const bool was = std::abs(from) < edge;
-          if (was != inside) {
-            const double level = std::copysign(edge, was ? to : from);
-            was ? end(cross(level)) : void(begin = cross(level));
-          } else if (!inside && (from > 0) != (to > 0)) {
-            begin = cross(std::copysign(edge, from));
-            end(cross(std::copysign(edge, to)));
-          }
-        }
-        if (inside && !begin && track[i]->ahead) begin = aims[i];
-        if (i + 1 == aims.size()) end(aims[i]);
-      }
-    });
+    each_track(ball, before, place, tried,
+               [&](const Route& route, const std::vector<double>& aims, const Track& track) {
+                 Route whole = joined(before, route);
+                 const auto left = [&](double aim) { return left_of(whole, ball, place, aim); };
+                 std::optional<double> begin;
+                 const auto end = [&](double aim) {
+                   if (!begin) return;
+                   Route touched = whole;
+                   touched.push_back({number(ball), Contact::ball(number(ball + 1))});
+                   out.push_back({std::move(touched), {*begin, aim}});
+                   begin.reset();
+                 };
+                 for (std::size_t i = 0; i < aims.size(); ++i) {
+                   if (!track[i]) {
+                     if (i > 0) end(aims[i - 1]);
+                     continue;
+                   }
+                   const bool inside = std::abs(track[i]->left) < edge;
+                   if (i > 0 && track[i - 1] && (track[i]->ahead || track[i - 1]->ahead)) {
+                     const double from = track[i - 1]->left, to = track[i]->left;
+                     const auto cross = [&](double level) {
+                       return crossing(aims[i - 1], from - level, aims[i], to - level, [&](double aim) {
+                         const auto l = left(aim);
+                         return l ? std::optional(*l - level) : std::nullopt;
+                       });
+                     };
+                     const bool was = std::abs(from) < edge;
+                     if (was != inside) {
+                       const double level = std::copysign(edge, was ? to : from);
+                       was ? end(cross(level)) : void(begin = cross(level));
+                     } else if (!inside && (from > 0) != (to > 0)) {
+                       begin = cross(std::copysign(edge, from));
+                       end(cross(std::copysign(edge, to)));
+                     }
+                   }
+                   if (inside && !begin && track[i]->ahead) begin = aims[i];
+                   if (i + 1 == aims.size()) end(aims[i]);
+                 }
+               });
   }
 
   /// Where the last ball is on its exact line, and from there as fast as asked.
-  void roots(const Mark& mark, const Route& before, const std::vector<double>& aims) {
+  void roots(const Mark& mark, const Route& before, const std::vector<double>& tried) {
     const Place place{mark.at, mark.reach, &mark};
-    each_track(last(), before, place, aims, [&](const Route& route, const std::vector<std::optional<Pass>>& track) {
-      const Route whole = joined(before, route);
-      for (std::size_t i = 1; i < aims.size(); ++i) {
-        const auto &a = track[i - 1], &b = track[i];
-        if (over()) return;
-        if (!a || !b || (a->left > 0) == (b->left > 0) || !(a->ahead || b->ahead)) continue;
-        root(mark, whole, crossing(aims[i - 1], a->left, aims[i], b->left,
-                                   [&](double aim) { return left_of(whole, last(), place, aim); }));
-      }
-    });
+    each_track(last(), before, place, tried,
+               [&](const Route& route, const std::vector<double>& aims, const Track& track) {
+                 const Route whole = joined(before, route);
+                 for (std::size_t i = 1; i < aims.size(); ++i) {
+                   const auto &a = track[i - 1], &b = track[i];
+                   if (over()) return;
+                   if (!a || !b || (a->left > 0) == (b->left > 0) || !(a->ahead || b->ahead)) continue;
+                   root(mark, whole, crossing(aims[i - 1], a->left, aims[i], b->left, [&](double aim) {
+                          return left_of(whole, last(), place, aim);
+                        }));
+                 }
+               });
   }
 
   void root(const Mark& mark, const Route& route, double at) {
@@ -219,7 +236,7 @@ class Bands {
     };
     if (std::ranges::any_of(known, same)) return;
     known.push_back(found.launch);
-    certify_root(aim, ledger_, found_, found.launch, word::chains);
+    if (certify_root(aim, ledger_, found_, found.launch, word::chains)) made_.insert(route);
   }
 
   static Route joined(const Route& a, const Route& b) {
@@ -228,27 +245,53 @@ class Bands {
     return out;
   }
 
-  /// `look(route, its passes)` of each route that some aim has, with its neighbours' on the locked path.
+  /// `look(route, aims, its passes)` of each route that some aim has, with its neighbours' on the locked path.
   template <class Look>
   void each_track(int ball, const Route& before, const Place& place, const std::vector<double>& aims,
                   const Look& look) {
-    std::map<Route, std::vector<std::optional<Pass>>> tracks;
-    for (std::size_t i = 0; i < aims.size(); ++i) {
-      if (over()) return;
-      for (const auto& [route, pass] : follow(ball, before, place, aims[i])) {
-        auto& track = tracks[route];
-        track.resize(aims.size());
+    const std::vector<Sample> samples = followed(ball, before, place, aims);
+    std::vector<double> all;
+    std::map<Route, Track> tracks;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      all.push_back(samples[i].aim);
+      for (const auto& [route, pass] : samples[i].passes) {
+        Track& track = tracks[route];
+        track.resize(samples.size());
         track[i] = pass;
       }
     }
     for (auto& [route, track] : tracks) {
-      const std::vector<std::optional<Pass>> real = track;
+      const Track real = track;
       const Route whole = joined(before, route);
-      for (std::size_t i = 0; i < aims.size(); ++i)
-        if (!real[i] && ((i > 0 && real[i - 1]) || (i + 1 < aims.size() && real[i + 1])))
-          track[i] = locked_pass(whole, ball, place, aims[i]);
-      look(route, track);
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (!real[i] && ((i > 0 && real[i - 1]) || (i + 1 < all.size() && real[i + 1])))
+          track[i] = locked_pass(whole, ball, place, all[i]);
+      look(route, all, track);
     }
+  }
+
+  std::vector<Sample> followed(int ball, const Route& before, const Place& place, const std::vector<double>& aims) {
+    std::vector<Sample> out;
+    for (const double aim : aims) {
+      if (over()) break;
+      Sample now = follow(ball, before, place, aim);
+      if (finely_ && place.mark && place.mark->drops() && !out.empty())
+        divide(ball, before, place, Sample(out.back()), now, out);
+      out.push_back(std::move(now));
+    }
+    return out;
+  }
+
+  /// Between two aims whose balls end otherwise, near the mark: others may end there.
+  void divide(int ball, const Route& before, const Place& place, const Sample& a, const Sample& b,
+              std::vector<Sample>& out, int left = most_divisions) {
+    if (left == 0 || (a.route == b.route && a.end == b.end) || over() ||
+        !(std::min(a.nearest, b.nearest) < near * place.reach))
+      return;
+    const Sample middle = follow(ball, before, place, (a.aim + b.aim) / 2);
+    divide(ball, before, place, a, middle, out, left - 1);
+    out.push_back(middle);
+    divide(ball, before, place, middle, b, out, left - 1);
   }
 
   static bool is_on(const CushionRule& rule, const std::vector<Contact>& met) {
@@ -257,23 +300,22 @@ class Bands {
            (!asked || (met.size() <= asked->size() && std::equal(met.begin(), met.end(), asked->begin())));
   }
 
-  /// The legs of a ball that this aim sends on, as if it were alone from then.
-  Passes follow(int ball, const Route& before, const Place& place, double aim) {
-    Passes out;
+  /// The ball that this aim sends on, as if it were alone from then.
+  Sample follow(int ball, const Route& before, const Place& place, double aim) {
+    Sample out{aim};
     ledger_.charge(before.size(), 2);
     with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) {
       const auto path = follow_locked(q_.balls(), motion, cushion, before, start_of(q_, launch(aim)));
       if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return;
-      onward(motion, cushion, ball, path.state, before, place, aim, out);
+      onward(motion, cushion, ball, path.state, before, place, out);
     });
     return out;
   }
 
   template <class Motion, class Cushion>
   void onward(const Motion& motion, const Cushion& cushion, int ball, const State<double>& sent, const Route& before,
-              const Place& place, double aim, Passes& out) {
+              const Place& place, Sample& out) {
     Simulator sim(alone(ball), motion, cushion, sent);
-    Route route;
     std::vector<Contact> met;
     for (;;) {
       double nearest = forever;
@@ -290,13 +332,15 @@ class Bands {
         look(sim.arc(), sim.travelled());
       } while (e.kind == EventKind::slide_to_roll);
       const bool counts = static_cast<int>(met.size()) >= rule(ball).min;
-      if (counts && nearest < forever) out.emplace(route, pass);
+      out.end = e.contact;
+      out.nearest = std::min(out.nearest, nearest);
+      if (counts && nearest < forever) out.passes.emplace(out.route, pass);
       if (counts && place.mark && e.kind == EventKind::pocket && e.contact == place.mark->taken_by)
-        fell(joined(before, route), *place.mark, sim.state(), aim);
+        fell(joined(before, out.route), *place.mark, sim.state(), out.aim);
       if (e.kind != EventKind::cushion) return;
       met.push_back(e.contact);
-      route.push_back({number(ball), e.contact});
       if (!is_on(rule(ball), met)) return;
+      out.route.push_back({number(ball), e.contact});
     }
   }
 
@@ -316,8 +360,8 @@ class Bands {
     return with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Pass> {
       const auto path = follow_locked(q_.balls(), motion, cushion, route, start_of(q_, launch(aim)));
       if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return {};
-      const auto there = arrive_locked(motion, body(ball), path.state, place.at,
-                                       place.mark ? place.mark->capture() : 0, false);
+      const auto there =
+          arrive_locked(motion, body(ball), path.state, place.at, place.mark ? place.mark->capture() : 0, false);
       if (!(dot(there.heading, there.heading) > 0)) return {};
       return pass_of(place, there.heading / norm(there.heading), place.at - there.state.at);
     });
@@ -349,7 +393,10 @@ class Bands {
   /// Balls that fell by a route which led to no shot: those first that arrived nearly as asked.
   void bring_to_speed() {
     const auto off = [&](const Fall& f) { return std::abs(std::log(f.arrived / q_.asked)); };
-    for (auto& [route, falls] : falls_) {
+    if (q_.all() && !finely_) return;  // routes may have roots that are found later
+    auto all = std::exchange(falls_, {});
+    for (auto& [route, falls] : all) {
+      if (made_.contains(route)) continue;
       if (!q_.one_unknown()) std::ranges::sort(falls, {}, off);
       std::size_t tried = 0;
       for (const Fall& fall : falls) {
@@ -374,8 +421,7 @@ class Bands {
   /// Where no locked path leads, along a rail for one: as the last ball is touched.
   bool by_replays(const Route& route, const Fall& fall) {
     const auto made = made_as_asked(q_, ledger_, fall.launch, turn_of(route, fall.launch));
-    return made &&
-           certify(q_, ledger_, found_, made->launch, made->replay.bounces, word::chains, Demand::off_centre);
+    return made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, word::chains, Demand::off_centre);
   }
 
   /// Rad per ln speed that keep the cut of the last ball.
@@ -386,7 +432,8 @@ class Bands {
       speed_ = l.speed;
       return left_of(before, last() - 1, next_of(last() - 1), l.angle);
     };
-    const auto here = left(at), faster = left({at.speed * (1 + small), at.angle}), turned = left({at.speed, at.angle + small});
+    const auto here = left(at), faster = left({at.speed * (1 + small), at.angle}),
+               turned = left({at.speed, at.angle + small});
     if (!here || !faster || !turned || *turned == *here) return 0;
     return -(*faster - *here) / (*turned - *here);
   }
@@ -399,6 +446,8 @@ class Bands {
   double speed_ = 0;               ///< m/s, of the row
   std::map<Route, std::vector<Launch>> roots_{};
   std::map<Route, std::vector<Fall>> falls_{};
+  std::set<Route> made_{};  ///< which have a shot on the exact line
+  bool finely_ = false;
 };
 
 }  // namespace
