@@ -22,8 +22,10 @@
 #include "planners/locked/newton.hpp"
 #include "planners/settings.hpp"
 #include "planners/start.hpp"
+#include "planners/steps/bands.hpp"
 #include "planners/steps/made_as_asked.hpp"
 #include "planners/steps/steps.hpp"
+#include "planners/steps/sweeps.hpp"
 #include "planners/steps/to_ball.hpp"
 #include "planners/stop.hpp"
 
@@ -215,6 +217,9 @@ void caroms(const Question& q, Ledger& ledger, Findings& found) {
 
 void caroms_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts) {
   using namespace settings::caroms;
+  bands_off_first(q, ledger, found);
+  parts.climb(q, ledger, found);
+  if (getenv("NOCLOSE") || sweeps_over(q, ledger, found)) return;
   Caroms(q, ledger, found, {close_aims, close_speeds}, starts_by_map).run();
   parts.climb(q, ledger, found);
 }

@@ -40,8 +40,16 @@ using namespace settings::bands;
 
 class Bands {
  public:
-  Bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain)
-      : q_(q), ledger_(ledger), found_(found), chain_(chain) {
+  /// `before`: bounces before the first ball, of a carom; else as the puzzle asks.
+  Bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain, int before = 0)
+      : q_(q),
+        ledger_(ledger),
+        found_(found),
+        chain_(chain),
+        before_(before),
+        step_(q.carom() ? word::caroms : word::chains),
+        at_speed_(q) {
+    for (const Shot& shot : found.shots) made_.insert(route_of(shot));
     for (const Objects::Object* ball : chain.balls) alone_.emplace_back(q.puzzle.table, ball->at_rest.body);
   }
 
@@ -110,12 +118,15 @@ class Bands {
 
   int last() const { return static_cast<int>(chain_.balls.size()); }
   const CushionRule& rule(int ball) const {
-    return ball == 0 ? q_.cushions() : q_.then()->cushions_of(static_cast<std::size_t>(ball) - 1);
+    return ball == 0 || q_.carom() ? q_.cushions() : q_.then()->cushions_of(static_cast<std::size_t>(ball) - 1);
   }
-  int number(int ball) const { return ball == 0 ? 0 : at(ball).ball; }
   const Objects::Object& at(int ball) const { return *chain_.balls[static_cast<std::size_t>(ball) - 1]; }
-  const Body& body(int ball) const { return ball == 0 ? q_.puzzle.ball.body : at(ball).at_rest.body; }
-  const Boundary& alone(int ball) const { return ball == 0 ? q_.alone() : alone_[static_cast<std::size_t>(ball) - 1]; }
+  /// After the n-th contact the n-th ball is on its way, in a carom the struck one.
+  bool is_struck(int n) const { return n == 0 || q_.carom(); }
+  int number(int n) const { return is_struck(n) ? 0 : at(n).ball; }
+  const Body& body(int n) const { return is_struck(n) ? q_.puzzle.ball.body : at(n).at_rest.body; }
+  const Boundary& alone(int n) const { return is_struck(n) ? q_.alone() : alone_[static_cast<std::size_t>(n) - 1]; }
+  Contact touch_of(int n) const { return Contact::ball(at(n).ball); }
   Place next_of(int ball) const {
     const Objects::Object& next = at(ball + 1);
     return {next.at_rest.at, body(ball).radius + next.at_rest.body.radius};
@@ -124,6 +135,7 @@ class Bands {
 
   void at_speed(double speed, int finer) {
     speed_ = speed;
+    if (any_arrival()) at_speed_.pinned = speed;
     std::vector<Band> bands = to_first(finer);
     for (int ball = 1; ball < last(); ++ball) {
       std::vector<Band> next;
@@ -140,10 +152,10 @@ class Bands {
   std::vector<Band> to_first(int finer) {
     const Place first = next_of(0);
     std::vector<Band> out;
-    if (q_.cushions().max == 0 && q_.spin.masse == 0) {
+    if ((q_.carom() ? before_ : q_.cushions().max) == 0 && q_.spin.masse == 0) {
       const Vec2d way = first.at - q_.puzzle.ball.at;
       const double half = widest * std::asin(std::min(1.0, first.reach / norm(way))), to = std::atan2(way.y, way.x);
-      out.push_back({{{0, Contact::ball(number(1))}}, {to - half, to + half}});
+      out.push_back({{{0, touch_of(1)}}, {to - half, to + half}});
       return out;
     }
     std::vector<double> fan;
@@ -172,7 +184,7 @@ class Bands {
                  const auto end = [&](double aim) {
                    if (!begin) return;
                    Route touched = whole;
-                   touched.push_back({number(ball), Contact::ball(number(ball + 1))});
+                   touched.push_back({number(ball), touch_of(ball + 1)});
                    out.push_back({std::move(touched), {*begin, aim}});
                    begin.reset();
                  };
@@ -223,9 +235,11 @@ class Bands {
   }
 
   void root(const Mark& mark, const Route& route, double at) {
-    const LockedAim aim{q_, route, mark};
+    if (any_arrival() && made_.contains(route)) return;
+    const Question& own = any_arrival() ? at_speed_ : q_;
+    const LockedAim aim{own, route, mark};
     const auto l = linearise(aim, ledger_, launch(at));
-    const auto step = l ? newton_step(*l, q_.one_unknown()) : std::nullopt;
+    const auto step = l ? newton_step(*l, own.one_unknown()) : std::nullopt;
     if (!step || !(std::abs((*step)[1]) < farthest)) return;
     std::vector<Launch>& known = roots_[route];
     const auto found = newton(aim, ledger_, launch(at), settings::wide);
@@ -236,8 +250,11 @@ class Bands {
     };
     if (std::ranges::any_of(known, same)) return;
     known.push_back(found.launch);
-    if (certify_root(aim, ledger_, found_, found.launch, word::chains)) made_.insert(route);
+    if (certify_root(aim, ledger_, found_, found.launch, step_)) made_.insert(route);
   }
+
+  /// All of a range will do, so the row's speed is one.
+  bool any_arrival() const { return q_.carom() && !q_.one_unknown() && !q_.arrival->fixed(); }
 
   static Route joined(const Route& a, const Route& b) {
     Route out = a;
@@ -275,7 +292,7 @@ class Bands {
     for (const double aim : aims) {
       if (over()) break;
       Sample now = follow(ball, before, place, aim);
-      if (finely_ && place.mark && place.mark->drops() && !out.empty())
+      if (finely_ && place.mark && place.mark->captures() && !out.empty())
         divide(ball, before, place, Sample(out.back()), now, out);
       out.push_back(std::move(now));
     }
@@ -294,9 +311,10 @@ class Bands {
     divide(ball, before, place, middle, b, out, left - 1);
   }
 
-  static bool is_on(const CushionRule& rule, const std::vector<Contact>& met) {
-    const auto& asked = rule.sequence;
-    return static_cast<int>(met.size()) <= rule.max &&
+  int least(int ball) const { return q_.carom() && ball == 0 ? before_ : rule(ball).min; }
+  bool is_on(int ball, const std::vector<Contact>& met) const {
+    const auto& asked = rule(ball).sequence;
+    return static_cast<int>(met.size()) <= (q_.carom() && ball == 0 ? before_ : rule(ball).max) &&
            (!asked || (met.size() <= asked->size() && std::equal(met.begin(), met.end(), asked->begin())));
   }
 
@@ -317,29 +335,34 @@ class Bands {
               const Place& place, Sample& out) {
     Simulator sim(alone(ball), motion, cushion, sent);
     std::vector<Contact> met;
+    if (ball > 0 && q_.carom()) met = contacts_of(before);
     for (;;) {
       double nearest = forever;
       Pass pass{0, false};
+      State<double> passing = sent;
       const auto look = [&](const Arc<double>& arc, double travelled) {
         const double t = closest_time(arc, travelled, place.at);
         const Vec2d off = place.at - arc.position(t), v = arc.velocity_at(t);
         if (!(norm(off) < nearest) || !(norm(v) > 0)) return;
         nearest = norm(off), pass = pass_of(place, v / norm(v), off);
+        passing.at = arc.position(t), passing.velocity = v;
       };
       Event e;
       do {
         e = sim.step(forever, look);
         look(sim.arc(), sim.travelled());
       } while (e.kind == EventKind::slide_to_roll);
-      const bool counts = static_cast<int>(met.size()) >= rule(ball).min;
+      const bool counts = static_cast<int>(met.size()) >= least(ball);
       out.end = e.contact;
       out.nearest = std::min(out.nearest, nearest);
       if (counts && nearest < forever) out.passes.emplace(out.route, pass);
       if (counts && place.mark && e.kind == EventKind::pocket && e.contact == place.mark->taken_by)
         fell(joined(before, out.route), *place.mark, sim.state(), out.aim);
+      if (counts && place.mark && place.mark->cuts && nearest < place.reach)
+        fell(joined(before, out.route), *place.mark, passing, out.aim);
       if (e.kind != EventKind::cushion) return;
       met.push_back(e.contact);
-      if (!is_on(rule(ball), met)) return;
+      if (!is_on(ball, met)) return;
       out.route.push_back({number(ball), e.contact});
     }
   }
@@ -415,18 +438,18 @@ class Bands {
     Mark mark = *fall.mark;
     mark.cuts = Cuts{fall.right, fall.right, fall.right};
     const auto there = newton({q_, route, mark}, ledger_, fall.launch, settings::wide);
-    return there && certify(q_, ledger_, found_, there.launch, bounces_of(route), word::chains, Demand::off_centre);
+    return there && certify(q_, ledger_, found_, there.launch, bounces_of(route), step_, Demand::off_centre);
   }
 
   /// Where no locked path leads, along a rail for one: as the last ball is touched.
   bool by_replays(const Route& route, const Fall& fall) {
     const auto made = made_as_asked(q_, ledger_, fall.launch, turn_of(route, fall.launch));
-    return made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, word::chains, Demand::off_centre);
+    return made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, step_, Demand::off_centre);
   }
 
   /// Rad per ln speed that keep the cut of the last ball.
   double turn_of(const Route& route, const Launch& at) {
-    const auto touch = std::ranges::find(route, Contact::ball(number(last())), &Meeting::with);
+    const auto touch = std::ranges::find(route, touch_of(last()), &Meeting::with);
     const Route before(route.begin(), touch);
     const auto left = [&](const Launch& l) {
       speed_ = l.speed;
@@ -442,6 +465,9 @@ class Bands {
   Ledger& ledger_;
   Findings& found_;
   const Objects::Chain& chain_;
+  int before_;
+  std::string_view step_;
+  Question at_speed_;              ///< of the row
   std::vector<Boundary> alone_{};  ///< the table as each ball sees it by itself
   double speed_ = 0;               ///< m/s, of the row
   std::map<Route, std::vector<Launch>> roots_{};
@@ -454,6 +480,11 @@ class Bands {
 
 void bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain) {
   Bands(q, ledger, found, chain).run();
+}
+
+void bands_off_first(const Question& q, Ledger& ledger, Findings& found) {
+  for (int before = 0; before <= q.cushions().max; ++before)
+    if (!sweeps_over(q, ledger, found)) Bands(q, ledger, found, q.objects->chains.front(), before).run();
 }
 
 }  // namespace bankshot::planning::steps

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The aims that lead a chain on from ball to ball, at one launch speed after the other; for the step of chains.
+// The aims that lead a chain on from ball to ball, at one launch speed after the other; for the steps of chains and
+// caroms.
 #pragma once
 
 #include "planners/steps/steps.hpp"
 
 namespace bankshot::planning::steps {
 
-/// All routes of a chain that occur.
+/// All routes that occur: of one chain, and off the first ball of a carom.
 void bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain);
+void bands_off_first(const Question& q, Ledger& ledger, Findings& found);
 
 }  // namespace bankshot::planning::steps
