@@ -217,9 +217,9 @@ void caroms(const Question& q, Ledger& ledger, Findings& found) {
 
 void caroms_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts) {
   using namespace settings::caroms;
-  bands_off_first(q, ledger, found);
+  bands(q, ledger, found, q.objects->chains.front());
   parts.climb(q, ledger, found);
-  if (getenv("NOCLOSE") || sweeps_over(q, ledger, found)) return;
+  if (sweeps_over(q, ledger, found)) return;
   Caroms(q, ledger, found, {close_aims, close_speeds}, starts_by_map).run();
   parts.climb(q, ledger, found);
 }

@@ -40,13 +40,11 @@ using namespace settings::bands;
 
 class Bands {
  public:
-  /// `before`: bounces before the first ball, of a carom; else as the puzzle asks.
-  Bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain, int before = 0)
+  Bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain)
       : q_(q),
         ledger_(ledger),
         found_(found),
         chain_(chain),
-        before_(before),
         step_(q.carom() ? word::caroms : word::chains),
         at_speed_(q) {
     for (const Shot& shot : found.shots) made_.insert(route_of(shot));
@@ -54,7 +52,7 @@ class Bands {
   }
 
   void run() {
-    if (q_.one_unknown()) {
+    if (q_.one_unknown() || q_.speed.fixed()) {
       for (const bool finely : {false, true}) look({q_.fixed_speed()}, finely);
       return;
     }
@@ -107,59 +105,73 @@ class Bands {
     return slowest * std::pow(q_.speed.high / slowest, static_cast<double>(i) / rows);
   }
 
+  /// Those by few cushions first, at all of these speeds.
   void look(const std::vector<double>& speeds, bool finely) {
     finely_ = finely;
+    std::vector<std::pair<double, Band>> bands;
     for (const double speed : speeds) {
+      at(speed);
+      for (Band& band : to_first()) bands.emplace_back(speed, std::move(band));
+    }
+    std::ranges::stable_sort(bands, {}, [](const auto& band) { return band.second.route.size(); });
+    for (const auto& [speed, band] : bands) {
       if (over()) return;
-      at_speed(speed, q_.one_unknown() ? settings::chains::finer_alone : 1);
+      at(speed);
+      onward(band);
     }
     bring_to_speed();
   }
+
+  void at(double speed) {
+    speed_ = speed;
+    if (any_arrival()) at_speed_.pinned = speed;
+  }
+  /// Times as many aims.
+  int finer() const { return q_.one_unknown() ? settings::chains::finer_alone : 1; }
 
   int last() const { return static_cast<int>(chain_.balls.size()); }
   const CushionRule& rule(int ball) const {
     return ball == 0 || q_.carom() ? q_.cushions() : q_.then()->cushions_of(static_cast<std::size_t>(ball) - 1);
   }
-  const Objects::Object& at(int ball) const { return *chain_.balls[static_cast<std::size_t>(ball) - 1]; }
+  const Objects::Object& object(int ball) const { return *chain_.balls[static_cast<std::size_t>(ball) - 1]; }
   /// After the n-th contact the n-th ball is on its way, in a carom the struck one.
   bool is_struck(int n) const { return n == 0 || q_.carom(); }
-  int number(int n) const { return is_struck(n) ? 0 : at(n).ball; }
-  const Body& body(int n) const { return is_struck(n) ? q_.puzzle.ball.body : at(n).at_rest.body; }
+  int number(int n) const { return is_struck(n) ? 0 : object(n).ball; }
+  const Body& body(int n) const { return is_struck(n) ? q_.puzzle.ball.body : object(n).at_rest.body; }
   const Boundary& alone(int n) const { return is_struck(n) ? q_.alone() : alone_[static_cast<std::size_t>(n) - 1]; }
-  Contact touch_of(int n) const { return Contact::ball(at(n).ball); }
+  Contact touch_of(int n) const { return Contact::ball(object(n).ball); }
   Place next_of(int ball) const {
-    const Objects::Object& next = at(ball + 1);
+    const Objects::Object& next = object(ball + 1);
     return {next.at_rest.at, body(ball).radius + next.at_rest.body.radius};
   }
   Launch launch(double aim) const { return {speed_, aim}; }
 
-  void at_speed(double speed, int finer) {
-    speed_ = speed;
-    if (any_arrival()) at_speed_.pinned = speed;
-    std::vector<Band> bands = to_first(finer);
+  /// From the first ball to the mark.
+  void onward(const Band& first) {
+    std::vector<Band> bands{first};
     for (int ball = 1; ball < last(); ++ball) {
       std::vector<Band> next;
-      for (const Band& band : bands) touching(ball, band.route, across(band, cut_steps * finer), next);
+      for (const Band& band : bands) touching(ball, band.route, across(band, cut_steps * finer()), next);
       bands = std::move(next);
     }
     for (const Mark& mark : q_.marks) {
       if (mark.ball != number(last())) continue;
       for (const Band& band : bands)
-        if (!over()) roots(mark, band.route, across(band, last_steps * finer));
+        if (!over()) roots(mark, band.route, across(band, last_steps * finer()));
     }
   }
 
-  std::vector<Band> to_first(int finer) {
+  std::vector<Band> to_first() {
     const Place first = next_of(0);
     std::vector<Band> out;
-    if ((q_.carom() ? before_ : q_.cushions().max) == 0 && q_.spin.masse == 0) {
+    if (q_.cushions().max == 0 && q_.spin.masse == 0) {
       const Vec2d way = first.at - q_.puzzle.ball.at;
       const double half = widest * std::asin(std::min(1.0, first.reach / norm(way))), to = std::atan2(way.y, way.x);
       out.push_back({{{0, touch_of(1)}}, {to - half, to + half}});
       return out;
     }
     std::vector<double> fan;
-    for (int i = 0; i <= fan_steps * finer; ++i) fan.push_back(radians(360.0) * i / (fan_steps * finer));
+    for (int i = 0; i <= fan_steps * finer(); ++i) fan.push_back(radians(360.0) * i / (fan_steps * finer()));
     touching(0, {}, fan, out);
     return out;
   }
@@ -311,17 +323,17 @@ class Bands {
     divide(ball, before, place, middle, b, out, left - 1);
   }
 
-  int least(int ball) const { return q_.carom() && ball == 0 ? before_ : rule(ball).min; }
+  int least(int ball) const { return q_.carom() && ball == 0 ? 0 : rule(ball).min; }
   bool is_on(int ball, const std::vector<Contact>& met) const {
     const auto& asked = rule(ball).sequence;
-    return static_cast<int>(met.size()) <= (q_.carom() && ball == 0 ? before_ : rule(ball).max) &&
+    return static_cast<int>(met.size()) <= rule(ball).max &&
            (!asked || (met.size() <= asked->size() && std::equal(met.begin(), met.end(), asked->begin())));
   }
 
   /// The ball that this aim sends on, as if it were alone from then.
   Sample follow(int ball, const Route& before, const Place& place, double aim) {
     Sample out{aim};
-    ledger_.charge(before.size(), 2);
+    ledger_.charge(before.size(), before.empty() ? 1 : 2);
     with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) {
       const auto path = follow_locked(q_.balls(), motion, cushion, before, start_of(q_, launch(aim)));
       if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return;
@@ -465,7 +477,6 @@ class Bands {
   Ledger& ledger_;
   Findings& found_;
   const Objects::Chain& chain_;
-  int before_;
   std::string_view step_;
   Question at_speed_;              ///< of the row
   std::vector<Boundary> alone_{};  ///< the table as each ball sees it by itself
@@ -480,11 +491,6 @@ class Bands {
 
 void bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain) {
   Bands(q, ledger, found, chain).run();
-}
-
-void bands_off_first(const Question& q, Ledger& ledger, Findings& found) {
-  for (int before = 0; before <= q.cushions().max; ++before)
-    if (!sweeps_over(q, ledger, found)) Bands(q, ledger, found, q.objects->chains.front(), before).run();
 }
 
 }  // namespace bankshot::planning::steps

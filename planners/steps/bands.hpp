@@ -8,8 +8,7 @@
 
 namespace bankshot::planning::steps {
 
-/// All routes that occur: of one chain, and off the first ball of a carom.
+/// All routes that occur, of a chain or off the first ball of a carom.
 void bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain);
-void bands_off_first(const Question& q, Ledger& ledger, Findings& found);
 
 }  // namespace bankshot::planning::steps
