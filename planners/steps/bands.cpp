@@ -370,7 +370,7 @@ class Bands {
       if (counts && nearest < forever) out.passes.emplace(out.route, pass);
       if (counts && place.mark && e.kind == EventKind::pocket && e.contact == place.mark->taken_by)
         fell(joined(before, out.route), *place.mark, sim.state(), out.aim);
-      if (counts && place.mark && place.mark->cuts && nearest < place.reach)
+      if (counts && place.mark && !place.mark->drops() && nearest < place.reach)
         fell(joined(before, out.route), *place.mark, passing, out.aim);
       if (e.kind != EventKind::cushion) return;
       met.push_back(e.contact);
@@ -427,7 +427,8 @@ class Bands {
 
   /// Balls that fell by a route which led to no shot: those first that arrived nearly as asked.
   void bring_to_speed() {
-    const auto off = [&](const Fall& f) { return std::abs(std::log(f.arrived / q_.asked)); };
+    const Question brought = to_bring();
+    const auto off = [&](const Fall& f) { return std::abs(std::log(f.arrived / brought.asked)); };
     if (q_.all() && !finely_) return;  // routes may have roots that are found later
     auto all = std::exchange(falls_, {});
     for (auto& [route, falls] : all) {
@@ -437,16 +438,27 @@ class Bands {
       for (const Fall& fall : falls) {
         if (over()) return;
         if (tried == most_falls) break;
-        if (!replay(q_, ledger_, {fall.launch.speed, wrap_angle(fall.launch.angle)}, Goal::of(q_, Demand::made)).made)
-          continue;
+        const Launch at{fall.launch.speed, wrap_angle(fall.launch.angle)};
+        if (!replay(brought, ledger_, at, Goal::of(brought, Demand::made)).made) continue;
         ++tried;
-        if (beside(route, fall) || by_replays(route, fall)) break;
+        if (beside(route, fall) || by_replays(brought, route, fall)) break;
       }
     }
   }
 
+  /// To rest at a point it is brought to pass there so slowly that it rests half as far beyond as it may.
+  Question to_bring() const {
+    if (!q_.stop) return q_;
+    Question passing = q_;
+    passing.stop = false;
+    passing.asked = std::sqrt(deceleration(q_.puzzle.physics) * q_.marks.front().reach);
+    passing.arrival = Range{passing.asked, passing.asked};
+    return passing;
+  }
+
   /// On the line on which it fell.
   bool beside(const Route& route, const Fall& fall) {
+    if (!fall.mark->captures()) return false;
     Mark mark = *fall.mark;
     mark.cuts = Cuts{fall.right, fall.right, fall.right};
     const auto there = newton({q_, route, mark}, ledger_, fall.launch, settings::wide);
@@ -454,8 +466,8 @@ class Bands {
   }
 
   /// Where no locked path leads, along a rail for one: as the last ball is touched.
-  bool by_replays(const Route& route, const Fall& fall) {
-    const auto made = made_as_asked(q_, ledger_, fall.launch, turn_of(route, fall.launch));
+  bool by_replays(const Question& brought, const Route& route, const Fall& fall) {
+    const auto made = made_as_asked(brought, ledger_, fall.launch, turn_of(route, fall.launch));
     return made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, step_, Demand::off_centre);
   }
 

@@ -141,6 +141,7 @@ std::optional<Sent> sent_by(Random& r, const Trajectory& t, std::size_t links, s
     }
     if (e.kind == EventKind::rest) {
       rest = &e;
+      end = e.time;  // it may be touched again
       break;
     }
   }
