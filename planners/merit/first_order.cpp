@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "bankshot/numbers/dual.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "planners/locked/in_the_way.hpp"
 #include "planners/merit/limits.hpp"
+#include "planners/merit/real_arrival.hpp"
 #include "planners/settings.hpp"
 #include "planners/start.hpp"
 
@@ -62,15 +66,19 @@ class Path {
     const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.mark.ball, arc, t, before, {}); };
     const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, q_.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > Number(0))) return false;
-    q_.stop ? rests(arrival) : passes(arrival, at);
+    q_.stop ? rests(arrival, at) : passes(arrival, at);
     arrives_ = true;
     return complete;
   }
 
-  /// The margin and the chance too.
-  FirstOrder first_order() const {
+  /// m: how far it passes from where it was to arrive.
+  double beside() const { return arrives_ ? beside_ : std::numeric_limits<double>::infinity(); }
+
+  /// The margin and the chance too; `moved`: instead of what the locked path says.
+  FirstOrder first_order(const std::optional<Moved>& moved = {}) const {
     FirstOrder out = out_;
     if (!arrives_) return out;
+    if (moved) out.by_angle = moved->by_angle, out.by_log_speed = moved->by_log_speed;
     const double by_push = norm(out.by_log_speed) * unit_.speed / launch_.speed;
     out.margin = aim_.mark.reach / std::hypot(norm(out.by_angle) * unit_.angle, by_push);
     const double steep = norm(slope_);
@@ -120,8 +128,9 @@ class Path {
     limits_.keep(dot(line->along, line->to) - along);
   }
 
-  void rests(const LockedArrival<Number>& a) {
+  void rests(const LockedArrival<Number>& a, const Vec2d& at) {
     fast_enough(Number(0));
+    beside_ = norm(value(a.state.at) - at);
     limits_.rest(a.state.at - to<Number>(aim_.mark.at), aim_.mark.reach);
     moves(a.state.at);
   }
@@ -131,6 +140,7 @@ class Path {
     const Vec2<Number> u = a.heading / norm(a.heading);
     const Vec2d line{-u.y.a, u.x.a};
     const Number lateral = cross(u, to<Number>(at) - a.state.at);
+    beside_ = std::abs(lateral.a);
     moves({lateral * line.x, lateral * line.y});
     const Number offset = cross(u, a.state.at - to<Number>(aim_.mark.at));
     const Gap<Number> room = sides(boundary_of_arrival(), aim_.mark, u, offset.a);
@@ -164,16 +174,21 @@ class Path {
   bool arrives_ = false;
   Vec2d slope_{};    ///< of the lateral miss, in deviations
   double half_ = 0;  ///< m, of the target's width
+  double beside_ = 0;
 };
 
-}  // namespace
-
-FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
+Path path_to(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
   Path path(aim, launch, aim.q.puzzle.noise);
   // A replay may have met what rounding lets the locked path miss: the derivatives are the best there are.
   with_physics(aim.q.puzzle.physics,
                [&](const auto& motion, const auto& cushion) { return path.run(motion, cushion, at, 0); });
-  return path.first_order();
+  return path;
+}
+
+}  // namespace
+
+FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
+  return path_to(aim, launch, at).first_order();
 }
 
 double chance_on_mark(const LockedAim& aim, const Launch& launch, const Linear& l) {
@@ -200,7 +215,10 @@ std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, cons
 
 void add_first_order(const Question& q, Shot& shot) {
   const Route route = route_with_jaws_of(shot);
-  const FirstOrder f = first_order({q, route, q.mark_of(shot)}, shot.launch, shot.arrival.at);
+  const LockedAim aim{q, route, q.mark_of(shot)};
+  const Path path = path_to(aim, shot.launch, shot.arrival.at);
+  const bool held = path.beside() > tolerance::exact_miss * q.boundary.diagonal;
+  const FirstOrder f = path.first_order(held && q.objects ? real_arrival(q, shot) : std::nullopt);
   shot.by_angle = f.by_angle;
   shot.by_speed = f.by_log_speed / shot.launch.speed;
   shot.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));

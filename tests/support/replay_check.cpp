@@ -144,8 +144,14 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   if (const auto* point = std::get_if<PointTarget>(&then.target)) {
     const Record& end = end_of(t, ball);
     miss = rests ? norm(end.state.at - point->at) : 1e300;
+    // In the disc already, it may touch another ball before it is nearest: then its path ends there.
+    const auto ends = [&](const Record& e) {
+      return e.kind == EventKind::ball && (e.ball == ball || e.contact.index == ball) && e.time > hit &&
+             std::abs(e.time - shot.arrival.time) < 1e-9;
+    };
+    const bool touches = std::ranges::any_of(t.events, ends);
     for (const Leg& leg : t.legs) {
-      if (rests || leg.ball != ball) continue;
+      if (rests || leg.ball != ball || (touches && miss < 1e300 && leg.begin > shot.arrival.time - 1e-9)) continue;
       const double s = leg.arc.parameter(shot.arrival.time - leg.begin);
       if (!(s >= -1e-9) || s > leg.duration + 1e-9) continue;
       const State<double> there = state_on(request, leg, s);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "planners/merit/real_arrival.hpp"
+
+#include <vector>
+
+#include "bankshot/numbers/dual.hpp"
+#include "bankshot/simulate/many_balls.hpp"
+#include "planners/start.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+using Number = bankshot::Dual<2>;
+
+/// The last ball at that time, or where it falls or rests before.
+template <class Motion, class Cushion>
+State<Number> follow(const Question& q, const Objects::Chain& chain, const Motion& motion, const Cushion& cushion,
+                     const Launch& launch, double seconds) {
+  std::vector<BallStart<Number>> balls{{&chain.moving.front(), dual_start<Number, 2>(q, launch), 0}};
+  for (std::size_t i = 0; i < chain.balls.size(); ++i)
+    balls.push_back({&chain.moving[i + 1], {.at = to<Number>(chain.balls[i]->at_rest.at)}, chain.balls[i]->ball});
+  ManyBalls sim(std::span<const BallStart<Number>>(balls), motion, cushion, collisions(q.puzzle.physics));
+  const int last = static_cast<int>(chain.balls.size());
+  for (;;) {
+    const BallEvent e = sim.step(Number(seconds - sim.time().a));
+    if (e.event.kind == EventKind::horizon) return sim.state_now(last);
+    const bool ends = e.event.kind == EventKind::pocket || (q.stop && e.event.kind == EventKind::rest);
+    if (ends && e.ball == last && sim.time().a > 0) return sim.state(last);
+  }
+}
+
+}  // namespace
+
+std::optional<Moved> real_arrival(const Question& q, const Shot& shot) {
+  const Objects::Chain* const chain = shot.then.empty() ? nullptr : q.objects->chain_by(shot.then.front().ball);
+  if (!chain) return {};
+  return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
+    const State<Number> there =
+        follow(q, *chain, motion, cushion, shot.launch, q.stop ? forever : shot.arrival.time);
+    if (q.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};
+    const double speed = norm(value(there.velocity));
+    if (!(speed > 0)) return {};
+    const Vec2d left = perpendicular(value(there.velocity)) / speed;
+    const Number across = dot(to<Number>(left), there.at);
+    return Moved{left * across.v[0], left * across.v[1]};
+  });
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// How an arrival moves with the launch along the real path of balls that are sent on: where a cushion holds it,
+// so that it rolls along a rail, no locked path leads. Cost: one simulation with dual numbers.
+#pragma once
+
+#include <optional>
+
+#include "planners/question.hpp"
+
+namespace bankshot::planning {
+
+struct Moved {
+  Vec2d by_angle, by_log_speed;  ///< m per rad and per unit of ln speed; across the line of travel, unless it rests
+};
+
+/// None where the ball that is struck does not send others on as the shot says.
+std::optional<Moved> real_arrival(const Question& q, const Shot& shot);
+
+}  // namespace bankshot::planning
