@@ -35,8 +35,7 @@ std::optional<Moved> real_arrival(const Question& q, const Shot& shot) {
   const Objects::Chain* const chain = shot.then.empty() ? nullptr : q.objects->chain_by(shot.then.front().ball);
   if (!chain) return {};
   return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
-    const State<Number> there =
-        follow(q, *chain, motion, cushion, shot.launch, q.stop ? forever : shot.arrival.time);
+    const State<Number> there = follow(q, *chain, motion, cushion, shot.launch, q.stop ? forever : shot.arrival.time);
     if (q.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};
     const double speed = norm(value(there.velocity));
     if (!(speed > 0)) return {};

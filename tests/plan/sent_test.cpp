@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // The struck ball sends another on: pots, banks, kicks that pot, balls sent to rest.
+#include <sstream>
+
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
 #include "support/found_again.hpp"
+#include "support/program.hpp"
 #include "support/replay_check.hpp"
+#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -97,6 +101,24 @@ TEST_CASE("a combination sends one ball onto the next, and that into the pocket"
   const std::string text = to_json(p, a, false);
   CHECK(to_json(p, read_answer(text, &p), false) == text);
   CHECK(write_puzzle(read_puzzle(write_puzzle(p))) == write_puzzle(p));
+}
+
+TEST_CASE("chains and caroms that no seed leads to are found band by band, also along rails") {
+  std::istringstream lines(test::read_repository_file("tests/plan/bands.jsonl"));
+  int puzzles = 0;
+  for (std::string line; std::getline(lines, line); ++puzzles) {
+    CAPTURE(line);
+    const Puzzle p = read_puzzle(line);
+    const Answer a = solve(p, {.robustness = false, .suggest = false});
+    INFO(a.message);
+    REQUIRE(a.status == Status::solved);
+    CHECK(test::check_shot(p, a.shots[0]).problem == "");
+    for (const truth::Check& c : truth::check(&p, p.id, a)) {
+      INFO(truth::name(c.claim) << ": " << c.what);
+      CHECK(c.holds());
+    }
+  }
+  CHECK(puzzles == 10);
 }
 
 TEST_CASE("a combination is of different balls") {
