@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "planners/learn/goodness.hpp"
 #include "planners/learn/launch.hpp"
@@ -50,14 +51,6 @@ std::vector<FittedShot> fitted_shots(const Learnt& l, Work& work) {
   std::vector<FittedShot> out;
   for (const Seen& seen : l.shots) out.push_back(fitted_shot(seen, l.common, work));
   return out;
-}
-
-template <class Measured>
-double median_rms(const std::vector<Measured>& all) {
-  std::vector<double> rms;
-  for (const Measured& m : all)
-    if (m.samples > 0) rms.push_back(m.rms);
-  return median(rms);
 }
 
 /// Mean square of what is left over, in sigmas: errors are in its units.
@@ -125,26 +118,48 @@ Asked asked(const Given& given, const FitWish& wish) {
           std::max(1, wish.threads)};
 }
 
-/// The model that predicts best what it has not seen.
-Asked best_model(const Recordings& all, const Given& given, const FitWish& wish, Fit& out, Work& work,
+/// What the shots taught, and how well that predicts those that were left out meanwhile.
+struct Tried {
+  Learnt learnt;
+  std::vector<Prediction> predictions{};
+
+  /// m; how well it predicts, or follows where there was nothing to predict.
+  double score(Work& work) const {
+    const bool any = std::ranges::any_of(predictions, [](const Prediction& p) { return p.samples > 0; });
+    return any ? median_rms(predictions) : median_rms(fitted_shots(learnt, work));
+  }
+};
+
+/// `group` 0: none is left out.
+Tried try_out(const Recordings& all, const Asked& asked, int group, Work& work,
+              const std::function<void(double)>& progress) {
+  const double fits = 1 + (group > 0 ? std::ceil(static_cast<double>(all.size()) / group) : 0);
+  Tried out{learn(all, asked, work, [&](double share) { progress(share / fits); })};
+  if (group > 0)
+    out.predictions =
+        held_out(all, asked, group, work, [&](double share) { progress((1 + (fits - 1) * share) / fits); });
+  return out;
+}
+
+/// With the law that predicts best what it has not seen.
+Tried best_model(const Recordings& all, const Given& given, const FitWish& wish, Fit& out, Work& work,
                  const std::function<void(double)>& progress) {
   constexpr const char* models[] = {"han2005", "mathavan2010", "stronge"};
   constexpr FitWish::BySpeed laws[] = {FitWish::BySpeed::constant, FitWish::BySpeed::linear};
+  constexpr double tries = std::size(models) * std::size(laws);
   const int group = wish.holdout > 0 ? wish.holdout : std::max(1, static_cast<int>(all.size()) / 4);
-  Asked best;
-  double least = forever;
+  std::optional<Tried> best;
   for (const char* model : models)
     for (const FitWish::BySpeed restitution : laws) {
       FitWish one = wish;
       one.model = model, one.restitution = restitution;
       const Asked its = asked(given, one);
-      const Learnt l = learn(all, its, work, [](double) {});
-      const double predicted = median_rms(held_out(all, its, group, work));
-      out.models.push_back({model_name(its.base), median_rms(fitted_shots(l, work)), predicted});
-      if (predicted < least) least = predicted, best = its;
-      progress(static_cast<double>(out.models.size()) / (std::size(models) * std::size(laws)));
+      const auto tried = static_cast<double>(out.models.size());
+      Tried t = try_out(all, its, group, work, [&](double share) { progress((tried + share) / tries); });
+      out.models.push_back({model_name(its.base), median_rms(fitted_shots(t.learnt, work)), median_rms(t.predictions)});
+      if (!best || t.score(work) < best->score(work)) best.emplace(std::move(t));
     }
-  return best;
+  return std::move(*best);
 }
 
 }  // namespace
@@ -165,23 +180,19 @@ Fit fit(std::span<const Recording> recordings, const FitWish& wish) {
     if (wish.progress) wish.progress(share);
   };
   const Given given = given_by(all);
-  const bool any = wish.model == "any";
-  constexpr double to_choose = 0.8;
   Fit out;
   Work work;
-  const Asked wanted = any ? best_model(all, given, wish, out, work, [&](double share) { progress(to_choose * share); })
-                           : asked(given, wish);
-  Learnt l =
-      learn(all, wanted, work, [&](double share) { progress(any ? to_choose + (1 - to_choose) * share : share); });
+  Tried tried = wish.model == "any" ? best_model(all, given, wish, out, work, progress)
+                                    : try_out(all, asked(given, wish), wish.holdout, work, progress);
+  Learnt& l = tried.learnt;
   out.shots = fitted_shots(l, work);
   const double excess = left_over(l, out.shots);
   out.sigma = l.noise * std::sqrt(excess);
   out.physics = l.common.physics();
   tell_coefficients(l.common, covariance(l.shots, l.common) * excess, out);
   out.held = l.held;
-  if (wish.holdout > 0)
-    out.predictions = held_out(all, wanted, wish.holdout, work);
-  else if (wish.predict)
+  out.predictions = std::move(tried.predictions);
+  if (out.predictions.empty() && wish.predict)
     for (const Recording* r : all) out.predictions.push_back(predict(*r, l.common, l.noise, work));
   out.simulations = work.simulations;
   out.restarts = work.restarts;

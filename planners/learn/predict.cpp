@@ -31,7 +31,8 @@ Prediction predict(const Recording& recording, const Common& common, double nois
   return out;
 }
 
-std::vector<Prediction> held_out(const Recordings& all, const Asked& asked, int group, Work& work) {
+std::vector<Prediction> held_out(const Recordings& all, const Asked& asked, int group, Work& work,
+                                 const std::function<void(double)>& progress) {
   std::vector<Prediction> out;
   const auto size = static_cast<std::size_t>(group);
   for (std::size_t from = 0; from < all.size(); from += size) {
@@ -40,6 +41,7 @@ std::vector<Prediction> held_out(const Recordings& all, const Asked& asked, int 
     if (others.empty()) break;
     const Learnt l = learn(others, asked, work, [](double) {});
     for (const Recording* r : left) out.push_back(predict(*r, l.common, l.noise, work));
+    progress(static_cast<double>(out.size()) / static_cast<double>(all.size()));
   }
   return out;
 }

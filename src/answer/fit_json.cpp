@@ -25,14 +25,14 @@ double median(std::vector<double> v) {
   return n % 2 ? v[n / 2] : (v[n / 2 - 1] + v[n / 2]) / 2;
 }
 
-std::vector<double> rms_of(const std::vector<FittedShot>& shots, int least_cushions) {
+std::vector<double> rms_of(std::span<const FittedShot> shots, int least_cushions) {
   std::vector<double> out;
   for (const FittedShot& s : shots)
     if (s.samples > 0 && s.cushions >= least_cushions) out.push_back(s.rms);
   return out;
 }
 
-std::vector<double> rms_of(const std::vector<Prediction>& predictions) {
+std::vector<double> rms_of(std::span<const Prediction> predictions) {
   std::vector<double> out;
   for (const Prediction& p : predictions)
     if (p.samples > 0) out.push_back(p.rms);
@@ -48,6 +48,11 @@ std::string list(const std::vector<std::string>& names) {
 
 }  // namespace
 
+double median_rms(std::span<const FittedShot> shots, int least_cushions) {
+  return median(rms_of(shots, least_cushions));
+}
+double median_rms(std::span<const Prediction> predictions) { return median(rms_of(predictions)); }
+
 std::string message_of(const Fit& fit) {
   constexpr double mm = 1000;
   constexpr int many = 3;
@@ -57,7 +62,7 @@ std::string message_of(const Fit& fit) {
       "{} shots, {} samples and {} outliers: half of the shots within {:.2g} mm (root mean square); a coordinate errs "
       "by "
       "{:.2g} mm.",
-      fit.shots.size(), samples, outliers, mm * median(rms_of(fit.shots, 0)), mm * fit.sigma);
+      fit.shots.size(), samples, outliers, mm * median_rms(fit.shots), mm * fit.sigma);
   if (const auto long_ones = rms_of(fit.shots, many); !long_ones.empty() && long_ones.size() < fit.shots.size())
     out += fmt::format(" Of {} with {} or more bounces half are within {:.2g} mm.", long_ones.size(), many,
                        mm * median(long_ones));
@@ -105,7 +110,7 @@ std::string to_json(const Fit& fit) {
     Json shots = Json::array();
     for (const Prediction& p : fit.predictions)
       shots.push_back({{"id", id_json(p.id)}, {"rms", p.rms}, {"samples", p.samples}});
-    j["holdout"] = {{"rms", median(rms_of(fit.predictions))}, {"shots", std::move(shots)}};
+    j["holdout"] = {{"rms", median_rms(fit.predictions)}, {"shots", std::move(shots)}};
   }
   j["simulations"] = fit.simulations;
   j["restarts"] = fit.restarts;

@@ -2,6 +2,8 @@
 //
 // `report` as typed in a shell, with as few shots as there can be: what it writes, and how its page looks to a browser
 // without a network.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -120,6 +122,38 @@ TEST_CASE("without gnuplot report says so, names the package and writes the numb
   CHECK(!std::filesystem::exists(folder.file("index.html")));
 }
 
+TEST_CASE("report says which law of the cushions explains recorded shots", "[heavy]") {
+  std::string lines;
+  constexpr int shots = 4;
+  for (int i = 0; i < shots; ++i) {
+    const std::string shot = fmt::format(
+        R"({{"id": "shot {}", "table": "carom-10ft", "physics": {{"model": "spin", "cushion": {{"model": "stronge", "friction": 0.3}}}},
+  "ball": {{"at": [{}, 0.4]}}, "shot": {{"speed": 3, "angle": {}, "spin": {{"top": 0.5, "side": {}}}}}, "until": {{"time": 2}}}})",
+        i, 0.5 + 0.1 * i, 20 + 50 * i, 0.2 * i - 0.5);
+    const auto run = run_program(fmt::format("simulate - --record 50 --noise 0.5 --seed {}", i), shot);
+    REQUIRE(run.exit == 0);
+    lines += run.out;
+  }
+  const ScratchFile recordings("report.jsonl");
+  recordings.write(lines + "{}\n");
+  const ScratchFolder folder("report-of-recordings");
+  const auto run =
+      run_program("report --quick --sections recorded --recordings " + recordings.path + " -o \"" + folder.path + "\"");
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.err, Contains(":5: ") && Contains("1 of 5 lines were left out"));
+  CHECK_THAT(run.out, Contains("Models against real shots: Cushions after stronge explain these shots best: of 4 "));
+  CHECK(std::count(run.out.begin(), run.out.end(), '\n') == 1);  // this section alone
+  check_csv(folder.read("8-recorded-shots.csv"));
+  const std::string csv = folder.read("8-recorded.csv"), markdown = folder.read("report.md");
+  CHECK(csv.rfind("model,shots,rms_median_mm,", 0) == 0);
+  for (const char* law : {"mirror", "han2005", "stronge"}) {
+    CHECK_THAT(csv, Contains(fmt::format("\n\"{}\",4,", law)));
+    CHECK_THAT(markdown, Contains(fmt::format("\n| {} | ", law)));
+  }
+  CHECK_THAT(markdown, Contains("(figures/8-recorded.svg)"));
+  CHECK_THAT(folder.read("figures/8-recorded.svg"), Contains("</svg>"));
+}
+
 TEST_CASE("report --help names its options") {
   const auto run = run_program("report --help");
   CHECK(run.exit == 0);
@@ -130,7 +164,10 @@ TEST_CASE("report refuses what it cannot do in one line") {
   const auto [arguments, reason] =
       GENERATE(table<const char*, const char*>({{"report", "--output"},
                                                 {"report -o --quick", "is an option, not a file"},
-                                                {"report -o /dev/null/report", "/dev/null/report"}}));
+                                                {"report -o /dev/null/report", "/dev/null/report"},
+                                                {"report -o x --sections recorded", "needs --recordings"},
+                                                {"report -o x --sections colours", "--sections"},
+                                                {"report -o x --recordings /dev/null", "no recording in it"}}));
   const auto run = run_program(arguments);
   CHECK(run.exit == 2);
   CHECK_THAT(run.err, Contains(reason));

@@ -96,6 +96,11 @@ std::vector<std::string> fit_names(const Physics& physics);
 /// Throws InvalidInput where there is nothing to fit.
 Fit fit(std::span<const Recording> recordings, const FitWish& wish = {});
 
+/// Medians of the rms [m]: of shots with so many cushions at least, and of predictions that had something to predict. 0
+/// of none.
+double median_rms(std::span<const FittedShot> shots, int least_cushions = 0);
+double median_rms(std::span<const Prediction> predictions);
+
 /// Said plainly: what the recordings told and what they could not.
 std::string message_of(const Fit& fit);
 

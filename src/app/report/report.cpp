@@ -3,27 +3,64 @@
 // `report`: measures, section by section, and writes a page, its figures and its numbers into a folder.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/option_checks.hpp"
+#include "app/read_each.hpp"
 #include "app/report/sections.hpp"
+#include "bankshot/scene/recording.hpp"
 
 namespace bankshot::app::report {
 namespace {
 
 struct Arguments {
-  std::string folder;
+  std::string folder, recordings;
+  std::vector<std::string> sections;
   bool quick = false;
   int shots = 0;
 };
 
 constexpr int full_shots = 40, quick_shots = 10;
 
-using Measure = Section (*)(const Settings&, Progress&);
-constexpr Measure parts[] = {simulators, models, planners, conditioning, hard_cases, scaling, tilt};
+struct Part {
+  const char* name;
+  std::function<Section(const Settings&, Progress&)> measure;
+};
+
+std::vector<Recording> read_recordings(const std::string& file) {
+  long bad = 0;
+  auto out = read_each(
+      file, [](const std::string& line) { return read_recording(line); }, bad);
+  tell_left_out(bad, out.size());
+  for (const Recording& r : out)
+    if (!carries_spin(r.scene.physics))
+      throw FileError(file + ": laws of cushions are told apart in physics with spin");
+  if (out.empty()) throw FileError(file + ": no recording in it");
+  return out;
+}
+
+/// Those that were asked for, in the page's order; all where none was.
+std::vector<Part> parts_of(const Arguments& a, const std::vector<Recording>& recordings) {
+  const Part all[] = {
+      {"simulators", simulators}, {"models", models},   {"planners", planners}, {"conditioning", conditioning},
+      {"hard-cases", hard_cases}, {"scaling", scaling}, {"tilt", tilt}};
+  std::vector<Part> out;
+  const auto add = [&](const Part& part) {
+    if (a.sections.empty() || std::ranges::find(a.sections, part.name) != a.sections.end()) out.push_back(part);
+  };
+  for (const Part& part : all) add(part);
+#if BANKSHOT_LEARN
+  if (!recordings.empty())
+    add({"recorded", [&](const Settings& s, Progress& progress) { return recorded(recordings, s, progress); }});
+#endif
+  if (out.empty()) throw FileError("the section recorded needs --recordings");
+  return out;
+}
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code problem;
@@ -55,23 +92,26 @@ bool has_gnuplot() {
   }
 }
 
-std::vector<Section> measure_all(const std::filesystem::path& folder, const Settings& settings) {
+std::vector<Section> measure_all(const std::filesystem::path& folder, const std::vector<Part>& parts,
+                                 const Settings& settings) {
   std::vector<Section> out;
-  Progress progress(static_cast<int>(std::size(parts)));
-  for (const Measure measure : parts) {
-    out.push_back(measure(settings, progress));
+  Progress progress(static_cast<int>(parts.size()));
+  for (const Part& part : parts) {
+    out.push_back(part.measure(settings, progress));
     for (const Csv& c : out.back().data) write_file((folder / (c.name + ".csv")).string(), c.text);
   }
   return out;
 }
 
 int run(const Arguments& a) {
+  const auto recordings = a.recordings.empty() ? std::vector<Recording>() : read_recordings(a.recordings);
+  const std::vector<Part> parts = parts_of(a, recordings);
   const std::filesystem::path folder(a.folder);
   make_folder(folder / "figures");
   const bool gnuplot = has_gnuplot();
   const Settings settings{a.quick, a.shots > 0 ? a.shots : a.quick ? quick_shots : full_shots};
   const Page page{fmt::format("{}; {} run, {} shots a point", machine(), a.quick ? "quick" : "full", settings.shots),
-                  measure_all(folder, settings)};
+                  measure_all(folder, parts, settings)};
   const std::vector<std::string> figures = draw(folder, page.sections, gnuplot);
   write_file((folder / "report.md").string(), to_markdown(page, figures));
   if (gnuplot) write_file((folder / "index.html").string(), to_html(page, figures));
@@ -88,10 +128,28 @@ Run add(CLI::App& app) {
       ->required()
       ->check(file_name);
   command->add_flag("--quick", a->quick, "Fewer shots and coarser ranges: under a minute");
+  std::vector<std::string> names{"simulators", "models", "planners", "conditioning", "hard-cases", "scaling", "tilt"};
+#if BANKSHOT_LEARN
+  command->add_option("--recordings", a->recordings,
+                      "Tracked shots, one JSON a line: a section more says which law of the cushions explains them");
+  names.push_back("recorded");
+#endif
+  command->add_option("--sections", a->sections, "These alone")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(names));
   command->add_option("--shots", a->shots, "Shots a point of a curve")->group("");  // for tests
-  explain(*command, "The page opens offline. Every figure has its CSV beside it; docs/csv.md has their columns.",
-          {{"bankshot report -o report --quick", "in under a minute"}},
-          "0 done; 2 bad usage, or a file cannot be written.");
+  explain(
+      *command, "The page opens offline. Every figure has its CSV beside it; docs/csv.md has their columns.",
+      {
+        {"bankshot report -o report --quick", "in under a minute"},
+#if BANKSHOT_LEARN
+        {
+          "bankshot report -o report --recordings shots.jsonl --sections recorded", "models against real shots"
+        }
+#endif
+      },
+      "0 done; 2 bad usage, or a file cannot be written.");
   return [a] { return run(*a); };
 }
 

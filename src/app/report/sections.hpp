@@ -3,8 +3,14 @@
 // The sections of the report, a file each.
 #pragma once
 
+#include <span>
+
 #include "app/report/page.hpp"
 #include "app/report/progress.hpp"
+
+namespace bankshot {
+struct Recording;
+}
 
 namespace bankshot::app::report {
 
@@ -20,5 +26,7 @@ Section conditioning(const Settings& settings, Progress& progress);
 Section hard_cases(const Settings& settings, Progress& progress);
 Section scaling(const Settings& settings, Progress& progress);
 Section tilt(const Settings& settings, Progress& progress);
+/// Where the program learns from recordings; all have the same physics model, which has spin.
+Section recorded(std::span<const Recording> recordings, const Settings& settings, Progress& progress);
 
 }  // namespace bankshot::app::report

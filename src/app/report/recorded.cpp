@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+//
+// Section 8: which law of the cushions explains recorded shots, and predicts those that it has not seen.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/option_checks.hpp"
+#include "app/report/sections.hpp"
+#include "bankshot/learn/fit.hpp"
+
+namespace bankshot::app::report {
+namespace {
+
+constexpr int many_cushions = 3;
+constexpr double mm = 1000;
+
+using BySpeed = FitWish::BySpeed;
+
+struct Law {
+  const char* name;
+  const char* cushion;
+  BySpeed by_speed;  ///< restitution and rolling friction
+};
+
+constexpr Law laws[] = {{"mirror", "mirror", BySpeed::constant},
+                        {"han2005", "han2005", BySpeed::constant},
+                        {"stronge", "stronge", BySpeed::constant},
+                        {"han2005, by speed", "han2005", BySpeed::linear},
+                        {"stronge, by speed", "stronge", BySpeed::linear},
+                        {"mathavan2010", "mathavan2010", BySpeed::constant}};
+constexpr std::size_t quick_laws = 3;
+
+struct Result {
+  const Law* law;
+  Fit fit;
+  double seconds;  ///< by the clock on the wall
+
+  double predicted() const { return median_rms(fit.predictions); }
+};
+
+constexpr std::size_t percent = 100;
+
+Result measure(const Law& law, std::span<const Recording> recordings, int holdout, Progress& progress) {
+  std::size_t shown = 0;
+  FitWish wish{.model = law.cushion, .threads = threads_for(0)};
+  wish.restitution = wish.rolling = law.by_speed;
+  const auto begin = std::chrono::steady_clock::now();
+  bankshot::fit(recordings, wish);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  wish.holdout = holdout;
+  wish.progress = [&](double share) {
+    for (; shown < static_cast<std::size_t>(share * percent); ++shown) progress.step();
+  };
+  return {&law, bankshot::fit(recordings, wish), took.count()};
+}
+
+template <class Measured>
+Curve share_within(const char* name, const std::vector<Measured>& all) {
+  std::vector<double> rms;
+  for (const Measured& m : all)
+    if (m.samples > 0) rms.push_back(mm * m.rms);
+  std::ranges::sort(rms);
+  Curve curve{name, {}};
+  for (std::size_t i = 0; i < rms.size(); ++i) {
+    const double share = static_cast<double>(i + 1) / static_cast<double>(rms.size());
+    curve.points.push_back({rms[i], share, share, share});
+  }
+  return curve;
+}
+
+/// Those that are off by more than three times what half of the shots are.
+std::string failures(const Result& best) {
+  constexpr double far = 3;
+  std::string out;
+  int others = 0;
+  for (const Prediction& p : best.fit.predictions) {
+    if (p.samples == 0 || p.rms <= far * best.predicted()) continue;
+    constexpr int named = 6;
+    if (++others <= named)
+      out += fmt::format("{}{} ({})", out.empty() ? "" : ", ", p.id.empty() ? "one without a name" : p.id,
+                         short_length(p.rms));
+  }
+  return out.empty() ? " It predicts none worse than three times that."
+                     : fmt::format(" It fails on {} of them, more than three times as far off: {}.", others, out);
+}
+
+std::string conclusion(const std::vector<Result>& results) {
+  const auto had = [](const Prediction& p) { return p.samples > 0; };
+  const Result& best = *std::ranges::min_element(results, {}, &Result::predicted);
+  const auto predicted = std::ranges::count_if(best.fit.predictions, had);
+  if (predicted == 0) return "No shot goes on beyond its first part, so that no law could be tried by predicting.";
+  return fmt::format(
+      "Cushions after {} explain these shots best: of {} that go on after their first part, half are predicted within "
+      "{} by what other shots taught, and half of all shots are followed within {}.{}",
+      best.law->name, predicted, short_length(best.predicted()), short_length(median_rms(best.fit.shots)),
+      failures(best));
+}
+
+constexpr const char* about =
+    "Shots that a camera tracked. For each law of the cushions the table's coefficients and all launches are fitted to "
+    "all shots; then a quarter of the shots is left out at a time, the coefficients are fitted to the others, and each "
+    "shot left out is predicted from its first part, to 0.25 s after its first bounce. Distances are root mean squares "
+    "over a shot's samples at the same time. By speed: restitution and rolling friction may change with the speed. The "
+    "time is that of one fit of all shots, by the clock on the wall, with as many threads as there are cores.";
+
+}  // namespace
+
+Section recorded(std::span<const Recording> recordings, const Settings& settings, Progress& progress) {
+  constexpr std::size_t groups = 4;
+  const int holdout = static_cast<int>(std::max<std::size_t>(1, recordings.size() / groups));
+  const auto tried = std::span(laws).first(settings.quick ? quick_laws : std::size(laws));
+  progress.begin("recorded shots", percent * tried.size());
+  std::vector<Result> results;
+  for (const Law& law : tried) results.push_back(measure(law, recordings, holdout, progress));
+
+  Section s{.name = "8-recorded", .title = "Models against real shots", .about = about};
+  const std::string long_ones = fmt::format("{} and more cushions", many_cushions);
+  s.table = {{"cushions", "followed, median", long_ones, "predicted, median", "sigma", "time of a fit"}, {}, 1};
+  std::string csv = "model,shots,rms_median_mm,rms_many_mm,predictions,predicted_median_mm,sigma_mm,seconds\n";
+  std::string each = "model,shot,cushions,rms_mm,predicted_mm\n";
+  Panel predicted{"left out and predicted", {"distance [mm]", true}, {"share of the shots", false, Range{0, 1}}, {}};
+  Panel followed{"followed", {"distance [mm]", true}, {"share of the shots", false, Range{0, 1}}, {}};
+  for (const Result& r : results) {
+    const Fit& fit = r.fit;
+    const double all = median_rms(fit.shots), many = median_rms(fit.shots, many_cushions);
+    const bool has_many = std::ranges::any_of(fit.shots, [](const auto& f) { return f.cushions >= many_cushions; });
+    const auto predictions =
+        std::ranges::count_if(fit.predictions, [](const Prediction& p) { return p.samples > 0; });
+    s.table.rows.push_back({r.law->name, short_length(all), has_many ? short_length(many) : "",
+                            predictions > 0 ? short_length(r.predicted()) : "", short_length(fit.sigma),
+                            short_time(r.seconds)});
+    csv += fmt::format("\"{}\",{},{:.4g},{:.4g},{},{:.4g},{:.4g},{:.3g}\n", r.law->name, fit.shots.size(), mm * all,
+                       mm * many, predictions, mm * r.predicted(), mm * fit.sigma, r.seconds);
+    for (std::size_t i = 0; i < fit.shots.size(); ++i) {
+      const Prediction p = i < fit.predictions.size() ? fit.predictions[i] : Prediction{};
+      each += fmt::format("\"{}\",{},{},{:.4g},{}\n", r.law->name, i + 1, fit.shots[i].cushions, mm * fit.shots[i].rms,
+                          p.samples > 0 ? fmt::format("{:.4g}", mm * p.rms) : "");
+    }
+    predicted.curves.push_back(share_within(r.law->name, fit.predictions));
+    followed.curves.push_back(share_within(r.law->name, fit.shots));
+  }
+  s.figure.panels = {predicted, followed};
+  s.figure.columns = 2;
+  s.caption = fmt::format("The share of {} shots that is not farther off than that.", recordings.size());
+  s.conclusion = conclusion(results);
+  s.data = {{s.name, csv}, {s.name + "-shots", each}};
+  return s;
+}
+
+}  // namespace bankshot::app::report
