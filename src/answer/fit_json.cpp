@@ -73,6 +73,12 @@ std::string message_of(const Fit& fit) {
     out += h.like.empty() ? fmt::format(" The recordings say too little of {}: it is held at {:.4g}.", h.name, h.value)
                           : fmt::format(" The recordings cannot tell {} from {}: it is held at {:.4g}.", h.name,
                                         list(h.like), h.value);
+  if (!fit.models.empty()) {
+    std::string scores;
+    for (const ModelScore& m : fit.models)
+      scores += fmt::format("{}{} {:.2g} mm", scores.empty() ? "" : "; ", m.model, mm * m.predicted);
+    out += fmt::format(" Cushions after {} predict best what was left out: {}.", fit.model, scores);
+  }
   if (const auto p = rms_of(fit.predictions); !p.empty())
     out += fmt::format(
         " From their first part, to 0.25 s after the first bounce, the rest of {} shots was predicted: half "

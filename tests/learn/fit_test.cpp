@@ -127,6 +127,28 @@ TEST_CASE("a shot that is left out is predicted from its first part", "[heavy]")
   CHECK(rms[4] < 0.05);  // m; the launch is known from a quarter of the track
 }
 
+TEST_CASE("of all laws the one that predicts best what was left out is taken", "[heavy]") {
+  Random random(23);
+  Physics truth = random_table(random, carom_ball);
+  truth.cushion = Stronge{0.037, 0.8, 0.3};
+  const Filmed f = filmed(truth, {.shots = 3, .seconds = 1.5, .camera = {.rate = 50, .noise = 2e-4}}, random);
+  std::vector<double> shares;
+  const Fit fit = bankshot::fit(f.recordings, {.free = {"cushion.friction"},
+                                               .model = "any",
+                                               .holdout = 2,
+                                               .progress = [&](double share) { shares.push_back(share); }});
+  REQUIRE(fit.models.size() == 4);
+  const auto best = std::ranges::min_element(fit.models, {}, &ModelScore::predicted);
+  CHECK(best->model.starts_with("stronge"));
+  CHECK(std::holds_alternative<Stronge>(fit.physics.cushion));
+  REQUIRE(fit.predictions.size() == 3);
+  CHECK(median_rms(fit.predictions) == best->predicted);
+  CHECK(median_rms(fit.shots) == best->fitted);
+  CHECK(std::ranges::is_sorted(shares));
+  CHECK(shares.back() == 1);
+  CHECK(message_of(fit).find("Cushions after stronge") != std::string::npos);
+}
+
 TEST_CASE("a ball that stands beside a cushion was not struck into it, though laws that are wrong would like that") {
   Random random(19);
   const Physics truth = random_table(random, carom_ball);

@@ -21,8 +21,8 @@ namespace bankshot {
 struct FitWish {
   /// Names of what is fitted (`fit_names()`); empty: all that the physics has, without tilt and camera.
   std::vector<std::string> free{};
-  /// Cushions after mirror, han2005, mathavan2010 or stronge; "any": that which predicts best what was left out. Empty:
-  /// the recordings' own.
+  /// Cushions after mirror, han2005, mathavan2010 or stronge; "any": han2005 or stronge, which predicts best what was
+  /// left out. Empty: the recordings' own.
   std::string model{};
   /// How the cushions' restitution and the rolling friction (which has no square) depend on speed.
   enum class BySpeed { as_given, constant, linear, square };
@@ -85,7 +85,8 @@ struct Fit {
   std::vector<FittedShot> shots{};
   double sigma = 0;  ///< m, of one coordinate of one sample
   std::vector<Prediction> predictions{};
-  std::vector<ModelScore> models{};
+  std::vector<ModelScore> models{};  ///< that were tried
+  std::string model{};               ///< of these, the one that was taken
   long simulations = 0, restarts = 0;
 };
 

@@ -82,7 +82,8 @@ Run add(CLI::App& app) {
       ->allow_extra_args(false);
   command
       ->add_option("--model", a->model,
-                   "The cushions' law: mirror, han2005, mathavan2010, stronge; any tries the last three")
+                   "The cushions' law: mirror, han2005, mathavan2010, stronge; any tries han2005 and stronge, and "
+                   "takes the better")
       ->check(CLI::IsMember({"mirror", "han2005", "mathavan2010", "stronge", "any"}));
   const std::vector<std::string> words(std::begin(by_speed), std::end(by_speed));
   command->add_option("--restitution", a->restitution, "How the cushions' restitution depends on speed")

@@ -24,12 +24,10 @@ struct Law {
   BySpeed by_speed;  ///< restitution and rolling friction
 };
 
-constexpr Law laws[] = {{"mirror", "mirror", BySpeed::constant},
-                        {"han2005", "han2005", BySpeed::constant},
-                        {"stronge", "stronge", BySpeed::constant},
-                        {"han2005, by speed", "han2005", BySpeed::linear},
-                        {"stronge, by speed", "stronge", BySpeed::linear},
-                        {"mathavan2010", "mathavan2010", BySpeed::constant}};
+constexpr Law laws[] = {
+    {"mirror", "mirror", BySpeed::constant},           {"han2005", "han2005", BySpeed::constant},
+    {"stronge", "stronge", BySpeed::constant},         {"han2005, by speed", "han2005", BySpeed::linear},
+    {"stronge, by speed", "stronge", BySpeed::linear}, {"mathavan2010", "mathavan2010", BySpeed::constant}};
 constexpr std::size_t quick_laws = 3;
 
 struct Result {
@@ -126,8 +124,7 @@ Section recorded(std::span<const Recording> recordings, const Settings& settings
     const Fit& fit = r.fit;
     const double all = median_rms(fit.shots), many = median_rms(fit.shots, many_cushions);
     const bool has_many = std::ranges::any_of(fit.shots, [](const auto& f) { return f.cushions >= many_cushions; });
-    const auto predictions =
-        std::ranges::count_if(fit.predictions, [](const Prediction& p) { return p.samples > 0; });
+    const auto predictions = std::ranges::count_if(fit.predictions, [](const Prediction& p) { return p.samples > 0; });
     s.table.rows.push_back({r.law->name, short_length(all), has_many ? short_length(many) : "",
                             predictions > 0 ? short_length(r.predicted()) : "", short_length(fit.sigma),
                             short_time(r.seconds)});
