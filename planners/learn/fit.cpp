@@ -53,13 +53,15 @@ std::vector<FittedShot> fitted_shots(const Learnt& l, Work& work) {
   return out;
 }
 
-/// Mean square of what is left over, in sigmas: errors are in its units.
+/// Mean square of what is left over where the launch is known, in sigmas: errors are in its units.
 double left_over(const Learnt& l, const std::vector<FittedShot>& shots) {
   double sum = 0;
   auto rows = -static_cast<double>(l.common.names.size());
   auto seen = l.shots.begin();
   for (const FittedShot& shot : shots) {
-    const double off = shot.rms / (seen++)->sigma;
+    const Seen& its = *seen++;
+    if (its.left_out) continue;
+    const double off = shot.rms / its.sigma;
     sum += shot.samples * off * off;
     rows += 2 * shot.samples - launch_size;
   }

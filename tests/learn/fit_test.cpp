@@ -63,6 +63,21 @@ TEST_CASE("of noisy shots each coefficient is within its errors, and outliers ar
   CHECK(static_cast<double>(outliers) / static_cast<double>(outliers + samples) == Approx(0.05).epsilon(0.4));
 }
 
+TEST_CASE("a shot that the laws cannot follow makes the camera no worse") {
+  Random random(24);
+  const Physics truth = random_table(random, carom_ball);
+  Filmed f = filmed(truth, {.shots = 8, .seconds = 3}, random);
+  Physics other = truth;
+  std::get<Han2005>(other.cushion).restitution = 0.5;
+  ShotRequest strange = f.shots.back();
+  strange.physics = other;
+  f.recordings.push_back(film(strange, simulate(strange), {.rate = 60, .noise = 2e-3}, random));
+  f.recordings.back().scene.physics = f.recordings.front().scene.physics;
+  const Fit fit = bankshot::fit(f.recordings);
+  CHECK(fit.shots.back().rms > 0.01);
+  CHECK(fit.sigma == Approx(2e-3).epsilon(0.1));
+}
+
 TEST_CASE("the physics of a fit takes the place of a puzzle's, and says how well it is known", "[heavy]") {
   Random random(13);
   const Filmed f = filmed(random_table(random, carom_ball), {.shots = 6}, random);
@@ -133,10 +148,10 @@ TEST_CASE("of all laws the one that predicts best what was left out is taken", "
   truth.cushion = Stronge{0.037, 0.8, 0.3};
   const Filmed f = filmed(truth, {.shots = 3, .seconds = 1.5, .camera = {.rate = 50, .noise = 2e-4}}, random);
   std::vector<double> shares;
-  const Fit fit = bankshot::fit(f.recordings, {.free = {"cushion.friction"},
-                                               .model = "any",
-                                               .holdout = 2,
-                                               .progress = [&](double share) { shares.push_back(share); }});
+  const Fit fit = bankshot::fit(
+      f.recordings, {.free = {"cushion.friction"}, .model = "any", .holdout = 2, .progress = [&](double share) {
+                       shares.push_back(share);
+                     }});
   REQUIRE(fit.models.size() == 4);
   const auto best = std::ranges::min_element(fit.models, {}, &ModelScore::predicted);
   CHECK(best->model.starts_with("stronge"));
