@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|cluster|python|pooltool|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|cluster|python|pooltool|recorded|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -146,6 +146,7 @@ part() {
       ;;
     python) python_module python_calls.py "$bin/bench/one_call" ;;
     pooltool) python_module pooltool_shots.py ;;  # where it can be imported
+    recorded) python3 tests/bench/recorded.py "$bankshot" "$RECORDINGS" ;;  # tracked shots; none are in this repository
     batch)
       answer rolling 1000000 2 --no-robustness
       answer rolling 1000000 1 --no-robustness
