@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planners/merit/real_arrival.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "bankshot/numbers/dual.hpp"
@@ -12,10 +13,10 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
-/// The last ball at that time, or where it falls or rests before.
+/// The last ball at that time, or where it falls or rests before; none where a ball meets one that is to stand.
 template <class Motion, class Cushion>
-State<Number> follow(const Question& q, const Objects::Chain& chain, const Motion& motion, const Cushion& cushion,
-                     const Launch& launch, double seconds) {
+std::optional<State<Number>> follow(const Question& q, const Objects::Chain& chain, const Motion& motion,
+                                    const Cushion& cushion, const Launch& launch, double seconds) {
   std::vector<BallStart<Number>> balls{{&chain.moving.front(), dual_start<Number, 2>(q, launch), 0}};
   for (std::size_t i = 0; i < chain.balls.size(); ++i)
     balls.push_back({&chain.moving[i + 1], {.at = to<Number>(chain.balls[i]->at_rest.at)}, chain.balls[i]->ball});
@@ -24,6 +25,8 @@ State<Number> follow(const Question& q, const Objects::Chain& chain, const Motio
   for (;;) {
     const BallEvent e = sim.step(Number(seconds - sim.time().a));
     if (e.event.kind == EventKind::horizon) return sim.state_now(last);
+    const auto is_met = [&](const Objects::Object* ball) { return e.event.contact == Contact::ball(ball->ball); };
+    if (e.event.kind == EventKind::ball && std::ranges::none_of(chain.balls, is_met)) return {};
     const bool ends = e.event.kind == EventKind::pocket || (q.stop && e.event.kind == EventKind::rest);
     if (ends && e.ball == last && sim.time().a > 0) return sim.state(last);
   }
@@ -35,7 +38,9 @@ std::optional<Moved> real_arrival(const Question& q, const Shot& shot) {
   const Objects::Chain* const chain = shot.then.empty() ? nullptr : q.objects->chain_by(shot.then.front().ball);
   if (!chain) return {};
   return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
-    const State<Number> there = follow(q, *chain, motion, cushion, shot.launch, q.stop ? forever : shot.arrival.time);
+    const auto arrived = follow(q, *chain, motion, cushion, shot.launch, shot.arrival.time);
+    if (!arrived) return {};
+    const State<Number>& there = *arrived;
     if (q.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};
     const double speed = norm(value(there.velocity));
     if (!(speed > 0)) return {};

@@ -53,15 +53,15 @@ class Bands {
 
   void run() {
     if (q_.one_unknown() || q_.speed.fixed()) {
-      for (const bool finely : {false, true}) look({q_.fixed_speed()}, finely);
+      look({q_.fixed_speed()}, false);
+      if (q_.all()) bring_to_speed();
+      if (found_.shots.empty()) look({q_.fixed_speed()}, true);
       return;
     }
     look({row(0), row(rows)}, false);  // wide steps first, since one root is mostly enough
-    for (int step = rows / 2; step > 0; step /= 2) {
-      std::vector<double> speeds;
-      for (int i = step; i < rows; i += 2 * step) speeds.push_back(row(i));
-      look(speeds, step == 1);
-    }
+    for (int step = rows / 2; step > 1; step /= 2) look(between(step), false);
+    if (q_.all()) bring_to_speed();  // else at once: other routes may have roots
+    if (found_.shots.empty()) look(between(1), true);
   }
 
  private:
@@ -105,6 +105,13 @@ class Bands {
     return slowest * std::pow(q_.speed.high / slowest, static_cast<double>(i) / rows);
   }
 
+  /// The rows between those of twice the step.
+  std::vector<double> between(int step) const {
+    std::vector<double> speeds;
+    for (int i = step; i < rows; i += 2 * step) speeds.push_back(row(i));
+    return speeds;
+  }
+
   /// Those by few cushions first, at all of these speeds.
   void look(const std::vector<double>& speeds, bool finely) {
     finely_ = finely;
@@ -119,7 +126,7 @@ class Bands {
       at(speed);
       onward(band);
     }
-    bring_to_speed();
+    if (!q_.all() || finely) bring_to_speed();
   }
 
   void at(double speed) {
@@ -187,46 +194,54 @@ class Bands {
   /// The bands from which a ball touches the next, of aims in turn.
   void touching(int ball, const Route& before, const std::vector<double>& tried, std::vector<Band>& out) {
     const Place place = next_of(ball);
-    const double edge = widest * place.reach;
     each_track(ball, before, place, tried,
                [&](const Route& route, const std::vector<double>& aims, const Track& track) {
-                 Route whole = joined(before, route);
-                 const auto left = [&](double aim) { return left_of(whole, ball, place, aim); };
-                 std::optional<double> begin;
-                 const auto end = [&](double aim) {
-                   if (!begin) return;
-                   Route touched = whole;
-                   touched.push_back({number(ball), touch_of(ball + 1)});
-                   out.push_back({std::move(touched), {*begin, aim}});
-                   begin.reset();
-                 };
-                 for (std::size_t i = 0; i < aims.size(); ++i) {
-                   if (!track[i]) {
-                     if (i > 0) end(aims[i - 1]);
-                     continue;
-                   }
-                   const bool inside = std::abs(track[i]->left) < edge;
-                   if (i > 0 && track[i - 1] && (track[i]->ahead || track[i - 1]->ahead)) {
-                     const double from = track[i - 1]->left, to = track[i]->left;
-                     const auto cross = [&](double level) {
-                       return crossing(aims[i - 1], from - level, aims[i], to - level, [&](double aim) {
-                         const auto l = left(aim);
-                         return l ? std::optional(*l - level) : std::nullopt;
-                       });
-                     };
-                     const bool was = std::abs(from) < edge;
-                     if (was != inside) {
-                       const double level = std::copysign(edge, was ? to : from);
-                       was ? end(cross(level)) : void(begin = cross(level));
-                     } else if (!inside && (from > 0) != (to > 0)) {
-                       begin = cross(std::copysign(edge, from));
-                       end(cross(std::copysign(edge, to)));
-                     }
-                   }
-                   if (inside && !begin && track[i]->ahead) begin = aims[i];
-                   if (i + 1 == aims.size()) end(aims[i]);
-                 }
+                 Route touched = joined(before, route);
+                 const auto left = [&](double aim) { return left_of(touched, ball, place, aim); };
+                 const std::vector<Range> inside = passing(aims, track, widest * place.reach, left);
+                 touched.push_back({number(ball), touch_of(ball + 1)});
+                 for (const Range& range : inside) out.push_back({touched, range});
                });
+  }
+
+  /// Where a track passes within `edge`.
+  template <class Left>
+  std::vector<Range> passing(const std::vector<double>& aims, const Track& track, double edge, const Left& left) {
+    std::vector<Range> out;
+    bool open = false;
+    double low = 0;
+    const auto begin = [&](double aim) { open = true, low = aim; };
+    const auto end = [&](double aim) {
+      if (std::exchange(open, false)) out.push_back({low, aim});
+    };
+    for (std::size_t i = 0; i < aims.size(); ++i) {
+      if (!track[i]) {
+        if (i > 0) end(aims[i - 1]);
+        continue;
+      }
+      const double to = track[i]->left;
+      const bool inside = std::abs(to) < edge;
+      if (i > 0 && track[i - 1] && (track[i]->ahead || track[i - 1]->ahead)) {
+        const double from = track[i - 1]->left;
+        const auto at_level = [&](double level) {
+          return crossing(aims[i - 1], from - level, aims[i], to - level, [&](double aim) {
+            const auto l = left(aim);
+            return l ? std::optional(*l - level) : std::nullopt;
+          });
+        };
+        if (const bool was = std::abs(from) < edge; was && !inside) {
+          end(at_level(std::copysign(edge, to)));
+        } else if (!was && inside) {
+          begin(at_level(std::copysign(edge, from)));
+        } else if (!was && (from > 0) != (to > 0)) {
+          begin(at_level(std::copysign(edge, from)));
+          end(at_level(std::copysign(edge, to)));
+        }
+      }
+      if (inside && !open && track[i]->ahead) begin(aims[i]);
+    }
+    if (!aims.empty()) end(aims.back());
+    return out;
   }
 
   /// Where the last ball is on its exact line, and from there as fast as asked.
@@ -429,7 +444,6 @@ class Bands {
   void bring_to_speed() {
     const Question brought = to_bring();
     const auto off = [&](const Fall& f) { return std::abs(std::log(f.arrived / brought.asked)); };
-    if (q_.all() && !finely_) return;  // routes may have roots that are found later
     auto all = std::exchange(falls_, {});
     for (auto& [route, falls] : all) {
       if (made_.contains(route)) continue;
