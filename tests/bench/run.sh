@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
 # which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|advise|batch|cluster|python|pooltool|recorded|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -89,6 +89,13 @@ part() {
       "$bin/advise" --repeats 200 --attempts 50 --threads 1 --csv || failed=1
       "$bin/advise" --repeats 200 --attempts 200 --threads 1 --csv | tail -n +2 || failed=1 ;;
     learn) "$bin/learn" --repeats 20 --shots 30 --threads 1 --csv 2>build/learn.log || failed=1 ;;
+    learn-times)
+      echo shots,fits,cpu_s
+      for n in 10 30 100; do
+        seconds=$(TIMEFORMAT=%U; { time "$bin/learn" --repeats 3 --shots $n --threads 1 --seed 5 >/dev/null 2>&1 || true; } 2>&1)
+        awk -v n=$n -v s="$seconds" 'BEGIN { printf "%d,3,%.2f\n", n, s / 3 }'
+      done
+      ;;
     knock) "$bin/knock" --csv || failed=1 ;;
     play) "$bin/play" --layouts 20 --csv 2>build/play.log || true ;;
     shots) "$bin/shots" --count 1000000 --seed 1 --truth 10000 --csv || failed=1 ;;
@@ -174,7 +181,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best shots all-shots planners-rolling planners-spin pockets acceptance learn advise batch cluster python report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
 for name; do
   if [ "$name" = report ]; then
     report
