@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The two searches in one dimension that planners use. Neither counts what it costs: whoever evaluates does.
+// The searches in one dimension that planners use. None counts what it costs: whoever evaluates does.
 //   bisect   moves together two numbers, one where something holds and one where it does not
 //   climb    golden sections (Kiefer 1953): three numbers of which the middle one is best close in on a maximum
+//   false_position   (Illinois; Dowell & Jarratt 1971) two numbers between which a function changes its sign
 #pragma once
 
 #include <cmath>
@@ -22,6 +23,24 @@ void bisect(double& inside, double& outside, Wide&& wide, Holds&& holds,
     if (middle == inside || middle == outside) return;
     (holds(middle) ? inside : outside) = middle;
   }
+}
+
+/// Where `value` is within `enough` of 0 between a and b, or after so many evaluations, or where it has no value: it is
+/// an optional number. Where the same end stays twice it is weighed down by half.
+template <class Value>
+double false_position(double a, double at_a, double b, double at_b, double enough, int most, Value&& value) {
+  double middle = a;
+  for (int i = 0; i < most; ++i) {
+    middle = at_a == at_b ? (a + b) / 2 : a + (b - a) * at_a / (at_a - at_b);
+    const auto there = value(middle);
+    if (!there || std::abs(*there) < enough) break;
+    if ((*there > 0) == (at_b > 0))
+      at_a /= 2;
+    else
+      a = b, at_a = at_b;
+    b = middle, at_b = *there;
+  }
+  return middle;
 }
 
 /// `Point` has the members `x` and `value`; `low.x <= best.x <= high.x` and best.value is the largest.

@@ -52,15 +52,15 @@ double chance_of(std::span<const Line> lines) {
   constexpr double density_at_0 = 0.3989422804014327;
   if (std::ranges::all_of(lines, [](const Line& l) { return l.chance == 1; })) return 1;
   const std::vector<double> slope = slopes(lines);
-  double total =
-      lines.front().chance * normal_below(lines.front().along) + lines.back().chance * normal_below(-lines.back().along);
+  double total = lines.front().chance * normal_below(lines.front().along) +
+                 lines.back().chance * normal_below(-lines.back().along);
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     const Line &a = lines[i], &b = lines[i + 1];
     const double h = b.along - a.along;
     for (std::size_t k = 0; k < std::size(node); ++k) {
       const double x = (1 + node[k]) / 2, y = 1 - x, along = a.along + h * x;
-      const double chance = y * y * ((1 + 2 * x) * a.chance + x * h * slope[i]) +
-                            x * x * ((3 - 2 * x) * b.chance - y * h * slope[i + 1]);
+      const double chance =
+          y * y * ((1 + 2 * x) * a.chance + x * h * slope[i]) + x * x * ((3 - 2 * x) * b.chance - y * h * slope[i + 1]);
       total += weight[k] * h / 2 * chance * density_at_0 * std::exp(-along * along / 2);
     }
   }

@@ -28,8 +28,8 @@ struct Line {
   void read_off(const std::vector<double>& expected);
 };
 
-/// The chance of all errors. Between lines, in order of `along`, it is a monotone cubic (Fritsch & Butland 1984), summed
-/// with the normal density by Gauss's rule; beyond them it is that of the last.
+/// The chance of all errors. Between lines, in order of `along`, it is a monotone cubic (Fritsch & Butland 1984),
+/// summed with the normal density by Gauss's rule; beyond them it is that of the last.
 double chance_of(std::span<const Line> lines);
 
 }  // namespace bankshot::planning

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "planners/steps/chain_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bankshot/simulate/simulator.hpp"
+#include "planners/locked/arrival.hpp"
+#include "planners/start.hpp"
+#include "planners/steps/to_ball.hpp"
+
+namespace bankshot::planning::steps {
+namespace {
+
+Pass pass_of(const Place& place, const Vec2d& u, const Vec2d& off) {
+  const double left = place.mark ? beside_exact(*place.mark, u, off) : cross(u, off);
+  return {left, dot(u, off) > -place.reach};
+}
+
+Fall fall_of(const Route& route, const Launch& launch, const Mark& mark, const State<double>& s) {
+  const double speed = norm(s.velocity);
+  return {route, launch, speed, -cross(s.velocity, mark.at - s.at) / speed, &mark};
+}
+
+}  // namespace
+
+ChainPath::ChainPath(const Question& q, Ledger& ledger, const Objects::Chain& chain)
+    : q_(q), ledger_(ledger), chain_(chain) {
+  for (const Objects::Object* ball : chain.balls) alone_.emplace_back(q.puzzle.table, ball->at_rest.body);
+}
+
+const CushionRule& ChainPath::rule(int n) const {
+  return n == 0 || q_.carom() ? q_.cushions() : q_.then()->cushions_of(static_cast<std::size_t>(n) - 1);
+}
+
+Place ChainPath::next_of(int n) const {
+  const Objects::Object& next = object(n + 1);
+  return {next.at_rest.at, body(n).radius + next.at_rest.body.radius};
+}
+
+bool ChainPath::is_on(int n, const std::vector<Contact>& met) const {
+  const auto& asked = rule(n).sequence;
+  return static_cast<int>(met.size()) <= rule(n).max &&
+         (!asked || (met.size() <= asked->size() && std::equal(met.begin(), met.end(), asked->begin())));
+}
+
+Followed ChainPath::follow(int n, const Route& before, const Place& place, const Launch& launch) {
+  Followed out;
+  ledger_.charge(before.size(), before.empty() ? 1 : 2);
+  with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    const auto path = follow_locked(q_.balls(), motion, cushion, before, start_of(q_, launch));
+    if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return;
+    onward(motion, cushion, n, path.state, before, place, launch, out);
+  });
+  return out;
+}
+
+template <class Motion, class Cushion>
+void ChainPath::onward(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
+                       const Route& before, const Place& place, const Launch& launch, Followed& out) const {
+  Simulator sim(alone(n), motion, cushion, sent);
+  std::vector<Contact> met;
+  if (n > 0 && q_.carom()) met = contacts_of(before);
+  for (;;) {
+    double nearest = forever;
+    Pass pass{0, false};
+    State<double> passing = sent;
+    const auto look = [&](const Arc<double>& arc, double travelled) {
+      const double t = closest_time(arc, travelled, place.at);
+      const Vec2d off = place.at - arc.position(t), v = arc.velocity_at(t);
+      if (!(norm(off) < nearest) || !(norm(v) > 0)) return;
+      nearest = norm(off), pass = pass_of(place, v / norm(v), off);
+      passing.at = arc.position(t), passing.velocity = v;
+    };
+    Event e;
+    do {
+      e = sim.step(forever, look);
+      look(sim.arc(), sim.travelled());
+    } while (e.kind == EventKind::slide_to_roll);
+    const auto fell = [&](const State<double>& s) {
+      if (norm(s.velocity) > 0) out.falls.push_back(fall_of(joined(before, out.route), launch, *place.mark, s));
+    };
+    const bool counts = static_cast<int>(met.size()) >= least(n);
+    out.end = e.contact;
+    out.nearest = std::min(out.nearest, nearest);
+    if (counts && nearest < forever) out.passes.emplace(out.route, pass);
+    if (counts && place.mark && e.kind == EventKind::pocket && e.contact == place.mark->taken_by) fell(sim.state());
+    if (counts && place.mark && !place.mark->drops() && nearest < place.reach) fell(passing);
+    if (e.kind != EventKind::cushion) return;
+    met.push_back(e.contact);
+    if (!is_on(n, met)) return;
+    out.route.push_back({number(n), e.contact});
+  }
+}
+
+std::optional<Pass> ChainPath::locked_pass(const Route& route, int n, const Place& place, const Launch& launch) {
+  if (ledger_.spent()) return {};
+  ledger_.charge(route.size());
+  return with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Pass> {
+    const auto path = follow_locked(q_.balls(), motion, cushion, route, start_of(q_, launch));
+    if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return {};
+    const auto there =
+        arrive_locked(motion, body(n), path.state, place.at, place.mark ? place.mark->capture() : 0, false);
+    if (!(dot(there.heading, there.heading) > 0)) return {};
+    return pass_of(place, there.heading / norm(there.heading), place.at - there.state.at);
+  });
+}
+
+std::optional<double> ChainPath::left_of(const Route& route, int n, const Place& place, const Launch& launch) {
+  const auto pass = locked_pass(route, n, place, launch);
+  return pass ? std::optional(pass->left) : std::nullopt;
+}
+
+Route joined(Route a, const Route& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+}  // namespace bankshot::planning::steps

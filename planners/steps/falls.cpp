@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "planners/steps/falls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planners/certify.hpp"
+#include "planners/locked/newton.hpp"
+#include "planners/proof/replay.hpp"
+#include "planners/settings.hpp"
+#include "planners/steps/made_as_asked.hpp"
+#include "planners/steps/sweeps.hpp"
+
+namespace bankshot::planning::steps {
+
+using namespace settings::bands;
+
+void Falls::bring_to_speed(const std::set<Route>& made) {
+  const Question brought = to_bring();
+  const auto off = [&](const Fall& f) { return std::abs(std::log(f.arrived / brought.asked)); };
+  auto all = std::exchange(falls_, {});
+  for (auto& [route, falls] : all) {
+    if (made.contains(route)) continue;
+    if (!q_.one_unknown()) std::ranges::sort(falls, {}, off);
+    std::size_t tried = 0;
+    for (const Fall& fall : falls) {
+      if (sweeps_over(q_, ledger_, found_)) return;
+      if (tried == most_falls) break;
+      const Launch at{fall.launch.speed, wrap_angle(fall.launch.angle)};
+      if (!replay(brought, ledger_, at, Goal::of(brought, Demand::made)).made) continue;
+      ++tried;
+      if (beside(fall) || by_replays(brought, fall)) break;
+    }
+  }
+}
+
+/// To rest at a point it is brought to pass there so slowly that it rests half as far beyond as it may.
+Question Falls::to_bring() const {
+  if (!q_.stop) return q_;
+  Question passing = q_;
+  passing.stop = false;
+  passing.asked = std::sqrt(deceleration(q_.puzzle.physics) * q_.marks.front().reach);
+  passing.arrival = Range{passing.asked, passing.asked};
+  return passing;
+}
+
+/// On the line on which it fell.
+bool Falls::beside(const Fall& fall) {
+  if (!fall.mark->captures()) return false;
+  Mark mark = *fall.mark;
+  mark.cuts = Cuts{fall.right, fall.right, fall.right};
+  const auto there = newton({q_, fall.route, mark}, ledger_, fall.launch, settings::wide);
+  return there && certify(q_, ledger_, found_, there.launch, bounces_of(fall.route), step_, Demand::off_centre);
+}
+
+/// Where no locked path leads, along a rail for one: as the last ball is touched.
+bool Falls::by_replays(const Question& brought, const Fall& fall) {
+  const auto made = made_as_asked(brought, ledger_, fall.launch, turn_of(fall));
+  return made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, step_, Demand::off_centre);
+}
+
+/// Rad per ln speed that keep the cut of the last ball.
+double Falls::turn_of(const Fall& fall) {
+  const int last = path_.last();
+  const auto touch = std::ranges::find(fall.route, path_.touch_of(last), &Meeting::with);
+  const Route before(fall.route.begin(), touch);
+  const auto left = [&](double log_speed, double angle) {
+    return path_.left_of(before, last - 1, path_.next_of(last - 1),
+                         {fall.launch.speed * (1 + log_speed), fall.launch.angle + angle});
+  };
+  const auto here = left(0, 0), faster = left(small, 0), turned = left(0, small);
+  if (!here || !faster || !turned || *turned == *here) return 0;
+  return -(*faster - *here) / (*turned - *here);
+}
+
+}  // namespace bankshot::planning::steps

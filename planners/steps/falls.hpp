@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Last balls that met their mark at another speed than is asked, by a route that leads to no root: rolling along a rail
+// into a pocket, say. They are brought to that speed as they are. For bands.cpp.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "planners/findings.hpp"
+#include "planners/steps/chain_path.hpp"
+
+namespace bankshot::planning::steps {
+
+class Falls {
+ public:
+  /// All must outlive it.
+  Falls(const Question& q, Ledger& ledger, Findings& found, ChainPath& path, std::string_view step)
+      : q_(q), ledger_(ledger), found_(found), path_(path), step_(step) {}
+
+  void remember(const Fall& fall) { falls_[fall.route].push_back(fall); }
+  /// Those first that arrived nearly as asked; none by these routes. What was remembered is forgotten.
+  void bring_to_speed(const std::set<Route>& made);
+
+ private:
+  Question to_bring() const;
+  bool beside(const Fall& fall);
+  bool by_replays(const Question& brought, const Fall& fall);
+  double turn_of(const Fall& fall);
+
+  const Question& q_;
+  Ledger& ledger_;
+  Findings& found_;
+  ChainPath& path_;
+  std::string_view step_;
+  std::map<Route, std::vector<Fall>> falls_{};
+};
+
+}  // namespace bankshot::planning::steps
