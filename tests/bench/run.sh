@@ -30,6 +30,13 @@ look() {  # LOG ...
   measure "${@:2}" 2>"build/$1.log"
   failed=$before
 }
+# With the seed before each row.
+seeded() {  # SEED PROGRAM ...
+  "$bin/$2" --seed "$1" "${@:3}" 2>"build/$2-$1.log" >"$scratch/seeded.csv" || failed=1
+  [ $header = no ] || sed '1s/^/seed,/;q' "$scratch/seeded.csv"
+  header=no
+  sed "1d;s/^/$1,/" "$scratch/seeded.csv"
+}
 # From file to file. CPU times are sums over the threads, in microseconds a puzzle.
 answer() {  # SET COUNT THREADS FLAGS
   "$bin/bench/batch_puzzles" --set "$1" --count "$2" >"$scratch/puzzles.jsonl"
@@ -86,9 +93,10 @@ part() {
       for free in nothing window arrive; do "$bin/best" --count 1000 --seed 2 --physics rolling --free $free --worst 0 --no-header; done
       ;;
     advise)
-      "$bin/advise" --repeats 200 --attempts 50 --threads 1 --csv || failed=1
-      "$bin/advise" --repeats 200 --attempts 200 --threads 1 --csv | tail -n +2 || failed=1 ;;
-    learn) "$bin/learn" --repeats 20 --shots 30 --threads 1 --csv 2>build/learn.log || failed=1 ;;
+      seeded 1 advise --repeats 200 --attempts 50 --threads 1 --csv
+      for seed in 1 2; do seeded $seed advise --repeats 10 --attempts 200 --threads 1 --csv; done
+      ;;
+    learn) for seed in 1 2; do seeded $seed learn --repeats 20 --shots 30 --threads 1 --csv; done ;;
     learn-times)
       echo shots,fits,cpu_s
       for n in 10 30 100; do
