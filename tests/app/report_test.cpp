@@ -165,7 +165,7 @@ TEST_CASE("report refuses what it cannot do in one line") {
       GENERATE(table<const char*, const char*>({{"report", "--output"},
                                                 {"report -o --quick", "is an option, not a file"},
                                                 {"report -o /dev/null/report", "/dev/null/report"},
-                                                {"report -o x --sections recorded", "needs --recordings"},
+                                                {"report -o x --sections tilt,recorded", "needs --recordings"},
                                                 {"report -o x --sections colours", "--sections"},
                                                 {"report -o x --recordings /dev/null", "no recording in it"}}));
   const auto run = run_program(arguments);

@@ -58,7 +58,8 @@ std::vector<Part> parts_of(const Arguments& a, const std::vector<Recording>& rec
   if (!recordings.empty())
     add({"recorded", [&](const Settings& s, Progress& progress) { return recorded(recordings, s, progress); }});
 #endif
-  if (out.empty()) throw FileError("the section recorded needs --recordings");
+  if (recordings.empty() && std::ranges::find(a.sections, "recorded") != a.sections.end())
+    throw FileError("the section recorded needs --recordings");
   return out;
 }
 
