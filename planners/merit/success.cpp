@@ -5,10 +5,10 @@
 // Method: counted in the player's deviations the errors of aim and speed are equally likely in every
 // direction, so their plane may be turned: `across` is the direction that moves the arrival most, to first
 // order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a line
-// across it the edges are bisected, and the chance on that line follows from them; lines.hpp says what all lines
-// together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its neighbours say.
-// Edges are looked for where the neighbouring lines have them, between some points spread over the line and
-// its ends, so that a band which nobody expects is met too, and where other shots are; then the neighbours are
+// across it the edges are bisected, and the chance on that line follows from them; lines_of_errors.hpp says what all
+// lines together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its
+// neighbours say. Edges are looked for where the neighbouring lines have them, between some points spread over the line
+// and its ends, so that a band which nobody expects is met too, and where other shots are; then the neighbours are
 // looked at again. Where that agrees with first order (limits.hpp), it ends.
 // Cost: most_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
 #include "planners/merit/success.hpp"
@@ -19,7 +19,7 @@
 #include <limits>
 
 #include "planners/merit/all_errors.hpp"
-#include "planners/merit/lines.hpp"
+#include "planners/merit/lines_of_errors.hpp"
 #include "planners/merit/room.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
@@ -98,9 +98,9 @@ class Chance {
   bool left() const { return used_ < most_samples && !ledger_.spent(); }
 
   /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
-  bool made(Line& line, double across) {
+  bool made(LineOfErrors& line, double across) {
     const auto at = std::lower_bound(line.tries.begin(), line.tries.end(), across,
-                                     [](const Line::Try& t, double v) { return t.across < v; });
+                                     [](const LineOfErrors::Try& t, double v) { return t.across < v; });
     if (at != line.tries.end() && at->across == across) return at->made;
     if (!left()) return line.made(across);
     ++used_;
@@ -114,7 +114,7 @@ class Chance {
   }
 
   struct Expected {
-    Line line;
+    LineOfErrors line;
     bool sure = true;  ///< the neighbours agree how many edges there are
   };
 
@@ -123,13 +123,13 @@ class Chance {
     Expected e{{along}};
     e.line.edges = expected_;
     if (lines_.empty()) return e;
-    const auto after =
-        std::lower_bound(lines_.begin(), lines_.end(), along, [](const Line& l, double v) { return l.along < v; });
+    const auto after = std::lower_bound(lines_.begin(), lines_.end(), along,
+                                        [](const LineOfErrors& l, double v) { return l.along < v; });
     const bool between = after != lines_.begin() && after != lines_.end(), two = lines_.size() > 1;
-    const Line& near = after == lines_.begin() ? *after : *(after - 1);
-    const Line& far = between ? *after : !two ? near : after == lines_.begin() ? *(after + 1) : *(after - 2);
+    const LineOfErrors& near = after == lines_.begin() ? *after : *(after - 1);
+    const LineOfErrors& far = between ? *after : !two ? near : after == lines_.begin() ? *(after + 1) : *(after - 2);
     e.sure = near.edges.size() == far.edges.size() && near.open == far.open;
-    const Line& like = !e.sure && between && far.edges.size() > near.edges.size() ? far : near;
+    const LineOfErrors& like = !e.sure && between && far.edges.size() > near.edges.size() ? far : near;
     e.line.edges = like.edges;
     e.line.open = like.open;
     if (!e.sure || &near == &far) return e;
@@ -140,7 +140,7 @@ class Chance {
   }
 
   void add(double along, const std::vector<Known>& known = {}) {
-    Line line{along};
+    LineOfErrors line{along};
     const Expected e = expect(along);
     for (const Known& k : known) made(line, k.across);
     for (std::size_t k = 0; k <= e.line.edges.size(); ++k) {
@@ -151,8 +151,8 @@ class Chance {
     }
     spread(line, e.line.edges.empty());
     settle(line, e.line.edges);
-    const auto after =
-        std::lower_bound(lines_.begin(), lines_.end(), along, [](const Line& l, double v) { return l.along < v; });
+    const auto after = std::lower_bound(lines_.begin(), lines_.end(), along,
+                                        [](const LineOfErrors& l, double v) { return l.along < v; });
     const auto at = lines_.insert(after, std::move(line)) - lines_.begin();
     tell(at, -1);
     tell(at, 1);
@@ -161,7 +161,7 @@ class Chance {
   /// A line through it, or the line that is there.
   void look_at(const Known& k) {
     const auto line = std::find_if(lines_.begin(), lines_.end(),
-                                   [&](const Line& l) { return std::abs(l.along - k.along) < same_line; });
+                                   [&](const LineOfErrors& l) { return std::abs(l.along - k.along) < same_line; });
     if (line == lines_.end()) return add(k.along, {k});
     made(*line, k.across);
     settle(*line, std::vector<double>(line->edges));
@@ -170,7 +170,7 @@ class Chance {
   }
 
   /// Brackets both ends of what is expected to be made, by steps that double.
-  void follow(Line& line, double low, double high) {
+  void follow(LineOfErrors& line, double low, double high) {
     for (const bool upper : {false, true}) {
       const double edge = upper ? high : low;
       if (std::abs(edge) >= widest) continue;
@@ -185,7 +185,7 @@ class Chance {
   }
 
   /// Points at even steps of probability, shifted from line to line.
-  void spread(Line& line, bool no_edges) {
+  void spread(LineOfErrors& line, bool no_edges) {
     constexpr double golden = 0.6180339887;  // shifts that never repeat
     const bool later = lines_.size() >= first_lines.size();
     const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
@@ -196,7 +196,7 @@ class Chance {
                  shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
     for (std::size_t k = 0; k < count; ++k) {
       const double p = tail + (static_cast<double>(k) + shift) * share * (1 - 2 * tail);
-      const auto close = [&](const Line::Try& t) { return std::abs(about_below(t.across) - p) < share / 4; };
+      const auto close = [&](const LineOfErrors::Try& t) { return std::abs(about_below(t.across) - p) < share / 4; };
       if (std::none_of(line.tries.begin(), line.tries.end(), close)) made(line, about_at(p));
     }
     // Beyond the last of them an edge may hide.
@@ -206,18 +206,18 @@ class Chance {
   }
 
   /// How wide a bracket is, in what it may hide: far out there is little.
-  static double width(const Line::Try& a, const Line::Try& b) {
+  static double width(const LineOfErrors::Try& a, const LineOfErrors::Try& b) {
     const double z = std::max({a.across, -b.across, 0.0});
     return (b.across - a.across) * std::min(1.0, thin_out * std::exp(-z * z / 2));
   }
 
   /// Bisects every change between two tries, the widest first, and reads off the edges.
-  void settle(Line& line, const std::vector<double>& expected) {
+  void settle(LineOfErrors& line, const std::vector<double>& expected) {
     const double enough = (is_ideal(q_.puzzle.physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
     while (left()) {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
-        const Line::Try &a = line.tries[i], &b = line.tries[i + 1];
+        const LineOfErrors::Try &a = line.tries[i], &b = line.tries[i + 1];
         if (a.made != b.made && width(a, b) > most) most = width(a, b), at = (a.across + b.across) / 2;
       }
       if (most == enough) break;
@@ -229,8 +229,8 @@ class Chance {
   /// Neighbours that lack an edge which this line has are tried beside it, and so on outwards.
   void tell(std::ptrdiff_t from, std::ptrdiff_t way) {
     for (std::ptrdiff_t i = from + way; i >= 0 && i < std::ssize(lines_); i += way) {
-      const Line& source = lines_[static_cast<std::size_t>(i - way)];
-      Line& line = lines_[static_cast<std::size_t>(i)];
+      const LineOfErrors& source = lines_[static_cast<std::size_t>(i - way)];
+      LineOfErrors& line = lines_[static_cast<std::size_t>(i)];
       const std::size_t before = line.edges.size();
       if (before >= source.edges.size() || !left()) return;
       for (std::size_t k = 0; k < source.edges.size(); ++k) {
@@ -250,8 +250,8 @@ class Chance {
 
   /// What chance may be wrong between two lines: how far each is from where its neighbours point.
   double doubt(std::size_t i) const {
-    const Line &a = lines_[i], &b = lines_[i + 1];
-    const auto off = [](const Line& far, const Line& near, const Line& line) {
+    const LineOfErrors &a = lines_[i], &b = lines_[i + 1];
+    const auto off = [](const LineOfErrors& far, const LineOfErrors& near, const LineOfErrors& line) {
       const double slope = (near.chance - far.chance) / (near.along - far.along);
       return std::abs(line.chance - std::clamp(near.chance + slope * (line.along - near.along), 0.0, 1.0));
     };
@@ -269,7 +269,7 @@ class Chance {
   double length_ = std::numeric_limits<double>::infinity();
   std::vector<double> expected_{};
   std::size_t used_ = 0;
-  std::vector<Line> lines_{};
+  std::vector<LineOfErrors> lines_{};
   std::vector<Known> known_{};
 };
 

@@ -108,9 +108,10 @@ Run add(CLI::App& app) {
       "(docs/recordings.md). Standard output gets one line of JSON: the physics, each coefficient with its standard\n"
       "error, each shot's launch, and in words what the recordings could not tell; that is held where it was. Lines\n"
       "that are no recording are told and left out.",
-      {{"bankshot fit shots.jsonl -o physics.json", "all coefficients, from what the shots' tracks say"},
-       {"bankshot fit shots.jsonl --model any --holdout 5", "the cushions that predict best what they have not seen"},
-       {"bankshot fit shots.jsonl --free cushion.friction,tilt", "these alone"}},
+      {{"bankshot fit recordings.jsonl -o physics.json", "all coefficients, from what the shots' tracks say"},
+       {"bankshot fit recordings.jsonl --model any --holdout 5",
+        "the cushions that predict best what they have not seen"},
+       {"bankshot fit recordings.jsonl --free cushion.friction,tilt", "these alone"}},
       "0 done; 2 bad input or usage.");
   return [a] { return run(*a); };
 }

@@ -146,7 +146,8 @@ Run add(CLI::App& app) {
         {"bankshot report -o report --quick", "in under a minute"},
 #if BANKSHOT_LEARN
         {
-          "bankshot report -o report --recordings shots.jsonl --sections recorded", "models against real shots"
+          "bankshot report -o report --quick --recordings recordings.jsonl --sections recorded",
+              "models against real shots"
         }
 #endif
       },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planners/merit/lines.hpp"
+#include "planners/merit/lines_of_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace bankshot::planning {
 namespace {
 
 /// Of the monotone cubic, at the lines.
-std::vector<double> slopes(std::span<const Line> lines) {
+std::vector<double> slopes(std::span<const LineOfErrors> lines) {
   const std::size_t n = lines.size();
   std::vector<double> steps(n - 1), slope(n);
   for (std::size_t i = 0; i + 1 < n; ++i)
@@ -28,12 +28,12 @@ std::vector<double> slopes(std::span<const Line> lines) {
 
 double normal_below(double deviations) { return std::erfc(-deviations / std::sqrt(2.0)) / 2; }
 
-bool Line::made(double across) const {
+bool LineOfErrors::made(double across) const {
   const auto before = std::lower_bound(edges.begin(), edges.end(), across) - edges.begin();
   return open != (before % 2 == 1);
 }
 
-void Line::read_off(const std::vector<double>& expected) {
+void LineOfErrors::read_off(const std::vector<double>& expected) {
   edges.clear();
   open = !tries.empty() && tries.front().made;
   chance = !tries.empty() && tries.back().made ? 1 : 0;
@@ -46,16 +46,16 @@ void Line::read_off(const std::vector<double>& expected) {
   }
 }
 
-double chance_of(std::span<const Line> lines) {
+double chance_of(std::span<const LineOfErrors> lines) {
   constexpr double node[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
   constexpr double weight[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
   constexpr double density_at_0 = 0.3989422804014327;
-  if (std::ranges::all_of(lines, [](const Line& l) { return l.chance == 1; })) return 1;
+  if (std::ranges::all_of(lines, [](const LineOfErrors& l) { return l.chance == 1; })) return 1;
   const std::vector<double> slope = slopes(lines);
   double total = lines.front().chance * normal_below(lines.front().along) +
                  lines.back().chance * normal_below(-lines.back().along);
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-    const Line &a = lines[i], &b = lines[i + 1];
+    const LineOfErrors &a = lines[i], &b = lines[i + 1];
     const double h = b.along - a.along;
     for (std::size_t k = 0; k < std::size(node); ++k) {
       const double x = (1 + node[k]) / 2, y = 1 - x, along = a.along + h * x;

@@ -12,7 +12,7 @@ namespace bankshot::planning {
 /// Of a normal error.
 double normal_below(double deviations);
 
-struct Line {
+struct LineOfErrors {
   struct Try {
     double across;
     bool made;
@@ -30,6 +30,6 @@ struct Line {
 
 /// The chance of all errors. Between lines, in order of `along`, it is a monotone cubic (Fritsch & Butland 1984),
 /// summed with the normal density by Gauss's rule; beyond them it is that of the last.
-double chance_of(std::span<const Line> lines);
+double chance_of(std::span<const LineOfErrors> lines);
 
 }  // namespace bankshot::planning
