@@ -209,6 +209,7 @@ void finish(Learnt& l, int threads, Work& work) {
   }
   settle(l, threads, work);
   if (!l.astray) shake(l, threads, work);
+  while (hold_one(l)) settle(l, threads, work);  // elsewhere the shots may tell less
 }
 
 }  // namespace

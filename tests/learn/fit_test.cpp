@@ -8,6 +8,7 @@
 
 #include "bankshot/scene/json.hpp"
 #include "planners/learn/launch.hpp"
+#include "planners/learn/unknowns.hpp"
 #include "support/catch.hpp"
 #include "support/filmed.hpp"
 
@@ -103,6 +104,22 @@ TEST_CASE("what the shots cannot tell is held, and named") {
   }
   CHECK(std::abs(of(fit, "rolling_friction").value - coefficient(truth, "rolling_friction")) <
         5 * of(fit, "rolling_friction").error);
+}
+
+TEST_CASE("what another law's shots tell less of than a guess would is held in the end", "[heavy]") {
+  for (const std::uint64_t seed : {31u, 32u, 33u, 34u}) {
+    INFO("seed " << seed);
+    Random random(seed);
+    const Filmed f = filmed(random_table(random, carom_ball), {.shots = 5, .seconds = 3}, random);
+    const Fit fit = bankshot::fit(f.recordings, {.model = "stronge"});
+    const auto known = planning::coefficients_of(fit.physics, carom_ball, false);
+    for (const FittedCoefficient& p : fit.parameters) {
+      INFO(p.name << " " << p.value << " +- " << p.error);
+      const auto guessed = std::ranges::find(known, p.name, &planning::Fittable::name);
+      REQUIRE(guessed != known.end());
+      CHECK(p.error < guessed->guess);
+    }
+  }
 }
 
 TEST_CASE("a tilt is learnt where it is asked for", "[heavy]") {
