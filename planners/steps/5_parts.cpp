@@ -48,6 +48,11 @@ bool hopeful(const Question& q, const Lead& lead) {
 
 }  // namespace
 
+bool alike(const Launch& a, const Launch& b) {
+  return std::abs(angle_difference(a.angle, b.angle)) < settings::parts::alike &&
+         std::abs(std::log(a.speed / b.speed)) < settings::parts::alike;
+}
+
 void Parts::climb(const Question& q, Ledger& ledger, Findings& found) {
   if (q.starts()) return;  // its leads are what is asked for
   for (Lead& lead : found.leads) {
@@ -61,9 +66,8 @@ void Parts::climb(const Question& q, Ledger& ledger, Findings& found) {
 
 bool Parts::was_tried(const Lead& lead) const {
   return std::ranges::any_of(tried_, [&](const Lead& known) {
-    return std::abs(angle_difference(known.launch.angle, lead.launch.angle)) < alike &&
-           std::abs(std::log(known.launch.speed / lead.launch.speed)) < alike && known.spin == lead.spin &&
-           known.mark == lead.mark && known.route == lead.route;
+    return alike(known.launch, lead.launch) && known.spin == lead.spin && known.mark == lead.mark &&
+           known.route == lead.route;
   });
 }
 

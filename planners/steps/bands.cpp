@@ -23,9 +23,9 @@
 #include "planners/certify.hpp"
 #include "planners/line_search.hpp"
 #include "planners/locked/newton.hpp"
-#include "planners/settings.hpp"
 #include "planners/steps/chain_path.hpp"
 #include "planners/steps/falls.hpp"
+#include "planners/steps/settings.hpp"
 #include "planners/steps/sweeps.hpp"
 #include "planners/steps/to_ball.hpp"
 
@@ -237,11 +237,7 @@ class Bands {
     std::vector<Launch>& known = roots_[route];
     const auto found = newton(aim, ledger_, launch(at), settings::wide);
     if (!found) return;
-    const auto same = [&](const Launch& k) {
-      return std::abs(angle_difference(k.angle, found.launch.angle)) < settings::parts::alike &&
-             std::abs(std::log(k.speed / found.launch.speed)) < settings::parts::alike;
-    };
-    if (std::ranges::any_of(known, same)) return;
+    if (std::ranges::any_of(known, [&](const Launch& k) { return alike(k, found.launch); })) return;
     known.push_back(found.launch);
     if (certify_root(aim, ledger_, found_, found.launch, step_)) made_.insert(route);
   }

@@ -8,8 +8,8 @@
 #include "planners/certify.hpp"
 #include "planners/locked/newton.hpp"
 #include "planners/proof/replay.hpp"
-#include "planners/settings.hpp"
 #include "planners/steps/made_as_asked.hpp"
+#include "planners/steps/settings.hpp"
 #include "planners/steps/sweeps.hpp"
 
 namespace bankshot::planning::steps {

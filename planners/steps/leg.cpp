@@ -7,8 +7,8 @@
 
 #include "planners/images/unfold.hpp"
 #include "planners/proof/replay.hpp"
-#include "planners/settings.hpp"
 #include "planners/steps/part.hpp"
+#include "planners/steps/settings.hpp"
 
 namespace bankshot::planning::steps {
 namespace {

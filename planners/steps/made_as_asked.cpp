@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bankshot/numbers/tolerances.hpp"
-#include "planners/settings.hpp"
+#include "planners/steps/settings.hpp"
 
 namespace bankshot::planning::steps {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "planners/settings.hpp"
+#include "planners/steps/settings.hpp"
 
 namespace bankshot::planning::steps {
 namespace {

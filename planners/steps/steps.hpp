@@ -40,6 +40,9 @@ void caroms(const Question& q, Ledger& ledger, Findings& found);  ///< off one b
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
 Spacing usual_spacing(const Question& q);
 
+/// Launches so near each other lead to one root (settings::parts::alike).
+bool alike(const Launch& a, const Launch& b);
+
 /// Parts of a target whose middle is blocked. Leads wait here with the room that was found beside each.
 class Parts {
  public:

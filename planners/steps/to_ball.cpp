@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "planners/locked/newton.hpp"
-#include "planners/settings.hpp"
 #include "planners/steps/part.hpp"
+#include "planners/steps/settings.hpp"
 #include "planners/steps/steps.hpp"
 
 namespace bankshot::planning::steps {

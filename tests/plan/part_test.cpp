@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Parts of targets: the clearance that leads to them, and puzzles that have little more than a sliver.
-#include <sstream>
-
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "planners/locked/clearance.hpp"
 #include "planners/proof/replay.hpp"
 #include "support/catch.hpp"
-#include "support/program.hpp"
+#include "support/lost_puzzles.hpp"
 #include "support/random_puzzle.hpp"
 #include "support/replay_check.hpp"
 
@@ -54,15 +52,6 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
 }
 
 TEST_CASE("narrow parts of targets are found") {
-  std::istringstream lines(test::read_repository_file("tests/plan/narrow_parts.jsonl"));
-  int puzzles = 0;
-  for (std::string line; std::getline(lines, line); ++puzzles) {
-    CAPTURE(line);
-    const Puzzle p = read_puzzle(line);
-    const Answer a = solve(p, {.robustness = false, .suggest = false});
-    INFO(a.message);
-    REQUIRE(a.status == Status::solved);
-    CHECK(test::check_shot(p, a.shots[0]).problem == "");
-  }
-  CHECK(puzzles == 21);
+  const auto nothing_more = [](const Puzzle&, const Answer&) {};
+  CHECK(test::solve_lost_puzzles("tests/plan/narrow_parts.jsonl", nothing_more) == 21);
 }

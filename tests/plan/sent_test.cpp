@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The struck ball sends another on: pots, banks, kicks that pot, balls sent to rest.
-#include <sstream>
-
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
 #include "support/found_again.hpp"
-#include "support/program.hpp"
+#include "support/lost_puzzles.hpp"
 #include "support/replay_check.hpp"
 #include "truth/claims.hpp"
 
@@ -104,21 +102,13 @@ TEST_CASE("a combination sends one ball onto the next, and that into the pocket"
 }
 
 TEST_CASE("chains and caroms that no seed leads to are found band by band, also along rails") {
-  std::istringstream lines(test::read_repository_file("tests/plan/bands.jsonl"));
-  int puzzles = 0;
-  for (std::string line; std::getline(lines, line); ++puzzles) {
-    CAPTURE(line);
-    const Puzzle p = read_puzzle(line);
-    const Answer a = solve(p, {.robustness = false, .suggest = false});
-    INFO(a.message);
-    REQUIRE(a.status == Status::solved);
-    CHECK(test::check_shot(p, a.shots[0]).problem == "");
+  const auto holds = [](const Puzzle& p, const Answer& a) {
     for (const truth::Check& c : truth::check(&p, p.id, a)) {
       INFO(truth::name(c.claim) << ": " << c.what);
       CHECK(c.holds());
     }
-  }
-  CHECK(puzzles == 10);
+  };
+  CHECK(test::solve_lost_puzzles("tests/plan/bands.jsonl", holds) == 10);
 }
 
 TEST_CASE("a combination is of different balls") {

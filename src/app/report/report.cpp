@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
@@ -44,22 +45,34 @@ std::vector<Recording> read_recordings(const std::string& file) {
   return out;
 }
 
-/// Those that were asked for, in the page's order; all where none was.
+/// In the page's order, but for that of recordings, which comes last.
+constexpr std::pair<const char*, Section (*)(const Settings&, Progress&)> always[] = {
+    {"simulators", simulators}, {"models", models},   {"planners", planners}, {"conditioning", conditioning},
+    {"hard-cases", hard_cases}, {"scaling", scaling}, {"tilt", tilt}};
+constexpr const char* of_recordings = "recorded";
+
+std::vector<std::string> part_names() {
+  std::vector<std::string> out;
+  for (const auto& part : always) out.push_back(part.first);
+#if BANKSHOT_LEARN
+  out.push_back(of_recordings);
+#endif
+  return out;
+}
+
+/// Those that were asked for; all where none was.
 std::vector<Part> parts_of(const Arguments& a, const std::vector<Recording>& recordings) {
-  const Part all[] = {
-      {"simulators", simulators}, {"models", models},   {"planners", planners}, {"conditioning", conditioning},
-      {"hard-cases", hard_cases}, {"scaling", scaling}, {"tilt", tilt}};
   std::vector<Part> out;
+  const auto asked = [&](const char* name) { return std::ranges::find(a.sections, name) != a.sections.end(); };
   const auto add = [&](const Part& part) {
-    if (a.sections.empty() || std::ranges::find(a.sections, part.name) != a.sections.end()) out.push_back(part);
+    if (a.sections.empty() || asked(part.name)) out.push_back(part);
   };
-  for (const Part& part : all) add(part);
+  for (const auto& [name, measure] : always) add({name, measure});
 #if BANKSHOT_LEARN
   if (!recordings.empty())
-    add({"recorded", [&](const Settings& s, Progress& progress) { return recorded(recordings, s, progress); }});
+    add({of_recordings, [&](const Settings& s, Progress& progress) { return recorded(recordings, s, progress); }});
 #endif
-  if (recordings.empty() && std::ranges::find(a.sections, "recorded") != a.sections.end())
-    throw FileError("the section recorded needs --recordings");
+  if (recordings.empty() && asked(of_recordings)) throw FileError("the section recorded needs --recordings");
   return out;
 }
 
@@ -129,16 +142,14 @@ Run add(CLI::App& app) {
       ->required()
       ->check(file_name);
   command->add_flag("--quick", a->quick, "Fewer shots and coarser ranges: under a minute");
-  std::vector<std::string> names{"simulators", "models", "planners", "conditioning", "hard-cases", "scaling", "tilt"};
 #if BANKSHOT_LEARN
   command->add_option("--recordings", a->recordings,
                       "Tracked shots, one JSON a line: a section more says which law of the cushions explains them");
-  names.push_back("recorded");
 #endif
   command->add_option("--sections", a->sections, "These alone")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(names));
+      ->check(CLI::IsMember(part_names()));
   command->add_option("--shots", a->shots, "Shots a point of a curve")->group("");  // for tests
   explain(
       *command, "The page opens offline. Every figure has its CSV beside it; docs/csv.md has their columns.",

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Puzzles that were lost once, a line each of a file of the repository: they are solved, and their shots hold.
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/json.hpp"
+#include "support/catch.hpp"
+#include "support/program.hpp"
+#include "support/replay_check.hpp"
+
+namespace bankshot::test {
+
+/// `also(puzzle, answer)` checks more of each. How many there are.
+template <class Also>
+int solve_lost_puzzles(const std::string& file, Also&& also) {
+  std::istringstream lines(read_repository_file(file));
+  int puzzles = 0;
+  for (std::string line; std::getline(lines, line); ++puzzles) {
+    CAPTURE(line);
+    const Puzzle p = read_puzzle(line);
+    const Answer a = solve(p, {.robustness = false, .suggest = false});
+    INFO(a.message);
+    REQUIRE(a.status == Status::solved);
+    CHECK(check_shot(p, a.shots[0]).problem == "");
+    also(p, a);
+  }
+  return puzzles;
+}
+
+}  // namespace bankshot::test
