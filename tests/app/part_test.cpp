@@ -2,6 +2,8 @@
 //
 // A batch in parts, each its own process, and `merge`: the same bytes as in one go, whatever the lines, the number of
 // parts and the packing; and what is missing, damaged or of another batch is told.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/scratch_file.hpp"
@@ -153,13 +155,21 @@ TEST_CASE("a part that runs is not run a second time and, where no lock tells, n
   const std::string command = "batch --no-robustness --quiet " + timing + in("p.jsonl") + " --part 0/1 -o " + in("b");
   const std::string journal = in("b.partial.progress");
   // The first run stands still once it has written something, as on a node that hangs; meanwhile there is a second.
-  // On a machine that has much else to do the first may be done before it is told to stand still: then again.
+  // On a machine that has much else to do the first may have written all before it is told to stand still: then again.
   const auto both = [&](const std::string& between) {
-    return run_shell("for try in 1 2 3 4 5 6 7 8 9; do PROGRAM " + command + " & first=$!; while [ ! -s " + journal +
-                     " ] || [ ! -s " + in("b.partial") + " ]; do [ ! -e " + in("b") +
-                     " ] || break; done; kill -STOP $first; [ -e " + in("b") +
-                     " ] || break; kill -CONT $first; wait; rm -f " + in("b") + "; done; " + between + "PROGRAM " +
-                     command + " --resume; echo second $?; kill -CONT $first; wait $first; echo first $?");
+    return run_shell(fmt::format(
+        R"(for try in 1 2 3 4 5 6 7 8 9; do
+             PROGRAM {command} & first=$!
+             until [ -s {part}.progress ] && [ -s {part} ] || [ -e {whole} ]; do :; done
+             kill -STOP $first
+             [ -e {whole} ] || [ $(wc -l <{part}) -ge 3000 ] || break
+             kill -CONT $first; wait; rm -f {whole}
+           done
+           {between}
+           PROGRAM {command} --resume; echo second $?
+           kill -CONT $first; wait $first; echo first $?)",
+        fmt::arg("command", command), fmt::arg("part", in("b.partial")), fmt::arg("whole", in("b")),
+        fmt::arg("between", between)));
   };
   const auto refused = both("");
   CHECK_THAT(refused.err, Contains("b.partial: another bankshot is writing this file"));
@@ -168,7 +178,7 @@ TEST_CASE("a part that runs is not run a second time and, where no lock tells, n
   CHECK((std::ranges::count(whole, '\n') == 3000));
   std::filesystem::remove(in.path + "/b");
   // A lock of the old file does not hold the new one: so do two machines without locks between them.
-  const auto unlocked = both("cp " + journal + " " + in("j") + "; mv " + in("j") + " " + journal + "; ");
+  const auto unlocked = both("cp " + journal + " " + in("j") + "; mv " + in("j") + " " + journal);
   INFO(unlocked.out << unlocked.err);
   CHECK_THAT(unlocked.out, Contains("second 0"));
   const std::string merge = "merge " + in("b") + " -o " + in("merged");
