@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 . cmake/packages.sh
 need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium python3-jsonschema jq $python
 preset=${1:-release}
-case $preset in *clang | fuzz) need clang ;; esac
+case $preset in asan-ubsan | fuzz) need clang ;; esac
 [ $# -gt 0 ] && shift
 if [ $# = 0 ]; then
   build "$preset" -DBANKSHOT_TESTS=ON -DBANKSHOT_PYTHON=ON
