@@ -176,6 +176,8 @@ TEST_CASE("of all laws the one that predicts best what was left out is taken", "
   REQUIRE(fit.predictions.size() == 3);
   CHECK(median_rms(fit.predictions) == best->predicted);
   CHECK(median_rms(fit.shots) == best->fitted);
+  CHECK(fit.model == best->model);
+  CHECK(fit.seconds > 0);
   CHECK(std::ranges::is_sorted(shares));
   CHECK(shares.back() == 1);
   CHECK(message_of(fit).find("Cushions after stronge") != std::string::npos);

@@ -88,6 +88,7 @@ struct Fit {
   std::vector<ModelScore> models{};  ///< that were tried
   std::string model{};               ///< of these, the one that was taken
   long simulations = 0, restarts = 0;
+  double seconds = 0;  ///< by the clock on the wall, that learning from all shots took: without what was left out
 };
 
 /// What may be fitted, as `FitWish::free` names it.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "app/option_checks.hpp"
 #include "app/report/sections.hpp"
@@ -34,7 +33,6 @@ constexpr std::size_t quick_laws = 3;
 struct Result {
   const Law* law;
   Fit fit;
-  double seconds;  ///< by the clock on the wall
 
   double predicted() const { return median_rms(fit.predictions); }
 };
@@ -45,14 +43,11 @@ Result measure(const Law& law, std::span<const Recording> recordings, int holdou
   std::size_t shown = 0;
   FitWish wish{.model = law.cushion, .threads = threads_for(0)};
   wish.restitution = wish.rolling = law.by_speed;
-  const auto begin = std::chrono::steady_clock::now();
-  bankshot::fit(recordings, wish);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   wish.holdout = holdout;
   wish.progress = [&](double share) {
     for (; shown < static_cast<std::size_t>(share * percent); ++shown) progress.step();
   };
-  return {&law, bankshot::fit(recordings, wish), took.count()};
+  return {&law, bankshot::fit(recordings, wish)};
 }
 
 template <class Measured>
@@ -101,9 +96,10 @@ constexpr const char* about =
     "Shots that a camera tracked. For each law of the cushions the table's coefficients and all launches are fitted to "
     "all shots; then a quarter of the shots is left out at a time, the coefficients are fitted to the others, and each "
     "shot left out is predicted from its first part, to 0.25 s after its first bounce. Distances are root mean squares "
-    "over a shot's samples at the same time. Cushions after mathavan2010, whose impacts are integrated, take ten times "
-    "as long and are not tried. By speed: restitution and rolling friction may change with the speed. The "
-    "time is that of one fit of all shots, by the clock on the wall, with as many threads as there are cores.";
+    "over a shot's samples at the same time. Cushions after mathavan2010, whose impacts are integrated, take forty "
+    "times as long or more and are not tried. By speed: restitution and rolling friction may change with the "
+    "speed. The time is that of learning from all shots, by the clock on the wall, with as many threads as there are "
+    "cores.";
 
 }  // namespace
 
@@ -129,9 +125,9 @@ Section recorded(std::span<const Recording> recordings, const Settings& settings
     const auto predictions = std::ranges::count_if(fit.predictions, [](const Prediction& p) { return p.samples > 0; });
     s.table.rows.push_back({r.law->name, short_length(all), has_many ? short_length(many) : "",
                             predictions > 0 ? short_length(r.predicted()) : "", short_length(fit.sigma),
-                            short_time(r.seconds)});
+                            short_time(fit.seconds)});
     csv += fmt::format("\"{}\",{},{:.4g},{:.4g},{},{:.4g},{:.4g},{:.3g}\n", r.law->name, fit.shots.size(), mm * all,
-                       mm * many, predictions, mm * r.predicted(), mm * fit.sigma, r.seconds);
+                       mm * many, predictions, mm * r.predicted(), mm * fit.sigma, fit.seconds);
     for (std::size_t i = 0; i < fit.shots.size(); ++i) {
       const Prediction p = i < fit.predictions.size() ? fit.predictions[i] : Prediction{};
       each += fmt::format("\"{}\",{},{},{:.4g},{}\n", r.law->name, i + 1, fit.shots[i].cushions, mm * fit.shots[i].rms,
