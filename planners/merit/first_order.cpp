@@ -66,7 +66,7 @@ class Path {
     const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.mark.ball, arc, t, before, {}); };
     const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, q_.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > Number(0))) return false;
-    q_.stop ? rests(arrival, at) : passes(arrival, at);
+    q_.stop ? rests(arrival, at) : passes(arrival, at, rolling_square(motion, arrival.state));
     arrives_ = true;
     return complete;
   }
@@ -135,7 +135,27 @@ class Path {
     moves(a.state.at);
   }
 
-  void passes(const LockedArrival<Number>& a, const Vec2d& at) {
+  /// The squared speed of a ball that rolls as far as this one goes from here [m²/s²]: what slides loses speed at a
+  /// rate that ends where it rolls.
+  template <class Motion>
+  Number rolling_square(const Motion& motion, const State<Number>& state) const {
+    const Number square = dot(state.velocity, state.velocity);
+    if constexpr (has_chords<Motion>) {
+      return square;
+    } else {
+      const Body& body = boundary_of_arrival().body;
+      const Arc<Number> arc = motion.arc(body, state);
+      if (!arc.goes_on() || !(square > Number(0))) return square;
+      const State<Number> rolls = advance(motion, body, state, arc, arc.duration);
+      const Vec2<Number> u = state.velocity / sqrt(square);
+      const Number on = dot(u, rolls.velocity);
+      if (!(on > Number(0))) return square;  // it is drawn back
+      return on * on + Number(2 * deceleration(q_.puzzle.physics)) * dot(u, rolls.at - state.at);
+    }
+  }
+
+  /// `square`: rolling_square of the arrival.
+  void passes(const LockedArrival<Number>& a, const Vec2d& at, const Number& square) {
     // Along the line of travel nothing is missed: only the lateral part counts.
     const Vec2<Number> u = a.heading / norm(a.heading);
     const Vec2d line{-u.y.a, u.x.a};
@@ -147,7 +167,7 @@ class Path {
     limits_.keep(offset - room.low);
     limits_.keep(room.high - offset);
     const double rolls_on = aim_.mark.captures() ? 0 : 2 * deceleration(q_.puzzle.physics) * aim_.mark.reach;
-    fast_enough(dot(a.state.velocity, a.state.velocity) + rolls_on);
+    fast_enough(square + rolls_on);
     slope_ = limits_.in_deviations(offset);
     half_ = (room.high - room.low).a / 2;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planners/steps/roots.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "planners/certify.hpp"
@@ -20,10 +21,15 @@ void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear
   if (!step ||
       !(std::abs((*step)[0]) < seed_reach * cell_.step_aim && std::abs((*step)[1]) < seed_reach * cell_.step_speed))
     return;
-  if (!every_root_ && on_side_of_known(aim, linear)) return;
+  const double cells = std::max(std::abs((*step)[0]) / cell_.step_aim, std::abs((*step)[1]) / cell_.step_speed);
+  if (!every_root_ && (hopeless(aim, node, cells, linear) || on_side_of_known(aim, linear))) return;
   const Launch predicted{node.speed * std::exp((*step)[1]), node.angle + (*step)[0]};
   const auto give_up = [&](const Launch& at, double size, const Linear& there) {
-    return (size < near && known(aim, at, 2 * size)) || (!every_root_ && hopeless(aim, at, size, there));
+    if (size < near && known(aim, at, 2 * size)) return true;
+    if (every_root_ || !hopeless(aim, at, size, there)) return false;
+    // No other node need lead there.
+    if (size < near) remember(aim, at, there.determinant(q_.one_unknown()));
+    return true;
   };
   if (const auto root = newton(aim, ledger_, predicted, cell_, give_up)) add(aim, root.launch);
 }
@@ -42,12 +48,13 @@ bool Roots::on_side_of_known(const LockedAim& aim, const Linear& node) {
   return false;
 }
 
-/// Better shots are wanted than one that is known, and the root so many cells from here leads to none.
+/// Better shots are wanted than one that is known, and the root so many cells from here leads to none, as far as what
+/// is seen from here can be trusted there.
 bool Roots::hopeless(const LockedAim& aim, const Launch& at, double cells, const Linear& linear) const {
   if (at.speed > q_.speed.high * std::exp(2 * cells * cell_.step_speed)) return true;
-  if (!(cells < near)) return false;
-  if (linear.time > q_.latest * (1 + near)) return true;
-  return q_.likelier > 0 && success_at_most(q_, aim.mark, chance_on_mark(aim, at, linear)) < q_.likelier;
+  const double better_there = 1 + distrust * cells;
+  if (linear.time > q_.latest * better_there) return true;
+  return q_.likelier > 0 && better_there * success_at_most(q_, aim.mark, chance_on_mark(aim, at, linear)) < q_.likelier;
 }
 
 void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) {
@@ -113,10 +120,10 @@ NewtonResult Roots::after_last(const LockedAim& aim, const Launch& from) {
 void Roots::add(const LockedAim& aim, const Launch& root) {
   if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >= most_of_a_route)
     return;
-  roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark, root});
+  remember(aim, root);
   const bool shot = certify_root(aim, ledger_, found_, root, step_);
   const bool blocked = !shot && !aim.mark.captures() && q_.speed.contains(root.speed);
-  if (!q_.all() && !blocked) return;
+  if (!q_.all() && !(blocked && every_root_)) return;
   across_fold(aim, root);
   for (const Wall& rail : q_.boundary.walls) {
     if (!(dot(rail.normal, aim.mark.at) - rail.offset < hugging * q_.boundary.diagonal)) continue;

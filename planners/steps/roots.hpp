@@ -71,6 +71,9 @@ class Roots {
     return x.mark == aim.mark && std::ranges::equal(x.route, aim.route);
   }
 
+  void remember(const LockedAim& aim, const Launch& root, std::optional<double> determinant = {}) {
+    roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark, root, determinant});
+  }
   Seen& seen(const LockedAim& aim);
   void keep_nearest(const LockedAim& aim, const Launch& node, double miss);
   bool known(const LockedAim& aim, const Launch& l, double cells) const;
