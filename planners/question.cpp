@@ -128,8 +128,15 @@ Question Question::better_than(const Shot& shot) const {
 }
 
 const Mark& Question::nearest_mark(const Vec2d& arrived, int ball) const {
-  const auto farther = [&](const Mark& mark) { return std::pair(mark.ball != ball, mark.apart(arrived)); };
-  return *std::ranges::min_element(marks, {}, farther);
+  const bool has_own = std::ranges::find(marks, ball, &Mark::ball) != marks.end();
+  const Mark* best = nullptr;
+  double least = 0;
+  for (const Mark& mark : marks) {
+    if (has_own && mark.ball != ball) continue;
+    const double apart = mark.apart(arrived);
+    if (!best || apart < least) best = &mark, least = apart;
+  }
+  return *best;
 }
 
 const Mark* Question::mark_taken_by(Contact contact, const Vec2d& arrived, int ball) const {

@@ -261,14 +261,27 @@ inline constexpr double scale_of_aim = 0.05, scale_of_speed = 0.15, scale_of_spi
 inline constexpr int most_starts = 3;
 /// Caroms that are tuned where one is wanted.
 inline constexpr std::size_t most_tuned_caroms = 6;
-/// Of the mark's reach: where launches beside a curve are tried.
-inline constexpr std::array beside{0.1, -0.1, 0.2, -0.2, 0.3, -0.3, 0.4, -0.4, 0.5, -0.5, 0.6, -0.6,
-                                   0.7, -0.7, 0.8, -0.8, 0.9, -0.9, 1.0, -1.0, 1.1, -1.1, 1.2, -1.2};
+/// m: a locked path that lacks more room is no shot.
+inline constexpr double uncertain = 1e-6;
+/// Parts into which a curve is divided further where none of its points is made; and where it lacks so little room, of
+/// the mark's reach.
+inline constexpr int finer_walk = 4;
+inline constexpr double little_lack = 0.02;
+/// Of the mark's reach: how far apart launches beside a curve are that are tried, and how many to either side.
+inline constexpr double apart_beside = 0.1;
+inline constexpr int most_beside = 12;
+/// The same of launches that rattle in, and every how many-th point of a curve is looked at: likely ones fall in wide
+/// bands, which change little along a curve.
+inline constexpr double apart_rattles = 0.2;
+inline constexpr int most_rattles = 4;
+inline constexpr std::size_t rattle_points = 2;
 /// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
 /// more.
 inline constexpr double hopeless = 0.15;
 /// Newton's steps onto the family; the step after one so short is exact to rounding, if the miss was so small.
 inline constexpr int most_steps = 40;
+/// Steps after which each must be shorter.
+inline constexpr int patience = 8;
 inline constexpr double longest_step = 2, settled = 1e-7, nearly = 1e-6;
 /// Steps along a curve: the first, the longest, the least before it is given up; and how many each way.
 inline constexpr double first_walk = 1, longest_walk = 2, least_walk = 0.02;

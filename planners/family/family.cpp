@@ -7,7 +7,6 @@
 #include <span>
 
 #include "planners/certify.hpp"
-#include "planners/locked/clearance.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/merit/success.hpp"
@@ -83,8 +82,8 @@ void Family::search() {
     const std::size_t known = found_.shots.size();
     keep_parts(curve);
     const auto leads_here = [&](const Shot& shot) { return q_.mark_of(shot) == start_.mark; };
-    if (q_.objects && q_.all() && std::ranges::none_of(std::span(found_.shots).subspan(known), leads_here))
-      look_beside(curve);
+    if (lists() && std::ranges::none_of(std::span(found_.shots).subspan(known), leads_here) && !look_beside(curve))
+      look_for_rattles(curve);
     return;
   }
   auto from = settle(x, box_);

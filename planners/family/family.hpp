@@ -5,7 +5,8 @@
 //   walk    where one thing is free the family is a curve: steps along it, both ways, to where the arrival speed or the
 //           spin ends; what the replay makes of each step is asked afterwards, since only parts of a curve may be shots
 //   climb   where more is free, a compass search over the family's tangent space to a best shot by `prefer`
-//   beside  where every shot with other balls is wanted and no point of a curve is made, launches beside it
+//   beside  where every shot with other balls is wanted and no point of a curve is made, launches beside it: those that
+//           fall straight, then those that rattle in
 // A best shot lies inside, at a bound, or where a cushion's end or a pocket cuts the family; there the edge is
 // bisected. Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: what is kept is proved;
 // that nothing better exists is measured (tests/stress), not proved. Source: the corrector is Gauss's and Newton's with
@@ -13,6 +14,7 @@
 // search is that of Kolda, Lewis & Torczon, SIAM Review 45, 2003, algorithm 3.2, on the tangent space.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,7 @@
 #include "planners/certify.hpp"
 #include "planners/family/point.hpp"
 #include "planners/findings.hpp"
+#include "planners/locked/clearance.hpp"
 
 namespace bankshot::planning::family {
 
@@ -52,6 +55,8 @@ class Family {
     Point at;
     double merit = 0;
     std::optional<Proof> proof{};
+    std::optional<Room> room{};  ///< of its locked path, where that was asked for
+    bool between = false;        ///< two points of the first walk
     bool made() const { return proof && proof->holds(); }
   };
   using Curve = std::vector<Tried>;
@@ -70,12 +75,28 @@ class Family {
   /// Outside the bounds on the launch speed, and farther out this way.
   bool leaves_for_good(const Point& at, const Vector& way) const;
   Tried attempt(const Point& p);
+  Tried attempt_where_clear(const Point& p);
 
   Curve walk(const Point& from);
   void walk_way(const Point& from, double way, Curve& out);
   void add_crossings(Curve& curve);
+  void look_between(Curve& curve);
   void keep_parts(Curve& curve);
-  void look_beside(const Curve& curve);
+  bool lists() const { return q_.objects && q_.all() && start_.mark.drops(); }
+  static Launch beside(const Launch& line, double turn);
+  /// Neighbouring aims beside a point of a curve: so many steps.
+  struct Band {
+    Launch line;
+    LaunchSpin spin;
+    double step;
+    int first = 0, last = 0;
+    Launch middle() const { return beside(line, step * (first + last) / 2); }
+  };
+
+  bool look_beside(const Curve& curve);
+  bool look_to_one_side(const Launch& line, double way, double before);
+  void look_for_rattles(const Curve& curve);
+  void add_bands(const Point& p, std::map<std::vector<Contact>, Band>& widest);
   Tried edge(const Tried& inside, const Tried& outside);
   Tried peak(const Tried& before, const Tried& best, const Tried& after);
   Tried climb(Tried from);

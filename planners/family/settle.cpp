@@ -73,6 +73,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
   }
   Vector before = x;
   bool at_bound = false;
+  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_steps && !ledger_.spent(); ++i) {
     auto p = look(aim_, ledger_, x, vary_);
     if (!p && i == 0) return {};
@@ -82,7 +83,8 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
     }
     const Vector step = least_step(*p, equations(*p, at_bound), fixed, box, scale_);
     const double size = step.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
-    if (!std::isfinite(size)) return {};
+    if (!std::isfinite(size) || (i >= patience && !(size < least))) return {};  // to and fro across a kink
+    least = std::min(least, size);
     before = x;
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;
     if (size < settled) {

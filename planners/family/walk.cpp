@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "planners/family/family.hpp"
-#include "planners/locked/clearance.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
@@ -41,7 +40,7 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
                  pulled = next ? (next->x - guess).cwiseQuotient(scale_).norm() : infinite;
     const bool ends = next && at_end(*next);
     if (ends && gone > least_walk * h) out.push_back({*next});
-    if (ends) return;
+    if (ends || (next && std::abs(gone) < settled)) return;  // the second: to rounding it was at the end before
     if (!(pulled < h / 2)) {
       h /= 2;
       if (h < least_walk) return;
@@ -85,11 +84,36 @@ void Family::add_crossings(Curve& curve) {
       }
 }
 
+/// Replays cost three times as much as room.
+Family::Tried Family::attempt_where_clear(const Point& p) {
+  const std::optional<Room> spare = inside(p) ? room(aim_, ledger_, launch_of(p.x)) : std::nullopt;
+  Tried t = spare && spare->least() > -uncertain ? attempt(p) : Tried{p, merit(p), {}};
+  t.room = spare;
+  return t;
+}
+
+/// Where the locked path has room, balls that move are in the way: not at all speeds, perhaps.
+void Family::look_between(Curve& curve) {
+  const auto hopeful = [&](const Tried& t) { return t.room && t.room->least() > -little_lack * start_.mark.reach; };
+  Curve finer;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const bool look = i > 0 && !ledger_.spent() && (hopeful(curve[i - 1]) || hopeful(curve[i]));
+    for (int k = 1; k < finer_walk && look; ++k) {
+      const Vector &a = curve[i - 1].at.x, &b = curve[i].at.x;
+      if (const auto p = settle(a + (b - a) * (static_cast<double>(k) / finer_walk), wide_))
+        finer.push_back(attempt_where_clear(*p)), finer.back().between = true;
+    }
+    finer.push_back(std::move(curve[i]));
+  }
+  curve = std::move(finer);
+}
+
 void Family::keep_parts(Curve& curve) {
   for (Tried& t : curve) {
-    t = attempt(t.at);
+    t = lists() ? attempt_where_clear(t.at) : attempt(t.at);
     if (q_.first() && t.made()) return keep(t);
   }
+  if (lists() && std::ranges::none_of(curve, &Tried::made)) look_between(curve);
   for (std::size_t begin = 0, end = 0; begin < curve.size(); begin = end + 1) {
     end = begin;
     while (end < curve.size() && curve[end].made()) ++end;
@@ -106,22 +130,6 @@ void Family::keep_parts(Curve& curve) {
       keep(edge(curve[best], curve[best + 1]));
     else
       keep(curve[best]);
-  }
-}
-
-/// Where the exact line is blocked all along, launches beside it may be made.
-void Family::look_beside(const Curve& curve) {
-  if (!start_.mark.drops()) return;
-  for (const Tried& t : curve) {
-    if (!inside(t.at) || ledger_.spent()) continue;
-    const Launch launch = launch_of(t.at.x);
-    if (!(clearance(aim_, ledger_, launch).value_or(-infinite) > -start_.mark.reach)) continue;
-    q_.spin = spin_of(t.at.x);
-    const double across = start_.mark.reach / (t.at.off[0].by[aim] * q_.boundary.diagonal);
-    for (const double share : beside) {
-      const Launch to{launch.speed, wrap_angle(launch.angle + share * across)};
-      if (certify(q_, ledger_, found_, to, bounces_of(aim_.route), step_, Demand::off_centre)) return;
-    }
   }
 }
 

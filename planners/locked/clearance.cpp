@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "bankshot/detail/roots/roots.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/locked/in_the_way.hpp"
@@ -16,15 +17,17 @@ class Clearance {
  public:
   explicit Clearance(const LockedAim& aim) : aim_(aim) {}
 
-  double least() const { return least_; }
-  void consider(double metres) { least_ = std::min(least_, metres); }
+  const Room& room() const { return room_; }
 
   /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
   void arc(int ball, const Arc<double>& arc, double t, std::span<const Meeting> before, Contact next) {
     if (!(t > 0)) return;
+    const Reach<double> reach(arc, t, 0);
     const auto keeps_from = [&](const Circle& c) {
+      const double near = c.radius + room_.on_the_way;
+      if (near < 0 || reach.misses(c.centre, near)) return;    // something else is nearer
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
-      if (!inside) consider(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
+      if (!inside) on_the_way(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
     each_in_the_way(aim_.q.boundary_of(ball), before, next, aim_.mark.taken_by, keeps_from);
   }
@@ -34,7 +37,7 @@ class Clearance {
     const Wall* const line = boundary.line(meeting.with);
     if (!line) return;
     const double along = dot(line->along, at);
-    consider(std::min(along - dot(line->along, line->from), dot(line->along, line->to) - along) + boundary.touch);
+    on_the_way(std::min(along - dot(line->along, line->from), dot(line->along, line->to) - along) + boundary.touch);
   }
 
   void arrival(const LockedArrival<double>& a) {
@@ -42,26 +45,35 @@ class Clearance {
     const Vec2d u = a.heading / norm(a.heading);
     const double offset = -cross(u, off);
     const Gap<double> gap = aim_.mark.gap(u, offset);
-    consider(a.at_rest ? aim_.mark.reach - norm(off) : std::min(offset - gap.low, gap.high - offset));
+    at_mark(a.at_rest ? aim_.mark.reach - norm(off) : std::min(offset - gap.low, gap.high - offset));
     if (aim_.mark.capture() > 0 && !a.at_rest)
-      consider(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
-               (2 * deceleration(aim_.q.puzzle.physics)));
+      at_mark(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
+              (2 * deceleration(aim_.q.puzzle.physics)));
     const Boundary& boundary = aim_.q.boundary_of(aim_.mark.ball);
-    consider(boundary.clearance(a.state.at) + boundary.touch);
+    at_mark(boundary.clearance(a.state.at) + boundary.touch);
   }
 
  private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  void on_the_way(double metres) { room_.on_the_way = std::min(room_.on_the_way, metres); }
+  void at_mark(double metres) { room_.at_mark = std::min(room_.at_mark, metres); }
+
   const LockedAim& aim_;
-  double least_ = std::numeric_limits<double>::infinity();
+  Room room_{infinite, infinite};
 };
 
 }  // namespace
 
 std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
+  const auto r = room(aim, ledger, launch);
+  return r ? std::optional(r->least()) : std::nullopt;
+}
+
+std::optional<Room> room(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
   const Question& q = aim.q;
   if (ledger.spent()) return {};
   ledger.charge(aim.route.size());
-  return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<double> {
+  return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Room> {
     Clearance out(aim);
     State<double> state = start_of(q, launch);
     std::span<const Meeting> before;
@@ -83,7 +95,7 @@ std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Laun
         arrive_locked(motion, q.boundary_of(aim.mark.ball).body, state, aim.mark.at, aim.mark.capture(), q.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);
-    return out.least();
+    return out.room();
   });
 }
 

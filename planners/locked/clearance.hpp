@@ -8,15 +8,26 @@
 // Cost: one simulation.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "planners/locked/residual.hpp"
 
 namespace bankshot::planning {
 
-/// m, the least of: how far each bounce is inside its cushion's ends, how far each leg keeps from the pockets
-/// and the vertices that it should not meet, how far inside the target the ball passes, how far inside the table it
-/// arrives, and how far it would roll on into a pocket. None where the path never gets to its last leg.
+/// m: what a locked path has to spare.
+struct Room {
+  double on_the_way;  ///< the least of: how far each bounce is inside its cushion's ends, how far each leg keeps from
+                      ///< the pockets and the vertices that it should not meet
+  double at_mark;     ///< the least of: how far inside the target the ball passes, how far inside the table it arrives,
+                      ///< and how far it would roll on into a pocket
+  double least() const { return std::min(on_the_way, at_mark); }
+};
+
+/// None where the path never gets to its last leg.
+std::optional<Room> room(const LockedAim& aim, Ledger& ledger, const Launch& launch);
+
+/// The least room.
 std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Launch& launch);
 
 }  // namespace bankshot::planning

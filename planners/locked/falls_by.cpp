@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "planners/locked/falls_by.hpp"
+
+#include <algorithm>
+
+#include "bankshot/simulate/simulator.hpp"
+#include "planners/start.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// Cushions that a ball may still meet.
+std::size_t cushions_left(const LockedAim& aim) {
+  const Then* const then = aim.q.then();
+  const int most = then ? then->cushions_of(then->links.size()).max : aim.q.cushions().max;
+  return static_cast<std::size_t>(most - std::ranges::count(aim.route, aim.mark.ball, &Meeting::ball));
+}
+
+}  // namespace
+
+std::optional<std::vector<Contact>> falls_by(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
+  if (ledger.spent()) return {};
+  ledger.charge(aim.route.size());
+  const Question& q = aim.q;
+  const std::size_t left = cushions_left(aim);
+  return with_physics(q.puzzle.physics,
+                      [&](const auto& motion, const auto& cushion) -> std::optional<std::vector<Contact>> {
+                        const auto path = follow_locked(q.balls(), motion, cushion, aim.route, start_of(q, launch));
+                        if (path.end != LockedEnd::complete) return {};
+                        Simulator sim(q.boundary_of(path.ball), motion, cushion, path.state);
+                        std::vector<Contact> by;
+                        while (by.size() <= left) {
+                          const Event e = sim.step();
+                          if (e.kind == EventKind::pocket && e.contact == aim.mark.taken_by) return by;
+                          if (e.kind == EventKind::ball || e.final()) return {};
+                          if (e.kind == EventKind::cushion) by.push_back(e.contact);
+                        }
+                        return {};
+                      });
+}
+
+}  // namespace bankshot::planning
