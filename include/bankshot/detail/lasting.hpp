@@ -63,14 +63,16 @@ class LastingContacts {
       for (std::size_t j = 0; j < in.count() && !any; ++j)
         any = j != balls[k] && touch(in, balls[k], j, driven) && driven;
     if (!any) return;
+    joined_.assign(in.count(), false);
+    for (const std::size_t k : balls) joined_[k] = true;
     for (std::size_t k = 0; k < balls.size(); ++k)
       for (std::size_t j = 0; j < in.count(); ++j) {
-        if (std::find(balls.begin(), balls.end(), j) != balls.end() || !touch(in, balls[k], j, driven)) continue;
+        if (joined_[j] || !touch(in, balls[k], j, driven)) continue;
         const std::size_t known = balls.size();
         in.bring(j, watch);
         balls.push_back(j);
         let_go(in, balls, watch);
-        for (std::size_t m = known; m < balls.size(); ++m) in.begin(balls[m]);
+        for (std::size_t m = known; m < balls.size(); ++m) joined_[balls[m]] = true, in.begin(balls[m]);
       }
     std::ranges::sort(balls);
     find_contacts(in, balls);
@@ -182,6 +184,7 @@ class LastingContacts {
   std::vector<Pressed<T>> contacts_;
   std::vector<Vec2<T>> rates_, own_;
   std::vector<double> inertias_;
+  std::vector<char> joined_;  ///< of all balls: it is looked at
 };
 
 }  // namespace bankshot

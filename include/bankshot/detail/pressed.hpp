@@ -82,10 +82,11 @@ void press(Arc<T>& arc, const Vec2<T>& push) {
 /// A contact of two balls, by number; or of the first with a cushion.
 template <class T>
 struct Pressed {
-  int first, second;   ///< second: none is the cushion
-  Vec2<T> normal;      ///< unit, from the first to the second or to the cushion
-  T force{0};          ///< N, or an impulse [N s]
-  bool keeps = false;  ///< it pulls as well
+  int first, second;                                ///< second: none is the cushion
+  Vec2<T> normal;                                   ///< unit, from the first to the second or to the cushion
+  T force{0};                                       ///< N, or an impulse [N s]
+  bool keeps = false;                               ///< it pulls as well
+  Real<T> first_lightness{0}, second_lightness{0};  ///< 1/kg; 0 of a cushion
   static constexpr int none = -1;
 };
 
@@ -109,9 +110,10 @@ void press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::
   const auto inverse = [&](int ball) {
     return ball == Pressed<T>::none ? N(0) : N(1) / N(inertias[static_cast<std::size_t>(ball)]);
   };
-  const auto push = [&](int ball, const Vec2<T>& impulse) {
-    if (ball != Pressed<T>::none) rates[static_cast<std::size_t>(ball)] += impulse * T(inverse(ball));
+  const auto push = [&](int ball, const N& lightness, const Vec2<T>& impulse) {
+    if (ball != Pressed<T>::none) rates[static_cast<std::size_t>(ball)] += impulse * T(lightness);
   };
+  for (Pressed<T>& c : contacts) c.first_lightness = inverse(c.first), c.second_lightness = inverse(c.second);
   N rounding(0);  // of a force: that of the rates, on the heaviest
   for (std::size_t i = 0; i < rates.size(); ++i) {
     using std::sqrt;
@@ -123,14 +125,14 @@ void press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::
     bool settled = true;
     for (Pressed<T>& c : contacts) {
       const T parting = parting_rate<T>(c, rates);
-      const T wanted = c.force - parting / T(inverse(c.first) + inverse(c.second));
+      const T wanted = c.force - parting / T(c.first_lightness + c.second_lightness);
       const T force = c.keeps || value(wanted) > N(0) ? wanted : T(0), more = force - c.force;
       if (value(more) == N(0)) continue;
       using std::abs;
       settled = settled && !(abs(value(more)) > rounding);
       c.force = force;
-      push(c.first, -(c.normal * more));
-      push(c.second, c.normal * more);
+      push(c.first, c.first_lightness, -(c.normal * more));
+      push(c.second, c.second_lightness, c.normal * more);
     }
     if (settled) return;
   }

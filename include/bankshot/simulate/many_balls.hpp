@@ -248,7 +248,9 @@ class ManyBalls {
     if (in_.too_far(i, j, limit) || lasting_.is_held(i, j)) return;
     // The lower number is the first, so that a pair is looked at in one way.
     const std::size_t low = std::min(i, j), high = std::max(i, j);
-    const Number t = first_meeting(in_.seen(low, high, now), in_.reach(i, j), Number(limit), in_.rounding);
+    const Apart<Number> apart = in_.seen(low, high, now);
+    if (cannot_meet(apart, in_.reach(i, j), limit, in_.rounding)) return;
+    const Number t = first_meeting(apart, in_.reach(i, j), Number(limit), in_.rounding);
     if (t < never) time = now + t;
   }
 

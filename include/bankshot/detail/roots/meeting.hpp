@@ -68,6 +68,18 @@ struct Rounding {
   N touch, still;
 };
 
+/// They do not meet within `limit`, as the first step of first_meeting would find, with neither a root nor a division:
+/// distance > reach + closing · limit + bend · limit² / 2, times the distance and squared.
+template <class N>
+bool cannot_meet(const Apart<N>& pair, const N& reach, const N& limit, const Rounding<N>& rounding) {
+  constexpr double sure = 1 + 1e-9;  // far above the rounding of both, so that they never disagree
+  if (pair.clocked()) return false;
+  const N square = dot(pair.at, pair.at), nearing = -dot(pair.at, pair.velocity);
+  const N rest = nearing > N(0) ? N(square - nearing * limit) : square;
+  const N near = (reach + 2 * rounding.touch + pair.bend * limit * limit / 2) * N(sure);
+  return rest > N(0) && rest * rest > near * near * square;
+}
+
 /// Seconds until the distance falls through `reach`, if within `limit`; else `forever`. Two that touch and approach
 /// meet now; two that touch and do not approach must part first.
 template <class N>
