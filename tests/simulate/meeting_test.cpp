@@ -106,12 +106,14 @@ struct Quartic {
   }
 };
 
-double found_by(const Case& c) {
+Apart<double> apart_of(const Case& c) {
   const Arc<double> still{{0, 0}, {0, 0}, {0, 0}, forever};
   Arc<double> moves{c.d, c.v, c.a, forever};
   moves.bends = true;
-  return first_meeting(Apart<double>(still, 0, moves, 0), c.reach, c.limit, Rounding<double>{0, 0});
+  return {still, 0, moves, 0};
 }
+
+double found_by(const Case& c) { return first_meeting(apart_of(c), c.reach, c.limit, Rounding<double>{0, 0}); }
 
 }  // namespace
 
@@ -158,5 +160,26 @@ TEST_CASE("meetings of two balls are those of 50 digits: none lost, none made up
                 missed, undecided, worst);
     CHECK(met > 50);
     CHECK(undecided < 600);
+  }
+}
+
+TEST_CASE("no pair that the bound excludes is found to meet") {
+  constexpr std::uint64_t seed = 62;
+  Random r(seed);
+  for (const Family family : families) {
+    int excluded = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const Case c = draw(r, family);
+      INFO(names[static_cast<int>(family)] << " number " << i << " of seed " << seed);
+      // Also a limit just before the meeting, where the bound must not say too much, and far beyond.
+      const double t = found_by(c);
+      for (const double limit : {c.limit, t, t * (1 + 1e-7), c.limit / 10}) {
+        if (!(limit < forever) || !cannot_meet(apart_of(c), c.reach, limit, Rounding<double>{0, 0})) continue;
+        ++excluded;
+        REQUIRE(first_meeting(apart_of(c), c.reach, limit, Rounding<double>{0, 0}) == forever);
+      }
+    }
+    std::printf("%s: %d excluded\n", names[static_cast<int>(family)], excluded);
+    CHECK(excluded > 1000);
   }
 }
