@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/generate.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
@@ -37,7 +38,7 @@ TEST_CASE("the book: 30 easy, 30 medium, 30 hard and 10 unique puzzles, each par
     else
       CHECK(difficulty(a.shots[0]) == static_cast<Difficulty>(number / part));
     if (number % part == 0) before = 1;
-    CHECK(*a.shots[0].success <= before);
+    CHECK(*a.shots[0].success <= before + tolerance::success);  // no chance is promised nearer
     before = *a.shots[0].success;
   }
   CHECK(number == 100);
