@@ -128,13 +128,13 @@ Question Question::better_than(const Shot& shot) const {
 }
 
 const Mark& Question::nearest_mark(const Vec2d& arrived, int ball) const {
-  const bool has_own = std::ranges::find(marks, ball, &Mark::ball) != marks.end();
-  const Mark* best = nullptr;
-  double least = 0;
+  const auto own = std::ranges::find(marks, ball, &Mark::ball);
+  const bool has_own = own != marks.end();
+  const Mark* best = has_own ? &*own : &marks.front();
+  double least = best->apart(arrived);
   for (const Mark& mark : marks) {
     if (has_own && mark.ball != ball) continue;
-    const double apart = mark.apart(arrived);
-    if (!best || apart < least) best = &mark, least = apart;
+    if (const double apart = mark.apart(arrived); apart < least) best = &mark, least = apart;
   }
   return *best;
 }

@@ -430,6 +430,9 @@ inline constexpr double least_doubt = 4e-4;
 inline constexpr std::size_t cheapest_line = 5;
 /// How doubt grows with the change of chance between two lines, and what is left where there is none.
 inline constexpr double doubt_of_change = 0.05, doubt_always = 0.003;
+/// A doubt, or a bracket, is greater than another by more than this, else the first of them is it: rounding, which
+/// compilers do not share, must not choose where the next line is laid.
+inline constexpr double surely_more = 1 + 1e-6;
 /// Points spread over the only line, the first, later ones, and later ones where no edge is expected.
 inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4, points_without_edges = 3;
 /// Of probability, at either end, where no point is spread.

@@ -60,7 +60,7 @@ class Chance {
       std::size_t at = 0;
       double most = least_doubt;
       for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
-        if (const double d = doubt(i); d > most) most = d, at = i + 1;
+        if (const double d = doubt(i); d > most * surely_more) most = d, at = i + 1;
       if (at == 0) break;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
@@ -222,7 +222,7 @@ class Chance {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
         const LineOfErrors::Try &a = line.tries[i], &b = line.tries[i + 1];
-        if (a.made != b.made && width(a, b) > most) most = width(a, b), at = (a.across + b.across) / 2;
+        if (a.made != b.made && width(a, b) > most * surely_more) most = width(a, b), at = (a.across + b.across) / 2;
       }
       if (most == enough) break;
       made(line, at);
