@@ -410,7 +410,7 @@ inline constexpr double difference = 1e-5;
 
 // In standard deviations of the player, where nothing else is said.
 namespace success {
-/// Simulations at most; 84 are usual. What the chance is off by is in planners/README.md.
+/// Simulations at most; 100 are usual. What the chance is off by is in planners/README.md.
 inline constexpr std::size_t most_samples = 150;
 /// Errors beyond are taken to do as those here: 0.001 of all.
 inline constexpr double widest = 3.3;
@@ -420,25 +420,21 @@ inline constexpr int most_doublings = 6;
 /// A bracket of an edge is bisected to this; on the first line, whose edges all others inherit; where there is one
 /// line.
 inline constexpr double narrow = 0.05, finer = 0.01, finest = 0.002;
-/// Where lines across the band begin; and where other shots are near, whose bands may join it.
-inline constexpr std::array first_lines{0.0, 1.3, -1.3, 2.6, -2.6};
-inline constexpr std::array first_lines_beside{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
+/// Where lines across the band begin.
+inline constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
 /// Where the outermost two of a band that ends within reach are laid.
 inline constexpr double outermost = 2.5, beyond_end = 1.1;
 /// Of chance: no further line is worth while below this doubt; and what a line costs at least.
-inline constexpr double least_doubt = 4e-4;
+inline constexpr double least_doubt = 2e-4;
 inline constexpr std::size_t cheapest_line = 5;
 /// How doubt grows with the change of chance between two lines, and what is left where there is none.
-inline constexpr double doubt_of_change = 0.05, doubt_always = 0.003;
-/// A doubt, or a bracket, is greater than another by more than this, else the first of them is it: rounding, which
-/// compilers do not share, must not choose where the next line is laid.
-inline constexpr double surely_more = 1 + 1e-6;
+inline constexpr double doubt_of_change = 0.15, doubt_always = 0.01;
 /// Points spread over the only line, the first, later ones, and later ones where no edge is expected.
 inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4, points_without_edges = 3;
 /// Of probability, at either end, where no point is spread.
 inline constexpr double tail = 0.0015;
 /// Where the first lines and first order agree so nearly (of chance), no further line is laid.
-inline constexpr double agrees = 2e-3;
+inline constexpr double agrees = 1e-3;
 /// Of a bracket's width: what lies z deviations out counts by this times exp(-z²/2), and never more than all.
 inline constexpr double thin_out = 3;
 /// Of the other shots whose bands are looked at: the least first-order chance, and how many at most; a line so near to

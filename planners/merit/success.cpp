@@ -6,10 +6,10 @@
 // direction, so their plane may be turned: `across` is the direction that moves the arrival most, to first
 // order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a line
 // across it the edges are bisected, and the chance on that line follows from them; lines_of_errors.hpp says what all
-// lines together make of it. Lines begin evenly spaced, closer where other shots are near; more are laid where the
-// chance changes other than its neighbours say. Edges are looked for where the neighbouring lines have them, between
-// some points spread over the line and its ends, so that a band which nobody expects is met too, and where other shots
-// are; then the neighbours are looked at again. Where that agrees with first order (limits.hpp), it ends.
+// lines together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its
+// neighbours say. Edges are looked for where the neighbouring lines have them, between some points spread over the line
+// and its ends, so that a band which nobody expects is met too, and where other shots are; then the neighbours are
+// looked at again. Where that agrees with first order (limits.hpp), it ends.
 // Cost: most_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
 #include "planners/merit/success.hpp"
 
@@ -51,7 +51,7 @@ class Chance {
     }
     // A band that ends within reach is met by as many lines, and one on either side looks beyond it.
     const double scale = std::min(1.0, beyond_end * length_ / outermost);
-    for (const double along : first()) add(scale * along);
+    for (const double along : first_lines) add(scale * along);
     if (scale < 1)
       for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
     for (const Known& k : known_) look_at(k);
@@ -60,7 +60,7 @@ class Chance {
       std::size_t at = 0;
       double most = least_doubt;
       for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
-        if (const double d = doubt(i); d > most * surely_more) most = d, at = i + 1;
+        if (const double d = doubt(i); d > most) most = d, at = i + 1;
       if (at == 0) break;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
@@ -68,10 +68,6 @@ class Chance {
   }
 
  private:
-  std::span<const double> first() const {
-    return known_.empty() ? std::span<const double>(first_lines) : first_lines_beside;
-  }
-
   /// Turns the plane of errors, and sees what the derivatives say of the band.
   void turn() {
     const Vec2d by_angle = shot_.by_angle * q_.puzzle.noise.angle, by_speed = shot_.by_speed * q_.puzzle.noise.speed;
@@ -191,7 +187,7 @@ class Chance {
   /// Points at even steps of probability, shifted from line to line.
   void spread(LineOfErrors& line, bool no_edges) {
     constexpr double golden = 0.6180339887;  // shifts that never repeat
-    const bool later = lines_.size() >= first().size();
+    const bool later = lines_.size() >= first_lines.size();
     const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
                               : lines_.empty()            ? points_on_first
                               : later && no_edges         ? points_without_edges
@@ -222,7 +218,7 @@ class Chance {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
         const LineOfErrors::Try &a = line.tries[i], &b = line.tries[i + 1];
-        if (a.made != b.made && width(a, b) > most * surely_more) most = width(a, b), at = (a.across + b.across) / 2;
+        if (a.made != b.made && width(a, b) > most) most = width(a, b), at = (a.across + b.across) / 2;
       }
       if (most == enough) break;
       made(line, at);
