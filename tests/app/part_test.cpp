@@ -160,7 +160,7 @@ TEST_CASE("a part that runs is not run a second time and, where no lock tells, n
     return run_shell(fmt::format(
         R"(for try in 1 2 3 4 5 6 7 8 9; do
              PROGRAM {command} & first=$!
-             until [ -s {part}.progress ] && [ -s {part} ] || [ -e {whole} ]; do :; done
+             until [ -s {journal} ] && [ -s {part} ] || [ -e {whole} ]; do :; done
              kill -STOP $first
              [ -e {whole} ] || [ $(wc -l <{part}) -ge 3000 ] || break
              kill -CONT $first; wait; rm -f {whole}
@@ -168,8 +168,8 @@ TEST_CASE("a part that runs is not run a second time and, where no lock tells, n
            {between}
            PROGRAM {command} --resume; echo second $?
            kill -CONT $first; wait $first; echo first $?)",
-        fmt::arg("command", command), fmt::arg("part", in("b.partial")), fmt::arg("whole", in("b")),
-        fmt::arg("between", between)));
+        fmt::arg("command", command), fmt::arg("part", in("b.partial")), fmt::arg("journal", journal),
+        fmt::arg("whole", in("b")), fmt::arg("between", between)));
   };
   const auto refused = both("");
   CHECK_THAT(refused.err, Contains("b.partial: another bankshot is writing this file"));
