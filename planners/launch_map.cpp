@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "planners/merit/settings.hpp"
 #include "planners/proof/replay.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot {
 namespace {

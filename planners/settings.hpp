@@ -2,7 +2,7 @@
 //
 // Every number that steers a search, each with its unit, its reason and what breaks without it. None decides whether a
 // launch is a shot: that is what numbers/tolerances.hpp is for. A better value makes searches faster or finds more.
-// Those of the steps that set other balls going are in steps/settings.hpp.
+// Those of what a shot is worth, of what is free and of other balls are in merit, family and steps/settings.hpp.
 #pragma once
 
 #include <array>
@@ -153,8 +153,8 @@ namespace roots {
 inline constexpr double seed_reach = 1.5;
 /// Cells: a Newton step this short tells which root it goes to.
 inline constexpr double near = 0.05;
-/// How many times likelier or quicker, a cell away, a root may be than the derivatives say. With 2 a third more of the
-/// likeliest shots are lost, for a twelfth fewer simulations.
+/// How many times likelier or quicker, a cell away, a root may be than the derivatives say. With 2 half as many more of
+/// the likeliest shots are lost, for a twelfth fewer simulations.
 inline constexpr double distrust = 20;
 /// Of the way to a root: a first step that misses it by more leads to another, perhaps.
 inline constexpr double astray = 0.7;
@@ -253,55 +253,6 @@ inline constexpr int rows = 8;
 inline constexpr double beyond = 1.01;
 }  // namespace widest
 
-// Families of roots where something is free; lengths in the scales of the coordinates.
-namespace family {
-/// rad, of ln speed, of natural roll: changes over which a locked path bends little.
-inline constexpr double scale_of_aim = 0.05, scale_of_speed = 0.15, scale_of_spin = 0.25;
-/// Starts from which a surface of one route is climbed: it may have more than one top.
-inline constexpr int most_starts = 3;
-/// Caroms that are tuned where one is wanted.
-inline constexpr std::size_t most_tuned_caroms = 6;
-/// m: a locked path that lacks more room is no shot.
-inline constexpr double uncertain = 1e-6;
-/// Parts into which a curve is divided further where none of its points is made; and where it lacks so little room, of
-/// the mark's reach.
-inline constexpr int finer_walk = 4;
-inline constexpr double little_lack = 0.02;
-/// Of the mark's reach: how far apart launches beside a curve are that are tried, and how many to either side.
-inline constexpr double apart_beside = 0.1;
-inline constexpr int most_beside = 12;
-/// The same of launches that rattle in, and every how many-th point of a curve is looked at: likely ones fall in wide
-/// bands, which change little along a curve.
-inline constexpr double apart_rattles = 0.2;
-inline constexpr int most_rattles = 4;
-inline constexpr std::size_t rattle_points = 2;
-/// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
-/// more.
-inline constexpr double hopeless = 0.15;
-/// Newton's steps onto the family; the step after one so short is exact to rounding, if the miss was so small.
-inline constexpr int most_steps = 40;
-/// Steps after which each must be shorter.
-inline constexpr int patience = 8;
-inline constexpr double longest_step = 2, settled = 1e-7, nearly = 1e-6;
-/// Steps along a curve: the first, the longest, the least before it is given up; and how many each way.
-inline constexpr double first_walk = 1, longest_walk = 2, least_walk = 0.02;
-inline constexpr int most_walked = 60;
-/// Of the merit: an edge is bisected to this. Parabolas through three points of a curve bring nothing more after two.
-inline constexpr double fine_merit = 2e-4;
-inline constexpr int parabolas = 2;
-/// The compass search: its longest and its finest step, its evaluations, and a gain that is not worth one.
-inline constexpr double longest_climb = 4, finest_climb = 0.01, least_gain = 1e-6;
-inline constexpr int most_climbed = 120;
-/// rad: turns of the compass that never repeat.
-inline constexpr double golden_turn = 2.399963;
-/// Steps of the last touch by simulated success: estimates at most, the finest step, a gain of chance that is worth
-/// one, and a chance that needs none.
-inline constexpr int most_tuned = 10;
-inline constexpr double finest_tuning = 0.2, worth_tuning = 0.001, sure = 0.995;
-/// A chance nearer to 0 or 1 is certain.
-inline constexpr double least_chance = 1e-15;
-}  // namespace family
-
 namespace automatic {
 /// Of the budget that is left: what bisecting leads may use before finer maps have their turn.
 inline constexpr double first_share_of_parts = 0.2;
@@ -342,27 +293,6 @@ inline constexpr double wrong_bounces = 1;
 inline constexpr double small_enough = 1e-20, least_step = 1e-13;
 }  // namespace nlopt
 
-namespace first_order {
-/// Of the diagonal. Balls farther than this from a leg limit nothing.
-inline constexpr double far_ball = 0.25;
-/// Directions in which the edge of what is made is sought: with twice as many the chance differs by 0.002.
-inline constexpr int directions = 32;
-/// Deviations: what is farther breaks no shot that counts; and the narrowest band that is stretched.
-inline constexpr double farthest = 6, narrowest = 1e-9;
-}  // namespace first_order
-
-namespace rank {
-/// What success is at most: so many times the first-order chance, and so much more. Of 9,600 random puzzles
-/// with all families of tables 5 had another winner than success itself would choose.
-inline constexpr double times = 1.1, more = 0.01;
-/// The same of a point whose disc reaches over a cushion line: there a ball passes it twice.
-inline constexpr double at_cushion_times = 2.5, at_cushion_more = 0.1;
-/// Deviations: shots so near that the player's errors may lead from one to the other.
-inline constexpr double beside = 4;
-/// Of success: so little less is as good, where shots differ in what they leave.
-inline constexpr double as_likely = 0.02;
-}  // namespace rank
-
 namespace nearest {
 /// Launches of the grid, at so many speeds where the speed is free: with 1,000 at 8 speeds, and 4 starts, 10 of 453
 /// misses were farther than the nearest of 1,000 random launches.
@@ -372,83 +302,12 @@ inline constexpr std::size_t starts = 12;
 inline constexpr int halvings = 20, most_steps = 60;
 }  // namespace nearest
 
-namespace margin {
-/// Of the margin to where jaws are first touched, and of the widest there is: the longest step beyond, and by how much
-/// each is longer than the one before. Balls that rattle in lie in bands between balls that come out; narrower bands
-/// than this may be jumped.
-inline constexpr double rattling_step = 0.02, least_rattling_step = 1e-4;
-/// rad, m/s: margins beyond are none.
-inline constexpr double widest_angle = radians(180), widest_speed = 30;
-/// Of a step: Newton's method has found an end where it moves less; its steps at most.
-inline constexpr double settled = 1e-7;
-inline constexpr int most_looks = 20;
-/// Where the first look saw the end so nearly, limits are nearly straight and few steps inside are enough; else many:
-/// with half of them 2 of 90,000 ends hid a band that is not made.
-inline constexpr double nearly = 0.1;
-inline constexpr int few_parts = 8, many_parts = 20;
-/// The same where another ball is sent on: what the struck ball does meanwhile, no limit knows.
-inline constexpr int parts_of_chains = 100;
-/// Bands thinner than the aims that are one which may be passed over.
-inline constexpr int most_passed = 4;
-/// rad or m/s: a margin this small is 0.
-inline constexpr double finest = 1e-15;
-/// Of the diagonal, per radian: the least condition that a first-order margin is taken from; and bounds of that margin.
-inline constexpr double flat = 1e-6, least_scale = 1e-12, most_scale = 0.1;
-}  // namespace margin
-
-namespace all_errors {
-/// Simulations for the chance of a player who errs in more than aim and speed.
-inline constexpr int draws = 4096;
-}  // namespace all_errors
-
 namespace sensitivity {
 /// m/m. The slope of a level table where it varies: so little that it moves nothing, and its direction has derivatives.
 inline constexpr double least_rise = 1e-9;
 /// Of a coefficient, to either side: where a law is integrated, rounding and truncation are alike.
 inline constexpr double difference = 1e-5;
 }  // namespace sensitivity
-
-// In standard deviations of the player, where nothing else is said.
-namespace success {
-/// Simulations at most; 100 are usual. What the chance is off by is in planners/README.md.
-inline constexpr std::size_t most_samples = 150;
-/// Errors beyond are taken to do as those here: 0.001 of all.
-inline constexpr double widest = 3.3;
-/// From where an edge is expected to the next point tried, and how often that doubles.
-inline constexpr double step = 0.08;
-inline constexpr int most_doublings = 6;
-/// A bracket of an edge is bisected to this; on the first line, whose edges all others inherit; where there is one
-/// line.
-inline constexpr double narrow = 0.05, finer = 0.01, finest = 0.002;
-/// Where lines across the band begin.
-inline constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
-/// Where the outermost two of a band that ends within reach are laid.
-inline constexpr double outermost = 2.5, beyond_end = 1.1;
-/// Of chance: no further line is worth while below this doubt; and what a line costs at least.
-inline constexpr double least_doubt = 2e-4;
-inline constexpr std::size_t cheapest_line = 5;
-/// How doubt grows with the change of chance between two lines, and what is left where there is none.
-inline constexpr double doubt_of_change = 0.15, doubt_always = 0.01;
-/// Points spread over the only line, the first, later ones, and later ones where no edge is expected.
-inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4, points_without_edges = 3;
-/// Of probability, at either end, where no point is spread.
-inline constexpr double tail = 0.0015;
-/// Where the first lines and first order agree so nearly (of chance), no further line is laid.
-inline constexpr double agrees = 1e-3;
-/// Of a bracket's width: what lies z deviations out counts by this times exp(-z²/2), and never more than all.
-inline constexpr double thin_out = 3;
-/// Of the other shots whose bands are looked at: the least first-order chance, and how many at most; a line so near to
-/// one is the line through it.
-inline constexpr double least_beside = 5e-4, same_line = 0.05;
-inline constexpr std::size_t most_known = 4;
-/// Edges this close on neighbouring lines are one; how far beside a new one its neighbours are tried.
-inline constexpr double same_edge = 0.3, beside_edge = 0.5;
-}  // namespace success
-
-namespace safest {
-/// The compass begins with the player's own deviations and ends after so many halvings, or steps.
-inline constexpr int halvings = 5, most_steps = 24;
-}  // namespace safest
 
 namespace hints {
 /// m/s: a strong break shot; no more speed is suggested.

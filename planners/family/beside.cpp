@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "planners/family/family.hpp"
+#include "planners/family/settings.hpp"
 #include "planners/locked/clearance.hpp"
 #include "planners/locked/falls_by.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
 
@@ -54,7 +54,7 @@ void Family::look_for_rattles(const Curve& curve) {
   std::map<std::vector<Contact>, Band> widest;
   std::size_t i = 0;
   for (const Tried& t : curve)
-    if (!t.between && i++ % rattle_points == 1 && t.room && !ledger_.spent()) add_bands(t.at, widest);
+    if (!t.between && i++ % rattle_points == rattle_points - 1 && t.room && !ledger_.spent()) add_bands(t.at, widest);
   for (const auto& [by, b] : widest) {
     Route whole(aim_.route.begin(), aim_.route.end());
     for (const Contact c : by) whole.push_back({start_.mark.ball, c});

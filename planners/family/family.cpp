@@ -7,11 +7,11 @@
 #include <span>
 
 #include "planners/certify.hpp"
+#include "planners/family/settings.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/merit/success.hpp"
 #include "planners/proof/aftermath.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "planners/family/family.hpp"
+#include "planners/family/settings.hpp"
 #include "planners/locked/arrival.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning::family {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "planners/family/family.hpp"
-#include "planners/settings.hpp"
+#include "planners/family/settings.hpp"
 
 namespace bankshot::planning::family {
 

@@ -6,8 +6,8 @@
 
 #include "bankshot/scene/coefficients.hpp"
 #include "planners/merit/draws.hpp"
+#include "planners/merit/settings.hpp"
 #include "planners/proof/replay.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {

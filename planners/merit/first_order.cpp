@@ -12,7 +12,7 @@
 #include "planners/locked/in_the_way.hpp"
 #include "planners/merit/limits.hpp"
 #include "planners/merit/real_arrival.hpp"
-#include "planners/settings.hpp"
+#include "planners/merit/settings.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "planners/settings.hpp"
+#include "planners/merit/settings.hpp"
 
 namespace bankshot::planning {
 

@@ -8,8 +8,8 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/line_search.hpp"
 #include "planners/merit/first_order.hpp"
+#include "planners/merit/settings.hpp"
 #include "planners/proof/replay.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "planners/merit/margin.hpp"
+#include "planners/merit/settings.hpp"
 #include "planners/merit/success.hpp"
 #include "planners/proof/replay.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {

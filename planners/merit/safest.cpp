@@ -8,10 +8,10 @@
 #include "planners/certify.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/room.hpp"
+#include "planners/merit/settings.hpp"
 #include "planners/merit/success.hpp"
 #include "planners/proof/aftermath.hpp"
 #include "planners/proof/prove.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {

@@ -21,8 +21,8 @@
 #include "planners/merit/all_errors.hpp"
 #include "planners/merit/lines_of_errors.hpp"
 #include "planners/merit/room.hpp"
+#include "planners/merit/settings.hpp"
 #include "planners/proof/replay.hpp"
-#include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {

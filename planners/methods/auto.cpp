@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "planners/family/family.hpp"
+#include "planners/family/settings.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"

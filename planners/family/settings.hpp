@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// Settings of the search where something is free; those of other searches are in planners/settings.hpp.
+#pragma once
+
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::settings {
+
+// Families of roots where something is free; lengths in the scales of the coordinates.
+namespace family {
+/// rad, of ln speed, of natural roll: changes over which a locked path bends little.
+inline constexpr double scale_of_aim = 0.05, scale_of_speed = 0.15, scale_of_spin = 0.25;
+/// Starts from which a surface of one route is climbed: it may have more than one top.
+inline constexpr int most_starts = 3;
+/// Caroms that are tuned where one is wanted.
+inline constexpr std::size_t most_tuned_caroms = 6;
+/// m: a locked path that lacks more room is no shot.
+inline constexpr double uncertain = 1e-6;
+/// Parts into which a curve is divided further where none of its points is made; and where it lacks so little room, of
+/// the mark's reach.
+inline constexpr int finer_walk = 4;
+inline constexpr double little_lack = 0.02;
+/// Of the mark's reach: how far apart launches beside a curve are that are tried, and how many to either side.
+inline constexpr double apart_beside = 0.1;
+inline constexpr int most_beside = 12;
+/// The same of launches that rattle in, and every how many-th point of a curve is looked at: likely ones fall in wide
+/// bands, which change little along a curve.
+inline constexpr double apart_rattles = 0.2;
+inline constexpr int most_rattles = 4;
+inline constexpr std::size_t rattle_points = 2;
+/// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
+/// more.
+inline constexpr double hopeless = 0.15;
+/// Newton's steps onto the family; the step after one so short is exact to rounding, if the miss was so small.
+inline constexpr int most_steps = 40;
+/// Steps after which each must be shorter.
+inline constexpr int patience = 8;
+inline constexpr double longest_step = 2, settled = 1e-7, nearly = 1e-6;
+/// Steps along a curve: the first, the longest, the least before it is given up; and how many each way.
+inline constexpr double first_walk = 1, longest_walk = 2, least_walk = 0.02;
+inline constexpr int most_walked = 60;
+/// Of the merit: an edge is bisected to this. Parabolas through three points of a curve bring nothing more after two.
+inline constexpr double fine_merit = 2e-4;
+inline constexpr int parabolas = 2;
+/// The compass search: its longest and its finest step, its evaluations, and a gain that is not worth one.
+inline constexpr double longest_climb = 4, finest_climb = 0.01, least_gain = 1e-6;
+inline constexpr int most_climbed = 120;
+/// rad: turns of the compass that never repeat.
+inline constexpr double golden_turn = 2.399963;
+/// Steps of the last touch by simulated success: estimates at most, the finest step, a gain of chance that is worth
+/// one, and a chance that needs none.
+inline constexpr int most_tuned = 10;
+inline constexpr double finest_tuning = 0.2, worth_tuning = 0.001, sure = 0.995;
+/// A chance nearer to 0 or 1 is certain.
+inline constexpr double least_chance = 1e-15;
+}  // namespace family
+
+}  // namespace bankshot::planning::settings

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// Settings of what a shot is worth: its chance, its margin, the order of shots; those of searches are in
+// planners/settings.hpp.
+#pragma once
+
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::settings {
+
+namespace first_order {
+/// Of the diagonal. Balls farther than this from a leg limit nothing.
+inline constexpr double far_ball = 0.25;
+/// Directions in which the edge of what is made is sought: with twice as many the chance differs by 0.002.
+inline constexpr int directions = 32;
+/// Deviations: what is farther breaks no shot that counts; and the narrowest band that is stretched.
+inline constexpr double farthest = 6, narrowest = 1e-9;
+}  // namespace first_order
+
+namespace rank {
+/// What success is at most: so many times the first-order chance, and so much more. Of 9,600 random puzzles
+/// with all families of tables 5 had another winner than success itself would choose.
+inline constexpr double times = 1.1, more = 0.01;
+/// The same of a point whose disc reaches over a cushion line: there a ball passes it twice.
+inline constexpr double at_cushion_times = 2.5, at_cushion_more = 0.1;
+/// Deviations: shots so near that the player's errors may lead from one to the other.
+inline constexpr double beside = 4;
+/// Of success: so little less is as good, where shots differ in what they leave.
+inline constexpr double as_likely = 0.02;
+}  // namespace rank
+
+namespace margin {
+/// Of the margin to where jaws are first touched, and of the widest there is: the longest step beyond, and by how much
+/// each is longer than the one before. Balls that rattle in lie in bands between balls that come out; narrower bands
+/// than this may be jumped.
+inline constexpr double rattling_step = 0.02, least_rattling_step = 1e-4;
+/// rad, m/s: margins beyond are none.
+inline constexpr double widest_angle = radians(180), widest_speed = 30;
+/// Of a step: Newton's method has found an end where it moves less; its steps at most.
+inline constexpr double settled = 1e-7;
+inline constexpr int most_looks = 20;
+/// Where the first look saw the end so nearly, limits are nearly straight and few steps inside are enough; else many:
+/// with half of them 2 of 90,000 ends hid a band that is not made.
+inline constexpr double nearly = 0.1;
+inline constexpr int few_parts = 8, many_parts = 20;
+/// The same where another ball is sent on: what the struck ball does meanwhile, no limit knows.
+inline constexpr int parts_of_chains = 100;
+/// Bands thinner than the aims that are one which may be passed over.
+inline constexpr int most_passed = 4;
+/// rad or m/s: a margin this small is 0.
+inline constexpr double finest = 1e-15;
+/// Of the diagonal, per radian: the least condition that a first-order margin is taken from; and bounds of that margin.
+inline constexpr double flat = 1e-6, least_scale = 1e-12, most_scale = 0.1;
+}  // namespace margin
+
+namespace all_errors {
+/// Simulations for the chance of a player who errs in more than aim and speed.
+inline constexpr int draws = 4096;
+}  // namespace all_errors
+
+// In standard deviations of the player, where nothing else is said.
+namespace success {
+/// Simulations at most; 100 are usual. What the chance is off by is in planners/README.md.
+inline constexpr std::size_t most_samples = 150;
+/// Errors beyond are taken to do as those here: 0.001 of all.
+inline constexpr double widest = 3.3;
+/// From where an edge is expected to the next point tried, and how often that doubles.
+inline constexpr double step = 0.08;
+inline constexpr int most_doublings = 6;
+/// A bracket of an edge is bisected to this; on the first line, whose edges all others inherit; where there is one
+/// line.
+inline constexpr double narrow = 0.05, finer = 0.01, finest = 0.002;
+/// Where lines across the band begin.
+inline constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
+/// Where the outermost two of a band that ends within reach are laid.
+inline constexpr double outermost = 2.5, beyond_end = 1.1;
+/// Of chance: no further line is worth while below this doubt; and what a line costs at least.
+inline constexpr double least_doubt = 2e-4;
+inline constexpr std::size_t cheapest_line = 5;
+/// How doubt grows with the change of chance between two lines, and what is left where there is none.
+inline constexpr double doubt_of_change = 0.15, doubt_always = 0.01;
+/// Points spread over the only line, the first, later ones, and later ones where no edge is expected.
+inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4, points_without_edges = 3;
+/// Of probability, at either end, where no point is spread.
+inline constexpr double tail = 0.0015;
+/// Where the first lines and first order agree so nearly (of chance), no further line is laid.
+inline constexpr double agrees = 1e-3;
+/// Of a bracket's width: what lies z deviations out counts by this times exp(-z²/2), and never more than all.
+inline constexpr double thin_out = 3;
+/// Of the other shots whose bands are looked at: the least first-order chance, and how many at most; a line so near to
+/// one is the line through it.
+inline constexpr double least_beside = 5e-4, same_line = 0.05;
+inline constexpr std::size_t most_known = 4;
+/// Edges this close on neighbouring lines are one; how far beside a new one its neighbours are tried.
+inline constexpr double same_edge = 0.3, beside_edge = 0.5;
+}  // namespace success
+
+namespace safest {
+/// The compass begins with the player's own deviations and ends after so many halvings, or steps.
+inline constexpr int halvings = 5, most_steps = 24;
+}  // namespace safest
+
+}  // namespace bankshot::planning::settings
