@@ -74,22 +74,41 @@ bool is_firm(const Question& q, Ledger& ledger, const Shot& shot, double least =
   return true;
 }
 
-/// Of a target on a cushion's line rounding may decide whether the ball bounces there. Then a launch beside, as near as
-/// an exact answer must be, on the side that keeps the bounces; false where there is none.
-bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) {
-  if (ledger.spent() || is_firm(q, ledger, shot)) return true;
+/// The arrival is on a cushion's line: rounding may decide whether the ball bounces there.
+bool on_a_line(const Question& q, const Shot& shot) {
+  return q.boundary_of(q.mark_of(shot).ball).clearance(shot.arrival.at) <= tolerance::exact_miss * q.boundary.diagonal;
+}
+
+/// A launch beside, as near as an exact answer must be, on the side that keeps the bounces.
+std::optional<Shot> firm_beside(const Question& q, Ledger& ledger, const Goal& goal, const Shot& shot) {
   for (const double metres : settings::edge::beside) {
     const Turn t = turn_by(metres * q.boundary.diagonal, shot);
     for (const auto& [aim, speed] : {std::pair{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}}) {
       Proof proof = prove(q, ledger, turned(shot.launch, t, aim, speed), goal);
       if (!proof.holds()) continue;
       add_first_order(q, proof.shot);
-      if (!is_firm(q, ledger, proof.shot)) continue;
-      shot = std::move(proof.shot);
-      return true;
+      if (is_firm(q, ledger, proof.shot)) return std::move(proof.shot);
     }
   }
-  return false;
+  return {};
+}
+
+/// False where rounding decides, and no launch beside is firm.
+bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) {
+  if (ledger.spent() || is_firm(q, ledger, shot)) return true;
+  auto beside = firm_beside(q, ledger, goal, shot);
+  if (beside) shot = *std::move(beside);
+  return beside.has_value();
+}
+
+/// It was at its target, which is on a cushion's line, and by rounding bounced once more there: a launch beside.
+Proof without_last_bounce(const Question& q, Ledger& ledger, const Goal& goal, Proof proof) {
+  const bool at_target = proof.replayed && goal.demand == Demand::exact && q.centred(proof.shot.miss) &&
+                         static_cast<int>(proof.shot.cushions.size()) == goal.max && on_a_line(q, proof.shot);
+  if (!at_target) return proof;
+  add_first_order(q, proof.shot);
+  if (auto beside = firm_beside(q, ledger, goal, proof.shot)) return {*std::move(beside), {}, true};
+  return proof;
 }
 
 }  // namespace
@@ -109,6 +128,7 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
              std::string_view step, Demand demand) {
   const Goal goal = Goal::exactly(q, bounces, demand);
   Proof proof = prove(q, ledger, launch, goal);
+  if (!proof.holds()) proof = without_last_bounce(q, ledger, goal, std::move(proof));
   if (!proof.holds()) return count_failure(found, proof, bounces), false;
   if (q.objects && proof.shot.off_centre) {
     // Launches that are made by rounding alone are no shots: where a cushion ends at a pocket's circle, or after a
@@ -124,9 +144,7 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
 void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const Goal& goal, std::string_view step) {
   if (!make_room(q, found.shots, shot)) return;
   add_first_order(q, shot);
-  const bool on_a_line =
-      q.boundary_of(q.mark_of(shot).ball).clearance(shot.arrival.at) <= tolerance::exact_miss * q.boundary.diagonal;
-  const bool looked_at = goal.demand == Demand::exact && on_a_line && step != steps::word::along;
+  const bool looked_at = goal.demand == Demand::exact && on_a_line(q, shot) && step != steps::word::along;
   shot.digits = !looked_at || make_firm(q, ledger, goal, shot) ? promised_digits(q, shot) : 0;
   add_aftermath(q, ledger, shot);
   shot.planner = step;

@@ -52,6 +52,23 @@ void check_edges(int puzzles, std::uint64_t seed) {
 
 TEST_CASE("what is claimed of targets on cushion lines and in corners holds in 50 digits") { check_edges(60, 47); }
 
+TEST_CASE("a ball comes to rest on a cushion's line, or in a corner, without touching it") {
+  const int puzzles = 300;
+  test::Random random(48);
+  for (int i = 0; i < puzzles; ++i) {
+    Puzzle p = on_the_edge(random);
+    p.physics = spin_physics();
+    p.spin = {random.uniform(-1, 1), 0, 0};
+    p.cushions = {.min = 0, .max = 0};
+    p.arrive.reset();
+    const Answer a = solve(p, {.robustness = false, .suggest = false});
+    INFO("puzzle " << i << ": " << write_puzzle(p) << "\n" << a.message);
+    REQUIRE(a.status == Status::solved);
+    CHECK_FALSE(a.shots.front().off_centre);
+    CHECK(a.shots.front().cushions.empty());
+  }
+}
+
 TEST_CASE("what is claimed of targets on cushion lines and in corners holds in 50 digits, at length", "[.][long]") {
   check_edges(1000, test::seed_or_fresh(47));
 }
