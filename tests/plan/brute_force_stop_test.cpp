@@ -6,6 +6,7 @@
 // between which other cushions are met are bisected too. By hand, at length: test_plan "[long]"
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
@@ -210,6 +211,7 @@ Puzzle on_polygon(test::Random& random) {
 void compare(int puzzles, const Fineness& fine, std::uint64_t seed, Puzzle (*draw)(test::Random&)) {
   test::Random random(seed);
   std::size_t by_force = 0, missed = 0, all_shots = 0;
+  std::ostringstream which;
   for (int i = 0; i < puzzles; ++i) {
     Puzzle p = draw(random);
     p.cushions = {.min = 0, .max = static_cast<int>(most_cushions)};
@@ -225,11 +227,11 @@ void compare(int puzzles, const Fineness& fine, std::uint64_t seed, Puzzle (*dra
       ++by_force;
       if (std::any_of(all.begin(), all.end(), same)) continue;
       ++missed;
-      UNSCOPED_INFO("puzzle " << i << " of seed " << seed << ": " << f.contacts.size() << " cushions at "
-                              << degrees(f.angle) << " degrees, " << f.speed << " m/s: " << write_puzzle(p));
+      which << "\npuzzle " << i << " of seed " << seed << ": " << f.contacts.size() << " cushions at "
+            << degrees(f.angle) << " degrees, " << f.speed << " m/s: " << write_puzzle(p);
     }
   }
-  INFO(missed << " of " << by_force << " shots missed, planner found " << all_shots);
+  INFO(missed << " of " << by_force << " shots missed, planner found " << all_shots << which.str());
   CHECK(by_force > 10 * static_cast<std::size_t>(puzzles));
   CHECK(missed == 0);
   if (puzzles > 20) WARN(missed << " of " << by_force << " shots missed; the planner found " << all_shots);
