@@ -237,7 +237,10 @@ void add_first_order(const Question& q, Shot& shot) {
   const Route route = route_with_jaws_of(shot);
   const LockedAim aim{q, route, q.mark_of(shot)};
   const Path path = path_to(aim, shot.launch, shot.arrival.at);
-  const bool held = path.beside() > tolerance::exact_miss * q.boundary.diagonal;
+  // One that a cushion holds may arrive before the locked path, which goes through that cushion, has left the line.
+  const double exact = tolerance::exact_miss * q.boundary.diagonal;
+  const bool held = path.beside() > exact ||
+                    (!aim.mark.captures() && q.boundary_of(aim.mark.ball).clearance(shot.arrival.at) <= exact);
   const FirstOrder f = path.first_order(held && q.objects ? real_arrival(q, shot) : std::nullopt);
   shot.by_angle = f.by_angle;
   shot.by_speed = f.by_log_speed / shot.launch.speed;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bankshot/numbers/dual.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/simulate/many_balls.hpp"
 #include "planners/start.hpp"
 
@@ -13,18 +14,29 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
-/// The last ball at that time, or where it falls or rests before; none where a ball meets one that is to stand.
+/// The last ball at that time, or where it falls or rests before; none where a ball meets one that is to stand, or
+/// where the last has bounced more often. A bounce at that time is taken where it is counted.
 template <class Motion, class Cushion>
 std::optional<State<Number>> follow(const Question& q, const Objects::Chain& chain, const Motion& motion,
-                                    const Cushion& cushion, const Launch& launch, double seconds) {
+                                    const Cushion& cushion, const Launch& launch, double seconds, std::size_t bounces) {
   std::vector<BallStart<Number>> balls{{&chain.moving.front(), dual_start<Number, 2>(q, launch), 0}};
   for (std::size_t i = 0; i < chain.balls.size(); ++i)
     balls.push_back({&chain.moving[i + 1], {.at = to<Number>(chain.balls[i]->at_rest.at)}, chain.balls[i]->ball});
   ManyBalls sim(std::span<const BallStart<Number>>(balls), motion, cushion, collisions(q.puzzle.physics));
   const int last = static_cast<int>(chain.balls.size());
+  const double same_instant = tolerance::exact_miss * (1 + seconds);
+  std::size_t bounced = 0;
+  bool arrived = false;
   for (;;) {
-    const BallEvent e = sim.step(Number(seconds - sim.time().a));
-    if (e.event.kind == EventKind::horizon) return sim.state_now(last);
+    const BallEvent e = sim.step(Number(arrived ? same_instant : seconds - sim.time().a));
+    if (e.event.kind == EventKind::horizon) {
+      if (arrived || bounced == bounces) return sim.state_now(last);
+      arrived = true;
+      continue;
+    }
+    const bool rebounds = e.event.kind == EventKind::cushion && e.ball == last;
+    if (rebounds && ++bounced > bounces) return {};
+    if (rebounds && arrived && bounced == bounces) return sim.state(last);
     const auto is_met = [&](const Objects::Object* ball) { return e.event.contact == Contact::ball(ball->ball); };
     if (e.event.kind == EventKind::ball && std::ranges::none_of(chain.balls, is_met)) return {};
     const bool ends = e.event.kind == EventKind::pocket || (q.stop && e.event.kind == EventKind::rest);
@@ -38,7 +50,8 @@ std::optional<Moved> real_arrival(const Question& q, const Shot& shot) {
   const Objects::Chain* const chain = shot.then.empty() ? nullptr : q.objects->chain_by(shot.then.front().ball);
   if (!chain) return {};
   return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
-    const auto arrived = follow(q, *chain, motion, cushion, shot.launch, shot.arrival.time);
+    const auto arrived =
+        follow(q, *chain, motion, cushion, shot.launch, shot.arrival.time, shot.then.back().cushions.size());
     if (!arrived) return {};
     const State<Number>& there = *arrived;
     if (q.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};

@@ -14,7 +14,7 @@ struct Moved {
   Vec2d by_angle, by_log_speed;  ///< m per rad and per unit of ln speed; across the line of travel, unless it rests
 };
 
-/// None where the ball that is struck does not send others on as the shot says.
+/// None where the ball that is struck does not send others on as the shot says, or does in one more bounce.
 std::optional<Moved> real_arrival(const Question& q, const Shot& shot);
 
 }  // namespace bankshot::planning

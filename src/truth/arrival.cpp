@@ -29,12 +29,18 @@ Path beside(Run run, double turned, double pushed) {
   return run_truth(run);
 }
 
-/// Up to and with event `last`.
-bool same_events(const Path& a, const Path& b, std::size_t last) {
-  if (a.events.size() <= last || b.events.size() <= last) return false;
-  for (std::size_t i = 0; i <= last; ++i)
-    if (a.events[i].kind != b.events[i].kind || a.events[i].contact != b.events[i].contact) return false;
-  return true;
+/// The same meetings up to those events; where an arc ends is none.
+bool same_meetings(const Path& a, std::size_t last, const Path& b, std::size_t its_last) {
+  if (a.events.size() <= last || b.events.size() <= its_last) return false;
+  const auto next = [](const Path& path, std::size_t i, std::size_t end) {
+    while (i < end && path.events[i].kind == EventKind::slide_to_roll) ++i;
+    return i;
+  };
+  for (std::size_t i = 0, k = 0;; ++i, ++k) {
+    i = next(a, i, last), k = next(b, k, its_last);
+    if (a.events[i].kind != b.events[k].kind || a.events[i].contact != b.events[k].contact) return false;
+    if (i == last || k == its_last) return i == last && k == its_last;
+  }
 }
 
 /// The event whose arc arrives: after n bounces, the nearest to the time claimed.
@@ -61,8 +67,9 @@ std::size_t second_contact(const Path& path) {
   return static_cast<std::size_t>(std::ranges::find_if(path.events, second) - path.events.begin());
 }
 
-/// Of a ball that is sent on: the arc on which it arrives, the last where it falls, or the event of its rest.
-std::size_t arriving_of(const Path& path, int ball, double time, bool stops) {
+/// Of a ball that is sent on: the arc on which it arrives after `n` bounces, the last where it falls, or the event of
+/// its rest. At a bounce the arcs before and after it are as near, and lead elsewhere.
+std::size_t arriving_of(const Path& path, int ball, int n, double time, bool stops) {
   const auto falls = [&](const TruthEvent& e) { return e.ball == ball && e.kind == EventKind::pocket; };
   const auto fall = std::ranges::find_if(path.events, falls);
   if (fall != path.events.end() && fall != path.events.begin() && fall->time - time <= same_fall * (1 + time))
@@ -71,10 +78,14 @@ std::size_t arriving_of(const Path& path, int ball, double time, bool stops) {
   const auto late = [&](std::size_t i) {
     return std::abs((stops ? path.events[i].time : path.events[i].passing.time) - time);
   };
-  for (std::size_t i = 0; i < path.events.size(); ++i)
-    if (path.events[i].ball == ball && path.events[i].kind == (stops ? EventKind::rest : EventKind::slide_to_roll) &&
-        (!best || late(i) < late(*best)))
-      best = i;
+  int bounces = 0;
+  for (std::size_t i = 0; i < path.events.size(); ++i) {
+    const TruthEvent& e = path.events[i];
+    if (e.ball != ball) continue;
+    const bool its = stops ? e.kind == EventKind::rest : e.kind == EventKind::slide_to_roll && bounces == n;
+    if (its && (!best || late(i) < late(*best))) best = i;
+    bounces += e.kind == EventKind::cushion;
+  }
   return best.value_or(path.events.size());
 }
 
@@ -123,24 +134,30 @@ Arrived Scene::replay(const Launch& launch, const Shot& claim, double slack) con
   return judge(*this, run_truth(run(launch, claim.spin, n)), goal_of(claim, slack));
 }
 
-std::optional<double> Scene::condition(const Shot& shot) const {
+std::optional<double> Scene::condition(const Shot& shot, const Sides& sides) const {
   constexpr double step = 1e-14;  // what is left out is of this size; the values have 32 digits
   const int n = static_cast<int>(shot.cushions.size());
   Run base = run(shot.launch, shot.spin, n);
   if (!stops) base.target = shot.arrival.at;
+  const auto arrives_in = [&](const Path& path) {
+    if (off_of(puzzle.target) != 0) return second_contact(path);
+    if (shot.then.empty()) return arriving(path, n, shot.arrival.time, stops);
+    const int bounces = static_cast<int>(shot.then.back().cushions.size());
+    return arriving_of(path, shot.arriving(), bounces, shot.arrival.time, stops);
+  };
   const Path path = run_truth(base);
-  const std::size_t arrives = off_of(puzzle.target) != 0 ? second_contact(path)
-                              : shot.then.empty()        ? arriving(path, n, shot.arrival.time, stops)
-                                                         : arriving_of(path, shot.arriving(), shot.arrival.time, stops);
   const auto moved = [&](double turned, double pushed) -> std::optional<double> {
     // On one side of the shot its path may meet other cushions.
     for (const double side : {step, -step}) {
-      const Path other = beside(base, side * turned, side * pushed);
-      if (same_events(other, path, arrives)) return apart(other.events[arrives], path.events[arrives], stops) / step;
+      const Path from = sides.beyond ? beside(base, side * turned, side * pushed) : path;
+      const double to = sides.beyond ? 2 * side : side;
+      const Path other = beside(base, to * turned, to * pushed);
+      const std::size_t its = arrives_in(from), others = arrives_in(other);
+      if (same_meetings(from, its, other, others)) return apart(other.events[others], from.events[its], stops) / step;
     }
     return {};
   };
-  const auto by_aim = moved(1, 0), by_speed = moved(0, 1);
+  const auto by_aim = moved(sides.aim, 0), by_speed = moved(0, sides.speed);
   if (!by_aim || !by_speed) return {};
   return std::max(*by_aim, *by_speed);
 }

@@ -23,8 +23,13 @@ class Scene {
   Arrived replay(const Launch& launch, const Shot& claim, double slack) const;
   /// How far an arrival is off the point, or off the exact line to a pocket or ball [m].
   double miss(const Arrived& there) const;
-  /// By differences in 50 digits; none where no launch beside this one meets the same events.
-  std::optional<double> condition(const Shot& shot) const;
+  /// By differences in 50 digits, on one side of the shot's aim and speed; none where no launch beside this one meets
+  /// the same events. `beyond`: begins a step beside the shot, past what may change within rounding of it.
+  struct Sides {
+    int aim = 1, speed = 1;
+    bool beyond = false;
+  };
+  std::optional<double> condition(const Shot& shot, const Sides& sides) const;
   /// Whether a launch is made along the cushions of `claim`, in double: many launches have no use for more digits.
   bool seems_made(const Launch& launch, const Shot& claim) const;
   /// The share of seeded draws from the player's errors that makes the target by any cushions allowed,

@@ -157,8 +157,9 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
       const State<double> there = state_on(request, leg, s);
       const double off = norm(there.at - point->at), now = norm(there.velocity);
       const bool as_near = std::abs(off - miss) < exact;  // on both sides of a bounce
-      if (off < miss || (as_near && std::abs(now - shot.arrival.speed) < std::abs(speed - shot.arrival.speed)))
-        miss = std::min(off, miss), speed = now;
+      const bool closer = std::abs(now - shot.arrival.speed) < std::abs(speed - shot.arrival.speed);
+      if (as_near ? closer : off < miss) speed = now;
+      miss = std::min(off, miss);
     }
     if (rests && norm(end.state.velocity) > 0) c.problem = "does not rest";
   } else {
