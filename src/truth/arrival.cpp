@@ -134,7 +134,18 @@ Arrived Scene::replay(const Launch& launch, const Shot& claim, double slack) con
   return judge(*this, run_truth(run(launch, claim.spin, n)), goal_of(claim, slack));
 }
 
-std::optional<double> Scene::condition(const Shot& shot, const Sides& sides) const {
+/// A ball that comes to a line so slowly is as fast there as rounding of its place allows, by this share; and so are
+/// its derivatives.
+double Scene::creeping(const Path& path, std::size_t arrives) const {
+  const double moved2 = 2 * deceleration(puzzle.physics) * tolerance::simulation_error * 0x1p-53 * boundary.extent;
+  double most = 0;
+  for (std::size_t i = 0; i < arrives && i < path.events.size(); ++i)
+    if (const TruthEvent& e = path.events[i]; e.kind == EventKind::cushion && norm(e.state.velocity) > 0)
+      most = std::max(most, moved2 / dot(e.state.velocity, e.state.velocity));
+  return most;
+}
+
+std::optional<Scene::Condition> Scene::condition(const Shot& shot, const Sides& sides) const {
   constexpr double step = 1e-14;  // what is left out is of this size; the values have 32 digits
   const int n = static_cast<int>(shot.cushions.size());
   Run base = run(shot.launch, shot.spin, n);
@@ -159,7 +170,7 @@ std::optional<double> Scene::condition(const Shot& shot, const Sides& sides) con
   };
   const auto by_aim = moved(sides.aim, 0), by_speed = moved(0, sides.speed);
   if (!by_aim || !by_speed) return {};
-  return std::max(*by_aim, *by_speed);
+  return Condition{std::max(*by_aim, *by_speed), creeping(path, arrives_in(path))};
 }
 
 Run Scene::in_double(const Launch& launch, const LaunchSpin& spin, int cushions) const {

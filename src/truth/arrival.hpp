@@ -29,7 +29,11 @@ class Scene {
     int aim = 1, speed = 1;
     bool beyond = false;
   };
-  std::optional<double> condition(const Shot& shot, const Sides& sides) const;
+  struct Condition {
+    double metres;
+    double rounding;  ///< the share of it that rounding may change, since the ball creeps up to a cushion
+  };
+  std::optional<Condition> condition(const Shot& shot, const Sides& sides) const;
   /// Whether a launch is made along the cushions of `claim`, in double: many launches have no use for more digits.
   bool seems_made(const Launch& launch, const Shot& claim) const;
   /// The share of seeded draws from the player's errors that makes the target by any cushions allowed,
@@ -46,6 +50,7 @@ class Scene {
  private:
   Run run(const Launch& launch, const LaunchSpin& spin, int cushions) const;
   Run in_double(const Launch& launch, const LaunchSpin& spin, int cushions) const;
+  double creeping(const Path& path, std::size_t arrives) const;
 
   std::optional<ShotRequest> all_{};  ///< the balls, where one is sent on
   std::list<Boundary> others_{};      ///< as balls that may be sent on see the table

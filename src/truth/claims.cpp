@@ -172,19 +172,25 @@ class ShotCheck {
   void condition() {
     constexpr double digits = 1e-6;  // what a player or a program may build on
     // Where the place has fewer, what the path bends around, of a ball's size or more, turns by so much more or less.
-    const double allowed = std::max(digits, shot_.digits ? place_ / scene_.boundary.body.radius : 0);
-    std::optional<double> truth, off;
-    // A ball that a cushion holds on one side of the shot alone has a condition on either.
+    double allowed = std::max(digits, shot_.digits ? place_ / scene_.boundary.body.radius : 0);
+    // Within rounding of the launch it may change: where a cushion holds the ball on one side of the shot alone, or
+    // where the ball creeps up to one. Then it is any between.
     constexpr Scene::Sides sides[] = {{1, 1}, {1, 1, true}, {-1, 1, true}, {1, -1, true}, {-1, -1, true}};
+    std::optional<Range> truth;
+    double off = 0;
     for (const Scene::Sides& side : sides) {
       const auto seen = scene_.condition(shot_, side);
       if (!seen) break;
-      const double its = std::abs(*seen - shot_.condition) / std::max(*seen, scene_.boundary.extent);
-      if (!off || its < *off) truth = seen, off = its;
-      if (its <= allowed) break;
+      const double m = seen->metres;
+      truth = truth ? Range{std::min(truth->low, m), std::max(truth->high, m)} : Range{m, m};
+      allowed = std::max(allowed, seen->rounding);
+      off = std::max({0.0, truth->low - shot_.condition, shot_.condition - truth->high}) /
+            std::max(truth->high, scene_.boundary.extent);
+      if (off <= allowed) break;
     }
-    if (!truth) return;
-    compare(Claim::condition, *off, allowed, fmt::format("says {} m and it is {} m", shot_.condition, *truth));
+    if (truth)
+      compare(Claim::condition, off, allowed,
+              fmt::format("says {} m and it is {} to {} m", shot_.condition, truth->low, truth->high));
   }
 
   /// Both sides of each end, a little more than its tolerance away, and places between 0 and the end.
