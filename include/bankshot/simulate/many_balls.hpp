@@ -141,7 +141,8 @@ class ManyBalls {
       if (due.time < best.time || (due.time == best.time && due.time < never && due.rank < best.rank)) best = due;
     };
     for (std::size_t i = 0; i < in_.count(); ++i) consider({in_.balls[i].due, rank_of(in_.balls[i].next), i, i});
-    for (std::size_t i = 0; i < in_.count(); ++i)
+    for (std::size_t i = 0; i < in_.count(); ++i) {
+      if (!(earliest(i) <= best.time) || !(earliest(i) < never)) continue;
       for (std::size_t j = i + 1; j < in_.count(); ++j) {
         const Number& t = meeting(i, j);
         if (!(t <= best.time) || !(t < never)) continue;
@@ -151,7 +152,18 @@ class ManyBalls {
         else if (approach(due) > approach(best))
           best = due;
       }
+    }
     return best;
+  }
+
+  /// Of the meetings of a ball with those of higher numbers.
+  Number& earliest(std::size_t i) { return meetings_[i * in_.count() + i]; }
+  const Number& earliest(std::size_t i) const { return meetings_[i * in_.count() + i]; }
+
+  void find_earliest(std::size_t i) {
+    Number& first = earliest(i);
+    first = never;
+    for (std::size_t j = i + 1; j < in_.count(); ++j) first = std::min<Number>(first, meeting(i, j));
   }
 
   /// Speed at which the two that are due to meet come nearer.
@@ -240,18 +252,26 @@ class ManyBalls {
   }
 
   void find_meeting(std::size_t i, std::size_t j) {
-    Number& time = meeting(i, j);
-    time = never;
+    Number &time = meeting(i, j), &first = earliest(std::min(i, j));
+    const bool was_first = time == first;
+    time = next_meeting(i, j);
+    if (time <= first)
+      first = time;
+    else if (was_first)
+      find_earliest(std::min(i, j));
+  }
+
+  Number next_meeting(std::size_t i, std::size_t j) const {
     const Ball &a = in_.balls[i], &b = in_.balls[j];
-    if (!a.in_play || !b.in_play || (!a.moves && !b.moves)) return;
+    if (!a.in_play || !b.in_play || (!a.moves && !b.moves)) return Number(never);
     const Number now = value(in_.now), limit = std::min<Number>(a.due, b.due) - now;
-    if (in_.too_far(i, j, limit) || lasting_.is_held(i, j)) return;
+    if (in_.too_far(i, j, limit) || lasting_.is_held(i, j)) return Number(never);
     // The lower number is the first, so that a pair is looked at in one way.
     const std::size_t low = std::min(i, j), high = std::max(i, j);
     const Apart<Number> apart = in_.seen(low, high, now);
-    if (cannot_meet(apart, in_.reach(i, j), limit, in_.rounding)) return;
+    if (cannot_meet(apart, in_.reach(i, j), limit, in_.rounding)) return Number(never);
     const Number t = first_meeting(apart, in_.reach(i, j), Number(limit), in_.rounding);
-    if (t < never) time = now + t;
+    return t < never ? now + t : Number(never);
   }
 
   Number met_at(const Due& due) const {
@@ -299,7 +319,7 @@ class ManyBalls {
   BallBall law_;
   BallsInPlay<T, Motion> in_;
   LastingContacts<T, Motion> lasting_;
-  std::vector<Number> meetings_;  ///< s, of each pair, the lower number first
+  std::vector<Number> meetings_;  ///< s, of each pair, the lower number first; of a ball alone, the earliest of its row
   std::vector<std::size_t> changed_;
   std::vector<int> numbers_;  ///< of the balls, as contacts
 };
