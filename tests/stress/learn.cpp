@@ -17,13 +17,14 @@
 int main(int argc, char** argv) {
   using namespace bankshot;
   CLI::App app("fits tables whose truth is known");
-  int repeats = 10, threads = 1;
+  int repeats = 10, from = 0, threads = 1;
   std::uint64_t seed = 1;
   test::FilmWish wish;
   double least = 0.89, most = 0.99;
-  bool csv = false, untold = false;
+  bool csv = false, untold = false, each = false;
   long named = 0;
   app.add_option("--repeats", repeats, "Tables")->capture_default_str();
+  app.add_option("--from", from, "The first one's number, to look at one again")->capture_default_str();
   app.add_option("--shots", wish.shots, "Recordings of each")->capture_default_str();
   app.add_option("--seed", seed)->capture_default_str();
   app.add_option("--noise", wish.camera.noise, "m")->capture_default_str();
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
   app.add_option("--most", most, "The same, at most")->capture_default_str();
   app.add_flag("--untold", untold, "Shots that meet no cushion: 95 % of what they cannot tell must be held and named");
   app.add_flag("--csv", csv, "A row for each coefficient in the text's place");
+  app.add_flag("--each", each, "Tell each table on standard error: by how many of its errors each coefficient is off");
   CLI11_PARSE(app, argc, argv);
   wish.bounces = !untold;
 
@@ -45,7 +47,7 @@ int main(int argc, char** argv) {
   double seconds = 0, slowest = 0;
   long simulations = 0;
   constexpr double normal95 = 1.959964;
-  for (int i = 0; i < repeats; ++i) {
+  for (int i = from; i < from + repeats; ++i) {
     Random random(seed, static_cast<std::uint64_t>(i));
     const Physics truth = test::random_table(random, preset_scene("carom-10ft").ball.body);
     const test::Filmed filmed = test::filmed(truth, wish, random);
@@ -53,16 +55,19 @@ int main(int argc, char** argv) {
     const Fit fit = bankshot::fit(filmed.recordings, {.threads = threads});
     const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     seconds += took, slowest = std::max(slowest, took), simulations += fit.simulations;
+    std::string line = fmt::format("{} {:.1f} s, {} simulations:", i, took, fit.simulations);
     for (const FittedCoefficient& p : fit.parameters) {
       Count& c = counts[p.name];
       const double off = (p.value - test::coefficient(truth, p.name)) / p.error;
       ++c.told, c.covered += std::abs(off) < normal95, c.squares += off * off;
+      line += fmt::format(" {} {:.2f}", p.name, off);
       constexpr double far = 6;
       if (!(std::abs(off) < far))
         std::cerr << fmt::format("FAILED repeat {} of seed {}: {} is {} with error {}, truth {}\n", i, seed, p.name,
                                  p.value, p.error, test::coefficient(truth, p.name));
     }
     for (const HeldCoefficient& h : fit.held) ++counts[h.name].held;
+    if (each) std::cerr << line << '\n';
     for (const char* name : test::told_by_bounces)
       named += std::ranges::find(fit.held, name, &HeldCoefficient::name) != fit.held.end();
   }
