@@ -138,21 +138,12 @@ bool alike(const LaunchUnknowns& a, const LaunchUnknowns& b) {
   return std::abs(a[speed] - b[speed]) < 1e-3 && std::abs(a[top] - b[top]) < 0.01 && std::abs(a[side] - b[side]) < 0.01;
 }
 
-/// Where hardly any side is left it is gone before it meets a cushion, and with it what would say that there was some.
-double fit_side(Seen& seen, const Common& common, Work& work) {
-  double best = fit_window(seen, common, work);
-  constexpr double hardly = 0.06, some = 0.12;
-  if (!carries_spin(common.base) || std::abs(seen.launch[side]) > hardly) return best;
-  LaunchUnknowns launch = seen.launch;
-  const LaunchUnknowns first = launch;
-  for (const double start : {some, -some}) {
-    seen.launch = first;
-    seen.launch[side] = start;
-    if (const double off = fit_window(seen, common, work); off < best) best = off, launch = seen.launch;
-  }
-  seen.launch = launch;
-  tell(seen, common, work);
-  return best;
+/// Whether it meets a cushion before the ball is first seen to have moved.
+bool bounces_unseen(const Seen& seen, const Common& common, Work& work) {
+  const auto& tracks = seen.recording.tracks;
+  if (tracks.empty() || tracks.front().ball != 0 || tracks.front().samples.empty()) return false;
+  const auto times = bounces(seen, common, work);
+  return !times.empty() && times.front() < tracks.front().samples.front().time;
 }
 
 }  // namespace
@@ -215,6 +206,22 @@ double fit_anew(Seen& seen, const Common& common, double until, Work& work) {
   return best.off;
 }
 
+double fit_side(Seen& seen, const Common& common, Work& work) {
+  double best = fit_window(seen, common, work);
+  constexpr double hardly = 0.06, some = 0.12, much = 0.4;
+  if (!carries_spin(common.base) || std::abs(seen.launch[side]) > hardly) return best;
+  LaunchUnknowns launch = seen.launch;
+  const LaunchUnknowns first = launch;
+  for (const double start : {some, -some, much, -much}) {
+    seen.launch = first;
+    seen.launch[side] = start;
+    if (const double off = fit_window(seen, common, work); off < best) best = off, launch = seen.launch;
+  }
+  seen.launch = launch;
+  tell(seen, common, work);
+  return best;
+}
+
 bool look_again(Seen& seen, const Common& common, Work& work) {
   const double until = seen.window;
   const double off = fit_side(seen, common, work);
@@ -222,6 +229,17 @@ bool look_again(Seen& seen, const Common& common, Work& work) {
   const std::vector<Told> told = seen.told;
   constexpr double clearly = 0.98;
   const bool better = is_off(seen, common) && fit_anew(seen, common, until, work) < clearly * off;
+  if (!better) seen.launch = launch, seen.told = told, seen.window = until;
+  return better;
+}
+
+bool look_for_usual(Seen& seen, const Common& common, Work& work) {
+  if (seen.left_out || !bounces_unseen(seen, common, work)) return false;
+  const double until = seen.window, off = fit_window(seen, common, work);
+  const LaunchUnknowns launch = seen.launch;
+  const std::vector<Told> told = seen.told;
+  const bool better =
+      fit_anew(seen, common, until, work) < rare * off && !is_off(seen, common) && !bounces_unseen(seen, common, work);
   if (!better) seen.launch = launch, seen.told = told, seen.window = until;
   return better;
 }

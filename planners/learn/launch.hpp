@@ -24,9 +24,17 @@ double fit_on(Seen& seen, const Common& common, double until, Work& work);
 /// several spins. Returns the root mean square distance in sigmas; infinite where no launch makes a shot.
 double fit_anew(Seen& seen, const Common& common, double until, Work& work);
 
+/// From the launch that it has, up to the window. Where hardly any side is left it is gone before it meets a cushion,
+/// and with it what would say that there was some: then also from some. Returns as `fit_anew`.
+double fit_side(Seen& seen, const Common& common, Work& work);
+
 /// Fits on, up to the window; a launch that does not fit well may have settled on what the coefficients were before,
 /// and is looked for anew. Returns whether a better one was found.
 bool look_again(Seen& seen, const Common& common, Work& work);
+
+/// A bounce before the first sample is rare: a launch that makes one gives way to one that does not and fits too.
+/// Returns whether it did.
+bool look_for_usual(Seen& seen, const Common& common, Work& work);
 
 /// The same of the samples up to 0.25 s after the first bounce, which becomes the window.
 double fit_first_part(Seen& seen, const Common& common, Work& work);
