@@ -305,8 +305,6 @@ inline constexpr int halvings = 20, most_steps = 60;
 namespace sensitivity {
 /// m/m. The slope of a level table where it varies: so little that it moves nothing, and its direction has derivatives.
 inline constexpr double least_rise = 1e-9;
-/// Of a coefficient, to either side: where a law is integrated, rounding and truncation are alike.
-inline constexpr double difference = 1e-5;
 }  // namespace sensitivity
 
 namespace hints {

@@ -200,6 +200,7 @@ Fit fit(std::span<const Recording> recordings, const FitWish& wish) {
   const double excess = left_over(l, out.shots);
   out.sigma = l.noise * std::sqrt(excess);
   out.physics = l.common.physics();
+  restore_tolerance(out.physics);
   tell_coefficients(l.common, covariance(l.shots, l.common) * excess, out);
   out.held = l.held;
   out.seconds = tried.seconds;

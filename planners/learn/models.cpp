@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "planners/learn/models.hpp"
 
+#include <algorithm>
+
+#include "planners/learn/settings.hpp"
+
 namespace bankshot::planning {
 namespace {
 
@@ -45,7 +49,13 @@ Physics with_laws(Physics p, const FitWish& wish, const Body& body) {
   if (wish.model == "mathavan2010")
     p.cushion = Mathavan2010{
         .height = height, .restitution = e, .friction = friction, .sliding_friction = cloth.sliding_friction};
+  if (auto* law = std::get_if<Mathavan2010>(&p.cushion))
+    law->tolerance = std::max(law->tolerance, settings::learn::impact);
   return p;
+}
+
+void restore_tolerance(Physics& p) {
+  if (auto* law = std::get_if<Mathavan2010>(&p.cushion)) law->tolerance = tolerance::impact;
 }
 
 std::string model_name(const Physics& p) {

@@ -10,10 +10,6 @@ template <class C>
 RestitutionOf<C> varied(const Restitution& e) {
   return {C(e.at_rest), C(e.per_speed), C(e.per_speed2)};
 }
-template <class C>
-Restitution plain(const RestitutionOf<C>& e) {
-  return {e.at_rest.a, e.per_speed.a, e.per_speed2.a};
-}
 
 template <class C>
 VariedCushion<C> varied(const CushionVariant& cushion) {
@@ -23,7 +19,8 @@ VariedCushion<C> varied(const CushionVariant& cushion) {
       return Han2005Of<C>{C(c.height), varied<C>(c.restitution), C(c.friction)};
     }
     VariedLaw<C> operator()(const Mathavan2010& c) const {
-      return VariedMathavan<C>{c, varied<C>(c.restitution), C(c.height), C(c.friction), C(c.sliding_friction)};
+      return VariedMathavan<C>{C(c.height), varied<C>(c.restitution), C(c.friction), C(c.sliding_friction),
+                               c.tolerance};
     }
     VariedLaw<C> operator()(const Stronge& c) const {
       return StrongeOf<C>{C(c.height), varied<C>(c.restitution), C(c.friction), C(c.frequency_ratio)};
@@ -47,25 +44,6 @@ TiltedOf<C> varied_motion(const Physics& physics) {
   return out;
 }
 
-/// Bounces with the five derivatives that an impact has, and chains those of the state through them: the impact is
-/// integrated, and in few derivatives that is quick.
-template <class C>
-void chain(const Mathavan2010& law, const Body& body, State<C>& s, const Vec2d& away) {
-  using Few = Dual<5>;
-  C* const members[] = {&s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
-  State<Few> few{to<Few>(value(s.at)),
-                 {Few(s.velocity.x.a, 0), Few(s.velocity.y.a, 1)},
-                 {Few(s.spin.x.a, 2), Few(s.spin.y.a, 3), Few(s.spin.z.a, 4)}};
-  law.bounce(body, few, away);
-  const Few* const ends[] = {&few.velocity.x, &few.velocity.y, &few.spin.x, &few.spin.y, &few.spin.z};
-  const C before[] = {*members[0], *members[1], *members[2], *members[3], *members[4]};
-  for (std::size_t i = 0; i < std::size(members); ++i) {
-    C end(ends[i]->a);
-    for (std::size_t k = 0; k < std::size(before); ++k) end += (before[k] - before[k].a) * ends[i]->v[k];
-    *members[i] = end;
-  }
-}
-
 /// Any of its derivatives.
 template <class C>
 bool varies(const C& x) {
@@ -74,47 +52,40 @@ bool varies(const C& x) {
   return false;
 }
 
+/// Bounces with derivatives by the first M of nine numbers: velocity, spin, restitution at this speed, height,
+/// friction, friction of the cloth.
+template <int M, class C>
+void bounce_in(const VariedMathavan<C>& law, const Body& body, State<C>& s, const Vec2d& away) {
+  using Few = Dual<M>;
+  const C before[] = {s.velocity.x, s.velocity.y, s.spin.x,
+                      s.spin.y,     s.spin.z,     law.restitution(-dot(to<C>(away), s.velocity)),
+                      law.height,   law.friction, law.sliding_friction};
+  const auto few = [&](int k) {
+    const double its = before[static_cast<std::size_t>(k)].a;
+    return k < M ? Few(its, k) : Few(its);
+  };
+  State<Few> end{to<Few>(value(s.at)), {few(0), few(1)}, {few(2), few(3), few(4)}};
+  Mathavan2010Of<Few>{few(6), {few(5)}, few(7), few(8), law.tolerance}.bounce(body, end, away);
+  const auto chain = [&](C& out, const Few& of) {
+    out = C(of.a);
+    for (std::size_t k = 0; k < M; ++k) out += (before[k] - before[k].a) * of.v[k];
+  };
+  chain(s.velocity.x, end.velocity.x);
+  chain(s.velocity.y, end.velocity.y);
+  chain(s.spin.x, end.spin.x);
+  chain(s.spin.y, end.spin.y);
+  chain(s.spin.z, end.spin.z);
+}
+
 }  // namespace
 
 template <class C>
-Mathavan2010 VariedMathavan<C>::law() const {
-  Mathavan2010 out = origin;
-  out.restitution = plain(restitution);
-  out.height = height.a;
-  out.friction = friction.a;
-  out.sliding_friction = sliding_friction.a;
-  return out;
-}
-
-template <class C>
 void VariedMathavan<C>::bounce(const Body& body, State<C>& s, const Vec2d& away) const {
-  Mathavan2010 changed = law();
-  const State<double> before = value(s);
-  chain(changed, body, s, away);
-  const auto add = [&](double& coefficient, const C& varied) {
-    if (!varies(varied)) return;
-    const double middle = coefficient, step = settings::sensitivity::difference;
-    const auto after = [&](double its) {
-      State<double> end = before;
-      coefficient = its;
-      changed.bounce(body, end, away);
-      return end;
-    };
-    const State<double> low = after(middle - step), high = after(middle + step);
-    coefficient = middle;
-    const auto move = [&](C& x, double from, double to) { x += (varied - varied.a) * ((to - from) / (2 * step)); };
-    move(s.velocity.x, low.velocity.x, high.velocity.x);
-    move(s.velocity.y, low.velocity.y, high.velocity.y);
-    move(s.spin.x, low.spin.x, high.spin.x);
-    move(s.spin.y, low.spin.y, high.spin.y);
-    move(s.spin.z, low.spin.z, high.spin.z);
-  };
-  add(changed.restitution.at_rest, restitution.at_rest);
-  add(changed.restitution.per_speed, restitution.per_speed);
-  add(changed.restitution.per_speed2, restitution.per_speed2);
-  add(changed.height, height);
-  add(changed.friction, friction);
-  add(changed.sliding_friction, sliding_friction);
+  constexpr int of_ball = 6, all = 9;
+  if (varies(height) || varies(friction) || varies(sliding_friction))
+    bounce_in<all>(*this, body, s, away);
+  else
+    bounce_in<of_ball>(*this, body, s, away);
 }
 
 template <int N>

@@ -14,14 +14,15 @@
 
 namespace bankshot::planning {
 
-/// mathavan2010, whose impact is integrated in plain coefficients: its derivatives by them are central differences.
+/// mathavan2010, whose impact is integrated: quick in the few numbers that one impact depends on, whose derivatives are
+/// then chained with theirs.
 template <class C>
 struct VariedMathavan {
-  Mathavan2010 origin;
+  C height;
   RestitutionOf<C> restitution;
-  C height, friction, sliding_friction;
+  C friction, sliding_friction;
+  double tolerance;
 
-  Mathavan2010 law() const;
   void bounce(const Body& body, State<C>& s, const Vec2d& away) const;
   void bounce(const Body& body, State<C>& s, const Vec2<C>& away) const { bounce(body, s, value(away)); }
 };

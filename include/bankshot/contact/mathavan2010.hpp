@@ -8,9 +8,8 @@
 //  1. The map is homogeneous of degree one in (v, ω) when the restitution is constant.
 //  2. No allocation; the same source for double, dual numbers and 50 digits.
 //  3. A ball that does not move into the cushion is left as it is.
-//  4. Its coefficients are doubles: the order of the series follows from comparisons of plain numbers, so derivatives
-//  by
-//     coefficients would need a law of its own. Derivatives by the state are exact.
+//  4. Coefficients may be dual numbers: what is decided (orders, switches) is decided on values, so derivatives by
+//     coefficients are as exact as those by the state.
 // Limitations: at exactly zero slip (natural roll at the cloth) the map has one-sided derivatives only;
 // the slip then counts as constant 0. With large friction the ball can jam between nose and cloth: its
 // normal velocity is set to 0, and `course` says so.
@@ -23,11 +22,12 @@
 
 namespace bankshot {
 
-struct Mathavan2010 {
-  double height = 1.28 * 0.028575;  ///< h [m], R < h < 2R
-  Restitution restitution{};
-  double friction = 0.2;          ///< μw, between ball and cushion
-  double sliding_friction = 0.2;  ///< μs, between ball and cloth; that of the motion
+template <class C>
+struct Mathavan2010Of {
+  C height{1.28 * 0.028575};  ///< h [m], R < h < 2R
+  RestitutionOf<C> restitution{};
+  C friction{0.2};          ///< μw, between ball and cushion
+  C sliding_friction{0.2};  ///< μs, between ball and cloth; that of the motion
   double tolerance = bankshot::tolerance::impact;
 
   template <class T, class N>
@@ -53,7 +53,7 @@ struct Mathavan2010 {
       return {};
     }
     // The paper's axes: y into the cushion, x = y × z = −t. Mass 1, radius 1, approach speed 1.
-    const NoseAngle<Real<T>> angle(height, radius);
+    const NoseAngle<Coefficient<T, C>> angle(height, radius);
     const T sine(angle.sine), cosine(angle.cosine);
     const mathavan::Nose<T> nose(sine, cosine, T(friction), T(sliding_friction));
     const T by = T(1) / T(approach), spin = R * by;
@@ -84,5 +84,6 @@ struct Mathavan2010 {
     vy = vy_after;
   }
 };
+using Mathavan2010 = Mathavan2010Of<double>;
 
 }  // namespace bankshot
