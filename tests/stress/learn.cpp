@@ -73,14 +73,16 @@ int main(int argc, char** argv) {
   }
   bool good = true;
   Count all;
-  if (csv) fmt::print("repeats,shots,noise_mm,outliers,coefficient,told,covered,rms_errors,held,seconds,slowest\n");
+  if (csv)
+    fmt::print("from,repeats,shots,noise_mm,outliers,coefficient,told,covered,rms_errors,held,seconds,slowest\n");
   const auto print = [&](const std::string& name, const Count& c) {
     constexpr double mm = 1000;
     const double share = c.told > 0 ? static_cast<double>(c.covered) / c.told : 1;
     const double rms = std::sqrt(c.squares / std::max(1, c.told));
     if (csv)
-      fmt::print("{},{},{:g},{:g},{},{},{},{:.3f},{},{:.2f},{:.2f}\n", repeats, wish.shots, mm * wish.camera.noise,
-                 wish.camera.outliers, name, c.told, c.covered, rms, c.held, seconds / repeats, slowest);
+      fmt::print("{},{},{},{:g},{:g},{},{},{},{:.3f},{},{:.2f},{:.2f}\n", from, repeats, wish.shots,
+                 mm * wish.camera.noise, wish.camera.outliers, name, c.told, c.covered, rms, c.held, seconds / repeats,
+                 slowest);
     else
       fmt::print("{:<22} in {} of {} intervals of 95 %: {:.1f} %; root mean square {:.2f} errors; held {}\n", name,
                  c.covered, c.told, 100 * share, rms, c.held);
