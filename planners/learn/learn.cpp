@@ -100,11 +100,12 @@ void settle(Learnt& l, int threads, Work& work) {
   }
 }
 
-/// Sum of squares in sigmas. All shots that are lost count alike: how far they are off says nothing.
+/// Sum of squares in sigmas. Where the laws can follow the shots, all that are lost count alike: how far they are off
+/// says nothing. Where they cannot, those that are hard to follow tell the most.
 double cost_of(const Learnt& l) {
   double sum = 0;
   for (const Seen& seen : l.shots) {
-    const double e = std::min(excess(seen, l.common), lost);
+    const double off = excess(seen, l.common), e = l.astray ? off : std::min(off, lost);
     sum += e * e * seen.samples_used();
   }
   return sum;
@@ -181,7 +182,7 @@ void shake(Learnt& l, Shaken how, int most_in_vain, int threads, Work& work) {
 void shake(Learnt& l, int threads, Work& work) {
   constexpr int wide_in_vain = 2, small_in_vain = 6;
   shake(l, Shaken::each, wide_in_vain, threads, work);
-  shake(l, Shaken::together, small_in_vain, threads, work);
+  if (!l.astray) shake(l, Shaken::together, small_in_vain, threads, work);
 }
 
 /// From bounce to bounce: the coefficients are learnt where launches are sure before they are asked where a long path
