@@ -148,7 +148,7 @@ double score(const ModelScore& law, const std::vector<Prediction>& predictions) 
 }
 
 /// With the law that predicts best what it has not seen. mathavan2010, whose impacts are integrated, would take
-/// forty times as long as another law, or more.
+/// about ten times as long as another law.
 Tried best_model(const Recordings& all, const Given& given, const FitWish& wish, Fit& out, Work& work,
                  const std::function<void(double)>& progress) {
   constexpr const char* models[] = {"han2005", "stronge"};

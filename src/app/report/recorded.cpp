@@ -96,8 +96,8 @@ constexpr const char* about =
     "Shots that a camera tracked. For each law of the cushions the table's coefficients and all launches are fitted to "
     "all shots; then a quarter of the shots is left out at a time, the coefficients are fitted to the others, and each "
     "shot left out is predicted from its first part, to 0.25 s after its first bounce. Distances are root mean squares "
-    "over a shot's samples at the same time. Cushions after mathavan2010, whose impacts are integrated, take forty "
-    "times as long or more and are not tried. By speed: restitution and rolling friction may change with the "
+    "over a shot's samples at the same time. Cushions after mathavan2010, whose impacts are integrated, take about "
+    "ten times as long and are not tried. By speed: restitution and rolling friction may change with the "
     "speed. The time is that of learning from all shots, by the clock on the wall, with as many threads as there are "
     "cores.";
 
