@@ -97,8 +97,9 @@ std::optional<Shot> firm_beside(const Question& q, Ledger& ledger, const Goal& g
 bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) {
   if (ledger.spent() || is_firm(q, ledger, shot)) return true;
   auto beside = firm_beside(q, ledger, goal, shot);
-  if (beside) shot = *std::move(beside);
-  return beside.has_value();
+  if (!beside) return false;
+  shot = *std::move(beside);
+  return true;
 }
 
 /// It was at its target, which is on a cushion's line, and by rounding bounced once more there: a launch beside.
