@@ -74,9 +74,8 @@ bool is_firm(const Question& q, Ledger& ledger, const Shot& shot, double least =
   return true;
 }
 
-/// The arrival is on a cushion's line: rounding may decide whether the ball bounces there.
-bool on_a_line(const Question& q, const Shot& shot) {
-  return q.boundary_of(q.mark_of(shot).ball).clearance(shot.arrival.at) <= tolerance::exact_miss * q.boundary.diagonal;
+bool arrives_on_a_line(const Question& q, const Shot& shot) {
+  return q.on_a_line(q.mark_of(shot).ball, shot.arrival.at);
 }
 
 /// A launch beside, as near as an exact answer must be, on the side that keeps the bounces.
@@ -105,7 +104,7 @@ bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) 
 /// It was at its target, which is on a cushion's line, and by rounding bounced once more there: a launch beside.
 Proof without_last_bounce(const Question& q, Ledger& ledger, const Goal& goal, Proof proof) {
   const bool at_target = proof.replayed && goal.demand == Demand::exact && q.centred(proof.shot.miss) &&
-                         static_cast<int>(proof.shot.cushions.size()) == goal.max && on_a_line(q, proof.shot);
+                         static_cast<int>(proof.shot.cushions.size()) == goal.max && arrives_on_a_line(q, proof.shot);
   if (!at_target) return proof;
   add_first_order(q, proof.shot);
   if (auto beside = firm_beside(q, ledger, goal, proof.shot)) return {*std::move(beside), {}, true};
@@ -145,7 +144,7 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
 void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const Goal& goal, std::string_view step) {
   if (!make_room(q, found.shots, shot)) return;
   add_first_order(q, shot);
-  const bool looked_at = goal.demand == Demand::exact && on_a_line(q, shot) && step != steps::word::along;
+  const bool looked_at = goal.demand == Demand::exact && arrives_on_a_line(q, shot) && step != steps::word::along;
   shot.digits = !looked_at || make_firm(q, ledger, goal, shot) ? promised_digits(q, shot) : 0;
   add_aftermath(q, ledger, shot);
   shot.planner = step;

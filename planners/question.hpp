@@ -115,6 +115,8 @@ struct Question {
   bool has_obstacles() const { return captures() || !boundary.balls.empty(); }
   /// A miss this small is one of the exact line or point.
   bool centred(double miss) const;
+  /// A ball there touches a cushion, as nearly as an answer is exact: rounding may decide whether it bounces.
+  bool on_a_line(int ball, const Vec2d& at) const { return centred(boundary_of(ball).clearance(at)); }
 
   /// The ball touches this cushion or vertex at the start.
   bool touches(Contact contact) const { return std::ranges::find(touched, contact) != touched.end(); }

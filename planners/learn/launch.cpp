@@ -146,6 +146,17 @@ bool bounces_unseen(const Seen& seen, const Common& common, Work& work) {
   return !times.empty() && times.front() < tracks.front().samples.front().time;
 }
 
+/// Looks for the launch anew; what it was stays unless `better(distance)`.
+template <class Better>
+bool replaced(Seen& seen, const Common& common, Work& work, const Better& better) {
+  const double until = seen.window;
+  const LaunchUnknowns launch = seen.launch;
+  const std::vector<Told> told = seen.told;
+  if (better(fit_anew(seen, common, until, work))) return true;
+  seen.launch = launch, seen.told = told, seen.window = until;
+  return false;
+}
+
 }  // namespace
 
 std::optional<Trajectory> play(const Seen& seen, const Common& common, std::optional<double> seconds, Work& work) {
@@ -223,25 +234,17 @@ double fit_side(Seen& seen, const Common& common, Work& work) {
 }
 
 bool look_again(Seen& seen, const Common& common, Work& work) {
-  const double until = seen.window;
   const double off = fit_side(seen, common, work);
-  const LaunchUnknowns launch = seen.launch;
-  const std::vector<Told> told = seen.told;
   constexpr double clearly = 0.98;
-  const bool better = is_off(seen, common) && fit_anew(seen, common, until, work) < clearly * off;
-  if (!better) seen.launch = launch, seen.told = told, seen.window = until;
-  return better;
+  return is_off(seen, common) && replaced(seen, common, work, [&](double now) { return now < clearly * off; });
 }
 
 bool look_for_usual(Seen& seen, const Common& common, Work& work) {
   if (seen.left_out || !bounces_unseen(seen, common, work)) return false;
-  const double until = seen.window, off = fit_window(seen, common, work);
-  const LaunchUnknowns launch = seen.launch;
-  const std::vector<Told> told = seen.told;
-  const bool better =
-      fit_anew(seen, common, until, work) < rare * off && !is_off(seen, common) && !bounces_unseen(seen, common, work);
-  if (!better) seen.launch = launch, seen.told = told, seen.window = until;
-  return better;
+  const double off = fit_window(seen, common, work);
+  return replaced(seen, common, work, [&](double now) {
+    return now < rare * off && !is_off(seen, common) && !bounces_unseen(seen, common, work);
+  });
 }
 
 double fit_first_part(Seen& seen, const Common& common, Work& work) {

@@ -19,8 +19,8 @@ VariedCushion<C> varied(const CushionVariant& cushion) {
       return Han2005Of<C>{C(c.height), varied<C>(c.restitution), C(c.friction)};
     }
     VariedLaw<C> operator()(const Mathavan2010& c) const {
-      return VariedMathavan<C>{C(c.height), varied<C>(c.restitution), C(c.friction), C(c.sliding_friction),
-                               c.tolerance};
+      return VariedMathavan<C>{
+          {C(c.height), varied<C>(c.restitution), C(c.friction), C(c.sliding_friction), c.tolerance}};
     }
     VariedLaw<C> operator()(const Stronge& c) const {
       return StrongeOf<C>{C(c.height), varied<C>(c.restitution), C(c.friction), C(c.frequency_ratio)};
@@ -82,7 +82,7 @@ void bounce_in(const VariedMathavan<C>& law, const Body& body, State<C>& s, cons
 template <class C>
 void VariedMathavan<C>::bounce(const Body& body, State<C>& s, const Vec2d& away) const {
   constexpr int of_ball = 6, all = 9;
-  if (varies(height) || varies(friction) || varies(sliding_friction))
+  if (varies(this->height) || varies(this->friction) || varies(this->sliding_friction))
     bounce_in<all>(*this, body, s, away);
   else
     bounce_in<of_ball>(*this, body, s, away);

@@ -17,12 +17,7 @@ namespace bankshot::planning {
 /// mathavan2010, whose impact is integrated: quick in the few numbers that one impact depends on, whose derivatives are
 /// then chained with theirs.
 template <class C>
-struct VariedMathavan {
-  C height;
-  RestitutionOf<C> restitution;
-  C friction, sliding_friction;
-  double tolerance;
-
+struct VariedMathavan : Mathavan2010Of<C> {
   void bounce(const Body& body, State<C>& s, const Vec2d& away) const;
   void bounce(const Body& body, State<C>& s, const Vec2<C>& away) const { bounce(body, s, value(away)); }
 };

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "bankshot/numbers/dual.hpp"
-#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "planners/locked/in_the_way.hpp"
 #include "planners/merit/limits.hpp"
@@ -238,10 +237,10 @@ void add_first_order(const Question& q, Shot& shot) {
   const LockedAim aim{q, route, q.mark_of(shot)};
   const Path path = path_to(aim, shot.launch, shot.arrival.at);
   // One that a cushion holds may arrive before the locked path, which goes through that cushion, has left the line.
-  const double exact = tolerance::exact_miss * q.boundary.diagonal;
-  const bool held = path.beside() > exact ||
-                    (!aim.mark.captures() && q.boundary_of(aim.mark.ball).clearance(shot.arrival.at) <= exact);
-  const FirstOrder f = path.first_order(held && q.objects ? real_arrival(q, shot) : std::nullopt);
+  const auto held = [&] {
+    return !q.centred(path.beside()) || (!aim.mark.captures() && q.on_a_line(aim.mark.ball, shot.arrival.at));
+  };
+  const FirstOrder f = path.first_order(q.objects && held() ? real_arrival(q, shot) : std::nullopt);
   shot.by_angle = f.by_angle;
   shot.by_speed = f.by_log_speed / shot.launch.speed;
   shot.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));

@@ -9,8 +9,8 @@
 #include "bankshot/simulate/trajectory.hpp"
 #include "planners/message.hpp"
 #include "support/catch.hpp"
+#include "support/claims.hpp"
 #include "support/random_puzzle.hpp"
-#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -110,7 +110,7 @@ TEST_CASE("into a pocket any arrival speed will do, and the likeliest shot is th
     REQUIRE(free.status == Status::solved);
     const Shot& best = free.shots[0];
     CHECK((best.arrival.speed >= 0.2 - 1e-9 && best.arrival.speed <= 3 + 1e-9));
-    for (const truth::Check& c : truth::check(&p, free.id, free)) CHECK(c.holds());
+    test::check_claims(p, free);
     for (const double speed : {0.2, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
       p.arrive = Range{speed, speed};
       const Answer a = solve(p);
@@ -149,10 +149,7 @@ TEST_CASE("a margin ends before a narrow band that is not made") {
   const Puzzle p = read_puzzle(R"({"table": {"preset": "pool-8ft", "jaws": false}, "ball": {"at": [1.978, 0.073]},
     "target": {"pocket": "top-middle"}, "cushions": 3, "arrive": {"speed": 0.5}})");
   const Answer a = solve(p);
-  for (const truth::Check& c : truth::check(&p, a.id, a)) {
-    INFO(truth::name(c.claim) << ": " << c.what);
-    CHECK(c.holds());
-  }
+  test::check_claims(p, a);
   CHECK(*a.shots.at(0).margin->speed[0] > -0.57);
 }
 

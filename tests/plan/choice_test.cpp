@@ -5,8 +5,8 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
+#include "support/claims.hpp"
 #include "support/replay_check.hpp"
-#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -62,10 +62,8 @@ TEST_CASE("margin and chance of a free spin are the shot's own") {
       const Answer a = solve(p);
       REQUIRE(a.status == Status::solved);
       CHECK(*a.shots[0].success > 0);
-      for (const truth::Check& c : truth::check(&p, a.id, a)) {
-        INFO(prefer << ", " << aim << ": " << truth::name(c.claim) << ": " << c.what);
-        CHECK(c.holds());
-      }
+      INFO(prefer << ", " << aim);
+      test::check_claims(p, a);
       ++shots;
     }
   CHECK(shots == 6);

@@ -6,9 +6,9 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
+#include "support/claims.hpp"
 #include "support/random_puzzle.hpp"
 #include "support/seed.hpp"
-#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -38,10 +38,7 @@ void check_edges(int puzzles, std::uint64_t seed) {
     const Answer a = solve(p, {.robustness = false, .suggest = false});
     INFO("puzzle " << i << " of seed " << seed << ": " << write_puzzle(p));
     for (const Shot& shot : a.shots) ++shots, unpromised += shot.digits == 0;
-    for (const truth::Check& c : truth::check(&p, a.id, a)) {
-      INFO(truth::name(c.claim) << ": " << c.what);
-      CHECK(c.holds());
-    }
+    test::check_claims(p, a);
   }
   CHECK(shots > puzzles * 9 / 10);
   CHECK(unpromised <= puzzles / 50);

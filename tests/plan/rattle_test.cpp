@@ -6,8 +6,8 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
+#include "support/claims.hpp"
 #include "support/random_drop.hpp"
-#include "truth/claims.hpp"
 
 namespace bankshot {
 namespace {
@@ -46,10 +46,7 @@ Counted ask(int count, bool spin, bool at_the_end) {
     if (shot.rattles) CHECK(shot.off_centre);
     if (shot.rattles && spin) CHECK(shot.planner == "rattles");
     CHECK(std::abs(shot.arrival.speed - drop.puzzle.arrive->low) < 1e-8);
-    for (const truth::Check& c : truth::check(&drop.puzzle, a.id, a)) {
-      INFO(truth::name(c.claim) << ": " << c.what);
-      CHECK(c.holds());
-    }
+    test::check_claims(drop.puzzle, a);
   }
   return out;
 }

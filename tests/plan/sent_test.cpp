@@ -4,10 +4,10 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
+#include "support/claims.hpp"
 #include "support/found_again.hpp"
 #include "support/lost_puzzles.hpp"
 #include "support/replay_check.hpp"
-#include "truth/claims.hpp"
 
 using namespace bankshot;
 
@@ -16,13 +16,6 @@ namespace {
 Puzzle pool(const std::string& keys) {
   return read_puzzle(R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, )" + keys + R"(,
     "others": [{"id": "8", "at": [1.6, 0.7]}, {"id": "9", "at": [2.0, 0.3]}]})");
-}
-
-void holds(const Puzzle& p, const Answer& a) {
-  for (const truth::Check& c : truth::check(&p, p.id, a)) {
-    INFO(truth::name(c.claim) << ": " << c.what);
-    CHECK(c.holds());
-  }
 }
 
 }  // namespace
@@ -109,14 +102,14 @@ TEST_CASE("a combination sends one ball onto the next, and that into the pocket"
 }
 
 TEST_CASE("chains and caroms that no seed leads to are found band by band, also along rails") {
-  CHECK(test::solve_lost_puzzles("tests/plan/bands.jsonl", holds) == 10);
+  CHECK(test::solve_lost_puzzles("tests/plan/bands.jsonl", test::check_claims) == 10);
 }
 
 // Where it arrives at a bounce, the arcs before and after are as near; where the cushion holds it, no locked path
 // leads; where it is held on one side of the shot alone, its condition has a kink; where it creeps up to the cushion,
 // rounding has a say.
 TEST_CASE("a ball that is sent onto a cushion's line and is held there arrives with the condition that it says") {
-  CHECK(test::solve_lost_puzzles("tests/plan/held.jsonl", holds) == 7);
+  CHECK(test::solve_lost_puzzles("tests/plan/held.jsonl", test::check_claims) == 7);
 }
 
 TEST_CASE("a combination is of different balls") {

@@ -4,9 +4,9 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
+#include "support/claims.hpp"
 #include "support/families.hpp"
 #include "support/replay_check.hpp"
-#include "truth/claims.hpp"
 
 namespace bankshot::test {
 
@@ -23,8 +23,7 @@ FoundAgain find_again(const std::string& family, Model model, int count, std::ui
     }
     found.off_centre += a.shots.front().off_centre;
     CHECK(check_shot(made.puzzle, a.shots.front()).problem.empty());
-    if (i % each_truth == 0)
-      for (const truth::Check& c : truth::check(&made.puzzle, made.puzzle.id, a)) CHECK(c.holds());
+    if (i % each_truth == 0) check_claims(made.puzzle, a);
   }
   return found;
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// Everything that an answer claims holds in 50 digits.
+#pragma once
+
+#include "bankshot/plan/planner.hpp"
+#include "support/catch.hpp"
+#include "truth/claims.hpp"
+
+namespace bankshot::test {
+
+inline void check_claims(const Puzzle& p, const Answer& a) {
+  for (const truth::Check& c : truth::check(&p, a.id, a)) {
+    INFO(truth::name(c.claim) << ": " << c.what);
+    CHECK(c.holds());
+  }
+}
+
+}  // namespace bankshot::test
