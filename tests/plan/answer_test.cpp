@@ -2,6 +2,7 @@
 //
 // What an answer says beside the launch: why not, how robust, which of several.
 #include <algorithm>
+#include <utility>
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 Puzzle plain(Physics physics) {
   return {.table = rectangle_table(2, 1),
-          .physics = physics,
+          .physics = std::move(physics),
           .ball = {.at = {0.4, 0.3}},
           .target = PointTarget{{1.5, 0.7}},
           .cushions = CushionRule::exactly(1)};
@@ -43,7 +44,7 @@ TEST_CASE("a no-shot on a convex table without obstacles is proved, and says wha
   CHECK(a.status == Status::no_shot);
   CHECK(says(a.message, "proved"));
   REQUIRE(a.nearest);
-  CHECK(a.nearest->why != "");
+  CHECK_FALSE(a.nearest->why.empty());
 }
 
 TEST_CASE("a bound that binds is named with the number that would open it") {

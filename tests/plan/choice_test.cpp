@@ -26,7 +26,7 @@ TEST_CASE("of a range of spin the one that prefer likes best is used") {
         prefer + "\"}");
     const auto worth = [&](const Answer& a) {
       REQUIRE(a.status == Status::solved);
-      CHECK(test::check_shot(p, a.shots[0]).problem == "");
+      CHECK_THAT(test::check_shot(p, a.shots[0]).problem, Catch::Equals(""));
       return p.prefer == Prefer::soft ? a.shots[0].launch.speed : a.shots[0].arrival.time;
     };
     const double best = worth(solve(p, {.robustness = false}));
@@ -78,7 +78,7 @@ TEST_CASE("spin is used where nothing works without") {
   INFO(a.message);
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].spin.side != 0);
-  CHECK(test::check_shot(p, a.shots[0]).problem == "");
+  CHECK_THAT(test::check_shot(p, a.shots[0]).problem, Catch::Equals(""));
 }
 
 TEST_CASE("of a range of arrival speeds one that can be reached is found") {
@@ -156,6 +156,6 @@ TEST_CASE("puzzles with friction that grows with speed are solved") {
                         "target": {"point": [1.9, 0.9]}, "cushions": 2})");
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
-  CHECK(test::check_shot(p, a.shots[0]).problem == "");
+  CHECK_THAT(test::check_shot(p, a.shots[0]).problem, Catch::Equals(""));
   CHECK(a.shots[0].miss < 1e-9);
 }
