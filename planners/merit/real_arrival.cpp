@@ -6,6 +6,7 @@
 
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/many_balls.hpp"
 #include "planners/start.hpp"
 
@@ -14,8 +15,16 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
+/// A ball that meets a cushion so slowly goes no farther than its place is rounded.
+bool stays(const Question& q, const Boundary& boundary, const State<Number>& state) {
+  const double rounded = tolerance::simulation_error * 0x1p-53 * boundary.extent;
+  const Vec2d v = value(state.velocity);
+  return dot(v, v) < 2 * deceleration(q.puzzle.physics) * rounded;
+}
+
 /// The last ball at that time, or where it falls or rests before; none where a ball meets one that is to stand, or
-/// where the last has bounced more often. A bounce at that time is taken where it is counted.
+/// where the last has bounced more often. A bounce at that time is taken where it is counted; where a ball is to stop,
+/// and stops as it touches the cushion, it rests as if none were there, since that bounce has no derivative.
 template <class Motion, class Cushion>
 std::optional<State<Number>> follow(const Question& q, const Objects::Chain& chain, const Motion& motion,
                                     const Cushion& cushion, const Launch& launch, double seconds, std::size_t bounces) {
@@ -28,6 +37,7 @@ std::optional<State<Number>> follow(const Question& q, const Objects::Chain& cha
   std::size_t bounced = 0;
   bool arrived = false;
   for (;;) {
+    const State<Number> before = sim.state(last);
     const BallEvent e = sim.step(Number(arrived ? same_instant : seconds - sim.time().a));
     if (e.event.kind == EventKind::horizon) {
       if (arrived || bounced == bounces) return sim.state_now(last);
@@ -37,6 +47,8 @@ std::optional<State<Number>> follow(const Question& q, const Objects::Chain& cha
     const bool rebounds = e.event.kind == EventKind::cushion && e.ball == last;
     if (rebounds && ++bounced > bounces) return {};
     if (rebounds && arrived && bounced == bounces) return sim.state(last);
+    if (rebounds && q.stop && bounced == bounces && stays(q, chain.moving.back(), sim.state(last)))
+      return arrive_locked(motion, chain.moving.back().body, before, {}, 0, true).state;
     const auto is_met = [&](const Objects::Object* ball) { return e.event.contact == Contact::ball(ball->ball); };
     if (e.event.kind == EventKind::ball && std::ranges::none_of(chain.balls, is_met)) return {};
     const bool ends = e.event.kind == EventKind::pocket || (q.stop && e.event.kind == EventKind::rest);
