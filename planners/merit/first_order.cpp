@@ -27,7 +27,7 @@ Gap<Number> sides(const Boundary& boundary, const Mark& mark, const Vec2<Number>
   const Vec2d left = perpendicular(value(u));
   for (const Wall& w : boundary.walls) {
     const double above = dot(w.normal, mark.at) - w.offset, half2 = mark.reach * mark.reach - above * above;
-    if (!(half2 > 0)) continue;
+    if (!(half2 > 0) || boundary.break_at(w, dot(w.along, mark.at)) >= 0) continue;
     const Vec2d foot = w.normal * -above, half = w.along * std::sqrt(half2);
     const double a = dot(left, foot + half), b = dot(left, foot - half), tilt = mark.reach * dot(w.normal, left);
     if (above + tilt < 0) out.high = std::min(out.high, std::max(a, b));

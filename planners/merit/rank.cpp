@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "planners/locked/forward.hpp"
 #include "planners/merit/margin.hpp"
 #include "planners/merit/settings.hpp"
 #include "planners/merit/success.hpp"
@@ -78,23 +79,35 @@ double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
                     is_ideal(q.puzzle.physics) ? 0 : count(a.speed - b.speed, q.puzzle.noise.speed));
 }
 
-/// A ball that arrives slowly may have passed the point before, after fewer cushions: that counts too.
-bool passes_before(const Question& q, Ledger& ledger, const Shot& shot) {
-  const int bounces = static_cast<int>(shot.cushions.size());
-  if (q.captures() || q.stop || q.route || bounces <= q.cushions().min) return false;
-  Goal sooner = Goal::of(q, Demand::made);
-  sooner.max = bounces - 1;
-  return replay(q, ledger, shot.launch, sooner).made;
+/// The chance that errors lead a launch past a mark whose side it sees so, to first order.
+double chance_of_passing(const Question& q, const Mark& mark, const Launch& launch, const Linear& seen) {
+  const double by_aim = seen.by_aim(0) * q.puzzle.noise.angle;
+  const double by_push = q.one_unknown() ? 0 : seen.by_speed(0) * q.puzzle.noise.speed / launch.speed;
+  const double lateral = seen.r[0] * q.boundary.diagonal, deviation = std::hypot(by_aim, by_push) * q.boundary.diagonal;
+  const auto share_below = [&](double end) { return std::erf(end / (std::sqrt(2.0) * deviation)) / 2; };
+  return share_below(mark.reach - lateral) + share_below(mark.reach + lateral);
+}
+
+/// A ball may pass the point on its way, after fewer cushions: that counts too. One simulation.
+double chance_on_the_way(const Question& q, Ledger& ledger, const Shot& shot) {
+  const std::size_t bounces = shot.cushions.size();
+  if (q.objects || q.stop || q.route || static_cast<int>(bounces) <= q.cushions().min) return 0;
+  Forward path;
+  forward(q, ledger, shot.launch, false, path);
+  double chance = 0;
+  for (const Passage& p : path.passages)
+    if (p.meetings < bounces && !q.marks[p.mark].captures())
+      chance += chance_of_passing(q, q.marks[p.mark], shot.launch, p.linear);
+  return chance;
 }
 
 /// What the success of a shot may be, as its first-order chance and those of the shots beside it say. One simulation.
 /// `q` has the spin of the shot.
 double shot_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot) {
   using settings::rank::beside;
-  if (passes_before(q, ledger, shot)) return 1;
   // One that misses by the cushions of this shot may touch the second ball after more of them.
   if (q.carom() && !q.route && static_cast<int>(shot.cushions.size()) < q.cushions().max) return 1;
-  double chance = shot.chance;
+  double chance = shot.chance + chance_on_the_way(q, ledger, shot);
   for (const Shot& other : shots)
     if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
   const Mark& mark = q.mark_of(shot);

@@ -83,8 +83,8 @@ inline constexpr double doubt_of_change = 0.15, doubt_always = 0.01;
 inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4, points_without_edges = 3;
 /// Of probability, at either end, where no point is spread.
 inline constexpr double tail = 0.0015;
-/// Where the first lines and first order agree so nearly (of chance), no further line is laid.
-inline constexpr double agrees = 1e-3;
+/// Where the lines and first order agree so nearly (of chance), and no part is in more doubt, no further line is laid.
+inline constexpr double agrees = 1e-3, doubt_of_agreed = 0.02;
 /// Of a bracket's width: what lies z deviations out counts by this times exp(-z²/2), and never more than all.
 inline constexpr double thin_out = 3;
 /// Of the other shots whose bands are looked at: the least first-order chance, and how many at most; a line so near to

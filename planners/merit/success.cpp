@@ -9,7 +9,7 @@
 // lines together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its
 // neighbours say. Edges are looked for where the neighbouring lines have them, between some points spread over the line
 // and its ends, so that a band which nobody expects is met too, and where other shots are; then the neighbours are
-// looked at again. Where that agrees with first order (limits.hpp), it ends.
+// looked at again. Where that agrees with first order (limits.hpp) and leaves little doubt, it ends.
 // Cost: most_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
 #include "planners/merit/success.hpp"
 
@@ -55,13 +55,12 @@ class Chance {
     if (scale < 1)
       for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
     for (const Known& k : known_) look_at(k);
-    if (const double so_far = chance_of(lines_); std::abs(so_far - shot_.chance) < agrees) return so_far;
     while (used_ + cheapest_line <= most_samples) {
       std::size_t at = 0;
       double most = least_doubt;
       for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
         if (const double d = doubt(i); d > most) most = d, at = i + 1;
-      if (at == 0) break;
+      if (at == 0 || (most < doubt_of_agreed && std::abs(chance_of(lines_) - shot_.chance) < agrees)) break;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
     return chance_of(lines_);

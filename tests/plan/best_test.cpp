@@ -3,7 +3,12 @@
 // The softest and the quickest shot of `--all` against brute force that shares only the simulator with the planners
 // (support/by_force.hpp), where nothing is left free: each must find what the other finds; and what plain `solve`
 // answers against the first of `--all`. At length: stress/best.cpp.
+#include <fmt/format.h>
+
+#include <array>
+
 #include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/json.hpp"
 #include "support/by_force.hpp"
 #include "support/catch.hpp"
 #include "support/forward.hpp"
@@ -80,5 +85,23 @@ TEST_CASE("plain solve is hardly ever worse than the first of all, in a few hund
     CHECK(compared > puzzles * 2 / 3);
     CHECK(worse <= 1);
     CHECK(simulations < 800 * compared);
+  }
+}
+
+TEST_CASE("a shot that may pass its point on the way is not passed over for what its last leg alone promises") {
+  // Aims near by, and not the shot's own, pass the point a leg sooner.
+  const char* const puzzle = R"({{"table": {{"length": 2.54, "width": 1.27, "pockets": "none"}}, "physics": "rolling",
+      "ball": {{"at": [{}, {}]}}, "target": {{"point": [{}, {}]}}, "cushions": {{"max": 3}}, "arrive": {{"speed": {}}}}})";
+  constexpr std::array<std::array<double, 5>, 3> cases{{{1.1325, 0.8980, 1.8462, 0.7437, 0.1042},
+                                                        {0.9966, 1.0428, 2.0023, 0.5321, 0.1140},
+                                                        {1.7624, 0.8372, 0.8981, 0.7989, 0.1166}}};
+  for (const auto& [x, y, to_x, to_y, arrive] : cases) {
+    const Puzzle p = read_puzzle(fmt::format(fmt::runtime(puzzle), x, y, to_x, to_y, arrive));
+    const Answer best = solve(p), all = solve(p, {.all = true});
+    INFO("from " << x << ", " << y);
+    REQUIRE(best.status == Status::solved);
+    REQUIRE(all.status == Status::solved);
+    CHECK(*all.shots.front().success > *all.shots[1].success + 0.05);
+    CHECK(*best.shots.front().success > *all.shots.front().success - 0.005);
   }
 }
