@@ -28,8 +28,7 @@ enum class Foul {
   too_fast,     ///< it needs more speed than a bound allows
   too_slow,     ///< it needs less
   too_long,     ///< no launch rolls so far
-  outside_aim,  ///< these four are refused without a replay
-  outside_speed,
+  outside_aim,  ///< these are refused without a replay
   other_bounces,
   no_budget
 };

@@ -55,7 +55,6 @@ std::string explain(const Question& q, const Failure& f) {
       return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
     case Foul::too_long:
       return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
-    case Foul::outside_speed:
     case Foul::other_bounces:
     case Foul::no_budget:  // nothing that is refused so is counted
     case Foul::outside_aim:

@@ -42,7 +42,10 @@ TEST_CASE("a proof holds every bound of the puzzle") {
   CHECK(tried(p, good).failure.foul == Foul::outside_aim);
   p = straight();
   p.speed = {1, 2};
-  CHECK(tried(p, good).failure.foul == Foul::outside_speed);
+  CHECK(tried(p, good).failure.foul == Foul::too_slow);
+  CHECK(tried(p, good).failure.speed == good.speed);
+  p.speed = {0.1, 0.5};
+  CHECK(tried(p, good).failure.foul == Foul::too_fast);
   p = straight();
   p.cushions = CushionRule::exactly(1);
   CHECK_FALSE(tried(p, good).holds());
