@@ -14,8 +14,10 @@
 // search is that of Kolda, Lewis & Torczon, SIAM Review 45, 2003, algorithm 3.2, on the tangent space.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -60,9 +62,16 @@ class Family {
     bool made() const { return proof && proof->holds(); }
   };
   using Curve = std::vector<Tried>;
+  /// Two that say where it passes at most, and one of its speed.
+  struct Equations {
+    std::array<Value, 3> each{};
+    std::size_t count = 0;
+    void add(const Value& v) { each[count++] = v; }
+    std::span<const Value> all() const { return std::span(each).first(count); }
+  };
 
   /// What must be 0; `at_bound` once the arrival speed was at an end of its range, and then stays there.
-  std::vector<Value> equations(const Point& p, bool& at_bound) const;
+  Equations equations(const Point& p, bool& at_bound) const;
   /// `held`: a coordinate that stays as it is.
   std::optional<Point> settle(Vector x, const Box& box, int held = -1);
   /// An orthonormal basis, in scales, of the changes that stay on the family.
@@ -96,7 +105,7 @@ class Family {
   bool look_beside(const Curve& curve);
   bool look_to_one_side(const Launch& line, double way, double before);
   void look_for_rattles(const Curve& curve);
-  void add_bands(const Point& p, std::map<std::vector<Contact>, Band>& widest);
+  void add_bands(const Point& p, std::map<std::vector<Contact>, std::vector<Band>>& ways);
   Tried edge(const Tried& inside, const Tried& outside);
   Tried peak(const Tried& before, const Tried& best, const Tried& after);
   Tried climb(Tried from);

@@ -21,6 +21,8 @@ inline constexpr double uncertain = 1e-6;
 /// the mark's reach.
 inline constexpr int finer_walk = 4;
 inline constexpr double little_lack = 0.02;
+/// Sine: a mark that is hidden by more is hidden all along.
+inline constexpr double little_turn = 0.05;
 /// Of the mark's reach: how far apart launches beside a curve are that are tried, and how many to either side.
 inline constexpr double apart_beside = 0.1;
 inline constexpr int most_beside = 12;

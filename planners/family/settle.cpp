@@ -37,7 +37,9 @@ Vector least_step(const Point& p, std::span<const Value> equations, std::array<b
         if (fixed[static_cast<std::size_t>(i)]) r[k] -= e.by[i] * step[i];
       }
     }
-    const Vector least = a.transpose() * (a * a.transpose()).fullPivLu().solve(r);
+    const auto square = rows == 1 ? a.row(0).squaredNorm() : 0;
+    const Vector least = square > 0 ? Vector(a.row(0).transpose() * (r[0] / square))
+                                    : Vector(a.transpose() * (a * a.transpose()).fullPivLu().solve(r));
     bool pinned = false;
     for (int i = 0; i < coordinates; ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -55,13 +57,14 @@ Vector least_step(const Point& p, std::span<const Value> equations, std::array<b
 
 }  // namespace
 
-std::vector<Value> Family::equations(const Point& p, bool& at_bound) const {
-  std::vector<Value> out(p.off.begin(), p.off.begin() + p.equations);
+Family::Equations Family::equations(const Point& p, bool& at_bound) const {
+  Equations out;
+  for (int i = 0; i < p.equations; ++i) out.add(p.off[static_cast<std::size_t>(i)]);
   if (q_.stop || q_.pinned || !q_.arrival) return out;
   const auto counted = [&](double speed) { return even_square(q_.puzzle.physics, speed * speed); };
   const double square = p.speed2.a, low = counted(q_.arrival->low), high = counted(q_.arrival->high);
   at_bound = at_bound || !(square > low && square < high);
-  if (at_bound) out.push_back(speed_off(p, square < (low + high) / 2 ? low : high));
+  if (at_bound) out.add(speed_off(p, square < (low + high) / 2 ? low : high));
   return out;
 }
 
@@ -81,7 +84,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
       x = (x + before) / 2;
       continue;
     }
-    const Vector step = least_step(*p, equations(*p, at_bound), fixed, box, scale_);
+    const Vector step = least_step(*p, equations(*p, at_bound).all(), fixed, box, scale_);
     const double size = step.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
     if (!std::isfinite(size) || (i >= patience && !(size < least))) return {};  // to and fro across a kink
     least = std::min(least, size);
@@ -89,7 +92,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;
     if (size < settled) {
       const bool solved =
-          std::ranges::all_of(equations(*p, at_bound), [](const Value& e) { return std::abs(e.a) < nearly; });
+          std::ranges::all_of(equations(*p, at_bound).all(), [](const Value& e) { return std::abs(e.a) < nearly; });
       p->x = x;
       return solved ? p : std::nullopt;
     }
@@ -99,8 +102,10 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
 
 Eigen::MatrixXd Family::tangents(const Point& p) const {
   bool at_bound = false;
-  std::vector<Value> rows = equations(p, at_bound);
-  if (q_.arrival && !q_.arrival->fixed()) rows.resize(static_cast<std::size_t>(p.equations));
+  const Equations found = equations(p, at_bound);
+  const bool any_speed = q_.arrival && !q_.arrival->fixed();
+  const std::span<const Value> rows =
+      any_speed ? found.all().first(static_cast<std::size_t>(p.equations)) : found.all();
   std::vector<int> free;
   for (int i = 0; i < coordinates; ++i)
     if (wide_.free(i)) free.push_back(i);

@@ -87,14 +87,17 @@ void Family::add_crossings(Curve& curve) {
 /// Replays cost three times as much as room.
 Family::Tried Family::attempt_where_clear(const Point& p) {
   const std::optional<Room> spare = inside(p) ? room(aim_, ledger_, launch_of(p.x)) : std::nullopt;
-  Tried t = spare && spare->least() > -uncertain ? attempt(p) : Tried{p, merit(p), {}};
+  const bool clear = spare && spare->hidden == 0 && spare->least() > -uncertain;
+  Tried t = clear ? attempt(p) : Tried{p, merit(p), {}};
   t.room = spare;
   return t;
 }
 
 /// Where the locked path has room, balls that move are in the way: not at all speeds, perhaps.
 void Family::look_between(Curve& curve) {
-  const auto hopeful = [&](const Tried& t) { return t.room && t.room->least() > -little_lack * start_.mark.reach; };
+  const auto hopeful = [&](const Tried& t) {
+    return t.room && t.room->hidden < little_turn && t.room->least() > -little_lack * start_.mark.reach;
+  };
   Curve finer;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const bool look = i > 0 && !ledger_.spent() && (hopeful(curve[i - 1]) || hopeful(curve[i]));

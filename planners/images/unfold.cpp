@@ -112,6 +112,7 @@ void Unfolding::propose(const Node& node) {
 
 std::optional<Candidate> Unfolding::candidate(const Node& node, std::size_t i) const {
   const Mark& mark = q_.marks[i];
+  if (!q_.route && (node.closed || is_beside(node, mark))) return {};
   const Vec2d& ball = q_.puzzle.ball.at;
   const Vec2d ray = node.image.apply(on_exact_line(mark, node.image, ball)) - ball;
   const double distance = norm(ray);
@@ -121,6 +122,17 @@ std::optional<Candidate> Unfolding::candidate(const Node& node, std::size_t i) c
   if (!node.closed && !(passes && options_.keep_routes)) find_window(node, mark, c);
   const bool only_part = options_.parts && c.low < c.high;
   return passes || only_part || q_.route ? std::optional(c) : std::nullopt;
+}
+
+/// No ray of the beam reaches any part of the target, nor an exact line of it. Sums of coordinates stand for lengths.
+bool Unfolding::is_beside(const Node& node, const Mark& mark) const {
+  if (node.open) return false;
+  const Vec2d middle = node.image.apply(mark.at) - q_.puzzle.ball.at;
+  const double covers = mark.reach * (mirrors_ ? 1 : 2 * node.image.stretch());
+  const auto outside = [&](const Vec2d& edge, double across) {
+    return across < -covers * (std::abs(edge.x) + std::abs(edge.y)) - slack(edge, middle);
+  };
+  return outside(node.from, cross(node.from, middle)) || outside(node.to, cross(middle, node.to));
 }
 
 /// The aims beside a candidate's that are in the beam and may reach some part of the target.

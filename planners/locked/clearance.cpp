@@ -15,7 +15,7 @@ namespace {
 
 class Clearance {
  public:
-  explicit Clearance(const LockedAim& aim) : aim_(aim) {}
+  explicit Clearance(const LockedAim& aim) : aim_(aim), room_{aim.mark.reach, infinite} {}
 
   const Room& room() const { return room_; }
 
@@ -45,6 +45,7 @@ class Clearance {
     const Vec2d u = a.heading / norm(a.heading);
     const double offset = -cross(u, off);
     const Gap<double> gap = aim_.mark.gap(u, offset);
+    if (aim_.mark.drops()) room_.hidden = hidden(aim_.mark.opening, u);
     at_mark(a.at_rest ? aim_.mark.reach - norm(off) : std::min(offset - gap.low, gap.high - offset));
     if (aim_.mark.capture() > 0 && !a.at_rest)
       at_mark(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
@@ -59,10 +60,15 @@ class Clearance {
   void at_mark(double metres) { room_.at_mark = std::min(room_.at_mark, metres); }
 
   const LockedAim& aim_;
-  Room room_{infinite, infinite};
+  Room room_;
 };
 
 }  // namespace
+
+double hidden(const Opening& opening, const Vec2d& u) {
+  if (opening.covers(-u)) return 0;
+  return std::max(0.0, std::min(dot(opening.first, u), dot(opening.last, u)) / opening.radius);
+}
 
 std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
   const auto r = room(aim, ledger, launch);

@@ -18,14 +18,19 @@ namespace bankshot::planning {
 /// m: what a locked path has to spare.
 struct Room {
   double on_the_way;  ///< the least of: how far each bounce is inside its cushion's ends, how far each leg keeps from
-                      ///< the pockets and the vertices that it should not meet
+                      ///< the pockets and the vertices that it should not meet; where that is more than the mark's
+                      ///< reach, which bounds what is below, that
   double at_mark;     ///< the least of: how far inside the target the ball passes, how far inside the table it arrives,
                       ///< and how far it would roll on into a pocket
+  double hidden = 0;  ///< of a pocket, as below
   double least() const { return std::min(on_the_way, at_mark); }
 };
 
 /// None where the path never gets to its last leg.
 std::optional<Room> room(const LockedAim& aim, Ledger& ledger, const Launch& launch);
+
+/// Sine of the turn after which a line in direction u would first see some of an opening; 0 where it does.
+double hidden(const Opening& opening, const Vec2d& u);
 
 /// The least room.
 std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Launch& launch);

@@ -46,9 +46,9 @@ class Chains {
         to_ghost_(q, before_last(q, chain), q.one_unknown() ? std::optional(q.fixed_speed()) : std::nullopt) {}
 
   void run(std::vector<Lead>& known) {
-    for (const Leg& leg : legs(q_, ledger_, chain_, images, known)) {
+    for (const Leg& leg : legs(q_, ledger_, chain_, images, known, !q_.every)) {
       if (stop::enough_seeds(q_, ledger_, found_)) return;
-      if (leg.clear || q_.every) join_all(leg, chains);
+      if (leg.clear) join_all(leg, chains);
       if (is_settled(leg)) known.push_back(leg.alone);
     }
   }

@@ -39,7 +39,7 @@ bool hit_straight(const Question& q, const Objects::Chain& chain) {
 }
 
 std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts,
-                      std::vector<Lead> known) {
+                      std::vector<Lead> known, bool judged) {
   const Part own = last_alone(q, chain);
   Question all(own.puzzle, Wanted::starts);
   if (hit_straight(q, chain)) all.angle = aims_of_a_hit(q, *chain.balls.front());
@@ -50,7 +50,7 @@ std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& c
     for (Lead& lead : std::span(found.leads).subspan(known.size())) {
       if (ledger.spent()) return;
       const std::vector<Contact> cushions = contacts_of(lead.route);
-      const bool clear = !is_blocked(replay(one, ledger, lead.launch, Goal::along(cushions)).failure.foul);
+      const bool clear = !judged || !is_blocked(replay(one, ledger, lead.launch, Goal::along(cushions)).failure.foul);
       out.push_back(leg_of(own, std::move(lead), clear));
     }
   };

@@ -13,15 +13,15 @@ struct Leg {
   Lead alone;   ///< as found: the ball, which stands still, is the struck one
   Route route;  ///< the same, and its mark, among all balls
   Mark mark;
-  bool clear = true;  ///< so launched it arrives: nothing is in the way
+  bool clear = true;  ///< so launched it arrives: nothing is in the way; or that was not asked
 
   const Launch& launch() const { return alone.launch; }
 };
 
 /// By the roots that a step finds, but for those that are known. Where the launch speed of the struck ball is all that
-/// is given, that of the other is guessed.
+/// is given, that of the other is guessed. `judged`: which are clear, for a replay each.
 std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts,
-                      std::vector<Lead> known = {});
+                      std::vector<Lead> known = {}, bool judged = true);
 
 /// The only way to it is straight.
 bool hit_straight(const Question& q, const Objects::Chain& chain);

@@ -11,11 +11,13 @@
 namespace bankshot {
 namespace {
 
-double distance_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
+/// m², which are compared without a root.
+double square_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
   const Vec2d d = b - a;
   const double length2 = dot(d, d);
   const double s = length2 > 0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
-  return norm(p - (a + d * s));
+  const Vec2d off = p - (a + d * s);
+  return dot(off, off);
 }
 
 double distance_to_bend(const Vec2d& p, const Bend& b) {
@@ -151,12 +153,14 @@ const Circle* Boundary::tip(Contact jaw) const {
 }
 
 double Boundary::clearance(const Vec2d& at) const {
-  double nearest = std::numeric_limits<double>::infinity();
+  double square = std::numeric_limits<double>::infinity();
   bool inside = false;
-  for (const Segment& s : segments_) nearest = std::min(nearest, distance_to_segment(at, s.from, s.to));
-  for (const Bend& b : bends_) nearest = std::min(nearest, distance_to_bend(at, b));
+  for (const Segment& s : segments_) square = std::min(square, square_to_segment(at, s.from, s.to));
+  double nearest = std::sqrt(square);
+  for (const Bend& b : bends_)  // no part of it is nearer than its circle
+    if (std::abs(norm(at - b.centre) - b.radius) < nearest) nearest = std::min(nearest, distance_to_bend(at, b));
   for (std::size_t i = 0, n = outline_.size(); i < n; ++i)
-    inside = inside != passes_right_of(outline_[(i + 1) % n], outline_[i], at);
+    inside = inside != passes_right_of(outline_[i + 1 < n ? i + 1 : 0], outline_[i], at);
   return (inside ? nearest : -nearest) - body.radius;
 }
 
@@ -164,7 +168,8 @@ double Boundary::distance_to_centres(const Vec2d& point) const {
   if (clearance(point) >= 0) return 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Wall& w : walls)
-    if (dot(w.to - w.from, w.along) >= 0) nearest = std::min(nearest, distance_to_segment(point, w.from, w.to));
+    if (dot(w.to - w.from, w.along) >= 0)
+      nearest = std::min(nearest, std::sqrt(square_to_segment(point, w.from, w.to)));
   for (const Circle& c : tips) nearest = std::min(nearest, std::abs(norm(point - c.centre) - c.radius));
   return nearest;
 }
