@@ -3,8 +3,12 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "bankshot/plan/planner.hpp"
 #include "planners/learn/goodness.hpp"
@@ -34,45 +38,94 @@ std::optional<LaunchUnknowns> meant(const Attempt& attempt) {
   return unknowns_of(shot, 0);
 }
 
-/// The best launch near the one that was meant. A side that dies before a cushion leaves no trace, so that a fit that
-/// is led there stays: from more and from less of it too.
-double fit_near(Seen& seen, const Common& common, Work& work) {
-  const LaunchUnknowns first = seen.expected;
-  LaunchUnknowns launch = first;
-  double best = forever;
-  constexpr double clearly = 0.99;
+/// A launch that fits what was seen.
+struct Fitted {
+  LaunchUnknowns launch;
+  std::vector<Told> told;
+  double off;       ///< root mean square distance, sigmas
+  double unlikely;  ///< see `unlikelihood`
+};
+
+/// Launches that fit, the likeliest first. A side that dies before the next cushion leaves room for any that does, one
+/// that just lives hardly for another: by distance alone this one, which is nearer by what the noise can make it, would
+/// always be taken.
+class Fits {
+ public:
+  Fits(Seen& seen, const Common& common) : seen_(seen), common_(common) {}
+
+  /// The launch that the shot has.
+  void add(double off) {
+    if (!(off < forever)) return;
+    const Fitted fitted{seen_.launch, seen_.told, off, unlikelihood(seen_, common_)};
+    if (!std::isfinite(fitted.unlikely)) return;
+    all_.insert(std::ranges::upper_bound(all_, fitted.unlikely, {}, &Fitted::unlikely), fitted);
+  }
+  /// Leaves the shot with the likeliest. Returns how far it is off.
+  double take() {
+    if (all_.empty()) return forever;
+    seen_.launch = all_.front().launch;
+    seen_.told = all_.front().told;
+    seen_.window = forever;
+    return all_.front().off;
+  }
+  std::span<const Fitted> all() const { return all_; }
+
+ private:
+  Seen& seen_;
+  const Common& common_;
+  std::vector<Fitted> all_;
+};
+
+/// From what was meant bounce by bounce, with more and with less side too: where it dies before a cushion it leaves no
+/// trace, so that a fit that is led there stays.
+void fit_from_meant(Seen& seen, const Common& common, Fits& fits, Work& work) {
   for (const double aside : {0.0, much_aside, -much_aside}) {
     if (aside != 0 && !carries_spin(common.base)) break;
-    seen.launch = first;
+    seen.launch = seen.expected;
     seen.launch[side] += aside;
-    if (const double off = fit_on(seen, common, forever, work); off < clearly * best) best = off, launch = seen.launch;
+    fits.add(fit_on(seen, common, forever, work));
   }
-  seen.launch = launch;
-  tell(seen, common, work);
-  return best;
 }
 
-/// The launch fitted to what was seen; what was meant says little of it. Returns how far it is off, in sigmas.
-double measure(Seen& seen, const Common& common, const LaunchUnknowns& aim, Work& work) {
+/// From the launch that was found, and with more and with less side: by now all of the track says which way to go. And
+/// with none, which stays where it dies: what was meant would draw it up to where it just lives.
+void fit_around(Seen& seen, const Common& common, Fits& fits, Work& work) {
+  const LaunchUnknowns found = seen.launch;
+  for (const double aside : {0.0, little_aside, -little_aside, much_aside, -much_aside}) {
+    if (aside != 0 && !carries_spin(common.base)) return;
+    seen.launch = found;
+    seen.launch[side] += aside;
+    fits.add(fit_window(seen, common, work));
+  }
+  const double meant = std::exchange(seen.expected[side], 0);
+  seen.launch = found;
+  seen.launch[side] = 0;
+  const double off = fit_window(seen, common, work);
+  seen.expected[side] = meant;
+  fits.add(off);
+}
+
+/// The launch fitted to what was seen, and others that fit too; what was meant says little of them.
+Fits measure(Seen& seen, const Common& common, const LaunchUnknowns& aim, Work& work) {
   for (const LaunchIndex k : {angle, speed, top, side, masse}) seen.expected[k] = aim[k];
   for (Eigen::Index i = 0; i < error_size; ++i)
     seen.spread[own[static_cast<std::size_t>(i)]] = errors_of_a_player * usual_error()(i);
   seen.spread[masse] = off_masse;
   seen.robust = robust;
   mark_apart(seen);
-  const auto fit = [&] {
-    const double near = fit_near(seen, common, work);
-    if (!is_off(seen, common)) return near;
-    const LaunchUnknowns launch = seen.launch;
-    if (const double anew = fit_anew(seen, common, forever, work); anew < near) return anew;
-    seen.launch = launch;
-    tell(seen, common, work);
-    return near;
+  const auto anew_if_off = [&](Fits& fits) {
+    if (!(fits.take() < forever) || is_off(seen, common)) fits.add(fit_anew(seen, common, forever, work));
+    return fits.take();
   };
-  if (const double off = fit(); !(off < lost)) return off;
+  Fits first(seen, common);
+  fit_from_meant(seen, common, first, work);
+  if (!(anew_if_off(first) < lost)) return first;
   mark_outliers(seen, common);
   seen.robust = 0;
-  return std::max(fit(), excess(seen, common));
+  Fits last(seen, common);
+  fit_around(seen, common, last, work);
+  anew_if_off(last);
+  return last;
 }
 
 /// Without what rounding left of directions that are not told.
@@ -82,17 +135,22 @@ Eigen::Matrix4d positive(const Eigen::Matrix4d& m) {
   return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
 }
 
-/// What the samples alone say, all but the player's own errors unknown.
-void tell_errors(const Seen& seen, const Common& common, Evidence& out) {
+/// Where the player's own errors are by one fit, what is expected of them included, all else unknown; in usual errors.
+struct Mode {
+  LaunchError off;
+  Eigen::Matrix4d told;  ///< the inverse of their covariance
+  double unlikely;
+};
+
+Mode mode_of(const Seen& seen, const Common& common, double unlikely) {
   const Eigen::Matrix<double, launch_size, launch_size> all = launch_information(seen, common);
   Eigen::Matrix4d told, across, rest;
-  LaunchError unit = usual_error(), off, expected;
+  LaunchError unit = usual_error(), off;
   for (Eigen::Index i = 0; i < error_size; ++i) {
     const auto a = own[static_cast<std::size_t>(i)];
     off(i) = seen.launch[a] - seen.expected[a];
     if (a == angle) off(i) = std::remainder(off(i), 2 * std::numbers::pi);
     off(i) /= unit(i);
-    expected(i) = seen.spread[a] == forever ? 0 : unit(i) * unit(i) / (seen.spread[a] * seen.spread[a]);
     for (Eigen::Index j = 0; j < error_size; ++j) {
       const auto b = own[static_cast<std::size_t>(j)];
       const auto c = others[static_cast<std::size_t>(i)], d = others[static_cast<std::size_t>(j)];
@@ -101,13 +159,49 @@ void tell_errors(const Seen& seen, const Common& common, Evidence& out) {
       rest(i, j) = all(c, d);
     }
   }
-  const Eigen::Matrix4d with_expected = told - across.transpose() * rest.ldlt().solve(across);
+  return {off, told - across.transpose() * rest.ldlt().solve(across), unlikely};
+}
+
+/// Those that differ by more than each may be off; the likeliest first.
+std::vector<Mode> modes_of(Seen& seen, const Common& common, std::span<const Fitted> fits) {
+  std::vector<Mode> out;
+  for (const Fitted& f : fits) {
+    seen.launch = f.launch, seen.told = f.told;
+    const Mode mode = mode_of(seen, common, f.unlikely);
+    if (std::ranges::none_of(out, [&](const Mode& other) {
+          const LaunchError apart = mode.off - other.off;
+          return apart.dot(other.told * apart) < 1;
+        }))
+      out.push_back(mode);
+  }
+  seen.launch = fits.front().launch, seen.told = fits.front().told;
+  return out;
+}
+
+/// What the samples alone say. Where several launches fit, each counts by its likelihood, and together they say what
+/// one with their mean and covariance would: less than any of them alone.
+void tell_errors(Seen& seen, const Common& common, std::span<const Fitted> fits, Evidence& out) {
+  const std::vector<Mode> modes = modes_of(seen, common, fits);
   // Where the laws follow the shot less well than samples err, it tells less.
   const double off_by = std::max(1.0, excess(seen, common));
-  out.information = positive(with_expected - Eigen::Matrix4d(expected.asDiagonal()));
-  out.gradient = with_expected * off;
-  out.information /= off_by * off_by;
-  out.gradient /= off_by * off_by;
+  double weights = 0;
+  LaunchError mean = LaunchError::Zero();
+  Eigen::Matrix4d squares = Eigen::Matrix4d::Zero();
+  for (const Mode& m : modes) {
+    const double weight = std::exp(-(m.unlikely - modes.front().unlikely) / (2 * off_by * off_by));
+    weights += weight;
+    mean += weight * m.off;
+    squares += weight * (m.told.inverse() + m.off * m.off.transpose());
+  }
+  mean /= weights;
+  const Eigen::Matrix4d with_expected = (squares / weights - mean * mean.transpose()).inverse();
+  LaunchError unit = usual_error(), off = modes.front().off, expected;
+  for (Eigen::Index i = 0; i < error_size; ++i) {
+    const double spread = seen.spread[own[static_cast<std::size_t>(i)]];
+    expected(i) = spread == forever ? 0 : unit(i) * unit(i) / (spread * spread);
+  }
+  out.information = positive(with_expected - Eigen::Matrix4d(expected.asDiagonal())) / (off_by * off_by);
+  out.gradient = with_expected * mean / (off_by * off_by);
   if (!carries_spin(common.base)) {
     out.information.bottomRows<2>().setZero();
     out.information.rightCols<2>().setZero();
@@ -167,9 +261,10 @@ Evidence evidence_of(const Attempt& attempt, double noise, Work& work) {
   Seen seen(recording, noise);
   const Common common{.base = recording.scene.physics};
   out.error.measured = true;
-  out.error.left_out = !(measure(seen, common, aim, work) < lost);
+  Fits fits = measure(seen, common, aim, work);
+  out.error.left_out = !(std::max(fits.take(), excess(seen, common)) < lost);
   out.error.rms = distances(seen, common).rms;
-  if (!out.error.left_out) tell_errors(seen, common, out);
+  if (!out.error.left_out) tell_errors(seen, common, fits.all(), out);
   return out;
 }
 

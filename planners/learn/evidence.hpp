@@ -26,7 +26,9 @@ struct Draw {
 struct Evidence {
   AttemptError error;
   double meant_speed = 0;  ///< m/s
-  /// Of the launch's distance e from what was meant the log likelihood is gradient · e − eᵀ information e / 2.
+  /// Of the launch's distance e from what was meant the log likelihood is gradient · e − eᵀ information e / 2. Where
+  /// launches that differ explain what was seen, it is that of a normal distribution with the mean and covariance of
+  /// all.
   LaunchError gradient = LaunchError::Zero();
   Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
   std::vector<Draw> draws{};  ///< where it was seen only whether it was made

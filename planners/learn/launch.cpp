@@ -29,18 +29,6 @@ bool same(const std::vector<Told>& a, const std::vector<Told>& b) {
                             [](const Told& s, const Told& t) { return s.before == t.before && s.route == t.route; });
 }
 
-/// Fits up to the window, again where that changes what the ball meets.
-double fit_window(Seen& seen, const Common& common, Work& work) {
-  double off = forever;
-  for (int round = 0; round < 3; ++round) {
-    const std::vector<Told> before = seen.told;
-    if (!tell(seen, common, work)) return forever;
-    if (round > 0 && same(before, seen.told)) break;
-    off = solve_launch(seen, common, work);
-  }
-  return off;
-}
-
 /// Up to after the first bounce later than this; all there is where there is none.
 double next_window(const Seen& seen, const Common& common, double later_than, Work& work) {
   const auto times = bounces(seen, common, work);
@@ -183,6 +171,17 @@ bool tell(Seen& seen, const Common& common, Work& work) {
   if (const auto& cushions = seen.recording.cushions; cushions && seen.recording.scene.others.empty())
     for (Told& told : seen.told) told.route = route_by(*cushions);
   return true;
+}
+
+double fit_window(Seen& seen, const Common& common, Work& work) {
+  double off = forever;
+  for (int round = 0; round < 3; ++round) {
+    const std::vector<Told> before = seen.told;
+    if (!tell(seen, common, work)) return forever;
+    if (round > 0 && same(before, seen.told)) break;
+    off = solve_launch(seen, common, work);
+  }
+  return off;
 }
 
 double fit_on(Seen& seen, const Common& common, double until, Work& work) {

@@ -16,6 +16,9 @@ std::optional<Trajectory> play(const Seen& seen, const Common& common, std::opti
 /// Tells each track what its ball meets when this is played. False where that is no shot.
 bool tell(Seen& seen, const Common& common, Work& work);
 
+/// From the launch that it has, up to the window, again where that changes what the ball meets. Returns as `fit_anew`.
+double fit_window(Seen& seen, const Common& common, Work& work);
+
 /// From the launch that it has, from bounce to bounce up to `until` [s], which becomes the window. Returns as
 /// `fit_anew`.
 double fit_on(Seen& seen, const Common& common, double until, Work& work);

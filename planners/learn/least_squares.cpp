@@ -4,6 +4,7 @@
 #include <ceres/ceres.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "planners/learn/settings.hpp"
 
@@ -90,6 +91,21 @@ std::vector<Seen*> that_teach(Shots& shots) {
   return out;
 }
 
+struct Linear {
+  Eigen::VectorXd off;  ///< residuals
+  Eigen::Matrix<double, Eigen::Dynamic, launch_size, Eigen::RowMajor> by_launch;
+};
+
+/// What is seen, around the launch that the shot has.
+Linear linear(const Seen& seen, const Common& common) {
+  const SeenCost cost(seen, common.names, common.base);
+  Linear out{Eigen::VectorXd(cost.num_residuals()), {cost.num_residuals(), launch_size}};
+  const double* blocks[] = {seen.launch.data(), common.values.data()};
+  double* jacobians[] = {out.by_launch.data(), nullptr};
+  cost.Evaluate(blocks, out.off.data(), jacobians);
+  return out;
+}
+
 }  // namespace
 
 double solve_launch(Seen& seen, const Common& common, Work& work) {
@@ -126,14 +142,19 @@ void solve_all(Shots& shots, Common& common, Work& work) {
   std::copy_n(squares.values(), common.values.size(), common.values.begin());
 }
 
+double unlikelihood(const Seen& seen, const Common& common) {
+  const auto [off, by_launch] = linear(seen, common);
+  const Eigen::Matrix<double, launch_size, launch_size> told = by_launch.transpose() * by_launch;
+  long samples = 0;
+  for (const std::vector<char>& outlier : seen.outlier) samples += std::ranges::count(outlier, 0);
+  using settings::learn::outlier;
+  const double not_followed = outlier * outlier * static_cast<double>(samples - seen.samples_used());
+  return off.squaredNorm() + not_followed + told.ldlt().vectorD().array().log().sum();
+}
+
 Eigen::Matrix<double, launch_size, launch_size> launch_information(const Seen& seen, const Common& common) {
-  const SeenCost cost(seen, common.names, common.base);
-  Eigen::Matrix<double, Eigen::Dynamic, launch_size, Eigen::RowMajor> launch(cost.num_residuals(), launch_size);
-  std::vector<double> residuals(static_cast<std::size_t>(cost.num_residuals()));
-  const double* blocks[] = {seen.launch.data(), common.values.data()};
-  double* jacobians[] = {launch.data(), nullptr};
-  cost.Evaluate(blocks, residuals.data(), jacobians);
-  return launch.transpose() * launch;
+  const auto [off, by_launch] = linear(seen, common);
+  return by_launch.transpose() * by_launch;
 }
 
 Eigen::MatrixXd information(const Shots& shots, const Common& common) {

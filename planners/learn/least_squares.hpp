@@ -15,6 +15,11 @@ double solve_launch(Seen& seen, const Common& common, Work& work);
 /// All shots that are not left out, with the coefficients.
 void solve_all(Shots& shots, Common& common, Work& work);
 
+/// -2 log of how likely what was seen is of the launches around this one together (Laplace's approximation), up to what
+/// all launches of the shot share. A sample that is not followed, as after a ball fell, counts as one that is off as
+/// far as an outlier is: else a launch that follows none would be likeliest.
+double unlikelihood(const Seen& seen, const Common& common);
+
 /// What is told of the launch, in units of sigmas, what is expected of it included (JᵀJ).
 Eigen::Matrix<double, launch_size, launch_size> launch_information(const Seen& seen, const Common& common);
 

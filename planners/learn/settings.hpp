@@ -23,8 +23,8 @@ inline constexpr double known_speed = 0.01, known_angle = 2e-3, known_spin = 0.0
 /// What a player meant says of what came of it: that it is within so many usual errors. Taken out again of what the
 /// samples say, it keeps fits where paths are nearly straight lines of the launch.
 inline constexpr double errors_of_a_player = 6;
-/// In side, at least twice a player's error.
-inline constexpr double much_aside = 0.15;
+/// In side, a usual error, and at least twice a player's error.
+inline constexpr double little_aside = 0.05, much_aside = 0.15;
 /// In massé, of which `noise` knows no error.
 inline constexpr double off_masse = 1e-4;
 /// Spins that a fit of a launch starts from: without side the derivative by it is lost where it fades.

@@ -5,8 +5,9 @@
 //   puzzle.noise = advice.noise;         // success, margins and `robust` are then this player's
 // The launch of each attempt is fitted to what was seen of it, the physics being known; the errors of all attempts have
 // a common mean and variance, whose restricted likelihood (Patterson & Thompson 1971) is maximised with what each
-// attempt tells, so that an inexact track makes no noise of its own. Attempts of which only is known whether they were
-// made weigh by their chance of that.
+// attempt tells, so that an inexact track makes no noise of its own. Where launches that differ explain a track, as
+// where little side may have died before the cushion or not, each counts by its likelihood. Attempts of which only is
+// known whether they were made weigh by their chance of that.
 #pragma once
 
 #include <span>
