@@ -16,6 +16,7 @@ import time
 USUAL = [
     "han2005:constant:constant",
     "stronge:constant:constant",
+    "mathavan2010:constant:constant:0",
     "han2005:constant:linear",
     "han2005:linear:constant",
     "han2005:linear:linear",
