@@ -128,11 +128,18 @@ Fits measure(Seen& seen, const Common& common, const LaunchUnknowns& aim, Work& 
   return last;
 }
 
-/// Without what rounding left of directions that are not told.
-Eigen::Matrix4d positive(const Eigen::Matrix4d& m) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(m);
-  const Eigen::Vector4d kept = solver.eigenvalues().cwiseMax(0);
-  return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
+/// The directions in which something is told: in each of them more than a share of what was expected anyhow. Of less
+/// rounding, or launches that differ, leave a slope without an end: errors without bounds would explain it best.
+struct Kept {
+  Eigen::Matrix4d information, directions;
+};
+Kept kept_of(const Eigen::Matrix4d& information, double expected) {
+  constexpr double share = 0.1;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(information);
+  const Eigen::Vector4d kept = (solver.eigenvalues().array() > share * expected).cast<double>();
+  const Eigen::Matrix4d& v = solver.eigenvectors();
+  return {v * kept.cwiseProduct(solver.eigenvalues()).asDiagonal() * v.transpose(),
+          v * kept.asDiagonal() * v.transpose()};
 }
 
 /// Where the player's own errors are by one fit, what is expected of them included, all else unknown; in usual errors.
@@ -200,8 +207,9 @@ void tell_errors(Seen& seen, const Common& common, std::span<const Fitted> fits,
     const double spread = seen.spread[own[static_cast<std::size_t>(i)]];
     expected(i) = spread == forever ? 0 : unit(i) * unit(i) / (spread * spread);
   }
-  out.information = positive(with_expected - Eigen::Matrix4d(expected.asDiagonal())) / (off_by * off_by);
-  out.gradient = with_expected * mean / (off_by * off_by);
+  const Kept kept = kept_of(with_expected - Eigen::Matrix4d(expected.asDiagonal()), expected.maxCoeff());
+  out.information = kept.information / (off_by * off_by);
+  out.gradient = kept.directions * with_expected * mean / (off_by * off_by);
   if (!carries_spin(common.base)) {
     out.information.bottomRows<2>().setZero();
     out.information.rightCols<2>().setZero();

@@ -34,6 +34,10 @@ const double spread_of_players = std::log(4.0);
 /// And of each bias, in usual errors (of a speed in `share`s).
 constexpr double spread_of_bias = 20;
 
+/// In e-folds: a sigma so far above the usual one is no player's, and rounding makes its likelihood anything. A search
+/// that steps there steps back.
+constexpr double widest = 10;
+
 /// A player's mark in a thousand is wrong.
 constexpr double wrong_mark = 1e-3;
 
@@ -53,6 +57,8 @@ struct Unlikelihood {
 
   template <class T>
   bool operator()(const T* x, T* out) const {
+    for (int k = 0; k < M; ++k)
+      if (held != k && x[k] > T(widest)) return false;
     using Matrix = Eigen::Matrix<T, M, M>;
     using Vector = Eigen::Matrix<T, M, 1>;
     Vector variance, bias;

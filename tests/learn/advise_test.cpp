@@ -89,6 +89,18 @@ TEST_CASE("an attempt claims no more of its launch than its track tells") {
   CHECK(too_far * few <= told);
 }
 
+// Attempts that told nothing of the side but a slope made it err by 1e78.
+TEST_CASE("attempts that hardly tell a number make it no larger") {
+  constexpr std::uint64_t seed = 1, number = 191;
+  Random random(seed, number);
+  const Player player = random_player(random);
+  const Advice advice = advise(attempts_of(player, {}, random));
+  for (const auto& [name, habit] : player.habits) {
+    INFO(name);
+    CHECK(of(advice, name).sigma == Approx(habit.sigma).epsilon(0.5));
+  }
+}
+
 TEST_CASE("a miscue is left out and told") {
   Random random(33);
   auto attempts = attempts_of(steady, {.attempts = 40}, random);
