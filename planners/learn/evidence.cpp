@@ -128,15 +128,13 @@ Fits measure(Seen& seen, const Common& common, const LaunchUnknowns& aim, Work& 
   return last;
 }
 
-/// The directions in which something is told: in each of them more than a share of what was expected anyhow. Of less
-/// rounding, or launches that differ, leave a slope without an end: errors without bounds would explain it best.
+/// The directions in which something is told, and what.
 struct Kept {
   Eigen::Matrix4d information, directions;
 };
 Kept kept_of(const Eigen::Matrix4d& information, double expected) {
-  constexpr double share = 0.1;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(information);
-  const Eigen::Vector4d kept = (solver.eigenvalues().array() > share * expected).cast<double>();
+  const Eigen::Vector4d kept = (solver.eigenvalues().array() > hardly_told * expected).cast<double>();
   const Eigen::Matrix4d& v = solver.eigenvectors();
   return {v * kept.cwiseProduct(solver.eigenvalues()).asDiagonal() * v.transpose(),
           v * kept.asDiagonal() * v.transpose()};

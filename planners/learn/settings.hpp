@@ -23,6 +23,10 @@ inline constexpr double known_speed = 0.01, known_angle = 2e-3, known_spin = 0.0
 /// What a player meant says of what came of it: that it is within so many usual errors. Taken out again of what the
 /// samples say, it keeps fits where paths are nearly straight lines of the launch.
 inline constexpr double errors_of_a_player = 6;
+/// Of the information that this is: what samples tell beyond it in a direction, if less than this share, counts as
+/// nothing. Of so little, rounding or launches that differ leave a slope without an end, and errors without bounds
+/// explain that best.
+inline constexpr double hardly_told = 0.1;
 /// In side, a usual error, and at least twice a player's error.
 inline constexpr double little_aside = 0.05, much_aside = 0.15;
 /// In massé, of which `noise` knows no error.
