@@ -91,15 +91,15 @@ std::vector<Seen*> that_teach(Shots& shots) {
   return out;
 }
 
-struct Linear {
+struct Linearised {
   Eigen::VectorXd off;  ///< residuals
   Eigen::Matrix<double, Eigen::Dynamic, launch_size, Eigen::RowMajor> by_launch;
 };
 
 /// What is seen, around the launch that the shot has.
-Linear linear(const Seen& seen, const Common& common) {
+Linearised linear(const Seen& seen, const Common& common) {
   const SeenCost cost(seen, common.names, common.base);
-  Linear out{Eigen::VectorXd(cost.num_residuals()), {cost.num_residuals(), launch_size}};
+  Linearised out{Eigen::VectorXd(cost.num_residuals()), {cost.num_residuals(), launch_size}};
   const double* blocks[] = {seen.launch.data(), common.values.data()};
   double* jacobians[] = {out.by_launch.data(), nullptr};
   cost.Evaluate(blocks, out.off.data(), jacobians);
