@@ -15,11 +15,13 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
-/// A ball that meets a cushion so slowly goes no farther than its place is rounded.
-bool stays(const Question& q, const Boundary& boundary, const State<Number>& state) {
-  const double rounded = tolerance::simulation_error * 0x1p-53 * boundary.extent;
-  const Vec2d v = value(state.velocity);
-  return dot(v, v) < 2 * deceleration(q.puzzle.physics) * rounded;
+/// Where a ball rests that stops just as it touches a cushion, as nearly as touching is told; none if it would go on.
+template <class Motion>
+std::optional<State<Number>> stops_at(const Vec2<Number>& bounce, const Boundary& boundary, const Motion& motion,
+                                      const State<Number>& before) {
+  const State<Number> rest = arrive_locked(motion, boundary.body, before, {}, 0, true).state;
+  const bool goes_on = norm(value(rest.at - bounce)) > boundary.touch;
+  return goes_on ? std::nullopt : std::optional(rest);
 }
 
 /// The last ball at that time, or where it falls or rests before; none where a ball meets one that is to stand, or
@@ -47,8 +49,8 @@ std::optional<State<Number>> follow(const Question& q, const Objects::Chain& cha
     const bool rebounds = e.event.kind == EventKind::cushion && e.ball == last;
     if (rebounds && ++bounced > bounces) return {};
     if (rebounds && arrived && bounced == bounces) return sim.state(last);
-    if (rebounds && q.stop && bounced == bounces && stays(q, chain.moving.back(), sim.state(last)))
-      return arrive_locked(motion, chain.moving.back().body, before, {}, 0, true).state;
+    if (rebounds && q.stop && bounced == bounces)
+      if (const auto rest = stops_at(sim.state(last).at, chain.moving.back(), motion, before)) return rest;
     const auto is_met = [&](const Objects::Object* ball) { return e.event.contact == Contact::ball(ball->ball); };
     if (e.event.kind == EventKind::ball && std::ranges::none_of(chain.balls, is_met)) return {};
     const bool ends = e.event.kind == EventKind::pocket || (q.stop && e.event.kind == EventKind::rest);
