@@ -84,7 +84,7 @@ TEST_CASE("plain solve is hardly ever worse than the first of all, in a few hund
                    << " simulations, seed " << seed);
     CHECK(compared > puzzles * 2 / 3);
     CHECK(worse <= 1);
-    CHECK(simulations < 800 * compared);
+    CHECK(simulations < 800L * compared);
   }
 }
 
