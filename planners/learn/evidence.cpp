@@ -44,6 +44,7 @@ struct Fitted {
   std::vector<Told> told;
   double off;       ///< root mean square distance, sigmas
   double unlikely;  ///< see `unlikelihood`
+  Eigen::Matrix<double, launch_size, launch_size> information;
 };
 
 /// Launches that fit, the likeliest first. A side that dies before the next cushion leaves room for any that does, one
@@ -56,7 +57,8 @@ class Fits {
   /// The launch that the shot has.
   void add(double off) {
     if (!(off < forever)) return;
-    const Fitted fitted{seen_.launch, seen_.told, off, unlikelihood(seen_, common_)};
+    const Fitted fitted{seen_.launch, seen_.told, off, unlikelihood(seen_, common_),
+                        launch_information(seen_, common_)};
     if (!std::isfinite(fitted.unlikely)) return;
     all_.insert(std::ranges::upper_bound(all_, fitted.unlikely, {}, &Fitted::unlikely), fitted);
   }
@@ -147,13 +149,13 @@ struct Mode {
   double unlikely;
 };
 
-Mode mode_of(const Seen& seen, const Common& common, double unlikely) {
-  const Eigen::Matrix<double, launch_size, launch_size> all = launch_information(seen, common);
+Mode mode_of(const Seen& seen, const Fitted& fitted) {
+  const Eigen::Matrix<double, launch_size, launch_size>& all = fitted.information;
   Eigen::Matrix4d told, across, rest;
   LaunchError unit = usual_error(), off;
   for (Eigen::Index i = 0; i < error_size; ++i) {
     const auto a = own[static_cast<std::size_t>(i)];
-    off(i) = seen.launch[a] - seen.expected[a];
+    off(i) = fitted.launch[a] - seen.expected[a];
     if (a == angle) off(i) = std::remainder(off(i), 2 * std::numbers::pi);
     off(i) /= unit(i);
     for (Eigen::Index j = 0; j < error_size; ++j) {
@@ -164,29 +166,27 @@ Mode mode_of(const Seen& seen, const Common& common, double unlikely) {
       rest(i, j) = all(c, d);
     }
   }
-  return {off, told - across.transpose() * rest.ldlt().solve(across), unlikely};
+  return {off, told - across.transpose() * rest.ldlt().solve(across), fitted.unlikely};
 }
 
 /// Those that differ by more than each may be off; the likeliest first.
-std::vector<Mode> modes_of(Seen& seen, const Common& common, std::span<const Fitted> fits) {
+std::vector<Mode> modes_of(const Seen& seen, std::span<const Fitted> fits) {
   std::vector<Mode> out;
   for (const Fitted& f : fits) {
-    seen.launch = f.launch, seen.told = f.told;
-    const Mode mode = mode_of(seen, common, f.unlikely);
+    const Mode mode = mode_of(seen, f);
     if (std::ranges::none_of(out, [&](const Mode& other) {
           const LaunchError apart = mode.off - other.off;
           return apart.dot(other.told * apart) < 1;
         }))
       out.push_back(mode);
   }
-  seen.launch = fits.front().launch, seen.told = fits.front().told;
   return out;
 }
 
 /// What the samples alone say. Where several launches fit, each counts by its likelihood, and together they say what
 /// one with their mean and covariance would: less than any of them alone.
-void tell_errors(Seen& seen, const Common& common, std::span<const Fitted> fits, Evidence& out) {
-  const std::vector<Mode> modes = modes_of(seen, common, fits);
+void tell_errors(const Seen& seen, const Common& common, std::span<const Fitted> fits, Evidence& out) {
+  const std::vector<Mode> modes = modes_of(seen, fits);
   // Where the laws follow the shot less well than samples err, it tells less.
   const double off_by = std::max(1.0, excess(seen, common));
   double weights = 0;

@@ -204,6 +204,13 @@ Path path_to(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
   return path;
 }
 
+/// m that residual k moves by one deviation of aim and of speed.
+Vec2d by_deviation(const Question& q, const Launch& launch, const Linear& l, std::size_t k) {
+  const double per_rad = q.puzzle.noise.angle * q.boundary.diagonal;
+  const double per_log = q.one_unknown() ? 0 : q.puzzle.noise.speed / launch.speed * q.boundary.diagonal;
+  return {l.by_aim(k) * per_rad, l.by_speed(k) * per_log};
+}
+
 }  // namespace
 
 FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
@@ -212,16 +219,20 @@ FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& 
 
 double chance_on_mark(const LockedAim& aim, const Launch& launch, const Linear& l) {
   const Question& q = aim.q;
-  const double per_rad = q.puzzle.noise.angle * q.boundary.diagonal;
-  const double per_log = q.one_unknown() ? 0 : q.puzzle.noise.speed / launch.speed * q.boundary.diagonal;
   const auto within = [&](double deviation) { return std::erf(aim.mark.reach / (std::sqrt(2.0) * deviation)); };
-  const Vec2d across{l.by_aim(0) * per_rad, l.by_speed(0) * per_log};
+  const Vec2d across = by_deviation(q, launch, l, 0);
   if (!q.stop || q.one_unknown()) return within(norm(across));
   // A disc lies inside the square along the axes of the ellipse of errors.
-  const Vec2d along{l.by_aim(1) * per_rad, l.by_speed(1) * per_log};
+  const Vec2d along = by_deviation(q, launch, l, 1);
   const double sum = dot(across, across) + dot(along, along), product = std::abs(cross(across, along));
   const double longer = std::sqrt((sum + std::sqrt(std::max(sum * sum - 4 * product * product, 0.0))) / 2);
   return within(longer) * within(product / longer);
+}
+
+double chance_of_passing(const Question& q, const Mark& mark, const Launch& launch, const Linear& l) {
+  const double lateral = l.r[0] * q.boundary.diagonal, deviation = norm(by_deviation(q, launch, l, 0));
+  const auto half_below = [&](double end) { return std::erf(end / (std::sqrt(2.0) * deviation)) / 2; };
+  return half_below(mark.reach - lateral) + half_below(mark.reach + lateral);
 }
 
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit) {

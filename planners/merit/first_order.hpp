@@ -30,6 +30,9 @@ FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& 
 /// a launch, as the derivatives of its residuals say.
 double chance_on_mark(const LockedAim& aim, const Launch& launch, const Linear& linear);
 
+/// The chance that errors lead a launch past a mark that it sees so, at any speed.
+double chance_of_passing(const Question& q, const Mark& mark, const Launch& launch, const Linear& linear);
+
 /// What limits a launch along a route, where errors are counted in units of `unit`; none where the path never gets to
 /// its last leg.
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit);

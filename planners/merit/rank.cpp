@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "planners/locked/forward.hpp"
+#include "planners/merit/first_order.hpp"
 #include "planners/merit/margin.hpp"
 #include "planners/merit/settings.hpp"
 #include "planners/merit/success.hpp"
-#include "planners/proof/replay.hpp"
 
 namespace bankshot::planning {
 namespace {
@@ -79,25 +79,15 @@ double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
                     is_ideal(q.puzzle.physics) ? 0 : count(a.speed - b.speed, q.puzzle.noise.speed));
 }
 
-/// The chance that errors lead a launch past a mark whose side it sees so, to first order.
-double chance_of_passing(const Question& q, const Mark& mark, const Launch& launch, const Linear& seen) {
-  const double by_aim = seen.by_aim(0) * q.puzzle.noise.angle;
-  const double by_push = q.one_unknown() ? 0 : seen.by_speed(0) * q.puzzle.noise.speed / launch.speed;
-  const double lateral = seen.r[0] * q.boundary.diagonal, deviation = std::hypot(by_aim, by_push) * q.boundary.diagonal;
-  const auto share_below = [&](double end) { return std::erf(end / (std::sqrt(2.0) * deviation)) / 2; };
-  return share_below(mark.reach - lateral) + share_below(mark.reach + lateral);
-}
-
 /// A ball may pass the point on its way, after fewer cushions: that counts too. One simulation.
 double chance_on_the_way(const Question& q, Ledger& ledger, const Shot& shot) {
   const std::size_t bounces = shot.cushions.size();
-  if (q.objects || q.stop || q.route || static_cast<int>(bounces) <= q.cushions().min) return 0;
+  if (q.captures() || q.objects || q.stop || q.route || static_cast<int>(bounces) <= q.cushions().min) return 0;
   Forward path;
   forward(q, ledger, shot.launch, false, path);
   double chance = 0;
   for (const Passage& p : path.passages)
-    if (p.meetings < bounces && !q.marks[p.mark].captures())
-      chance += chance_of_passing(q, q.marks[p.mark], shot.launch, p.linear);
+    if (p.meetings < bounces) chance += chance_of_passing(q, q.marks[p.mark], shot.launch, p.linear);
   return chance;
 }
 

@@ -31,14 +31,12 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   launch = {proposed.speed, wrap_angle(radians(degrees(proposed.angle)))};
   proof.shot.spin = q.spin;
   const CushionRule& rule = q.cushions();
-  const auto refused = [&](Foul foul) { return proof.failure.foul = foul, proof; };
-  if (goal.max < rule.min || goal.min > rule.max) return refused(Foul::other_bounces);
-  if (!inside_aims(launch.angle, q.angle)) return refused(Foul::outside_aim);
-  if (!bring_inside(launch.speed, q.speed)) {
-    proof.failure = {launch.speed > q.speed.high ? Foul::too_fast : Foul::too_slow, {}, launch.speed};
-    return proof;
-  }
-  if (ledger.spent()) return refused(Foul::no_budget);
+  const auto refused = [&](const Failure& why) { return proof.failure = why, proof; };
+  if (goal.max < rule.min || goal.min > rule.max) return refused({Foul::other_bounces});
+  if (!inside_aims(launch.angle, q.angle)) return refused({Foul::outside_aim});
+  if (!bring_inside(launch.speed, q.speed))
+    return refused({launch.speed > q.speed.high ? Foul::too_fast : Foul::too_slow, {}, launch.speed});
+  if (ledger.spent()) return refused({Foul::no_budget});
   const Replay r = replay(q, ledger, launch, goal, &proof.shot.cushions);
   proof.replayed = true;
   proof.shot.cushion_stick = r.cushion_stick;
