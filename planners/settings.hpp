@@ -265,8 +265,6 @@ inline constexpr Spacing rival{.aim = radians(12), .speed = 1, .narrowest = radi
 inline constexpr Spacing fine{radians(0.7), 0.08, true};
 inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
 inline constexpr Spacing finest{radians(0.8), 0.05, true, false};
-/// Steps between two shots that may be one.
-inline constexpr int between_shots = 5;
 }  // namespace automatic
 
 namespace edge {

@@ -8,6 +8,7 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "planners/family/family.hpp"
+#include "planners/merit/connected.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/merit/safest.hpp"
 #include "planners/merit/sensitivity.hpp"
@@ -70,14 +71,15 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   a.cost.certify_us = ledger.proof_us;
   a.status = !found.shots.empty() ? Status::solved : ledger.cut() ? Status::budget : Status::no_shot;
   planning::add_nearest(q, found, options.suggest, a);
+  Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
   if (options.robustness && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
-    Ledger aside(std::numeric_limits<long>::max());  // margin and success are no part of the search
     if (q.puzzle.prefer == Prefer::robust && !q.all()) planning::likeliest_first(q, aside, found.shots);
     planning::family::tune(q, aside, found);
     planning::add_robustness(q, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
+  if (q.all() && q.objects) planning::keep_connected_once(q, aside, found.shots);
   const std::size_t distinct = found.shots.size();
   if (!q.all() && distinct > 1) found.shots.resize(1);
   if (options.sensitivity)

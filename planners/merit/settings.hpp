@@ -29,6 +29,11 @@ inline constexpr double beside = 4;
 inline constexpr double as_likely = 0.02;
 }  // namespace rank
 
+namespace connected {
+/// From one shot to another that may be the same.
+inline constexpr int steps = 5;
+}  // namespace connected
+
 namespace margin {
 /// Of the margin to where jaws are first touched, and of the widest there is: the longest step beyond, and by how much
 /// each is longer than the one before. Balls that rattle in lie in bands between balls that come out; narrower bands

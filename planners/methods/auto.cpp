@@ -5,7 +5,6 @@
 // global search are for what is left, and are not run when the images proved that nothing is.
 // With spin images are only seeds: the steps of planners/steps follow, in the order of their numbers.
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <span>
 #include <type_traits>
@@ -13,10 +12,10 @@
 
 #include "planners/family/family.hpp"
 #include "planners/family/settings.hpp"
+#include "planners/merit/connected.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
-#include "planners/proof/replay.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::methods {
@@ -132,35 +131,6 @@ Seeds seeds_of(const Question& q) {
   return {chains, steps::chains_closely, steps::word::chains};
 }
 
-/// Of two shots by one route between which all launches are made, and which are of one family therefore, the better.
-void keep_connected_once(const Question& q, Ledger& ledger, Findings& found) {
-  const auto all_between = [&](const Question& own, const Shot& a, const Shot& b) {
-    const double turn = angle_difference(a.launch.angle, b.launch.angle);
-    const Goal goal = Goal::along(a);
-    for (int i = 1; i < between_shots; ++i) {
-      const double share = static_cast<double>(i) / between_shots;
-      const Launch launch{std::lerp(a.launch.speed, b.launch.speed, share), wrap_angle(a.launch.angle + share * turn)};
-      if (!replay(own, ledger, launch, goal).made) return false;
-    }
-    return true;
-  };
-  const auto made_between = [&](const Shot& a, const Shot& b) {
-    if (a.spin != b.spin || ledger.spent()) return false;
-    return as_struck(q, a, [&](const Question& own) { return all_between(own, a, b); });
-  };
-  std::vector<Shot> kept;
-  for (Shot& shot : found.shots) {
-    const Route route = route_of(shot);
-    const auto same = [&](const Shot& other) { return route_of(other) == route && made_between(other, shot); };
-    const auto known = std::ranges::find_if(kept, same);
-    if (known == kept.end())
-      kept.push_back(std::move(shot));
-    else if (first_merit(q.puzzle, shot) > first_merit(q.puzzle, *known))
-      *known = std::move(shot);
-  }
-  found.shots = std::move(kept);
-}
-
 /// What is free is followed from roots of a few arrival speeds and spins, along each route to each mark.
 void along_families(const Question& q, Ledger& ledger, Findings& found) {
   struct Followed {
@@ -192,7 +162,11 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
     seeds.first(sample, ledger, starts);
     follow(std::span(starts.leads).subspan(known), seeds.word);
   }
-  if (q.carom()) keep_connected_once(q, ledger, found);
+  if (q.carom()) {
+    std::ranges::stable_sort(found.shots, std::greater(),
+                             [&](const Shot& shot) { return first_merit(q.puzzle, shot); });
+    keep_connected_once(q, ledger, found.shots);
+  }
   if (q.objects) return;
   for (const Question& sample : samples) {
     const bool better = rivals_wanted(q, ledger, found) && &sample == &samples.front();

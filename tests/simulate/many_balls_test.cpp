@@ -6,8 +6,10 @@
 #include "bankshot/scene/json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "support/catch.hpp"
 #include "support/random_balls.hpp"
@@ -258,6 +260,42 @@ TEST_CASE("a ball that is squeezed against a cushion while another touches by th
 
 TEST_CASE("breaks: no overlap, no energy gained, all end, the same bytes twice") { try_breaks(30, 53); }
 TEST_CASE("two thousand breaks", "[.][long]") { try_breaks(2000, seed_or_fresh(54)); }
+
+TEST_CASE("balls that crowd together after a break neither come to rest nor bounce again and again") {
+  constexpr int breaks = 60;
+  constexpr std::uint64_t seed = 53;
+  Random r(seed);
+  std::size_t events = 0;
+  for (int i = 0; i < breaks; ++i) {
+    const Trajectory t = simulate(break_shot(r, i % 2 == 0 ? 0 : 1e-9));
+    events += t.events.size();
+    std::map<int, int> rests;
+    for (const Record& e : t.events)
+      if (e.kind == EventKind::rest) ++rests[e.ball];
+    INFO("number " << i << " of seed " << seed);
+    for (const auto& [ball, times] : rests) CHECK(times < 30);  // at most 14 of 600 breaks
+  }
+  CHECK(events < 200 * breaks);  // 150 each
+}
+
+TEST_CASE("two balls that stay in touch while one goes round the other do not bounce off each other") {
+  const Body ball{};
+  const Boundary boundary(rectangle_table(40, 20), ball);
+  // The first has topspin, which drives it into the second.
+  const std::array balls{
+      BallStart<double>{&boundary, {{10, 10}, {0.1, 0.02}, {-0.02 / ball.radius, 1 / ball.radius, 0}}},
+      BallStart<double>{&boundary, {{10 + 2 * ball.radius, 10}, {0.1, 0}, {0, 0.1 / ball.radius, 0}}}};
+  ManyBalls sim(std::span<const BallStart<double>>(balls), SlideRoll{}, Han2005{}, BallBall{});
+  int meetings = 0;
+  double apart = 0;
+  for (double t = 0; t < 0.15; t = sim.time()) {  // later it rolls
+    const BallEvent e = sim.step(std::min(1e-3, 0.15 - t));
+    meetings += e.event.kind == EventKind::ball;
+    apart = std::max(apart, std::abs(norm(sim.state_now(1).at - sim.state_now(0).at) - 2 * ball.radius));
+  }
+  CHECK(meetings == 0);
+  CHECK(apart < tolerance::held_gap);
+}
 
 TEST_CASE("of many balls the first events are those of 50 digits") {
   // An error of rounding grows as a launch that is turned by as much does.

@@ -25,13 +25,21 @@ struct BallsInPlay {
     NextEvent<Number> next{};  ///< of the ball alone
     Number due{never};         ///< s, that
     Number fastest{0};         ///< m/s, on its arc at most
+    Number bend{0};            ///< m/s², likewise
     Contact pending{};         ///< the second cushion of a corner, still to bounce
     bool in_play = true;
     bool moves = false;
     bool awake = false;  ///< it was struck, and is not known to rest
   };
 
+  /// What rules out most pairs, side by side: where a ball is now and how it goes on.
+  struct Glance {
+    Vec2<Number> at{}, velocity{};
+    Number fastest{0}, bend{0}, due{never}, radius{0};
+  };
+
   std::vector<Ball> balls{};
+  std::vector<Glance> glances{};
   Motion motion;
   Rounding<Number> rounding{};
   T now{0};  ///< s since the launch
@@ -73,15 +81,17 @@ struct BallsInPlay {
     if (s.in_play) s.track.begin(motion);
   }
 
+  /// It does not move on this arc.
+  static bool stands(const Arc<Number>& arc) { return arc.end == PhaseEnd::rest && !(arc.duration > Number(0)); }
+
   /// When the ball's own next event comes, if it moves.
   void find(Ball& s) {
     s.due = never;
     s.moves = false;
-    s.fastest = Number(0);
+    s.fastest = s.bend = Number(0);
     if (!s.in_play) return;
     const Arc<Number>& arc = value(s.track.arc());
-    const bool stands = arc.end == PhaseEnd::rest && !(arc.duration > Number(0));
-    if (stands && !s.awake) return;
+    if (stands(arc) && !s.awake) return;
     s.awake = s.moves = true;
     if (s.pending && s.track.approach(s.pending) > Number(0)) {
       s.next.set(Number(0), bounce_off(s.pending), s.pending);
@@ -93,6 +103,7 @@ struct BallsInPlay {
     const Number lasts = arc.seconds(s.next.time);
     if (lasts < never) s.due = value(s.began) + lasts;
     s.fastest = fastest_on(arc, s.next.time);
+    s.bend = most_bend(arc);
   }
 
   /// m/s, up to a parameter: at one of its ends.
@@ -104,13 +115,31 @@ struct BallsInPlay {
     return sqrt(std::max<Number>(begin2, dot(end, end)));
   }
 
-  /// Two are too far from each other to touch within so many seconds from now, on the arcs that they are on.
-  bool too_far(std::size_t i, std::size_t j, const Number& seconds) const {
-    const Ball &a = balls[i], &b = balls[j];
-    const auto way = [&](const Ball& s) { return s.fastest * (value(now) - value(s.began) + seconds); };
-    const Vec2<Number> d = value(b.track.state().at) - value(a.track.state().at);
-    const Number near = reach(i, j) + rounding.touch + way(a) + way(b);
+  /// Looks at a ball, which is where its arc is now.
+  void look_at(std::size_t i) {
+    const Ball& s = balls[i];
+    const Arc<Number>& arc = value(s.track.arc());
+    const Number t = arc.parameter(Number(value(now) - value(s.began)));
+    glances[i] = {arc.position(t), arc.velocity_at(t), s.fastest, s.bend, s.due, Number(body(i).radius)};
+  }
+
+  /// The two, looked at, are too far from each other to touch now.
+  bool are_apart(std::size_t i, std::size_t j) const {
+    const Glance &a = glances[i], &b = glances[j];
+    const Vec2<Number> d = b.at - a.at;
+    const Number near = a.radius + b.radius + 3 * rounding.touch;
     return dot(d, d) > near * near;
+  }
+
+  /// The two, looked at, cannot touch before one of them is due: neither at their highest speeds, nor
+  /// (cannot_meet) as they come nearer now.
+  bool stay_apart(std::size_t i, std::size_t j) const {
+    const Glance &a = glances[i], &b = glances[j];
+    const Vec2<Number> d = b.at - a.at;
+    const Number reach = a.radius + b.radius, limit = std::min<Number>(a.due, b.due) - value(now), square = dot(d, d);
+    const Number near = reach + 2 * rounding.touch + (a.fastest + b.fastest) * limit;
+    return square > near * near || cannot_meet(square, Number(-dot(d, b.velocity - a.velocity)),
+                                               Number(a.bend + b.bend), reach, limit, rounding);
   }
 
   /// A ball that rolls, pressed on, and hardly moves where that ends, rests.

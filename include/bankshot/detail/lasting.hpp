@@ -30,32 +30,17 @@ class LastingContacts {
   const Number& slowest_meeting() const { return held_speed_; }
 
   /// These two press on each other.
-  bool is_held(std::size_t i, std::size_t j) const {
-    return std::ranges::any_of(held_, [&](const auto& pair) { return pair == Two{std::min(i, j), std::max(i, j)}; });
-  }
+  bool is_held(std::size_t i, std::size_t j) const { return has(held_, i, j); }
 
-  /// Forces between these balls and others end here; the others join them.
+  /// Forces between these balls and others end here; the others join them. They come again if nothing has changed.
   template <class Watch>
   void let_go(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
-    for (std::size_t k = 0; k < balls.size() && !held_.empty(); ++k) {
-      const auto these = std::partition(held_.begin(), held_.end(), [&](const Two& pair) {
-        return pair.first != balls[k] && pair.second != balls[k];
-      });
-      for (auto pair = these; pair != held_.end(); ++pair) {
-        const std::size_t other = pair->first == balls[k] ? pair->second : pair->first;
-        if (std::find(balls.begin(), balls.end(), other) != balls.end()) continue;
-        const Arc<T>& arc = in.balls[other].track.arc();
-        const bool rolls = arc.pressed == Press::rolls && !arc.chord;
-        in.bring(other, watch);
-        if (rolls) in.slow_to_rest(in.balls[other]);
-        balls.push_back(other);
-      }
-      held_.erase(these, held_.end());
-    }
+    let_go_.clear();
+    release(in, balls, watch);
   }
 
-  /// Of balls whose arcs have just begun: those that friction drives into another are held apart from it. Joins to
-  /// `balls` whoever they touch.
+  /// Of balls whose arcs have just begun, all looked at: those that friction drives into another are held apart from
+  /// it. Joins to `balls` whoever they touch.
   template <class Watch>
   void hold(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
     bool driven = false, any = false;
@@ -73,38 +58,63 @@ class LastingContacts {
         const std::size_t known = balls.size();
         in.bring(j, watch);
         balls.push_back(j);
-        let_go(in, balls, watch);
+        release(in, balls, watch);
         for (std::size_t m = known; m < balls.size(); ++m) joined_[balls[m]] = true, in.begin(balls[m]);
       }
     std::ranges::sort(balls);
     find_contacts(in, balls);
     find_forces(in, balls);
-    stop_approach(in, balls);
-    find_forces(in, balls);
+    if (stop_approach(in, balls)) find_forces(in, balls);
+    turn(in, balls);
     press(in, balls);
   }
 
  private:
   using Two = std::pair<std::size_t, std::size_t>;  ///< the lower number first
 
+  template <class Watch>
+  void release(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
+    for (std::size_t k = 0; k < balls.size() && !held_.empty(); ++k) {
+      const auto these = std::partition(held_.begin(), held_.end(), [&](const Two& pair) {
+        return pair.first != balls[k] && pair.second != balls[k];
+      });
+      for (auto pair = these; pair != held_.end(); ++pair) {
+        const std::size_t other = pair->first == balls[k] ? pair->second : pair->first;
+        if (std::find(balls.begin(), balls.end(), other) != balls.end()) continue;
+        const Arc<T>& arc = in.balls[other].track.arc();
+        const bool rolls = arc.pressed == Press::rolls && !arc.chord;
+        in.bring(other, watch);
+        if (rolls) in.slow_to_rest(in.balls[other]);
+        balls.push_back(other);
+      }
+      let_go_.insert(let_go_.end(), these, held_.end());
+      held_.erase(these, held_.end());
+    }
+  }
+
+  static bool has(const std::vector<Two>& pairs, std::size_t i, std::size_t j) {
+    return std::ranges::find(pairs, Two{std::min(i, j), std::max(i, j)}) != pairs.end();
+  }
+
   /// What rules out most pairs, at a fraction of what touch costs.
-  static bool may_touch(const Balls& in, std::size_t i, std::size_t j) {
-    return in.balls[i].in_play && in.balls[j].in_play && !in.too_far(i, j, Number(0));
+  bool may_touch(const Balls& in, std::size_t i, std::size_t j) const {
+    return in.balls[i].in_play && in.balls[j].in_play && (!in.are_apart(i, j) || has(let_go_, i, j));
   }
 
   /// Two balls that may touch do, and neither approach nor part, to speak of. If so `driven` says whether they do
-  /// approach, or will.
+  /// approach, or will. Two that were held until now have come apart a little where one goes round the other.
   bool touch(const Balls& in, std::size_t i, std::size_t j, bool& driven) const {
     using std::abs;
+    const bool were_held = has(let_go_, i, j);
     const Apart<Number> apart = in.seen(i, j, value(in.now));
     // Twice what a meeting counts as touching: rounding must not part two that have just met.
-    const Number far = norm(apart.at);
-    if (!(far - in.reach(i, j) < 2 * in.rounding.touch)) return false;
+    const Number far = norm(apart.at), near = were_held ? Number(tolerance::held_gap) : 2 * in.rounding.touch;
+    if (!(far - in.reach(i, j) < near)) return false;
     const Vec2<Number> normal = apart.at / far;
     const Number parting = dot(normal, apart.velocity);
     const auto pull = [&](std::size_t k) { return first_acceleration(value(in.balls[k].track.arc())); };
     driven = parting < -in.rounding.still || dot(normal, Vec2<Number>(pull(j) - pull(i))) < Number(0);
-    return abs(parting) <= held_speed_;
+    return abs(parting) <= (were_held ? Number(tolerance::slow_contact) : held_speed_);
   }
 
   /// Of these balls with each other and with cushions.
@@ -134,26 +144,33 @@ class LastingContacts {
     inertias_.clear();
     for (const std::size_t i : balls) {
       own_.push_back(in.balls[i].in_play ? first_acceleration(in.balls[i].track.arc()) : Vec2<T>{T(0), T(0)});
-      inertias_.push_back(inertia(in.balls[i].track.arc(), in.balls[i].track.boundary().body));
+      inertias_.push_back(inertia(in.balls[i].track.arc(), in.body(i)));
     }
     rates_ = own_;
     for (Pressed<T>& c : contacts_) c.force = T(0), c.keeps = false;
-    press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_));
+    settle_forces();
   }
 
-  /// Where there are forces nothing is left of the speed along them, and none approach elsewhere.
-  void stop_approach(Balls& in, const std::vector<std::size_t>& balls) {
-    rates_.clear();
-    for (const std::size_t i : balls) rates_.push_back(in.balls[i].track.state().velocity);
-    bool any = false;
-    for (Pressed<T>& c : contacts_) {
-      c.keeps = value(c.force) > Number(0);
-      c.force = T(0);
-      const Number parting = value(parting_rate<T>(c, rates_));
-      any = any || parting < -in.rounding.still || (c.keeps && parting > in.rounding.still);
-    }
-    if (!any) return;
-    press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_));
+  void settle_forces() {
+    rounding_ = press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_));
+  }
+
+  /// What is left of speeds at contacts is taken away: where there are forces all of it, elsewhere what comes nearer.
+  /// A ball that rests goes on resting: moved so little, it would come to rest again and again.
+  /// False: there was nothing.
+  bool stop_approach(Balls& in, const std::vector<std::size_t>& balls) {
+    speeds_.clear();
+    for (const std::size_t i : balls) speeds_.push_back(in.balls[i].track.state().velocity);
+    const auto moves = [&](const Pressed<T>& c) {
+      const Number parting = value(dot(c.normal, relative<T>(c, speeds_)));
+      return parting < -in.rounding.still || (value(c.force) > Number(0) && parting > in.rounding.still);
+    };
+    if (std::ranges::none_of(contacts_, moves)) return false;
+    for (Pressed<T>& c : contacts_) c.keeps = value(c.force) > Number(0), c.force = T(0);
+    std::swap(rates_, speeds_);
+    for (std::size_t a = 0; a < balls.size(); ++a)
+      if (Balls::stands(value(in.balls[balls[a]].track.arc()))) inertias_[a] = forever;
+    settle_forces();
     for (std::size_t a = 0; a < balls.size(); ++a) {
       BallTrack<T>& track = in.balls[balls[a]].track;
       const Vec2<T> more = rates_[a] - track.state().velocity;
@@ -161,12 +178,64 @@ class LastingContacts {
       track.nudge(in.motion, more);
       in.begin(balls[a]);
     }
+    return true;
+  }
+
+  /// How a pair moves across its line of centres.
+  struct Across {
+    T speed;        ///< m/s
+    Number brakes;  ///< m/s², what takes that away; negative where it grows
+    Number reach;   ///< m
+    Number turns() const { return value(speed) * value(speed) / reach; }  ///< m/s², towards each other
+  };
+  Across across(const Balls& in, const std::vector<std::size_t>& balls, const Pressed<T>& c) const {
+    const std::size_t i = balls[static_cast<std::size_t>(c.first)], j = balls[static_cast<std::size_t>(c.second)];
+    const Vec2<T> along = perpendicular(c.normal);
+    const T speed = dot(along, Vec2<T>(in.balls[j].track.state().velocity - in.balls[i].track.state().velocity));
+    const Number pull = value(dot(along, relative<T>(c, rates_)));
+    return {speed, value(speed) > Number(0) ? Number(-pull) : pull, in.reach(i, j)};
+  }
+
+  /// Of two that stay in touch one goes round the other: as fast as the least speed across on a piece (pressed.hpp).
+  /// Forces elsewhere then change what brakes them; where they may come too near by that they do not turn.
+  void turn(const Balls& in, const std::vector<std::size_t>& balls) {
+    using std::abs, std::sqrt;
+    const auto is_pair = [](const Pressed<T>& c) { return c.second != Pressed<T>::none && value(c.force) > Number(0); };
+    const auto lost = [](const Number& brakes) {
+      return std::max<Number>(brakes, Number(0)) * Number(tolerance::longest_piece);
+    };
+    Number most(0);
+    for (const Pressed<T>& c : contacts_)
+      if (is_pair(c)) most = std::max<Number>(most, across(in, balls, c).turns());
+    if (most == Number(0)) return;
+    for (Pressed<T>& c : contacts_) {
+      if (!is_pair(c)) continue;
+      const Across pair = across(in, balls, c);
+      const Number speed = abs(value(pair.speed)), least = speed - lost(Number(pair.brakes + most));
+      if (least > Number(0)) c.turns = pair.speed * pair.speed * Number(least * least / (speed * speed)) / pair.reach;
+    }
+    for (bool any = true; any;) {
+      settle_forces();
+      any = false;
+      for (Pressed<T>& c : contacts_) {
+        if (!(value(c.turns) > Number(0))) continue;
+        const Across pair = across(in, balls, c);
+        const Number least = sqrt(Number(value(c.turns) * pair.reach));
+        if (abs(value(pair.speed)) - lost(pair.brakes) >= least) continue;
+        c.turns = T(0);
+        any = true;
+      }
+    }
   }
 
   void press(Balls& in, const std::vector<std::size_t>& balls) {
+    using std::sqrt;
     for (std::size_t a = 0; a < balls.size(); ++a) {
+      BallTrack<T>& track = in.balls[balls[a]].track;
       const Vec2<T> push = rates_[a] - own_[a];
-      if (!(push == Vec2<T>{T(0), T(0)})) in.balls[balls[a]].track.press(push);
+      const Number force = Number(inertias_[a]) * Number(sqrt(dot(value(push), value(push))));
+      const bool moves = Balls::stands(value(track.arc())) ? force > rounding_ : force > Number(0);
+      if (moves) track.press(push);
     }
     for (const Pressed<T>& c : contacts_) {
       if (!(value(c.force) > Number(0))) continue;
@@ -185,12 +254,14 @@ class LastingContacts {
         track.hold(c);
   }
 
-  Number held_speed_;      ///< m/s
-  std::vector<Two> held_;  ///< pairs that press on each other
+  Number held_speed_;        ///< m/s
+  std::vector<Two> held_;    ///< pairs that press on each other
+  std::vector<Two> let_go_;  ///< pairs that did until now
   // Of the balls that do, while they are looked at:
   std::vector<Pressed<T>> contacts_;
-  std::vector<Vec2<T>> rates_, own_;
+  std::vector<Vec2<T>> rates_, own_, speeds_;
   std::vector<double> inertias_;
+  Number rounding_{0};        ///< N, of forces
   std::vector<char> joined_;  ///< of all balls: it is looked at
 };
 

@@ -2,15 +2,17 @@
 //
 // Balls that touch, do not approach, and that friction drives into each other push on each other as long as that lasts.
 // The forces along the lines of centres, and from cushions that balls are pressed to, are the least that leave no
-// acceleration into a contact:
-//   f_c >= 0, n_c·(a_b − a_a) >= 0, f_c n_c·(a_b − a_a) = 0, a_i = its own + Σ ± f_c n_c / M_i
-// with M the mass of a ball that slides, and 7/5 of it where it rolls or rests: it has to be turned as well.
-// Method: contact by contact in the order given, what is left of its acceleration taken away, until nothing changes
-// (projected Gauss–Seidel); one contact alone is exact at once. What is left of speeds along the lines of centres, up
-// to tolerance::held_contact, is taken away in the same manner, since contact by contact it would take hundreds of
-// events: a ball that rolls goes on rolling. A ball that is pressed on moves with constant acceleration for a piece of
-// 2 ms at most. With neither speed nor acceleration along the line of centres the distance is √(D² + (v t + a t²/2)²):
-// two balls that are held never overlap.
+// acceleration into a contact, but what takes one round the other:
+//   f_c >= 0, w_c >= 0, f_c w_c = 0 where w_c = n_c·(a_b − a_a) + v²/D, a_i = its own + Σ ± f_c n_c / M_i
+// with M the mass of a ball that slides, and 7/5 of it where it rolls or rests: it has to be turned as well; v the
+// speed of one across the line of centres, as seen from the other, and D the distance of centres. Method: contact by
+// contact in the order given, what is left of its acceleration taken away, until nothing changes (projected
+// Gauss–Seidel); one contact alone is exact at once. What is left of speeds along the lines of centres, up to
+// tolerance::held_contact, is taken away in the same manner, since contact by contact it would take hundreds of events:
+// a ball that rolls goes on rolling, one that rests goes on resting. A ball that is pressed on moves with constant
+// acceleration for a piece of 2 ms at most. No overlap: after t seconds the square of the distance is at least D² + (v²
+// − v₁²) t² + a v t³, a being the acceleration across. So v₁ takes the place of v above, less than any speed across on
+// a piece of the length h: v₁ = v − h (max(0, −a) + v²/D). Two that are held come v (v − v₁) h²/D apart.
 #pragma once
 
 #include <cmath>
@@ -82,28 +84,34 @@ void press(Arc<T>& arc, const Vec2<T>& push) {
 /// A contact of two balls, by number; or of the first with a cushion.
 template <class T>
 struct Pressed {
-  int first, second;                                ///< second: none is the cushion
-  Vec2<T> normal;                                   ///< unit, from the first to the second or to the cushion
-  T force{0};                                       ///< N, or an impulse [N s]
-  bool keeps = false;                               ///< it pulls as well
+  int first, second;   ///< second: none is the cushion
+  Vec2<T> normal;      ///< unit, from the first to the second or to the cushion
+  T turns{0};          ///< m/s², of balls that stay in touch while one goes round the other
+  T force{0};          ///< N, or an impulse [N s]
+  bool keeps = false;  ///< it pulls as well
   Real<T> first_lightness{0}, second_lightness{0};  ///< 1/kg; 0 of a cushion
   static constexpr int none = -1;
 };
 
+/// Of the second as seen from the first.
+template <class T>
+Vec2<T> relative(const Pressed<T>& c, std::span<const Vec2<T>> rates) {
+  const Vec2<T>& first = rates[static_cast<std::size_t>(c.first)];
+  return c.second == Pressed<T>::none ? -first : rates[static_cast<std::size_t>(c.second)] - first;
+}
+
 /// How fast the two part, or what drives them apart.
 template <class T>
 T parting_rate(const Pressed<T>& c, std::span<const Vec2<T>> rates) {
-  const auto of = [&](int ball) {
-    return ball == Pressed<T>::none ? Vec2<T>{T(0), T(0)} : rates[static_cast<std::size_t>(ball)];
-  };
-  return dot(c.normal, Vec2<T>(of(c.second) - of(c.first)));
+  return dot(c.normal, relative<T>(c, rates)) + c.turns;
 }
 
 /// Finds the forces. `rates`: accelerations of the balls alone, changed to what they are with the forces; or
-/// velocities, and the forces are impulses. `inertias` [kg]. Where it does not settle in so many sweeps what is left is
-/// for the next look, which comes within 2 ms.
+/// velocities, and the forces are impulses. `inertias` [kg]; infinite: it stays as it is. Where it does not settle in
+/// so many sweeps what is left is for the next look, which comes within 2 ms. Returns what of the force on a ball is
+/// rounding.
 template <class T>
-void press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias) {
+Real<T> press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias) {
   using N = Real<T>;
   constexpr int most_sweeps = 100000;
   const N unit = std::numeric_limits<N>::epsilon();
@@ -118,12 +126,13 @@ void press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::
   for (std::size_t i = 0; i < rates.size(); ++i) {
     using std::sqrt;
     const N size = N(inertias[i]) * N(sqrt(dot(value(rates[i]), value(rates[i]))));
-    if (size > rounding) rounding = size;
+    if (inertias[i] < forever && size > rounding) rounding = size;
   }
   rounding = rounding * (8 * unit);
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     bool settled = true;
     for (Pressed<T>& c : contacts) {
+      if (c.first_lightness + c.second_lightness == N(0)) continue;
       const T parting = parting_rate<T>(c, rates);
       const T wanted = c.force - parting / T(c.first_lightness + c.second_lightness);
       const T force = c.keeps || value(wanted) > N(0) ? wanted : T(0), more = force - c.force;
@@ -134,8 +143,9 @@ void press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::
       push(c.first, c.first_lightness, -(c.normal * more));
       push(c.second, c.second_lightness, c.normal * more);
     }
-    if (settled) return;
+    if (settled) break;
   }
+  return rounding * 8;  // of a ball with six others around it
 }
 
 }  // namespace bankshot

@@ -84,6 +84,11 @@ inline constexpr double slow_contact = 1e-4;
 /// thousands of events where several balls crowd together.
 inline constexpr double held_contact = 1e-5, held_part = 1e-3;
 
+/// m. Balls that are held come apart by up to 2e-7 m in a piece where one goes round the other fast, mostly by 1e-10.
+/// Not more apart than this they go on being held: balls are less round. Smaller takes hundreds of events, for two that
+/// are let go come back and bounce.
+inline constexpr double held_gap = 1e-5;
+
 /// Of the launch's |v| + R|ω|. Balls that touch and approach slower than this do not, where friction soon stops them.
 /// Larger would let them overlap by more than rounding; smaller takes hundreds of events where a ball rolls past
 /// another.

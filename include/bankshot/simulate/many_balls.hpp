@@ -102,10 +102,12 @@ class ManyBalls {
         law_(law),
         in_{.motion = motion},
         lasting_(launch),
-        meetings_(balls.size() * balls.size(), Number(never)) {
+        meetings_(balls.size() * balls.size(), Number(never)),
+        fresh_(balls.size(), false) {
     in_.rounding = {Number(balls.front().boundary->touch),
                     Number(law.lasts ? tolerance::still_contact : tolerance::along) * launch};
     in_.balls.reserve(balls.size());
+    in_.glances.resize(balls.size());
     for (const BallStart<T>& b : balls) {
       numbers_.push_back(b.number < 0 ? static_cast<int>(in_.count()) : b.number);
       changed_.push_back(in_.count());
@@ -117,7 +119,8 @@ class ManyBalls {
   }
 
   const Ball& ball_at(int ball) const { return in_.balls[static_cast<std::size_t>(ball)]; }
-  Number& meeting(std::size_t i, std::size_t j) { return meetings_[std::min(i, j) * in_.count() + std::max(i, j)]; }
+  /// `i` < `j`
+  Number& meeting(std::size_t i, std::size_t j) { return meetings_[i * in_.count() + j]; }
   const Number& meeting(std::size_t i, std::size_t j) const { return meetings_[i * in_.count() + j]; }
 
   /// |v| + R|ω|, the largest.
@@ -138,9 +141,12 @@ class ManyBalls {
   Due first_due() const {
     Due best;
     const auto consider = [&](const Due& due) {
-      if (due.time < best.time || (due.time == best.time && due.time < never && due.rank < best.rank)) best = due;
+      if (due.time < best.time || (due.time == best.time && due.rank < best.rank)) best = due;
     };
-    for (std::size_t i = 0; i < in_.count(); ++i) consider({in_.balls[i].due, rank_of(in_.balls[i].next), i, i});
+    for (std::size_t i = 0; i < in_.count(); ++i) {
+      const Number& t = in_.balls[i].due;
+      if (t <= best.time && t < never) consider({t, rank_of(in_.balls[i].next), i, i});
+    }
     for (std::size_t i = 0; i < in_.count(); ++i) {
       if (!(earliest(i) <= best.time) || !(earliest(i) < never)) continue;
       for (std::size_t j = i + 1; j < in_.count(); ++j) {
@@ -244,33 +250,45 @@ class ManyBalls {
   void renew(std::vector<std::size_t>& balls, Watch&& watch = {}) {
     lasting_.let_go(in_, balls, watch);
     for (const std::size_t i : balls) in_.begin(i);
+    for (std::size_t i = 0; i < in_.count(); ++i)
+      if (in_.balls[i].moves) in_.look_at(i);
+    for (const std::size_t i : balls) in_.look_at(i);
     if constexpr (!std::is_same_v<Motion, Ideal>) lasting_.hold(in_, balls, watch);
-    for (const std::size_t i : balls) in_.find(in_.balls[i]);
-    for (const std::size_t i : balls)
-      for (std::size_t j = 0; j < in_.count(); ++j)
-        if (j != i && !(j < i && std::find(balls.begin(), balls.end(), j) != balls.end())) find_meeting(i, j);
+    for (const std::size_t i : balls) {
+      in_.find(in_.balls[i]);
+      in_.look_at(i);
+      fresh_[i] = true;
+    }
+    for (const std::size_t i : balls) find_meetings(i);
+    for (const std::size_t i : balls) fresh_[i] = false;
   }
 
-  void find_meeting(std::size_t i, std::size_t j) {
-    Number &time = meeting(i, j), &first = earliest(std::min(i, j));
-    const bool was_first = time == first;
-    time = next_meeting(i, j);
-    if (time <= first)
-      first = time;
-    else if (was_first)
-      find_earliest(std::min(i, j));
+  /// Of a fresh ball with all others; of two that are fresh, for the lower number.
+  void find_meetings(std::size_t i) {
+    earliest(i) = never;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (fresh_[j]) continue;
+      Number &time = meeting(j, i), &first = earliest(j);
+      const bool was_first = time == first;
+      time = next_meeting(j, i);
+      if (time <= first)
+        first = time;
+      else if (was_first)
+        find_earliest(j);
+    }
+    for (std::size_t j = i + 1; j < in_.count(); ++j) {
+      meeting(i, j) = next_meeting(i, j);
+      earliest(i) = std::min<Number>(earliest(i), meeting(i, j));
+    }
   }
 
+  /// `i` < `j`: so that a pair is looked at in one way.
   Number next_meeting(std::size_t i, std::size_t j) const {
     const Ball &a = in_.balls[i], &b = in_.balls[j];
-    if (!a.in_play || !b.in_play || (!a.moves && !b.moves)) return Number(never);
+    if (in_.stay_apart(i, j) || !a.in_play || !b.in_play || (!a.moves && !b.moves) || lasting_.is_held(i, j))
+      return Number(never);
     const Number now = value(in_.now), limit = std::min<Number>(a.due, b.due) - now;
-    if (in_.too_far(i, j, limit) || lasting_.is_held(i, j)) return Number(never);
-    // The lower number is the first, so that a pair is looked at in one way.
-    const std::size_t low = std::min(i, j), high = std::max(i, j);
-    const Apart<Number> apart = in_.seen(low, high, now);
-    if (cannot_meet(apart, in_.reach(i, j), limit, in_.rounding)) return Number(never);
-    const Number t = first_meeting(apart, in_.reach(i, j), Number(limit), in_.rounding);
+    const Number t = first_meeting(in_.seen(i, j, now), in_.reach(i, j), limit, in_.rounding);
     return t < never ? now + t : Number(never);
   }
 
@@ -321,6 +339,7 @@ class ManyBalls {
   LastingContacts<T, Motion> lasting_;
   std::vector<Number> meetings_;  ///< s, of each pair, the lower number first; of a ball alone, the earliest of its row
   std::vector<std::size_t> changed_;
+  std::vector<char> fresh_;   ///< of each ball: its arc is new
   std::vector<int> numbers_;  ///< of the balls, as contacts
 };
 

@@ -17,6 +17,13 @@
 
 namespace bankshot {
 
+/// The most that the velocity on an arc changes [m/s²].
+template <class N>
+N most_bend(const Arc<N>& arc) {
+  const N bend = norm(arc.acceleration);
+  return arc.drag.none() ? bend : N(bend + arc.drag.constant + arc.drag.linear * norm(arc.velocity));
+}
+
 /// The second ball as seen from the first: where, and with what velocity, at times from now on.
 template <class N>
 struct Apart {
@@ -27,7 +34,7 @@ struct Apart {
   Apart(const Arc<N>& a, const N& a_began, const Arc<N>& b, const N& b_began) {
     if (!a.drag.none() || !b.drag.none()) {
       clocks_.emplace(Clocks{a, b, a_began, b_began});
-      bend = most(a) + most(b);
+      bend = most_bend(a) + most_bend(b);
       at = place(N(0)), velocity = speed(N(0));
     } else {
       at = b.position(b_began) - a.position(a_began);
@@ -57,9 +64,6 @@ struct Apart {
   std::optional<Clocks> clocks_{};
 
   static Vec2<N> on(const Arc<N>& arc, const N& t) { return arc.position(arc.parameter(t)); }
-  static N most(const Arc<N>& arc) {
-    return norm(arc.acceleration) + arc.drag.constant + arc.drag.linear * norm(arc.velocity);
-  }
 };
 
 /// What counts as touching [m] and as not approaching [m/s].
@@ -70,13 +74,13 @@ struct Rounding {
 
 /// They do not meet within `limit`, as the first step of first_meeting would find, with neither a root nor a division:
 /// distance > reach + closing · limit + bend · limit² / 2, times the distance and squared.
+/// `square`: of the distance [m²]; `nearing`: closing times the distance [m²/s].
 template <class N>
-bool cannot_meet(const Apart<N>& pair, const N& reach, const N& limit, const Rounding<N>& rounding) {
+bool cannot_meet(const N& square, const N& nearing, const N& bend, const N& reach, const N& limit,
+                 const Rounding<N>& rounding) {
   constexpr double sure = 1 + 1e-9;  // far above the rounding of both, so that they never disagree
-  if (pair.clocked()) return false;
-  const N square = dot(pair.at, pair.at), nearing = -dot(pair.at, pair.velocity);
   const N rest = nearing > N(0) ? N(square - nearing * limit) : square;
-  const N near = (reach + 2 * rounding.touch + pair.bend * limit * limit / 2) * N(sure);
+  const N near = (reach + 2 * rounding.touch + bend * limit * limit / 2) * N(sure);
   return rest > N(0) && rest * rest > near * near * square;
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// Shots that are one: by the same route, and all launches between them are made as well.
+#pragma once
+
+#include <vector>
+
+#include "planners/ledger.hpp"
+#include "planners/question.hpp"
+
+namespace bankshot::planning {
+
+/// Keeps of each such group the first. A few simulations for each two by one route.
+void keep_connected_once(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
+
+}  // namespace bankshot::planning
