@@ -151,8 +151,12 @@ class LastingContacts {
     settle_forces();
   }
 
-  void settle_forces() {
-    rounding_ = press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_));
+  template <class... Sweeps>
+  bool settle_forces(Sweeps... sweeps) {
+    const auto found =
+        press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_), sweeps...);
+    rounding_ = found.rounding;
+    return found.settled;
   }
 
   /// What is left of speeds at contacts is taken away: where there are forces all of it, elsewhere what comes nearer.
@@ -170,7 +174,10 @@ class LastingContacts {
     std::swap(rates_, speeds_);
     for (std::size_t a = 0; a < balls.size(); ++a)
       if (Balls::stands(value(in.balls[balls[a]].track.arc()))) inertias_[a] = forever;
-    settle_forces();
+    if (!settle_forces(sweeps_of_a_wedge)) {
+      stop_slow();
+      settle_forces();
+    }
     for (std::size_t a = 0; a < balls.size(); ++a) {
       BallTrack<T>& track = in.balls[balls[a]].track;
       const Vec2<T> more = rates_[a] - track.state().velocity;
@@ -179,6 +186,18 @@ class LastingContacts {
       in.begin(balls[a]);
     }
     return true;
+  }
+
+  /// Speeds that die away so slowly are those of balls in a wedge, which come to rest in it.
+  static constexpr int sweeps_of_a_wedge = 1000;
+  void stop_slow() {
+    constexpr double slow = tolerance::slow_contact * tolerance::pressed_rest;
+    for (Pressed<T>& c : contacts_) c.force = T(0);
+    for (std::size_t a = 0; a < rates_.size(); ++a) {
+      if (!(dot(value(rates_[a]), value(rates_[a])) < Number(slow * slow))) continue;
+      rates_[a] = {T(0), T(0)};
+      inertias_[a] = forever;
+    }
   }
 
   /// How a pair moves across its line of centres.

@@ -106,14 +106,20 @@ T parting_rate(const Pressed<T>& c, std::span<const Vec2<T>> rates) {
   return dot(c.normal, relative<T>(c, rates)) + c.turns;
 }
 
+/// What became of forces.
+template <class N>
+struct Settled {
+  bool settled = false;
+  N rounding{0};  ///< N, of the force on a ball
+};
+
 /// Finds the forces. `rates`: accelerations of the balls alone, changed to what they are with the forces; or
 /// velocities, and the forces are impulses. `inertias` [kg]; infinite: it stays as it is. Where it does not settle in
-/// so many sweeps what is left is for the next look, which comes within 2 ms. Returns what of the force on a ball is
-/// rounding.
+/// so many sweeps what is left is for the next look, which comes within 2 ms.
 template <class T>
-Real<T> press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias) {
+Settled<Real<T>> press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias,
+                             int most_sweeps = 100000) {
   using N = Real<T>;
-  constexpr int most_sweeps = 100000;
   const N unit = std::numeric_limits<N>::epsilon();
   const auto inverse = [&](int ball) {
     return ball == Pressed<T>::none ? N(0) : N(1) / N(inertias[static_cast<std::size_t>(ball)]);
@@ -129,8 +135,9 @@ Real<T> press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, st
     if (inertias[i] < forever && size > rounding) rounding = size;
   }
   rounding = rounding * (8 * unit);
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    bool settled = true;
+  bool settled = false;
+  for (int sweep = 0; sweep < most_sweeps && !settled; ++sweep) {
+    settled = true;
     for (Pressed<T>& c : contacts) {
       if (c.first_lightness + c.second_lightness == N(0)) continue;
       const T parting = parting_rate<T>(c, rates);
@@ -143,9 +150,8 @@ Real<T> press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, st
       push(c.first, c.first_lightness, -(c.normal * more));
       push(c.second, c.second_lightness, c.normal * more);
     }
-    if (settled) break;
   }
-  return rounding * 8;  // of a ball with six others around it
+  return {settled, rounding * 8};  // of a ball with six others around it
 }
 
 }  // namespace bankshot

@@ -121,7 +121,7 @@ T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T&
 }
 
 /// First time within `limit` at which an arc enters the circle. `left`: it starts on the circle,
-/// just left; then the gap there is exactly 0.
+/// just left; then the gap there is exactly 0, and a speed that is rounding leads not back in.
 template <class T>
 T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& limit, bool left = false) {
   if (!arc.bends) return left ? T(forever) : first_entry_straight(arc, centre, radius);
@@ -132,7 +132,10 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   const T distance2 = dot(d, d);
   if (distance2 > reach * reach) return T(forever);
   const T gap = left ? T(0) : T(distance2 - T(T(radius) * radius));
-  const Polynomial<T, 4> outside{gap, T(2) * dot(d, v), dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)};
+  T leaving = dot(d, v);
+  constexpr double noise2 = tolerance::along * tolerance::along;
+  if (left && leaving * leaving < noise2 * distance2 * dot(v, v)) leaving = T(0);
+  const Polynomial<T, 4> outside{gap, T(2) * leaving, dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)};
   const T t = first_descent_of(outside, until);
   return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
 }
