@@ -258,6 +258,39 @@ TEST_CASE("a ball that is squeezed against a cushion while another touches by th
   CHECK(t.events.size() < 20000);
 }
 
+TEST_CASE("a small ball that keeps no speed across a jaw's tip leaves it") {
+  const Trajectory t = simulate(read_shot(
+      R"({"ball": {"at": [1.9314382025404537, 0.32430676770243777], "mass": 0.16853258142428862, "radius": 0.028575,
+    "spin": {"masse": 0, "side": 0.6932732192215723, "top": 0.29489170642838314}}, "others": [{"at":
+    [1.576703518359437, 0.8910243211334714], "id": "1", "mass": 0.05707793553569278, "radius":
+    0.02044924365977583}], "physics": {"ball_ball": {"friction": 0.0657846616578331, "restitution":
+    0.40722393895089726}, "cushion": {"friction": 0.2, "height": 0.036576, "model": "han2005", "restitution":
+    0.85}, "g": 9.81, "model": "spin", "rolling_friction": 0.01, "sliding_friction": 0.2, "spinning_friction":
+    0.0127}, "shot": {"angle": 122.9807574291798, "speed": 4.1988748452580875}, "table": "pool-9ft"})"));
+  CHECK(t.end == EventKind::pocket);
+  CHECK(t.events.size() < 100);
+}
+
+TEST_CASE("a ball that creeps into a wedge between two that rest comes to rest there") {
+  const Trajectory t = simulate(read_shot(
+      R"({"ball": {"at": [2.122899280484913, 1.2177728997715371], "mass": 0.1406, "radius": 0.02625, "spin":
+    {"masse": 0, "side": 0, "top": -0.7858955800634647}}, "others": [{"at": [2.076839057702405,
+    1.2429662694791759], "id": "1", "mass": 0.1406, "radius": 0.02625}, {"at": [2.169102128318139,
+    1.1928420583876376], "id": "2", "mass": 0.1406, "radius": 0.02625}, {"at": [2.195352128318139,
+    1.1473757246889544], "id": "3", "mass": 0.1406, "radius": 0.02625}, {"at": [2.10296870864903,
+    1.288501874684487], "id": "4", "mass": 0.1406, "radius": 0.02625}, {"at": [2.168770651717781,
+    1.1021023870414535], "id": "5", "mass": 0.1406, "radius": 0.02625}, {"at": [1.1325340176892111, 0.02625],
+    "id": "6", "mass": 0.1406, "radius": 0.02625}, {"at": [0.6821128607864784, 0.17301931648031926], "id": "7",
+    "mass": 0.1406, "radius": 0.02625}, {"at": [2.050589057702384, 1.1974999357804563], "id": "8", "mass":
+    0.1406, "radius": 0.02625}, {"at": [2.938329606388654, 0.02625], "id": "9", "mass": 0.1406, "radius":
+    0.02625}], "physics": {"cushion": {"friction": 0.2, "height": 0.03675, "model": "han2005", "restitution":
+    0.85}, "g": 9.81, "model": "spin", "rolling_friction": 0.01, "sliding_friction": 0.2, "spinning_friction":
+    0.011666666666666665}, "shot": {"angle": 114.73480027766333, "speed": 2.283901948338262e-05}, "table":
+    "snooker-12ft"})"));
+  CHECK(t.end == EventKind::rest);
+  CHECK(t.events.size() < 1000);
+}
+
 TEST_CASE("breaks: no overlap, no energy gained, all end, the same bytes twice") { try_breaks(30, 53); }
 TEST_CASE("two thousand breaks", "[.][long]") { try_breaks(2000, seed_or_fresh(54)); }
 
