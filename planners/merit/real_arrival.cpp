@@ -24,12 +24,18 @@ std::optional<State<Number>> stops_at(const Vec2<Number>& bounce, const Boundary
   return goes_on ? std::nullopt : std::optional(rest);
 }
 
+/// Where a ball is, and where it was going, also if it rests there.
+struct Arrived {
+  State<Number> state;
+  Vec2d heading;
+};
+
 /// The last ball at that time, or where it falls or rests before; none where a ball meets one that is to stand, or
 /// where the last has bounced more often. A bounce at that time is taken where it is counted; where a ball is to stop,
 /// and stops as it touches the cushion, it rests as if none were there, since that bounce has no derivative.
 template <class Motion, class Cushion>
-std::optional<State<Number>> follow(const Question& q, const Objects::Chain& chain, const Motion& motion,
-                                    const Cushion& cushion, const Launch& launch, double seconds, std::size_t bounces) {
+std::optional<Arrived> follow(const Question& q, const Objects::Chain& chain, const Motion& motion,
+                              const Cushion& cushion, const Launch& launch, double seconds, std::size_t bounces) {
   std::vector<BallStart<Number>> balls{{&chain.moving.front(), dual_start<Number, 2>(q, launch), 0}};
   for (std::size_t i = 0; i < chain.balls.size(); ++i)
     balls.push_back({&chain.moving[i + 1], {.at = to<Number>(chain.balls[i]->at_rest.at)}, chain.balls[i]->ball});
@@ -38,23 +44,29 @@ std::optional<State<Number>> follow(const Question& q, const Objects::Chain& cha
   const double same_instant = tolerance::exact_miss * (1 + seconds);
   std::size_t bounced = 0;
   bool arrived = false;
+  Vec2d heading;
+  const auto at = [&](const State<Number>& state) {
+    const Vec2d v = value(state.velocity);
+    return Arrived{state, dot(v, v) > 0 ? v : heading};
+  };
   for (;;) {
     const State<Number> before = sim.state(last);
+    heading = at(before).heading;
     const BallEvent e = sim.step(Number(arrived ? same_instant : seconds - sim.time().a));
     if (e.event.kind == EventKind::horizon) {
-      if (arrived || bounced == bounces) return sim.state_now(last);
+      if (arrived || bounced == bounces) return at(sim.state_now(last));
       arrived = true;
       continue;
     }
     const bool rebounds = e.event.kind == EventKind::cushion && e.ball == last;
     if (rebounds && ++bounced > bounces) return {};
-    if (rebounds && arrived && bounced == bounces) return sim.state(last);
+    if (rebounds && arrived && bounced == bounces) return at(sim.state(last));
     if (rebounds && q.stop && bounced == bounces)
-      if (const auto rest = stops_at(sim.state(last).at, chain.moving.back(), motion, before)) return rest;
+      if (const auto rest = stops_at(sim.state(last).at, chain.moving.back(), motion, before)) return at(*rest);
     const auto is_met = [&](const Objects::Object* ball) { return e.event.contact == Contact::ball(ball->ball); };
     if (e.event.kind == EventKind::ball && std::ranges::none_of(chain.balls, is_met)) return {};
     const bool ends = e.event.kind == EventKind::pocket || (q.stop && e.event.kind == EventKind::rest);
-    if (ends && e.ball == last && sim.time().a > 0) return sim.state(last);
+    if (ends && e.ball == last && sim.time().a > 0) return at(sim.state(last));
   }
 }
 
@@ -67,11 +79,11 @@ std::optional<Moved> real_arrival(const Question& q, const Shot& shot) {
     const auto arrived =
         follow(q, *chain, motion, cushion, shot.launch, shot.arrival.time, shot.then.back().cushions.size());
     if (!arrived) return {};
-    const State<Number>& there = *arrived;
+    const State<Number>& there = arrived->state;
     if (q.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};
-    const double speed = norm(value(there.velocity));
+    const double speed = norm(arrived->heading);
     if (!(speed > 0)) return {};
-    const Vec2d left = perpendicular(value(there.velocity)) / speed;
+    const Vec2d left = perpendicular(arrived->heading) / speed;
     const Number across = dot(to<Number>(left), there.at);
     return Moved{left * across.v[0], left * across.v[1]};
   });
