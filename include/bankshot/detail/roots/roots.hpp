@@ -110,14 +110,19 @@ T lift_closest(const Arc<T>& arc, const Vec2d& point, const Real<T>& t) {
 }
 
 /// A step of Newton's method on the distance itself. The quartic's coefficients are squares of the whole
-/// distance to the circle, so its roots are off by that over the radius.
+/// distance to the circle, so its roots are off by that over the radius. Where the arc hardly enters, a step leads
+/// astray.
 template <class T>
 T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& t, const T& limit) {
   const Vec2<T> d = arc.position(t) - to<T>(centre);
   const T slope = dot(d, arc.tangent(t));
   if (!(slope < T(0))) return t;
-  const T better = t - (dot(d, d) - T(T(radius) * radius)) / (T(2) * slope);
-  return better > T(0) && better <= limit ? better : t;
+  const T off = dot(d, d) - T(T(radius) * radius), better = t - off / (T(2) * slope);
+  if (!(better > T(0) && better <= limit)) return t;
+  using std::abs;
+  const Vec2<T> v = arc.tangent(t);
+  const T step = better - t, left = step * step * (dot(v, v) + dot(d, arc.acceleration));
+  return abs(left) <= abs(off) ? better : t;
 }
 
 /// First time within `limit` at which an arc enters the circle. `left`: it starts on the circle,
