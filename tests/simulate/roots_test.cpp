@@ -41,6 +41,17 @@ TEST_CASE("on a slowing arc the circle is entered later, or not at all") {
   CHECK(first_entry(slowing, {9, 0}, 1, forever) == forever);
 }
 
+TEST_CASE("an arc that hardly leaves a circle and bends back meets it in time") {
+  // Just left, it is 0.4 nm outside, and back after 2 · 6e-7/1.5 s.
+  const Arc<double> back{.at = {0, 0.115 + 4e-10},
+                         .velocity = {7e-3, 6e-7},
+                         .acceleration = {0, -1.5},
+                         .duration = 0.1,
+                         .end = PhaseEnd::roll,
+                         .bends = true};
+  CHECK(first_entry(back, {0, 0}, 0.115, 0.1, true) < 1e-6);
+}
+
 TEST_CASE("the closest approach is clamped to the arc") {
   const Arc<double> along{{0, 0}, {2, 0}, {0, 0}, forever};
   CHECK(closest_time(along, 5.0, {3, 4}) == 1.5);

@@ -142,11 +142,16 @@ struct BallsInPlay {
                                                Number(a.bend + b.bend), reach, limit, rounding);
   }
 
+  /// So slow that among others that press on it a ball rests.
+  static bool hardly_moves(const Vec2<T>& velocity) {
+    constexpr double slow = tolerance::slow_contact * tolerance::pressed_rest;
+    return dot(value(velocity), value(velocity)) < Number(slow * slow);
+  }
+
   /// A ball that rolls, pressed on, and hardly moves where that ends, rests.
   void slow_to_rest(Ball& s) {
-    constexpr double slow = tolerance::slow_contact * tolerance::pressed_rest;
     State<T> state = s.track.state();
-    if (!(dot(value(state.velocity), value(state.velocity)) < Number(slow * slow))) return;
+    if (!hardly_moves(state.velocity)) return;
     state.velocity = {T(0), T(0)};
     state.spin.x = state.spin.y = T(0);
     s.track.resume(state);

@@ -151,17 +151,15 @@ class LastingContacts {
     settle_forces();
   }
 
-  template <class... Sweeps>
-  bool settle_forces(Sweeps... sweeps) {
-    const auto found =
-        press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_), sweeps...);
+  bool settle_forces(int sweeps = most_sweeps) {
+    const auto found = press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_), sweeps);
     rounding_ = found.rounding;
     return found.settled;
   }
 
   /// What is left of speeds at contacts is taken away: where there are forces all of it, elsewhere what comes nearer.
-  /// A ball that rests goes on resting: moved so little, it would come to rest again and again.
-  /// False: there was nothing.
+  /// A ball that rests goes on resting: moved so little, it would come to rest again and again. False: there was
+  /// nothing.
   bool stop_approach(Balls& in, const std::vector<std::size_t>& balls) {
     speeds_.clear();
     for (const std::size_t i : balls) speeds_.push_back(in.balls[i].track.state().velocity);
@@ -191,10 +189,9 @@ class LastingContacts {
   /// Speeds that die away so slowly are those of balls in a wedge, which come to rest in it.
   static constexpr int sweeps_of_a_wedge = 1000;
   void stop_slow() {
-    constexpr double slow = tolerance::slow_contact * tolerance::pressed_rest;
     for (Pressed<T>& c : contacts_) c.force = T(0);
     for (std::size_t a = 0; a < rates_.size(); ++a) {
-      if (!(dot(value(rates_[a]), value(rates_[a])) < Number(slow * slow))) continue;
+      if (!Balls::hardly_moves(rates_[a])) continue;
       rates_[a] = {T(0), T(0)};
       inertias_[a] = forever;
     }

@@ -5,14 +5,17 @@
 // acceleration into a contact, but what takes one round the other:
 //   f_c >= 0, w_c >= 0, f_c w_c = 0 where w_c = n_c·(a_b − a_a) + v²/D, a_i = its own + Σ ± f_c n_c / M_i
 // with M the mass of a ball that slides, and 7/5 of it where it rolls or rests: it has to be turned as well; v the
-// speed of one across the line of centres, as seen from the other, and D the distance of centres. Method: contact by
-// contact in the order given, what is left of its acceleration taken away, until nothing changes (projected
-// Gauss–Seidel); one contact alone is exact at once. What is left of speeds along the lines of centres, up to
-// tolerance::held_contact, is taken away in the same manner, since contact by contact it would take hundreds of events:
-// a ball that rolls goes on rolling, one that rests goes on resting. A ball that is pressed on moves with constant
-// acceleration for a piece of 2 ms at most. No overlap: after t seconds the square of the distance is at least D² + (v²
-// − v₁²) t² + a v t³, a being the acceleration across. So v₁ takes the place of v above, less than any speed across on
-// a piece of the length h: v₁ = v − h (max(0, −a) + v²/D). Two that are held come v (v − v₁) h²/D apart.
+// speed of one across the line of centres, as seen from the other, and D the distance of centres.
+//
+// Method: contact by contact in the order given, what is left of its acceleration taken away, until nothing changes
+// (projected Gauss–Seidel); one contact alone is exact at once. What is left of speeds along the lines of centres, up
+// to tolerance::held_contact, is taken away in the same manner, since contact by contact it would take hundreds of
+// events: a ball that rolls goes on rolling, one that rests goes on resting. A ball that is pressed on moves with
+// constant acceleration for a piece of 2 ms at most.
+//
+// No overlap: with v₁ in the place of v above, the square of the distance is after t seconds at least
+//   D² + (v² − v₁²) t² + a v t³, a the acceleration across
+// which is no less than D² up to t = h where v₁ <= v − h max(0, −a). Two that are held come v (v − v₁) h²/D apart.
 #pragma once
 
 #include <cmath>
@@ -106,6 +109,9 @@ T parting_rate(const Pressed<T>& c, std::span<const Vec2<T>> rates) {
   return dot(c.normal, relative<T>(c, rates)) + c.turns;
 }
 
+/// Of all contacts, where their forces do not settle earlier.
+inline constexpr int most_sweeps = 100000;
+
 /// What became of forces.
 template <class N>
 struct Settled {
@@ -118,7 +124,7 @@ struct Settled {
 /// so many sweeps what is left is for the next look, which comes within 2 ms.
 template <class T>
 Settled<Real<T>> press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias,
-                             int most_sweeps = 100000) {
+                             int sweeps = most_sweeps) {
   using N = Real<T>;
   const N unit = std::numeric_limits<N>::epsilon();
   const auto inverse = [&](int ball) {
@@ -136,7 +142,7 @@ Settled<Real<T>> press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> 
   }
   rounding = rounding * (8 * unit);
   bool settled = false;
-  for (int sweep = 0; sweep < most_sweeps && !settled; ++sweep) {
+  for (int sweep = 0; sweep < sweeps && !settled; ++sweep) {
     settled = true;
     for (Pressed<T>& c : contacts) {
       if (c.first_lightness + c.second_lightness == N(0)) continue;

@@ -249,10 +249,12 @@ class ManyBalls {
   template <class Watch = Unwatched>
   void renew(std::vector<std::size_t>& balls, Watch&& watch = {}) {
     lasting_.let_go(in_, balls, watch);
-    for (const std::size_t i : balls) in_.begin(i);
+    for (const std::size_t i : balls) {
+      in_.begin(i);
+      fresh_[i] = true;
+    }
     for (std::size_t i = 0; i < in_.count(); ++i)
-      if (in_.balls[i].moves) in_.look_at(i);
-    for (const std::size_t i : balls) in_.look_at(i);
+      if (fresh_[i] || in_.balls[i].moves) in_.look_at(i);
     if constexpr (!std::is_same_v<Motion, Ideal>) lasting_.hold(in_, balls, watch);
     for (const std::size_t i : balls) {
       in_.find(in_.balls[i]);

@@ -114,15 +114,21 @@ T lift_closest(const Arc<T>& arc, const Vec2d& point, const Real<T>& t) {
 /// astray.
 template <class T>
 T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& t, const T& limit) {
-  const Vec2<T> d = arc.position(t) - to<T>(centre);
-  const T slope = dot(d, arc.tangent(t));
+  const Vec2<T> d = arc.position(t) - to<T>(centre), v = arc.tangent(t);
+  const T slope = dot(d, v);
   if (!(slope < T(0))) return t;
   const T off = dot(d, d) - T(T(radius) * radius), better = t - off / (T(2) * slope);
   if (!(better > T(0) && better <= limit)) return t;
   using std::abs;
-  const Vec2<T> v = arc.tangent(t);
   const T step = better - t, left = step * step * (dot(v, v) + dot(d, arc.acceleration));
   return abs(left) <= abs(off) ? better : t;
+}
+
+/// A speed to or from a place is the rounding of the velocity. `product`: of the way there and v.
+template <class T>
+bool is_rounding(const T& product, const T& distance2, const Vec2<T>& v) {
+  const T noise(tolerance::along * tolerance::along);
+  return product * product <= noise * distance2 * dot(v, v);
 }
 
 /// First time within `limit` at which an arc enters the circle. `left`: it starts on the circle,
@@ -138,8 +144,7 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   if (distance2 > reach * reach) return T(forever);
   const T gap = left ? T(0) : T(distance2 - T(T(radius) * radius));
   T leaving = dot(d, v);
-  constexpr double noise2 = tolerance::along * tolerance::along;
-  if (left && leaving * leaving < noise2 * distance2 * dot(v, v)) leaving = T(0);
+  if (left && is_rounding(leaving, distance2, v)) leaving = T(0);
   const Polynomial<T, 4> outside{gap, T(2) * leaving, dot(v, v) + dot(d, a), dot(v, a), dot(a, a) / T(4)};
   const T t = first_descent_of(outside, until);
   return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
@@ -152,8 +157,8 @@ T first_touch(const Arc<T>& arc, const Vec2d& centre, double radius, double touc
   const Vec2<T> d = to<T>(centre) - arc.at;
   const T near(radius + touch), distance2 = dot(d, d);
   if (distance2 > near * near) return first_entry(arc, centre, radius, limit);
-  const T closing = dot(d, arc.velocity), noise(tolerance::along * tolerance::along);
-  if (closing > T(0) && closing * closing > noise * distance2 * dot(arc.velocity, arc.velocity)) return T(0);
+  const T closing = dot(d, arc.velocity);
+  if (closing > T(0) && !is_rounding(closing, distance2, arc.velocity)) return T(0);
   return first_entry(arc, centre, radius, limit, true);
 }
 
