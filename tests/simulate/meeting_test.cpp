@@ -167,7 +167,7 @@ namespace {
 
 bool excluded_until(const Case& c, double limit) {
   const Apart<double> p = apart_of(c);
-  return cannot_meet(dot(p.at, p.at), -dot(p.at, p.velocity), p.bend, c.reach, limit, Rounding<double>{0, 0});
+  return cannot_meet(p.at, p.velocity, p.bend, c.reach, limit, Rounding<double>{0, 0});
 }
 
 }  // namespace

@@ -131,15 +131,14 @@ struct BallsInPlay {
     return dot(d, d) > near * near;
   }
 
-  /// The two, looked at, cannot touch before one of them is due: neither at their highest speeds, nor
-  /// (cannot_meet) as they come nearer now.
+  /// The two, looked at, cannot touch before one of them is due: neither at their highest speeds, nor as they move now.
   bool stay_apart(std::size_t i, std::size_t j) const {
     const Glance &a = glances[i], &b = glances[j];
     const Vec2<Number> d = b.at - a.at;
-    const Number reach = a.radius + b.radius, limit = std::min<Number>(a.due, b.due) - value(now), square = dot(d, d);
+    const Number reach = a.radius + b.radius, limit = std::min<Number>(a.due, b.due) - value(now);
     const Number near = reach + 2 * rounding.touch + (a.fastest + b.fastest) * limit;
-    return square > near * near || cannot_meet(square, Number(-dot(d, b.velocity - a.velocity)),
-                                               Number(a.bend + b.bend), reach, limit, rounding);
+    if (dot(d, d) > near * near) return true;
+    return cannot_meet(d, Vec2<Number>(b.velocity - a.velocity), Number(a.bend + b.bend), reach, limit, rounding);
   }
 
   /// So slow that among others that press on it a ball rests.

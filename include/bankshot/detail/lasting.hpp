@@ -65,6 +65,7 @@ class LastingContacts {
     find_contacts(in, balls);
     find_forces(in, balls);
     if (stop_approach(in, balls)) find_forces(in, balls);
+    longest_ = longest_piece(in, balls);
     turn(in, balls);
     press(in, balls);
   }
@@ -152,7 +153,7 @@ class LastingContacts {
   }
 
   bool settle_forces(int sweeps = most_sweeps) {
-    const auto found = press_apart(std::span(contacts_), std::span(rates_), std::span<const double>(inertias_), sweeps);
+    const auto found = Forces<T>(contacts_, rates_, inertias_).settle(sweeps);
     rounding_ = found.rounding;
     return found.settled;
   }
@@ -212,20 +213,36 @@ class LastingContacts {
     return {speed, value(speed) > Number(0) ? Number(-pull) : pull, in.reach(i, j)};
   }
 
+  static bool is_pressed_pair(const Pressed<T>& c) {
+    return c.second != Pressed<T>::none && value(c.force) > Number(0);
+  }
+
+  /// Seconds, until a line of centres or a friction turns too far.
+  Number longest_piece(const Balls& in, const std::vector<std::size_t>& balls) const {
+    using std::abs;
+    Number fastest(0);  // rad/s
+    for (const Pressed<T>& c : contacts_) {
+      if (!is_pressed_pair(c)) continue;
+      const Across pair = across(in, balls, c);
+      fastest = std::max<Number>(fastest, abs(value(pair.speed)) / pair.reach);
+    }
+    for (std::size_t a = 0; a < balls.size(); ++a)
+      fastest = std::max<Number>(fastest, friction_turns(in.balls[balls[a]].track.arc(), Vec2<T>(rates_[a] - own_[a])));
+    return std::clamp<Number>(Number(tolerance::turned) / fastest, Number(tolerance::longest_piece),
+                              Number(tolerance::quiet_piece));
+  }
+
   /// Of two that stay in touch one goes round the other: as fast as the least speed across on a piece (pressed.hpp).
   /// Forces elsewhere then change what brakes them; where they may come too near by that they do not turn.
   void turn(const Balls& in, const std::vector<std::size_t>& balls) {
     using std::abs, std::sqrt;
-    const auto is_pair = [](const Pressed<T>& c) { return c.second != Pressed<T>::none && value(c.force) > Number(0); };
-    const auto lost = [](const Number& brakes) {
-      return std::max<Number>(brakes, Number(0)) * Number(tolerance::longest_piece);
-    };
+    const auto lost = [&](const Number& brakes) { return std::max<Number>(brakes, Number(0)) * longest_; };
     Number most(0);
     for (const Pressed<T>& c : contacts_)
-      if (is_pair(c)) most = std::max<Number>(most, across(in, balls, c).turns());
+      if (is_pressed_pair(c)) most = std::max<Number>(most, across(in, balls, c).turns());
     if (most == Number(0)) return;
     for (Pressed<T>& c : contacts_) {
-      if (!is_pair(c)) continue;
+      if (!is_pressed_pair(c)) continue;
       const Across pair = across(in, balls, c);
       const Number speed = abs(value(pair.speed)), least = speed - lost(Number(pair.brakes + most));
       if (least > Number(0)) c.turns = pair.speed * pair.speed * Number(least * least / (speed * speed)) / pair.reach;
@@ -251,7 +268,7 @@ class LastingContacts {
       const Vec2<T> push = rates_[a] - own_[a];
       const Number force = Number(inertias_[a]) * Number(sqrt(dot(value(push), value(push))));
       const bool moves = Balls::stands(value(track.arc())) ? force > rounding_ : force > Number(0);
-      if (moves) track.press(push);
+      if (moves) track.press(push, longest_);
     }
     for (const Pressed<T>& c : contacts_) {
       if (!(value(c.force) > Number(0))) continue;
@@ -278,6 +295,7 @@ class LastingContacts {
   std::vector<Vec2<T>> rates_, own_, speeds_;
   std::vector<double> inertias_;
   Number rounding_{0};        ///< N, of forces
+  Number longest_{0};         ///< s, of their pieces
   std::vector<char> joined_;  ///< of all balls: it is looked at
 };
 

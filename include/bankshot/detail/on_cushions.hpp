@@ -42,6 +42,15 @@ class OnCushions {
   /// Other balls press the ball to this contact, which the centre is on.
   void hold(Contact contact) { held_[contact == on_[0] ? 0 : 1] = contact; }
 
+  /// Other balls push the ball, which is at `at`: what they push it away from holds it no longer.
+  void let_go(const Boundary& boundary, const Vec2<N>& at, const Vec2<N>& push) {
+    for (Contact& c : held_) {
+      if (!c) continue;
+      const N away = dot(boundary.normal(c, at), push);
+      if (away > N(0) && away * away > dot(push, push) * (tolerance::along * tolerance::along)) c = {};
+    }
+  }
+
   /// Some contact holds the ball.
   bool any_holds() const { return held_[0] || held_[1]; }
 

@@ -8,10 +8,11 @@
 // speed of one across the line of centres, as seen from the other, and D the distance of centres.
 //
 // Method: contact by contact in the order given, what is left of its acceleration taken away, until nothing changes
-// (projected Gauss–Seidel); one contact alone is exact at once. What is left of speeds along the lines of centres, up
-// to tolerance::held_contact, is taken away in the same manner, since contact by contact it would take hundreds of
-// events: a ball that rolls goes on rolling, one that rests goes on resting. A ball that is pressed on moves with
-// constant acceleration for a piece of 2 ms at most.
+// (projected Gauss–Seidel); one contact alone is exact at once, of two what shrinks by the same share from sweep to
+// sweep is taken to its limit (Aitken's Δ², of all contacts as one vector), and more are hastened by that. What is left
+// of speeds along the lines of centres, up to tolerance::held_contact, is taken away in the same manner, since contact
+// by contact it would take hundreds of events: a ball that rolls goes on rolling, one that rests goes on resting. Balls
+// that press on each other move with constant acceleration for a piece: 2 ms, or 20 where nothing turns to speak of.
 //
 // No overlap: with v₁ in the place of v above, the square of the distance is after t seconds at least
 //   D² + (v² − v₁²) t² + a v t³, a the acceleration across
@@ -47,9 +48,27 @@ double inertia(const Arc<T>& arc, const Body& body) {
   return slides(arc) ? body.mass : body.mass * 7 / 5;
 }
 
-/// Others give the centre this acceleration all along the arc, which becomes a piece.
+/// Radians a second by which the friction turns where others give the centre this acceleration: with the slip, or with
+/// the way of a ball that rolls.
 template <class T>
-void press(Arc<T>& arc, const Vec2<T>& push) {
+Real<T> friction_turns(const Arc<T>& arc, const Vec2<T>& push) {
+  using N = Real<T>;
+  using std::abs;
+  Vec2<N> more = value(push), way = value(arc.velocity);
+  if (more == Vec2<N>{} || arc.end == PhaseEnd::none) return N(0);
+  if (!slides(arc))
+    more += value(first_acceleration(arc));
+  else if (arc.end == PhaseEnd::roll)
+    way = value(arc.acceleration) * N(value(arc.duration) * N(3.5));
+  else
+    return N(forever);  // a cushion holds it, too
+  const N size2 = dot(way, way);
+  return size2 > N(0) ? N(abs(cross(more, way)) / size2) : N(forever);
+}
+
+/// Others give the centre this acceleration all along the arc, which becomes a piece of no more than so many seconds.
+template <class T>
+void press(Arc<T>& arc, const Vec2<T>& push, const Real<T>& longest) {
   using N = Real<T>;
   const auto shorten = [&](const T& seconds) {
     if (value(seconds) < value(arc.duration)) arc.duration = seconds;
@@ -67,14 +86,14 @@ void press(Arc<T>& arc, const Vec2<T>& push) {
     }
     if (!turns || value(arc.duration) > N(tolerance::last_piece)) {
       if (turns) arc.duration = arc.duration * N(0.5);
-      shorten(T(N(tolerance::longest_piece)));
+      shorten(T(longest));
       arc.end = PhaseEnd::piece;
     }
   } else {
     arc.acceleration = first_acceleration(arc);
     arc.drag = {};
     arc.pressed = Press::rolls;
-    arc.duration = T(N(tolerance::longest_piece));
+    arc.duration = T(longest);
     arc.end = PhaseEnd::piece;
     const T slows = -dot(arc.velocity, Vec2<T>(arc.acceleration + push));
     if (value(slows) > N(0)) shorten(T(dot(arc.velocity, arc.velocity) / slows));
@@ -91,6 +110,7 @@ struct Pressed {
   Vec2<T> normal;      ///< unit, from the first to the second or to the cushion
   T turns{0};          ///< m/s², of balls that stay in touch while one goes round the other
   T force{0};          ///< N, or an impulse [N s]
+  T change{0};         ///< of the force, by the last sweep
   bool keeps = false;  ///< it pulls as well
   Real<T> first_lightness{0}, second_lightness{0};  ///< 1/kg; 0 of a cushion
   static constexpr int none = -1;
@@ -119,45 +139,87 @@ struct Settled {
   N rounding{0};  ///< N, of the force on a ball
 };
 
-/// Finds the forces. `rates`: accelerations of the balls alone, changed to what they are with the forces; or
-/// velocities, and the forces are impulses. `inertias` [kg]; infinite: it stays as it is. Where it does not settle in
-/// so many sweeps what is left is for the next look, which comes within 2 ms.
+/// Finds the forces at contacts, or the impulses where rates are velocities.
 template <class T>
-Settled<Real<T>> press_apart(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias,
-                             int sweeps = most_sweeps) {
+class Forces {
+ public:
   using N = Real<T>;
-  const N unit = std::numeric_limits<N>::epsilon();
-  const auto inverse = [&](int ball) {
-    return ball == Pressed<T>::none ? N(0) : N(1) / N(inertias[static_cast<std::size_t>(ball)]);
-  };
-  const auto push = [&](int ball, const N& lightness, const Vec2<T>& impulse) {
-    if (ball != Pressed<T>::none) rates[static_cast<std::size_t>(ball)] += impulse * T(lightness);
-  };
-  for (Pressed<T>& c : contacts) c.first_lightness = inverse(c.first), c.second_lightness = inverse(c.second);
-  N rounding(0);  // of a force: that of the rates, on the heaviest
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    using std::sqrt;
-    const N size = N(inertias[i]) * N(sqrt(dot(value(rates[i]), value(rates[i]))));
-    if (inertias[i] < forever && size > rounding) rounding = size;
-  }
-  rounding = rounding * (8 * unit);
-  bool settled = false;
-  for (int sweep = 0; sweep < sweeps && !settled; ++sweep) {
-    settled = true;
+
+  /// `rates`: accelerations of the balls with the forces that `contacts` have, changed as these change. `inertias`
+  /// [kg]; infinite: it stays as it is.
+  Forces(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias)
+      : contacts_(contacts), rates_(rates) {
+    const auto inverse = [&](int ball) {
+      return ball == Pressed<T>::none ? N(0) : N(1) / N(inertias[static_cast<std::size_t>(ball)]);
+    };
+    using std::abs, std::sqrt;
+    N largest(0);
     for (Pressed<T>& c : contacts) {
-      if (c.first_lightness + c.second_lightness == N(0)) continue;
-      const T parting = parting_rate<T>(c, rates);
-      const T wanted = c.force - parting / T(c.first_lightness + c.second_lightness);
-      const T force = c.keeps || value(wanted) > N(0) ? wanted : T(0), more = force - c.force;
-      if (value(more) == N(0)) continue;
-      using std::abs;
-      settled = settled && !(abs(value(more)) > rounding);
-      c.force = force;
-      push(c.first, c.first_lightness, -(c.normal * more));
-      push(c.second, c.second_lightness, c.normal * more);
+      c.first_lightness = inverse(c.first), c.second_lightness = inverse(c.second);
+      c.change = T(0);
+      largest = std::max<N>(largest, abs(value(c.force)));
+      if (moves(c)) largest = std::max<N>(largest, abs(value(c.turns)) / lightness(c));
     }
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      if (inertias[i] < forever)
+        largest = std::max<N>(largest, N(inertias[i]) * N(sqrt(dot(value(rates[i]), value(rates[i])))));
+    rounding_ = largest * (8 * std::numeric_limits<N>::epsilon());
   }
-  return {settled, rounding * 8};  // of a ball with six others around it
-}
+
+  /// Where it does not settle in so many sweeps what is left is for the next look, which comes with the next piece.
+  Settled<N> settle(int sweeps) {
+    bool settled = false;
+    for (int sweep = 1, leap_after = 3; sweep <= sweeps && !settled; ++sweep) {
+      N shrinks(0), before(0);  // of the changes of all forces: the product with those before, and their square
+      settled = true;
+      for (Pressed<T>& c : contacts_) {
+        if (!moves(c)) continue;
+        const T wanted = c.force - parting_rate<T>(c, rates_) / T(lightness(c)), last = c.change;
+        set(c, wanted);
+        using std::abs;
+        settled = settled && !(abs(value(c.change)) > rounding_);
+        shrinks += value(c.change) * value(last), before += value(last) * value(last);
+      }
+      if (settled || sweep != leap_after) continue;
+      leap_after *= 2;  // less and less often: sweeps alone do settle
+      const N share = shrinks / before;
+      if (share > N(0) && share < N(most_left) && before > square(N(clear * rounding_)))
+        leap(N(share / (N(1) - share)));
+    }
+    return {settled, rounding_ * 8};  // of a ball with six others around it
+  }
+
+ private:
+  /// Of a change, what the next sweep leaves of it where that tells the rest: a longer leap would cost digits; and
+  /// roundings, below which it tells nothing.
+  static constexpr double most_left = 0.99, clear = 1e3;
+
+  static N square(const N& x) { return x * x; }
+  static N lightness(const Pressed<T>& c) { return c.first_lightness + c.second_lightness; }
+  static bool moves(const Pressed<T>& c) { return lightness(c) > N(0); }
+
+  void set(Pressed<T>& c, const T& wanted) {
+    const T force = c.keeps || value(wanted) > N(0) ? wanted : T(0);
+    c.change = force - c.force;
+    c.force = force;
+    if (value(c.change) == N(0)) return;
+    push(c.first, -(c.normal * T(c.change * c.first_lightness)));
+    push(c.second, c.normal * T(c.change * c.second_lightness));
+  }
+
+  void push(int ball, const Vec2<T>& more) {
+    if (ball != Pressed<T>::none) rates_[static_cast<std::size_t>(ball)] += more;
+  }
+
+  /// Every force changes by so many times its last change.
+  void leap(const N& times) {
+    for (Pressed<T>& c : contacts_)
+      if (moves(c)) set(c, c.force + c.change * T(times));
+  }
+
+  std::span<Pressed<T>> contacts_;
+  std::span<Vec2<T>> rates_;
+  N rounding_{0};  ///< N, of a force: that of the largest
+};
 
 }  // namespace bankshot

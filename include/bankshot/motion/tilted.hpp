@@ -10,7 +10,7 @@
 // and never farther than tolerance::chord from the path. What it meets is found on the chord; when, and the state
 // there, on the path itself (`follow`), to a few units in the last place. Events closer to each other than
 // the chord is to the path may come in the wrong order, and a cushion grazed by less than that may be missed.
-// Held by a cushion, or pressed on by other balls, it moves by pieces of 2 ms at most (detail/held.hpp, pressed.hpp).
+// Held by a cushion, or pressed on by other balls, it moves by short pieces (detail/held.hpp, pressed.hpp).
 #pragma once
 
 #include <algorithm>

@@ -114,7 +114,10 @@ class BallTrack {
   }
 
   /// Others push its centre with this acceleration all along the arc.
-  void press(const Vec2<T>& push) { bankshot::press(arc_, push); }
+  void press(const Vec2<T>& push, const Number& longest) {
+    bankshot::press(arc_, push, longest);
+    cushions_.let_go(*boundary_, value(state_.at), value(push));
+  }
   /// It stays at this cushion, which the centre is on, all along the arc.
   void hold(Contact contact) { cushions_.hold(contact); }
   /// The cushion, tip or facing that the centre is exactly on: none, one or two.

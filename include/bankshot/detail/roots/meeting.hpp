@@ -72,16 +72,20 @@ struct Rounding {
   N touch, still;
 };
 
-/// They do not meet within `limit`, as the first step of first_meeting would find, with neither a root nor a division:
-/// distance > reach + closing · limit + bend · limit² / 2, times the distance and squared.
-/// `square`: of the distance [m²]; `nearing`: closing times the distance [m²/s].
+/// They do not meet within `limit`: they come no nearer than this,
+///   distance > reach + closing · limit + bend · limit² / 2, times the distance and squared,
+/// as the first step of first_meeting would find, with neither a root nor a division; or their straight lines pass each
+/// other too far for what bends them. `at`, `velocity`: of the second as seen from the first.
 template <class N>
-bool cannot_meet(const N& square, const N& nearing, const N& bend, const N& reach, const N& limit,
+bool cannot_meet(const Vec2<N>& at, const Vec2<N>& velocity, const N& bend, const N& reach, const N& limit,
                  const Rounding<N>& rounding) {
   constexpr double sure = 1 + 1e-9;  // far above the rounding of both, so that they never disagree
-  const N rest = nearing > N(0) ? N(square - nearing * limit) : square;
   const N near = (reach + 2 * rounding.touch + bend * limit * limit / 2) * N(sure);
-  return rest > N(0) && rest * rest > near * near * square;
+  const N near2 = near * near, off = cross(at, velocity);
+  if (off * off > near2 * dot(velocity, velocity)) return true;
+  const N square = dot(at, at), nearing = -dot(at, velocity);
+  const N rest = nearing > N(0) ? N(square - nearing * limit) : square;
+  return rest > N(0) && rest * rest > near2 * square;
 }
 
 /// Seconds until the distance falls through `reach`, if within `limit`; else `forever`. Two that touch and approach
