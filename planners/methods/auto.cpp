@@ -217,17 +217,23 @@ void with_balls(const Question& q, Ledger& ledger, Findings& found) {
   const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
   const Seeds seeds = seeds_of(q);
   free ? along_families(q, ledger, found) : seeds.first(q, ledger, found);
-  if (free && !stop::nothing_yet(ledger, found)) return;
-  const auto look_closely_at = [&](const Question& one) {
+  const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
+  if (free && !nothing_yet()) return;
+  const auto each_sample = [&](const auto& look_at) {
+    if (!free) return look_at(q);
+    for (const Question& sample : samples_of(q))
+      if (nothing_yet()) look_at(q.spinning(sample.spin).asking(sample.asked));
+  };
+  each_sample([&](const Question& one) {
     steps::Parts parts;
     parts.climb(one, ledger, found);
     if (stop::more_wanted(one, ledger, found)) seeds.closely(one, ledger, found, parts);
     parts.bisect(one, ledger, found, free ? first_share_of_parts : 1);
-  };
-  if (!free) return look_closely_at(q);
-  for (const Question& sample : samples_of(q))
-    if (stop::nothing_yet(ledger, found)) look_closely_at(q.spinning(sample.spin).asking(sample.asked));
-  if (!q.first()) improve(q, ledger, found);
+  });
+  each_sample([&](const Question& one) {
+    if (nothing_yet()) steps::speeds_between(one, ledger, found);
+  });
+  if (free && !q.first()) improve(q, ledger, found);
 }
 
 }  // namespace

@@ -7,13 +7,14 @@
 // continuous along a route; so false position finds where a band begins and ends, and where the last ball is on its
 // exact line. From there Newton's method on the whole chain, to the speed that arrives as asked. Balls that fell
 // without such a root (rolling along a rail into a pocket, say) are brought to that speed as they are. Narrow bands are
-// found at the speeds where they are, which those of other speeds do not tell. Cost: two simulations an aim, some 100
-// aims a speed, band and ball. Guarantee: none beyond the proof; a route narrower than the step of aims between two
-// others is passed over.
+// found at the speeds where they are, which those of other speeds do not tell; where nothing is found the speeds
+// between are followed too. Cost: two simulations an aim, some 100 aims a speed, band and ball. Guarantee: none beyond
+// the proof; a route narrower than the step of aims between two others is passed over.
 #include "planners/steps/bands.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -26,6 +27,7 @@
 #include "planners/steps/chain_path.hpp"
 #include "planners/steps/falls.hpp"
 #include "planners/steps/settings.hpp"
+#include "planners/steps/steps.hpp"
 #include "planners/steps/sweeps.hpp"
 #include "planners/steps/to_ball.hpp"
 
@@ -60,6 +62,17 @@ class Bands {
     if (found_.shots.empty()) look(between(1), true);
   }
 
+  /// Speeds between those of `run`, and between these.
+  void run_between() {
+    if (q_.one_unknown() || q_.speed.fixed()) return;
+    until_ = ledger_.share_of_rest(share_between);
+    for (int parts = 2; parts <= most_parts && !over(); parts *= 2) {
+      std::vector<double> speeds;
+      for (int i = 1; i < rows * parts; i += 2) speeds.push_back(row(static_cast<double>(i) / parts));
+      look(speeds, true);
+    }
+  }
+
  private:
   struct Band {
     Route route;  ///< with the ball that is touched
@@ -72,11 +85,11 @@ class Bands {
   };
   using Track = std::vector<std::optional<Pass>>;
 
-  bool over() const { return sweeps_over(q_, ledger_, found_); }
+  bool over() const { return ledger_.simulations() >= until_ || sweeps_over(q_, ledger_, found_); }
 
-  double row(int i) const {
+  double row(double i) const {
     const double slowest = slowest_tried(q_);
-    return slowest * std::pow(q_.speed.high / slowest, static_cast<double>(i) / rows);
+    return slowest * std::pow(q_.speed.high / slowest, i / rows);
   }
 
   /// The rows between those of twice the step.
@@ -311,12 +324,18 @@ class Bands {
   std::map<Route, std::vector<Launch>> roots_{};
   std::set<Route> made_{};  ///< which have a shot on the exact line
   bool finely_ = false;
+  long until_ = std::numeric_limits<long>::max();  ///< simulations
 };
 
 }  // namespace
 
 void bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain) {
   Bands(q, ledger, found, chain).run();
+}
+
+void speeds_between(const Question& q, Ledger& ledger, Findings& found) {
+  for (const Objects::Chain& chain : q.objects->chains)
+    if (!sweeps_over(q, ledger, found)) Bands(q, ledger, found, chain).run_between();
 }
 
 }  // namespace bankshot::planning::steps

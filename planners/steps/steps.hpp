@@ -61,5 +61,7 @@ class Parts {
 /// Where chains and caroms found nothing: what costs ten times as much. Leads are climbed as they are found.
 void chains_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts);
 void caroms_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts);
+/// And last of all: launch speeds between those at which they were followed.
+void speeds_between(const Question& q, Ledger& ledger, Findings& found);
 
 }  // namespace bankshot::planning::steps
