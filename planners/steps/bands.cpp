@@ -66,11 +66,7 @@ class Bands {
   void run_between() {
     if (q_.one_unknown() || q_.speed.fixed()) return;
     until_ = ledger_.share_of_rest(share_between);
-    for (int parts = 2; parts <= most_parts && !over(); parts *= 2) {
-      std::vector<double> speeds;
-      for (int i = 1; i < rows * parts; i += 2) speeds.push_back(row(static_cast<double>(i) / parts));
-      look(speeds, true);
-    }
+    for (double step = 0.5; step >= least_step && !over(); step /= 2) look(between(step), true);
   }
 
  private:
@@ -93,9 +89,9 @@ class Bands {
   }
 
   /// The rows between those of twice the step.
-  std::vector<double> between(int step) const {
+  std::vector<double> between(double step) const {
     std::vector<double> speeds;
-    for (int i = step; i < rows; i += 2 * step) speeds.push_back(row(i));
+    for (double i = step; i < rows; i += 2 * step) speeds.push_back(row(i));
     return speeds;
   }
 
@@ -334,8 +330,7 @@ void bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Ch
 }
 
 void speeds_between(const Question& q, Ledger& ledger, Findings& found) {
-  for (const Objects::Chain& chain : q.objects->chains)
-    if (!sweeps_over(q, ledger, found)) Bands(q, ledger, found, chain).run_between();
+  for (const Objects::Chain& chain : q.objects->chains) Bands(q, ledger, found, chain).run_between();
 }
 
 }  // namespace bankshot::planning::steps

@@ -44,8 +44,8 @@ Pair random_pair(Random& r, double radius) {
   return p;
 }
 
-/// Euler's method on the equations of motion: sliding, rolling, and a force along the line of centres as long as that is
-/// needed to keep them apart.
+/// Euler's method on the equations of motion: sliding, rolling, and a force along the line of centres as long as that
+/// is needed to keep them apart.
 void follow(Pair& p, double radius, double seconds) {
   constexpr double dt = 2e-6;
   for (double t = 0; t < seconds; t += dt) {
@@ -109,7 +109,7 @@ TEST_CASE("two balls that press on each other move as the equations say") {
   }
   std::printf("%d pairs, at most %.1g m off, %.1f arcs each\n", compared, worst, arcs / 100.0);
   CHECK(compared > 80);
-  CHECK(arcs < 100 * 20);  // 60 each where no piece is longer than 2 ms
+  CHECK(arcs < 100 * 20);  // 35 each where no piece is longer than 2 ms
 }
 
 TEST_CASE("the forces on two contacts settle in a few sweeps, those on many in some more") {

@@ -65,9 +65,9 @@ class LastingContacts {
     find_contacts(in, balls);
     find_forces(in, balls);
     if (stop_approach(in, balls)) find_forces(in, balls);
-    longest_ = longest_piece(in, balls);
-    turn(in, balls);
-    press(in, balls);
+    const Number lasts = piece(in, balls);
+    turn(in, balls, lasts);
+    press(in, balls, lasts);
   }
 
  private:
@@ -217,8 +217,8 @@ class LastingContacts {
     return c.second != Pressed<T>::none && value(c.force) > Number(0);
   }
 
-  /// Seconds, until a line of centres or a friction turns too far.
-  Number longest_piece(const Balls& in, const std::vector<std::size_t>& balls) const {
+  /// Seconds that a piece may last: until a line of centres or a friction has turned too far.
+  Number piece(const Balls& in, const std::vector<std::size_t>& balls) const {
     using std::abs;
     Number fastest(0);  // rad/s
     for (const Pressed<T>& c : contacts_) {
@@ -234,9 +234,9 @@ class LastingContacts {
 
   /// Of two that stay in touch one goes round the other: as fast as the least speed across on a piece (pressed.hpp).
   /// Forces elsewhere then change what brakes them; where they may come too near by that they do not turn.
-  void turn(const Balls& in, const std::vector<std::size_t>& balls) {
+  void turn(const Balls& in, const std::vector<std::size_t>& balls, const Number& lasts) {
     using std::abs, std::sqrt;
-    const auto lost = [&](const Number& brakes) { return std::max<Number>(brakes, Number(0)) * longest_; };
+    const auto lost = [&](const Number& brakes) { return std::max<Number>(brakes, Number(0)) * lasts; };
     Number most(0);
     for (const Pressed<T>& c : contacts_)
       if (is_pressed_pair(c)) most = std::max<Number>(most, across(in, balls, c).turns());
@@ -261,14 +261,14 @@ class LastingContacts {
     }
   }
 
-  void press(Balls& in, const std::vector<std::size_t>& balls) {
+  void press(Balls& in, const std::vector<std::size_t>& balls, const Number& lasts) {
     using std::sqrt;
     for (std::size_t a = 0; a < balls.size(); ++a) {
       BallTrack<T>& track = in.balls[balls[a]].track;
       const Vec2<T> push = rates_[a] - own_[a];
       const Number force = Number(inertias_[a]) * Number(sqrt(dot(value(push), value(push))));
       const bool moves = Balls::stands(value(track.arc())) ? force > rounding_ : force > Number(0);
-      if (moves) track.press(push, longest_);
+      if (moves) track.press(push, lasts);
     }
     for (const Pressed<T>& c : contacts_) {
       if (!(value(c.force) > Number(0))) continue;
@@ -295,7 +295,6 @@ class LastingContacts {
   std::vector<Vec2<T>> rates_, own_, speeds_;
   std::vector<double> inertias_;
   Number rounding_{0};        ///< N, of forces
-  Number longest_{0};         ///< s, of their pieces
   std::vector<char> joined_;  ///< of all balls: it is looked at
 };
 

@@ -55,9 +55,9 @@ inline constexpr double crawling = 1e-8;
 /// (detail/held.hpp), shorter slower.
 inline constexpr double longest_piece = 2e-3, last_piece = 1e-6;
 
-/// Radians, and seconds. Of balls that press on each other a piece is longer than that, up to the second, as long as no
-/// line of centres and no friction turns by more than the first: the paths are as exact in half the pieces. Larger
-/// would be less exact, smaller slower.
+/// Radians, and seconds. Of balls that press on each other a piece may last longer than longest_piece, up to the
+/// second, as long as no line of centres and no friction turns by more than the first: the paths are as exact in half
+/// the pieces. Larger would be less exact, smaller slower.
 inline constexpr double turned = 5e-3, quiet_piece = 2e-2;
 
 /// Of the ball's radius (of a point, a pool ball's). On a tilted table events are looked for on parabolas this close to
