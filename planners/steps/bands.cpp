@@ -66,7 +66,7 @@ class Bands {
   void run_between() {
     if (q_.one_unknown() || q_.speed.fixed()) return;
     until_ = ledger_.share_of_rest(share_between);
-    for (double step = 0.5; step >= least_step && !over(); step /= 2) look(between(step), true);
+    for (int parts = 2; parts <= most_parts && !over(); parts *= 2) look(between(1, parts), true);
   }
 
  private:
@@ -88,10 +88,10 @@ class Bands {
     return slowest * std::pow(q_.speed.high / slowest, i / rows);
   }
 
-  /// The rows between those of twice the step.
-  std::vector<double> between(double step) const {
+  /// The rows between those of twice the step, which is of so many parts of one from row to row.
+  std::vector<double> between(int step, int parts = 1) const {
     std::vector<double> speeds;
-    for (double i = step; i < rows; i += 2 * step) speeds.push_back(row(i));
+    for (int i = step; i < rows * parts; i += 2 * step) speeds.push_back(row(static_cast<double>(i) / parts));
     return speeds;
   }
 

@@ -46,7 +46,8 @@ namespace bands {
 inline constexpr int rows = 32, fan_steps = 180, cut_steps = 12, last_steps = 24;
 /// Last of all, of a step from one of these speeds to the next; and of what is left of the budget, so that this does
 /// not end the search.
-inline constexpr double least_step = 1.0 / 16, share_between = 0.5;
+inline constexpr int most_parts = 16;
+inline constexpr double share_between = 0.5;
 /// Sine of the largest cut: where a band ends.
 inline constexpr double widest = 0.9998;
 /// Of ln speed: from farther Newton's method would lead to another root, if to any.

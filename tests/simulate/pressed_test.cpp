@@ -48,7 +48,8 @@ Pair random_pair(Random& r, double radius) {
 /// is needed to keep them apart.
 void follow(Pair& p, double radius, double seconds) {
   constexpr double dt = 2e-6;
-  for (double t = 0; t < seconds; t += dt) {
+  const long steps = std::lround(seconds / dt);
+  for (long step = 0; step < steps; ++step) {
     std::array<Vec2d, 2> pull{}, spun{};
     std::array<double, 2> light{};
     for (std::size_t i = 0; i < 2; ++i) {
