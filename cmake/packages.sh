@@ -35,6 +35,9 @@ toolchain="g++ cmake ninja-build ccache nlohmann-json3-dev libfmt-dev libcli11-d
 # The Python module, pip with all that it must not ask a registry for, and what the module's tests look at.
 python="python3-dev python3-numpy pybind11-dev python3-pybind11 python3-pip python3-venv python3-setuptools python3-wheel python3-matplotlib python3-tqdm mypy"
 
+# Compiled once, found again from a clone in any other folder.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+
 # configure PRESET [ARG...]
 configure() {
   preset=$1

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bankshot/plan/planner.hpp"
+#include "planners/certify.hpp"
 #include "planners/family/family.hpp"
 #include "planners/merit/connected.hpp"
 #include "planners/merit/rank.hpp"
@@ -15,6 +16,7 @@
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/settings.hpp"
+#include "planners/steps/steps.hpp"
 #include "planners/what_would_open.hpp"
 
 namespace bankshot {
@@ -63,7 +65,15 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Margins, order and words of what a search found.
+/// The best shot first, at its safest launch where that is asked.
+void choose(const Question& q, Ledger& ledger, Findings& found) {
+  planning::rank(q, found.shots);
+  if (q.puzzle.aim != Aim::safest || found.shots.empty()) return;
+  planning::as_struck(q, found.shots.front(),
+                      [&](const Question& own) { planning::make_safest(own, ledger, found.shots.front()); });
+}
+
+/// Margins and words of what a search found.
 Answer finish(const Question& q, const Ledger& ledger, Findings& found, const SolveOptions& options, double time_us) {
   Answer a{.id = q.puzzle.id, .about = q.puzzle.about};
   a.simulations = ledger.simulations();
@@ -102,10 +112,37 @@ Wanted wanted(const SolveOptions& options) {
   return options.all ? Wanted::all : options.first ? Wanted::first : Wanted::best;
 }
 
-/// Words for what would open a puzzle that has no shot.
-std::string hint(const Puzzle& puzzle, const SolveOptions& options) {
+/// True where the launch of a shot of a looser puzzle is one as asked: then it is kept.
+bool keep_as_asked(const Question& q, Ledger& ledger, Findings& found, const Shot& shot) {
+  return planning::as_struck(q, shot, [&](const Question& own) {
+    const int bounces = bounces_of(planning::route_of(shot));
+    const auto proves = [&](planning::Demand demand) {
+      return planning::certify(own, ledger, found, shot.launch, bounces, planning::steps::word::looser, demand);
+    };
+    return proves(planning::Demand::exact) || proves(planning::Demand::off_centre);
+  });
+}
+
+/// Words for what would open a puzzle that has no shot; or a shot as asked, where a looser search comes upon one.
+std::string hint(const Puzzle& puzzle, const Question& q, Ledger& ledger, Findings& found,
+                 const SolveOptions& options) {
   const SolveOptions plain{.robustness = false, .suggest = false, .cancelled = options.cancelled};
-  return planning::what_would_open(puzzle, [&](const Puzzle& p) { return solve(p, plain); });
+  long spent = 0;
+  const auto looser = [&](const Puzzle& p) {
+    Answer a = solve(p, plain);
+    spent += a.simulations;
+    return a;
+  };
+  const auto is_asked = [&](const Shot& shot) {
+    const bool same_spins = shot.spin == q.spin || puzzle.spin_range;
+    return same_spins && keep_as_asked(q, ledger, found, shot);
+  };
+  const std::string words = planning::what_would_open(puzzle, looser, is_asked);
+  if (!found.shots.empty()) {
+    ledger.charge(0, spent);
+    found.add_note("a search with looser bounds came upon it");
+  }
+  return words;
 }
 
 }  // namespace
@@ -134,16 +171,17 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     else if (!ledger.spent() && !q.covering())
       method.plan(q, ledger, found);
     if (found.shots.empty() && !ledger.exhausted() && i + 1 < spins.size()) continue;
-    planning::rank(q, found.shots);
-    if (puzzle.aim == Aim::safest && !found.shots.empty())
-      planning::as_struck(q, found.shots.front(),
-                          [&](const Question& own) { planning::make_safest(own, ledger, found.shots.front()); });
+    choose(q, ledger, found);
     const double took = microseconds_since(begin);
     if (spins.size() > 1)
       found.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));
     Answer a = finish(q, ledger, found, options, took);
     if (a.status != Status::no_shot || !options.suggest) return a;
-    const std::string words = hint(puzzle, options);
+    const std::string words = hint(puzzle, q, ledger, found, options);
+    if (!found.shots.empty()) {
+      choose(q, ledger, found);
+      return finish(q, ledger, found, options, microseconds_since(begin));
+    }
     if (!words.empty()) a.message += "; " + words;
     return a;
   }

@@ -12,16 +12,31 @@
 namespace bankshot::planning {
 namespace {
 
-/// The softest shot of a changed puzzle.
-std::optional<Shot> opened(Puzzle p, const Solve& solve) {
-  p.prefer = Prefer::soft;
-  p.budget = std::min(p.budget, settings::hints::most_simulations);
-  const Answer a = solve(p);
-  return a.shots.empty() ? std::nullopt : std::optional(a.shots.front());
-}
+/// Solves changed puzzles, until a shot of one is a shot as asked.
+class Search {
+ public:
+  Search(const Solve& solve, const IsAsked& is_asked) : solve_(solve), is_asked_(is_asked) {}
+
+  /// The softest shot of a changed puzzle.
+  std::optional<Shot> opened(Puzzle p) {
+    if (over_) return {};
+    p.prefer = Prefer::soft;
+    p.budget = std::min(p.budget, settings::hints::most_simulations);
+    Answer a = solve_(p);
+    if (a.shots.empty()) return {};
+    over_ = is_asked_(a.shots.front());
+    return over_ ? std::nullopt : std::optional(std::move(a.shots.front()));
+  }
+  bool over() const { return over_; }
+
+ private:
+  const Solve& solve_;
+  const IsAsked& is_asked_;
+  bool over_ = false;
+};
 
 /// With launches as fast as a strong break, or as slow as any.
-std::string of_speed(const Puzzle& puzzle, const Solve& solve) {
+std::string of_speed(const Puzzle& puzzle, Search& search) {
   const Range& v = puzzle.speed;
   const double fastest = std::max(v.high, settings::hints::strong_break), slowest = std::min(v.low, Puzzle{}.speed.low);
   if (is_ideal(puzzle.physics)) return "";
@@ -30,10 +45,9 @@ std::string of_speed(const Puzzle& puzzle, const Solve& solve) {
     Puzzle p = puzzle;
     p.speed = wider;
     if (v.fixed()) p.arrive = Range{0, fastest};  // as it may arrive now
-    const auto shot = opened(p, solve);
-    if (!shot) continue;
+    const auto shot = search.opened(p);
+    if (!shot || v.contains(shot->launch.speed)) continue;
     const double speed = shot->launch.speed;
-    if (v.contains(speed)) return fmt::format("a wider search finds a launch at {:.4g} m/s", speed);
     return fmt::format("a launch at {:.4g} m/s would do it, and the bound is {:.4g} m/s", speed,
                        speed > v.high ? v.high : v.low);
   }
@@ -69,32 +83,33 @@ Puzzle without(const Puzzle& puzzle, std::optional<std::size_t> taken) {
 }
 
 /// One of the balls in the way, or all of them.
-std::string of_balls(const Puzzle& puzzle, const Solve& solve) {
+std::string of_balls(const Puzzle& puzzle, Search& search) {
   const Puzzle none = without(puzzle, {});
-  if (none.others.size() == puzzle.others.size() || !opened(none, solve)) return "";
+  if (none.others.size() == puzzle.others.size() || !search.opened(none)) return "";
   for (std::size_t i = 0; i < puzzle.others.size(); ++i) {
     const Puzzle p = without(puzzle, i);
-    if (p.others.size() < puzzle.others.size() && opened(p, solve))
+    if (p.others.size() < puzzle.others.size() && search.opened(p))
       return fmt::format("without {} there is a shot", contact_name(puzzle, Contact::ball(1 + static_cast<int>(i))));
   }
-  return "without the other balls there is a shot";
+  return search.over() ? "" : "without the other balls there is a shot";
 }
 
 }  // namespace
 
-std::string what_would_open(const Puzzle& puzzle, const Solve& solve) {
-  if (std::string text = of_balls(puzzle, solve); !text.empty()) return text;
-  if (std::string text = of_speed(puzzle, solve); !text.empty()) return text;
+std::string what_would_open(const Puzzle& puzzle, const Solve& solve, const IsAsked& is_asked) {
+  Search search(solve, is_asked);
+  if (std::string text = of_balls(puzzle, search); !text.empty()) return text;
+  if (std::string text = of_speed(puzzle, search); !text.empty()) return text;
   Puzzle p = puzzle;
   if (p.angle) {
     p.angle.reset();
-    if (const auto shot = opened(p, solve))
+    if (const auto shot = search.opened(p))
       return fmt::format("an aim of {:.4g}° would do it", degrees(shot->launch.angle));
   }
   p = puzzle;
   p.cushions = {.min = 0,
                 .max = std::min(max_cushions, std::min(puzzle.cushions.max, settings::hints::most_cushions) + 1)};
-  if (const auto shot = opened(p, solve)) {
+  if (const auto shot = search.opened(p)) {
     const std::size_t n = shot->cushions.size();
     std::string names;
     for (const Contact c : shot->cushions) names += (names.empty() ? " (" : ", ") + contact_name(p.table, c);
@@ -104,7 +119,7 @@ std::string what_would_open(const Puzzle& puzzle, const Solve& solve) {
   p = puzzle;
   for (const double side : settings::hints::side_spins) {
     p.spin.side = side;
-    if (opened(p, solve)) return fmt::format("side spin {} would do it", side);
+    if (search.opened(p)) return fmt::format("side spin {} would do it", side);
   }
   return "";
 }

@@ -26,29 +26,55 @@ double across(const LockedAim& a, const Point& p) { return a.mark.reach / (p.off
 
 Launch Family::beside(const Launch& line, double turn) { return {line.speed, wrap_angle(line.angle + turn)}; }
 
-/// True where a launch is made.
-bool Family::look_beside(const Curve& curve) {
-  for (const Tried& t : curve) {
-    if (!t.room || t.room->hidden > little_turn || !(t.room->least() > -start_.mark.reach) || ledger_.spent()) continue;
-    q_.spin = spin_of(t.at.x);
-    for (const double way : {across(aim_, t.at), -across(aim_, t.at)})
-      if (look_to_one_side(launch_of(t.at.x), way, t.room->least())) return true;
+/// True where a launch is made: beside points of the walk, then beside points between them where room lacks little.
+bool Family::look_beside(Curve& curve) {
+  const auto look = [&] { return std::ranges::any_of(curve, [&](Tried& t) { return look_beside(t); }); };
+  if (look()) return true;
+  divide(curve, [&](const Tried& t) { return t.spare > -little_beside * start_.mark.reach; });
+  return look();
+}
+
+bool Family::look_beside(Tried& t) {
+  if (t.looked || ledger_.spent()) return false;
+  t.looked = true;
+  if (t.made()) {
+    keep(t);
+    return is_listed(start_.mark, aim_.route, found_.shots);
   }
-  return false;
+  if (!t.room || t.room->hidden > little_turn || !(t.room->least() > -start_.mark.reach)) return false;
+  q_.spin = spin_of(t.at.x);
+  const double way = across(aim_, t.at);
+  return look_to_one_side(t, way) || look_to_one_side(t, -way);
 }
 
 /// As long as there is more room the farther it goes, and none is lacking at the mouth. Room grows ever less steeply,
 /// being the least of several: so much as lacks is skipped.
-bool Family::look_to_one_side(const Launch& line, double way, double before) {
+bool Family::look_to_one_side(Tried& t, double way) {
+  const Launch line = launch_of(t.at.x);
+  double before = t.room->least();
   for (int i = 1, steps = 1; i <= most_beside; i += steps) {
     const Launch to = beside(line, i * apart_beside * way);
     const auto spare = room(aim_, ledger_, to);
     if (!spare || !(spare->at_mark > 0) || !(spare->least() > std::min(before, 0.0))) return false;
     const double gained = (spare->least() - before) / steps;
     before = spare->least();
+    const double left = spare->at_mark / (apart_beside * start_.mark.reach);
+    t.spare = std::max(t.spare, before < 0 ? before + gained * left : before);
     steps = before < 0 ? 1 + static_cast<int>(std::min(-before / gained, 1.0 * most_beside)) : 1;
-    if (before > 0 && certify(q_, ledger_, found_, to, bounces_of(aim_.route), step_, Demand::off_centre)) return true;
+    if (before > 0 && keep_beside(to)) return true;
   }
+  return false;
+}
+
+/// True where it leads as the curve does. Of launches that lead to a mark otherwise one is enough.
+bool Family::keep_beside(const Launch& launch) {
+  std::vector<Shot>& shots = found_.shots;
+  const std::size_t known = shots.size();
+  if (!certify(q_, ledger_, found_, launch, bounces_of(aim_.route), step_, Demand::off_centre)) return false;
+  if (is_listed(start_.mark, aim_.route, shots)) return true;
+  const Shot& last = shots.back();
+  if (shots.size() > known && is_listed(q_.mark_of(last), route_of(last), std::span(shots).first(known)))
+    shots.pop_back();
   return false;
 }
 

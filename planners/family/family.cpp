@@ -79,17 +79,19 @@ void Family::search() {
     if (!from || (free == 1 && is_hopeless(*from))) return;
     Curve curve = free == 1 ? walk(*from) : Curve{{*from}};
     add_crossings(curve);
-    const std::size_t known = found_.shots.size();
     keep_parts(curve);
-    const auto leads_here = [&](const Shot& shot) { return q_.mark_of(shot) == start_.mark; };
-    if (lists() && std::ranges::none_of(std::span(found_.shots).subspan(known), leads_here) && !look_beside(curve))
-      look_for_rattles(curve);
+    if (lists() && !is_listed(start_.mark, aim_.route, found_.shots) && !look_beside(curve)) look_for_rattles(curve);
     return;
   }
   auto from = settle(x, box_);
   if (!from) return;
   const Tried best = climb(attempt(*from));
   if (best.made()) keep(best);
+}
+
+bool Family::is_listed(const Mark& mark, std::span<const Meeting> route, std::span<const Shot> among) const {
+  return std::ranges::any_of(
+      among, [&](const Shot& shot) { return q_.mark_of(shot) == mark && std::ranges::equal(route_of(shot), route); });
 }
 
 double Family::merit(const Point& p) const {

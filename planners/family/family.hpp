@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -23,6 +24,7 @@
 
 #include "planners/certify.hpp"
 #include "planners/family/point.hpp"
+#include "planners/family/settings.hpp"
 #include "planners/findings.hpp"
 #include "planners/locked/clearance.hpp"
 
@@ -59,6 +61,8 @@ class Family {
     std::optional<Proof> proof{};
     std::optional<Room> room{};  ///< of its locked path, where that was asked for
     bool between = false;        ///< two points of the first walk
+    bool looked = false;         ///< beside it
+    double spare = -forever;     ///< m, the most room that was seen there; where all lacks, that first order expects
     bool made() const { return proof && proof->holds(); }
   };
   using Curve = std::vector<Tried>;
@@ -72,8 +76,9 @@ class Family {
 
   /// What must be 0; `at_bound` once the arrival speed was at an end of its range, and then stays there.
   Equations equations(const Point& p, bool& at_bound) const;
-  /// `held`: a coordinate that stays as it is.
-  std::optional<Point> settle(Vector x, const Box& box, int held = -1);
+  /// `held`: a coordinate that stays as it is. `tolerance`, in scales: of the last step, after which what is left is
+  /// about its square.
+  std::optional<Point> settle(Vector x, const Box& box, int held = -1, double tolerance = settings::family::settled);
   /// An orthonormal basis, in scales, of the changes that stay on the family.
   Eigen::MatrixXd tangents(const Point& p) const;
   double merit(const Point& p) const;
@@ -90,7 +95,11 @@ class Family {
   void walk_way(const Point& from, double way, Curve& out);
   void add_crossings(Curve& curve);
   void look_between(Curve& curve);
+  void divide(Curve& curve, const std::function<bool(const Tried&)>& is_hopeful);
   void keep_parts(Curve& curve);
+  bool is_listed(const Mark& mark, std::span<const Meeting> route, std::span<const Shot> among) const;
+  bool keep_beside(const Launch& launch);
+  int parts_between(const Point& a, const Point& b) const;
   bool lists() const { return q_.objects && q_.all() && start_.mark.drops(); }
   static Launch beside(const Launch& line, double turn);
   /// Neighbouring aims beside a point of a curve: so many steps.
@@ -102,8 +111,9 @@ class Family {
     Launch middle() const { return beside(line, step * (first + last) / 2); }
   };
 
-  bool look_beside(const Curve& curve);
-  bool look_to_one_side(const Launch& line, double way, double before);
+  bool look_beside(Curve& curve);
+  bool look_beside(Tried& t);
+  bool look_to_one_side(Tried& t, double way);
   void look_for_rattles(const Curve& curve);
   void add_bands(const Point& p, std::map<std::vector<Contact>, std::vector<Band>>& ways);
   Tried edge(const Tried& inside, const Tried& outside);

@@ -68,7 +68,7 @@ Family::Equations Family::equations(const Point& p, bool& at_bound) const {
   return out;
 }
 
-std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
+std::optional<Point> Family::settle(Vector x, const Box& box, int held, double tolerance) {
   std::array<bool, coordinates> fixed{};
   for (int i = 0; i < coordinates; ++i) {
     fixed[static_cast<std::size_t>(i)] = !box.free(i) || i == held;
@@ -90,9 +90,10 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held) {
     least = std::min(least, size);
     before = x;
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;
-    if (size < settled) {
+    if (size < tolerance) {
+      const double small = nearly * (tolerance / settled);
       const bool solved =
-          std::ranges::all_of(equations(*p, at_bound).all(), [](const Value& e) { return std::abs(e.a) < nearly; });
+          std::ranges::all_of(equations(*p, at_bound).all(), [&](const Value& e) { return std::abs(e.a) < small; });
       p->x = x;
       return solved ? p : std::nullopt;
     }

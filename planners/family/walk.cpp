@@ -35,7 +35,7 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
   for (int i = 0; i < most_walked && !ledger_.spent();) {
     if (leaves_for_good(at, t)) return;
     const Vector guess = at.x + h * scale_.cwiseProduct(t);
-    const auto next = settle(guess, wide_);
+    const auto next = settle(guess, wide_, -1, lists() ? loosely : settled);
     const double gone = next ? (next->x - at.x).cwiseQuotient(scale_).dot(t) : 0,
                  pulled = next ? (next->x - guess).cwiseQuotient(scale_).norm() : infinite;
     const bool ends = next && at_end(*next);
@@ -88,27 +88,43 @@ void Family::add_crossings(Curve& curve) {
 Family::Tried Family::attempt_where_clear(const Point& p) {
   const std::optional<Room> spare = inside(p) ? room(aim_, ledger_, launch_of(p.x)) : std::nullopt;
   const bool clear = spare && spare->hidden == 0 && spare->least() > -uncertain;
-  Tried t = clear ? attempt(p) : Tried{p, merit(p), {}};
+  const auto exact = clear ? settle(p.x, wide_) : std::nullopt;
+  Tried t = exact ? attempt(*exact) : Tried{p, merit(p), {}};
   t.room = spare;
   return t;
 }
 
-/// Where the locked path has room, balls that move are in the way: not at all speeds, perhaps.
-void Family::look_between(Curve& curve) {
-  const auto hopeful = [&](const Tried& t) {
-    return t.room && t.room->hidden < little_turn && t.room->least() > -little_lack * start_.mark.reach;
+/// So many that launches beside the points between leave little out.
+int Family::parts_between(const Point& a, const Point& b) const {
+  const double slope = std::max(std::abs(a.off[0].by[aim]), std::abs(b.off[0].by[aim])) * q_.boundary.diagonal;
+  const double across = std::abs(a.x[aim] - b.x[aim]) * slope / start_.mark.reach;
+  return static_cast<int>(std::clamp(across / across_a_part, 1.0 * least_parts, 1.0 * most_parts));
+}
+
+/// Between two points of the walk of which one is hopeful.
+void Family::divide(Curve& curve, const std::function<bool(const Tried&)>& is_hopeful) {
+  const auto parts = [&](const Tried& a, const Tried& b) {
+    const bool looked = a.between || b.between || !(inside(a.at) || inside(b.at)) || ledger_.spent();
+    return looked || !(is_hopeful(a) || is_hopeful(b)) ? 1 : parts_between(a.at, b.at);
   };
   Curve finer;
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    const bool look = i > 0 && !ledger_.spent() && (hopeful(curve[i - 1]) || hopeful(curve[i]));
-    for (int k = 1; k < finer_walk && look; ++k) {
+    const int n = i > 0 ? parts(curve[i - 1], curve[i]) : 1;
+    for (int k = 1; k < n; ++k) {
       const Vector &a = curve[i - 1].at.x, &b = curve[i].at.x;
-      if (const auto p = settle(a + (b - a) * (static_cast<double>(k) / finer_walk), wide_))
+      if (const auto p = settle(a + (b - a) * (static_cast<double>(k) / n), wide_, -1, loosely))
         finer.push_back(attempt_where_clear(*p)), finer.back().between = true;
     }
-    finer.push_back(std::move(curve[i]));
+    finer.push_back(curve[i]);
   }
   curve = std::move(finer);
+}
+
+/// Where the locked path has room, balls that move are in the way: not at all speeds, perhaps.
+void Family::look_between(Curve& curve) {
+  divide(curve, [&](const Tried& t) {
+    return t.room && t.room->hidden < little_turn && t.room->least() > -little_lack * start_.mark.reach;
+  });
 }
 
 void Family::keep_parts(Curve& curve) {

@@ -24,7 +24,7 @@ bool all_between(const Question& q, Ledger& ledger, const Shot& a, const Shot& b
 }
 
 bool are_one(const Question& q, Ledger& ledger, const Shot& a, const Shot& b) {
-  if (a.spin != b.spin || route_of(a) != route_of(b) || ledger.spent()) return false;
+  if (a.spin != b.spin || route_of(a) != route_of(b) || !(q.mark_of(a) == q.mark_of(b)) || ledger.spent()) return false;
   return as_struck(q, a, [&](const Question& own) { return all_between(own, ledger, a, b); });
 }
 

@@ -19,7 +19,7 @@ namespace bankshot::planning::steps {
 namespace word {
 inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan", map = "map", along = "along",
                                   parts = "parts", rattles = "rattles", chains = "chains", caroms = "caroms",
-                                  global = "global";
+                                  global = "global", looser = "looser";
 }  // namespace word
 
 using Step = void (*)(const Question&, Ledger&, Findings&);

@@ -110,6 +110,12 @@ std::set<Key> listed(const Puzzle& p, const Answer& a) {
   return out;
 }
 
+std::vector<std::string> names_of(const Table& table, const std::vector<Contact>& contacts) {
+  std::vector<std::string> out;
+  for (const Contact c : contacts) out.push_back(contact_name(table, c));
+  return out;
+}
+
 double median(std::vector<double> v) {
   std::ranges::sort(v);
   return v.empty() ? 0 : v[v.size() / 2];
@@ -143,9 +149,11 @@ int main(int argc, char** argv) {
     for (const auto& [key, launch] : force) {
       if (list.contains(key)) continue;
       ++missing;
-      std::cerr << fmt::format("MISSING ball {} into {} by {} cushions, made from {} m/s at {} degrees\n{}\n",
-                               std::get<0>(key), p.table.pockets[static_cast<std::size_t>(std::get<1>(key))].name,
-                               std::get<2>(key).size(), launch.speed, degrees(launch.angle), write_puzzle(p));
+      const auto& [ball, pocket, by] = key;
+      std::cerr << fmt::format("MISSING ball {} into {} by [{}], made from {} m/s at {} degrees\n{}\n", ball,
+                               p.table.pockets[static_cast<std::size_t>(pocket)].name,
+                               fmt::join(names_of(p.table, by), ", "), launch.speed, degrees(launch.angle),
+                               write_puzzle(p));
     }
     forced += static_cast<int>(force.size());
   }
