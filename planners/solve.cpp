@@ -137,7 +137,7 @@ std::string hint(const Puzzle& puzzle, const Question& q, Ledger& ledger, Findin
     const bool same_spins = shot.spin == q.spin || puzzle.spin_range;
     return same_spins && keep_as_asked(q, ledger, found, shot);
   };
-  const std::string words = planning::what_would_open(puzzle, looser, is_asked);
+  std::string words = planning::what_would_open(puzzle, looser, is_asked);
   if (!found.shots.empty()) {
     ledger.charge(0, spent);
     found.add_note("a search with looser bounds came upon it");

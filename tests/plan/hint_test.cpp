@@ -39,13 +39,13 @@ TEST_CASE("where a looser search comes upon a shot as asked, nothing is said and
     return p.others.empty() ? Answer{} : shot_at(1.5);
   };
   const auto is_asked = [](const Shot& shot) { return shot.launch.speed == 1.5; };
-  CHECK(planning::what_would_open(puzzle(), within, is_asked) == "");
+  CHECK(planning::what_would_open(puzzle(), within, is_asked).empty());
   CHECK(searches == 2);  // without the ball, with more speed
 }
 
 TEST_CASE("a launch inside the bounds that is no shot as asked is not said to break one") {
   const auto within = [](const Puzzle& p) { return p.speed.high > 2 || p.speed.low < 1 ? shot_at(1.5) : Answer{}; };
-  CHECK(planning::what_would_open(puzzle(), within, never) == "");
+  CHECK(planning::what_would_open(puzzle(), within, never).empty());
 }
 
 TEST_CASE("a shot that only a looser search comes upon is the answer, and holds") {

@@ -90,7 +90,7 @@ void Progress::clear() {
 
 std::string grouped(long n) {
   std::string digits = std::to_string(n);
-  for (auto i = static_cast<long>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
+  for (auto i = static_cast<long>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), 1, ',');
   return digits;
 }
 
