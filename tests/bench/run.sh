@@ -110,7 +110,9 @@ part() {
       done
       ;;
     knock) "$bin/knock" --csv || failed=1 ;;
-    play) "$bin/play" --layouts 20 --csv 2>build/play.log || true ;;
+    play)
+      for seed in 1 2 3 4 5; do "$bin/play" --layouts 20 --seed $seed --csv 2>build/play-$seed.log || true; done | awk '!seen[$0]++'
+      ;;
     shots) "$bin/shots" --count 1000000 --seed 1 --truth 10000 --csv || failed=1 ;;
     all-shots) "$bin/test_plan" "the map misses hardly a shot with three to five cushions" | grep -E '^(cushions|[0-9]+),' ;;
     pockets)
