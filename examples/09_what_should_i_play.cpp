@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     target.balls.push_back(static_cast<int>(target.balls.size()) + 1);
     puzzle.others.push_back({at, scene.ball.body, std::to_string(target.balls.back())});
   }
-  target.then = Then{PocketTarget{}, {0, 2, {}}};
+  target.then = Then{PocketTarget{}, CushionRule{0, 2, {}}};
   puzzle.target = target;
   puzzle.cushions = CushionRule::exactly(0);
 

@@ -30,6 +30,7 @@ enum class Foul {
   too_long,     ///< no launch rolls so far
   outside_aim,  ///< these are refused without a replay
   other_bounces,
+  scratched,  ///< the cue ball falls
   no_budget
 };
 

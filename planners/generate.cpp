@@ -129,7 +129,7 @@ PocketTarget some_pocket(Random& r, const Wish& w) {
 
 Target draw_ball(Random& r, const Wish& w) {
   BallTarget target{.balls = {1}};
-  if (w.kind == Wish::Kind::carom) target = {.balls = {2}, .within = any_touch, .off = 1};
+  if (w.kind == Wish::Kind::carom) target = {.balls = {2}, .off = 1};
   if (w.kind == Wish::Kind::pot) target.then = Then{some_pocket(r, w), w.then, {}};
   return target;
 }
@@ -172,7 +172,7 @@ bool is_sound(const Puzzle& p, const Boundary& boundary) {
 bool has_quick_shot(Puzzle p) {
   // Simulations: a carom is looked for among all aims across its first ball.
   const long quick = off_of(p.target) != 0 ? 50000 : 2000;
-  p.budget = std::min(p.budget, quick);
+  p.budget = std::min(budget_of(p), quick);
   return solve(p, {.robustness = false, .suggest = false}).status == Status::solved;
 }
 

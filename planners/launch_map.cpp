@@ -66,7 +66,8 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
   validate(puzzle);
   const double aim = (grid.angle.high - grid.angle.low) / grid.angles,
                faster = (grid.speed.high - grid.speed.low) / grid.speeds;
-  const std::vector<double> by_aim = weights(puzzle.noise.angle, aim), by_speed = weights(puzzle.noise.speed, faster);
+  const std::vector<double> by_aim = weights(puzzle.noise.angle, aim),
+                            by_speed = weights(puzzle.noise.speed_at((grid.speed.low + grid.speed.high) / 2), faster);
   const int beside = static_cast<int>(by_aim.size()) / 2, above = static_cast<int>(by_speed.size()) / 2;
   // As far around the window as the noise reaches.
   const LaunchGrid around{{grid.angle.low - beside * aim, grid.angle.high + beside * aim},

@@ -55,6 +55,8 @@ std::string explain(const Question& q, const Failure& f) {
       return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
     case Foul::too_long:
       return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
+    case Foul::scratched:
+      return "pockets the cue ball";
     case Foul::other_bounces:
     case Foul::no_budget:  // nothing that is refused so is counted
     case Foul::outside_aim:
@@ -183,7 +185,7 @@ std::string message(const Question& q, const Ledger& ledger, const Findings& fou
     text = solved(q, ledger, found, a, distinct);
   else if (a.status == Status::budget)
     text = ledger.cancelled() ? "the search was cancelled before it found a shot"
-                              : fmt::format("no shot found within the budget of {} simulations", q.puzzle.budget);
+                              : fmt::format("no shot found within the budget of {} simulations", budget_of(q.puzzle));
   else
     text = no_shot(q, found);
   if (a.status != Status::solved) text += caveats(q);

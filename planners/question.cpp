@@ -39,6 +39,15 @@ std::vector<Contact> touched_by(const Boundary& boundary, const Vec2d& at) {
 
 }  // namespace
 
+namespace {
+
+/// With any launch.
+ShotRequest scene_of(const Puzzle& p) {
+  return {.table = p.table, .physics = p.physics, .ball = p.ball, .others = p.others};
+}
+
+}  // namespace
+
 Objects::Objects(const Puzzle& p) {
   const auto& target = std::get<BallTarget>(p.target);
   const auto object_of = [&](int k) {
@@ -72,6 +81,7 @@ Question::Question(const Puzzle& p, Wanted w)
       boundary(p.table, p.ball.body, p.others),
       cleared(p.others.empty() ? std::nullopt : std::optional(Boundary(p.table, p.ball.body))),
       objects(then_of(p.target) || off_of(p.target) ? std::make_shared<const Objects>(p) : nullptr),
+      whole(std::holds_alternative<BallTarget>(p.target) ? std::make_shared<const Starts>(scene_of(p)) : nullptr),
       rough(roughly(p.physics)),
       wanted(w),
       marks(then_of(p.target) ? marks_of(p) : marks_of(p.target, boundary)),

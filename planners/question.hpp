@@ -15,6 +15,7 @@
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/target.hpp"
 #include "bankshot/simulate/locked.hpp"
+#include "bankshot/simulate/starts.hpp"
 
 namespace bankshot::planning {
 
@@ -53,6 +54,7 @@ struct Question {
   Boundary boundary;
   std::optional<Boundary> cleared;         ///< without the other balls, where there are any
   std::shared_ptr<const Objects> objects;  ///< where balls are sent on, or touched on the way, else null
+  std::shared_ptr<const Starts> whole;     ///< all balls as they start, where a ball is the target
   Physics rough;                           ///< the puzzle's, integrated no more finely than a seed needs
   Wanted wanted;
   bool every = false;            ///< all shots are wanted, also of a question for roots to start from

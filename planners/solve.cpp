@@ -159,7 +159,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     throw InvalidInput("", fmt::format("the planner \"{}\" sets no other ball going", method.info.name));
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = options.planner == "auto" ? std::vector{puzzle.spin} : spins_to_try(puzzle);
-  Ledger ledger(puzzle.budget, options.cancelled);
+  Ledger ledger(budget_of(puzzle), options.cancelled);
   ledger.measures = options.measure;
   for (std::size_t i = 0;; ++i) {
     const std::optional<Puzzle> one = spins.size() > 1 ? std::optional(with_spin(puzzle, spins[i])) : std::nullopt;

@@ -21,7 +21,7 @@ class Search {
   std::optional<Shot> opened(Puzzle p) {
     if (over_) return {};
     p.prefer = Prefer::soft;
-    p.budget = std::min(p.budget, settings::hints::most_simulations);
+    p.budget = std::min(budget_of(p), settings::hints::most_simulations);
     Answer a = solve_(p);
     if (a.shots.empty()) return {};
     over_ = is_asked_(a.shots.front());

@@ -47,6 +47,7 @@ void move_balls(Puzzle& p, const double* normal) {
 
 double success_under_all_errors(const Question& q, Ledger& ledger, const Shot& shot) {
   const Noise& noise = q.puzzle.noise;
+  const double radius = q.puzzle.ball.body.radius;
   constexpr std::size_t launch = 4;
   const std::size_t places = noise.at > 0 ? 2 * (1 + q.puzzle.others.size()) : 0;
   const DrawnPhysics physics(q.puzzle.physics);
@@ -54,12 +55,15 @@ double success_under_all_errors(const Question& q, Ledger& ledger, const Shot& s
   long made = 0;
   for (int i = 0; i < settings::all_errors::draws; ++i) {
     const std::vector<double>& z = draws.next();
-    const Launch struck{shot.launch.speed + noise.speed * z[0], wrap_angle(shot.launch.angle + noise.angle * z[1])};
+    const Launch struck{shot.launch.speed + noise.speed_at(shot.launch.speed) * z[0],
+                        wrap_angle(shot.launch.angle + noise.angle * z[1])};
     if (!(struck.speed > 0)) continue;
     LaunchSpin spin = shot.spin;
-    spin.side += noise.side * z[2];
-    spin.top += noise.top * z[3];
-    const auto try_it = [&](const Question& own) { made += replay(own, ledger, struck, Goal::of(own)).made; };
+    spin.side += noise.side_of(radius) * z[2];
+    spin.top += noise.top_of(radius) * z[3];
+    const auto try_it = [&](const Question& own) {
+      made += replay(own, ledger, struck, Goal::counted(own, shot)).made;
+    };
     if (places == 0 && physics.count() == 0) {
       try_it(q.spinning(spin));
       continue;

@@ -78,7 +78,7 @@ class Path {
     FirstOrder out = out_;
     if (!arrives_) return out;
     if (moved) out.by_angle = moved->by_angle, out.by_log_speed = moved->by_log_speed;
-    const double by_push = norm(out.by_log_speed) * unit_.speed / launch_.speed;
+    const double by_push = norm(out.by_log_speed) * unit_.speed_at(launch_.speed) / launch_.speed;
     out.margin = aim_.mark.reach / std::hypot(norm(out.by_angle) * unit_.angle, by_push);
     const double steep = norm(slope_);
     out.chance = q_.stop     ? limits_.chance()
@@ -207,7 +207,8 @@ Path path_to(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
 /// m that residual k moves by one deviation of aim and of speed.
 Vec2d by_deviation(const Question& q, const Launch& launch, const Linear& l, std::size_t k) {
   const double per_rad = q.puzzle.noise.angle * q.boundary.diagonal;
-  const double per_log = q.one_unknown() ? 0 : q.puzzle.noise.speed / launch.speed * q.boundary.diagonal;
+  const double per_log =
+      q.one_unknown() ? 0 : q.puzzle.noise.speed_at(launch.speed) / launch.speed * q.boundary.diagonal;
   return {l.by_aim(k) * per_rad, l.by_speed(k) * per_log};
 }
 

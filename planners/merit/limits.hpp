@@ -18,7 +18,8 @@ namespace bankshot::planning {
 class Limits {
  public:
   /// Of a launch and its player.
-  Limits(const Launch& launch, const Noise& noise) : per_rad_(noise.angle), per_log_(noise.speed / launch.speed) {}
+  Limits(const Launch& launch, const Noise& noise)
+      : per_rad_(noise.angle), per_log_(noise.speed_at(launch.speed) / launch.speed) {}
 
   /// Made while `room` stays above 0. Its derivatives: by aim [rad] and by ln speed.
   void keep(const Dual<2>& room) { add(room.a, in_deviations(room)); }

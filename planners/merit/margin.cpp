@@ -22,7 +22,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 class Way {
  public:
   Way(const LockedAim& aim, Ledger& ledger, const Shot& shot, const Vec2d& towards)
-      : aim_(aim), ledger_(ledger), shot_(shot), goal_(Goal::along(shot)), towards_(towards) {}
+      : aim_(aim), ledger_(ledger), shot_(shot), goal_(Goal::counted_along(shot)), towards_(towards) {}
 
   /// The largest step, up to `limit`, such that the shot is made all the way; none when nothing breaks it.
   std::optional<double> how_far(double scale, double limit) {
@@ -188,6 +188,7 @@ std::optional<double> downwards(std::optional<double> distance) {
 }  // namespace
 
 void find_margin(const Question& q, Ledger& ledger, Shot& shot) {
+  if (shot.scratch) return void(shot.margin = Margin{{0, 0}, {0, 0}});
   const Mark& mark = q.mark_of(shot);
   const Route route = route_with_jaws_of(shot);
   const LockedAim aim{q, route, mark};

@@ -76,7 +76,7 @@ void keep_centred(const Question& q, std::vector<Shot>& shots) {
 double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
   const auto count = [](double apart, double noise) { return apart == 0 ? 0 : std::abs(apart) / noise; };
   return std::hypot(count(angle_difference(a.angle, b.angle), q.puzzle.noise.angle),
-                    is_ideal(q.puzzle.physics) ? 0 : count(a.speed - b.speed, q.puzzle.noise.speed));
+                    is_ideal(q.puzzle.physics) ? 0 : count(a.speed - b.speed, q.puzzle.noise.speed_at(a.speed)));
 }
 
 /// A ball may pass the point on its way, after fewer cushions: that counts too. One simulation.

@@ -37,7 +37,11 @@ double about_at(double p) { return std::log(p / (1 - p)) / logistic; }
 class Chance {
  public:
   Chance(const Question& q, Ledger& ledger, const Shot& shot, std::span<const Shot> others)
-      : q_(q), ledger_(ledger), shot_(shot), goal_(Goal::of(q)) {
+      : q_(q),
+        ledger_(ledger),
+        shot_(shot),
+        goal_(Goal::counted(q, shot)),
+        noise_{q.puzzle.noise.angle, q.puzzle.noise.speed_at(shot.launch.speed)} {
     turn();
     for (const Shot& other : others)
       if (other.chance >= least_beside) remember(other.launch);
@@ -46,7 +50,7 @@ class Chance {
   double run() {
     if (is_ideal(q_.puzzle.physics)) {  // any speed will do that is one: one line is all
       add(0, known_);
-      const double noise = q_.puzzle.noise.speed;
+      const double noise = noise_.speed;
       return lines_.front().chance * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
     }
     // A band that ends within reach is met by as many lines, and one on either side looks beyond it.
@@ -69,7 +73,7 @@ class Chance {
  private:
   /// Turns the plane of errors, and sees what the derivatives say of the band.
   void turn() {
-    const Vec2d by_angle = shot_.by_angle * q_.puzzle.noise.angle, by_speed = shot_.by_speed * q_.puzzle.noise.speed;
+    const Vec2d by_angle = shot_.by_angle * noise_.angle, by_speed = shot_.by_speed * noise_.speed;
     across_ = direction(std::atan2(2 * dot(by_angle, by_speed), dot(by_angle, by_angle) - dot(by_speed, by_speed)) / 2);
     if (is_ideal(q_.puzzle.physics)) across_ = {1, 0};
     const Vec2d most = by_angle * across_.x + by_speed * across_.y, least = by_speed * across_.x - by_angle * across_.y;
@@ -86,9 +90,8 @@ class Chance {
     double along, across;
   };
   void remember(const Launch& other) {
-    const Noise& noise = q_.puzzle.noise;
-    const double turned = angle_difference(shot_.launch.angle, other.angle) / noise.angle,
-                 harder = is_ideal(q_.puzzle.physics) ? 0 : (other.speed - shot_.launch.speed) / noise.speed;
+    const double turned = angle_difference(shot_.launch.angle, other.angle) / noise_.angle,
+                 harder = is_ideal(q_.puzzle.physics) ? 0 : (other.speed - shot_.launch.speed) / noise_.speed;
     const Known k{across_.x * harder - across_.y * turned, across_.x * turned + across_.y * harder};
     const double size = std::hypot(k.along, k.across);  // not a number where a deviation is 0
     if (size > same_edge && size < widest && known_.size() < most_known) known_.push_back(k);
@@ -105,8 +108,7 @@ class Chance {
     ++used_;
     const double turned = across_.x * across - across_.y * line.along,
                  harder = across_.y * across + across_.x * line.along;
-    const double speed = shot_.launch.speed + q_.puzzle.noise.speed * harder,
-                 angle = shot_.launch.angle + q_.puzzle.noise.angle * turned;
+    const double speed = shot_.launch.speed + noise_.speed * harder, angle = shot_.launch.angle + noise_.angle * turned;
     const bool result = speed > 0 && replay(q_, ledger_, {speed, wrap_angle(angle)}, goal_).made;
     line.tries.insert(at, {across, result});
     return result;
@@ -264,6 +266,9 @@ class Chance {
   Ledger& ledger_;
   const Shot& shot_;
   Goal goal_;
+  struct {
+    double angle, speed;  ///< rad and m/s, of this launch
+  } noise_;
   Vec2d across_{};
   double length_ = std::numeric_limits<double>::infinity();
   std::vector<double> expected_{};

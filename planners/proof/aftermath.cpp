@@ -3,28 +3,38 @@
 
 #include "bankshot/simulate/many_balls.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "planners/start.hpp"
 
 namespace bankshot::planning {
 
-void add_aftermath(const Question& q, Ledger& ledger, Shot& shot) {
-  const Puzzle& p = q.puzzle;
-  const bool rests = !is_ideal(p.physics);
-  if (shot.hits.empty() || (p.table.pockets.empty() && !rests)) return;
+Aftermath aftermath(const Question& q, Ledger& ledger, const Launch& launch) {
+  const bool rests = !is_ideal(q.puzzle.physics);
+  if (!q.whole || (q.puzzle.table.pockets.empty() && !rests)) return {};
   ledger.charge(0);
-  const Starts starts({.table = p.table,
-                       .physics = p.physics,
-                       .ball = p.ball,
-                       .others = p.others,
-                       .launch = shot.launch,
-                       .spin = q.spin});
+  std::vector<BallStart<double>> balls(q.whole->balls().begin(), q.whole->balls().end());
+  balls.front().state = start_of(q, launch);
   const long most = rests ? max_events : ideal_cushions;
-  with_physics(p.physics, [&](const auto& motion, const auto& cushion) {
-    ManyBalls sim(starts.balls(), motion, cushion, collisions(p.physics));
-    bool over = false;
-    for (long i = 0; i < most && sim.in_play(0) && !over; ++i) over = sim.step().event.kind == EventKind::horizon;
-    shot.scratch = !sim.in_play(0);
-    if (rests && over && !shot.scratch) shot.cue_rests = sim.state(0).at;
+  Aftermath out;
+  with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    ManyBalls sim(std::span<const BallStart<double>>(balls), motion, cushion, collisions(q.puzzle.physics));
+    for (long i = 0; i < most; ++i) {
+      const BallEvent e = sim.step();
+      if (e.event.kind == EventKind::pocket && e.ball == 0) return void(out.scratch_pocket = e.event.contact.index);
+      if (e.event.kind == EventKind::horizon) {
+        if (rests) out.cue_rests = sim.state(0).at;
+        return;
+      }
+    }
   });
+  return out;
+}
+
+void add_aftermath(const Question& q, Ledger& ledger, Shot& shot) {
+  if (shot.hits.empty()) return;
+  const Aftermath after = aftermath(q, ledger, shot.launch);
+  shot.scratch_pocket = after.scratch_pocket;
+  shot.scratch = after.scratch_pocket.has_value();
+  shot.cue_rests = after.cue_rests;
 }
 
 }  // namespace bankshot::planning

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// What happens after the struck ball has touched its target.
+// The whole shot, with all balls, until every ball rests. A replay stops where the target is reached.
 #pragma once
+
+#include <optional>
 
 #include "planners/ledger.hpp"
 #include "planners/question.hpp"
 
 namespace bankshot::planning {
 
-/// Notes of a shot that touches balls whether the struck one falls into a pocket before all rest, or else where it
-/// rests. In `ideal`, where none does, only whether it falls before `ideal_cushions` more events.
+struct Aftermath {
+  std::optional<int> scratch_pocket{};  ///< the pocket that the cue ball falls into
+  std::optional<Vec2d> cue_rests{};     ///< m, where it comes to rest
+};
+
+/// Nothing of a shot whose target is no ball. In `ideal`, where no ball rests, only whether the cue ball falls before
+/// `ideal_cushions` more events. Cost: one simulation of all balls.
+Aftermath aftermath(const Question& q, Ledger& ledger, const Launch& launch);
+
+/// Notes it in a shot.
 void add_aftermath(const Question& q, Ledger& ledger, Shot& shot);
 
 }  // namespace bankshot::planning

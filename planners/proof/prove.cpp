@@ -44,6 +44,7 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   proof.shot.miss = r.miss;
   proof.shot.offset = r.offset;
   proof.shot.rattles = r.rattles;
+  proof.shot.jaws = r.jaws;
   proof.shot.hits = r.hits;
   proof.shot.then = r.then;
   if (r.rattles) proof.shot.met = r.met;

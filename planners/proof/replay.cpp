@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bankshot/simulate/simulator.hpp"
+#include "planners/proof/aftermath.hpp"
 #include "planners/proof/set_going.hpp"
 #include "planners/start.hpp"
 
@@ -111,7 +112,8 @@ class Follower {
   Trace taken(Contact by) {
     const State<double>& now = sim_.state();
     const Mark* const mark = counts() ? q_.mark_taken_by(by, now.at) : nullptr;
-    if (!mark) return fail(by.kind == ContactKind::pocket ? Foul::pocketed : Foul::hit_ball, by);
+    if (!mark || !goal_.allows(q_, *mark))
+      return fail(by.kind == ContactKind::pocket ? Foul::pocketed : Foul::hit_ball, by);
     out_.replay.made = true;
     out_.replay.bounces = k_;
     // A ball that stops on the circle still has the line of its last arc.
@@ -140,6 +142,7 @@ class Follower {
     if (!first_jaw_ && std::ranges::any_of(q_.marks, of_jaws))
       first_jaw_ = Line{sim_.state().at, sim_.on_arc(sim_.travelled()).velocity};
     out_.replay.rattles = true;
+    ++out_.replay.jaws;
   }
 
   Trace rest() {
@@ -205,6 +208,10 @@ Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goa
     return Follower(q, motion, cushion, launch, goal, false).run(contacts).replay;
   });
   ledger.charge(static_cast<std::size_t>(r.bounces));
+  if (r.made && goal.counts && aftermath(q, ledger, launch).scratch_pocket) {
+    r.made = false;
+    r.failure = {Foul::scratched};
+  }
   return r;
 }
 

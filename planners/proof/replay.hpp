@@ -25,6 +25,7 @@ struct Replay {
   std::vector<Contact> met{};  ///< if so, and bounces were asked for: all that it bounced off
   int bounces = 0;             ///< at arrival or at the foul
   bool cushion_stick = false;  ///< see Shot::cushion_stick
+  int jaws = 0;                ///< see Shot::jaws
 };
 
 /// `contacts`, if given, receives the bounces.

@@ -98,7 +98,7 @@ class SetGoing {
       return sets_going(sim);
     const State<double>& now = sim.state(e.ball);
     const Mark* const mark = carom_ && e.ball == 0 && counts() ? q_.mark_taken_by(e.event.contact, now.at) : nullptr;
-    if (!mark) return fail(Foul::hit_ball, e.event.contact);
+    if (!mark || !goal_.allows(q_, *mark)) return fail(Foul::hit_ball, e.event.contact);
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
     note_hit(e.event.contact.index, mark->at);
     touched(*mark, incoming_, out_);
@@ -169,7 +169,7 @@ class SetGoing {
   bool falls(Contact pocket, const Sim& sim) {
     const State<double>& now = sim.state(on_its_way());
     const Mark* const mark = all_set() && counts() ? q_.mark_taken_by(pocket, now.at, number()) : nullptr;
-    if (!mark) return fail(Foul::pocketed, pocket);
+    if (!mark || !goal_.allows(q_, *mark)) return fail(Foul::pocketed, pocket);
     out_.made = true;
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
     measure(q_, *mark, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
@@ -181,6 +181,7 @@ class SetGoing {
     const auto of_jaws = [&](const Mark& mark) { return mark.taken_by == Contact::pocket(jaw.jaw_pocket()); };
     if (!jaw_ && std::ranges::any_of(q_.marks, of_jaws)) jaw_ = Line{sim.state(on_its_way()).at, incoming_.heading};
     out_.rattles = true;
+    ++out_.jaws;
   }
 
   template <class Sim>

@@ -59,6 +59,21 @@ void write_hits(JsonWriter& w, const Puzzle& p, const std::vector<Hit>& hits) {
   w.close(']');
 }
 
+void write_contact(JsonWriter& w, const Puzzle& p, const Hit& hit) {
+  w.key("contact");
+  w.open('{');
+  w.number("fullness", fullness(p, hit));
+  write_point(w, hit.at, "ghost");
+  w.close('}');
+}
+
+/// Where the cue ball comes to rest, or the pocket that it falls into.
+void write_cue_rests(JsonWriter& w, const Puzzle& p, const Shot& shot) {
+  if (shot.cue_rests) write_point(w, *shot.cue_rests, "cue_rests");
+  if (shot.scratch_pocket && !is_ideal(p.physics))
+    w.string("cue_rests", p.table.pockets[static_cast<std::size_t>(*shot.scratch_pocket)].name);
+}
+
 void write_then(JsonWriter& w, const Puzzle& p, std::span<const Onward> then, const Pocket* pocket) {
   const Onward& first = then.front();
   w.key("then");
@@ -95,12 +110,13 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   const Pocket* const pocket = why ? nullptr : pocket_reached(p, shot);
   if (pocket && shot.then.empty()) w.string("pocket", pocket->name);
   if (shot.offset != 0 && !why) w.number("offset", shot.offset);
-  if (!shot.hits.empty() && !why) write_hits(w, p, shot.hits);
+  if (!shot.hits.empty() && !why) write_hits(w, p, shot.hits), write_contact(w, p, shot.hits.front());
   if (!shot.then.empty() && !why) write_then(w, p, shot.then, pocket);
   if (shot.scratch && !why) w.boolean("scratch", true);
-  if (shot.cue_rests && !why) write_point(w, *shot.cue_rests, "cue_rests");
+  if (!why) write_cue_rests(w, p, shot);
   if (shot.rattles && !why) w.boolean("rattles", true);
-  if (shot.off_centre && !why) w.boolean("off_centre", true);
+  if (shot.moved && !why) w.string("aim", "safest");
+  if (shot.off_centre && !shot.moved && !why) w.boolean("off_centre", true);
   w.number("condition", shot.condition);
   if (shot.digits) w.integer("digits", *shot.digits);
   if (shot.margin) {
@@ -111,6 +127,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
     w.close('}');
   }
   if (shot.success) w.number("success", *shot.success);
+  if (shot.value) w.number("value", *shot.value);
   if (!shot.sensitivity.empty()) {
     w.key("sensitivity");
     w.open('{');

@@ -61,6 +61,13 @@ Hit read_hit(const Reader& r, const Puzzle& p) {
   return {read_ball(r, p), radians(r.need("cut").number()), r.need("speed").at_least(0), r.need("at").point()};
 }
 
+void read_cue_rests(const Reader& r, const Puzzle& p, Shot& s) {
+  if (!r.is_string()) return void(s.cue_rests = r.point());
+  std::vector<std::string_view> names;
+  for (const Pocket& pocket : p.table.pockets) names.push_back(pocket.name);
+  s.scratch_pocket = static_cast<int>(r.word("pocket", names));
+}
+
 Shot read_shot(const Reader& r, const Puzzle& p) {
   Shot s;
   s.launch = {r.need("speed").positive(), wrap_angle(radians(r.need("angle").number()))};
@@ -73,9 +80,10 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   for (auto v = r.find("then"); v; v = v->find("then"))
     s.then.push_back({read_ball(*v, p), read_contacts(v->need("cushions"), p.table)});
   if (const auto v = r.find("scratch")) s.scratch = v->boolean();
-  if (const auto v = r.find("cue_rests")) s.cue_rests = v->point();
+  if (const auto v = r.find("cue_rests")) read_cue_rests(*v, p, s);
   if (const auto v = r.find("rattles")) s.rattles = v->boolean();
   if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();
+  if (r.find("aim")) s.moved = s.off_centre = true;
   const Reader arrival = r.need("arrival");
   s.arrival = {arrival.need("time").at_least(0), arrival.need("speed").at_least(0), arrival.need("at").point()};
   if (const auto v = r.find("pocket")) {
@@ -88,6 +96,7 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   if (const auto m = r.find("margin"))
     s.margin = Margin{read_bounds(m->need("angle"), radians(1)), read_bounds(m->need("speed"), 1)};
   if (const auto v = r.find("success")) s.success = v->number();
+  if (const auto v = r.find("value")) s.value = v->number();
   if (const auto v = r.find("sensitivity"))
     for (const auto& [coefficient, by] : v->members()) s.sensitivity.push_back({coefficient, by.number()});
   s.planner = r.need("planner").text();

@@ -46,6 +46,15 @@ inline constexpr Key hit_keys[] = {
 };
 inline constexpr Object hit{"hit", "A contact of two balls.", hit_keys};
 
+inline constexpr Key contact_keys[] = {
+    {"fullness", "number", "", required, "0.5",
+     "how much of the object ball is covered: 1 is full, 0.5 a half-ball hit"},
+    {"ghost", "point", "m", required, "[1.85, 0.61]", "the centre of the cue ball as they touch: the ghost ball"},
+};
+inline constexpr Object contact{"contact", "How the cue ball hits the object ball.", contact_keys};
+
+inline constexpr std::string_view answer_aims[] = {"safest"};
+
 inline constexpr Key sent_keys[] = {
     {"ball", "string", "", required, R"("8")", "which"},
     {"cushions", "[string]", "", required, R"(["bottom"])", "its bounces in order"},
@@ -70,10 +79,20 @@ inline constexpr Key answer_shot_keys[] = {
      "contacts with other balls in order, up to the target"},
     {"then", "{sent}", "", "none", R"({"ball": "8", "cushions": ["bottom"], "pocket": "top-right"})",
      "the ball that the struck one sends on"},
-    {"scratch", "boolean", "", "false", "true", "the struck ball falls into a pocket afterwards"},
-    {"cue_rests", "point", "m", "without other balls, or where it never rests", "[1.12, 0.4]",
-     "where the struck ball rests afterwards"},
+    {"contact", "{contact}", "", "of a shot that hits a ball", R"({"fullness": 0.5, "ghost": [1.85, 0.61]})",
+     "the first contact with a ball"},
+    {"scratch", "boolean", "", "false", "true", "the cue ball falls into a pocket afterwards"},
+    {"cue_rests", "point | string", "m", "without other balls, or where it never rests", "[1.12, 0.4]",
+     "where the cue ball comes to rest after the shot, or the name of the pocket that it falls into"},
     {"rattles", "boolean", "", "false", "true", "it touches the jaws of a pocket on its way"},
+    {"aim",
+     "word",
+     "",
+     R"("centre")",
+     R"("safest")",
+     "it was moved off the exact line or point, to a larger value",
+     {},
+     answer_aims},
     {"off_centre", "boolean", "", "false", "true", "it is made, but beside the exact line or point"},
     {"condition", "number", "m/rad", required, "41",
      "how far the arrival moves for a radian of aim, or for a relative change of speed", at_least(0)},
@@ -81,8 +100,10 @@ inline constexpr Key answer_shot_keys[] = {
      "decimal digits of `at`, of the table's diagonal, and of the speed there, that can be promised", between(0, 9)},
     {"margin", "{margin}", "", "left out with --no-robustness", R"({"angle": [-0.41, 0.38], "speed": [-0.22, null]})",
      "how much may be wrong"},
-    {"success", "number", "", "left out with --no-robustness", "0.87", "chance that the target is made under `noise`",
-     between(0, 1)},
+    {"success", "number", "", "left out with --no-robustness", "0.87",
+     "probability that the target is made, and the cue ball does not fall, under `noise`", between(0, 1)},
+    {"value", "number", "", "left out with --no-robustness", "0.85",
+     "success - 0.005 contacts with cushions and jaws - 0.004 speed - 0.02 tip's distance from the centre / radius"},
     {"sensitivity", "<number>", "m per unit", "with --sensitivity", R"({"cushion.height": 14.1})",
      "how far the arrival moves for each coefficient of the table, by its path in `physics`; `tilt.x` and `tilt.y` are "
      "the table's"},

@@ -35,7 +35,7 @@ inline constexpr Object count{"count", "So many cushions, from `min` to `max`.",
 inline constexpr Key then_cushions_key{"cushions",
                                        "whole | [string] | {count}",
                                        "",
-                                       "0",
+                                       "0, and for a pocket `success` counts every fall",
                                        "1",
                                        "bounces of that ball: how many, which in order, or from `min` to `max`",
                                        between(0, max_cushions)};
@@ -56,10 +56,12 @@ inline constexpr Object then_ball{"then_ball", "A combination: the ball that was
 
 inline constexpr Key to_ball_keys[] = {
     {"ball", "string | [string]", "", required, R"("8")",
-     "a ball by its id, some of them, or `any`: the first that the struck ball touches"},
-    {"cut", "number", "degrees", "0", "30",
-     "from the line of travel to the line of centres; above 0 the other ball leaves to the left", between(-90, 90)},
-    {"within", "number", "degrees", "5", "2", "how far off the cut still counts as made", positive},
+     "a ball by its id, some of them, or `any`: the first that the cue ball touches"},
+    {"cut", "number", "degrees", "any", "30",
+     "from the line of travel to the line of centres; above 0 the object ball leaves to the left", between(-90, 90)},
+    {"within", "number", "degrees", "5 with `cut`, else any", "2",
+     "how far off the cut, or off a full hit, still counts as made", positive},
+    {"pocket", "string", "", "none", R"("top-right")", R"(short for `"then": {"pocket": …}`)"},
     {"then", "{then_point} | {then_pocket} | {then_ball}", "", "none", R"({"pocket": "top-right"})",
      "where that ball is to go; instead of `cut` and `within`"},
 };
@@ -72,6 +74,7 @@ inline constexpr Key carom_keys[] = {
     {"cut", "number", "degrees", "any", "30", "at the second; as of one ball", between(-90, 90)},
     {"within", "number", "degrees", "5 with `cut`, else any", "2", "how far off the cut still counts as made",
      positive},
+    {"order", later, "", R"("given")", R"("any")", "in which order the two balls may be touched"},
 };
 inline constexpr Object carom{"carom", "Touch one ball and then another.", carom_keys};
 
@@ -80,9 +83,15 @@ inline constexpr Key arrive_keys[] = {
 };
 inline constexpr Object arrive{"arrive", "How fast the ball is to be at its target.", arrive_keys};
 
+inline constexpr std::string_view player_names[] = {"pro", "league", "beginner"};
 inline constexpr Key noise_keys[] = {
+    {"player", "word", "", "none", R"("league")", "whose errors those are that are not given", {}, player_names},
     {"angle", "number", "degrees", "0.125", "0.3", "of aim", at_least(0)},
     {"speed", "number", "m/s", "0.075", "0.1", "of launch speed", at_least(0)},
+    {"speed_share", "number", "", "0.03 without `speed`, else 0", "0.05",
+     "of launch speed, as a share of it; with `speed` the root of the sum of their squares", at_least(0)},
+    {"tip", "number", "m", "0", "0.001",
+     "of each coordinate of the place where the tip meets the ball; only with the physics `spin`", at_least(0)},
     {"side", "number", "natural roll", "0", "0.02", "of side spin; only with the physics `spin`", at_least(0)},
     {"top", "number", "natural roll", "0", "0.02", "of topspin; only with the physics `spin`", at_least(0)},
     {"at", "number", "m", "0", "0.001", "of each coordinate of each ball's place; the aim stays", at_least(0)},
@@ -148,19 +157,29 @@ inline constexpr auto puzzle_keys = with_scene_keys({
      "",
      R"("robust")",
      R"("soft")",
-     "which shot is best: the likeliest, the slowest or the quickest to arrive",
+     "which shot is best: that of the largest value, the slowest or the quickest to arrive",
      {},
      preferences},
     {"aim",
      "word",
      "",
+     R"(with `robust` "safest" for pockets and for contacts without `cut`, else "centre")",
      R"("centre")",
-     R"("safest")",
-     "`safest` may aim beside the centre where that is likelier made",
+     "`centre` is on the exact line or point; `safest` may leave it where that has a larger value",
      {},
      aims},
-    {"noise", "{noise}", "", R"({"angle": 0.125, "speed": 0.075})", R"({"angle": 0.3})", "the player"},
-    {"budget", "{budget}", "", R"({"simulations": 100000})", R"({"simulations": 20000})", "how long to search"},
+    {"noise",
+     "word | {noise}",
+     "",
+     R"({"angle": 0.125, "speed": 0.075, "speed_share": 0.03})",
+     R"("league")",
+     "the player's errors, by name or in numbers",
+     {},
+     player_names},
+    {"leave", later, "", "none", "[1.9, 0.6]", "where the cue ball is to come to rest"},
+    {"unit", later, "", R"("m")", R"("in")", "the unit of places and lengths"},
+    {"budget", "{budget}", "", "100000 for each six pairs of a ball and a pocket", R"({"simulations": 20000})",
+     "how long to search"},
 });
 inline constexpr Object puzzle{"puzzle", "What is asked: the input of `solve`, a line of `batch`.", puzzle_keys};
 

@@ -92,11 +92,11 @@ PocketTarget read_pocket(const Reader& r, const Table& table) {
 
 /// Adds what the ball that was touched last is to do.
 void read_then(const Reader& r, const Table& table, const std::vector<Ball>& others, Then& then) {
-  CushionRule cushions{0, 0, {}};
+  std::optional<CushionRule> cushions;
   if (const auto v = r.find("cushions")) cushions = read_cushions(*v, table);
   if (const auto ball = r.find("ball")) {
     r.only(format::then_ball);
-    then.links.push_back({std::move(cushions), read_ball(*ball, others)});
+    then.links.push_back({cushions.value_or(CushionRule::exactly(0)), read_ball(*ball, others)});
     return read_then(r.need("then"), table, others, then);
   }
   then.cushions = std::move(cushions);
@@ -115,10 +115,15 @@ BallTarget read_ball_target(const Reader& r, const Table& table, const std::vect
   BallTarget t{.balls = read_balls(r.need("ball"), others)};
   if (const auto v = r.find("cut")) t.cut = radians(v->number());
   if (const auto v = r.find("within")) t.within = radians(v->number(format::to_ball["within"].bounds));
-  if (const auto v = r.find("then")) {
+  const auto then = r.find("then"), pocket = r.find("pocket");
+  if (then && pocket) pocket->fail("is short for \"then\" with that pocket, which stands beside it");
+  if (then || pocket)
     for (const char* key : {"cut", "within"})
-      if (const auto other = r.find(key)) other->fail("stands beside \"then\", which says where the ball is to go");
-    read_then(*v, table, others, t.then.emplace());
+      if (const auto other = r.find(key))
+        other->fail(fmt::format("stands beside \"{}\", which says where the ball is to go", then ? "then" : "pocket"));
+  if (pocket) t.then.emplace().target = read_pocket(r, table);
+  if (then) {
+    read_then(*then, table, others, t.then.emplace());
     // Of any ball those that are touched later are not meant.
     if (const Reader ball = r.need("ball"); ball.is_string() && ball.text() == "any")
       for (const Link& link : t.then->links) std::erase(t.balls, link.ball);
@@ -132,8 +137,8 @@ BallTarget read_carom(const Reader& r, const std::vector<Ball>& others) {
   if (!pair.is_array() || pair.size() != 2) pair.fail("must be a pair of balls");
   if (others.empty()) pair.fail("cannot be touched: there are no \"others\"");
   const auto balls = pair.items();
-  BallTarget t{.balls = {read_ball(balls[1], others)}, .within = any_touch, .off = read_ball(balls[0], others)};
-  if (const auto v = r.find("cut")) t.cut = radians(v->number()), t.within = BallTarget{}.within;
+  BallTarget t{.balls = {read_ball(balls[1], others)}, .off = read_ball(balls[0], others)};
+  if (const auto v = r.find("cut")) t.cut = radians(v->number());
   if (const auto v = r.find("within")) t.within = radians(v->number(format::carom["within"].bounds));
   return t;
 }
@@ -164,11 +169,22 @@ Range read_angle(const Reader& r) {
   return {radians(from), radians(std::min(to, from + turn))};
 }
 
+Noise read_player(const Reader& r) {
+  std::vector<std::string_view> names;
+  for (const Player& player : players()) names.push_back(player.name);
+  return players()[r.word("player", names)].noise;
+}
+
 Noise read_noise(const Reader& r) {
+  if (!r.is_object()) return read_player(r);
   r.only(format::noise);
-  Noise n;
+  const auto player = r.find("player");
+  Noise n = player ? read_player(*player) : Puzzle{}.noise;
+  if (r.find("speed")) n.speed_share = 0;
   if (const auto v = r.find("angle")) n.angle = radians(v->number(format::noise["angle"].bounds));
   r.read(format::noise["speed"], n.speed);
+  r.read(format::noise["speed_share"], n.speed_share);
+  r.read(format::noise["tip"], n.tip);
   r.read(format::noise["side"], n.side);
   r.read(format::noise["top"], n.top);
   r.read(format::noise["at"], n.at);

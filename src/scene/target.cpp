@@ -12,11 +12,12 @@ namespace bankshot {
 namespace {
 
 Mark mark_of(const Circle& ball, const BallTarget& asked) {
-  const auto offset = [&](double cut) { return -ball.radius * std::sin(std::clamp(cut, -any_touch, any_touch)); };
+  const auto offset = [&](double at) { return -ball.radius * std::sin(std::clamp(at, -any_touch, any_touch)); };
+  const double cut = asked.exact_cut(), within = asked.cut_within();
   return {.at = ball.centre,
           .reach = ball.radius,
           .taken_by = ball.contact,
-          .cuts = Cuts{offset(asked.cut + asked.within), offset(asked.cut), offset(asked.cut - asked.within)}};
+          .cuts = Cuts{offset(cut + within), offset(cut), offset(cut - within)}};
 }
 
 }  // namespace

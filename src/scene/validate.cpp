@@ -75,9 +75,9 @@ void check_balls(const Puzzle& p, const BallTarget& asked) {
     if (std::ranges::count(asked.balls, k) > 1)
       fail(at("/target/ball", i), contact_name(p, Contact::ball(k)) + " is listed twice");
   }
-  if (!(std::abs(asked.cut) < radians(90.0)))
-    fail("/target/cut", fmt::format("{:g}° must be inside -90° and 90°", degrees(asked.cut)));
-  if (!(asked.within > 0)) fail("/target/within", "must be greater than 0");
+  if (!(std::abs(asked.exact_cut()) < radians(90.0)))
+    fail("/target/cut", fmt::format("{:g}° must be inside -90° and 90°", degrees(*asked.cut)));
+  if (!(asked.cut_within() > 0)) fail("/target/within", "must be greater than 0");
   if (asked.then) check_links(p, asked);
 }
 
@@ -146,8 +146,10 @@ void validate(const Puzzle& p) {
     if (is_ideal(p.physics)) fail("/prefer/leave", "in ideal physics no ball comes to rest");
     check_inside(boundary, *p.leave, "/prefer/leave", "the centre of the struck ball");
   }
-  if ((p.noise.side > 0 || p.noise.top > 0) && !carries_spin(p.physics))
-    fail(p.noise.side > 0 ? "/noise/side" : "/noise/top",
+  if ((p.noise.side > 0 || p.noise.top > 0 || p.noise.tip > 0) && !carries_spin(p.physics))
+    fail(p.noise.side > 0  ? "/noise/side"
+         : p.noise.top > 0 ? "/noise/top"
+                           : "/noise/tip",
          "needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
   if (p.angle && !(p.angle->low <= p.angle->high && std::isfinite(p.angle->high)))
     fail("/angle", "must be a finite range");
@@ -176,10 +178,28 @@ std::string contact_name(const Puzzle& p, Contact contact) {
 std::optional<Range> arrival_range(const Puzzle& p) {
   if (is_ideal(p.physics) || p.speed.fixed()) return {};
   if (p.arrive) return p.arrive;
-  constexpr Range rests{0, 0}, touches{0.5, 0.5}, caroms{0.2, 5}, drops{0.2, 3};
+  constexpr Range rests{0, 0}, touches{0.5, 0.5}, any_contact{0.1, 5}, caroms{0.2, 5}, drops{0.2, 3};
   if (off_of(p.target)) return caroms;
-  if (std::holds_alternative<BallTarget>(p.target) && !then_of(p.target)) return touches;
+  if (const auto* ball = std::get_if<BallTarget>(&p.target); ball && !ball->then)
+    return ball->cut ? touches : any_contact;
   return is_pocket(p.target) ? drops : rests;
+}
+
+Aim aim_of(const Puzzle& p) {
+  if (p.aim) return *p.aim;
+  const auto* ball = std::get_if<BallTarget>(&p.target);
+  const bool contact = ball && !ball->then && !ball->cut;
+  return p.prefer == Prefer::robust && (contact || is_pocket(p.target)) ? Aim::safest : Aim::centre;
+}
+
+long budget_of(const Puzzle& p) {
+  if (p.budget) return *p.budget;
+  constexpr long usual = 100'000, most = 2'000'000, usual_pairs = 6;
+  const auto* ball = std::get_if<BallTarget>(&p.target);
+  const PocketTarget* const pocket = pocket_of(p.target);
+  const std::size_t balls = ball && !ball->off ? ball->balls.size() : 1,
+                    pockets = pocket && !pocket->pocket ? p.table.pockets.size() : 1;
+  return std::min(most, usual * std::max(usual_pairs, static_cast<long>(balls * pockets)) / usual_pairs);
 }
 
 double ideal_speed(const Puzzle& p) {

@@ -33,7 +33,7 @@ const std::string& id_of(const Puzzle& p, int ball) { return p.others[static_cas
 Json then_json(const Then& then, const Puzzle& p, std::size_t n = 0) {
   Json j = n < then.links.size() ? Json{{"ball", id_of(p, then.links[n].ball)}}
                                  : std::visit([&](const auto& t) { return json_of(t, p); }, then.target);
-  j["cushions"] = cushions_json(then.cushions_of(n), p.table);
+  if (n < then.links.size() || then.cushions) j["cushions"] = cushions_json(then.cushions_of(n), p.table);
   if (n < then.links.size()) j["then"] = then_json(then, p, n + 1);
   return j;
 }
@@ -46,8 +46,8 @@ Json json_of(const BallTarget& target, const Puzzle& p) {
   if (target.then) {
     j["then"] = then_json(*target.then, p);
   } else {
-    j["cut"] = exact_degrees(target.cut);
-    j["within"] = exact_degrees(target.within);
+    if (target.cut) j["cut"] = exact_degrees(*target.cut);
+    if (target.within) j["within"] = exact_degrees(*target.within);
   }
   return j;
 }
@@ -61,6 +61,8 @@ Json noise_json(const Noise& n) {
   const auto put = [&](const char* key, double value) {
     if (value > 0) j[key] = value;
   };
+  put("speed_share", n.speed_share);
+  put("tip", n.tip);
   put("side", n.side);
   put("top", n.top);
   put("at", n.at);
@@ -85,9 +87,9 @@ Json question_json(const Puzzle& p) {
   j["speed"] = range(p.speed);
   if (p.angle) j["angle"] = pair_json({exact_degrees(p.angle->low), exact_degrees(p.angle->high)});
   j["prefer"] = p.leave ? Json{{"leave", pair_json(*p.leave)}} : Json(preferences[static_cast<int>(p.prefer)]);
-  if (p.aim == Aim::safest) j["aim"] = "safest";
+  if (p.aim) j["aim"] = *p.aim == Aim::safest ? "safest" : "centre";
   j["noise"] = noise_json(p.noise);
-  j["budget"] = {{"simulations", p.budget}};
+  if (p.budget) j["budget"] = {{"simulations", *p.budget}};
   return j;
 }
 
@@ -111,10 +113,7 @@ std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_vi
                .cushions = p.cushions};
   plain.ball.at = p.ball.at;
   if (auto* point = std::get_if<PointTarget>(&plain.target)) point->within = PointTarget{}.within;
-  if (auto* ball = std::get_if<BallTarget>(&plain.target)) {
-    ball->within = ball->off && ball->cut == 0 ? any_touch : BallTarget{}.within;
-    ball->cut = 0;
-  }
+  if (auto* ball = std::get_if<BallTarget>(&plain.target)) ball->within.reset(), ball->cut.reset();
   const Json said = question_json(p), untold = question_json(plain);
   Json j{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
   const auto same = [](const Json& said_so, const Json& otherwise, const std::string& key) {

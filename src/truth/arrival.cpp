@@ -192,7 +192,7 @@ double Scene::chance(const Shot& shot, int draws) const {
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double size = std::sqrt(-2 * std::log(uniform())), turn = radians(360) * uniform();  // Box and Muller
-    const Launch l{shot.launch.speed + puzzle.noise.speed * size * std::cos(turn),
+    const Launch l{shot.launch.speed + puzzle.noise.speed_at(shot.launch.speed) * size * std::cos(turn),
                    wrap_angle(shot.launch.angle + puzzle.noise.angle * size * std::sin(turn))};
     if (!(l.speed > 0)) continue;
     const auto made_on = [&](const Scene& scene, const LaunchSpin& spin) {
@@ -204,8 +204,8 @@ double Scene::chance(const Shot& shot, int draws) const {
     }
     const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(radians(360) * uniform()); };
     LaunchSpin spin = shot.spin;
-    spin.side += puzzle.noise.side * normal();
-    spin.top += puzzle.noise.top * normal();
+    spin.side += puzzle.noise.side_of(puzzle.ball.body.radius) * normal();
+    spin.top += puzzle.noise.top_of(puzzle.ball.body.radius) * normal();
     Puzzle moved = puzzle;
     const auto move = [&](Vec2d& at) { at += Vec2d{normal(), normal()} * puzzle.noise.at; };
     move(moved.ball.at);

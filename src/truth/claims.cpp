@@ -140,7 +140,7 @@ class ShotCheck {
             promised(tolerance::exact_speed) * std::max(1.0, there.speed),
             fmt::format("says {} m/s and arrives at {} m/s", said.speed, there.speed));
     // The safest launch need not arrive at the speed asked: what counts as made does not speak of it.
-    if (const auto asked = arrival_range(p_); asked && p_.aim == Aim::centre)
+    if (const auto asked = arrival_range(p_); asked && !shot_.moved)
       compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high),
               promised(tolerance::exact_speed) * std::max(1.0, asked->high),
               fmt::format("arrives at {} m/s, and {} to {} is asked", there.speed, asked->low, asked->high));

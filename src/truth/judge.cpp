@@ -168,8 +168,9 @@ class Judge {
     out_.speed = e.passing.speed;
     out_.hits.push_back({e.contact.index, e.passing});
     const double reach = scene_.boundary.rim(e.contact)->radius, most = radians(90.0);
-    const auto offset = [&](double cut) { return -reach * std::sin(std::clamp(cut, -most, most)); };
-    const double low = offset(touches_->cut + touches_->within), high = offset(touches_->cut - touches_->within);
+    const auto offset = [&](double at) { return -reach * std::sin(std::clamp(at, -most, most)); };
+    const double cut = touches_->exact_cut(), within = touches_->cut_within();
+    const double low = offset(cut + within), high = offset(cut - within);
     if (out_.offset < low - goal_.slack || out_.offset > high + goal_.slack)
       out_.why = fmt::format("meets {} at another cut", name(e));
     return true;

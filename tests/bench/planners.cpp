@@ -75,7 +75,7 @@ Outcome by_mirror(const Puzzle& p) {
   using namespace planning;
   const auto begin = std::chrono::steady_clock::now();
   const Question q(p);
-  Ledger ledger(p.budget);
+  Ledger ledger(budget_of(p));
   Unfolding images(q, {.parts = true, .restitution = 1, .keep_routes = true});
   double least = 1;
   while (const auto c = images.next()) {

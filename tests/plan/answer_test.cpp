@@ -244,7 +244,7 @@ TEST_CASE("an aim into a cushion that the ball touches is offered like any other
 TEST_CASE("an answer warns when its condition leaves fewer digits than an exact shot needs") {
   const Puzzle p = plain(ideal_physics());
   const planning::Question q(p);
-  const planning::Ledger ledger(p.budget);
+  const planning::Ledger ledger(budget_of(p));
   const planning::Findings found;
   Answer a{.status = Status::solved, .shots = {Shot{.condition = 1e3}}};
   CHECK(!says(planning::message(q, ledger, found, a, 1), "digits"));

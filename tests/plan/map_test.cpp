@@ -28,7 +28,7 @@ Puzzle three_or_more(test::Random& random, int cushions) {
 
 std::vector<Shot> mapped(const Puzzle& p, const planning::Spacing& spacing) {
   const planning::Question q(p, planning::Wanted::all);
-  planning::Ledger ledger(p.budget);
+  planning::Ledger ledger(budget_of(p));
   planning::Findings found;
   planning::steps::map(q, ledger, found, spacing);
   return found.shots;

@@ -22,7 +22,7 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
     const test::Family family = test::families[i % 3];  // no reflex vertices: they may hide a cushion
     const test::Made m = test::random_puzzle(random, family, test::Model::spin);
     const Question q(m.puzzle);
-    Ledger ledger(m.puzzle.budget);
+    Ledger ledger(budget_of(m.puzzle));
     std::vector<Contact> contacts;
     const Replay exact = replay(q, ledger, m.launch, Goal::exactly(q, m.bounces), &contacts);
     if (!exact.made || !q.touched.empty()) continue;  // a touched cushion may come first

@@ -115,7 +115,7 @@ TEST_CASE("the chance of success takes no more simulations than are promised") {
       const Answer a = solve(p, {.robustness = false});
       if (a.shots.empty()) continue;
       const planning::Question q(p);
-      planning::Ledger ledger(p.budget);
+      planning::Ledger ledger(budget_of(p));
       Shot shot = a.shots[0];
       planning::find_success(q, ledger, shot);
       CHECK(ledger.simulations() <= static_cast<long>(planning::settings::success::most_samples));

@@ -48,7 +48,7 @@ Puzzle layout(Random& r, int balls) {
     p.others.push_back({places[static_cast<std::size_t>(k)], p.ball.body, std::to_string(k)});
     target.balls.push_back(k);
   }
-  target.then = Then{PocketTarget{}, {0, most_cushions, {}}, {}};
+  target.then = Then{PocketTarget{}, CushionRule{0, most_cushions, {}}, {}};
   p.target = target;
   p.cushions = CushionRule::exactly(0);
   return p;

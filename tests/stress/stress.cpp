@@ -92,9 +92,9 @@ class Case {
     const Answer a = solve(made_.puzzle, options);
     t_.us.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
     t_.simulations += a.simulations;
-    if (a.simulations > made_.puzzle.budget + 1) {
+    if (a.simulations > budget_of(made_.puzzle) + 1) {
       ++t_.over_budget;
-      report(fmt::format("{}spends {} simulations of {}", all ? "--all " : "", a.simulations, made_.puzzle.budget));
+      report(fmt::format("{}spends {} simulations of {}", all ? "--all " : "", a.simulations, budget_of(made_.puzzle)));
     }
     if (way_.verify) verify(a);
     if (a.status != Status::solved) {

@@ -188,7 +188,7 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
         static_cast<int>(its.size()) < rule.min || static_cast<int>(its.size()) > rule.max)
       c.problem = "another ball does not meet the cushions it names, or that are asked";
   }
-  if (const auto range = arrival_range(p); range && !rests && p.aim != Aim::safest) {
+  if (const auto range = arrival_range(p); range && !rests && !shot.moved) {
     c.speed_error = std::max({0.0, range->low - speed, speed - range->high}) / std::max(1.0, range->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);
   }
@@ -217,7 +217,8 @@ Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) 
     if (leg.ball == 0 && leg.begin < met->time) before = state_on(request, leg, leg.duration).velocity;
   const Vec2d apart = met->other.at - met->state.at;
   const double sine = cross(before, apart) / (norm(before) * norm(apart)), reach = norm(apart);
-  const double miss = reach * std::abs(sine - std::sin(asked.cut)), allowed = 1e-9 * p.table.diagonal() + shot.miss;
+  const double miss = reach * std::abs(sine - std::sin(asked.exact_cut())),
+               allowed = 1e-9 * p.table.diagonal() + shot.miss;
   Checked c;
   if (miss > allowed) c.problem = fmt::format("misses the cut by {} m", miss);
   const std::size_t n = shot.cushions.size();
@@ -227,7 +228,7 @@ Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) 
   if (bounces.size() != n || !same_sequence(shot.cushions, bounces, n) ||
       (p.cushions.sequence && !same_sequence(*p.cushions.sequence, bounces, n)))
     c.problem = "does not meet the cushions it names, or that are asked";
-  if (const auto range = arrival_range(p); range && p.aim != Aim::safest) {
+  if (const auto range = arrival_range(p); range && !shot.moved) {
     const double off = std::max(range->low - norm(before), norm(before) - range->high);
     c.speed_error = std::max(0.0, off) / std::max(1.0, range->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("touches at {} m/s", norm(before));
@@ -281,7 +282,7 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   if (!same_sequence(shot.cushions, t, n)) c.problem = "does not meet the cushions it names";
   if (p.cushions.sequence && !same_sequence(*p.cushions.sequence, t, n)) c.problem = "does not meet the cushions asked";
   if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
-  if (asked && !rests && p.aim != Aim::safest) {  // which may leave the root inside what counts as made
+  if (asked && !rests && !shot.moved) {  // which may leave the root inside what counts as made
     const double off = std::max(asked->low - speed, speed - asked->high);
     c.speed_error = std::max(0.0, off) / std::max(1.0, asked->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);

@@ -195,7 +195,7 @@ Made sends(Random& r, Model model, int before, int after, Wanted wanted, std::si
       if (is_ideal(p.physics)) shot.until.cushions = 20;
       const Trajectory t = simulate(shot);
       const auto s = sent_by(r, t, links, 3);
-      if (!s || (before >= 0 ? s->before != before : s->before > 3) || (after >= 0 && s->then.cushions.max != after))
+      if (!s || (before >= 0 ? s->before != before : s->before > 3) || (after >= 0 && s->then.cushions->max != after))
         continue;
       const auto* point = std::get_if<PointTarget>(&s->then.target);
       if ((wanted == Wanted::pocket && point) || (wanted == Wanted::rest && (!point || s->arrival > 0))) continue;
@@ -271,7 +271,7 @@ Made caroms(Random& r, Model model, int bounces) {
       const Vec2d apart = second.other.at - second.state.at;
       const double cut = std::atan2(cross(before, apart), dot(before, apart)), speed = norm(before);
       if (!(speed > 1e-2) || !(std::abs(cut) < radians(89.99))) continue;
-      BallTarget target{.balls = {second.contact.index}, .within = any_touch, .off = met->first->contact.index};
+      BallTarget target{.balls = {second.contact.index}, .off = met->first->contact.index};
       if (r.chance(0.5)) target.cut = cut, target.within = radians(5.0);
       p.target = target;
       p.arrive.reset();

@@ -60,10 +60,12 @@ struct Shot {
   std::vector<Contact> met{};  ///< if so, jaws and cushions in order
   std::vector<Hit> hits{};     ///< in order, up to the target
   std::vector<Onward> then{};  ///< those that are sent on, in order: the last one arrives; none: the struck ball does
-  bool scratch = false;        ///< the struck ball falls into a pocket after it has touched its target
-  std::optional<Vec2d> cue_rests{};  ///< m, where it comes to rest instead, when all balls do; of shots with hits
-  bool off_centre = false;           ///< it is made, but beside the exact line or point
-  double condition = 0;              ///< m of arrival per rad of aim or per unit of relative speed, the larger
+  int jaws = 0;                ///< contacts with jaws, of any ball of the shot, before the target
+  bool scratch = false;        ///< the cue ball falls into a pocket after it has touched its target
+  std::optional<int> scratch_pocket{};  ///< which, if so
+  std::optional<Vec2d> cue_rests{};     ///< m, where it comes to rest instead, when all balls do; of shots with hits
+  bool off_centre = false;              ///< it is made, but beside the exact line or point
+  double condition = 0;                 ///< m of arrival per rad of aim or per unit of relative speed, the larger
   /// Decimal digits of the arrival, of the table's diagonal, that can be promised; none: nine or more. 0: rounding
   /// decides how often the ball bounces at its target.
   std::optional<int> digits{};
@@ -76,14 +78,30 @@ struct Shot {
   double first_order = 0;
   double chance = 0;  ///< `success` to first order, from one simulation (planners/merit/first_order.hpp)
   std::optional<Margin> margin{};
-  std::optional<double> success{};         ///< chance that the target is made under the puzzle's noise
+  std::optional<double> success{};         ///< probability of a legal shot under the puzzle's noise
+  std::optional<double> value{};           ///< success less `cost_of` the shot
+  bool moved = false;                      ///< off its exact root, to where the value is larger
   std::vector<Sensitivity> sensitivity{};  ///< where it was asked for
   std::string planner{};
   long simulations = 0;  ///< spent until this shot was certified
 
-  /// The number of the ball that reaches the target: 0 is the struck one.
+  /// The number of the ball that reaches the target: 0 is the cue ball.
   int arriving() const { return then.empty() ? 0 : then.back().ball; }
+  /// Cushions and jaws that any ball of the shot meets before the target.
+  int contacts() const;
 };
+
+/// What a shot costs beside its success, which less this is its value: 0.005 a contact, 0.004 for each m/s of the
+/// launch, 0.02 for each radius that the tip is off the centre. So a soft and simple shot wins among those about as
+/// likely.
+double cost_of(const Shot& shot);
+/// The part of it that a launch has whatever it meets.
+double cost_of(const Launch& launch, const LaunchSpin& spin);
+
+/// How much of the ball that is hit the one that hits it covers, seen along its line of travel: 1 is a full hit, 0.5 a
+/// half-ball hit. With radii a of the one that hits and b: (a + b − d) / 2b, d the distance of the line of travel from
+/// the other centre.
+double fullness(const Puzzle& puzzle, const Hit& first_hit);
 
 /// The shot as a `simulate` request that ends where the ball reaches its target.
 ShotRequest as_request(const Puzzle& puzzle, const Shot& shot);

@@ -55,11 +55,16 @@ struct Link {
 /// one on, and the last reaches it.
 struct Then {
   std::variant<PointTarget, PocketTarget> target{};
-  CushionRule cushions{0, 0, {}};  ///< of the last
+  std::optional<CushionRule> cushions{};  ///< of the last; none given: no cushion
   std::vector<Link> links{};
 
   /// Of the ball that is sent on as the n-th, from 0.
-  const CushionRule& cushions_of(std::size_t n) const { return n < links.size() ? links[n].cushions : cushions; }
+  const CushionRule& cushions_of(std::size_t n) const {
+    static const CushionRule no_cushions{0, 0, {}};
+    return n < links.size() ? links[n].cushions : cushions ? *cushions : no_cushions;
+  }
+  /// A pot without a rule of cushions: success and margin count every fall into the pocket, by any rails or jaws.
+  bool counts_any_fall() const { return !cushions && std::holds_alternative<PocketTarget>(target); }
 };
 
 inline constexpr double any_touch = radians(90.0);  ///< rad: so far off a full hit every cut is
@@ -67,11 +72,18 @@ inline constexpr double any_touch = radians(90.0);  ///< rad: so far off a full 
 /// The struck ball touches one of these, its first contact with a ball; in a carom the second. The cut is the angle
 /// from its velocity just before to the line of centres, anticlockwise.
 struct BallTarget {
-  std::vector<int> balls{};      ///< number k stands for the k-th of `others`
-  double cut = 0;                ///< rad, inside a right angle; above 0 the other ball leaves to the left
-  double within = radians(5.0);  ///< rad; how far off the cut still counts as made
-  std::optional<Then> then{};    ///< what counts instead of the cut
-  std::optional<int> off{};      ///< of a carom: the ball that is touched before
+  std::vector<int> balls{};        ///< number k stands for the k-th of `others`
+  std::optional<double> cut{};     ///< rad, inside a right angle; above 0 the other ball leaves to the left
+  std::optional<double> within{};  ///< rad; how far off the cut, or a full hit, still counts as made
+  std::optional<Then> then{};      ///< what counts instead of the cut
+  std::optional<int> off{};        ///< of a carom: the ball that is touched before
+
+  /// rad. Without a cut it is a full hit.
+  double exact_cut() const { return cut.value_or(0); }
+  /// rad. By default 5° beside a cut, and any contact without one.
+  double cut_within() const { return within ? *within : cut ? radians(5.0) : any_touch; }
+  /// Any contact counts.
+  bool any_contact() const { return !then && cut_within() >= any_touch; }
 };
 
 using Target = std::variant<PointTarget, PocketTarget, BallTarget>;

@@ -119,7 +119,7 @@ void bobyqa_from(Path&, const Launch&) {}  // derivatives.cpp does not ask for i
 
 std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*clock)()) {
   const Question q(puzzle);
-  Ledger ledger(puzzle.budget);
+  Ledger ledger(budget_of(puzzle));
   Unfolding images(q, {.parts = true, .restitution = restitution(puzzle.physics).at_rest, .keep_routes = true});
   while (const auto c = images.next()) {
     const LockedAim aim{q, *q.route, q.marks[c->mark]};

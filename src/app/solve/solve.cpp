@@ -31,7 +31,7 @@ int invalid(const Arguments& a, const std::string& text, const InvalidInput& e) 
 /// A line for the reader where leaving the exact line would help much.
 std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions& options) {
   constexpr double much = 0.05;  // of chance
-  if (puzzle.aim == Aim::safest || answer.shots.size() != 1) return "";
+  if (aim_of(puzzle) == Aim::safest || answer.shots.size() != 1) return "";
   const Shot& shot = answer.shots.front();
   if (!is_pocket(puzzle.target) || !shot.success || *shot.success > 1 - much) return "";
   Puzzle other = puzzle;

@@ -45,7 +45,7 @@ void check(Pair& pair) {
     const Answer a = read_answer(pair.answer, puzzle ? &*puzzle : nullptr, &pair.unread);
     pair.status = a.status;
     pair.shots = a.shots.size();
-    pair.beside = puzzle && !a.shots.empty() && puzzle->aim == Aim::centre && a.shots.front().off_centre;
+    pair.beside = puzzle && !a.shots.empty() && a.shots.front().off_centre && !a.shots.front().moved;
     pair.checks = truth::check(puzzle ? &*puzzle : nullptr, pair.id, a);
   } catch (const InvalidInput& e) {
     pair.bad = fmt::format("{}{}{}", e.path, e.path.empty() ? "" : ": ", e.what());
