@@ -24,7 +24,7 @@ void keep_inside(const Table& table, Ball& ball) {
 /// The second moves away from the first.
 void keep_apart(const Ball& first, Ball& second) {
   const Vec2d between = second.at - first.at;
-  const double apart = norm(between), reach = first.body.radius + second.body.radius;
+  const double apart = norm(between), reach = touching_distance(first.body, second.body);
   if (apart < reach && apart > 0) second.at += between * ((reach - apart) / apart);
 }
 

@@ -97,7 +97,8 @@ Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> oth
   }
   for (int k = 1; k <= static_cast<int>(others.size()); ++k) {
     const Ball& other = others[static_cast<std::size_t>(k) - 1];
-    if (std::ranges::count(except, k) == 0) balls.push_back({other.at, radius + other.body.radius, Contact::ball(k)});
+    if (std::ranges::count(except, k) == 0)
+      balls.push_back({other.at, touching_distance(body, other.body), Contact::ball(k)});
   }
 }
 

@@ -208,7 +208,7 @@ void check_body(const Body& body, const std::string& path) {
 
 /// Balls that touch are legal.
 void check_apart(const Ball& ball, const Ball& other, const std::string& path) {
-  const double overlap = ball.body.radius + other.body.radius - norm(ball.at - other.at);
+  const double overlap = touching_distance(ball.body, other.body) - norm(ball.at - other.at);
   if (overlap > tolerance::overlap)
     fail(path,
          fmt::format("ball \"{}\" at {} overlaps ball \"{}\" by {:.6g} m", ball.id, show(ball.at), other.id, overlap));

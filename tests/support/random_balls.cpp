@@ -13,7 +13,7 @@ namespace {
 bool fits(const ShotRequest& shot, const Ball& ball) {
   if (Boundary(shot.table, ball.body).clearance(ball.at) < 0) return false;
   const auto apart = [&](const Ball& other) {
-    return norm(ball.at - other.at) >= ball.body.radius + other.body.radius;
+    return norm(ball.at - other.at) >= touching_distance(ball.body, other.body);
   };
   return apart(shot.ball) && std::ranges::all_of(shot.others, apart);
 }
@@ -27,7 +27,7 @@ Vec2d touching(Random& r, const ShotRequest& shot, const Body& body) {
   const Ball& beside = which == 0 ? shot.ball : shot.others[static_cast<std::size_t>(which) - 1];
   const double way = r.chance(0.3) ? radians(60.0 * r.integer(0, 5)) : r.uniform(0, 7);
   const double gap = r.chance(0.5) ? 0 : r.log_uniform(1e-16, 1e-9);
-  return beside.at + Vec2d{std::cos(way), std::sin(way)} * (beside.body.radius + body.radius + gap);
+  return beside.at + Vec2d{std::cos(way), std::sin(way)} * (touching_distance(beside.body, body) + gap);
 }
 
 void place_others(Random& r, ShotRequest& shot, BallFamily family) {

@@ -4,7 +4,7 @@
 //   walls    each segment moved inwards by R: n·r >= offset
 //   tips     each bend with R added to its radius: a corner that points into the table is one
 //   pockets  capture circles
-//   balls    others that stand on the table: a centre that comes as near as the two radii touches one
+//   balls    others that stand on the table: a centre at the touching distance (scene/body.hpp) touches one
 //   jaws     of a table with jaws, those of each pocket: a centre beyond a wall's line is between some pocket's jaws,
 //            and meets nothing but them
 // Each knows which contact it is (contact.hpp).
