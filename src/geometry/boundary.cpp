@@ -175,4 +175,31 @@ double Boundary::distance_to_centres(const Vec2d& point) const {
   return nearest;
 }
 
+const Circle* Boundary::pocket_around(const Vec2d& at) const {
+  const double point = tolerance::point_pocket * diagonal;
+  const auto found = std::ranges::find_if(
+      pockets, [&](const Circle& c) { return c.radius > point && norm(at - c.centre) < c.radius; });
+  return found == pockets.end() ? nullptr : &*found;
+}
+
+Vec2d Boundary::moved_inside(Vec2d at, double most) const {
+  const auto off_wall = [&](const Wall& w) {
+    const double gap = dot(w.normal, at) - w.offset, along = dot(w.along, at);
+    if (gap < 0 && gap > -most && along >= w.begin && along <= w.end) at -= w.normal * gap;
+  };
+  const auto off_tip = [&](const Circle& c) {
+    const Vec2d out = at - c.centre;
+    const double far = norm(out);
+    if (far < c.radius && far > std::max(0.0, c.radius - most) && c.covers(at)) at = c.centre + out * (c.radius / far);
+  };
+  for (const Wall& w : walls)
+    if (jaws.empty() || break_at(w, dot(w.along, at)) < 0) off_wall(w);
+  std::ranges::for_each(tips, off_tip);
+  for (const JawWalls& jaw : jaws) {
+    std::ranges::for_each(jaw.tips, off_tip);
+    if (jaw.faced) std::ranges::for_each(jaw.facings, off_wall);
+  }
+  return at;
+}
+
 }  // namespace bankshot

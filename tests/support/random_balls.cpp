@@ -11,7 +11,8 @@ namespace bankshot::test {
 namespace {
 
 bool fits(const ShotRequest& shot, const Ball& ball) {
-  if (Boundary(shot.table, ball.body).clearance(ball.at) < 0) return false;
+  const Boundary boundary(shot.table, ball.body);
+  if (boundary.clearance(ball.at) < 0 || boundary.pocket_around(ball.at)) return false;
   const auto apart = [&](const Ball& other) {
     return norm(ball.at - other.at) >= touching_distance(ball.body, other.body);
   };
@@ -59,7 +60,9 @@ ShotRequest random_balls(Random& r, BallFamily family) {
   if (r.chance(0.3)) shot.table = rectangle_table(r.uniform(0.6, 3), r.uniform(0.4, 1.5));
   const Vec2d size = shot.table.highest();
   const double R = shot.ball.body.radius;
-  shot.ball.at = {r.uniform(R, size.x - R), r.uniform(R, size.y - R)};
+  const Boundary boundary(shot.table, shot.ball.body);
+  do shot.ball.at = {r.uniform(R, size.x - R), r.uniform(R, size.y - R)};
+  while (boundary.pocket_around(shot.ball.at));
   if (family == BallFamily::sizes) {
     shot.physics.ball_ball = {r.uniform(0, 1), r.uniform(0, 0.3)};
     shot.ball.body.mass = r.log_uniform(0.05, 0.5);

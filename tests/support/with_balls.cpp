@@ -10,6 +10,11 @@
 namespace bankshot::test::make {
 namespace {
 
+/// A centre can be there, and in no pocket.
+bool stands(const Boundary& boundary, const Vec2d& at) {
+  return !(boundary.clearance(at) < 0) && !boundary.pocket_around(at);
+}
+
 /// A ball that the path does not touch: anywhere, or beside a place on the path with as little as a nanometre left.
 std::optional<Ball> beside_path(Random& r, const Puzzle& p, const Trajectory& t) {
   Ball ball{{}, p.ball.body, std::to_string(p.others.size() + 1)};
@@ -26,7 +31,7 @@ std::optional<Ball> beside_path(Random& r, const Puzzle& p, const Trajectory& t)
   const auto clear = [&](const Ball& other) {
     return norm(ball.at - other.at) >= touching_distance(other.body, ball.body);
   };
-  if (Boundary(p.table, ball.body).clearance(ball.at) < 0 || !std::ranges::all_of(p.others, clear)) return {};
+  if (!stands(Boundary(p.table, ball.body), ball.at) || !std::ranges::all_of(p.others, clear)) return {};
   if (nearest_on(t, ball.at) < apart + 5e-10) return {};
   return ball;
 }
@@ -40,7 +45,7 @@ void scatter(Random& r, Puzzle& p) {
     if (r.chance(0.2)) ball.body.radius *= r.uniform(0.7, 1.25);
     ball.at = {r.uniform(low.x, high.x), r.uniform(low.y, high.y)};
     const auto clear = [&](const Ball& o) { return norm(ball.at - o.at) >= touching_distance(o.body, ball.body); };
-    if (Boundary(p.table, ball.body).clearance(ball.at) < 0 || !clear(p.ball)) continue;
+    if (!stands(Boundary(p.table, ball.body), ball.at) || !clear(p.ball)) continue;
     if (std::ranges::all_of(p.others, clear)) p.others.push_back(ball);
   }
 }

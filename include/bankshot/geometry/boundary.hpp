@@ -131,6 +131,10 @@ struct Boundary {
   double clearance(const Vec2d& at) const;
   /// Distance from `point` to the nearest place where the centre can be.
   double distance_to_centres(const Vec2d& point) const;
+  /// The pocket in whose capture circle a centre lies; null where there is none. A point pocket holds no ball.
+  const Circle* pocket_around(const Vec2d& at) const;
+  /// A centre that is at most `most` [m] beyond rails, jaws or vertices, back where it touches them; any other stays.
+  Vec2d moved_inside(Vec2d at, double most) const;
 
  private:
   /// m along a wall.
