@@ -119,7 +119,8 @@ TEST_CASE("balls that stood behind a pocket are refused, as a point pocket never
   const auto eight = refusal(read_shot, shot(scene(R"("pool-9ft")", in_the_open, {0, 0})));
   REQUIRE(eight);
   CHECK(eight->reason == "ball 8 lies in pocket bottom-left");
-  const auto round = refusal(read_shot, shot(scene(R"({"preset": "pool-9ft", "jaws": false})", in_the_open, {.03, .03})));
+  const auto round =
+      refusal(read_shot, shot(scene(R"({"preset": "pool-9ft", "jaws": false})", in_the_open, {.03, .03})));
   REQUIRE(round);
   CHECK(round->reason == "ball 8 lies in pocket bottom-left");
   CHECK(!refusal(read_shot, R"({"table": {"length": 2, "width": 1, "pockets": [{"name": "hole", "at": [1, 0.5],

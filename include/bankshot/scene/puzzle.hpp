@@ -64,6 +64,8 @@ struct Puzzle {
   Aim aim = Aim::centre;
   Noise noise{};
   long budget = 100000;  ///< simulations
+  /// m: by how much `settle` moved each ball, the cue ball first; empty where it was not asked for.
+  std::vector<Vec2d> settled{};
 
   /// The chance of a shot is that under more than errors of aim and speed.
   bool errs_in_more() const { return noise.in_more() || physics.errors; }
@@ -83,6 +85,7 @@ struct ShotRequest {
     std::optional<int> cushions{};   ///< bounces
     std::optional<double> length{};  ///< m, along the path
   } until{};
+  std::vector<Vec2d> settled{};  ///< m: by how much `settle` moved each ball, as in a puzzle
 };
 
 /// The name of what can be met: the table's, and of balls `ball "8"`.
