@@ -115,7 +115,7 @@ inline constexpr Key cushion_keys[] = {
      "speed after a square bounce over the speed before", between(0, 1)},
     {"friction", "number", "", "0.2", "0.14", "between ball and cushion", at_least(0)},
     {"height", "number", "m",
-     "1.28 R of the preset's ball, else of the struck ball; carom-10ft 0.037, snooker-12ft 0.03675", "0.0366",
+     "1.28 R of the preset's ball, else of the largest ball; carom-10ft 0.037, snooker-12ft 0.03675", "0.0366",
      "of the nose over the cloth, between R and 2 R"},
     {"frequency_ratio", "number", "", "1.8", "1.7",
      "of `stronge` alone: how fast the rubber gives across over how fast it gives along, between 1 and 2",

@@ -63,8 +63,8 @@ void read_setting(const Reader& doc, Scene& s) {
   const Reader table = doc.need("table");
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.body.radius);
-  s.physics = read_physics(doc, s.ball);
   s.others = read_others(doc, s.ball.body);
+  s.physics = read_physics(doc, s.ball, s.others);
   const auto asked = doc.find("settle");
   // A table without corners is refused later.
   if (asked && asked->boolean() && s.table.vertices.size() >= 3) s.settled = settle(s.table, s.ball, s.others);
