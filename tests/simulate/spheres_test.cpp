@@ -59,7 +59,7 @@ TEST_CASE("a smaller ball may stand under the round of a larger one, and no near
 TEST_CASE("balls of any sizes meet where spheres touch") {
   Random r(5);
   int contacts = 0, unequal = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 200; ++i) {
     const ShotRequest shot = test::random_balls(r, test::BallFamily::sizes);
     INFO("number " << i << " of seed 5: " << test::write_shot(shot));
     const Trajectory t = simulate(shot);
