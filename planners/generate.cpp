@@ -116,7 +116,7 @@ bool scatter(Random& r, const Wish& w, const Boundary& boundary, Puzzle& p) {
   };
   for (int tries = 0; tries < patience && static_cast<int>(p.others.size()) < count; ++tries) {
     const auto at = free_place(r, boundary, w.table);
-    const auto clear = [&](const Ball& b) { return norm(b.at - *at) > 2 * w.ball.body.radius; };
+    const auto clear = [&](const Ball& b) { return norm(b.at - *at) > touching_distance(b.body, w.ball.body); };
     if (at && clear(p.ball) && std::ranges::all_of(p.others, clear))
       p.others.push_back({*at, w.ball.body, id(p.others.size())});
   }

@@ -12,31 +12,28 @@
 namespace bankshot::planning {
 namespace {
 
-/// Back to where a centre can be.
-void keep_inside(const Table& table, Ball& ball) {
+/// A draw moves the ball, but not beyond where a centre can be; one that would drop it leaves it where it stands.
+void move(const Table& table, Ball& ball, const Vec2d& by) {
   const Boundary boundary(table, ball.body);
-  for (const Wall& w : boundary.walls) {
-    const double gap = dot(w.normal, ball.at) - w.offset, along = dot(w.along, ball.at);
-    if (gap < 0 && gap > -2 * ball.body.radius && along >= w.begin && along <= w.end) ball.at -= w.normal * gap;
-  }
+  const Vec2d at = boundary.moved_inside(ball.at + by, 2 * ball.body.radius);
+  if (!boundary.pocket_around(at)) ball.at = at;
 }
 
 /// The second moves away from the first.
 void keep_apart(const Ball& first, Ball& second) {
   const Vec2d between = second.at - first.at;
-  const double apart = norm(between), reach = first.body.radius + second.body.radius;
+  const double apart = norm(between), reach = touching_distance(first.body, second.body);
   if (apart < reach && apart > 0) second.at += between * ((reach - apart) / apart);
 }
 
 /// The balls where a draw puts them; `normal`: two numbers a ball.
 void move_balls(Puzzle& p, const double* normal) {
-  const auto move = [&](Ball& ball) {
-    ball.at += Vec2d{normal[0], normal[1]} * p.noise.at;
+  const auto draw = [&](Ball& ball) {
+    move(p.table, ball, Vec2d{normal[0], normal[1]} * p.noise.at);
     normal += 2;
-    keep_inside(p.table, ball);
   };
-  move(p.ball);
-  for (Ball& ball : p.others) move(ball);
+  draw(p.ball);
+  for (Ball& ball : p.others) draw(ball);
   for (std::size_t i = 0; i < p.others.size(); ++i) {
     keep_apart(p.ball, p.others[i]);
     for (std::size_t j = 0; j < i; ++j) keep_apart(p.others[j], p.others[i]);

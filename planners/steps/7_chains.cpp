@@ -125,7 +125,7 @@ class Chains {
 
   /// Where the ball before the last is when it sends that along n.
   Vec2d ghost(const Vec2d& n) const {
-    return last_.at_rest.at - n * (body_before().radius + last_.at_rest.body.radius);
+    return last_.at_rest.at - n * touching_distance(body_before(), last_.at_rest.body);
   }
   const Body& body_before() const { return by_ ? by_->at_rest.body : q_.puzzle.ball.body; }
 

@@ -36,7 +36,7 @@ const CushionRule& ChainPath::rule(int n) const {
 
 Place ChainPath::next_of(int n) const {
   const Objects::Object& next = object(n + 1);
-  return {next.at_rest.at, body(n).radius + next.at_rest.body.radius};
+  return {next.at_rest.at, touching_distance(body(n), next.at_rest.body)};
 }
 
 bool ChainPath::is_on(int n, const std::vector<Contact>& met) const {

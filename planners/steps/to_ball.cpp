@@ -52,7 +52,7 @@ void add_approaches(const Question& q, Ledger& ledger, const Objects::Object& ob
                     std::vector<Approach>& out) {
   ToPlace to_ball(q, to.part, speed);
   const Question& own = to_ball.at(object.at_rest.at);
-  const double reach = to.by.radius + object.at_rest.body.radius;
+  const double reach = touching_distance(to.by, object.at_rest.body);
   Findings starts;
   to.step(own, ledger, starts);
   for (const Lead& lead : starts.leads) {

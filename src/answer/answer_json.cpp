@@ -141,6 +141,15 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   w.close('}');
 }
 
+/// By how much balls were moved apart, those that were.
+void write_settled(JsonWriter& w, const Puzzle& p) {
+  w.key("settled");
+  w.open('{');
+  for (std::size_t i = 0; i < p.settled.size(); ++i)
+    if (!(p.settled[i] == Vec2d{})) write_point(w, p.settled[i], i == 0 ? p.ball.id : p.others[i - 1].id);
+  w.close('}');
+}
+
 /// Up to the list of shots, which is left open.
 void write_head(JsonWriter& w, const Answer& a) {
   w.open('{');
@@ -192,6 +201,7 @@ std::string to_json(const Puzzle& puzzle, const Answer& a, bool timing, bool pat
   w.close(']');
   w.integer("simulations", a.simulations);
   if (timing) w.number("time_us", a.time_us);
+  if (!puzzle.settled.empty()) write_settled(w, puzzle);
   write_tail(w, a);
   return w.take();
 }
@@ -216,6 +226,7 @@ std::string to_json(const Answer& a) {
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {
   ShotRequest r{p.id, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
   r.until.time = shot.arrival.time;
+  r.settled = p.settled;
   return r;
 }
 

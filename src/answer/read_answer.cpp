@@ -3,6 +3,7 @@
 #include <array>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/json.hpp"
 #include "format/answer_keys.hpp"
@@ -104,6 +105,17 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   return s;
 }
 
+/// Moved again, balls go where the answer says.
+void check_settled(const Reader& r, const Puzzle& p) {
+  const auto members = r.members();
+  for (std::size_t i = 0; i < p.settled.size(); ++i) {
+    const std::string& id = i == 0 ? p.ball.id : p.others[i - 1].id;
+    const auto said = std::ranges::find(members, id, [](const auto& member) { return member.first; });
+    const Vec2d by = said == members.end() ? Vec2d{} : said->second.point();
+    if (norm(by - p.settled[i]) > tolerance::overlap) r.fail("is not by how much ball " + id + " is moved");
+  }
+}
+
 Status read_status(const Reader& r) { return static_cast<Status>(r.word("status", format::statuses)); }
 
 }  // namespace
@@ -127,6 +139,7 @@ Answer read_answer(std::string_view text, const Puzzle* puzzle, std::set<std::st
   for (const Reader& m : doc.need("modelled").items()) a.modelled.push_back(m.text());
   a.simulations = doc.need("simulations").count();
   if (const auto t = doc.find("time_us")) a.time_us = t->at_least(0);
+  if (const auto v = doc.find("settled")) check_settled(*v, *puzzle);
   return a;
 }
 

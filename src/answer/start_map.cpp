@@ -46,8 +46,7 @@ Vec2d StartGrid::at(std::size_t i) const {
 
 Start start_at(const Puzzle& p, const Boundary& boundary, const Vec2d& at) {
   if (boundary.clearance(at) < 0) return Start::cushion;
-  for (const Circle& c : boundary.pockets)
-    if (norm(at - c.centre) <= c.radius) return Start::pocket;
+  if (boundary.pocket_around(at)) return Start::pocket;
   for (const Circle& ball : boundary.balls)
     if (norm(at - ball.centre) < ball.radius) return Start::ball;
   const auto there = [&](const Mark& mark) {

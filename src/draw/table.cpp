@@ -134,7 +134,8 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
     const Vec2d at = c.at(mark.at);
     if (reached && reached->at != mark.at) continue;
     if (mark.cuts) {
-      ring(at, c.px(mark.reach - p.ball.body.radius) + 4, 2);
+      const Ball& ball = p.others[static_cast<std::size_t>(mark.taken_by.index) - 1];
+      ring(at, c.px(ball.body.radius) + 4, 2);
       continue;
     }
     if (mark.captures()) {

@@ -141,6 +141,8 @@ inline constexpr Key answer_keys[] = {
     {"simulations", "whole", "", "not of `invalid`", "31", "spent, search and proof", at_least(0)},
     {"time_us", "number", "µs", "left out with --no-timing", "14.2", "of the search, without margin and success",
      at_least(0)},
+    {"settled", "<point>", "m", "without `settle`", R"({"8": [-1.2e-5, 0]})",
+     "by how much balls were moved apart before the search"},
     {"error", "{error}", "", "of `invalid` alone", R"({"path": "/table", "reason": "this key is required"})",
      "what is wrong with the puzzle"},
     {"message", "string", "", required, R"("made by bottom, right")", "one sentence for a person"},

@@ -133,6 +133,8 @@ inline constexpr Key scene_keys[] = {
      physics_names},
     {"ball", "{ball}", "", required, R"({"at": [0.635, 0.4]})", "the ball that is struck"},
     {"others", "[{other}]", "", "[]", R"([{"id": "8", "at": [1.9, 0.635]}])", "balls at rest"},
+    {"settle", "boolean", "", "false", "true",
+     "first move balls apart that overlap by up to 1e-4 m, the cue ball too; the answer says by how much"},
 };
 /// Those, then the document's own. Without std::ranges::copy, which libc++ 14, that of the engine, does not have.
 template <std::size_t N>

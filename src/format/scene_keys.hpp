@@ -115,7 +115,7 @@ inline constexpr Key cushion_keys[] = {
      "speed after a square bounce over the speed before", between(0, 1)},
     {"friction", "number", "", "0.2", "0.14", "between ball and cushion", at_least(0)},
     {"height", "number", "m",
-     "1.28 R of the preset's ball, else of the struck ball; carom-10ft 0.037, snooker-12ft 0.03675", "0.0366",
+     "1.28 R of the preset's ball, else of the largest ball; carom-10ft 0.037, snooker-12ft 0.03675", "0.0366",
      "of the nose over the cloth, between R and 2 R"},
     {"frequency_ratio", "number", "", "1.8", "1.7",
      "of `stronge` alone: how fast the rubber gives across over how fast it gives along, between 1 and 2",
@@ -235,7 +235,8 @@ inline constexpr Object spins{"spins",
                               spins_keys};
 
 inline constexpr Key ball_keys[] = {
-    {"at", "point", "m", required, "[0.635, 0.4]", "its centre; at least the radius away from every cushion"},
+    {"at", "point", "m", required, "[0.635, 0.4]",
+     "its centre; at least the radius away from every cushion, and in no pocket"},
     {"radius", "number", "m", "that of the table's preset, else 0.028575", "0.03",
      "0 is a point, in `ideal` and `rolling`", at_least(0)},
     {"mass", "number", "kg", "that of the table's preset, else 0.170097", "0.17", "", positive},
@@ -245,7 +246,8 @@ inline constexpr Object ball{"ball", "The ball that is struck.", ball_keys};
 
 inline constexpr Key other_keys[] = {
     {"id", "string", "", required, R"("8")", "unique, and not `cue`"},
-    {"at", "point", "m", required, "[1.9, 0.635]", "its centre; balls may touch, and overlap by no more than 1e-9 m"},
+    {"at", "point", "m", required, "[1.9, 0.635]",
+     "its centre, in no pocket; balls touch at 2 √(R1 R2) in plan, and overlap by no more than 1e-9 m (see `settle`)"},
     {"radius", "number", "m", "the struck ball's", "0.0262", "", positive},
     {"mass", "number", "kg", "the struck ball's", "0.17", "", positive},
 };

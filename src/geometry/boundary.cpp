@@ -97,7 +97,8 @@ Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> oth
   }
   for (int k = 1; k <= static_cast<int>(others.size()); ++k) {
     const Ball& other = others[static_cast<std::size_t>(k) - 1];
-    if (std::ranges::count(except, k) == 0) balls.push_back({other.at, radius + other.body.radius, Contact::ball(k)});
+    if (std::ranges::count(except, k) == 0)
+      balls.push_back({other.at, touching_distance(body, other.body), Contact::ball(k)});
   }
 }
 
@@ -172,6 +173,33 @@ double Boundary::distance_to_centres(const Vec2d& point) const {
       nearest = std::min(nearest, std::sqrt(square_to_segment(point, w.from, w.to)));
   for (const Circle& c : tips) nearest = std::min(nearest, std::abs(norm(point - c.centre) - c.radius));
   return nearest;
+}
+
+const Circle* Boundary::pocket_around(const Vec2d& at) const {
+  const double point = tolerance::point_pocket * diagonal;
+  const auto found = std::ranges::find_if(
+      pockets, [&](const Circle& c) { return c.radius > point && norm(at - c.centre) < c.radius; });
+  return found == pockets.end() ? nullptr : &*found;
+}
+
+Vec2d Boundary::moved_inside(Vec2d at, double most) const {
+  const auto off_wall = [&](const Wall& w) {
+    const double gap = dot(w.normal, at) - w.offset, along = dot(w.along, at);
+    if (gap < 0 && gap > -most && along >= w.begin && along <= w.end) at -= w.normal * gap;
+  };
+  const auto off_tip = [&](const Circle& c) {
+    const Vec2d out = at - c.centre;
+    const double far = norm(out);
+    if (far < c.radius && far > std::max(0.0, c.radius - most) && c.covers(at)) at = c.centre + out * (c.radius / far);
+  };
+  for (const Wall& w : walls)
+    if (jaws.empty() || break_at(w, dot(w.along, at)) < 0) off_wall(w);
+  std::ranges::for_each(tips, off_tip);
+  for (const JawWalls& jaw : jaws) {
+    std::ranges::for_each(jaw.tips, off_tip);
+    if (jaw.faced) std::ranges::for_each(jaw.facings, off_wall);
+  }
+  return at;
 }
 
 }  // namespace bankshot

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_physics.hpp"
 
+#include <algorithm>
+
 #include "format/scene_keys.hpp"
 #include "scene/read_table.hpp"
 
@@ -75,9 +77,17 @@ CoefficientErrors read_covariance(const Reader& r) {
   return out;
 }
 
-Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body) {
-  const TablePreset* const preset = preset_of(table);
-  Physics p = spin_physics(body, preset ? std::optional(preset->nose()) : std::nullopt);
+/// The cushions' height over the cloth where nothing is said of it [m]: for the largest ball where no preset has its
+/// own.
+double usual_nose(const Reader& table, const Ball& ball, const std::vector<Ball>& others) {
+  if (const TablePreset* const preset = preset_of(table)) return preset->nose();
+  double largest = ball.body.radius;
+  for (const Ball& other : others) largest = std::max(largest, other.body.radius);
+  return 1.28 * largest;
+}
+
+Physics read_spin_physics(const Reader* r, const Body& body, double nose) {
+  Physics p = spin_physics(body, nose);
   SlideRoll& motion = std::get<SlideRoll>(p.motion);
   Han2005& cushion = std::get<Han2005>(p.cushion);
   if (!r) return p;
@@ -96,7 +106,7 @@ Physics read_spin_physics(const Reader* r, const Reader& table, const Body& body
   return p;
 }
 
-Physics read_level_physics(const Reader& scene, const Reader& table, const Ball& ball) {
+Physics read_level_physics(const Reader& scene, const Ball& ball, double nose) {
   const auto r = scene.find("physics");
   if (r && !r->is_string() && !r->is_object()) r->fail("must be the name of a physics or an object");
   const Reader* overrides = r && r->is_object() ? &*r : nullptr;
@@ -105,7 +115,7 @@ Physics read_level_physics(const Reader& scene, const Reader& table, const Ball&
   if (which == 2) {
     if (ball.body.radius == 0)
       throw InvalidInput("/ball/radius", "0 is a point, which only the physics \"ideal\" and \"rolling\" know");
-    return read_spin_physics(overrides, table, ball.body);
+    return read_spin_physics(overrides, ball.body, nose);
   }
   if (which == 0) {
     if (overrides) r->only(format::ideal);
@@ -131,9 +141,9 @@ Physics read_level_physics(const Reader& scene, const Reader& table, const Ball&
 
 }  // namespace
 
-Physics read_physics(const Reader& scene, const Ball& ball) {
+Physics read_physics(const Reader& scene, const Ball& ball, const std::vector<Ball>& others) {
   const Reader table = scene.need("table");
-  Physics p = read_level_physics(scene, table, ball);
+  Physics p = read_level_physics(scene, ball, usual_nose(table, ball, others));
   const auto tilt = table.is_object() ? table.find("tilt") : std::nullopt;
   if (tilt) p.tilt = tilt->pair(format::tilt_key.bounds);
   return p;

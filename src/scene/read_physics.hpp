@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/physics.hpp"
 #include "json/reader.hpp"
@@ -9,7 +11,7 @@ namespace bankshot {
 
 Restitution read_restitution(const Reader& r);
 
-/// What a document says of its physics; what it does not say depends on its table and on the ball.
-Physics read_physics(const Reader& scene, const Ball& ball);
+/// What a document says of its physics; what it does not say depends on its table and on the balls.
+Physics read_physics(const Reader& scene, const Ball& ball, const std::vector<Ball>& others = {});
 
 }  // namespace bankshot

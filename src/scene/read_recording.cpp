@@ -87,12 +87,6 @@ Track read_track(const Reader& r, int ball, const ShotRequest& scene, const Boun
   return track;
 }
 
-/// Where a ball stands is measured too: a little beyond a cushion, it touched it.
-void push_in(const Boundary& boundary, Vec2d& at) {
-  for (const Wall& w : boundary.walls)
-    if (const double gap = dot(w.normal, at) - w.offset; gap < 0 && gap > -off_the_table) at -= w.normal * gap;
-}
-
 Recording read_recording(const Reader& doc, std::string id) {
   Recording out;
   ShotRequest& s = out.scene;
@@ -101,8 +95,9 @@ Recording read_recording(const Reader& doc, std::string id) {
   read_setting(doc, s);
   out.launch_given = read_launch(doc, s);
   const Boundary boundary(s.table, s.ball.body);
-  push_in(boundary, s.ball.at);
-  for (Ball& other : s.others) push_in(Boundary(s.table, other.body), other.at);
+  // Where a ball stands is measured too: a little beyond a cushion, it touched it.
+  s.ball.at = boundary.moved_inside(s.ball.at, off_the_table);
+  for (Ball& other : s.others) other.at = Boundary(s.table, other.body).moved_inside(other.at, off_the_table);
   validate(s);
   if (const auto v = doc.find("sigma")) out.sigma = v->number(format::recording["sigma"].bounds);
   if (const auto v = doc.find("cushions")) out.cushions = read_sequence(*v, s.table);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_shot.hpp"
 
+#include "bankshot/scene/settle.hpp"
 #include "format/shot_keys.hpp"
 #include "scene/read_physics.hpp"
 #include "scene/read_table.hpp"
@@ -62,8 +63,11 @@ void read_setting(const Reader& doc, Scene& s) {
   const Reader table = doc.need("table");
   s.ball = read_ball(doc, default_ball(table));
   s.table = read_table(table, s.ball.body.radius);
-  s.physics = read_physics(doc, s.ball);
   s.others = read_others(doc, s.ball.body);
+  s.physics = read_physics(doc, s.ball, s.others);
+  const auto asked = doc.find("settle");
+  // A table without corners is refused later.
+  if (asked && asked->boolean() && s.table.vertices.size() >= 3) s.settled = settle(s.table, s.ball, s.others);
 }
 template void read_setting(const Reader& doc, Puzzle& scene);
 template void read_setting(const Reader& doc, ShotRequest& scene);

@@ -206,9 +206,16 @@ void check_body(const Body& body, const std::string& path) {
     fail(path + "/mass", fmt::format("{} kg is too heavy to compute with", body.mass));
 }
 
+/// The ball stands where its centre can be, and in no pocket.
+void check_stands(const Table& table, const Boundary& b, const Ball& ball, const std::string& path) {
+  if (const Circle* const pocket = b.pocket_around(ball.at))
+    fail(path, fmt::format("ball {} lies in pocket {}", ball.id, contact_name(table, pocket->contact)));
+  check_inside(b, ball.at, path, "the centre of the ball");
+}
+
 /// Balls that touch are legal.
 void check_apart(const Ball& ball, const Ball& other, const std::string& path) {
-  const double overlap = ball.body.radius + other.body.radius - norm(ball.at - other.at);
+  const double overlap = touching_distance(ball.body, other.body) - norm(ball.at - other.at);
   if (overlap > tolerance::overlap)
     fail(path,
          fmt::format("ball \"{}\" at {} overlaps ball \"{}\" by {:.6g} m", ball.id, show(ball.at), other.id, overlap));
@@ -260,7 +267,7 @@ void check_others(const Table& table, const Boundary& boundary, const Ball& stru
     check_nose(physics, ball.body);
     const std::optional<Boundary> own =
         ball.body == struck.body ? std::nullopt : std::optional(Boundary(table, ball.body));
-    check_inside(own ? *own : boundary, ball.at, path + "/at", "the centre of the ball");
+    check_stands(table, own ? *own : boundary, ball, path + "/at");
     for (std::size_t k = 0; k <= i; ++k) check_apart(ball, before(k), path + "/at");
   }
 }
@@ -272,8 +279,8 @@ Boundary check_scene(const Table& table, const Ball& ball, const Physics& physic
   check_physics(physics, ball.body);
   check_own_cushions(table, physics);
   Boundary boundary(table, ball.body);
-  check_inside(boundary, ball.at, "/ball/at", "the centre of the ball");
   check_pockets(table, boundary);
+  check_stands(table, boundary, ball, "/ball/at");
   return boundary;
 }
 

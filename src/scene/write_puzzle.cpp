@@ -76,6 +76,7 @@ Json question_json(const Puzzle& p) {
   if (!p.about.empty()) j["about"] = parse_document(p.about);
   j["ball"] = ball_json(p.ball);
   if (!p.others.empty()) j["others"] = others_json(p.others, p.ball.body);
+  if (!p.settled.empty()) j["settle"] = true;
   if (p.spin_range)
     j["ball"]["spin"] = {
         {"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};

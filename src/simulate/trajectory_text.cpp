@@ -55,6 +55,10 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
               {"length", t.length}};
   // The others stand at the start.
   j["energy"] = {{"start", energy(r.physics, r.ball.body, t.events.front().state)}, {"end", energy_at_end(r, t)}};
+  if (!r.settled.empty()) j["settled"] = Json::object();
+  for (std::size_t i = 0; i < r.settled.size(); ++i)
+    if (const Vec2d& by = r.settled[i]; !(by == Vec2d{}))
+      j["settled"][ball_of(r, static_cast<int>(i)).id] = {by.x, by.y};
   return write_json(r.id, j);
 }
 

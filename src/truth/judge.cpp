@@ -65,7 +65,11 @@ class Judge {
 
   /// Of the struck ball, on its way to another.
   bool ends_before_hit(const TruthEvent& e) {
-    if (e.ball != 0 || e.kind == EventKind::slide_to_roll || e.kind == EventKind::jaw) return false;
+    if (e.ball != 0 || e.kind == EventKind::slide_to_roll) return false;
+    if (e.kind == EventKind::jaw) {
+      touched_jaw_ = true;
+      return false;
+    }
     if (e.kind == EventKind::cushion) {
       if (static_cast<int>(met_.size()) == goal_.max) return fails(fmt::format("meets {} before the ball", name(e)));
       met_.push_back(&e);
@@ -122,7 +126,7 @@ class Judge {
       case EventKind::jaw: {
         const int of = e.contact.jaw_pocket();
         if (pocket_ && !jaw_ && pocket_->pocket.value_or(of) == of) jaw_ = &e;
-        out_.rattles = true;
+        touched_jaw_ = true;
         return false;
       }
       case EventKind::slide_to_roll:
@@ -189,12 +193,14 @@ class Judge {
   void at_point(const Passing& p) {
     out_.why = "";
     out_.time = p.time, out_.speed = p.speed, out_.passed = p.miss, out_.at = p.at;
+    out_.rattles = touched_jaw_;
   }
 
   /// `line`: the event whose line of travel counts.
   bool taken(const TruthEvent& e, const TruthEvent& line) {
     out_.why = "";
     out_.time = e.time, out_.speed = norm(e.state.velocity), out_.at = e.state.at;
+    out_.rattles = touched_jaw_;
     const Circle& rim = *scene_.boundary_of(e.ball).rim(e.contact);
     out_.taken_by = e.contact;
     out_.offset = -line.passing.lateral;
@@ -215,6 +221,7 @@ class Judge {
   std::vector<const TruthEvent*> met_{};  ///< bounces, of the struck ball up to the contact and then of the other
   const TruthEvent* hit_ = nullptr;       ///< the last contact with a ball on the way
   const TruthEvent* jaw_ = nullptr;       ///< the first touched of those of a pocket that is asked for
+  bool touched_jaw_ = false;              ///< of any pocket, so far
   bool found_ = false;                    ///< a pass by the point
   Arrived out_{};
 };

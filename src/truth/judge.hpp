@@ -24,7 +24,7 @@ struct Arrived {
   double offset = 0;  ///< m, of the line into a pocket or onto a ball, positive on the left of its centre
   Vec2d at{}, heading{};
   Contact taken_by{};          ///< the pocket or ball
-  bool rattles = false;        ///< it touched jaws on its way
+  bool rattles = false;        ///< it touched jaws before it arrived
   int ball = 0;                ///< that arrived: the struck one, or one that was sent on
   std::vector<Onward> then{};  ///< those that were sent on, each with its cushions
   struct Hit {

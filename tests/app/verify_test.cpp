@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // `verify` as typed in a shell: honest answers pass, and each claim altered by a little is named.
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/scratch_file.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
+#include "bankshot/simulate/trajectory.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
 #include "support/random_puzzle.hpp"
@@ -88,6 +90,32 @@ TEST_CASE("verify: honest answers of every kind hold") {
   CHECK_THAT(run.out,
              Contains("79 answers: 76 solved, 1 no-shot, 0 budget, 2 invalid") && Contains("every claim holds"));
   CHECK_THAT(run.out, !Contains("fails:"));
+}
+
+TEST_CASE("verify: jaws that are touched after the target was passed do not count") {
+  int jaws = 0;
+  for (const char* cushions : {"0", "1"}) {
+    const std::string p =
+        std::string(R"({"table":"pool-9ft","physics":"rolling","ball":{"at":[1.27,0.635]},"target":)") +
+        R"({"point":[0.4405,0.2045]},"arrive":{"speed":1.5},"cushions":)" + cushions + "}";
+    const Puzzle puzzle = read_puzzle(p);
+    const Answer answer = solve(puzzle, {.all = true});
+    REQUIRE(answer.status == Status::solved);
+    for (const Shot& shot : answer.shots) {
+      ShotRequest on = as_request(puzzle, shot);
+      on.until = {};
+      const Trajectory t = simulate(on);
+      jaws += std::ranges::count(t.events, EventKind::jaw, &Record::kind) > 0 && !shot.rattles;
+    }
+    const Run run = verify(p + "\n", to_json(puzzle, answer, false) + "\n");
+    INFO(run.out);
+    CHECK(run.exit == 0);
+    // A shot that says so without having touched any is refused.
+    Json lies = Json::parse(to_json(puzzle, answer, false));
+    lies["shots"][0]["rattles"] = true;
+    CHECK_THAT(verify(p + "\n", lies.dump() + "\n").out, Contains("form: says that it rattles"));
+  }
+  CHECK(jaws > 0);
 }
 
 TEST_CASE("verify: mathavan2010 is replayed with finer impacts") {

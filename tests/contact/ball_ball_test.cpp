@@ -37,7 +37,7 @@ Two draw(Random& r) {
     if (r.chance(0.3)) two.body2 = two.body1;
     two.first = draw_state(r, two.body1.radius);
     two.second = draw_state(r, two.body2.radius);
-    const double way = r.uniform(0, 7), apart = two.body1.radius + two.body2.radius;
+    const double way = r.uniform(0, 7), apart = touching_distance(two.body1, two.body2);
     const Vec2d n{std::cos(way), std::sin(way)};
     two.first.at = {r.uniform(0, 2), r.uniform(0, 1)};
     two.second.at = two.first.at + n * apart;

@@ -43,6 +43,26 @@ TEST_CASE("a full hit leads through both centres, a cut ball leaves to the side 
   CHECK(left.shots.front().launch.angle < to_8);  // it passes on the right of the middle
 }
 
+TEST_CASE("a ball of another size is met where spheres touch, at the cut that is asked") {
+  int solved = 0;
+  for (const double radius : {0.022, 0.035})
+    for (const double cut : {-60.0, 0.0, 25.0}) {
+      Puzzle p = read_puzzle(R"({"table": "pool-9ft", "physics": "rolling", "ball": {"at": [0.635, 0.4]},
+        "target": {"ball": "8"}, "cushions": 1, "others": [{"id": "8", "at": [1.4, 0.63]}]})");
+      p.others[0].body.radius = radius;
+      std::get<BallTarget>(p.target).cut = radians(cut);
+      const Answer a = solve(p);
+      CAPTURE(radius, cut);
+      REQUIRE(a.status == Status::solved);
+      const Shot& shot = a.shots.front();
+      CHECK(norm(shot.hits.at(0).at - p.others[0].at) == Approx(2 * std::sqrt(radius * p.ball.body.radius)));
+      CHECK(degrees(shot.hits.at(0).cut) == Approx(cut).margin(1e-6));
+      CHECK(shot.miss < 1e-9);
+      ++solved;
+    }
+  CHECK(solved == 6);
+}
+
 TEST_CASE("a ball behind another is reached by a cushion, not through it") {
   const Puzzle p = read_puzzle(R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "target": {"ball": "9"},
     "cushions": 0, "others": [{"id": "8", "at": [1.3, 0.4]}, {"id": "9", "at": [2.0, 0.4]}]})");

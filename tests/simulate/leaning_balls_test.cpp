@@ -41,7 +41,8 @@ Watched watched(const ShotRequest& shot) {
       sum += energy(shot.physics, sim.body(i), s);
       for (int j = 0; j < i; ++j)
         if (sim.in_play(j))
-          w.overlap = std::max(w.overlap, sim.body(i).radius + sim.body(j).radius - norm(s.at - sim.state_now(j).at));
+          w.overlap =
+              std::max(w.overlap, touching_distance(sim.body(i), sim.body(j)) - norm(s.at - sim.state_now(j).at));
     }
     return sum;
   };

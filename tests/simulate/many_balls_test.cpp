@@ -44,7 +44,7 @@ void look(const Sim& sim, const ShotRequest& shot, Watched& w, double& energy_be
     sum += energy(sim.body(i), s);
     for (int j = 0; j < i; ++j)
       if (sim.in_play(j))
-        w.overlap = std::max(w.overlap, sim.body(i).radius + sim.body(j).radius -
+        w.overlap = std::max(w.overlap, touching_distance(sim.body(i), sim.body(j)) -
                                             norm(now.back().at - now[static_cast<std::size_t>(j)].at));
   }
   w.gained = std::max(w.gained, sum - energy_before);

@@ -141,7 +141,7 @@ std::optional<Vec2d> random_place(Random& r, const Boundary& b, const Table& tab
   const Vec2d low = table.lowest(), high = table.highest();
   for (int i = 0; i < enough; ++i) {
     const Vec2d p{r.uniform(low.x, high.x), r.uniform(low.y, high.y)};
-    if (b.clearance(p) >= 0) return p;
+    if (b.clearance(p) >= 0 && !b.pocket_around(p)) return p;
   }
   return {};
 }

@@ -11,9 +11,10 @@ namespace bankshot::test {
 namespace {
 
 bool fits(const ShotRequest& shot, const Ball& ball) {
-  if (Boundary(shot.table, ball.body).clearance(ball.at) < 0) return false;
+  const Boundary boundary(shot.table, ball.body);
+  if (boundary.clearance(ball.at) < 0 || boundary.pocket_around(ball.at)) return false;
   const auto apart = [&](const Ball& other) {
-    return norm(ball.at - other.at) >= ball.body.radius + other.body.radius;
+    return norm(ball.at - other.at) >= touching_distance(ball.body, other.body);
   };
   return apart(shot.ball) && std::ranges::all_of(shot.others, apart);
 }
@@ -27,7 +28,7 @@ Vec2d touching(Random& r, const ShotRequest& shot, const Body& body) {
   const Ball& beside = which == 0 ? shot.ball : shot.others[static_cast<std::size_t>(which) - 1];
   const double way = r.chance(0.3) ? radians(60.0 * r.integer(0, 5)) : r.uniform(0, 7);
   const double gap = r.chance(0.5) ? 0 : r.log_uniform(1e-16, 1e-9);
-  return beside.at + Vec2d{std::cos(way), std::sin(way)} * (beside.body.radius + body.radius + gap);
+  return beside.at + Vec2d{std::cos(way), std::sin(way)} * (touching_distance(beside.body, body) + gap);
 }
 
 void place_others(Random& r, ShotRequest& shot, BallFamily family) {
@@ -59,7 +60,9 @@ ShotRequest random_balls(Random& r, BallFamily family) {
   if (r.chance(0.3)) shot.table = rectangle_table(r.uniform(0.6, 3), r.uniform(0.4, 1.5));
   const Vec2d size = shot.table.highest();
   const double R = shot.ball.body.radius;
-  shot.ball.at = {r.uniform(R, size.x - R), r.uniform(R, size.y - R)};
+  const Boundary boundary(shot.table, shot.ball.body);
+  do shot.ball.at = {r.uniform(R, size.x - R), r.uniform(R, size.y - R)};
+  while (boundary.pocket_around(shot.ball.at));
   if (family == BallFamily::sizes) {
     shot.physics.ball_ball = {r.uniform(0, 1), r.uniform(0, 0.3)};
     shot.ball.body.mass = r.log_uniform(0.05, 0.5);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "bankshot/geometry/boundary.hpp"
+
 namespace bankshot::test {
 namespace {
 
@@ -30,6 +32,7 @@ Drop random_drop(Random& r, bool jaws, bool spin, int most_cushions) {
     if (spin) s.physics = spin_physics(preset.body, preset.nose());
     const double R = preset.body.radius;
     s.ball.at = {r.uniform(R, preset.length - R), r.uniform(R, preset.width - R)};
+    if (Boundary(s.table, s.ball.body).pocket_around(s.ball.at)) continue;
     s.launch = {r.log_uniform(0.3, 8), radians(r.uniform(0, 360))};
     if (spin && r.chance(0.5)) s.spin = {r.uniform(-0.5, 1), r.uniform(-0.5, 0.5), 0};
     s.until.cushions = most_cushions + 1;

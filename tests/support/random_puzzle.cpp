@@ -29,7 +29,7 @@ Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) 
       p = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8,
            low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
     }
-    if (b.clearance(p) >= -1e-13 * b.diagonal) return p;
+    if (b.clearance(p) >= -1e-13 * b.diagonal && !b.pocket_around(p)) return p;
   }
 }
 

@@ -276,7 +276,7 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
     miss = std::abs(offset - truth::exact_offset(boundary, rim, v, offset));
   }
   for (const Ball& other : p.others)
-    if (nearest_on(t, other.at, shot.arrival.time) < p.ball.body.radius + other.body.radius - allowed)
+    if (nearest_on(t, other.at, shot.arrival.time) < touching_distance(p.ball.body, other.body) - allowed)
       c.problem = "touches ball " + other.id;
   if (miss > allowed) c.problem = fmt::format("misses by {} m", miss);
   if (!same_sequence(shot.cushions, t, n)) c.problem = "does not meet the cushions it names";

@@ -10,11 +10,16 @@
 namespace bankshot::test::make {
 namespace {
 
+/// A centre can be there, and in no pocket.
+bool stands(const Boundary& boundary, const Vec2d& at) {
+  return !(boundary.clearance(at) < 0) && !boundary.pocket_around(at);
+}
+
 /// A ball that the path does not touch: anywhere, or beside a place on the path with as little as a nanometre left.
 std::optional<Ball> beside_path(Random& r, const Puzzle& p, const Trajectory& t) {
   Ball ball{{}, p.ball.body, std::to_string(p.others.size() + 1)};
   if (r.chance(0.2)) ball.body.radius *= r.uniform(0.7, 1.25);
-  const double apart = p.ball.body.radius + ball.body.radius;
+  const double apart = touching_distance(p.ball.body, ball.body);
   const Vec2d low = p.table.lowest(), high = p.table.highest();
   ball.at = {r.uniform(low.x, high.x), r.uniform(low.y, high.y)};
   if (r.chance(0.6)) {
@@ -24,9 +29,9 @@ std::optional<Ball> beside_path(Random& r, const Puzzle& p, const Trajectory& t)
     ball.at = leg.arc.position(s) + left * ((r.chance(0.5) ? 1 : -1) * (apart + r.log_uniform(1e-9, 0.05)));
   }
   const auto clear = [&](const Ball& other) {
-    return norm(ball.at - other.at) >= other.body.radius + ball.body.radius;
+    return norm(ball.at - other.at) >= touching_distance(other.body, ball.body);
   };
-  if (Boundary(p.table, ball.body).clearance(ball.at) < 0 || !std::ranges::all_of(p.others, clear)) return {};
+  if (!stands(Boundary(p.table, ball.body), ball.at) || !std::ranges::all_of(p.others, clear)) return {};
   if (nearest_on(t, ball.at) < apart + 5e-10) return {};
   return ball;
 }
@@ -39,8 +44,8 @@ void scatter(Random& r, Puzzle& p) {
     Ball ball{{}, p.ball.body, std::to_string(p.others.size() + 1)};
     if (r.chance(0.2)) ball.body.radius *= r.uniform(0.7, 1.25);
     ball.at = {r.uniform(low.x, high.x), r.uniform(low.y, high.y)};
-    const auto clear = [&](const Ball& o) { return norm(ball.at - o.at) >= o.body.radius + ball.body.radius; };
-    if (Boundary(p.table, ball.body).clearance(ball.at) < 0 || !clear(p.ball)) continue;
+    const auto clear = [&](const Ball& o) { return norm(ball.at - o.at) >= touching_distance(o.body, ball.body); };
+    if (!stands(Boundary(p.table, ball.body), ball.at) || !clear(p.ball)) continue;
     if (std::ranges::all_of(p.others, clear)) p.others.push_back(ball);
   }
 }
@@ -189,7 +194,7 @@ Made sends(Random& r, Model model, int before, int after, Wanted wanted, std::si
       made.launch = {r.log_uniform(0.3, 8), radians(r.uniform(0, 360))};
       if (before == 0 || (before < 0 && r.chance(0.5)))
         made.launch.angle = wrap_angle(std::atan2(way.y, way.x) +
-                                       std::asin(std::min(1.0, (ball.body.radius + p.ball.body.radius) / norm(way))) *
+                                       std::asin(std::min(1.0, touching_distance(ball.body, p.ball.body) / norm(way))) *
                                            r.uniform(-1, 1));
       ShotRequest shot{{}, p.table, p.physics, p.ball, p.others, made.launch, p.spin, {}};
       if (is_ideal(p.physics)) shot.until.cushions = 20;

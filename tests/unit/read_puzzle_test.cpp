@@ -178,3 +178,25 @@ TEST_CASE("writing and reading a puzzle gives the same text") {
     CHECK(write_puzzle(read_puzzle(written)) == written);
   }
 }
+
+TEST_CASE("without a preset of their own cushions are as high as suits the largest ball") {
+  const auto height = [](const std::string& table, double cue, double other) {
+    const std::string balls = R"(, "ball": {"at": [0.3, 0.3], "radius": )" + std::to_string(cue) +
+                              R"(}, "others": [{"id": "1", "at": [0.7, 0.3], "radius": )" + std::to_string(other) +
+                              R"(}], "target": {"ball": "1"}})";
+    return std::get<Han2005>(read_puzzle(R"({"table": )" + table + balls).physics.cushion).height;
+  };
+  const std::string own = R"({"length": 2, "width": 1})";
+  CHECK(height(own, 0.028, 0.031) == 1.28 * 0.031);
+  CHECK(height(own, 0.031, 0.028) == 1.28 * 0.031);
+  CHECK(height(own, 0.028, 0.028) == 1.28 * 0.028);
+  CHECK(height(R"("pool-9ft")", 0.028575, 0.031) == 1.28 * 0.028575);
+  CHECK(height(R"("snooker-12ft")", 0.02625, 0.03) == 0.03675);
+  // It must suit the smallest, too.
+  try {
+    height(own, 0.031, 0.018);
+    FAIL("that nose is over the smaller ball");
+  } catch (const InvalidInput& e) {
+    CHECK(e.path == "/physics/cushion/height");
+  }
+}

@@ -43,6 +43,7 @@ class Puzzle(_Document):
     target: Mapping[str, Any]
     physics: Optional[Named] = None
     others: Optional[Sequence[Mapping[str, Any]]] = None
+    settle: Optional[bool] = None
     cushions: Union[None, int, Sequence[str], Mapping[str, int]] = None
     arrive: Optional[Mapping[str, Any]] = None
     speed: Optional[Range] = None
@@ -68,6 +69,7 @@ class Scene(_Document):
     shot: Union[None, Mapping[str, Any], "Shot"] = None
     physics: Optional[Named] = None
     others: Optional[Sequence[Mapping[str, Any]]] = None
+    settle: Optional[bool] = None
     until: Optional[Mapping[str, float]] = None
     id: Union[None, str, int, float] = None
 

@@ -3,7 +3,8 @@
 // Two balls meet: normal restitution along the line of centres, Coulomb friction across it, which throws the struck
 // ball and spins both (D. Alciatore, The Illustrated Principles of Pool and Billiards, TP A.14; for balls of any size
 // and mass).
-//   n  from the first centre to the second, horizontal; balls count as discs, their lever arms are R₁ n and −R₂ n
+//   n  from the first centre to the second, in plan; lever arms are R₁ n and −R₂ n. The impulse between balls of
+//      different radii stays horizontal along n: its small vertical part is left out
 //   w = v₁ − v₂ + (R₁ ω₁ + R₂ ω₂) × n,  μ₁₂ = m₁ m₂/(m₁ + m₂)
 //   J = (1 + e)(w·n) μ₁₂,  T = min(μ J, 2/7 μ₁₂ |w_t|),  μ = a + b exp(−c |w_t|), often a constant
 //   P = −J n − T ŵ_t;  v₁ += P/m₁, v₂ −= P/m₂ without their vertical part;  ωᵢ += 5/(2 mᵢ Rᵢ) n × P

@@ -35,7 +35,8 @@ struct BallsInPlay {
   /// What rules out most pairs, side by side: where a ball is now and how it goes on.
   struct Glance {
     Vec2<Number> at{}, velocity{};
-    Number fastest{0}, bend{0}, due{never}, radius{0};
+    Number fastest{0}, bend{0}, due{never};
+    double radius{0};  ///< m
   };
 
   std::vector<Ball> balls{};
@@ -54,7 +55,7 @@ struct BallsInPlay {
   }
 
   /// How far apart their centres are where they touch [m].
-  Number reach(std::size_t i, std::size_t j) const { return Number(body(i).radius) + Number(body(j).radius); }
+  Number reach(std::size_t i, std::size_t j) const { return Number(touching_distance(body(i), body(j))); }
 
   /// Along its arc, to now.
   template <class Watch>
@@ -120,14 +121,14 @@ struct BallsInPlay {
     const Ball& s = balls[i];
     const Arc<Number>& arc = value(s.track.arc());
     const Number t = arc.parameter(Number(value(now) - value(s.began)));
-    glances[i] = {arc.position(t), arc.velocity_at(t), s.fastest, s.bend, s.due, Number(body(i).radius)};
+    glances[i] = {arc.position(t), arc.velocity_at(t), s.fastest, s.bend, s.due, body(i).radius};
   }
 
   /// The two, looked at, are too far from each other to touch now.
   bool are_apart(std::size_t i, std::size_t j) const {
     const Glance &a = glances[i], &b = glances[j];
     const Vec2<Number> d = b.at - a.at;
-    const Number near = a.radius + b.radius + 3 * rounding.touch;
+    const Number near = Number(touching_distance(a.radius, b.radius)) + 3 * rounding.touch;
     return dot(d, d) > near * near;
   }
 
@@ -135,7 +136,7 @@ struct BallsInPlay {
   bool stay_apart(std::size_t i, std::size_t j) const {
     const Glance &a = glances[i], &b = glances[j];
     const Vec2<Number> d = b.at - a.at;
-    const Number reach = a.radius + b.radius, limit = std::min<Number>(a.due, b.due) - value(now);
+    const Number reach(touching_distance(a.radius, b.radius)), limit = std::min<Number>(a.due, b.due) - value(now);
     const Number near = reach + 2 * rounding.touch + (a.fastest + b.fastest) * limit;
     if (dot(d, d) > near * near) return true;
     return cannot_meet(d, Vec2<Number>(b.velocity - a.velocity), Number(a.bend + b.bend), reach, limit, rounding);

@@ -4,7 +4,7 @@
 //   walls    each segment moved inwards by R: n·r >= offset
 //   tips     each bend with R added to its radius: a corner that points into the table is one
 //   pockets  capture circles
-//   balls    others that stand on the table: a centre that comes as near as the two radii touches one
+//   balls    others that stand on the table: a centre at the touching distance (scene/body.hpp) touches one
 //   jaws     of a table with jaws, those of each pocket: a centre beyond a wall's line is between some pocket's jaws,
 //            and meets nothing but them
 // Each knows which contact it is (contact.hpp).
@@ -131,6 +131,10 @@ struct Boundary {
   double clearance(const Vec2d& at) const;
   /// Distance from `point` to the nearest place where the centre can be.
   double distance_to_centres(const Vec2d& point) const;
+  /// The pocket in whose capture circle a centre lies; null where there is none. A point pocket holds no ball.
+  const Circle* pocket_around(const Vec2d& at) const;
+  /// A centre that is at most `most` [m] beyond rails, jaws or vertices, back where it touches them; any other stays.
+  Vec2d moved_inside(Vec2d at, double most) const;
 
  private:
   /// m along a wall.

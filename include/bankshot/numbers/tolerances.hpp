@@ -105,6 +105,10 @@ inline constexpr double pressed_rest = 0.1;
 /// m. Balls may overlap so much at the start, by the rounding of whoever wrote the file; they count as touching.
 inline constexpr double overlap = 1e-9;
 
+/// m. Balls that overlap by up to this are moved apart where the scene asks for it ("settle"): a camera or a hand is
+/// off so far. Larger would move balls by what a player sees; smaller would refuse racks that are measured well.
+inline constexpr double settled_overlap = 1e-4;
+
 /// Of the normal approach speed. What the steps of an integrated cushion impact may neglect. Larger
 /// saves little time and shows sooner in paths of many cushions; smaller is below rounding.
 inline constexpr double impact = 1e-13;

@@ -91,6 +91,8 @@ struct Puzzle {
   std::optional<Aim> aim{};          ///< the default depends on the target: `aim_of`
   Noise noise{.speed_share = 0.03};  ///< the Computer Olympiad's pool noise, which grows with the speed
   std::optional<long> budget{};      ///< simulations; the default depends on the target: `budget_of`
+  /// m: by how much `settle` moved each ball, the cue ball first; empty where it was not asked for.
+  std::vector<Vec2d> settled{};
 
   /// The chance of a shot is that under more than errors of aim and speed.
   bool errs_in_more() const { return noise.in_more() || physics.errors; }
@@ -110,6 +112,7 @@ struct ShotRequest {
     std::optional<int> cushions{};   ///< bounces
     std::optional<double> length{};  ///< m, along the path
   } until{};
+  std::vector<Vec2d> settled{};  ///< m: by how much `settle` moved each ball, as in a puzzle
 };
 
 /// The name of what can be met: the table's, and of balls `ball "8"`.

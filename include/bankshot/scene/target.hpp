@@ -88,7 +88,7 @@ struct BallTarget {
 
 using Target = std::variant<PointTarget, PocketTarget, BallTarget>;
 
-/// Offsets of the lines of travel that touch a ball at a cut [m, see opening.hpp]: −(R1 + R2) sin cut.
+/// Offsets of the lines of travel that touch a ball at a cut [m, see opening.hpp]: −2 √(R1 R2) sin cut.
 struct Cuts {
   double low, exact, high;
   bool operator==(const Cuts&) const = default;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// When two balls meet that are both under way: the first time at which the distance of their centres falls through the
-// sum of their radii. Their arcs share a clock, but began at different times.
+// When two balls meet that are both under way: the first time at which the distance of their centres falls through that
+// at which they touch (scene/body.hpp). Their arcs share a clock, but began at different times.
 // Method: the distance bends down no faster than the two accelerations differ, so from a gap and a speed of approach
 // follows a time before which they cannot meet; such steps rule out most pairs at once and close in on the root as
 // Newton's method does, from before. What is neither after a few of them (a graze) is a quartic, isolated between the
