@@ -34,13 +34,16 @@ const ring = (page) =>
     [...document.querySelectorAll('#table .ghost')].map((e) => ['cx', 'cy'].map((key) => Number(e.getAttribute(key)))),
   );
 
-/** Waits until the boldest path ends there. */
-const pathEnds = (page, at) =>
-  page.waitForFunction(([x, y]) => {
-    const points = document.querySelector('.path.best')?.getAttribute('points').split(' ') ?? [];
-    const [px, py] = points[points.length - 1].split(',').map(Number);
-    return Math.hypot(px - x, py - y) < 1e-3;
-  }, at);
+/** Waits until the boldest path ends near one of these places. */
+const pathEnds = (page, places, within) =>
+  page.waitForFunction(
+    ([places, within]) => {
+      const points = document.querySelector('.path.best').getAttribute('points').split(' ');
+      const [x, y] = points[points.length - 1].split(',').map(Number);
+      return places.some((at) => Math.hypot(at[0] - x, at[1] - y) < within);
+    },
+    [places, within],
+  );
 
 describe('where the cue ball ends', () => {
   test('its path leads to the ring, where it rests', async () => {
@@ -51,7 +54,7 @@ describe('where the cue ball ends', () => {
       if (!cue_rests) continue;
       await page.locator(`#shots [data-shot="${i}"]`).hover();
       assert.deepEqual(await ring(page), [cue_rests]);
-      await pathEnds(page, cue_rests);
+      await pathEnds(page, [cue_rests], 1e-3);
       const [, x, y] = path[path.length - 1];
       onward += Math.hypot(cue_rests[0] - x, cue_rests[1] - y) > 0.05;
     }
@@ -60,20 +63,22 @@ describe('where the cue ball ends', () => {
     await page.close();
   });
 
-  test('a scratch is marked at its pocket', async () => {
+  test('a scratch is marked at its pocket, and its path leads into one', async () => {
     const { page } = await open(browser, `${server.url}#${balls}`);
-    await changed(page, (answer) => {
+    const { shots } = await changed(page, (answer) => {
       Object.assign(answer.shots[0], { scratch: true, cue_rests: 'top-left' });
       return answer;
     });
-    const hole = await page.evaluate(async () => {
-      const tables = await (await fetch('/api/tables')).json();
-      const { pockets } = tables.find(({ name }) => name === 'pool-9ft');
-      return pockets.find(({ name }) => name === 'top-left').hole;
-    });
-    assert.deepEqual(await ring(page), [hole]);
+    const tables = await (await fetch(`${server.url}api/tables`)).json();
+    const { pockets } = tables.find(({ name }) => name === 'pool-9ft');
+    assert.deepEqual(await ring(page), [pockets.find(({ name }) => name === 'top-left').hole]);
     assert.equal(await page.locator('.ghost.scratch').count(), 1);
     assert.match(await text(page, 'words'), /the cue ball falls into top-left, too/);
+    const real = shots.findIndex(({ scratch }, i) => scratch && i > 0);
+    assert.ok(real > 0);
+    await page.locator(`#shots [data-shot="${real}"]`).hover();
+    const holes = pockets.map(({ hole }) => hole);
+    await pathEnds(page, holes, 0.1);
     await page.close();
   });
 
