@@ -9,6 +9,12 @@ export function pattern(shot) {
   return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', a scratch' : '');
 }
 
+/** Which of the shots is the one that was chosen while better ones were looked for. @param {any[]} shots @param {any} shot */
+export function likest(shots, shot) {
+  const off = (other) => Math.abs(other.angle - shot.angle) + (pattern(other) === pattern(shot) ? 0 : 360);
+  return shots.reduce((best, other, i) => (off(other) < off(shots[best]) ? i : best), 0);
+}
+
 /** @param {any} shot @param {string} target */
 export function heading(shot, target) {
   if (!shot) return 'No shot';
@@ -52,7 +58,8 @@ export function words(shot, aim, length) {
     const [less, more] = shot.margin.angle.map((v) => Math.abs(v).toFixed(2));
     rows.push(['margin', `${less}° to the right, ${more}° to the left`]);
   }
-  if (shot.scratch) rows.push(['but', 'the struck ball falls, too']);
+  const into = typeof shot.cue_rests === 'string' ? ` into ${shot.cue_rests}` : '';
+  if (shot.scratch) rows.push(['but', `the cue ball falls${into}, too`]);
   return rows;
 }
 

@@ -1,12 +1,12 @@
 // The page: what is asked, the picture of it, and the engine's answer while things are dragged.
-import { fill, heading, mark, pattern, tell, words } from './answer.js';
+import { fill, heading, likest, mark, tell, words } from './answer.js';
 import { Board, free, inside } from './board.js';
 import { Closer } from './closer.js';
 import * as controls from './controls.js';
 import { $ } from './controls.js';
 import { holding, pointIn } from './drag.js';
-import { ask, forget } from './engine.js';
-import { follow, hits, outcome, turns } from './follow.js';
+import { ask, forget, latest } from './engine.js';
+import { finish, follow, hits, outcome, turns } from './follow.js';
 import { gallery } from './gallery.js';
 import { firstCushion, lead, note, paint } from './paint.js';
 import { play, stop } from './play.js';
@@ -31,6 +31,7 @@ let board;
 let shots = [];
 let chosen = 0;
 let picked = ''; // what was asked when a person chose a shot
+let seen; // shot that is looked at
 let last = {}; // answer
 
 const closer = new Closer({
@@ -88,6 +89,7 @@ function rebuild() {
   board = new Board(svg, layers.grips, table, hands);
   svg.querySelector(grip ? `[data-grip="${grip}"]` : `[data-cushion="${cushion}"]`)?.focus(); // as before
   show();
+  forget('solve'); // its answer would be drawn on another table
   solve();
 }
 
@@ -130,40 +132,49 @@ function change(f) {
 
 // ---- the answer ----
 
-async function solve() {
+function solve() {
   document.body.dataset.asked = state.address(scene); // for whoever waits until it is answered
   closer.clear();
   halt();
-  const puzzle = state.puzzle(scene);
-  const slow = setTimeout(() => ($('busy').hidden = false), 300);
-  const quick = await ask('solve?first&path', puzzle, 'solve');
-  if (quick) answered(quick, 'Looking for better shots …');
-  const all = quick && (await ask('solve?all&path', puzzle, 'solve'));
+  searchFirst();
+}
+
+let slow; // timer
+
+/** One shot. A move lets this search end, so that the picture follows what is dragged. */
+const searchFirst = latest(async () => {
+  const [asked, puzzle] = [document.body.dataset.asked, state.puzzle(scene)];
   clearTimeout(slow);
+  slow = setTimeout(() => ($('busy').hidden = false), 300);
+  const first = await ask('solve?first&path', puzzle, 'solve');
+  if (!first) return;
+  answered(first, 'Looking for better shots …');
+  if (asked === document.body.dataset.asked) searchAll(puzzle, first);
+});
+
+/** All shots. A move ends this search, which may take seconds. The shot that is there stays where no other is found. */
+async function searchAll(puzzle, first) {
+  const all = await ask('solve?all&path', puzzle, 'solve');
   if (!all) return;
+  clearTimeout(slow);
   $('busy').hidden = true;
-  answered(all, '');
   state.write(scene); // not while it is dragged: browsers allow some hundred a minute
   document.body.dataset.answered = document.body.dataset.asked;
+  const wider = all.error?.reason ?? 'the wider search ended at its budget';
+  answered(first.shots.length && !all.shots.length ? { ...first, wider } : all, '');
   closer.look();
 }
 
 function answered(answer, more) {
   const before = picked === document.body.dataset.asked ? shots[chosen] : null;
   shots = answer.shots ?? [];
-  chosen = before ? likest(before) : 0;
+  chosen = before ? likest(shots, before) : 0;
   last = answer;
   const text = answer.error ? answer.error.reason : (answer.message ?? '');
   $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
   fill($('shots'), shots, chosen, { look, choose });
   look();
   if (!shots.length && !more) lacks(answer);
-}
-
-/** Which of the shots is the one that was chosen while better ones were looked for. */
-function likest(shot) {
-  const off = (other) => Math.abs(other.angle - shot.angle) + (pattern(other) === pattern(shot) ? 0 : 360);
-  return shots.reduce((best, other, i) => (off(other) < off(shots[best]) ? i : best), 0);
 }
 
 /** Why there is none, and what came nearest. */
@@ -180,15 +191,22 @@ async function lacks({ message = '', nearest, error }) {
 
 /** @param {number} [i] the shot that is looked at */
 function look(i = chosen) {
-  const shot = shots[i];
+  const shot = (seen = shots[i]);
   $('shots').onmouseleave = () => i !== chosen && look();
-  paint(layers.answer, table, scene, shots, shot);
+  paint(layers.answer, table, shots, shot);
   board.place('cushion', closer.aimed ?? aimPoint(shot));
-  $('title').textContent = heading(shot, scene.target);
+  $('title').textContent = [heading(shot, scene.target), last.wider].filter(Boolean).join('; ');
   $('playing').hidden = !shot?.path;
   $('why').hidden = !shot;
   const rows = shot ? words(shot, sight(table, scene.ball, shot.angle).words, units.length) : [];
   tell($('words'), rows);
+  if (document.body.dataset.asked === document.body.dataset.answered) lookOn(shot);
+}
+
+/** The cue ball's path as far as it goes. */
+async function lookOn(shot) {
+  const onward = await finish(scene, shot, 'onward');
+  if (onward && shot === seen) paint(layers.answer, table, shots, shot, onward);
 }
 
 function choose(i) {
