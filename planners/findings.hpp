@@ -74,6 +74,7 @@ struct Findings {
   bool proved = false;              ///< and nothing else can reach any part of the target
   bool rounding_decided = false;    ///< some path through a corner or along a line failed by rounding, perhaps
   bool rivals_sought = false;       ///< on a map of wide cells
+  int not_searched = -1;            ///< so many cushions, or more, were not all searched when the budget ended
   bool plenty = false;              ///< with so many shots that no more were looked for
 
   /// Counts a failed candidate, and keeps it if it came nearest.

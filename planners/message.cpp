@@ -144,6 +144,8 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
   if (ledger.cut())
     text +=
         fmt::format("; the {} ended the search, so there may be better ones", ledger.cancelled() ? "caller" : "budget");
+  if (ledger.cut() && found.not_searched >= 0)
+    text += fmt::format("; not all shots by {} cushions or more were searched", found.not_searched);
   if (found.rivals_sought && !ledger.cut())
     text += fmt::format("; routes narrower than {:.0f}° of aim were not all looked at: there may be a better one",
                         degrees(settings::automatic::rival.narrowest));

@@ -90,10 +90,19 @@ Question::Question(const Puzzle& p, Wanted w)
       angle(p.angle),
       spin(p.spin_range ? least_of(*p.spin_range) : p.spin),
       arrival(arrival_range(p)),
-      stop(!captures() && arrival && arrival->high == 0) {
+      stop(!captures() && arrival && arrival->high == 0),
+      cue_cushions(p.cushions) {
   if (arrival) asked = p.prefer == Prefer::soft ? arrival->low : arrival->high;
   if (p.cushions.sequence) route = route_by(*p.cushions.sequence);
+  if (const Then* const last = then()) object_cushions = last->cushions_of(last->links.size());
   every = all();
+}
+
+Question Question::stage(int cue, int object) const {
+  Question q = *this;
+  if (!q.cue_cushions.sequence) q.cue_cushions = CushionRule::exactly(cue);
+  if (!q.object_cushions.sequence) q.object_cushions = CushionRule::exactly(object);
+  return q;
 }
 
 Question Question::asking(double arrival_speed) const {

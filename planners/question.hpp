@@ -70,6 +70,8 @@ struct Question {
   double likelier = 0;             ///< roots that lead to shots less likely than this need not be found
   std::optional<double> pinned{};  ///< m/s: a launch speed to keep to; then any arrival in the range will do
   std::optional<Route> route{};    ///< the cushions, where the puzzle gives them in order
+  CushionRule cue_cushions;        ///< of the cue ball: the puzzle's rule, or a stage of it
+  CushionRule object_cushions;     ///< the same of the last object ball
 
   /// The same with another arrival speed of its range to aim for.
   Question asking(double arrival_speed) const;
@@ -80,6 +82,9 @@ struct Question {
   /// The same with another spin of its ranges.
   Question spinning(const LaunchSpin& launch_spin) const;
 
+  /// A stage of the search, by so many cushions of the cue ball and of the last object ball.
+  Question stage(int cue, int object) const;
+
   /// For shots better than this one, as far as `prefer` bounds them.
   Question better_than(const Shot& shot) const;
 
@@ -87,6 +92,8 @@ struct Question {
   const Boundary& alone() const { return cleared ? *cleared : boundary; }
   bool all() const { return wanted == Wanted::all; }
   bool first() const { return wanted == Wanted::first; }
+  /// Shots leave the exact line where that has a larger value.
+  bool safest() const { return aim_of(puzzle) == Aim::safest; }
   bool starts() const { return wanted == Wanted::starts; }
   /// What the struck ball sends another to; null where it goes itself.
   const Then* then() const { return then_of(puzzle.target); }
@@ -97,7 +104,11 @@ struct Question {
     return {boundary, objects->standing, collisions(puzzle.physics), carom()};
   }
   const Boundary& boundary_of(int ball) const { return ball == 0 ? boundary : objects->find(ball).own; }
-  const CushionRule& cushions() const { return puzzle.cushions; }
+  const CushionRule& cushions() const { return cue_cushions; }
+  /// Of the n-th object ball of a shot, from 0.
+  const CushionRule& cushions_of(std::size_t n) const {
+    return n == then()->links.size() ? object_cushions : then()->links[n].cushions;
+  }
   /// Only the aim is unknown.
   bool one_unknown() const { return !arrival || pinned; }
   /// The launch speed where only the aim is unknown: the fixed one, or `ideal_speed`.

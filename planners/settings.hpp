@@ -256,6 +256,11 @@ inline constexpr double beyond = 1.01;
 namespace automatic {
 /// Of the budget that is left: what bisecting leads may use before finer maps have their turn.
 inline constexpr double first_share_of_parts = 0.2;
+/// Of value: what more cushions must be able to add to be worth a search. The contract lets a wider question be
+/// answered worse by twice as much.
+inline constexpr double worth_a_stage = 0.005;
+/// Of value: what is found only by looking closely, off jaws or round balls, hardly ever has more.
+inline constexpr double best_found_closely = 0.75;
 /// Of chance: no rival of such a shot is worth a map.
 inline constexpr double sure_enough = 0.995;
 /// The map that looks for them. Of 8,000 puzzles each with `robust`, `soft`, `quick` a better shot was missed in 33, 3

@@ -11,7 +11,6 @@
 #include "planners/family/family.hpp"
 #include "planners/merit/connected.hpp"
 #include "planners/merit/rank.hpp"
-#include "planners/merit/safest.hpp"
 #include "planners/merit/sensitivity.hpp"
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
@@ -65,14 +64,6 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The best shot first, at its safest launch where that is asked.
-void choose(const Question& q, Ledger& ledger, Findings& found) {
-  planning::rank(q, found.shots);
-  if (q.puzzle.aim != Aim::safest || found.shots.empty()) return;
-  planning::as_struck(q, found.shots.front(),
-                      [&](const Question& own) { planning::make_safest(own, ledger, found.shots.front()); });
-}
-
 /// Margins and words of what a search found.
 Answer finish(const Question& q, const Ledger& ledger, Findings& found, const SolveOptions& options, double time_us) {
   Answer a{.id = q.puzzle.id, .about = q.puzzle.about};
@@ -84,12 +75,13 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
   if (options.robustness && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
-    if (q.puzzle.prefer == Prefer::robust && !q.all()) planning::likeliest_first(q, aside, found.shots);
+    if (q.puzzle.prefer == Prefer::robust && !q.all()) planning::best_first(q, aside, found.shots);
+    if (q.safest()) planning::move_best(q, aside, found.shots);
     planning::family::tune(q, aside, found);
     planning::add_robustness(q, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
-  if (q.all() && q.objects) planning::keep_connected_once(q, aside, found.shots);
+  if (q.all() && (q.objects || q.safest())) planning::keep_connected_once(q, aside, found.shots);
   const std::size_t distinct = found.shots.size();
   if (!q.all() && distinct > 1) found.shots.resize(1);
   if (options.sensitivity)
@@ -157,6 +149,11 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
                         method.info.name));
   if ((then_of(puzzle.target) || off_of(puzzle.target) != 0) && options.planner != "auto")
     throw InvalidInput("", fmt::format("the planner \"{}\" sets no other ball going", method.info.name));
+  if (!options.robustness && !puzzle.aim && aim_of(puzzle) == Aim::safest) {
+    Puzzle centred = puzzle;
+    centred.aim = Aim::centre;
+    return solve(centred, options);
+  }
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = options.planner == "auto" ? std::vector{puzzle.spin} : spins_to_try(puzzle);
   Ledger ledger(budget_of(puzzle), options.cancelled);
@@ -171,7 +168,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     else if (!ledger.spent() && !q.covering())
       method.plan(q, ledger, found);
     if (found.shots.empty() && !ledger.exhausted() && i + 1 < spins.size()) continue;
-    choose(q, ledger, found);
+    planning::rank(q, found.shots);
     const double took = microseconds_since(begin);
     if (spins.size() > 1)
       found.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));
@@ -179,7 +176,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     if (a.status != Status::no_shot || !options.suggest) return a;
     const std::string words = hint(puzzle, q, ledger, found, options);
     if (!found.shots.empty()) {
-      choose(q, ledger, found);
+      planning::rank(q, found.shots);
       return finish(q, ledger, found, options, microseconds_since(begin));
     }
     if (!words.empty()) a.message += "; " + words;

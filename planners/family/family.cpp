@@ -28,10 +28,9 @@ double near_window(double angle, const std::optional<Range>& window) {
   return middle + angle_difference(wrap_angle(middle), angle);
 }
 
-/// Of a chance: it still grows where the chance is all but 0 or 1.
-double log_odds(double chance) {
-  const double sure = std::clamp(chance, least_chance, 1 - least_chance);
-  return std::log(sure) - std::log1p(-sure);
+/// The value to first order; where the chance is all but 0 its logarithm, which is less and still grows.
+double likely_value(const Shot& shot) {
+  return shot.chance > playable ? shot.chance - cost_of(shot) : std::log(std::max(shot.chance, least_chance));
 }
 
 }  // namespace
@@ -124,7 +123,7 @@ Family::Tried Family::attempt(const Point& p) {
   if (t.made() && q_.puzzle.prefer == Prefer::robust) {
     ledger_.charge(aim_.route.size());
     add_first_order(q_, t.proof->shot);
-    t.merit = log_odds(t.proof->shot.chance);
+    t.merit = likely_value(t.proof->shot);
   }
   return t;
 }
@@ -194,7 +193,7 @@ Shot Family::tuned(const Shot& shot) {
       if (!t.made()) continue;
       find_success(q_, ledger_, t.proof->shot);
       ++tried;
-      if (!(*t.proof->shot.success > *best.success + worth_tuning)) continue;
+      if (!(*t.proof->shot.value > *best.value + worth_tuning)) continue;
       better = std::move(t.proof->shot);
       at = next;
       break;
@@ -221,7 +220,7 @@ Lead lead_of(const Question& q, const Shot& shot) { return {shot.launch, route_o
 
 void tune(const Question& q, Ledger& ledger, Findings& found) {
   const Puzzle& p = q.puzzle;
-  if (p.prefer != Prefer::robust || p.aim != Aim::centre || is_straight(p.physics) || Family::freedom(q) == 0) return;
+  if (p.prefer != Prefer::robust || q.safest() || is_straight(p.physics) || Family::freedom(q) == 0) return;
   // First order knows little of what else may lead a carom to its second ball: the best is one of several.
   const std::size_t some = q.carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
   const std::span<Shot> shots = std::span(found.shots).first(q.all() ? found.shots.size() : some);
@@ -229,7 +228,7 @@ void tune(const Question& q, Ledger& ledger, Findings& found) {
     const Lead lead = lead_of(q, shot);
     if (!shot.off_centre) shot = Family(q, ledger, found, lead, shot.planner).tuned(shot);
   }
-  if (!q.all()) return order_by_success(shots);
+  if (!q.all()) return order_by_value(shots);
   // Two that were tuned into one were of one family.
   std::vector<Shot> distinct;
   for (Shot& shot : found.shots) {

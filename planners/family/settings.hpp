@@ -61,8 +61,8 @@ inline constexpr double golden_turn = 2.399963;
 /// one, and a chance that needs none.
 inline constexpr int most_tuned = 10;
 inline constexpr double finest_tuning = 0.2, worth_tuning = 0.001, sure = 0.995;
-/// A chance nearer to 0 or 1 is certain.
-inline constexpr double least_chance = 1e-15;
+/// A chance that is worth comparing; and one that is as good as none.
+inline constexpr double playable = 0.01, least_chance = 1e-15;
 }  // namespace family
 
 }  // namespace bankshot::planning::settings

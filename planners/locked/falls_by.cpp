@@ -12,7 +12,7 @@ namespace {
 /// Cushions that a ball may still meet.
 std::size_t cushions_left(const LockedAim& aim) {
   const Then* const then = aim.q.then();
-  const int most = then ? then->cushions_of(then->links.size()).max : aim.q.cushions().max;
+  const int most = then ? aim.q.object_cushions.max : aim.q.cushions().max;
   return static_cast<std::size_t>(most - std::ranges::count(aim.route, aim.mark.ball, &Meeting::ball));
 }
 

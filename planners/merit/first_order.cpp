@@ -11,6 +11,7 @@
 #include "planners/locked/in_the_way.hpp"
 #include "planners/merit/limits.hpp"
 #include "planners/merit/real_arrival.hpp"
+#include "planners/merit/room.hpp"
 #include "planners/merit/settings.hpp"
 #include "planners/start.hpp"
 
@@ -242,6 +243,16 @@ std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, cons
     return path.run(motion, cushion, aim.mark.at, aim.mark.capture());
   });
   return arrives ? std::optional(path.limits()) : std::nullopt;
+}
+
+double chance_in_middle(const Question& q, const Shot& shot) {
+  const double by_aim = norm(shot.by_angle);
+  if (!(by_aim > 0)) return shot.chance;
+  const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
+  Launch middle = shot.launch;
+  middle.angle += (room.low + room.high) / 2 / by_aim;
+  const Route route = route_with_jaws_of(shot);
+  return path_to({q, route, q.mark_of(shot)}, middle, shot.arrival.at).first_order().chance;
 }
 
 void add_first_order(const Question& q, Shot& shot) {

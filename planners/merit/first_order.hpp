@@ -37,6 +37,9 @@ double chance_of_passing(const Question& q, const Mark& mark, const Launch& laun
 /// its last leg.
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit);
 
+/// Of a shot, once its aim is moved to the middle of what its target offers. One simulation with dual numbers.
+double chance_in_middle(const Question& q, const Shot& shot);
+
 /// Fills `by_angle`, `by_speed`, `condition`, `first_order` and `chance`.
 void add_first_order(const Question& q, Shot& shot);
 

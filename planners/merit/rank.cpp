@@ -11,6 +11,7 @@
 #include "planners/locked/forward.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/margin.hpp"
+#include "planners/merit/safest.hpp"
 #include "planners/merit/settings.hpp"
 #include "planners/merit/success.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 
 /// Larger is better.
 double merit(const Puzzle& p, const Shot& shot) {
-  return p.prefer == Prefer::robust && shot.success ? *shot.success : first_merit(p, shot);
+  return p.prefer == Prefer::robust && shot.value ? *shot.value : first_merit(p, shot);
 }
 
 /// Nobody strikes a ball straight into the cushion it touches while there is another shot.
@@ -36,9 +37,9 @@ double apart_from_leave(const Puzzle& p, const Shot& shot) {
 /// of the rest, and so on.
 void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
   for (auto rest = shots; !rest.empty();) {
-    const double enough = rest.front().success.value_or(0) - settings::rank::as_likely;
+    const double enough = rest.front().value.value_or(0) - settings::rank::as_likely;
     const auto unlike = std::ranges::find_if(
-        rest, [&](const Shot& s) { return s.success.value_or(0) < enough || s.scratch != rest.front().scratch; });
+        rest, [&](const Shot& s) { return s.value.value_or(0) < enough || s.scratch != rest.front().scratch; });
     std::ranges::stable_sort(rest.begin(), unlike, {}, [&](const Shot& s) { return apart_from_leave(p, s); });
     rest = rest.subspan(static_cast<std::size_t>(unlike - rest.begin()));
   }
@@ -57,12 +58,14 @@ void order(const Question& q, std::span<Shot> shots) {
 }
 
 /// Where some shot is on the exact line or point, those beside it are no answer; nor those that count on a rattle where
-/// one does without. Where all shots with other balls are wanted, that is said of each route of theirs.
+/// one does without. Where all shots with other balls are wanted, or shots leave the exact line by themselves, that is
+/// said of each route of theirs.
 void keep_centred(const Question& q, std::vector<Shot>& shots) {
   const auto erase_where_others = [&](const auto& is_worse) {
     std::set<std::pair<Route, Contact>> better;
     const auto key = [&](const Shot& shot) {
-      return q.objects && q.all() ? std::pair(route_of(shot), q.mark_of(shot).taken_by) : std::pair<Route, Contact>();
+      return q.safest() || (q.objects && q.all()) ? std::pair(route_of(shot), q.mark_of(shot).taken_by)
+                                                  : std::pair<Route, Contact>();
     };
     for (const Shot& shot : shots)
       if (!is_worse(shot)) better.insert(key(shot));
@@ -136,38 +139,77 @@ void rank(const Question& q, std::vector<Shot>& shots) {
   order(q, shots);
 }
 
-void order_by_success(std::span<Shot> shots) {
-  std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.success.value_or(0); });
+void order_by_value(std::span<Shot> shots) {
+  std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.value.value_or(-1); });
 }
 
-void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
+void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
   struct Candidate {
-    double at_most;
+    double at_most;  ///< its value
     std::size_t shot;
   };
   std::vector<Candidate> candidates;
-  for (const Shot& shot : shots)
-    candidates.push_back(
-        {as_struck(q, shot, [&](const Question& own) { return shot_at_most(own, ledger, shots, shot); }),
-         candidates.size()});
+  for (const Shot& shot : shots) {
+    const double success =
+        as_struck(q, shot, [&](const Question& own) { return shot_at_most(own, ledger, shots, shot); });
+    candidates.push_back({success - cost_of(shot), candidates.size()});
+  }
   // The shots are in the order of their margins, which decides between equals.
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.at_most > b.at_most; });
   std::size_t best = candidates.front().shot;
   for (const Candidate& c : candidates) {
     const double tie = q.puzzle.leave ? settings::rank::as_likely : 0;
-    if (shots[best].success && c.at_most <= *shots[best].success - tie) break;
+    if (shots[best].value && c.at_most <= *shots[best].value - tie) break;
     as_struck(q, shots[c.shot], [&](const Question& own) { find_success(own, ledger, shots[c.shot], shots); });
-    if (*shots[c.shot].success > *shots[best].success) best = c.shot;
+    if (*shots[c.shot].value > *shots[best].value) best = c.shot;
   }
   std::swap(shots.front(), shots[best]);
-  // Those behind it are tuned as well, or leave the struck ball better.
-  if (q.carom() || q.puzzle.leave) order_by_success(shots);
+  // Those behind it are tuned as well, or leave the cue ball better.
+  if (q.carom() || q.puzzle.leave) order_by_value(shots);
+}
+
+namespace {
+
+/// What the value of a shot may be once it is moved, as its first-order chance in the middle of its target says.
+double moved_at_most(const Question& q, const Shot& shot) {
+  const double contacts = cost_of(shot) - cost_of(shot.launch, shot.spin);
+  const double most =
+      success_at_most(q, q.mark_of(shot), std::max(shot.chance, chance_in_middle(q, shot))) + settings::rank::off_jaws;
+  return std::min(1.0, std::max(most, shot.success.value_or(0))) - contacts;
+}
+
+}  // namespace
+
+void move_best(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
+  const auto move = [&](Shot& shot) {
+    as_struck(q, shot, [&](const Question& own) { make_safest(own, ledger, shot); });
+  };
+  if (q.all()) {
+    std::ranges::for_each(shots, move);
+    return;
+  }
+  move(shots.front());
+  struct Candidate {
+    double at_most;  ///< its value
+    std::size_t shot;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 1; i < shots.size(); ++i)
+    if (!shots[i].scratch)
+      candidates.push_back(
+          {as_struck(q, shots[i], [&](const Question& own) { return moved_at_most(own, shots[i]); }), i});
+  std::ranges::stable_sort(candidates, std::greater(), &Candidate::at_most);
+  for (std::size_t i = 0; i < candidates.size() && i < settings::rank::most_moved; ++i) {
+    if (candidates[i].at_most <= *shots.front().value) break;
+    Shot& shot = shots[candidates[i].shot];
+    move(shot);
+    if (*shot.value > *shots.front().value) std::swap(shot, shots.front());
+  }
 }
 
 void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
   std::vector<Shot>& shots = found.shots;
-  const bool by_success = q.puzzle.prefer == Prefer::robust;
   if (q.puzzle.leave && !q.all()) order_by_leave(q.puzzle, shots);
   for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
     as_struck(q, shot, [&](const Question& own) {
@@ -175,7 +217,7 @@ void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
       find_margin(own, ledger, shot);
     });
   }
-  if (q.all() && by_success) order(q, shots);
+  if (q.all()) order(q, shots);
   if (q.all() && q.puzzle.leave) order_by_leave(q.puzzle, shots);
 }
 

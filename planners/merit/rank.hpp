@@ -20,11 +20,15 @@ double success_at_most(const Question& q, const Mark& mark, double chance);
 /// Drops shots beside the exact line or point where others are on it, and orders the rest, best first.
 void rank(const Question& q, std::vector<Shot>& shots);
 
-/// Brings the shot with the largest success to the front; of shots that cannot be first it is not computed.
-void likeliest_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
+/// Brings the shot with the largest value to the front; of shots that cannot be first it is not computed.
+void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
 
-/// Those of which it is not known last.
-void order_by_success(std::span<Shot> shots);
+/// Moves shots to their safest launches (safest.hpp): all where all are wanted, else those that may be first then, and
+/// brings that one to the front.
+void move_best(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
+
+/// Shots without a computed value come last.
+void order_by_value(std::span<Shot> shots);
 
 /// Margin and success: of every shot where all are wanted, else of the first. What that costs is no part of the search:
 /// `ledger` is one of its own.

@@ -7,9 +7,9 @@
 
 namespace bankshot::planning {
 
-/// Moves a launch inside what is made to where the chance of success is largest: a compass search. Each step is proved,
-/// with every bound of the puzzle, and costs one proof and one estimate of success, which the search is charged; where
-/// the budget ends, the best so far stays. The shot's miss is no longer 0.
+/// Moves a shot inside what is made to where its value is largest (outcome_map.hpp). The moved launch is verified with
+/// every bound of the puzzle, and replaces the shot where its own success makes it the better one. Such a shot is
+/// `moved`, and its miss is no longer 0. Success and value of the shot are known afterwards.
 void make_safest(const Question& q, Ledger& ledger, Shot& shot);
 
 }  // namespace bankshot::planning

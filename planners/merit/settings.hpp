@@ -25,8 +25,13 @@ inline constexpr double times = 1.1, more = 0.01;
 inline constexpr double at_cushion_times = 2.5, at_cushion_more = 0.1;
 /// Deviations: shots so near that the player's errors may lead from one to the other.
 inline constexpr double beside = 4;
-/// Of success: so little less is as good, where shots differ in what they leave.
+/// Of value: so little less is as good, where shots differ in what they leave.
 inline constexpr double as_likely = 0.02;
+/// Shots that are moved to their safest launches where one is wanted. What none of them may reach is not moved.
+inline constexpr int most_moved = 6;
+/// What a moved shot's success is at most: its first-order chance in the middle of what its pocket offers, and so much
+/// more for what falls off jaws and rails.
+inline constexpr double off_jaws = 0.1;
 }  // namespace rank
 
 namespace connected {
@@ -100,9 +105,21 @@ inline constexpr std::size_t most_known = 4;
 inline constexpr double same_edge = 0.3, beside_edge = 0.5;
 }  // namespace success
 
-namespace safest {
-/// The compass begins with the player's own deviations and ends after so many halvings, or steps.
-inline constexpr int halvings = 5, most_steps = 24;
-}  // namespace safest
+namespace outcome_map {
+/// From one speed to the next, where they are laid over all that are allowed; and how many of them in which no aim is
+/// made end that: a ball that moves may be in the way at some.
+inline constexpr double coarse = 1.25;
+inline constexpr int most_missed = 2;
+/// Deviations of the speed from one row to the next around the best one, and so many rows on either side.
+inline constexpr double apart = 0.8;
+inline constexpr int around = 3;
+/// Rows at most, which bounds the time of one shot.
+inline constexpr std::size_t most_rows = 64;
+/// Of the launch speed: where a player makes no errors of speed, rows are so far apart.
+inline constexpr double least_deviation = 0.02;
+/// Of the way to where an end is expected: the bracket around it. Of a deviation, or of the way to it where that is
+/// less: where its bisection ends. Deviations: what is farther out does not count.
+inline constexpr double nearly = 0.05, finest = 0.04, far = 8;
+}  // namespace outcome_map
 
 }  // namespace bankshot::planning::settings

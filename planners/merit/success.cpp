@@ -282,6 +282,7 @@ class Chance {
 void find_success(const Question& q, Ledger& ledger, Shot& shot, std::span<const Shot> others) {
   shot.success =
       q.puzzle.errs_in_more() ? success_under_all_errors(q, ledger, shot) : Chance(q, ledger, shot, others).run();
+  shot.value = *shot.success - cost_of(shot);
 }
 
 }  // namespace bankshot::planning

@@ -6,6 +6,8 @@
 // With spin images are only seeds: the steps of planners/steps follow, in the order of their numbers.
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "planners/family/family.hpp"
 #include "planners/family/settings.hpp"
 #include "planners/merit/connected.hpp"
+#include "planners/merit/first_order.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
@@ -131,6 +134,53 @@ Seeds seeds_of(const Question& q) {
   return {chains, steps::chains_closely, steps::word::chains};
 }
 
+/// The value of a shot to first order, moved to where that is largest.
+double likely_value(const Question& q, const Shot& shot) {
+  if (shot.scratch) return 0;
+  const auto in_middle = [&](const Question& own) { return std::max(shot.chance, chance_in_middle(own, shot)); };
+  return (q.safest() ? as_struck(q, shot, in_middle) : shot.chance) - cost_of(shot);
+}
+
+double best_value(const Question& q, const Findings& found) {
+  double best = 0;
+  for (const Shot& shot : found.shots) best = std::max(best, likely_value(q, shot));
+  return best;
+}
+
+/// The value of the shot that seems best so far.
+double value_in_hand(const Question& q, const Findings& found) {
+  if (found.shots.empty() || q.puzzle.prefer != Prefer::robust) return 0;
+  std::vector<Shot> shots{
+      *std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return likely_value(q, s); })};
+  Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
+  best_first(q, aside, shots);
+  if (q.safest()) move_best(q, aside, shots);
+  return *shots.front().value;
+}
+
+/// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together.
+/// Where the best shot is wanted a stage ends the search when no shot by so many cushions can be better.
+template <class Look>
+void each_stage(const Question& q, Ledger& ledger, Findings& found, const Look& look) {
+  if (q.carom()) return look(q);  // all cushions are followed at once
+  const bool sent = q.then() != nullptr;
+  const CushionRule &cue = q.cue_cushions, object = sent ? q.object_cushions : CushionRule::exactly(0);
+  const bool best = q.puzzle.prefer == Prefer::robust && !q.all() && !q.first();
+  for (int n = cue.min + object.min; n <= cue.max + object.max; ++n) {
+    constexpr double per_contact = 0.005;
+    const double at_most = 1 - per_contact * n - cost_of({q.speed.low, 0}, {});
+    const double value = best ? best_value(q, found) : 0;
+    if (best && at_most < value + worth_a_stage) return;
+    for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
+      Question stage = q.stage(c, n - c);
+      if (best && sent) stage.likelier = value + per_contact * n;
+      look(stage);
+      if (ledger.spent()) found.not_searched = n;
+      if (stop::over(q, ledger, found)) return;
+    }
+  }
+}
+
 /// What is free is followed from roots of a few arrival speeds and spins, along each route to each mark.
 void along_families(const Question& q, Ledger& ledger, Findings& found) {
   struct Followed {
@@ -152,22 +202,25 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
     for (const Lead& lead : leads)
       if (!stop::over(q, ledger, found) && !enough(lead)) family::Family(q, ledger, found, lead, step).search();
   };
-  Seeds seeds = seeds_of(q);
-  const std::vector<Question> samples = samples_of(q);
-  Findings starts;
-  for (const Question& sample : samples) {
-    if (q.carom() && sample.asked != samples.front().asked) continue;  // its launches have all speeds
-    if (several) starts = {}, seeds = seeds_of(q);
-    const std::size_t known = starts.leads.size();  // whose routes have no second family
-    seeds.first(sample, ledger, starts);
-    follow(std::span(starts.leads).subspan(known), seeds.word);
-  }
+  each_stage(q, ledger, found, [&](const Question& stage) {
+    Seeds seeds = seeds_of(stage);
+    const std::vector<Question> samples = samples_of(stage);
+    Findings starts;
+    for (const Question& sample : samples) {
+      if (q.carom() && sample.asked != samples.front().asked) continue;  // its launches have all speeds
+      if (several) starts = {}, seeds = seeds_of(stage);
+      const std::size_t known = starts.leads.size();  // whose routes have no second family
+      seeds.first(sample, ledger, starts);
+      follow(std::span(starts.leads).subspan(known), seeds.word);
+    }
+  });
   if (q.carom()) {
     std::ranges::stable_sort(found.shots, std::greater(),
                              [&](const Shot& shot) { return first_merit(q.puzzle, shot); });
     keep_connected_once(q, ledger, found.shots);
   }
   if (q.objects) return;
+  const std::vector<Question> samples = samples_of(q);
   for (const Question& sample : samples) {
     const bool better = rivals_wanted(q, ledger, found) && &sample == &samples.front();
     if (!q.all() && !better) break;
@@ -212,27 +265,44 @@ void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
   if (!q.first()) improve(q, ledger, found);
 }
 
-/// The struck ball sends another on, or goes on off it.
+/// Some shot has as many cushions as this stage.
+bool has_shot(const Question& stage, const Findings& found) {
+  const auto inside = [](std::size_t n, const CushionRule& rule) {
+    return static_cast<int>(n) >= rule.min && static_cast<int>(n) <= rule.max;
+  };
+  return std::ranges::any_of(found.shots, [&](const Shot& shot) {
+    return inside(shot.cushions.size(), stage.cue_cushions) &&
+           (shot.then.empty() || inside(shot.then.back().cushions.size(), stage.object_cushions));
+  });
+}
+
+/// The cue ball sends another on, or goes on off it. A stage without any shot is looked at closely, unless what is
+/// found so hardly ever beats the shot in hand.
 void with_balls(const Question& q, Ledger& ledger, Findings& found) {
   const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
   const Seeds seeds = seeds_of(q);
-  free ? along_families(q, ledger, found) : seeds.first(q, ledger, found);
-  const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
-  if (free && !nothing_yet()) return;
+  free ? along_families(q, ledger, found)
+       : each_stage(q, ledger, found, [&](const Question& stage) { seeds.first(stage, ledger, found); });
+  if (!q.all() && value_in_hand(q, found) > best_found_closely) return;
   const auto each_sample = [&](const auto& look_at) {
-    if (!free) return look_at(q);
-    for (const Question& sample : samples_of(q))
-      if (nothing_yet()) look_at(q.spinning(sample.spin).asking(sample.asked));
+    each_stage(q, ledger, found, [&](const Question& stage) {
+      const auto nothing_yet = [&] { return !has_shot(stage, found) && !ledger.cut(); };
+      if (!free && (q.all() || nothing_yet())) return look_at(stage);
+      for (const Question& sample : samples_of(stage))
+        if (free && nothing_yet()) look_at(stage.spinning(sample.spin).asking(sample.asked));
+    });
   };
   each_sample([&](const Question& one) {
     steps::Parts parts;
+    std::vector<Shot> others;  // steps end at the first shot that they find
+    std::swap(others, found.shots);
     parts.climb(one, ledger, found);
     if (stop::more_wanted(one, ledger, found)) seeds.closely(one, ledger, found, parts);
     parts.bisect(one, ledger, found, free ? first_share_of_parts : 1);
+    std::ranges::move(others, std::back_inserter(found.shots));
   });
-  each_sample([&](const Question& one) {
-    if (nothing_yet()) steps::speeds_between(one, ledger, found);
-  });
+  if (stop::nothing_yet(ledger, found))
+    each_sample([&](const Question& one) { steps::speeds_between(one, ledger, found); });
   if (free && !q.first()) improve(q, ledger, found);
 }
 

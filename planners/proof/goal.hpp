@@ -32,7 +32,7 @@ struct Goal {
   Bounces of_sent(const Question& q, std::size_t n) const {
     if (counts && n == q.then()->links.size() && q.then()->counts_any_fall()) return {0, max_cushions, nullptr};
     if (!then) {
-      const CushionRule& rule = q.then()->cushions_of(n);
+      const CushionRule& rule = q.cushions_of(n);
       return {rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr};
     }
     const std::vector<Contact>& cushions = (*then)[n].cushions;

@@ -48,7 +48,7 @@ class Chains {
   void run(std::vector<Lead>& known) {
     for (const Leg& leg : legs(q_, ledger_, chain_, images, known, !q_.every)) {
       if (stop::enough_seeds(q_, ledger_, found_)) return;
-      if (leg.clear) join_all(leg, chains);
+      if (leg.clear && is_worth(leg, norm(last_.at_rest.at - q_.puzzle.ball.at))) join_all(leg, chains);
       if (is_settled(leg)) known.push_back(leg.alone);
     }
   }
@@ -56,6 +56,8 @@ class Chains {
   void closely(Parts& parts) {
     std::vector<Leg> all = legs(q_, ledger_, chain_, starts_by_map);
     std::stable_partition(all.begin(), all.end(), [](const Leg& leg) { return leg.clear; });
+    std::erase_if(all, [&](const Leg& leg) { return !is_worth(leg, norm(last_.at_rest.at - q_.puzzle.ball.at)); });
+    if (all.empty() && q_.likelier > 0) return;
     for (const Leg& leg : all) {
       if (sweeps_over(q_, ledger_, found_)) return;
       join_all(leg, chains);
@@ -68,6 +70,15 @@ class Chains {
   }
 
  private:
+  /// Whether a cue ball that rolls so far [m] to the object ball may pot it as often as the question needs. An error of
+  /// aim turns the object ball by the distance over where the balls touch; English and cushions may halve that.
+  bool is_worth(const Leg& leg, double distance) const {
+    if (q_.likelier <= 0 || by_ || !(leg.spread > 0) || !leg.mark.drops()) return true;
+    const double turned = q_.puzzle.noise.angle * distance / norm(ghost({1, 0}) - last_.at_rest.at);
+    const double beside = least_turned * turned * leg.spread;
+    return std::erf(leg.mark.reach / (beside * std::sqrt(2.0))) > q_.likelier;
+  }
+
   /// With all that leads through the ghost; `before` finds that of a combination.
   void join_all(const Leg& leg, Step before) {
     const Question at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
@@ -90,7 +101,7 @@ class Chains {
       while (const auto image = images.next()) {
         if (stop::enough_seeds(q_, ledger_, found_)) return;
         Route route = images.route(*image);
-        if (settled.contains(route) || has_lead(leg, route)) continue;
+        if (settled.contains(route) || has_lead(leg, route) || !is_worth(leg, image->distance)) continue;
         if (route.empty() && (share != settings::restitution_shares.front() || !may_hit(leg, image->angle))) continue;
         const Question& own = to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch().speed));
         const auto speed = speed_at({own, route, own.marks.front()}, ledger_, image->angle, image->distance);

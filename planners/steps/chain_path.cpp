@@ -31,7 +31,7 @@ ChainPath::ChainPath(const Question& q, Ledger& ledger, const Objects::Chain& ch
 }
 
 const CushionRule& ChainPath::rule(int n) const {
-  return n == 0 || q_.carom() ? q_.cushions() : q_.then()->cushions_of(static_cast<std::size_t>(n) - 1);
+  return n == 0 || q_.carom() ? q_.cushions() : q_.cushions_of(static_cast<std::size_t>(n) - 1);
 }
 
 Place ChainPath::next_of(int n) const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "planners/images/unfold.hpp"
+#include "planners/locked/residual.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/steps/part.hpp"
 #include "planners/steps/settings.hpp"
@@ -51,7 +52,9 @@ std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& c
       if (ledger.spent()) return;
       const std::vector<Contact> cushions = contacts_of(lead.route);
       const bool clear = !judged || !is_blocked(replay(one, ledger, lead.launch, Goal::along(cushions)).failure.foul);
+      const auto linear = judged ? linearise({one, lead.route, lead.mark}, ledger, lead.launch, true) : std::nullopt;
       out.push_back(leg_of(own, std::move(lead), clear));
+      if (linear) out.back().spread = std::abs(linear->by_aim(0)) * one.boundary.diagonal;
     }
   };
   if (!q.one_unknown())

@@ -14,6 +14,7 @@ struct Leg {
   Route route;  ///< the same, and its mark, among all balls
   Mark mark;
   bool clear = true;  ///< so launched it arrives: nothing is in the way; or that was not asked
+  double spread = 0;  ///< m that it passes beside its mark for a radian of its direction; 0: not known
 
   const Launch& launch() const { return alone.launch; }
 };

@@ -81,7 +81,7 @@ Part last_alone(const Question& whole, const Objects::Chain& chain) {
                      last.ball, numbers_of(chain));
   const Then& then = *whole.then();
   out.puzzle.target = std::visit([](const auto& t) { return Target(t); }, then.target);
-  out.puzzle.cushions = then.cushions_of(then.links.size());
+  out.puzzle.cushions = whole.object_cushions;
   aim_at_place(out.puzzle, whole);
   out.puzzle.speed.low = whole.speed.high * slowest_sent;
   if (is_ideal(p.physics))

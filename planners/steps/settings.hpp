@@ -8,6 +8,8 @@
 namespace bankshot::planning::settings {
 
 namespace chains {
+/// Of the angle by which an error of aim turns an object ball, as straight lines have it: as little as it may be.
+inline constexpr double least_turned = 0.7;
 /// Of the bounds of the launch: speeds between which legs of a chain are looked for.
 inline constexpr double slowest_sent = 1e-3, fastest_sent = 3;
 /// Of a launch speed that is given: what the ball that is sent on may get.
