@@ -20,6 +20,7 @@ enum class Foul {
   fell_short,
   wrong_cushion,
   extra_cushion,
+  in_place,  ///< it bounces where it stands: out of a vertex, or more often than between the two cushions of a corner
   pocketed,
   hit_ball,
   other_cut,

@@ -40,6 +40,8 @@ std::string explain(const Question& q, const Failure& f) {
       return fmt::format("meets cushion {} out of turn", cushion());
     case Foul::extra_cushion:
       return fmt::format("meets cushion {} before the target", cushion());
+    case Foul::in_place:
+      return fmt::format("is launched into {}, where it stands", cushion());
     case Foul::pocketed:
       return fmt::format("falls into pocket {} first", cushion());
     case Foul::hit_ball:

@@ -133,6 +133,8 @@ struct Question {
 
   /// The ball touches this cushion or vertex at the start.
   bool touches(Contact contact) const { return std::ranges::find(touched, contact) != touched.end(); }
+  /// A point stands in a vertex: it has no side with which to bounce there.
+  bool in_vertex() const { return puzzle.ball.body.radius == 0 && touched.size() > 1; }
   /// A launch at this angle would drive the ball into a cushion that it touches: a bounce before it moves.
   bool into_touched_cushion(double launch_angle) const;
 };

@@ -66,6 +66,9 @@ inline constexpr long most_images = 500'000;
 /// rad: rays that miss a window's end by this, or twice that, still pass. It is the rounding of images after thousands
 /// of reflections; without it paths through corners are lost.
 inline constexpr double ray_slack = 1e-10;
+/// Of the diagonal: so far from a vertex a ray is seen to lead over the table or out of it. Rays within 1e-6 rad of a
+/// cushion count as leading over it; the replay decides.
+inline constexpr double little_way = 1e-6;
 /// Nodes for which memory is taken at once: most puzzles visit fewer.
 inline constexpr std::size_t usual_nodes = 64;
 /// Walls for which the distances of all pairs are kept; beyond, the table would cost more than it saves.

@@ -13,7 +13,8 @@ namespace {
 /// Rounding, not geometry, may have decided: the path meets a corner, or ends on a cushion line.
 bool rounding_may_matter(const Replay& r) {
   const Foul f = r.failure.foul;
-  return f == Foul::wrong_cushion || f == Foul::extra_cushion || f == Foul::fell_short || f == Foul::missed;
+  return f == Foul::in_place || f == Foul::wrong_cushion || f == Foul::extra_cushion || f == Foul::fell_short ||
+         f == Foul::missed;
 }
 
 /// One aim, and those beside it that rounding may tell from it.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/numbers/tolerances.hpp"
 #include "planners/images/exact_line.hpp"
 #include "planners/settings.hpp"
 
@@ -117,11 +118,23 @@ std::optional<Candidate> Unfolding::candidate(const Node& node, std::size_t i) c
   const Vec2d ray = node.image.apply(on_exact_line(mark, node.image, ball)) - ball;
   const double distance = norm(ray);
   if (!(distance > 0) || !std::isfinite(distance)) return {};
+  if (q_.in_vertex() && !leads_over_table(ball, ray)) return {};
+  if (is_point(mark) && !leads_over_table(mark.at, -node.image.back(ray))) return {};
   const bool passes = !node.closed && (node.open || in_beam(node.from, node.to, ray));
   Candidate c{0, node.bounces, std::max(0.0, distance - mark.capture()), 0, 0, i, node.self, ray};
   if (!node.closed && !(passes && options_.keep_routes)) find_window(node, mark, c);
   const bool only_part = options_.parts && c.low < c.high;
   return passes || only_part || q_.route ? std::optional(c) : std::nullopt;
+}
+
+/// A pocket that captures before a cushion through it is met: no path to it ends in a bounce there.
+bool Unfolding::is_point(const Mark& mark) const {
+  return mark.drops() && mark.reach <= tolerance::point_pocket * q_.boundary.diagonal;
+}
+
+/// From a place on the table, a little way on.
+bool Unfolding::leads_over_table(const Vec2d& from, const Vec2d& way) const {
+  return q_.boundary.clearance(from + way * (little_way * q_.boundary.diagonal / norm(way))) >= -q_.boundary.touch;
 }
 
 /// No ray of the beam reaches any part of the target, nor an exact line of it. Sums of coordinates stand for lengths.
@@ -188,7 +201,7 @@ double Unfolding::apart(int i, int j) {
 std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   if (wall == node.last) return {};
   const Wall& w = q_.boundary.walls[static_cast<std::size_t>(wall)];
-  if (node.open && q_.touches(w.contact)) return at_start(node, wall);
+  if (node.open && q_.touches(w.contact)) return q_.in_vertex() ? std::nullopt : at_start(node, wall);
   if (dot(w.to - w.from, w.along) < 0) return {};  // no ball fits there
   if (node.last >= 0) {
     // Beyond the line of the cushion just left there is no path.

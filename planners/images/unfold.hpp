@@ -94,6 +94,8 @@ class Unfolding {
   /// For a mark; none where no ray gets near it.
   std::optional<Candidate> candidate(const Node& node, std::size_t mark) const;
   bool is_beside(const Node& node, const Mark& mark) const;
+  bool is_point(const Mark& mark) const;
+  bool leads_over_table(const Vec2d& from, const Vec2d& way) const;
   void find_window(const Node& node, const Mark& mark, Candidate& c) const;
   std::optional<Node> child(const Node& node, int wall);
   std::optional<Node> at_start(const Node& node, int wall) const;

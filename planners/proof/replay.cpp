@@ -26,6 +26,7 @@ class Follower {
         goal_(goal),
         tracing_(tracing),
         stop_(q.stop && !tracing),
+        at_start_(!q.touched.empty()),
         check_(goal.sequence),
         sim_(q.boundary, motion, cushion, start_of(q, launch)),
         out_{{}, SpeedAccount(deceleration(q.puzzle.physics))} {}
@@ -42,6 +43,7 @@ class Follower {
       }
       switch (e.kind) {
         case EventKind::cushion:
+          if (bounces_in_place()) return fail(Foul::in_place, e.contact);
           if (k_ == goal_.max) return fail(Foul::extra_cushion, e.contact);
           if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.contact);
           ++k_;
@@ -74,6 +76,12 @@ class Follower {
 
  private:
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
+  /// Legs have a length, but for that between the two cushions of a corner.
+  bool bounces_in_place() {
+    constexpr int of_a_corner = 2;
+    at_start_ = at_start_ && norm(sim_.state().at - q_.puzzle.ball.at) <= q_.boundary.touch;
+    return at_start_ && (q_.in_vertex() || k_ == of_a_corner);
+  }
   bool may_set_going(Contact ball) const { return q_.carom() || (counts() && goal_.allows(ball.index)); }
 
   /// Closest approach to each mark on the arc just travelled; true when one that does not capture is made there.
@@ -184,6 +192,7 @@ class Follower {
   const Goal& goal_;
   bool tracing_;  ///< only the shape matters: pass the target, and keep account of the speed
   bool stop_;
+  bool at_start_;  ///< it has touched what it touches since the start, and nothing else
   SequenceCheck check_;
   Simulator<double, Motion, Cushion> sim_;
   int k_ = 0;

@@ -71,6 +71,7 @@ class Judge {
       return false;
     }
     if (e.kind == EventKind::cushion) {
+      if (bounces_in_place(e)) return fails("bounces where it stands");
       if (static_cast<int>(met_.size()) == goal_.max) return fails(fmt::format("meets {} before the ball", name(e)));
       met_.push_back(&e);
       out_.cushions.push_back(e.contact);
@@ -152,6 +153,7 @@ class Judge {
   }
 
   bool bounces(const TruthEvent& e) {
+    if (e.ball == 0 && bounces_in_place(e)) return fails("bounces where it stands");
     if (then_ && !(e.time > hit_->time)) return false;  // against what it touches, in the instant in which it is hit
     if (static_cast<int>(met_.size()) == most() || found_)
       return fails(fmt::format("{} {} before the target", does("meets", "sends it to"), name(e)));
@@ -159,6 +161,17 @@ class Judge {
     (then_ ? out_.then.back().cushions : out_.cushions).push_back(e.contact);
     if (!then_) note_order();
     return false;
+  }
+
+  /// Legs have a length, but for that between the two cushions of a corner. A point in a vertex has no side to bounce.
+  bool bounces_in_place(const TruthEvent& e) {
+    constexpr std::size_t of_a_corner = 2;
+    at_start_ = at_start_ && norm(e.state.at - puzzle_.ball.at) <= scene_.boundary.touch;
+    return at_start_ && (is_in_vertex() || met_.size() == of_a_corner);
+  }
+  bool is_in_vertex() const {
+    const auto there = [&](const Vec2d& vertex) { return norm(vertex - puzzle_.ball.at) <= scene_.boundary.touch; };
+    return puzzle_.ball.body.radius == 0 && std::ranges::any_of(puzzle_.table.vertices, there);
   }
 
   bool meets(const TruthEvent& e) {
@@ -223,6 +236,7 @@ class Judge {
   const TruthEvent* jaw_ = nullptr;       ///< the first touched of those of a pocket that is asked for
   bool touched_jaw_ = false;              ///< of any pocket, so far
   bool found_ = false;                    ///< a pass by the point
+  bool at_start_ = true;                  ///< the struck ball has bounced nowhere else
   Arrived out_{};
 };
 

@@ -54,6 +54,7 @@ class BruteForce {
       Simulator sim(boundary_, motion, cushion,
                     launched(p_.ball.at, p_.ball.body.radius, direction(wrap_angle(angle)) * p_.speed.low, p_.spin));
       double nearest = 1e300;
+      bool in_place = true;
       for (;;) {
         const Event e = sim.step();
         const double t = closest_time(sim.arc(), sim.travelled(), target_);
@@ -64,6 +65,8 @@ class BruteForce {
         }
         if (e.kind == EventKind::slide_to_roll) continue;
         if (e.final() || out.contacts.size() == most_cushions) return out;
+        in_place = in_place && norm(sim.state().at - p_.ball.at) <= boundary_.touch;
+        if (in_place && (in_vertex_ || out.contacts.size() == 2)) return out;  // no leg of the length zero counts
         out.contacts.push_back(e.contact);
         nearest = 1e300;
       }
@@ -114,6 +117,9 @@ class BruteForce {
   const Puzzle& p_;
   Boundary boundary_;
   Vec2d target_;
+  bool in_vertex_ = p_.ball.body.radius == 0 && std::ranges::any_of(p_.table.vertices, [&](const Vec2d& vertex) {
+                      return norm(vertex - p_.ball.at) <= boundary_.touch;
+                    });
   std::vector<Found> found_;
 };
 

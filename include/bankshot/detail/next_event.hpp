@@ -208,7 +208,28 @@ struct EventFinder {
   bool ends_hold(const Wall& w, const N& t) const {
     const N s = dot(w.along, arc.position(t));
     const double slack = tolerance::edge_end * boundary.extent;
-    return s >= N(w.begin - slack) && s <= N(w.end + slack);
+    return s >= N(w.begin - slack) && s <= N(w.end + slack) && !starts_past(w, s);
+  }
+
+  /// A point that starts at a vertex which points into the table meets a cushion there, at `s` along it, only where it
+  /// approaches the other cushion too: else it goes past the end of the first.
+  bool starts_past(const Wall& w, const N& s) const {
+    using std::abs;
+    if (boundary.body.radius > 0) return false;
+    const auto at = [&](double end, const N& along) { return abs(N(along - N(end))) <= N(boundary.touch); };
+    const N start = dot(w.along, arc.at);
+    const std::size_t walls = boundary.walls.size(), i = static_cast<std::size_t>(w.contact.index);
+    const auto turns_in = [&](const Wall& before, const Wall& after) { return cross(before.along, after.along) < 0; };
+    const auto leaves = [&](const Wall& other) { return !(dot(other.normal, arc.velocity) < N(0)); };
+    if (at(w.end, s) && at(w.end, start)) {
+      const Wall& after = boundary.walls[(i + 1) % walls];
+      return turns_in(w, after) && leaves(after);
+    }
+    if (at(w.begin, s) && at(w.begin, start)) {
+      const Wall& before = boundary.walls[(i + walls - 1) % walls];
+      return turns_in(before, w) && leaves(before);
+    }
+    return false;
   }
 
   /// Speed to and from a line, now and when the arc ends, is the rounding of the velocity.
