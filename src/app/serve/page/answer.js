@@ -9,6 +9,12 @@ export function pattern(shot) {
   return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', a scratch' : '');
 }
 
+/** Which of the shots is the one that was chosen while better ones were looked for. @param {any[]} shots @param {any} shot */
+export function likest(shots, shot) {
+  const off = (other) => Math.abs(other.angle - shot.angle) + (pattern(other) === pattern(shot) ? 0 : 360);
+  return shots.reduce((best, other, i) => (off(other) < off(shots[best]) ? i : best), 0);
+}
+
 /** @param {any} shot @param {string} target */
 export function heading(shot, target) {
   if (!shot) return 'No shot';

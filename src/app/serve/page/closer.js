@@ -1,7 +1,7 @@
 // A closer look at a shot: an aim of one's own, what the mirror image would do, the same in another physics, why it is
 // sure, and from where it can be played.
 import { $ } from './controls.js';
-import { forget } from './engine.js';
+import { forget, latest } from './engine.js';
 import { follow, outcome } from './follow.js';
 import { heat, launchAt, scale } from './heat.js';
 import { mirrorAim, mirrorPath } from './mirror.js';
@@ -24,6 +24,8 @@ export class Closer {
     this.page = page;
     /** @type {[number, number] | null} where an aim of one's own meets the first cushion */
     this.aimed = null;
+    /** @type {any} a launch of one's own */
+    this.tried = null;
   }
 
   listen() {
@@ -51,6 +53,7 @@ export class Closer {
   forgetAim() {
     for (const kind of ['own', 'own-path']) forget(kind);
     this.aimed = null;
+    this.tried = null;
     this.page.layers().own.replaceChildren();
     if (this.page.shot()) $('other').textContent = '';
   }
@@ -75,8 +78,14 @@ export class Closer {
     this.launch({ ...shot, angle });
   }
 
-  async launch(launch) {
-    const followed = await follow(this.page.scene(), launch, 'own');
+  launch(launch) {
+    this.tried = launch;
+    this.followTried();
+  }
+
+  followTried = latest(async () => {
+    const launch = this.tried;
+    const followed = launch && (await follow(this.page.scene(), launch, 'own'));
     if (!followed || followed.error) return;
     const layer = this.page.layers().own;
     layer.replaceChildren();
@@ -84,7 +93,7 @@ export class Closer {
     const angle = wrapped(launch.angle).toFixed(2);
     const words = outcome(this.page.scene(), followed);
     $('other').textContent = `Your aim, ${angle}° at ${launch.speed.toFixed(2)} m/s: it ${words}.`;
-  }
+  });
 
   /** What the mirror image would say, and where that really leads. */
   async mirror() {

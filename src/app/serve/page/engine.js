@@ -36,7 +36,7 @@ export async function ask(path, body, kind = path) {
   try {
     const json = body && JSON.stringify(body);
     const { ok, text } = await send(path, json, kind, mine.signal);
-    if (asking.get(kind) !== mine) return null;
+    if (mine.signal.aborted) return null;
     if (!ok) return invalid(JSON.parse(text));
     return /^\s*[[{]/.test(text) ? JSON.parse(text) : text;
   } catch (error) {
@@ -46,6 +46,22 @@ export async function ask(path, body, kind = path) {
       reason: 'the engine does not answer: ' + error,
     });
   }
+}
+
+/**
+ * Lets a search end before the next begins, as moves come faster than answers.
+ * @param {() => Promise<void>} search reads what is asked when it begins
+ * @returns {() => Promise<void>} calls it, or has it called once more when the running one ends
+ */
+export function latest(search) {
+  let [running, again] = [false, false];
+  return async function begin() {
+    again = running;
+    if (running) return;
+    running = true;
+    await search().finally(() => (running = false));
+    if (again) begin();
+  };
 }
 
 /** Nobody waits for it any longer. @param {string} kind */

@@ -1,11 +1,11 @@
 // The page: what is asked, the picture of it, and the engine's answer while things are dragged.
-import { fill, heading, mark, pattern, tell, words } from './answer.js';
+import { fill, heading, likest, mark, tell, words } from './answer.js';
 import { Board, free, inside } from './board.js';
 import { Closer } from './closer.js';
 import * as controls from './controls.js';
 import { $ } from './controls.js';
 import { holding, pointIn } from './drag.js';
-import { ask, forget } from './engine.js';
+import { ask, forget, latest } from './engine.js';
 import { follow, hits, outcome, turns } from './follow.js';
 import { gallery } from './gallery.js';
 import { firstCushion, lead, note, paint } from './paint.js';
@@ -88,6 +88,7 @@ function rebuild() {
   board = new Board(svg, layers.grips, table, hands);
   svg.querySelector(grip ? `[data-grip="${grip}"]` : `[data-cushion="${cushion}"]`)?.focus(); // as before
   show();
+  forget('solve'); // its answer would be drawn on another table
   solve();
 }
 
@@ -130,40 +131,48 @@ function change(f) {
 
 // ---- the answer ----
 
-async function solve() {
+function solve() {
   document.body.dataset.asked = state.address(scene); // for whoever waits until it is answered
   closer.clear();
   halt();
-  const puzzle = state.puzzle(scene);
-  const slow = setTimeout(() => ($('busy').hidden = false), 300);
-  const quick = await ask('solve?first&path', puzzle, 'solve');
-  if (quick) answered(quick, 'Looking for better shots …');
-  const all = quick && (await ask('solve?all&path', puzzle, 'solve'));
+  searchFirst();
+}
+
+let slow; // timer
+
+/** One shot. A move lets this search end, so that the picture follows what is dragged. */
+const searchFirst = latest(async () => {
+  const [asked, puzzle] = [document.body.dataset.asked, state.puzzle(scene)];
   clearTimeout(slow);
+  slow = setTimeout(() => ($('busy').hidden = false), 300);
+  const first = await ask('solve?first&path', puzzle, 'solve');
+  if (!first) return;
+  answered(first, 'Looking for better shots …');
+  if (asked === document.body.dataset.asked) searchAll(puzzle);
+});
+
+/** All shots. A move ends this search, which may take seconds. */
+async function searchAll(puzzle) {
+  const all = await ask('solve?all&path', puzzle, 'solve');
   if (!all) return;
+  clearTimeout(slow);
   $('busy').hidden = true;
-  answered(all, '');
   state.write(scene); // not while it is dragged: browsers allow some hundred a minute
   document.body.dataset.answered = document.body.dataset.asked;
+  answered(all, '');
   closer.look();
 }
 
 function answered(answer, more) {
   const before = picked === document.body.dataset.asked ? shots[chosen] : null;
   shots = answer.shots ?? [];
-  chosen = before ? likest(before) : 0;
+  chosen = before ? likest(shots, before) : 0;
   last = answer;
   const text = answer.error ? answer.error.reason : (answer.message ?? '');
   $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
   fill($('shots'), shots, chosen, { look, choose });
   look();
   if (!shots.length && !more) lacks(answer);
-}
-
-/** Which of the shots is the one that was chosen while better ones were looked for. */
-function likest(shot) {
-  const off = (other) => Math.abs(other.angle - shot.angle) + (pattern(other) === pattern(shot) ? 0 : 360);
-  return shots.reduce((best, other, i) => (off(other) < off(shots[best]) ? i : best), 0);
 }
 
 /** Why there is none, and what came nearest. */
