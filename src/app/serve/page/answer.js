@@ -58,7 +58,8 @@ export function words(shot, aim, length) {
     const [less, more] = shot.margin.angle.map((v) => Math.abs(v).toFixed(2));
     rows.push(['margin', `${less}° to the right, ${more}° to the left`]);
   }
-  if (shot.scratch) rows.push(['but', 'the struck ball falls, too']);
+  const into = typeof shot.cue_rests === 'string' ? ` into ${shot.cue_rests}` : '';
+  if (shot.scratch) rows.push(['but', `the cue ball falls${into}, too`]);
   return rows;
 }
 

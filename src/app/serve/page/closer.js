@@ -42,7 +42,7 @@ export class Closer {
 
   /** The scene has changed: nothing of it holds. */
   clear() {
-    for (const kind of ['map', 'launches', 'mirror', 'mirror-path']) forget(kind);
+    for (const kind of ['map', 'launches', 'mirror', 'mirror-path', 'onward', 'onward-path']) forget(kind);
     forgetSides();
     this.forgetAim();
     const layers = this.page.layers();

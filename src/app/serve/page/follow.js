@@ -22,6 +22,19 @@ export async function follow(scene, launch, kind) {
   return { events: told.events, end: told.end, path: paths.cue, paths };
 }
 
+/**
+ * The cue ball's path on to where it rests or falls, where a shot's own ends earlier: when an object ball falls.
+ * @param {state.Scene} scene
+ * @param {any} shot
+ * @param {string} kind of question
+ * @returns {Promise<any[] | undefined>} samples; none where nothing is to be drawn
+ */
+export async function finish(scene, shot, kind) {
+  if (!shot?.cue_rests && !shot?.scratch) return undefined;
+  const followed = await follow(scene, shot, kind);
+  return followed?.path?.filter(([t]) => t > shot.arrival.time);
+}
+
 function still(path) {
   return path.every(([, x, y]) => x === path[0][1] && y === path[0][2]);
 }

@@ -6,7 +6,7 @@ import * as controls from './controls.js';
 import { $ } from './controls.js';
 import { holding, pointIn } from './drag.js';
 import { ask, forget, latest } from './engine.js';
-import { follow, hits, outcome, turns } from './follow.js';
+import { finish, follow, hits, outcome, turns } from './follow.js';
 import { gallery } from './gallery.js';
 import { firstCushion, lead, note, paint } from './paint.js';
 import { play, stop } from './play.js';
@@ -31,6 +31,7 @@ let board;
 let shots = [];
 let chosen = 0;
 let picked = ''; // what was asked when a person chose a shot
+let seen; // shot that is looked at
 let last = {}; // answer
 
 const closer = new Closer({
@@ -148,18 +149,19 @@ const searchFirst = latest(async () => {
   const first = await ask('solve?first&path', puzzle, 'solve');
   if (!first) return;
   answered(first, 'Looking for better shots …');
-  if (asked === document.body.dataset.asked) searchAll(puzzle);
+  if (asked === document.body.dataset.asked) searchAll(puzzle, first);
 });
 
-/** All shots. A move ends this search, which may take seconds. */
-async function searchAll(puzzle) {
+/** All shots. A move ends this search, which may take seconds. The shot that is there stays where no other is found. */
+async function searchAll(puzzle, first) {
   const all = await ask('solve?all&path', puzzle, 'solve');
   if (!all) return;
   clearTimeout(slow);
   $('busy').hidden = true;
   state.write(scene); // not while it is dragged: browsers allow some hundred a minute
   document.body.dataset.answered = document.body.dataset.asked;
-  answered(all, '');
+  const wider = all.error?.reason ?? 'the wider search ended at its budget';
+  answered(first.shots.length && !all.shots.length ? { ...first, wider } : all, '');
   closer.look();
 }
 
@@ -189,15 +191,22 @@ async function lacks({ message = '', nearest, error }) {
 
 /** @param {number} [i] the shot that is looked at */
 function look(i = chosen) {
-  const shot = shots[i];
+  const shot = (seen = shots[i]);
   $('shots').onmouseleave = () => i !== chosen && look();
-  paint(layers.answer, table, scene, shots, shot);
+  paint(layers.answer, table, shots, shot);
   board.place('cushion', closer.aimed ?? aimPoint(shot));
-  $('title').textContent = heading(shot, scene.target);
+  $('title').textContent = [heading(shot, scene.target), last.wider].filter(Boolean).join('; ');
   $('playing').hidden = !shot?.path;
   $('why').hidden = !shot;
   const rows = shot ? words(shot, sight(table, scene.ball, shot.angle).words, units.length) : [];
   tell($('words'), rows);
+  if (document.body.dataset.asked === document.body.dataset.answered) lookOn(shot);
+}
+
+/** The cue ball's path as far as it goes. */
+async function lookOn(shot) {
+  const onward = await finish(scene, shot, 'onward');
+  if (onward && shot === seen) paint(layers.answer, table, shots, shot, onward);
 }
 
 function choose(i) {

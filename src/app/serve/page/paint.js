@@ -19,28 +19,44 @@ function fan(layer, table, from, shot) {
 }
 
 /**
+ * Where the cue ball rests or falls; null where neither is known.
+ * @param {import('./table.js').Table} table @returns {[number, number] | null}
+ */
+function end(table, { path, arrival, hits, pocket, cue_rests }) {
+  const into = table.pockets.find(({ name }) => name === cue_rests);
+  if (cue_rests) return into ? into.hole : cue_rests;
+  return pocket || (!hits && arrival.speed === 0) ? path[path.length - 1].slice(1) : null;
+}
+
+/**
  * @param {SVGGElement} layer emptied first
  * @param {import('./table.js').Table} table
- * @param {import('./state.js').Scene} scene
  * @param {any[]} shots
  * @param {any} shot the one that is looked at
+ * @param {any[]} onward the cue ball's path after that of the shot
  */
-export function paint(layer, table, scene, shots, shot) {
+export function paint(layer, table, shots, shot, onward = []) {
   layer.replaceChildren();
   const rest = shots.filter((other) => other !== shot && other.path);
   const faint = shape('g', { opacity: Math.min(1, 3 / Math.sqrt(1 + rest.length)) }, layer);
   for (const other of rest) line(faint, other.path, '', 0.004);
   if (!shot?.path) return;
-  fan(layer, table, scene.ball, shot);
-  const [x1, y1] = scene.ball;
-  const aim = sight(table, scene.ball, shot.angle);
+  const from = shot.path[0].slice(1); // what is dragged may have left it
+  fan(layer, table, from, shot);
+  const [x1, y1] = from;
+  const aim = sight(table, from, shot.angle);
   const [x2, y2] = aim.at;
   shape('line', { class: 'aim', x1, y1, x2, y2, 'stroke-width': 0.005 }, layer);
   write(layer, 'count', aim.at, metres(layer.ownerSVGElement, 12)).textContent = aim.count;
-  line(layer, shot.path, 'best', 0.011);
+  line(layer, [...shot.path, ...onward], 'best', 0.011);
   for (const path of Object.values(shot.paths ?? {})) line(layer, path, 'sent', 0.008);
-  const [, cx, cy] = shot.path[shot.path.length - 1];
-  shape('circle', { class: 'ghost', cx, cy, r: table.radius, 'stroke-width': 0.004 }, layer);
+  const at = end(table, shot);
+  if (at) ring(layer, at, table.radius, shot.scratch ? 'scratch' : '');
+}
+
+/** Where a ball ends. @param {Element} layer */
+function ring(layer, [cx, cy], r, kind) {
+  shape('circle', { class: `ghost ${kind}`, cx, cy, r, 'stroke-width': 0.004 }, layer);
 }
 
 /** @param {Element} layer @param {string} kind @param {[number, number]} at @param {number} size [m] */
@@ -80,8 +96,8 @@ export function note(layer, table, words, balls) {
 export function lead(layer, promised, followed, kind) {
   if (promised.length) line(layer, promised, kind + ' promised', 0.005);
   for (const path of Object.values(followed.paths)) line(layer, path, kind, 0.007);
-  const [, cx, cy] = followed.path[followed.path.length - 1];
-  shape('circle', { class: 'ghost ' + kind, cx, cy, r: 0.02, 'stroke-width': 0.004 }, layer);
+  const stops = ['rest', 'pocketed'].includes(followed.end.reason);
+  if (stops) ring(layer, followed.path[followed.path.length - 1].slice(1), 0.02, kind);
 }
 
 /** Where the ball first meets a cushion. @param {import('./table.js').Table} table @returns {[number, number] | null} */

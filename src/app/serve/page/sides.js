@@ -1,7 +1,7 @@
 // The same scene in two physics, side by side: what each answers, and where that leads if the other one is right.
 import { heading } from './answer.js';
 import { ask, forget } from './engine.js';
-import { follow, outcome } from './follow.js';
+import { finish, follow, outcome } from './follow.js';
 import { lead, paint } from './paint.js';
 import * as state from './state.js';
 import { draw, shape } from './table.js';
@@ -40,9 +40,10 @@ function stand(layer, table, scene) {
 /**
  * One of the two.
  * @param {import('./table.js').Table} table @param {state.Scene} scene
- * @param {any} own its answer @param {{physics: string, shot: any, followed: any}} other whose aim is tried here
+ * @param {any} own its answer @param {any[]} onward the end of its cue ball's path
+ * @param {{physics: string, shot: any, followed: any}} other whose aim is tried here
  */
-function side(table, scene, own, other) {
+function side(table, scene, own, onward, other) {
   const [figure, caption] = ['figure', 'figcaption'].map((tag) => document.createElement(tag));
   caption.textContent = `If ${scene.physics} is right`;
   const { physics, shot, followed } = other;
@@ -54,7 +55,7 @@ function side(table, scene, own, other) {
   figure.append(caption, svg, words('best', says), words('compare', leads));
   const show = () => {
     const { paths, grips } = draw(svg, table);
-    paint(shape('g', {}, paths), table, scene, [], own);
+    paint(shape('g', {}, paths), table, [], own, onward);
     if (shot) lead(paths, [], followed, 'compare');
     stand(grips, table, scene);
   };
@@ -73,14 +74,16 @@ export async function sides(box, table, scene, shot, physics) {
   const answer = await ask('solve?path&no-robustness', question(theirs, shot), 'side');
   if (!answer) return;
   const best = answer.shots?.[0] ?? null;
-  const [here, there] = await Promise.all([
+  const [here, there, mine, other] = await Promise.all([
     best ? follow(scene, best, 'side-here') : { path: [] },
     follow(theirs, shot, 'side-there'),
+    finish(scene, shot, 'side-mine'),
+    finish(theirs, best, 'side-theirs'),
   ]);
   if (!here || !there || here.error || there.error) return;
   const both = [
-    side(table, scene, shot, { physics, shot: best, followed: here }),
-    side(table, theirs, best, { physics: scene.physics, shot, followed: there }),
+    side(table, scene, shot, mine, { physics, shot: best, followed: here }),
+    side(table, theirs, best, other, { physics: scene.physics, shot, followed: there }),
   ];
   box.replaceChildren(...both.map(({ figure }) => figure));
   for (const { show } of both) show(); // letters are as large as the picture is wide
@@ -88,5 +91,9 @@ export async function sides(box, table, scene, shot, physics) {
 
 /** Nobody waits for them any longer. */
 export function forgetSides() {
-  for (const kind of ['side', ...['here', 'there'].flatMap((end) => [`side-${end}`, `side-${end}-path`])]) forget(kind);
+  for (const kind of [
+    'side',
+    ...['here', 'there', 'mine', 'theirs'].flatMap((end) => [`side-${end}`, `side-${end}-path`]),
+  ])
+    forget(kind);
 }
