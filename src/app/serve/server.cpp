@@ -36,7 +36,7 @@ void put(httplib::Response& response, const Reply& reply) {
 
 /// What remains of it would be taken for the next request.
 void unread(httplib::Response& response, Connection& client, std::size_t body) {
-  if (client.cut()) response.status = 408;
+  if (client.cut() && response.status != 413) response.status = 408;  // httplib refuses by Content-Length
   if (body > largest_body) response.status = 413;
   client.cut_off();
   response.set_header("Connection", "close");
