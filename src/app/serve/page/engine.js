@@ -59,8 +59,7 @@ export function latest(search) {
     again = running;
     if (running) return;
     running = true;
-    await search();
-    running = false;
+    await search().finally(() => (running = false));
     if (again) begin();
   };
 }
