@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "bankshot/numbers/tolerances.hpp"
@@ -28,7 +29,7 @@ std::vector<Contact> touched_by(const Boundary& boundary, const Vec2d& at) {
   std::vector<Contact> out;
   for (const Wall& w : boundary.walls) {
     const double s = dot(w.along, at);
-    if (dot(w.normal, at) - w.offset <= slack && s >= w.begin - slack && s <= w.end + slack &&
+    if (std::abs(dot(w.normal, at) - w.offset) <= slack && s >= w.begin - slack && s <= w.end + slack &&
         boundary.break_at(w, s) < 0)
       out.push_back(w.contact);
   }

@@ -3,6 +3,8 @@
 // Points on tables with point pockets, counted by number theory: the laser in a triangle of mirrors (Project Euler,
 // problem 202), and the shortest path with so many cushions (Code Golf 66817). All start in a vertex: no leg has the
 // length zero, and none leads out of the table.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numeric>
 
@@ -38,7 +40,8 @@ Puzzle in_triangle(int n) {
 Puzzle on_rectangle(double length, double width, int n) {
   Puzzle p{.table = rectangle_table(length, width), .physics = ideal_physics()};
   for (const double x : {0.0, length / 2, length})
-    for (const double y : {0.0, width}) p.table.pockets.push_back({"p" + std::to_string(p.table.pockets.size()), {x, y}, 0});
+    for (const double y : {0.0, width})
+      p.table.pockets.push_back({fmt::format("p{}", p.table.pockets.size()), {x, y}, 0});
   p.ball.at = {0, 0};
   p.ball.body.radius = 0;
   p.target = PocketTarget{};

@@ -129,7 +129,7 @@ TEST_CASE("a ball may start between jaws, against a facing, and at rest in both"
   const TablePreset& p = preset("pool-7ft");
   const Boundary boundary(make_table(p, true), p.body);
   const Wall& facing = boundary.jaws[0].facings[1];
-  const Vec2d against = (facing.from * 3 + facing.to) / 4;
+  const Vec2d against = (facing.from + facing.to * 3) / 4;  // before the capture circle
   for (const double angle : {45.0, 100.0, 225.0, 300.0}) {
     ShotRequest r = request(p, against, {1, radians(angle)});
     validate(r);

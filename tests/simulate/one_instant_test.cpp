@@ -68,10 +68,10 @@ TEST_CASE("a pocket captures before a cushion bounces") {
   CHECK(sim.state().at == Vec2d{1.875, 0.5});
 }
 
-TEST_CASE("a ball that starts inside a capture circle drops only after it has left it") {
+TEST_CASE("a point that starts in a point pocket drops only after it has left it") {
   Table table = rectangle_table(2, 1);
-  table.pockets = {{"p", {0.5, 0.5}, 0.2}};
-  ShotRequest away = on(table, {0.5, 0.55}, 0);
+  table.pockets = {{"p", {0.5, 0.5}, 0}};
+  ShotRequest away = on(table, {0.5, 0.5}, 10);
   away.until.cushions = 1;
   CHECK(simulate(away).end == EventKind::horizon);
   const Trajectory back = simulate(on(table, {0.5, 0.5}, 0));

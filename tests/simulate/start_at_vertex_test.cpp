@@ -14,9 +14,8 @@ namespace {
 /// Bounces before the ball has gone anywhere.
 long in_place(const Trajectory& t) {
   const Vec2d start = t.events.front().state.at;
-  return std::ranges::count_if(t.events, [&](const Record& e) {
-    return e.kind == EventKind::cushion && norm(e.state.at - start) < 1e-12;
-  });
+  return std::ranges::count_if(
+      t.events, [&](const Record& e) { return e.kind == EventKind::cushion && norm(e.state.at - start) < 1e-12; });
 }
 
 ShotRequest point_at(Table table, const Vec2d& at, double degrees_of_aim, Physics physics) {
