@@ -73,15 +73,17 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   a.status = !found.shots.empty() ? Status::solved : ledger.cut() ? Status::budget : Status::no_shot;
   planning::add_nearest(q, found, options.suggest, a);
   Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
-  if (options.robustness && !found.shots.empty()) {
+  if ((options.robustness || q.safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
     if (q.puzzle.prefer == Prefer::robust && !q.all()) planning::best_first(q, aside, found.shots);
-    if (q.safest()) planning::move_best(q, aside, found.shots);
     planning::family::tune(q, aside, found);
-    planning::add_robustness(q, aside, found);
+    if (q.safest()) planning::move_best(q, aside, found.shots);
+    if (options.robustness) planning::add_robustness(q, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
   if (q.all() && (q.objects || q.safest())) planning::keep_connected_once(q, aside, found.shots);
+  if (!options.robustness)
+    for (Shot& shot : found.shots) shot.success.reset(), shot.value.reset();
   const std::size_t distinct = found.shots.size();
   if (!q.all() && distinct > 1) found.shots.resize(1);
   if (options.sensitivity)

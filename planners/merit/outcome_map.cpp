@@ -27,7 +27,7 @@ OutcomeMap::OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot)
     const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
     low = room.low / by_aim, high = room.high / by_aim;
   }
-  rows_.push_back(row_at(shot.launch.speed, low, high));
+  rows_.push_back(row_at(shot.launch.speed, {low, high}));
 }
 
 double OutcomeMap::deviation(double speed) const {
@@ -41,74 +41,75 @@ std::optional<double> OutcomeMap::arrival_at(double aim, double speed) {
   return r.made ? std::optional(r.arrival.speed) : std::nullopt;
 }
 
-/// The interval is expected from `low` to `high`.
-OutcomeMap::Row OutcomeMap::row_at(double speed, double low, double high) {
+OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected) {
   Row row{speed};
-  const double width = std::max(high - low, tolerance::same_aim);
-  for (const double share : {0.5, 0.25, 0.75, 0.0, 1.0, -0.5, 1.5}) {
-    const double aim = low + share * width;
-    if (const auto arrival = arrival_at(aim, speed)) {
-      row.made = true, row.arrival = *arrival, row.low = row.high = aim;
-      break;
-    }
-  }
+  const double width = std::max(expected.width(), tolerance::same_aim);
+  const double beside = std::clamp(width / 2, least_beside * angle_, most_beside * angle_);
+  const double first = expected.low - beside, step = (width + 2 * beside) / (aims - 1);
+  struct Try {
+    double aim;
+    bool made;
+  };
+  std::vector<Try> tries;
+  const auto look = [&](double aim) {
+    const auto arrival = arrival_at(aim, speed);
+    if (arrival) row.arrival = *arrival;
+    return Try{aim, arrival.has_value()};
+  };
+  for (int k = 0; k < aims; ++k) tries.push_back(look(first + k * step));
   // A shot is made as it is launched, wherever the middle of its target may be.
-  if (!row.made && rows_.empty()) row.made = true, row.arrival = shot_.arrival.speed;
-  if (!row.made) return row;
-  const double inside = row.low;
-  row.low = edge(row, std::min(low, inside - tolerance::same_aim), -1);
-  row.high = edge({.speed = speed, .low = inside, .high = inside}, std::max(high, inside + tolerance::same_aim), 1);
+  if (rows_.empty() && std::ranges::none_of(tries, &Try::made))
+    tries.insert(std::ranges::upper_bound(tries, 0.0, {}, &Try::aim), look(0));
+  if (std::ranges::none_of(tries, &Try::made)) return row;
+  const double farthest = far * angle_;
+  while (tries.front().made && expected.middle() - tries.front().aim < farthest)
+    tries.insert(tries.begin(), look(tries.front().aim - beside));
+  while (tries.back().made && tries.back().aim - expected.middle() < farthest)
+    tries.push_back(look(tries.back().aim + beside));
+  if (tries.front().made) row.bands.push_back({tries.front().aim, 0});
+  for (std::size_t i = 0; i + 1 < tries.size(); ++i) {
+    if (tries[i].made == tries[i + 1].made) continue;
+    double in = tries[i].aim, out = tries[i + 1].aim;
+    while (out - in > finest * std::min(angle_, width) && !ledger_.spent()) {
+      const double middle = (in + out) / 2;
+      if (!(in < middle && middle < out)) break;
+      (arrival_at(middle, speed).has_value() == tries[i].made ? in : out) = middle;
+    }
+    if (tries[i].made)
+      row.bands.back().high = (in + out) / 2;
+    else
+      row.bands.push_back({(in + out) / 2, 0});
+  }
+  if (tries.back().made) row.bands.back().high = tries.back().aim;
   return row;
 }
 
-/// The end of what is made to one side of a row that is one aim so far, found from where it is expected.
-double OutcomeMap::edge(const Row& row, double expected, double side) {
-  const double start = row.low, farthest = start + side * far * angle_;
-  double in = start, out = side * (expected - farthest) < 0 ? expected : farthest;
-  const auto beyond = [&](double aim) { return !(side * (aim - farthest) < 0); };
-  const double step = nearly * std::abs(expected - start);
-  if (made(out, row.speed)) {
-    for (double by = step; in = out, !beyond(in); by *= 2) {
-      out = in + side * by;
-      if (!made(out, row.speed)) break;
-    }
-    if (beyond(in)) return farthest;
-  } else if (const double before = out - side * step; side * (before - start) > 0) {
-    (made(before, row.speed) ? in : out) = before;
-  }
-  while (std::abs(out - in) > finest * std::min(angle_, std::max(std::abs(in - start), tolerance::same_aim))) {
-    const double middle = (in + out) / 2;
-    if (middle == in || middle == out || ledger_.spent()) break;
-    (made(middle, row.speed) ? in : out) = middle;
-  }
-  return (in + out) / 2;
-}
-
-/// Where the rows around a speed have the ends of the interval.
-OutcomeMap::Row OutcomeMap::expected_at(double speed) const {
-  const auto after = std::ranges::find_if(rows_, [&](const Row& r) { return r.made && r.speed > speed; });
-  const auto is_before = [&](const Row& r) { return r.made && r.speed < speed; };
+/// Where the rows around a speed have their widest bands.
+OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
+  const auto after = std::ranges::find_if(rows_, [&](const Row& r) { return r.made() && r.speed > speed; });
+  const auto is_before = [&](const Row& r) { return r.made() && r.speed < speed; };
   const auto before = std::find_if(rows_.rbegin(), rows_.rend(), is_before);
-  const auto beyond = [&](const Row& near, const auto& far) {
-    const double share = (speed - near.speed) / (far.speed - near.speed);
-    const Row out{speed, true, std::lerp(near.low, far.low, share), std::lerp(near.high, far.high, share)};
-    return out.low < out.high ? out : near;
+  const auto beyond = [&](const Row& near, const Row& other) {
+    const double share = (speed - near.speed) / (other.speed - near.speed);
+    const Band &a = near.widest(), &b = other.widest();
+    const Band out{std::lerp(a.low, b.low, share), std::lerp(a.high, b.high, share)};
+    return out.low < out.high ? out : a;
   };
   if (before != rows_.rend() && after != rows_.end()) return beyond(*before, *after);
   if (before != rows_.rend()) {
     const auto next = std::find_if(before + 1, rows_.rend(), is_before);
-    return next == rows_.rend() ? *before : beyond(*before, *next);
+    return next == rows_.rend() ? before->widest() : beyond(*before, *next);
   }
-  const auto next = std::find_if(after + 1, rows_.end(), [](const Row& r) { return r.made; });
-  return next == rows_.end() ? *after : beyond(*after, *next);
+  const auto next = std::find_if(after + 1, rows_.end(), [](const Row& r) { return r.made(); });
+  return next == rows_.end() ? after->widest() : beyond(*after, *next);
 }
 
 /// False where there are rows enough.
 bool OutcomeMap::add(double speed) {
   if (rows_.size() >= most_rows || ledger_.spent() || !(speed > 0)) return false;
-  const Row expected = expected_at(speed);
-  const Row row = row_at(speed, expected.low, expected.high);
-  rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), row);
+  if (std::ranges::none_of(rows_, &Row::made)) return false;
+  Row row = row_at(speed, expected_at(speed));
+  rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
   return true;
 }
 
@@ -119,7 +120,7 @@ void OutcomeMap::look_along() {
     for (double speed = shot_.launch.speed * ratio; q_.speed.contains(speed) && missed < most_missed; speed *= ratio) {
       if (!add(speed)) return;
       const Row& row = ratio < 1 ? rows_.front() : rows_.back();
-      missed = row.made ? 0 : missed + 1;
+      missed = row.made() ? 0 : missed + 1;
     }
   }
 }
@@ -148,12 +149,19 @@ double OutcomeMap::success_at(double aim, double speed) const {
   if (after == rows_.end() || (after == rows_.begin() && after->speed != speed)) return 0;
   const Row &b = *after, &a = after == rows_.begin() ? b : *(after - 1);
   const double share = &a == &b ? 0 : (speed - a.speed) / (b.speed - a.speed);
-  const auto inside = [&](double low, double high) {
-    return normal_below((high - aim) / angle_) - normal_below((low - aim) / angle_);
+  const auto inside = [&](const Band& band) {
+    return normal_below((band.high - aim) / angle_) - normal_below((band.low - aim) / angle_);
   };
-  if (a.made && b.made) return inside(std::lerp(a.low, b.low, share), std::lerp(a.high, b.high, share));
-  const Row& near = share < 0.5 ? a : b;
-  return near.made ? inside(near.low, near.high) : 0;
+  double sum = 0;
+  if (a.bands.size() == b.bands.size()) {
+    for (std::size_t i = 0; i < a.bands.size(); ++i)
+      sum += inside(
+          {std::lerp(a.bands[i].low, b.bands[i].low, share), std::lerp(a.bands[i].high, b.bands[i].high, share)});
+    return sum;
+  }
+  for (const Band& band : a.bands) sum += (1 - share) * inside(band);
+  for (const Band& band : b.bands) sum += share * inside(band);
+  return sum;
 }
 
 double OutcomeMap::success(double aim, double speed) const {
@@ -169,14 +177,15 @@ double OutcomeMap::success(double aim, double speed) const {
 
 /// Golden sections between the middles of the rows around, inside the bounds of the aim.
 double OutcomeMap::safest_aim(const Row& row) const {
-  double low = row.middle(), high = low;
+  double low = row.widest().middle(), high = low;
   for (const Row& other : rows_)
-    if (other.made && std::abs(other.speed - row.speed) < 2 * deviation(row.speed))
-      low = std::min(low, other.middle()), high = std::max(high, other.middle());
+    if (other.made() && std::abs(other.speed - row.speed) < 2 * deviation(row.speed))
+      low = std::min(low, other.widest().middle()), high = std::max(high, other.widest().middle());
+  for (const Band& band : row.bands) low = std::min(low, band.middle()), high = std::max(high, band.middle());
   constexpr double golden = 0.6180339887498949;
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double fa = success(a, row.speed), fb = success(b, row.speed);
-  while (high - low > nearly * angle_) {
+  while (high - low > settled * angle_) {
     if (fa < fb) {
       low = a, a = b, fa = fb;
       fb = success(b = low + golden * (high - low), row.speed);
@@ -196,8 +205,8 @@ double OutcomeMap::safest_aim(const Row& row) const {
 bool OutcomeMap::allowed(const Row& row) const {
   const auto& arrive = q_.puzzle.arrive;
   double speed = row.speed;
-  if (is_ideal(q_.puzzle.physics) || q_.pinned) return row.made && row.speed == shot_.launch.speed;
-  return row.made && bring_inside(speed, q_.speed) && (!arrive || arrive->contains(row.arrival));
+  if (is_ideal(q_.puzzle.physics) || q_.pinned) return row.made() && row.speed == shot_.launch.speed;
+  return row.made() && bring_inside(speed, q_.speed) && (!arrive || arrive->contains(row.arrival));
 }
 
 std::optional<OutcomeMap::Best> OutcomeMap::best() {

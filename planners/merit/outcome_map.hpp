@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Which launches around a shot are made, labelled once, so that the value of any of them costs no simulation.
-// Method: at each of some launch speeds the aims that are made form an interval, whose ends are bisected, beginning
-// where the neighbouring speeds have them. The success of a launch is the sum of these intervals under the player's
-// normal errors (Gauss and Hermite's rule of five nodes across the speeds). Speeds are laid in few steps over all that
-// the puzzle allows, and then finely around the best of them. Bands beside the interval are not seen, so that what the
-// map says is an estimate. Cost: some eight simulations for each of twenty speeds.
+// Method: at each of some launch speeds aims are tried across what is expected to be made, and every change between
+// them is bisected. The success of a launch is the sum of the bands that are made under the player's normal errors
+// (Gauss and Hermite's rule of five nodes across the speeds). Speeds are laid in few steps over all that the puzzle
+// allows, and then finely around the best of them. Bands between two aims are not seen, so that what the map says is an
+// estimate. Cost: some twenty simulations for each of twenty speeds.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -30,21 +31,24 @@ class OutcomeMap {
   std::optional<Best> best();
 
  private:
-  /// The aims that are made at one launch speed.
-  struct Row {
-    double speed;                       ///< m/s
-    bool made = false;                  ///< at any aim
-    double low = 0, high = 0;           ///< rad beside the shot's aim
-    double arrival = 0;                 ///< m/s, at the target, in the middle
-    double middle() const { return (low + high) / 2; }
+  /// Aims that are made, from one to another [rad beside the shot's].
+  struct Band {
+    double low, high;
     double width() const { return high - low; }
+    double middle() const { return (low + high) / 2; }
+  };
+  /// What is made at one launch speed.
+  struct Row {
+    double speed;               ///< m/s
+    std::vector<Band> bands{};  ///< in order
+    double arrival = 0;         ///< m/s, at the target
+    bool made() const { return !bands.empty(); }
+    const Band& widest() const { return *std::ranges::max_element(bands, {}, &Band::width); }
   };
 
   std::optional<double> arrival_at(double aim, double speed);
-  bool made(double aim, double speed) { return arrival_at(aim, speed).has_value(); }
-  Row row_at(double speed, double low, double high);
-  double edge(const Row& row, double expected, double side);
-  Row expected_at(double speed) const;
+  Row row_at(double speed, const Band& expected);
+  Band expected_at(double speed) const;
   bool add(double speed);
   void look_along();
   bool refine(double speed);
@@ -58,7 +62,7 @@ class OutcomeMap {
   Ledger& ledger_;
   const Shot& shot_;
   Goal goal_;
-  double angle_;  ///< rad, deviation of the aim
+  double angle_;             ///< rad, deviation of the aim
   std::vector<Row> rows_{};  ///< slowest first
 };
 

@@ -171,12 +171,18 @@ void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
 
 namespace {
 
-/// What the value of a shot may be once it is moved, as its first-order chance in the middle of its target says.
-double moved_at_most(const Question& q, const Shot& shot) {
+/// What the value of a shot may be once it is moved.
+struct Movable {
+  double likely, at_most;
+  std::size_t shot;
+};
+
+/// As its first-order chance in the middle of its target says.
+Movable movable(const Question& q, const Shot& shot, std::size_t number) {
+  const double chance = std::max(shot.chance, chance_in_middle(q, shot));
+  const double most = success_at_most(q, q.mark_of(shot), chance) + settings::rank::off_jaws;
   const double contacts = cost_of(shot) - cost_of(shot.launch, shot.spin);
-  const double most =
-      success_at_most(q, q.mark_of(shot), std::max(shot.chance, chance_in_middle(q, shot))) + settings::rank::off_jaws;
-  return std::min(1.0, std::max(most, shot.success.value_or(0))) - contacts;
+  return {chance - cost_of(shot), std::min(1.0, std::max(most, shot.success.value_or(0))) - contacts, number};
 }
 
 }  // namespace
@@ -190,19 +196,16 @@ void move_best(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
     return;
   }
   move(shots.front());
-  struct Candidate {
-    double at_most;  ///< its value
-    std::size_t shot;
-  };
-  std::vector<Candidate> candidates;
+  std::vector<Movable> candidates;
   for (std::size_t i = 1; i < shots.size(); ++i)
     if (!shots[i].scratch)
-      candidates.push_back(
-          {as_struck(q, shots[i], [&](const Question& own) { return moved_at_most(own, shots[i]); }), i});
-  std::ranges::stable_sort(candidates, std::greater(), &Candidate::at_most);
-  for (std::size_t i = 0; i < candidates.size() && i < settings::rank::most_moved; ++i) {
-    if (candidates[i].at_most <= *shots.front().value) break;
-    Shot& shot = shots[candidates[i].shot];
+      candidates.push_back(as_struck(q, shots[i], [&](const Question& own) { return movable(own, shots[i], i); }));
+  std::ranges::stable_sort(candidates, std::greater(), &Movable::likely);
+  int moved = 0;
+  for (const Movable& candidate : candidates) {
+    if (candidate.at_most <= *shots.front().value) continue;
+    if (moved++ == settings::rank::most_moved) break;
+    Shot& shot = shots[candidate.shot];
     move(shot);
     if (*shot.value > *shots.front().value) std::swap(shot, shots.front());
   }

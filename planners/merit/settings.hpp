@@ -28,7 +28,7 @@ inline constexpr double beside = 4;
 /// Of value: so little less is as good, where shots differ in what they leave.
 inline constexpr double as_likely = 0.02;
 /// Shots that are moved to their safest launches where one is wanted. What none of them may reach is not moved.
-inline constexpr int most_moved = 6;
+inline constexpr int most_moved = 12;
 /// What a moved shot's success is at most: its first-order chance in the middle of what its pocket offers, and so much
 /// more for what falls off jaws and rails.
 inline constexpr double off_jaws = 0.1;
@@ -117,9 +117,12 @@ inline constexpr int around = 3;
 inline constexpr std::size_t most_rows = 64;
 /// Of the launch speed: where a player makes no errors of speed, rows are so far apart.
 inline constexpr double least_deviation = 0.02;
-/// Of the way to where an end is expected: the bracket around it. Of a deviation, or of the way to it where that is
-/// less: where its bisection ends. Deviations: what is farther out does not count.
-inline constexpr double nearly = 0.05, finest = 0.04, far = 8;
+/// Aims tried across what is expected to be made, and to either side of it, in deviations of the aim; farther than
+/// `far` nothing counts. A change between two of them is bisected to this share of a deviation, or of what is expected.
+inline constexpr int aims = 11;
+inline constexpr double least_beside = 0.25, most_beside = 2, far = 8, finest = 0.05;
+/// Deviations: where the best aim is settled.
+inline constexpr double settled = 0.05;
 }  // namespace outcome_map
 
 }  // namespace bankshot::planning::settings

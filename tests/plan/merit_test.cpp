@@ -87,7 +87,7 @@ TEST_CASE("a first-order chance where it is known") {
   CHECK(all_shots(p).at(0).chance == Approx(0.5).margin(2e-3));
 }
 
-TEST_CASE("the winner is the one with the largest success, and few are computed") {
+TEST_CASE("the winner is the one with the largest value, and few are computed") {
   int puzzles = 0, lost = 0;
   long asked = 0, full = 0;
   for (const test::Model model : models) {
@@ -99,15 +99,15 @@ TEST_CASE("the winner is the one with the largest success, and few are computed"
       std::vector<Shot> each = found.shots;
       if (each.size() < 2) continue;
       planning::Ledger some(plenty), all(plenty);
-      planning::likeliest_first(q, some, found.shots);
+      planning::best_first(q, some, found.shots);
       planning::add_robustness(q, some, found);
-      double best = 0;
+      double best = -1;
       for (Shot& shot : each) {
         planning::find_success(q, all, shot, found.shots);
         planning::find_margin(q, all, shot);
-        best = std::max(best, *shot.success);
+        best = std::max(best, *shot.value);
       }
-      lost += *found.shots.front().success < best;
+      lost += *found.shots.front().value < best;
       asked += some.simulations();
       full += all.simulations();
       ++puzzles;
