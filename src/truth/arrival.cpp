@@ -9,6 +9,7 @@
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/coefficients.hpp"
+#include "bankshot/simulate/many_balls.hpp"
 #include "truth/judge.hpp"
 #include "truth/line_in.hpp"
 
@@ -22,6 +23,12 @@ constexpr double same_fall = 1e-9;
 Goal goal_of(const Shot& claim, double slack = 0) {
   const int n = static_cast<int>(claim.cushions.size());
   return {n, n, &claim.cushions, claim.then.empty() ? nullptr : &claim.then, claim.arrival.time, slack};
+}
+
+/// As the margin of a shot counts: along its own cushions up to the first ball, and then as the puzzle asks.
+Goal counted(const Shot& claim) {
+  const int n = static_cast<int>(claim.cushions.size());
+  return {n, n, &claim.cushions, nullptr, claim.arrival.time, 0, &claim};
 }
 
 Path beside(Run run, double turned, double pushed) {
@@ -57,7 +64,7 @@ std::size_t arriving(const Path& path, int n, double time, bool stops) {
   return best.value_or(path.events.size());
 }
 
-/// Of a carom: the second contact of the struck ball.
+/// Of a carom: the second contact of the cue ball.
 std::size_t second_contact(const Path& path) {
   int contacts = 0;
   const auto second = [&](const TruthEvent& e) {
@@ -125,7 +132,7 @@ double Scene::miss(const Arrived& there) const {
   if (!there.taken_by) return there.passed;
   const Circle& rim = *boundary_of(there.ball).rim(there.taken_by);
   if (const auto* ball = std::get_if<BallTarget>(&puzzle.target); ball && !ball->then)
-    return std::abs(there.offset + rim.radius * std::sin(ball->cut));
+    return std::abs(there.offset + rim.radius * std::sin(ball->exact_cut()));
   return std::abs(there.offset - exact_offset(boundary_of(there.ball), rim, there.heading, there.offset));
 }
 
@@ -178,16 +185,42 @@ Run Scene::in_double(const Launch& launch, const LaunchSpin& spin, int cushions)
   return {boundary, puzzle.physics, r.start, r.cushions, r.events, r.target, 0, 0, forever, r.all, r.sends};
 }
 
-bool Scene::seems_made(const Launch& launch, const Shot& claim) const {
+bool Scene::counts(const Launch& launch, const Shot& claim) const {
+  if (!(launch.speed > 0)) return false;
   const int n = static_cast<int>(claim.cushions.size());
-  return launch.speed > 0 && judge(*this, run_double(in_double(launch, claim.spin, n)), goal_of(claim)).made();
+  return judge(*this, run_truth(run(launch, claim.spin, n)), counted(claim)).made() && !scratches(launch, claim.spin);
+}
+
+bool Scene::seems_to_count(const Launch& launch, const Shot& claim) const {
+  if (!(launch.speed > 0)) return false;
+  const int n = static_cast<int>(claim.cushions.size());
+  return judge(*this, run_double(in_double(launch, claim.spin, n)), counted(claim)).made() &&
+         !scratches(launch, claim.spin);
+}
+
+bool Scene::scratches(const Launch& launch, const LaunchSpin& spin) const {
+  if (!std::holds_alternative<BallTarget>(puzzle.target) || puzzle.table.pockets.empty()) return false;
+  const Starts starts({.table = puzzle.table,
+                       .physics = puzzle.physics,
+                       .ball = puzzle.ball,
+                       .others = puzzle.others,
+                       .launch = launch,
+                       .spin = spin});
+  const long most = is_ideal(puzzle.physics) ? ideal_cushions : max_events;
+  return with_physics(puzzle.physics, [&](const auto& motion, const auto& cushion) {
+    ManyBalls sim(starts.balls(), motion, cushion, collisions(puzzle.physics));
+    for (long i = 0; i < most && sim.in_play(0); ++i)
+      if (sim.step().event.kind == EventKind::horizon) break;
+    return !sim.in_play(0);
+  });
 }
 
 double Scene::chance(const Shot& shot, int draws) const {
   std::mt19937_64 engine(static_cast<std::uint64_t>(draws));
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
   const CushionRule& rule = puzzle.cushions;
-  const Goal goal{rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr, nullptr, shot.arrival.time};
+  const auto* const sequence = rule.sequence ? &*rule.sequence : nullptr;
+  const Goal goal{rule.min, rule.max, sequence, nullptr, shot.arrival.time, 0, &shot};
   const DrawnPhysics physics(puzzle.physics);
   int made = 0;
   for (int i = 0; i < draws; ++i) {
@@ -196,7 +229,7 @@ double Scene::chance(const Shot& shot, int draws) const {
                    wrap_angle(shot.launch.angle + puzzle.noise.angle * size * std::sin(turn))};
     if (!(l.speed > 0)) continue;
     const auto made_on = [&](const Scene& scene, const LaunchSpin& spin) {
-      made += judge(scene, run_double(scene.in_double(l, spin, rule.max)), goal).made();
+      made += judge(scene, run_double(scene.in_double(l, spin, rule.max)), goal).made() && !scene.scratches(l, spin);
     };
     if (!puzzle.errs_in_more()) {
       made_on(*this, shot.spin);

@@ -34,13 +34,19 @@ class Scene {
     double rounding;  ///< the share of it that rounding may change, since the ball creeps up to a cushion
   };
   std::optional<Condition> condition(const Shot& shot, const Sides& sides) const;
-  /// Whether a launch is made along the cushions of `claim`, in double: many launches have no use for more digits.
-  bool seems_made(const Launch& launch, const Shot& claim) const;
-  /// The share of seeded draws from the player's errors that makes the target by any cushions allowed,
-  /// in double: a sample has no use for more digits.
+  /// Whether a launch counts for the margin of `claim`: made along its cushions, by its own ball and pocket, and the
+  /// cue ball does not fall. The fall is looked for in double.
+  bool counts(const Launch& launch, const Shot& claim) const;
+  /// The same in double alone: many launches have no use for more digits.
+  bool seems_to_count(const Launch& launch, const Shot& claim) const;
+  /// Whether the cue ball falls into a pocket before all balls rest, where a ball is the target; in double.
+  bool scratches(const Launch& launch, const LaunchSpin& spin) const;
+  /// The share of seeded draws from the player's errors that makes the target by any cushions allowed, as `success`
+  /// counts it: by the shot's own ball and pocket, and without a scratch. In double: a sample has no use for more
+  /// digits.
   double chance(const Shot& shot, int draws) const;
 
-  /// As a ball sees the table: the struck one, or one that it may send on.
+  /// As a ball sees the table: the cue ball, or one that it may send on.
   const Boundary& boundary_of(int ball) const;
 
   const Puzzle& puzzle;

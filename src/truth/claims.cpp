@@ -41,6 +41,7 @@ class ShotCheck {
     condition();
     if (shot_.margin) margin();
     if (shot_.success) success();
+    if (shot_.value) value();
     return std::move(out_);
   }
 
@@ -199,6 +200,7 @@ class ShotCheck {
     constexpr int places = 50;
     double wrong = 0;
     std::string what;
+    if (shot_.scratch) return scratched();
     const auto end = [&](std::optional<double> m, double turned, double pushed, const char* which) {
       if (!m) return;
       const auto launch = [&](double k, double beyond = 0) {
@@ -206,11 +208,11 @@ class ShotCheck {
         return Launch{shot_.launch.speed + std::abs(pushed) * by,
                       wrap_angle(shot_.launch.angle + std::abs(turned) * by)};
       };
-      const auto made = [&](const Launch& l) { return l.speed > 0 && scene_.replay(l, shot_, 0).made(); };
+      const auto made = [&](const Launch& l) { return scene_.counts(l, shot_); };
       const auto gap = [&] {
         for (int i = 0; i < places; ++i) {
           const Launch l = launch((i + 0.5) / places);
-          if (!scene_.seems_made(l, shot_) && !made(l)) return true;
+          if (!scene_.seems_to_count(l, shot_) && !made(l)) return true;
         }
         return false;
       };
@@ -230,6 +232,23 @@ class ShotCheck {
     end(shot_.margin->speed[0], 0, -1, "speed");
     end(shot_.margin->speed[1], 0, 1, "speed");
     compare(Claim::margin, wrong, 0, what);
+  }
+
+  /// A shot that scratches as launched leaves nothing to be off by.
+  void scratched() {
+    const auto& [angle, speed] = *shot_.margin;
+    const auto wrong = [](const auto& ends) { return std::ranges::count_if(ends, [](auto m) { return m != 0.0; }); };
+    compare(Claim::margin, static_cast<double>(wrong(angle) + wrong(speed)), 0, "is not 0, and the cue ball falls");
+  }
+
+  /// An answer does not tell how many jaws a shot touches: one that rattles touches a whole number of them.
+  void value() {
+    constexpr double digits = 1e-9, per_contact = 0.005;
+    if (!shot_.success) return compare(Claim::value, HUGE_VAL, digits, "is given without a success");
+    const double without_jaws = *shot_.success - cost_of(shot_);
+    const double jaws = shot_.rattles ? std::max(1.0, std::round((without_jaws - *shot_.value) / per_contact)) : 0;
+    compare(Claim::value, std::abs(without_jaws - per_contact * jaws - *shot_.value), digits,
+            fmt::format("says {:.6g} and success less costs is {:.6g}", *shot_.value, without_jaws));
   }
 
   void success() {
@@ -262,15 +281,15 @@ std::string form(const Answer& a) {
 
 std::string_view name(Claim c) {
   constexpr std::string_view names[claims] = {
-      "id",       "form",          "status",      "launch speed", "aim",    "spin",   "rule",
-      "cushions", "target",        "centre",      "miss",         "offset", "hits",   "place",
-      "time",     "arrival speed", "speed asked", "condition",    "margin", "success"};
+      "id",       "form",          "status",      "launch speed", "aim",    "spin",    "rule",
+      "cushions", "target",        "centre",      "miss",         "offset", "hits",    "place",
+      "time",     "arrival speed", "speed asked", "condition",    "margin", "success", "value"};
   return names[static_cast<int>(c)];
 }
 
 std::string_view unit(Claim c) {
-  constexpr std::string_view units[claims] = {"",  "",  "", "m/s", "rad", "",    "",    "",      "",     "m",
-                                              "m", "m", "", "m",   "s",   "m/s", "m/s", "of it", "ends", ""};
+  constexpr std::string_view units[claims] = {"",  "", "",  "m/s", "rad", "",    "",      "",     "", "m", "m",
+                                              "m", "", "m", "s",   "m/s", "m/s", "of it", "ends", "", ""};
   return units[static_cast<int>(c)];
 }
 

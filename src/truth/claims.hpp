@@ -35,10 +35,11 @@ enum class Claim {
   arrival,    ///< how fast [m/s]
   asked,      ///< as fast as the puzzle asks [m/s]
   condition,  ///< by differences in 50 digits [relative]
-  margin,     ///< made just inside, not made just outside [number of ends that are wrong]
+  margin,     ///< made just inside, not made just outside, all 0 of a scratch [number of ends that are wrong]
   success,    ///< between 0 and 1, and as 1,000 seeded draws say
+  value,      ///< success less what the shot costs
 };
-inline constexpr int claims = 20;
+inline constexpr int claims = 21;
 
 std::string_view name(Claim claim);
 std::string_view unit(Claim claim);  ///< of `off` and `allowed`

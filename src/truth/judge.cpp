@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "bankshot/geometry/boundary.hpp"
 #include "truth/arrival.hpp"
 
 namespace bankshot::truth {
@@ -41,6 +42,8 @@ class Judge {
         point_(point_of(puzzle_.target)),
         pocket_(pocket_of(puzzle_.target)),
         within_(point_ ? point_->within + goal.slack : 0) {
+    if (goal.counts && !goal.counts->hits.empty()) own_ = goal.counts;
+    if (own_ && pocket_) own_pocket_ = pocket_reached(puzzle_, *own_);
     note_order();
   }
 
@@ -52,7 +55,7 @@ class Judge {
   }
 
  private:
-  /// The words for the struck ball, or for what it does to another.
+  /// The words for the cue ball, or for what it does to another.
   std::string_view does(std::string_view itself, std::string_view another) const { return then_ ? another : itself; }
   std::string name(const TruthEvent& e) const { return contact_name(puzzle_, e.contact); }
 
@@ -63,7 +66,7 @@ class Judge {
 
   void note_order() { out_.in_order = !goal_.sequence || same_order(*goal_.sequence, met_); }
 
-  /// Of the struck ball, on its way to another.
+  /// Of the cue ball, on its way to another.
   bool ends_before_hit(const TruthEvent& e) {
     if (e.ball != 0 || e.kind == EventKind::slide_to_roll) return false;
     if (e.kind == EventKind::jaw) {
@@ -79,8 +82,8 @@ class Judge {
     if (e.kind != EventKind::ball) return fails("touches no ball");
     note_order();
     const int ball = e.contact.index;
-    const bool wanted =
-        std::ranges::count(touches_->balls, ball) > 0 && !(goal_.then && goal_.then->front().ball != ball);
+    const bool wanted = std::ranges::count(touches_->balls, ball) > 0 &&
+                        !(goal_.then && goal_.then->front().ball != ball) && !(own_ && own_->hits.front().ball != ball);
     if (!wanted || static_cast<int>(met_.size()) < goal_.min) return fails(fmt::format("runs into {}", name(e)));
     return sets_going(e, ball);
   }
@@ -97,16 +100,24 @@ class Judge {
   /// Of those that are sent on, the one on its way, from 0.
   std::size_t nth() const { return out_.then.size() - 1; }
 
+  /// The pot may be made by any rails.
+  bool any_fall() const { return goal_.counts && then_ && all_set() && then_->counts_any_fall(); }
+  bool own_pocket(Contact pocket) const {
+    return !own_pocket_ || &puzzle_.table.pockets[static_cast<std::size_t>(pocket.index)] == own_pocket_;
+  }
+
   /// Of the ball that is to arrive: its bounces are those asked.
   bool counts() const {
     const auto in_turn = [&](const std::vector<Contact>& asked) { return same_order(asked, met_); };
     if (!then_) return static_cast<int>(met_.size()) >= goal_.min && out_.in_order;
+    if (any_fall()) return true;
     if (goal_.then) return in_turn((*goal_.then)[nth()].cushions);
     const CushionRule& rule = then_->cushions_of(nth());
     return static_cast<int>(met_.size()) >= rule.min && (!rule.sequence || in_turn(*rule.sequence));
   }
   int most() const {
     if (!then_) return goal_.max;
+    if (any_fall()) return max_cushions;
     return goal_.then ? static_cast<int>((*goal_.then)[nth()].cushions.size()) : then_->cushions_of(nth()).max;
   }
   bool all_set() const { return !then_ || nth() == then_->links.size(); }
@@ -132,7 +143,8 @@ class Judge {
       case EventKind::slide_to_roll:
         return false;
       case EventKind::pocket:
-        if (!pocket_ || (pocket_->pocket && Contact::pocket(*pocket_->pocket) != e.contact) || !all_set() || !counts())
+        if (!pocket_ || (pocket_->pocket && Contact::pocket(*pocket_->pocket) != e.contact) || !all_set() ||
+            !counts() || !own_pocket(e.contact))
           return fails(fmt::format("{} pocket {}", does("falls into", "sends it into"), name(e)));
         return taken(e, jaw_ ? *jaw_ : e);
       case EventKind::rest:
@@ -166,7 +178,8 @@ class Judge {
     if (then_) return fails(fmt::format("touches {}", name(e)));
     if (off_ != 0 && !hit_ && e.contact.index == off_) return sets_going(e, off_);
     if ((off_ != 0 && !hit_) || e.ball != 0) return fails(fmt::format("touches {}", name(e)));
-    if (!touches_ || std::ranges::count(touches_->balls, e.contact.index) == 0 || !counts())
+    if (!touches_ || std::ranges::count(touches_->balls, e.contact.index) == 0 || !counts() ||
+        (own_ && own_->hits.back().ball != e.contact.index))
       return fails(fmt::format("runs into {}", name(e)));
     taken(e, e);
     out_.speed = e.passing.speed;
@@ -217,8 +230,10 @@ class Judge {
   const Then* then_;
   const PointTarget* point_;
   const PocketTarget* pocket_;
+  const Shot* own_ = nullptr;  ///< whose ball and pocket alone count
+  const Pocket* own_pocket_ = nullptr;
   double within_;                         ///< m
-  std::vector<const TruthEvent*> met_{};  ///< bounces, of the struck ball up to the contact and then of the other
+  std::vector<const TruthEvent*> met_{};  ///< bounces, of the cue ball up to the contact and then of the other
   const TruthEvent* hit_ = nullptr;       ///< the last contact with a ball on the way
   const TruthEvent* jaw_ = nullptr;       ///< the first touched of those of a pocket that is asked for
   bool touched_jaw_ = false;              ///< of any pocket, so far

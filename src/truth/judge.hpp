@@ -36,13 +36,17 @@ struct Arrived {
   bool made() const { return why.empty() && in_order; }
 };
 
-/// What a path is held against. Whatever it points to must outlive it.
+/// Requirements on a path. Whatever it points to must outlive it.
 struct Goal {
   int min, max;
   const std::vector<Contact>* sequence;
   const std::vector<Onward>* then = nullptr;  ///< what those that are sent on are to do; null: as the puzzle asks
   double time;       ///< s, when the arrival is claimed; of several passes the nearest to it counts
   double slack = 0;  ///< m, beyond `within`
+  /// As `success` and `margin` count this shot: its own ball and pocket, and a pot without a rule of cushions counts
+  /// every fall. A path ends at the target, so whether the cue ball falls later is asked elsewhere
+  /// (`Scene::scratches`).
+  const Shot* counts = nullptr;
 };
 
 Arrived judge(const Scene& scene, const Path& path, const Goal& goal);

@@ -249,3 +249,49 @@ TEST_CASE("verify: files that cannot be read") {
   CHECK_THAT(run_program("verify - -").err, Contains("cannot both be standard input"));
   CHECK(run_program("verify").exit == 2);
 }
+
+TEST_CASE("verify: a play in which the cue ball falls is not made") {
+  // Straight in, and the cue ball rolls after the 8.
+  const std::string p =
+      R"({"table":"pool-9ft","ball":{"at":[1.27,0.6],"spin":{"top":1}},"others":[{"id":"8","at":[1.27,0.3]}],)"
+      R"("target":{"ball":"8","then":{"pocket":"bottom-middle"}},"cushions":0,"aim":"centre","arrive":{"speed":1.5}})";
+  const Json answer = Json::parse(answer_to(p));
+  REQUIRE(answer.at("status") == "solved");
+  const Json& shot = answer["shots"][0];
+  REQUIRE(shot.at("scratch") == true);
+  CHECK(shot.at("cue_rests") == "bottom-middle");
+  CHECK(shot.at("margin").at("angle") == Json{0, 0});
+  const Run honest = verify(p + "\n", answer.dump() + "\n");
+  INFO(honest.out);
+  CHECK(honest.exit == 0);
+  Json lies = answer;
+  lies["shots"][0]["success"] = 0.9;
+  CHECK_THAT(verify(p + "\n", lies.dump() + "\n").out, Contains("success: says 0.9"));
+  lies = answer;
+  lies["shots"][0]["margin"]["angle"] = {-0.1, 0.1};
+  CHECK_THAT(verify(p + "\n", lies.dump() + "\n").out, Contains("margin: is not 0, and the cue ball falls"));
+}
+
+TEST_CASE("verify: value is success less the costs of cushions, speed and tip") {
+  const std::string p = R"({"table":"pool-9ft","ball":{"at":[0.635,0.4],"spin":{"side":0.5}},"target":)"
+                        R"({"pocket":"bottom-middle"},"cushions":["top","right"],"aim":"centre"})";
+  Json answer = Json::parse(answer_to(p));
+  Json& shot = answer["shots"][0];
+  REQUIRE(!shot.contains("rattles"));
+  const double cost = 0.005 * 2 + 0.004 * shot.at("speed").get<double>() + 0.02 * 0.4 * 0.5;
+  shot["value"] = shot.at("success").get<double>() - cost;
+  CHECK(verify(p + "\n", answer.dump() + "\n").exit == 0);
+  shot["value"] = shot.at("success").get<double>() - cost + 1e-6;
+  CHECK_THAT(verify(p + "\n", answer.dump() + "\n").out, Contains("value: says"));
+}
+
+TEST_CASE("verify --noise holds answers against the player whom batch was asked for") {
+  const std::string answer = run_program("solve --json --no-timing --noise beginner", bank).out;
+  const ScratchFile p("puzzles.jsonl"), s("shots.jsonl");
+  std::ofstream(p.path, std::ios::binary) << bank << "\n";
+  std::ofstream(s.path, std::ios::binary) << answer;
+  const std::string files = "\"" + p.path + "\" \"" + s.path + "\"";
+  CHECK(run_program("verify --noise beginner " + files).exit == 0);
+  CHECK_THAT(run_program("verify --noise pro " + files).out, Contains("success: says"));
+  CHECK(run_program("verify --noise nobody " + files).exit == 2);
+}

@@ -11,6 +11,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/line_file.hpp"
+#include "app/solve/solve_flags.hpp"
 #include "bankshot/scene/json.hpp"
 #include "truth/claims.hpp"
 
@@ -33,10 +34,12 @@ struct Pair {
   std::string bad;  ///< why the answer cannot be read
 };
 
-void check(Pair& pair) {
+/// `player`: whose errors the answers were asked for; empty: the puzzle's.
+void check(Pair& pair, const std::string& player) {
   std::optional<Puzzle> puzzle;
   try {
     puzzle = read_puzzle(pair.puzzle);
+    solve::set_player(*puzzle, player);
   } catch (const InvalidInput&) {
     // Its answer must say so.
   }
@@ -140,7 +143,8 @@ std::vector<Pair> next_pairs(LineFile& puzzles, LineFile& answers, std::size_t m
   return out;
 }
 
-int run(const std::string& puzzle_file, const std::string& answer_file) {
+int run(const std::string& puzzle_file, const std::string& answer_file, const std::string& player) {
+  solve::check_player(player);
   if (puzzle_file == "-" && answer_file == "-") throw FileError("puzzles and answers cannot both be standard input");
   LineFile puzzles(puzzle_file), answers(answer_file);
   constexpr std::size_t block = 2000;  // keeps both cores busy and memory flat
@@ -149,7 +153,7 @@ int run(const std::string& puzzle_file, const std::string& answer_file) {
     std::vector<Pair> pairs = next_pairs(puzzles, answers, block);
     if (pairs.empty()) break;
     tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
-      if (pairs[i].bad.empty()) check(pairs[i]);
+      if (pairs[i].bad.empty()) check(pairs[i], player);
     });
     for (const Pair& p : pairs) {
       if (!p.bad.empty()) throw FileError(fmt::format("{}:{}: {}", answers.name, p.line, p.bad));
@@ -166,7 +170,7 @@ int run(const std::string& puzzle_file, const std::string& answer_file) {
 
 Run add(CLI::App& app) {
   struct Arguments {
-    std::string puzzles, answers;
+    std::string puzzles, answers, player;
   };
   auto a = std::make_shared<Arguments>();
   CLI::App* command =
@@ -174,16 +178,18 @@ Run add(CLI::App& app) {
   command->add_option("puzzles", a->puzzles, "Puzzles, one JSON a line; - reads standard input")->required();
   command->add_option("shots", a->answers, "Their answers, line by line in the same order; - reads standard input")
       ->required();
+  command->add_option("--noise", a->player, "The player whom `batch --noise` named");
   explain(
       *command,
       "Checked of each shot: launch speed and aim inside their bounds, the spin, the cushions (as asked, and as\n"
       "met), the target made with nothing in the way, its miss, place, time and speed of arrival, condition,\n"
-      "both ends of each margin and 50 launches inside, and success against 1,000 seeded draws. A place may be off\n"
+      "both ends of each margin and 50 launches inside, success against 1,000 seeded draws, and value. A place may be "
+      "off\n"
       "by 1e-9 of the table's diagonal, or by what rounding does under the shot's condition where that is more. An\n"
       "answer that fails is a line FILE:LINE: ID. A name that ends in .gz is unpacked.",
       {{"bankshot verify puzzles.jsonl shots.jsonl", "the claims, and how far off the worst is"}},
       "0 every claim holds; 1 some answer fails; 2 a file is bad, or bad usage.");
-  return [a] { return run(a->puzzles, a->answers); };
+  return [a] { return run(a->puzzles, a->answers, a->player); };
 }
 
 }  // namespace bankshot::app::verify
