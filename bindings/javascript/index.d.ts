@@ -13,6 +13,8 @@ export interface SolveFlags {
   first?: boolean;
   /** Simulations to spend at most. */
   budget?: number;
+  /** Whose errors, in place of the puzzle's. */
+  noise?: 'pro' | 'league' | 'beginner';
   /** Leave out `time_us`: same input, same answer. */
   noTiming?: boolean;
   /** Leave out `margin` and `success`: faster. */

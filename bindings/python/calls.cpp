@@ -76,7 +76,7 @@ auto each(std::size_t count, int threads, py::object tell, const Make& make) {
 void check(const SolveFlags& flags) {
   if (flags.options.all && flags.options.first) throw InvalidInput("", "all excludes first");
   try {
-    app::solve::check_planner(flags.options.planner);
+    app::solve::check(flags);
   } catch (const std::runtime_error& e) {  // the command line's own
     throw InvalidInput("", e.what());
   }

@@ -42,7 +42,7 @@ typedef struct bankshot_text {
   size_t length;
 } bankshot_text;
 
-/* `flags` as the server takes them, names and values of the command line: "all&path&budget=500". NULL: none. */
+/* `flags` as the server takes them, names and values of the command line: "all&path&budget=500&noise=league". NULL: none. */
 
 /* A puzzle; the text is what `bankshot solve --json` prints. */
 BANKSHOT_API bankshot_status bankshot_solve(const char* puzzle, size_t length, const char* flags,
@@ -81,7 +81,7 @@ typedef enum bankshot_end_kind {
                               in physics that have none */
 } bankshot_end_kind;
 
-/* How the struck ball ends. */
+/* How the cue ball ends. */
 typedef struct bankshot_end {
   double time, length; /* s, m of its path */
   double x, y;         /* m */

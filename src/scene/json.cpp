@@ -201,7 +201,12 @@ void read_choices(const Reader& doc, Puzzle& p) {
     }
   }
   if (const auto v = doc.find("aim")) p.aim = static_cast<Aim>(v->word("aim", format::aims));
-  if (const auto v = doc.find("noise")) p.noise = read_noise(*v);
+  if (const auto v = doc.find("noise")) {
+    p.noise = read_noise(*v);
+    // A player's tip errs only where a ball takes its spin from the tip.
+    const bool own_tip = v->is_object() && v->find("tip");
+    if (!own_tip && !carries_spin(p.physics)) p.noise.tip = 0;
+  }
   if (const auto v = doc.find("budget")) {
     v->only(format::budget);
     p.budget = v->need("simulations").count();

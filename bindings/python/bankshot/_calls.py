@@ -30,6 +30,7 @@ def solve(
     sensitivity: bool = False,
     path: bool = False,
     no_timing: bool = False,
+    noise: str = "",
 ) -> Answer:
     """Finds the best shot of a puzzle. The flags are those of `bankshot solve`.
 
@@ -42,6 +43,7 @@ def solve(
     sensitivity:   how far a wrong coefficient of the table moves each arrival
     path:          each shot with the points of its path
     no_timing:     leave out time_us: same input, same bytes
+    noise:         whose errors: "pro", "league" or "beginner"; "": the puzzle's own
 
     Raises InvalidInput where the puzzle breaks a rule. Ctrl-C ends the search.
     """
@@ -54,6 +56,7 @@ def solve(
         sensitivity=sensitivity,
         path=path,
         no_timing=no_timing,
+        noise=noise,
     )
     text = text_of(puzzle)
     return Answer(text, flags, solved=_engine.solve(text, _engine.SolveFlags(**flags)))
@@ -109,7 +112,7 @@ def simulate_many(
     *,
     threads: int = 0,
 ) -> npt.NDArray[np.void]:
-    """How the struck ball ends, for many launches of one scene: on all cores, without the GIL or a loop of Python.
+    """How the cue ball ends, for many launches of one scene: on all cores, without the GIL or a loop of Python.
 
     scene:   as for `simulate`; its shot is not needed
     speeds:  m/s
@@ -140,7 +143,9 @@ def verify(puzzle: Document, answer: Union[Answer, Document]) -> Dict[str, Any]:
     {"holds": True, "checked": 14, "failed": []}; of a claim that fails "shot", "claim", "off", "allowed" and "what".
     """
     text = answer.json if isinstance(answer, Answer) else text_of(answer)
-    report: Dict[str, Any] = json.loads(_engine.verify(text_of(puzzle), text))
+    player = answer._flags.get("noise") if isinstance(answer, Answer) else ""
+    asked = {**dict_of(puzzle), "noise": player} if player else puzzle
+    report: Dict[str, Any] = json.loads(_engine.verify(text_of(asked), text))
     return report
 
 

@@ -50,7 +50,7 @@ class Puzzle(_Document):
     angle: Optional[Sequence[float]] = None
     prefer: Optional[Named] = None
     aim: Optional[str] = None
-    noise: Optional[Mapping[str, float]] = None
+    noise: Union[None, str, Mapping[str, Any]] = None
     budget: Optional[Mapping[str, int]] = None
     id: Union[None, str, int, float] = None
     about: Any = None
@@ -93,12 +93,15 @@ class Shot(_Document):
     hits: Optional[Sequence[Dict[str, Any]]] = None
     then: Optional[Dict[str, Any]] = None
     scratch: Optional[bool] = None
-    cue_rests: Optional[Sequence[float]] = None  # m
+    cue_rests: Union[None, str, Sequence[float]] = None  # m, or the pocket that the cue ball falls into
+    contact: Optional[Dict[str, Any]] = None  # "fullness", and "ghost" m: the first contact with a ball
     rattles: Optional[bool] = None
     off_centre: Optional[bool] = None
+    aim: Optional[str] = None  # "safest" where the shot was moved off its exact root
     digits: Optional[int] = None
     margin: Optional[Dict[str, Any]] = None  # "angle" degrees, "speed" m/s: [down, up]
-    success: Optional[float] = None  # chance that it is made
+    success: Optional[float] = None  # probability that it is made
+    value: Optional[float] = None  # success less small costs of contacts, speed and tip offset
     sensitivity: Optional[Dict[str, float]] = None  # m per unit
     path: Optional[Sequence[Sequence[float]]] = None  # [s, m, m]
     paths: Optional[Dict[str, Any]] = None

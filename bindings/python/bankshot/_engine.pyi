@@ -19,6 +19,7 @@ class SolveFlags:
         no_robustness: bool = ...,
         sensitivity: bool = ...,
         path: bool = ...,
+        noise: str = ...,
     ) -> None: ...
 
 class Solved:

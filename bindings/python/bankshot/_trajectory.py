@@ -23,7 +23,7 @@ def is_dark(theme: str) -> bool:
 
 
 class Trajectory:
-    """A shot as it rolls: arrays of the struck ball, sampled `rate` times a second and at every event.
+    """A shot as it rolls: arrays of the cue ball, sampled `rate` times a second and at every event.
 
     t s; x, y m; vx, vy m/s; wx, wy, wz rad/s, z points up. `of("8")` has those of another ball. In a notebook it draws
     itself.
@@ -43,7 +43,7 @@ class Trajectory:
         return self._rows
 
     def of(self, ball: str) -> npt.NDArray[np.void]:
-        """The rows of one ball, by its name; the struck one is "cue"."""
+        """The rows of one ball, by its name; the cue ball is "cue"."""
         if ball not in self.balls:
             raise KeyError(f'no ball is called "{ball}": {", ".join(self.balls)}')
         return self._of(self.balls.index(ball))
@@ -98,7 +98,7 @@ class Trajectory:
 
     @property
     def balls(self) -> List[str]:
-        """Their names; the first one is struck."""
+        """Their names; the first is the cue ball."""
         return self._played.balls()
 
     def to_dict(self) -> Dict[str, Any]:
@@ -124,7 +124,7 @@ class Trajectory:
 
     @property
     def end(self) -> Dict[str, Any]:
-        """Of the struck ball: "reason", "time" s, "at" m, "cushions", "length" m."""
+        """Of the cue ball: "reason", "time" s, "at" m, "cushions", "length" m."""
         end: Dict[str, Any] = self._get("end")
         return end
 

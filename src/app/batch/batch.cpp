@@ -185,8 +185,8 @@ int run_part(const Arguments& a) {
 }
 
 int run(Arguments a) {
-  if (a.flags.options.planner == "list") return print(solve::list_of_planners()), done;
-  solve::check_planner(a.flags.options.planner);
+  if (const std::string list = solve::list_asked(a.flags); !list.empty()) return print(list), done;
+  solve::check(a.flags);
   a.threads = threads_for(a.threads);
   if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");
   const Interrupts watch;

@@ -121,7 +121,7 @@ Reply solve(const Query& query, const std::string& body, const Limit& limit) {
     CLI::App command;
     app::solve::add_solve_flags(command, flags);
     parse(command, query);
-    app::solve::check_planner(flags.options.planner);
+    app::solve::check(flags);
     const Puzzle puzzle = flags.read(body);
     SolveOptions options = flags.solve_options();
     options.cancelled = &limit.stop;

@@ -42,12 +42,12 @@ std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions
   return fmt::format(
       "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, makes it {} of the time: \"aim\": "
       "\"safest\"\n",
-      degrees(s.launch.angle), s.launch.speed, chance_words(s));
+      degrees(s.launch.angle), s.launch.speed, success_words(s));
 }
 
 int run(const Arguments& a) {
-  if (a.flags.options.planner == "list") return print(list_of_planners()), done;
-  check_planner(a.flags.options.planner);
+  if (const std::string list = list_asked(a.flags); !list.empty()) return print(list), done;
+  check(a.flags);
   const std::string text = read_file(a.file);
   try {
     const Puzzle puzzle = a.flags.read(text);
@@ -80,20 +80,22 @@ Run add(CLI::App& app) {
           "the last column is the shot's number")
       ->check(file_or_output);
   command->add_flag("--json", a->json, "One line of JSON instead of text");
-  explain(
-      *command,
-      "Where to aim is told in diamonds: where the line of aim crosses the line of diamonds, 94 mm (3 11/16\n"
-      "inches, as the WPA has it) behind the nose of the cushion. They count from 0 at the left or at the bottom,\n"
-      "to 8 on long rails and 4 on short ones. Speeds are named after Alciatore: soft below 2 mph, medium below 4,\n"
-      "firm below 7, hard below 10; a lag goes from the head string to the foot cushion and back to the head\n"
-      "cushion. docs/format.md says what a puzzle and an answer hold, `bankshot schema` prints it as a JSON\n"
-      "Schema. A name that ends in .gz is packed.",
-      {{"bankshot solve puzzle.json", "the best shot, as text"},
-       {"bankshot solve puzzle.json --svg shot.svg", "and a picture of it"},
-       {"bankshot solve puzzle.json --json --all --path", "every shot with its path, as JSON"},
-       {"bankshot solve puzzle.json --csv -", "the path as a table"},
-       {"bankshot solve --planner list", "the planners"}},
-      "0 solved; 1 no shot, or the budget ran out; 2 bad input or usage.");
+  explain(*command,
+          "Where to aim is told in diamonds: where the line of aim crosses the line of diamonds, 94 mm (3 11/16\n"
+          "inches, as the WPA has it) behind the nose of the cushion. They count from 0 at the left or at the bottom,\n"
+          "to 8 on long rails and 4 on short ones. Speeds are named after Alciatore: soft touch below 1 mph, slow\n"
+          "below 2, medium below 4, fast below 7, power shot below 10, powerful break from 25; a lag goes from the\n"
+          "head string to the foot cushion and back to the head cushion. docs/format.md says what a puzzle and an "
+          "answer hold, `bankshot schema` prints it as a JSON\n"
+          "Schema. A name that ends in .gz is packed.",
+          {{"bankshot solve puzzle.json", "the best shot, as text"},
+           {"bankshot solve puzzle.json --svg shot.svg", "and a picture of it"},
+           {"bankshot solve puzzle.json --json --all --path", "every shot with its path, as JSON"},
+           {"bankshot solve puzzle.json --csv -", "the path as a table"},
+           {"bankshot solve puzzle.json --noise league", "the best shot of a league player"},
+           {"bankshot solve --noise list", "the players, and where their errors come from"},
+           {"bankshot solve --planner list", "the planners"}},
+          "0 solved; 1 no shot, or the budget ran out; 2 bad input or usage.");
   return [a] {
     output_is_free(a->csv, a->json);
     return run(*a);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "answer/words.hpp"
 #include "app/option_checks.hpp"
 #include "bankshot/scene/json.hpp"
 #include "json/reader.hpp"
@@ -21,6 +22,7 @@ SolveOptions SolveFlags::solve_options() const {
 Puzzle SolveFlags::read(std::string_view text) const {
   Puzzle puzzle = read_puzzle(text);
   if (budget >= 0) puzzle.budget = budget;
+  set_player(puzzle, noise);
   return puzzle;
 }
 
@@ -29,6 +31,7 @@ std::string SolveFlags::words() const {
   if (options.all) out += " --all";
   if (options.first) out += " --first";
   if (budget >= 0) out += fmt::format(" --budget {}", budget);
+  if (!noise.empty()) out += " --noise " + noise;
   if (no_timing) out += " --no-timing";
   if (no_robustness) out += " --no-robustness";
   if (path) out += " --path";
@@ -41,6 +44,8 @@ void add_solve_flags(CLI::App& command, SolveFlags& flags) {
   CLI::Option* all = command.add_flag("--all", flags.options.all, "Every distinct shot, best first");
   command.add_flag("--first", flags.options.first, "The first shot found, not the best")->excludes(all);
   command.add_option("--budget", flags.budget, "Simulations to spend at most")->check(whole_number);
+  command.add_option("--noise", flags.noise,
+                     "Whose errors, by name, in place of the puzzle's; 'list' tells who they are");
   command.add_flag("--no-timing", flags.no_timing, "Leave out time_us: same input, same bytes");
   command.add_flag("--no-robustness", flags.no_robustness, "Leave out margin and success");
   command.add_flag("--sensitivity", flags.options.sensitivity,
@@ -48,17 +53,54 @@ void add_solve_flags(CLI::App& command, SolveFlags& flags) {
   command.add_flag("--path", flags.path, "Each shot in JSON with the points of its path");
 }
 
-void check_planner(const std::string& wanted) {
-  std::vector<std::string_view> names;
-  for (const PlannerInfo& p : planners()) names.push_back(p.name);
+namespace {
+
+/// `what` as "planner"; the names as they stand.
+void check_name(const std::string& flag, std::string_view what, const std::string& wanted,
+                const std::vector<std::string_view>& names) {
   if (std::find(names.begin(), names.end(), wanted) == names.end())
-    throw CLI::ValidationError("--planner", quote(wanted) + " is no planner" + known_words(wanted, names));
+    throw CLI::ValidationError(flag, fmt::format("{} is no {}{}", quote(wanted), what, known_words(wanted, names)));
 }
 
 std::string list_of_planners() {
   std::string out;
   for (const PlannerInfo& p : planners()) out += fmt::format("{:<14}{}\n", p.name, p.summary);
   return out;
+}
+
+std::string list_of_players() {
+  std::string out;
+  for (const Player& p : players())
+    out += fmt::format("{:<10}{}: standard errors of {}\n{:<10}from: {}\n", p.name, p.about, noise_words(p.noise), "",
+                       p.source);
+  return out;
+}
+
+}  // namespace
+
+void check(const SolveFlags& flags) {
+  std::vector<std::string_view> names;
+  for (const PlannerInfo& p : planners()) names.push_back(p.name);
+  check_name("--planner", "planner", flags.options.planner, names);
+  check_player(flags.noise);
+}
+
+void check_player(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Player& p : players()) names.push_back(p.name);
+  if (!name.empty()) check_name("--noise", "player", name, names);
+}
+
+void set_player(Puzzle& puzzle, const std::string& name) {
+  if (name.empty()) return;
+  puzzle.noise = std::ranges::find(players(), name, &Player::name)->noise;
+  if (!carries_spin(puzzle.physics)) puzzle.noise.tip = 0;
+}
+
+std::string list_asked(const SolveFlags& flags) {
+  constexpr std::string_view list = "list";
+  if (flags.options.planner == list) return list_of_planners();
+  return flags.noise == list ? list_of_players() : "";
 }
 
 }  // namespace bankshot::app::solve
