@@ -8,7 +8,6 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
-#include "bankshot/scene/tip.hpp"
 #include "planners/locked/newton.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/nearest.hpp"
@@ -134,12 +133,16 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
                      : distinct == 1 ? "one shot found"
                      : q.all()       ? fmt::format("{} distinct shots found", distinct)
                                      : fmt::format("the best of {} shots found; --all prints each", distinct);
+  if (is_hopeless(q.puzzle, a.shots.front()))
+    text = "possible, not playable: this player makes it less than once in 100 tries; " + text;
   if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
   if (a.shots.front().rattles) text += "; it counts on jaws, since none was found that touches none";
   if (a.shots.front().off_centre && q.puzzle.aim == Aim::centre)
     text += as_struck(q, a.shots.front(), [&](const Question& own) { return why_beside(own, a.shots.front()); });
-  if (may_miscue(a.shots.front().spin))
-    text += "; the tip may slip off the ball: it meets it more than half the radius from the centre";
+  const Shot& best = a.shots.front();
+  if (best.scratch_pocket)
+    text += "; the cue ball falls into " + contact_name(q.puzzle.table, Contact::pocket(*best.scratch_pocket));
+  for (const std::string& warning : warnings(q.puzzle, best)) text += "; " + warning;
   text += uncertain(q, a.shots.front());
   if (ledger.cut())
     text +=

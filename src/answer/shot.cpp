@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/plan/shot.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "bankshot/scene/tip.hpp"
@@ -23,10 +25,38 @@ double cost_of(const Shot& shot) {
   return per_contact * shot.contacts() + cost_of(shot.launch, shot.spin);
 }
 
-double fullness(const Puzzle& p, const Hit& hit) {
-  const Ball& other = p.others[static_cast<std::size_t>(hit.ball) - 1];
-  const double a = p.ball.body.radius, b = other.body.radius;
-  return (a + b - norm(other.at - hit.at) * std::abs(std::sin(hit.cut))) / (2 * b);
+double fullness(const Puzzle& p, const Hit& hit, int by) {
+  const auto other = [&](int ball) -> const Ball& { return p.others[static_cast<std::size_t>(ball) - 1]; };
+  const double a = (by == 0 ? p.ball : other(by)).body.radius, b = other(hit.ball).body.radius;
+  return (a + b - norm(other(hit.ball).at - hit.at) * std::abs(std::sin(hit.cut))) / (2 * b);
+}
+
+bool may_double_hit(const Puzzle& p, const Shot& shot) {
+  // Rules of pool warn of a double hit within the width of a cube of chalk (B. Jewett, "A Modest Proposal", Billiards
+  // Digest, January 2006); 22 mm is what most cubes measure. How full is too full is an assumption.
+  constexpr double chalk = 0.022, frozen = 1e-6;  // m
+  constexpr double fairly_full = 0.5;
+  if (shot.hits.empty() || shot.hits.front().after > 0) return false;
+  const Ball& other = p.others[static_cast<std::size_t>(shot.hits.front().ball) - 1];
+  const double gap = norm(other.at - p.ball.at) - 2 * std::sqrt(p.ball.body.radius * other.body.radius);
+  return gap > frozen && gap <= chalk && fullness(p, shot.hits.front()) >= fairly_full;
+}
+
+bool is_hopeless(const Puzzle& p, const Shot& shot) {
+  constexpr double hopeless = 0.01;
+  return !is_ideal(p.physics) && !p.noise.none() && shot.success && *shot.success < hopeless;
+}
+
+std::vector<std::string> warnings(const Puzzle& p, const Shot& shot) {
+  std::vector<std::string> out;
+  if (carries_spin(p.physics) && may_miscue(shot.spin))
+    out.push_back(fmt::format(
+        "likely miscue: the tip may slip off the ball, {:.2g} R from its centre, where {:.2g} R is the limit",
+        tip_of(shot.spin, 1).from_centre(), miscue_limit));
+  if (may_double_hit(p, shot))
+    out.push_back("likely double hit: the cue ball nearly touches " +
+                  contact_name(p, Contact::ball(shot.hits.front().ball)) + ", so lift the cue or cut it thinner");
+  return out;
 }
 
 }  // namespace bankshot

@@ -17,12 +17,15 @@
 namespace bankshot {
 namespace {
 
-/// D. Alciatore's typical speeds (billiards.colostate.edu, "Typical speeds"), in miles an hour.
+/// D. Alciatore's names (billiards.colostate.edu/faq/speed/typical), by miles an hour. Between his power shot, up to
+/// 10, and his powerful break, from 25, he has none.
 std::string_view pace(double mph) {
-  if (mph < 2) return "soft";
+  if (mph < 1) return "soft touch";
+  if (mph < 2) return "slow";
   if (mph < 4) return "medium";
-  if (mph < 7) return "firm";
-  return mph < 10 ? "hard" : "as hard as a break";
+  if (mph < 7) return "fast";
+  if (mph < 10) return "power shot";
+  return mph < 25 ? "harder than a power shot" : "powerful break";
 }
 
 /// Of this table, cloth and ball; none where no ball comes back.
@@ -61,42 +64,56 @@ std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
                                               right > 0 ? "right" : "left");
 }
 
-std::string hit_words(const Puzzle& p, const Hit& hit) {
-  const double cut = degrees(hit.cut);
-  constexpr double full = 0.05;  // degrees that nobody tells from none
-  return contact_name(p, Contact::ball(hit.ball)) +
-         (std::abs(cut) < full
-              ? ", full in the face"
+/// D. Alciatore's names of how full a hit is, the nearest of them.
+std::string_view fullness_words(double full) {
+  constexpr std::string_view names[] = {"thin hit", "1/4-ball hit", "half-ball hit", "3/4-ball hit", "full hit"};
+  return names[static_cast<std::size_t>(std::lround(4 * std::clamp(full, 0.0, 1.0)))];
+}
+
+/// `by`: the number of the ball that hits; 0 is the cue ball.
+std::string hit_words(const Puzzle& p, const Hit& hit, int by = 0) {
+  const double cut = degrees(hit.cut), full = std::clamp(fullness(p, hit, by), 0.0, 1.0);
+  constexpr double none = 0.05;  // degrees that nobody tells from none
+  return fmt::format("{}, {} ({:.0f} %)", contact_name(p, Contact::ball(hit.ball)), fullness_words(full), 100 * full) +
+         (std::abs(cut) < none
+              ? ""
               : fmt::format(", cutting it {:.1f} degrees to the {}", std::abs(cut), cut > 0 ? "left" : "right"));
 }
 
 std::string arrival_words(const Puzzle& p, const Shot& s) {
   const auto [time, speed, at] = s.arrival;
-  const std::string who = s.then.empty() ? "" : contact_name(p, Contact::ball(s.arriving())) + " ",
-                    scratch = s.scratch ? "; then the struck ball falls, too" : "";
+  const std::string who = s.then.empty() ? "" : contact_name(p, Contact::ball(s.arriving())) + " ";
   if (const Pocket* pocket = pocket_reached(p, s)) {
     const State<double> end = end_of(simulate(as_request(p, s)), s.arriving()).state;
-    return fmt::format("{}falls into {} after {:.2f} s at {:.2f} m/s, {}{}", who, pocket->name, time, speed,
-                       speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim", scratch);
+    return fmt::format("{}falls into {} after {:.2f} s at {:.2f} m/s, {}", who, pocket->name, time, speed,
+                       speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim");
   }
   if (!s.hits.empty() && s.then.empty())
-    return fmt::format("meets {} after {:.2f} s at {:.2f} m/s{}", hit_words(p, s.hits.back()), time, speed, scratch);
+    return fmt::format("meets {}, after {:.2f} s at {:.2f} m/s", hit_words(p, s.hits.back()), time, speed);
   const std::string off = distance_words(s.miss, p.table);
   const std::string where = off == "exact" ? (speed == 0 ? "exactly on" : "exactly over") : off + " off";
-  return (speed == 0 ? fmt::format("{}rests {} the point after {:.2f} s", who, where, time)
-                     : fmt::format("{}passes {} the point after {:.2f} s at {:.2f} m/s", who, where, time, speed)) +
-         scratch;
+  return speed == 0 ? fmt::format("{}rests {} the point after {:.2f} s", who, where, time)
+                    : fmt::format("{}passes {} the point after {:.2f} s at {:.2f} m/s", who, where, time, speed);
 }
 
-std::string interval(const std::array<std::optional<double>, 2>& m, double unit, std::string_view name) {
-  if (!m[0] && !m[1]) return fmt::format("any {}", name);
-  const auto side = [&](const std::optional<double>& v, char sign) {
-    constexpr double least = 1e-6;  // degrees, m/s: nobody aims more finely
-    if (!v) return std::string(sign == '-' ? "any less" : "any more");
-    const double by = std::abs(*v) * unit;
-    return by < least ? std::string("0") : fmt::format("{}{:.3g}", sign, by);
+/// One side of a margin: "up to 0.4 m/s slower", "any amount faster", "not slower".
+std::string side_of_margin(const std::optional<double>& by, double unit, std::string_view unit_words,
+                           std::string_view way) {
+  constexpr double least = 1e-6;  // degrees, m/s: nobody aims more finely
+  if (!by) return fmt::format("any amount {}", way);
+  const double most = std::abs(*by) * unit;
+  return most < least ? fmt::format("not {}", way) : fmt::format("up to {:.3g} {} {}", most, unit_words, way);
+}
+
+std::vector<Row> margin_rows(const Margin& m) {
+  const auto none = [](const auto& ends) { return !ends[0] && !ends[1]; };
+  const auto both = [](const auto& ends, double unit, std::string_view words, std::string_view less,
+                       std::string_view more) {
+    return side_of_margin(ends[0], unit, words, less) + ", " + side_of_margin(ends[1], unit, words, more);
   };
-  return fmt::format("{} to {} {}", side(m[0], '-'), side(m[1], '+'), name);
+  return {{"margin",
+           none(m.angle) ? "any aim makes it" : both(m.angle, degrees(1), "degrees", "to the right", "to the left")},
+          {"", none(m.speed) ? "any speed makes it" : both(m.speed, 1, "m/s", "slower", "faster")}};
 }
 
 std::string cushion_names(const Table& table, const std::vector<Contact>& cushions) {
@@ -117,14 +134,23 @@ std::string distance_words(double metres, const Table& table) {
   return metres < 10 * mm ? fmt::format("{:.2g} mm", metres / mm) : fmt::format("{:.0f} mm", metres / mm);
 }
 
-std::string chance_words(const Shot& shot) {
+std::string success_words(const Shot& shot) {
   constexpr double nearly = 0.995, hardly = 0.005;
-  const double chance = *shot.success;
+  const double success = *shot.success;
   const auto fails = [](const auto& sides) { return sides[0] || sides[1]; };
-  const bool may_fail = chance < 1 || (shot.margin && (fails(shot.margin->angle) || fails(shot.margin->speed)));
-  if (chance >= nearly && may_fail) return "over 99 %";
-  if (chance <= hardly && chance > 0) return "under 1 %";
-  return fmt::format("{:.0f} %", 100 * chance);
+  const bool may_fail = success < 1 || (shot.margin && (fails(shot.margin->angle) || fails(shot.margin->speed)));
+  if (success >= nearly && may_fail) return "over 99 %";
+  if (success <= hardly && success > 0) return "under 1 %";
+  return fmt::format("{:.0f} %", 100 * success);
+}
+
+std::string place_words(const Table& table, const Vec2d& at) {
+  const Vec2d low = table.lowest(), high = table.highest();
+  if (!table.is_rectangle()) return fmt::format("at x = {:.2f} m, y = {:.2f} m", at.x, at.y);
+  const auto from = [](double down, double up, std::string_view first, std::string_view last) {
+    return fmt::format("{:.2f} m from the {} rail", std::min(down, up), down <= up ? first : last);
+  };
+  return from(at.x - low.x, high.x - at.x, "left", "right") + ", " + from(at.y - low.y, high.y - at.y, "bottom", "top");
 }
 
 std::string nearest_words(const Answer::Nearest& nearest, const Table& table) {
@@ -192,18 +218,33 @@ std::string tip_words(const ShotRequest& r) {
 }
 
 std::string noise_words(const Noise& n) {
-  std::string out = fmt::format("{:.3g} degrees of aim and {:.3g} m/s of speed", degrees(n.angle), n.speed);
-  if (n.side > 0) out += fmt::format(", {:.3g} of side spin", n.side);
-  if (n.top > 0) out += fmt::format(", {:.3g} of topspin", n.top);
-  if (n.at > 0) out += fmt::format(", {:.3g} mm of where the balls are", n.at * 1000);
+  std::vector<std::string> parts{fmt::format("{:.3g} degrees of aim", degrees(n.angle))};
+  std::string speed = n.speed > 0 || n.speed_share == 0 ? fmt::format("{:.3g} m/s", n.speed) : "";
+  if (n.speed_share > 0)
+    speed += fmt::format("{}{:.3g} %", speed.empty() ? "" : " together with ", 100 * n.speed_share);
+  parts.push_back(speed + " of speed");
+  if (n.tip > 0) parts.push_back(fmt::format("{:.3g} mm of where the tip meets the ball", n.tip * 1000));
+  if (n.side > 0) parts.push_back(fmt::format("{:.3g} of side spin", n.side));
+  if (n.top > 0) parts.push_back(fmt::format("{:.3g} of topspin", n.top));
+  if (n.at > 0) parts.push_back(fmt::format("{:.3g} mm of where the balls are", n.at * 1000));
+  std::string out;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
   return out;
+}
+
+std::string player_words(const Noise& n) {
+  const auto all = players();
+  const auto known = std::ranges::find(all, n, &Player::noise);
+  if (n.none()) return "a player without errors";
+  return (known == all.end() ? "a player" : std::string(known->about)) + " whose standard errors are " + noise_words(n);
 }
 
 namespace {
 
 bool is_carom(const Shot& shot) { return shot.then.empty() && shot.hits.size() > 1; }
 
-/// The cushions of the struck ball: in a carom before and after the first ball, else all and none.
+/// The cushions of the cue ball: in a carom before and after the first ball, else all and none.
 std::array<std::vector<Contact>, 2> around_first_ball(const Shot& shot) {
   const auto& all = shot.cushions;
   const auto split = is_carom(shot) ? all.begin() + shot.hits.front().after : all.end();
@@ -279,28 +320,49 @@ std::string title_words(const Puzzle& p, const Shot& shot) {
          (then.empty() ? "" : "by " + cushion_names(p.table, then) + " ") + to;
 }
 
+namespace {
+
+/// Which balls are touched, how full, and the ghost ball of the first.
+void add_hits(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
+  if (is_carom(shot)) rows.push_back({"touches", hit_words(p, shot.hits.front())});
+  for (std::size_t i = 0; i < shot.then.size(); ++i) {
+    rows.push_back({i == 0 ? "touches" : "onto", hit_words(p, shot.hits[i], i == 0 ? 0 : shot.then[i - 1].ball)});
+    if (!shot.then[i].cushions.empty())
+      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.then[i].cushions)});
+  }
+  if (!shot.hits.empty()) rows.push_back({"ghost", "ball " + place_words(p.table, shot.hits.front().at)});
+}
+
+/// What becomes of the cue ball.
+void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
+  if (shot.scratch)
+    rows.push_back(
+        {scratch_row, "the cue ball falls into " +
+                          (shot.scratch_pocket ? p.table.pockets[static_cast<std::size_t>(*shot.scratch_pocket)].name
+                                               : std::string("a pocket"))});
+  if (!shot.cue_rests) return;
+  std::string stops = "stops " + place_words(p.table, *shot.cue_rests);
+  if (p.leave) stops += ", " + distance_words(norm(*shot.cue_rests - *p.leave), p.table) + " from where it should be";
+  rows.push_back({"cue ball", stops});
+}
+
+}  // namespace
+
 std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   const ShotRequest r = as_request(p, shot);
   std::vector<Row> rows{{"aim", aim_words(r, shot.cushions.empty() ? pocket_reached(p, shot) : nullptr)},
                         {"speed", speed_words(r)}};
   if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
+  for (std::string& warning : warnings(p, shot)) rows.push_back({"warning", std::move(warning)});
   rows.push_back({"cushions", cushion_words(p, shot) + (shot.rattles ? "; and off the jaws of a pocket" : "")});
-  if (is_carom(shot)) rows.push_back({"touches", hit_words(p, shot.hits.front())});
-  for (std::size_t i = 0; i < shot.then.size(); ++i) {
-    rows.push_back({i == 0 ? "touches" : "onto", hit_words(p, shot.hits[i])});
-    if (!shot.then[i].cushions.empty())
-      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.then[i].cushions)});
-  }
+  add_hits(p, shot, rows);
   rows.push_back({"arrives", arrival_words(p, shot)});
-  if (p.leave && shot.cue_rests)
-    rows.push_back({"leaves", fmt::format("the struck ball at rest {} from where it should be",
-                                          distance_words(norm(*shot.cue_rests - *p.leave), p.table))});
-  if (shot.success)
-    rows.push_back({"chance", chance_words(shot) + " for a player whose standard errors are " + noise_words(p.noise)});
-  if (shot.margin) {
-    rows.push_back({"margin", interval(shot.margin->angle, degrees(1), "degrees of aim")});
-    rows.push_back({"", interval(shot.margin->speed, 1, "m/s of speed")});
-  }
+  add_leave(p, shot, rows);
+  if (shot.success) rows.push_back({"success", success_words(shot) + " for " + player_words(p.noise)});
+  if (shot.margin && shot.scratch)
+    rows.push_back({"margin", "none, for the cue ball falls"});
+  else if (shot.margin)
+    for (Row& row : margin_rows(*shot.margin)) rows.push_back(std::move(row));
   rows.push_back({"note", "0.1 degrees of aim moves the arrival by " +
                               distance_words(norm(shot.by_angle) * radians(0.1), p.table)});
   for (const std::string& line : sensitivity_words(p, shot)) rows.push_back({"", line});

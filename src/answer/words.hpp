@@ -20,7 +20,11 @@ struct Row {
 std::string distance_words(double metres, const Table& table);
 
 /// Of a shot with success: "87 %"; "over 99 %" where something breaks it, "under 1 %" where it can be made.
-std::string chance_words(const Shot& shot);
+std::string success_words(const Shot& shot);
+
+/// Of a ball's centre: "0.31 m from the left rail, 0.22 m from the bottom rail", by the nearer rails; on a polygon its
+/// coordinates.
+std::string place_words(const Table& table, const Vec2d& at);
 
 /// The nearest miss: its launch, how far off, and why.
 std::string nearest_words(const Answer::Nearest& nearest, const Table& table);
@@ -43,6 +47,11 @@ std::string title_words(const Puzzle& puzzle, const Shot& shot);
 
 /// "0.125 degrees of aim and 0.075 m/s of speed"
 std::string noise_words(const Noise& noise);
+/// "a good league player whose standard errors are 0.2 degrees of aim and 5 % of speed"
+std::string player_words(const Noise& noise);
+
+/// The row that stands on a line of its own.
+inline constexpr std::string_view scratch_row = "SCRATCH";
 
 /// Everything, most wanted first.
 std::vector<Row> rows_of(const Puzzle& puzzle, const Shot& shot);

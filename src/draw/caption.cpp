@@ -45,7 +45,7 @@ void draw_inset(Canvas& c, const ShotRequest& shot, const Vec2d& middle, double 
 }  // namespace
 
 void draw_caption(Canvas& c, const std::string& title, std::span<const Row> rows, const ShotRequest* tip) {
-  constexpr double radius = 52, label = 78;
+  constexpr double radius = 52, label = 88;
   const bool inset = tip && tip->ball.body.radius > 0;
   const double right = c.width - edge - (inset ? 2 * radius + 30 : 0), top = c.bottom + 8;
   double y = top + title_letter;

@@ -224,4 +224,16 @@ void draw_ball(Canvas& c, const Ball& ball, const Vec2d& at, double opacity, std
                        edge.empty() ? c.c.ball_edge : edge));
 }
 
+void draw_stop(Canvas& c, const Ball& ball, const Vec2d& at, bool stops) {
+  const Vec2d centre = c.at(at);
+  const double radius = std::max(c.px(ball.body.radius), 4.0), arm = 0.7 * radius;
+  if (stops) {
+    draw_ball(c, ball, at, 0.75);
+    c.circle(centre, radius + 4, fmt::format(R"(fill="none" stroke="{}" stroke-width="2")", c.c.paths[0]));
+    return;
+  }
+  c.add(R"(<path d="M{0:.1f} {1:.1f}l{2:.1f} {2:.1f}m0 {3:.1f}l{3:.1f} {2:.1f}" stroke="{4}" stroke-width="3"/>)",
+        centre.x - arm, centre.y - arm, 2 * arm, -2 * arm, c.c.aim);
+}
+
 }  // namespace bankshot::drawing

@@ -43,4 +43,7 @@ std::string_view colour_of(const Canvas& c, const Ball& ball);
 /// `edge`: its outline, the theme's where empty.
 void draw_ball(Canvas& c, const Ball& ball, const Vec2d& at, double opacity = 1, std::string_view edge = {});
 
+/// Where the cue ball ends: a ball with a ring round it where it stops, a cross where it falls.
+void draw_stop(Canvas& c, const Ball& ball, const Vec2d& at, bool stops);
+
 }  // namespace bankshot::drawing

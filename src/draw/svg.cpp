@@ -24,7 +24,7 @@ double line_width(const PictureStyle& style) { return style.words ? 2.6 : 5; }
 /// Rows that a picture has room for.
 std::vector<Row> caption_rows(std::vector<Row> all, const Trajectory& t) {
   std::erase_if(all, [](const Row& r) {
-    return r.what.empty() || r.what == "cushions" || r.what == "margin" || r.what == "note";
+    return r.what.empty() || r.what == "cushions" || r.what == "margin" || r.what == "note" || r.what == "ghost";
   });
   all.push_back({"dots", fmt::format("one every {:g} s", dot_step(t))});
   return all;
@@ -54,6 +54,17 @@ Trajectory draw_sent(Canvas& c, const ShotRequest& r, const Trajectory& all, con
   return t;
 }
 
+/// The way of the cue ball up to where it stops or falls, dashed, and a mark there.
+void draw_leave(Canvas& c, ShotRequest request, const Shot& shot, const PictureStyle& style) {
+  if (!shot.cue_rests && !(shot.scratch_pocket && !is_ideal(request.physics))) return;
+  request.until = {};
+  const Trajectory all = simulate(request), whole = path_of(all, 0);
+  draw_path(c, request.ball, whole,
+            {.colour = c.c.paths[0], .width = 0.6 * line_width(style), .dashed = true, .ghosts = false});
+  const Vec2d at = shot.cue_rests ? *shot.cue_rests : end_of(whole, 0).state.at;
+  draw_stop(c, request.ball, at, shot.cue_rests.has_value());
+}
+
 void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
   const ShotRequest request = as_request(p, shot);
   const Trajectory all = simulate(request), t = path_of(all, 0);
@@ -65,6 +76,7 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   draw_band(c, p, shot);
   draw_target(c, p, pocket);
   if (aim && style.words) draw_aim(c, p.ball.at, *aim);
+  draw_leave(c, request, shot, style);
   draw_path(c, p.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
   draw_ball(c, p.ball, shot.then.empty() ? shot.arrival.at : shot.hits.front().at, 0.6);
@@ -78,7 +90,7 @@ std::string listed(const Puzzle& p, const Shot& s) {
   std::string names;
   for (const Contact cushion : s.cushions) names += (names.empty() ? "" : ", ") + contact_name(p.table, cushion);
   return fmt::format("{}: {:.1f}°, {:.2f} m/s{}", names.empty() ? "straight" : names, degrees(s.launch.angle),
-                     s.launch.speed, s.success ? ", chance " + chance_words(s) : "");
+                     s.launch.speed, s.success ? ", success " + success_words(s) : "");
 }
 
 /// The best in front, those that are not listed faintly behind.
@@ -126,7 +138,7 @@ void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& 
   draw_caption(c, a.nearest ? "No shot; dashed is the nearest miss" : "No shot", rows);
 }
 
-/// Of the struck ball's own path.
+/// How the cue ball's own path ends.
 std::string ending(const Trajectory& t, const Table& table) {
   const Record& end = t.events.back();
   const std::string after = fmt::format(" after {:.2f} s and {:.2f} m", end.time, t.length);
@@ -209,7 +221,9 @@ std::string draw(const Puzzle& puzzle, const Answer& answer, const PictureStyle&
     draw_one(c, puzzle, answer.shots.front(), style);
   else
     draw_all(c, puzzle, answer, style);
-  return c.document(fmt::format("{}: {}", name(answer.status), answer.message));
+  // The picture of a question has no answer to tell.
+  return c.document(answer.message.empty() ? "The question: " + target_words(puzzle)
+                                           : fmt::format("{}: {}", name(answer.status), answer.message));
 }
 
 }  // namespace bankshot

@@ -28,11 +28,12 @@ TEST_CASE("solve prints what a player needs") {
   const auto run = run_program("solve", bank);
   CHECK(run.exit == 0);
   CHECK(run.err.empty());
-  for (const char* part : {"solved: ", "aim       diamond ", " of 8 on the top rail", "degrees",
-                           "speed     medium: ", "m/s", "mph", "lag speed", "tip       11.4 mm above the centre",
-                           "top, right", "falls into bottom-middle after", "of its middle as the ball rolls",
-                           "for a player whose standard errors are 0.125 degrees of aim and 0.075 m/s of speed",
-                           "margin", "0.1 degrees of aim moves the arrival by"})
+  for (const char* part :
+       {"solved: ", "aim       diamond ", " of 8 on the top rail", "degrees", "speed     medium: ", "m/s", "mph",
+        "lag speed", "tip       11.4 mm above the centre", "top, right", "falls into bottom-middle after",
+        "of its middle as the ball rolls",
+        "for a player whose standard errors are 0.125 degrees of aim and 0.075 m/s together with 3 % of speed",
+        "margin", "0.1 degrees of aim moves the arrival by"})
     CHECK_THAT(run.out, Contains(part));
 }
 
@@ -175,8 +176,9 @@ TEST_CASE("solve --svg draws the shot") {
 TEST_CASE("the picture says in words how to play the shot, and names table, bounces and diamonds") {
   const ScratchFile svg("solve-words.svg"), dark("solve-dark.svg");
   CHECK(run_program("solve --svg \"" + svg.path + "\"", bank).exit == 0);
-  for (const char* part : {">By top, right into bottom-middle<", ">aim<", "counted from the left", ">speed<",
-                           "medium: ", ">tip<", ">chance<", ">one every 0.5 s<", ">1<", ">2<", ">top-left<", ">right<"})
+  for (const char* part :
+       {">By top, right into bottom-middle<", ">aim<", "counted from the left", ">speed<", "medium: ", ">tip<",
+        ">success<", ">one every 0.5 s<", ">1<", ">2<", ">top-left<", ">right<"})
     CHECK_THAT(svg.text(), Contains(part));
   CHECK(run_program("solve --theme dark --svg \"" + dark.path + "\"", bank).exit == 0);
   CHECK(dark.text() != svg.text());
@@ -217,6 +219,38 @@ TEST_CASE("option --png writes a PNG, or says which library it lacks") {
     CHECK(png.text().size() > 20000);
   }
   CHECK_THAT(run_program("solve --png x.svg", bank).err, Contains("must end in .png"));
+}
+
+TEST_CASE("option --noise sets the player, and lists who they are") {
+  const auto list = run_program("solve --noise list", "no puzzle");
+  CHECK(list.exit == 0);
+  for (const char* part : {"pro ", "league ", "beginner ", "degrees of aim", "from: "})
+    CHECK_THAT(list.out, Contains(part));
+  const auto unknown = run_program("solve --noise leage", bank);
+  CHECK(unknown.exit == 2);
+  CHECK_THAT(unknown.err, Contains("leage") && Contains("is no player") && Contains("league"));
+  const auto success = [](const std::string& flags) {
+    return solve_json(flags).at("shots").at(0).at("success").get<double>();
+  };
+  CHECK(success("--noise pro") > success("--noise league"));
+  CHECK(success("--noise league") > success("--noise beginner"));
+  // As the puzzle itself may say it.
+  Json puzzle = Json::parse(bank);
+  puzzle["noise"] = "league";
+  CHECK(run_program("solve --json --no-timing", puzzle.dump()).out ==
+        run_program("solve --json --no-timing --noise league", bank).out);
+  CHECK_THAT(run_program("solve --noise league", bank).out, Contains("for a good league player whose standard errors"));
+}
+
+TEST_CASE("a shot that is hardly ever made is possible, not playable") {
+  Json puzzle = Json::parse(bank);
+  puzzle["noise"] = {{"angle", 60}, {"speed", 3}};
+  const auto run = run_program("solve", puzzle.dump());
+  CHECK(run.exit == 0);
+  CHECK_THAT(run.out, Catch::StartsWith("solved: possible, not playable: "));
+  CHECK_THAT(run_program("solve", bank).out, !Contains("not playable"));
+  puzzle["noise"] = {{"angle", 0}, {"speed", 0}};
+  CHECK_THAT(run_program("solve", puzzle.dump()).out, !Contains("not playable"));
 }
 
 TEST_CASE("solve --planner list names the planners without reading a puzzle") {

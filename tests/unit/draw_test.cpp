@@ -20,6 +20,7 @@ TEST_CASE("the picture of a question shows table, ball and target, and no answer
                  .target = PocketTarget{5}};
   const std::string question = draw(p, Answer{}), bare = draw(p, Answer{}, {.words = false});
   CHECK_THAT(question, Contains(">top-right<") && !Contains("polyline") && !Contains("No shot"));
+  CHECK_THAT(question, Contains("<title>The question: into top-right</title>") && !Contains("no-shot"));
   CHECK_THAT(bare, !Contains("<text") && Contains("<circle"));
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What a player is told: the diamond to aim at, names of speeds, distances, the tip.
+// What a player is told: the diamond to aim at, names of speeds, distances, the tip, how full a hit is, where the cue
+// ball stops, warnings, margins, players.
 #include "answer/words.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "answer/sights.hpp"
 #include "bankshot/numbers/random.hpp"
@@ -24,6 +26,36 @@ ShotRequest shot(double speed, double angle, const LaunchSpin& spin = {}) {
           .ball = {.at = {0.635, 0.4}, .body = scene.ball.body},
           .launch = {speed, radians(angle)},
           .spin = spin};
+}
+
+/// The 8 as target, from `gap` metres in front of it.
+Puzzle touching(double gap = 0.9) {
+  const Scene scene = preset_scene("pool-9ft");
+  const double R = scene.ball.body.radius;
+  return {.table = scene.table,
+          .physics = scene.physics,
+          .ball = {.at = {1.6 - gap - 2 * R, 0.4}, .body = scene.ball.body},
+          .others = {{.at = {1.6, 0.4}, .body = scene.ball.body, .id = "8"}},
+          .target = BallTarget{.balls = {1}}};
+}
+
+/// A shot that touches it at this cut [degrees].
+Shot touch(const Puzzle& p, double cut) {
+  const double a = radians(cut);
+  const Vec2d at = p.others[0].at - Vec2d{std::cos(a), std::sin(a)} * (2 * p.ball.body.radius);
+  Shot s;
+  s.launch = {1.5, 0};
+  s.hits = {{1, a, 1.2, at}};
+  s.arrival = {0.7, 1.2, at};
+  return s;
+}
+
+/// The rows of this name, one below the other.
+std::string row(const Puzzle& p, const Shot& s, std::string_view name) {
+  std::string out;
+  for (const Row& r : rows_of(p, s))
+    if (r.what == name) out += (out.empty() ? "" : "\n") + r.text;
+  return out;
 }
 
 }  // namespace
@@ -77,11 +109,13 @@ TEST_CASE("a straight shot is aimed at its pocket") {
 }
 
 TEST_CASE("speeds have names, miles an hour, and the lag for a unit") {
-  CHECK_THAT(speed_words(shot(0.8, 0)), Catch::StartsWith("soft: 0.80 m/s, 1.8 mph, "));
+  CHECK_THAT(speed_words(shot(0.4, 0)), Catch::StartsWith("soft touch: 0.40 m/s, 0.9 mph, "));
+  CHECK_THAT(speed_words(shot(0.8, 0)), Catch::StartsWith("slow: 0.80 m/s, 1.8 mph, "));
   CHECK_THAT(speed_words(shot(1.5, 0)), Catch::StartsWith("medium: 1.50 m/s, 3.4 mph, "));
-  CHECK_THAT(speed_words(shot(2, 0)), Catch::StartsWith("firm: 2.00 m/s, 4.5 mph, "));
-  CHECK_THAT(speed_words(shot(4, 0)), Catch::StartsWith("hard: 4.00 m/s, 8.9 mph, "));
-  CHECK_THAT(speed_words(shot(9, 0)), Catch::StartsWith("as hard as a break: 9.00 m/s, 20.1 mph, "));
+  CHECK_THAT(speed_words(shot(2, 0)), Catch::StartsWith("fast: 2.00 m/s, 4.5 mph, "));
+  CHECK_THAT(speed_words(shot(4, 0)), Catch::StartsWith("power shot: 4.00 m/s, 8.9 mph, "));
+  CHECK_THAT(speed_words(shot(9, 0)), Catch::StartsWith("harder than a power shot: 9.00 m/s, 20.1 mph, "));
+  CHECK_THAT(speed_words(shot(12, 0)), Catch::StartsWith("powerful break: 12.00 m/s, 26.8 mph, "));
   ShotRequest lag = shot(1, 0);
   lag.physics = rolling_physics();
   // Up from a quarter of the table and back, at 0.85 of the speed, with R to spare at each end.
@@ -121,4 +155,112 @@ TEST_CASE("a raised cue gives the spin that its words tell") {
   CHECK(2.5 * up / v == Approx(wanted.top));
   CHECK(2.5 * right * std::sin(cue) / v == Approx(wanted.masse));
   CHECK_THAT(tip_words(shot(1, 0, {.side = 0.4, .masse = -0.4})), Contains("no cue gives this spin"));
+}
+
+TEST_CASE("how full a hit is has Alciatore's names, its share and its cut") {
+  const Puzzle p = touching();
+  CHECK(row(p, touch(p, 0), "arrives") == "meets ball \"8\", full hit (100 %), after 0.70 s at 1.20 m/s");
+  CHECK_THAT(row(p, touch(p, 14.5), "arrives"), Contains("3/4-ball hit (75 %), cutting it 14.5 degrees to the left"));
+  CHECK_THAT(row(p, touch(p, -30), "arrives"), Contains("half-ball hit (50 %), cutting it 30.0 degrees to the right"));
+  CHECK_THAT(row(p, touch(p, 48.6), "arrives"), Contains("1/4-ball hit (25 %), cutting it 48.6 degrees to the left"));
+  CHECK_THAT(row(p, touch(p, 75), "arrives"), Contains("thin hit (3 %), cutting it 75.0 degrees to the left"));
+  CHECK(row(p, touch(p, 0), "ghost") == "ball 1.00 m from the right rail, 0.40 m from the bottom rail");
+}
+
+TEST_CASE("where the cue ball stops is told by the rails that are nearer, a scratch on a line of its own") {
+  Puzzle p = touching();
+  Shot s = touch(p, 30);
+  s.cue_rests = Vec2d{0.31, 1.05};
+  CHECK(row(p, s, "cue ball") == "stops 0.31 m from the left rail, 0.22 m from the top rail");
+  p.leave = Vec2d{0.31, 1.0};
+  CHECK_THAT(row(p, s, "cue ball"), Contains(", 50 mm from where it should be"));
+  const Answer stops{.status = Status::solved, .shots = {s}, .message = "one shot found"};
+  CHECK_THAT(to_text(p, stops), Contains("\n  cue ball  stops 0.31 m from the left rail") && !Contains("SCRATCH"));
+  s.cue_rests.reset();
+  s.scratch = true;
+  s.scratch_pocket = 3;
+  s.margin = Margin{{0, 0}, {0, 0}};
+  const Answer falls{.status = Status::solved, .shots = {s}, .message = "one shot found"};
+  CHECK_THAT(to_text(p, falls), Contains("\n  SCRATCH: the cue ball falls into " + p.table.pockets[3].name + "\n"));
+  CHECK(row(p, s, "margin") == "none, for the cue ball falls");
+  Puzzle polygon = p;
+  polygon.table = polygon_table({{0, 0}, {2, 0}, {1, 1.5}});
+  CHECK(place_words(polygon.table, {1, 0.5}) == "at x = 1.00 m, y = 0.50 m");
+}
+
+TEST_CASE("margins are told by their sides") {
+  const Puzzle p = touching();
+  Shot s = touch(p, 30);
+  s.margin = Margin{{radians(-0.41), radians(0.0568)}, {-0.4, std::nullopt}};
+  CHECK(row(p, s, "margin") == "up to 0.41 degrees to the right, up to 0.0568 degrees to the left");
+  CHECK_THAT(to_text(p, {.status = Status::solved, .shots = {s}}),
+             Contains("\n            up to 0.4 m/s slower, any amount faster\n"));
+  s.margin = Margin{{0, radians(1)}, {}};
+  CHECK(row(p, s, "margin") == "not to the right, up to 1 degrees to the left");
+  CHECK_THAT(row(p, s, ""), Contains("any speed makes it"));
+}
+
+TEST_CASE("a likely miscue and a likely double hit are warned of") {
+  Puzzle p = touching();
+  Shot s = touch(p, 30);
+  CHECK(warnings(p, s).empty());
+  s.spin = {.side = 2};
+  REQUIRE(warnings(p, s).size() == 1);
+  CHECK_THAT(row(p, s, "warning"), Contains("likely miscue: the tip may slip off the ball, 0.8 R from its centre"));
+  s.spin = {};
+  for (const double gap : {0.001, 0.012, 0.02}) {
+    const Puzzle near = touching(gap);
+    INFO("gap " << gap << " m");
+    CHECK_THAT(row(near, touch(near, 0), "warning"), Contains("likely double hit: the cue ball nearly touches ball"));
+    CHECK(warnings(near, touch(near, 60)).empty());
+    Shot kick = touch(near, 0);
+    kick.hits[0].after = 1;
+    CHECK(!may_double_hit(near, kick));
+  }
+  const Puzzle frozen = touching(0), far = touching(0.03);
+  CHECK(!may_double_hit(frozen, touch(frozen, 0)));
+  CHECK(!may_double_hit(far, touch(far, 0)));
+}
+
+TEST_CASE("a shot that a player hardly ever makes is hopeless, but not in ideal nor without errors") {
+  Puzzle p = touching();
+  Shot s = touch(p, 30);
+  CHECK(!is_hopeless(p, s));
+  s.success = 0.012;
+  CHECK(!is_hopeless(p, s));
+  s.success = 0.009;
+  CHECK(is_hopeless(p, s));
+  p.noise = {0, 0};
+  CHECK(!is_hopeless(p, s));
+  p = touching();
+  p.physics = ideal_physics();
+  CHECK(!is_hopeless(p, s));
+}
+
+TEST_CASE("players are told by all their errors") {
+  CHECK(noise_words({}) == "0.125 degrees of aim and 0.075 m/s of speed");
+  CHECK(noise_words(Puzzle{}.noise) == "0.125 degrees of aim and 0.075 m/s together with 3 % of speed");
+  CHECK(noise_words({.angle = radians(0.2), .speed = 0, .speed_share = 0.05, .tip = 0.0015}) ==
+        "0.2 degrees of aim, 5 % of speed and 1.5 mm of where the tip meets the ball");
+  CHECK_THAT(player_words({}), Catch::StartsWith("a player whose standard errors are"));
+  REQUIRE(players().size() == 3);
+  for (const Player& player : players())
+    CHECK_THAT(player_words(player.noise), Catch::StartsWith(std::string(player.about) + " whose"));
+  CHECK(player_words({0, 0}) == "a player without errors");
+}
+
+TEST_CASE("a question about another ball tells its cushions") {
+  Puzzle p = touching();
+  const auto asks = [&](const Then& then) {
+    p.target = BallTarget{.balls = {1}, .then = then};
+    return target_words(p);
+  };
+  CHECK(asks({.target = PocketTarget{5}}) == "to send ball \"8\" into top-right");
+  CHECK(asks({.target = PocketTarget{5}, .cushions = CushionRule::exactly(0)}) == "to send ball \"8\" into top-right");
+  CHECK(asks({.target = PocketTarget{5}, .cushions = CushionRule::exactly(1)}) ==
+        "to send ball \"8\" off one cushion into top-right");
+  CHECK(asks({.target = PocketTarget{}, .cushions = CushionRule{1, 2, {}}}) ==
+        "to send ball \"8\" off one to two cushions into any pocket");
+  CHECK(asks({.target = PocketTarget{5}, .cushions = CushionRule::in_order({Contact::cushion(0)})}) ==
+        "to send ball \"8\" by bottom into top-right");
 }

@@ -59,7 +59,7 @@ struct Shot {
   bool rattles = false;        ///< it touches the jaws of a pocket on its way
   std::vector<Contact> met{};  ///< if so, jaws and cushions in order
   std::vector<Hit> hits{};     ///< in order, up to the target
-  std::vector<Onward> then{};  ///< those that are sent on, in order: the last one arrives; none: the struck ball does
+  std::vector<Onward> then{};  ///< those that are sent on, in order: the last one arrives; none: the cue ball does
   int jaws = 0;                ///< contacts with jaws, of any ball of the shot, before the target
   bool scratch = false;        ///< the cue ball falls into a pocket after it has touched its target
   std::optional<int> scratch_pocket{};  ///< which, if so
@@ -100,12 +100,23 @@ double cost_of(const Launch& launch, const LaunchSpin& spin);
 
 /// How much of the ball that is hit the one that hits it covers, seen along its line of travel: 1 is a full hit, 0.5 a
 /// half-ball hit. With radii a of the one that hits and b: (a + b − d) / 2b, d the distance of the line of travel from
-/// the other centre.
-double fullness(const Puzzle& puzzle, const Hit& first_hit);
+/// the other centre. `by` is the number of the ball that hits; 0 is the cue ball.
+double fullness(const Puzzle& puzzle, const Hit& hit, int by = 0);
+
+/// The cue ball nearly touches the first object ball without being frozen to it, and the hit is fairly full: the cue
+/// may strike the cue ball a second time, which is a foul.
+bool may_double_hit(const Puzzle& puzzle, const Shot& shot);
+
+/// The player makes it less than once in a hundred tries. Never in `ideal`, of a player without errors, or where
+/// success is not known.
+bool is_hopeless(const Puzzle& puzzle, const Shot& shot);
+
+/// What a player should know before trying it: a likely miscue, a likely double hit. Mostly empty.
+std::vector<std::string> warnings(const Puzzle& puzzle, const Shot& shot);
 
 /// The shot as a `simulate` request that ends where the ball reaches its target.
 ShotRequest as_request(const Puzzle& puzzle, const Shot& shot);
-/// Of the struck ball, up to there.
+/// Of the cue ball, up to there.
 Trajectory path_of(const Puzzle& puzzle, const Shot& shot);
 
 /// The pocket that takes the ball of a made shot; null where a point is the target.

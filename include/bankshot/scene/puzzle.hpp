@@ -56,6 +56,7 @@ struct Noise {
   bool in_more() const { return side > 0 || top > 0 || at > 0 || tip > 0; }
   /// In nothing at all.
   bool none() const { return angle == 0 && speed == 0 && speed_share == 0 && !in_more(); }
+  bool operator==(const Noise&) const = default;
 
  private:
   double spin_of(double own, double radius) const { return tip > 0 ? std::hypot(own, tip / (0.4 * radius)) : own; }
@@ -86,7 +87,7 @@ struct Puzzle {
   Range speed{0.1, 10};           ///< launch speed [m/s]
   std::optional<Range> angle{};   ///< rad, from low anticlockwise to high; high may exceed 2π
   Prefer prefer = Prefer::robust;
-  /// m: of shots as robust as any, that after which the struck ball rests nearest to this. With balls as targets.
+  /// m: of shots as robust as any, that after which the cue ball rests nearest to this. With balls as targets.
   std::optional<Vec2d> leave{};
   std::optional<Aim> aim{};          ///< the default depends on the target: `aim_of`
   Noise noise{.speed_share = 0.03};  ///< the Computer Olympiad's pool noise, which grows with the speed

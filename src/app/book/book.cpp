@@ -49,8 +49,8 @@ Entry entry(const Puzzle& puzzle) {
   const Shot& shot = answer.shots.front();
   e.difficulty = difficulty(shot);
   e.unique = bankshot::solve(puzzle, {.all = true, .robustness = false, .suggest = false}).shots.size() == 1;
-  e.answer =
-      fmt::format("{:.2f}°, {:.2f} m/s, chance {}", degrees(shot.launch.angle), shot.launch.speed, chance_words(shot));
+  e.answer = fmt::format("{:.2f}°, {:.2f} m/s, success {}", degrees(shot.launch.angle), shot.launch.speed,
+                         success_words(shot));
   return e;
 }
 

@@ -51,7 +51,7 @@ std::string summary(const StartMap& map) {
       map.starts.size(), of_status[0], of_status[1], of_status[2], of_start[1], of_start[2],
       of_start[3] > 0 ? fmt::format("{} in another ball, ", of_start[3]) : "", of_start[4]);
   if (slowest) out += fmt::format("slowest: {:.4g} m/s from {}\n", slowest->launch.speed, place(slowest_at));
-  if (safest) out += fmt::format("most robust: {} from {}\n", chance_words(*safest), place(safest_at));
+  if (safest) out += fmt::format("most robust: {} from {}\n", success_words(*safest), place(safest_at));
   return out;
 }
 
