@@ -78,7 +78,7 @@ inline constexpr Key answer_shot_keys[] = {
     {"hits", "[{hit}]", "", "none", R"([{"ball": "8", "cut": 30, "speed": 0.5, "at": [1.85, 0.61]}])",
      "contacts with other balls in order, up to the target"},
     {"then", "{sent}", "", "none", R"({"ball": "8", "cushions": ["bottom"], "pocket": "top-right"})",
-     "the ball that the struck one sends on"},
+     "the ball that the cue ball sends on"},
     {"contact", "{contact}", "", "of a shot that hits a ball", R"({"fullness": 0.5, "ghost": [1.85, 0.61]})",
      "the first contact with a ball"},
     {"scratch", "boolean", "", "false", "true", "the cue ball falls into a pocket afterwards"},

@@ -69,7 +69,7 @@ inline constexpr Object to_ball{"to_ball", "Touch another ball.", to_ball_keys};
 
 inline constexpr Key carom_keys[] = {
     {"carom", "[string]", "", required, R"(["red", "yellow"])",
-     "two balls by their ids: the struck ball touches the first and then the second; `cushions` counts all that it "
+     "two balls by their ids: the cue ball touches the first and then the second; `cushions` counts all that it "
      "meets before the second"},
     {"cut", "number", "degrees", "any", "30", "at the second; as of one ball", between(-90, 90)},
     {"within", "number", "degrees", "5 with `cut`, else any", "2", "how far off the cut still counts as made",
@@ -100,7 +100,7 @@ inline constexpr Object noise{"noise", "How far a player is off, one standard de
 
 inline constexpr Key leave_keys[] = {
     {"leave", "point", "m", required, "[1.9, 0.6]",
-     "where the struck ball should rest: of shots that are within 0.02 of the best chance, the one that leaves it "
+     "where the cue ball should rest: of shots that are within 0.02 of the best chance, the one that leaves it "
      "nearest"},
 };
 inline constexpr Object leave{"leave", "The likeliest shot, with an eye to the next one; with a ball as target.",
@@ -131,7 +131,7 @@ inline constexpr Key scene_keys[] = {
      "the laws, by name or with coefficients of your own",
      {},
      physics_names},
-    {"ball", "{ball}", "", required, R"({"at": [0.635, 0.4]})", "the ball that is struck"},
+    {"ball", "{ball}", "", required, R"({"at": [0.635, 0.4]})", "the cue ball"},
     {"others", "[{other}]", "", "[]", R"([{"id": "8", "at": [1.9, 0.635]}])", "balls at rest"},
     {"settle", "boolean", "", "false", "true",
      "first move balls apart that overlap by up to 1e-4 m, the cue ball too; the answer says by how much"},

@@ -13,7 +13,7 @@ inline constexpr auto recording_keys = with_scene_keys({
     {"rest", "<point>", "m", "not seen", R"({"cue": [1.9, 0.4]})", "where balls came to rest"},
     {"sigma", "number", "m", "estimated", "0.002", "standard deviation of one coordinate of one sample", positive},
     {"cushions", "[string]", "", "found by the fit", R"(["top", "right"])",
-     "those that the struck ball was seen to meet, in order"},
+     "those that the cue ball was seen to meet, in order"},
     {"shot", "{launch}", "", "found by the fit", R"({"speed": 2.1, "angle": 312.4})",
      "the launch as far as it is known, where a fit starts; for `advise` the one that was meant"},
     {"puzzle", "{puzzle}", "", "none",

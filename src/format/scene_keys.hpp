@@ -242,14 +242,14 @@ inline constexpr Key ball_keys[] = {
     {"mass", "number", "kg", "that of the table's preset, else 0.170097", "0.17", "", positive},
     {"spin", "{spins}", "", "no spin", R"({"side": 0.5})", "only with the physics `spin`"},
 };
-inline constexpr Object ball{"ball", "The ball that is struck.", ball_keys};
+inline constexpr Object ball{"ball", "The cue ball.", ball_keys};
 
 inline constexpr Key other_keys[] = {
     {"id", "string", "", required, R"("8")", "unique, and not `cue`"},
     {"at", "point", "m", required, "[1.9, 0.635]",
      "its centre, in no pocket; balls touch at 2 √(R1 R2) in plan, and overlap by no more than 1e-9 m (see `settle`)"},
-    {"radius", "number", "m", "the struck ball's", "0.0262", "", positive},
-    {"mass", "number", "kg", "the struck ball's", "0.17", "", positive},
+    {"radius", "number", "m", "the cue ball's", "0.0262", "", positive},
+    {"mass", "number", "kg", "the cue ball's", "0.17", "", positive},
 };
 inline constexpr Object other{"other", "A ball that stands on the table.", other_keys};
 
