@@ -32,7 +32,7 @@ double by_all_draws(const Puzzle& p, const Shot& shot, test::Random& random, int
     q.spin.side += p.noise.side * normal(random);
     q.spin.top += p.noise.top * normal(random);
     planning::Ledger ledger(2);
-    const Launch l{shot.launch.speed + p.noise.speed * normal(random),
+    const Launch l{shot.launch.speed + p.noise.speed_at(shot.launch.speed) * normal(random),
                    wrap_angle(shot.launch.angle + p.noise.angle * normal(random))};
     made += l.speed > 0 && planning::replay(q, ledger, l, planning::Goal::of(q)).made;
   }
@@ -47,7 +47,7 @@ double by_draws(const Puzzle& p, const Shot& shot, test::Random& random, int dra
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double r = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))), turn = random.uniform(0, radians(360));
-    const Launch l{shot.launch.speed + p.noise.speed * r * std::cos(turn),
+    const Launch l{shot.launch.speed + p.noise.speed_at(shot.launch.speed) * r * std::cos(turn),
                    wrap_angle(shot.launch.angle + p.noise.angle * r * std::sin(turn))};
     made += l.speed > 0 && planning::replay(q, ledger, l, goal).made;
   }

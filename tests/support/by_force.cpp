@@ -153,7 +153,7 @@ double drawn_chance(const Aimed& a, const Launch& launch, const LaunchSpin& spin
     const double size = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))), turn = radians(random.uniform(0, 360));
     const Noise& noise = a.puzzle.noise;
     made += makes(a,
-                  {launch.speed + noise.speed * size * std::cos(turn),
+                  {launch.speed + noise.speed_at(launch.speed) * size * std::cos(turn),
                    wrap_angle(launch.angle + noise.angle * size * std::sin(turn))},
                   spin);
   }
