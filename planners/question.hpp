@@ -57,6 +57,7 @@ struct Question {
   std::shared_ptr<const Starts> whole;     ///< all balls as they start, where a ball is the target
   Physics rough;                           ///< the puzzle's, integrated no more finely than a seed needs
   Wanted wanted;
+  bool valued = true;            ///< success is computed, and shots are ranked by it; else by first order
   bool every = false;            ///< all shots are wanted, also of a question for roots to start from
   std::vector<Mark> marks;       ///< the places to aim at
   std::vector<Contact> touched;  ///< what the ball touches at the start

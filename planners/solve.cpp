@@ -162,7 +162,8 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   ledger.measures = options.measure;
   for (std::size_t i = 0;; ++i) {
     const std::optional<Puzzle> one = spins.size() > 1 ? std::optional(with_spin(puzzle, spins[i])) : std::nullopt;
-    const Question q(one ? *one : puzzle, wanted(options));
+    Question q(one ? *one : puzzle, wanted(options));
+    q.valued = options.robustness;
     Findings found;
     ledger.begin_part(spins.size() - i);
     if (q.stop && !rests(q.puzzle.physics))
