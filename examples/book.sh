@@ -93,7 +93,7 @@ unique() {
 # The surest shot first.
 sorted() {
   while read -r puzzle; do
-    success=$("$bankshot" solve --json <<<"$puzzle" | grep -o '"success":[0-9.e+-]*' | head -n 1 | cut -d: -f2)
+    success=$("$bankshot" solve --json <<<"{\"aim\": \"centre\", ${puzzle#\{}" | grep -o '"success":[0-9.e+-]*' | head -n 1 | cut -d: -f2)
     printf '%s\t%s\n' "$success" "$puzzle"
   done | LC_ALL=C sort -s -t "$(printf '\t')" -k 1,1gr | cut -f 2
 }

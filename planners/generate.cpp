@@ -261,7 +261,9 @@ std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
       ++tries.no_shot;
       continue;
     }
-    Answer a = solve(*p, {.suggest = false});
+    Puzzle centred = *p;  // a puzzle is as hard as its exact shot
+    centred.aim = Aim::centre;
+    Answer a = solve(centred, {.suggest = false});
     const bool exact = a.status == Status::solved && a.shots.front().miss <= tolerance::exact_miss * boundary.diagonal;
     if (!exact) {
       ++tries.no_shot;

@@ -138,8 +138,10 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
   if (is_hopeless(q.puzzle, a.shots.front()))
     text = "possible, not playable: this player makes it less than once in 100 tries; " + text;
   if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
-  if (a.shots.front().rattles) text += "; it counts on jaws, since none was found that touches none";
-  if (a.shots.front().off_centre && q.puzzle.aim == Aim::centre)
+  if (a.shots.front().rattles)
+    text += q.safest() ? "; it touches the jaws of a pocket"
+                       : "; it counts on jaws, since none was found that touches none";
+  if (a.shots.front().off_centre && !a.shots.front().moved && !q.safest())
     text += as_struck(q, a.shots.front(), [&](const Question& own) { return why_beside(own, a.shots.front()); });
   const Shot& best = a.shots.front();
   if (best.scratch_pocket)

@@ -153,7 +153,7 @@ PYBIND11_MODULE(_engine, m) {
              f.options.all = all, f.options.first = first, f.options.sensitivity = sensitivity;
              f.budget = budget, f.no_timing = no_timing, f.no_robustness = no_robustness, f.path = path;
              f.noise = std::move(noise);
-             check(f);
+             bankshot::python::check(f);
              return f;
            }),
            py::kw_only(), "planner"_a = "auto", "all"_a = false, "first"_a = false, "budget"_a = -1,

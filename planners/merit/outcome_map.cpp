@@ -27,7 +27,7 @@ OutcomeMap::OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot)
     const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
     low = room.low / by_aim, high = room.high / by_aim;
   }
-  rows_.push_back(row_at(shot.launch.speed, {low, high}));
+  rows_.push_back(row_at(shot.launch.speed, {low, high}, aims));
 }
 
 double OutcomeMap::deviation(double speed) const {
@@ -41,11 +41,11 @@ std::optional<double> OutcomeMap::arrival_at(double aim, double speed) {
   return r.made ? std::optional(r.arrival.speed) : std::nullopt;
 }
 
-OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected) {
+OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected, int tried) {
   Row row{speed};
   const double width = std::max(expected.width(), tolerance::same_aim);
   const double beside = std::clamp(width / 2, least_beside * angle_, most_beside * angle_);
-  const double first = expected.low - beside, step = (width + 2 * beside) / (aims - 1);
+  const double first = expected.low - beside, step = (width + 2 * beside) / (tried - 1);
   struct Try {
     double aim;
     bool made;
@@ -56,7 +56,7 @@ OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected) {
     if (arrival) row.arrival = *arrival;
     return Try{aim, arrival.has_value()};
   };
-  for (int k = 0; k < aims; ++k) tries.push_back(look(first + k * step));
+  for (int k = 0; k < tried; ++k) tries.push_back(look(first + k * step));
   // A shot is made as it is launched, wherever the middle of its target may be.
   if (rows_.empty() && std::ranges::none_of(tries, &Try::made))
     tries.insert(std::ranges::upper_bound(tries, 0.0, {}, &Try::aim), look(0));
@@ -105,10 +105,10 @@ OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
 }
 
 /// False where there are rows enough.
-bool OutcomeMap::add(double speed) {
+bool OutcomeMap::add(double speed, int tried) {
   if (rows_.size() >= most_rows || ledger_.spent() || !(speed > 0)) return false;
   if (std::ranges::none_of(rows_, &Row::made)) return false;
-  Row row = row_at(speed, expected_at(speed));
+  Row row = row_at(speed, expected_at(speed), tried);
   rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
   return true;
 }
@@ -118,7 +118,7 @@ void OutcomeMap::look_along() {
   for (const double ratio : {1 / coarse, coarse}) {
     int missed = 0;
     for (double speed = shot_.launch.speed * ratio; q_.speed.contains(speed) && missed < most_missed; speed *= ratio) {
-      if (!add(speed)) return;
+      if (!add(speed, coarse_aims)) return;
       const Row& row = ratio < 1 ? rows_.front() : rows_.back();
       missed = row.made() ? 0 : missed + 1;
     }
@@ -137,7 +137,7 @@ bool OutcomeMap::refine(double speed) {
         return way * (r.speed - at) > 0 && way * (r.speed - next) <= 1e-9 * speed;
       };
       const auto row = std::ranges::find_if(rows_, known);
-      if (row == rows_.end()) return add(next);
+      if (row == rows_.end()) return add(next, aims);
       at = row->speed;
     }
   }
@@ -209,19 +209,25 @@ bool OutcomeMap::allowed(const Row& row) const {
   return row.made() && bring_inside(speed, q_.speed) && (!arrive || arrive->contains(row.arrival));
 }
 
-std::optional<OutcomeMap::Best> OutcomeMap::best() {
+std::optional<OutcomeMap::Best> OutcomeMap::best_so_far() const {
+  std::optional<Best> best;
+  for (const Row& row : rows_) {
+    if (!allowed(row)) continue;
+    const double aim = safest_aim(row);
+    const double value = success(aim, row.speed) - cost_of({row.speed, aim}, shot_.spin);
+    if (!best || value > best->value) best = {{row.speed, wrap_angle(shot_.launch.angle + aim)}, value};
+  }
+  return best;
+}
+
+std::optional<OutcomeMap::Best> OutcomeMap::best(double worth) {
   const bool one_speed = is_ideal(q_.puzzle.physics) || q_.pinned;
   if (!one_speed) look_along();
-  for (;;) {
-    std::optional<Best> best;
-    for (const Row& row : rows_) {
-      if (!allowed(row)) continue;
-      const double aim = safest_aim(row);
-      const double value = success(aim, row.speed) - cost_of({row.speed, aim}, shot_.spin);
-      if (!best || value > best->value) best = {{row.speed, wrap_angle(shot_.launch.angle + aim)}, value};
-    }
-    if (!best || one_speed || !refine(best->launch.speed)) return best;
-  }
+  const double contacts = cost_of(shot_) - cost_of(shot_.launch, shot_.spin);
+  std::optional<Best> best = best_so_far();
+  if (best && best->value - contacts < worth - hope) return {};
+  while (best && !one_speed && refine(best->launch.speed)) best = best_so_far();
+  return best;
 }
 
 }  // namespace bankshot::planning

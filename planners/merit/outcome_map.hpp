@@ -23,12 +23,13 @@ class OutcomeMap {
   /// `q` has the spin of the shot, which must outlive this.
   OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot);
 
-  /// The launch inside the puzzle's bounds whose value is largest, and that value; none where nothing is made.
+  /// The launch inside the puzzle's bounds whose value is largest, and that value; none where nothing is made, or where
+  /// the first look at all speeds leaves no hope of a value of `worth`.
   struct Best {
     Launch launch;
     double value = 0;
   };
-  std::optional<Best> best();
+  std::optional<Best> best(double worth);
 
  private:
   /// Aims that are made, from one to another [rad beside the shot's].
@@ -47,11 +48,12 @@ class OutcomeMap {
   };
 
   std::optional<double> arrival_at(double aim, double speed);
-  Row row_at(double speed, const Band& expected);
+  Row row_at(double speed, const Band& expected, int aims);
   Band expected_at(double speed) const;
-  bool add(double speed);
+  bool add(double speed, int aims);
   void look_along();
   bool refine(double speed);
+  std::optional<Best> best_so_far() const;
   double deviation(double speed) const;
   double success(double aim, double speed) const;
   double success_at(double aim, double speed) const;

@@ -188,11 +188,11 @@ Movable movable(const Question& q, const Shot& shot, std::size_t number) {
 }  // namespace
 
 void move_best(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
-  const auto move = [&](Shot& shot) {
-    as_struck(q, shot, [&](const Question& own) { make_safest(own, ledger, shot); });
+  const auto move = [&](Shot& shot, double worth = -1) {
+    return as_struck(q, shot, [&](const Question& own) { return make_safest(own, ledger, shot, worth); });
   };
   if (q.all()) {
-    std::ranges::for_each(shots, move);
+    for (Shot& shot : shots) move(shot);
     return;
   }
   move(shots.front());
@@ -206,8 +206,7 @@ void move_best(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
     if (candidate.at_most <= *shots.front().value) continue;
     if (moved++ == settings::rank::most_moved) break;
     Shot& shot = shots[candidate.shot];
-    move(shot);
-    if (*shot.value > *shots.front().value) std::swap(shot, shots.front());
+    if (move(shot, *shots.front().value) && *shot.value > *shots.front().value) std::swap(shot, shots.front());
   }
 }
 

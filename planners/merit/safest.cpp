@@ -31,11 +31,13 @@ std::optional<Shot> moved(const Question& q, Ledger& ledger, const Shot& from, c
 
 }  // namespace
 
-void make_safest(const Question& q, Ledger& ledger, Shot& shot) {
+bool make_safest(const Question& q, Ledger& ledger, Shot& shot, double worth) {
+  const auto best = OutcomeMap(q, ledger, shot).best(worth);
+  if (!best && worth > -1) return false;
   if (!shot.success) find_success(q, ledger, shot);
-  const auto best = OutcomeMap(q, ledger, shot).best();
-  if (!best) return;
+  if (!best) return true;
   if (auto there = moved(q, ledger, shot, best->launch); there && *there->value > *shot.value) shot = std::move(*there);
+  return true;
 }
 
 }  // namespace bankshot::planning

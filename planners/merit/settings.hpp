@@ -117,9 +117,12 @@ inline constexpr int around = 3;
 inline constexpr std::size_t most_rows = 64;
 /// Of the launch speed: where a player makes no errors of speed, rows are so far apart.
 inline constexpr double least_deviation = 0.02;
-/// Aims tried across what is expected to be made, and to either side of it, in deviations of the aim; farther than
-/// `far` nothing counts. A change between two of them is bisected to this share of a deviation, or of what is expected.
-inline constexpr int aims = 11;
+/// Aims tried across what is expected to be made, finely and at the first look, and to either side of it, in deviations
+/// of the aim; farther than `far` nothing counts. A change between two of them is bisected to this share of a
+/// deviation, or of what is expected.
+inline constexpr int aims = 11, coarse_aims = 7;
+/// Of value: so much a finer look may find beyond the first one.
+inline constexpr double hope = 0.05;
 inline constexpr double least_beside = 0.25, most_beside = 2, far = 8, finest = 0.05;
 /// Deviations: where the best aim is settled.
 inline constexpr double settled = 0.05;

@@ -100,7 +100,7 @@ inline constexpr Object noise{"noise", "How far a player is off, one standard de
 
 inline constexpr Key leave_keys[] = {
     {"leave", "point", "m", required, "[1.9, 0.6]",
-     "where the cue ball should rest: of shots that are within 0.02 of the best chance, the one that leaves it "
+     "where the cue ball should rest: of shots that are within 0.02 of the best value, the one that leaves it "
      "nearest"},
 };
 inline constexpr Object leave{"leave", "The likeliest shot, with an eye to the next one; with a ball as target.",

@@ -25,7 +25,7 @@ const PlayerError& of(const Advice& advice, const std::string& name) {
   return *found;
 }
 
-const Player steady{
+const test::Player steady{
     {{"angle", {radians(0.2), radians(0.1)}}, {"speed", {0.06, 0.03}}, {"side", {0.05, -0.03}}, {"top", {0.04, 0.02}}}};
 
 TEST_CASE("noise and bias of a player are within what a hundred tracked attempts can tell") {
@@ -52,7 +52,7 @@ TEST_CASE("noise and bias of a player are within what a hundred tracked attempts
 
 TEST_CASE("what an inexact track errs is not the player's") {
   Random random(32);
-  Player machine = steady;
+  test::Player machine = steady;
   for (auto& [name, habit] : machine.habits) habit = {1e-9, 0};
   const Advice advice = advise(attempts_of(machine, {.attempts = 40}, random));
   // The tracks alone scatter by 0.1 degrees and 0.005 m/s.
@@ -67,7 +67,7 @@ TEST_CASE("an attempt claims no more of its launch than its track tells") {
   constexpr std::uint64_t seed = 36;
   constexpr int attempts = 200;
   Random random(seed);
-  Player same = steady;  // errs by the same in every attempt, so that each one's error is known
+  test::Player same = steady;  // errs by the same in every attempt, so that each one's error is known
   for (auto& [name, habit] : same.habits) habit.sigma = 1e-9;
   same.habits["side"].bias = 0.06;
   planning::Work work;
@@ -93,7 +93,7 @@ TEST_CASE("an attempt claims no more of its launch than its track tells") {
 TEST_CASE("attempts that hardly tell a number make it no larger") {
   constexpr std::uint64_t seed = 1, number = 191;
   Random random(seed, number);
-  const Player player = random_player(random);
+  const test::Player player = random_player(random);
   const Advice advice = advise(attempts_of(player, {}, random));
   for (const auto& [name, habit] : player.habits) {
     INFO(name);
@@ -105,7 +105,7 @@ TEST_CASE("a miscue is left out and told") {
   Random random(33);
   auto attempts = attempts_of(steady, {.attempts = 40}, random);
   const Advice before = advise(attempts);
-  Player clumsy = steady;
+  test::Player clumsy = steady;
   clumsy.habits["speed"].bias = -0.4;
   attempts[7] = attempts_of(clumsy, {.attempts = 1}, random).front();
   const Advice after = advise(attempts);
@@ -121,7 +121,7 @@ TEST_CASE("where balls came to rest tells something, and whether they fell a lit
   Random random(34);
   const Advice rests = advise(attempts_of(steady, {.attempts = 60, .rests_only = true}, random));
   CHECK(rests.noise.speed == Approx(steady.habits.at("speed").sigma).epsilon(0.5));
-  Player good = steady, bad = steady;
+  test::Player good = steady, bad = steady;
   for (auto* player : {&good, &bad})
     for (auto& [name, habit] : player->habits) habit = {name == "speed" ? 0.06 : 0.0, 0};
   good.habits["angle"].sigma = radians(0.03), bad.habits["angle"].sigma = radians(0.6);
@@ -134,7 +134,7 @@ TEST_CASE("where balls came to rest tells something, and whether they fell a lit
 
 TEST_CASE("choices are made by the player's own noise, and are no worse by it than the usual ones", "[heavy]") {
   Random random(35);
-  Player wild = steady;
+  test::Player wild = steady;
   wild.habits["angle"].sigma = radians(0.5);
   const auto attempts = attempts_of(wild, {.attempts = 40}, random);
   const Scene scene = preset_scene("pool-9ft");

@@ -114,5 +114,5 @@ TEST_CASE("a long path counts as several simulations, so that the budget bounds 
   p.budget = 1000;
   const Answer a = solve(p, {.robustness = false});
   CHECK(a.status != Status::no_shot);
-  CHECK(a.simulations < 3 * p.budget);
+  CHECK(a.simulations < 3 * budget_of(p));
 }

@@ -41,9 +41,9 @@ TEST_CASE("of shots that are as likely the one is chosen that leaves the struck 
   REQUIRE(all.shots.size() == robust.shots.size());
   constexpr double as_likely = 0.02 + 1e-12;  // said in docs/format.md
   const Shot& best = all.shots.front();
-  CHECK(*best.success >= *robust.shots.front().success - as_likely);
+  CHECK(*best.value >= *robust.shots.front().value - as_likely);
   for (const Shot& s : all.shots)
-    if (!s.scratch && *s.success >= *robust.shots.front().success - as_likely)
+    if (!s.scratch && *s.value >= *robust.shots.front().value - as_likely)
       CHECK(norm(*best.cue_rests - leave) <= norm(*s.cue_rests - leave) + 1e-12);
   CHECK(write_puzzle(read_puzzle(write_puzzle(p))) == write_puzzle(p));
 }

@@ -22,7 +22,8 @@ TEST_CASE("the book: 30 easy, 30 medium, 30 hard and 10 unique puzzles, each par
   std::set<std::string> questions;
   for (std::string line; std::getline(lines, line); ++number) {
     INFO(line);
-    const Puzzle p = read_puzzle(line);
+    Puzzle p = read_puzzle(line);
+    p.aim = Aim::centre;  // a puzzle is as hard as its exact shot
     CHECK(p.id == "\"book-" +
                       std::string(number < 9    ? "00"
                                   : number < 99 ? "0"

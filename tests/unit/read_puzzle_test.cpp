@@ -79,7 +79,7 @@ TEST_CASE("what is left out takes its default") {
   CHECK(p.prefer == Prefer::robust);
   CHECK(p.noise.angle == radians(0.125));
   CHECK(p.noise.speed == 0.075);
-  CHECK(p.budget == 100000);
+  CHECK(budget_of(p) == 100000);
   const auto& motion = std::get<Rolling>(p.physics.motion);
   CHECK(motion.friction == 0.01);
   CHECK(motion.g == 9.81);

@@ -261,6 +261,6 @@ TEST_CASE("a question about another ball tells its cushions") {
         "to send ball \"8\" off one cushion into top-right");
   CHECK(asks({.target = PocketTarget{}, .cushions = CushionRule{1, 2, {}}}) ==
         "to send ball \"8\" off one to two cushions into any pocket");
-  CHECK(asks({.target = PocketTarget{5}, .cushions = CushionRule::in_order({Contact::cushion(0)})}) ==
+  CHECK(asks({.target = PocketTarget{5}, .cushions = CushionRule::in_order({Contact::rail(0)})}) ==
         "to send ball \"8\" by bottom into top-right");
 }
