@@ -226,6 +226,9 @@ std::optional<OutcomeMap::Best> OutcomeMap::best(double worth) {
   const double contacts = cost_of(shot_) - cost_of(shot_.launch, shot_.spin);
   std::optional<Best> best = best_so_far();
   if (best && best->value - contacts < worth - hope) return {};
+  // A narrow peak may stand where the shot is.
+  while (!one_speed && refine(shot_.launch.speed)) continue;
+  best = best_so_far();
   while (best && !one_speed && refine(best->launch.speed)) best = best_so_far();
   return best;
 }
