@@ -51,13 +51,16 @@ class SetGoing {
     incoming_ = {struck.at, struck.velocity};
     for (;;) {
       bool arrived = false;
-      const BallEvent e = sim.step(
-          forever, [&](int ball, double began, const State<double>& from, const Arc<double>& arc, double travelled) {
-            if (ball == on_its_way() && set_ > 0) arrived = arrived || passes(began, from, arc, travelled);
-          });
+      const auto look = [&](int ball, double began, const State<double>& from, const Arc<double>& arc,
+                            double travelled) {
+        if (ball == on_its_way() && set_ > 0) arrived = arrived || passes(began, from, arc, travelled);
+      };
+      const BallEvent e = sim.step(forever, look);
       // One that still comes nearer when its slide, or a piece of it, ends is closest on the next arc.
       const bool its = e.ball == on_its_way() || e.event.contact == Contact::ball(number());
-      if (near_end_ && its && e.event.kind != EventKind::slide_to_roll) arrived = out_.made = true;
+      const bool others_meet = !its && e.event.kind == EventKind::ball;
+      if (others_meet && !arrived) sim.stop(look);  // the end, so what has been passed until now counts
+      if (near_end_ && (others_meet || (its && e.event.kind != EventKind::slide_to_roll))) arrived = out_.made = true;
       if (arrived || over(e, sim)) return;
     }
   }

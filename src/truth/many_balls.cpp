@@ -74,14 +74,14 @@ Path run_all(const Run& run) {
     constexpr long patience = 20;
     int on_its_way = 0, contacts = 0;
     for (long i = 0; i < patience * run.events; ++i) {
-      BallEvent e = sim.step(T(forever), [&](int ball, const T& began, const State<T>& start, const Arc<T>& arc,
-                                             const T& travelled) {
+      const auto look = [&](int ball, const T& began, const State<T>& start, const Arc<T>& arc, const T& travelled) {
         last[static_cast<std::size_t>(ball)] = {began, arc, travelled};
         if (ball == 0) return;
         const Passing p =
             run.target ? passing<T>(arc, began, closest_time(arc, travelled, *run.target), *run.target) : Passing{};
         path.events.push_back(note<T>({EventKind::slide_to_roll}, T(began + arc.seconds(travelled)), start, p, ball));
-      });
+      };
+      BallEvent e = sim.step(T(forever), look);
       if (e.event.kind == EventKind::horizon) {
         path.ended = true;
         break;
@@ -94,10 +94,15 @@ Path run_all(const Run& run) {
         const State<T>& other = sim.state(e.event.contact.index);
         met = {rounded(other.at.x), rounded(other.at.y)};
       }
+      // Two others meet: what the ball has passed on its arc until then counts, and nothing after.
+      const bool others_meet = meets && on_its_way != 0 && e.ball != on_its_way;
+      if (others_meet) sim.stop(look);
       const Passing p = passing_of<T>(run, e, starts, last[static_cast<std::size_t>(e.ball)], met);
       path.events.push_back(note<T>(e.event, sim.time(), sim.state(e.ball), p, e.ball));
       // What the ball on its way to the target does after its rest, its fall or one contact more is not asked.
       const bool ended = e.event.kind == EventKind::pocket || e.event.kind == EventKind::rest;
+      path.ended = path.ended || others_meet;
+      if (others_meet) break;
       if (e.ball != on_its_way) continue;
       contacts += meets;
       if (ended || contacts > std::max(run.sends, 1)) {
