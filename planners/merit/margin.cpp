@@ -139,7 +139,7 @@ class Way {
     const double end = good_;
     Look before = look(0);
     // Where the first look saw the end, the limits are nearly straight.
-    const int parts = aim_.q.objects                                 ? parts_of_chains
+    const int parts = aim_.q.whole                                   ? parts_of_chains
                       : std::abs(before.onward - end) < nearly * end ? few_parts
                                                                      : many_parts;
     for (int k = 1; k <= parts; ++k) {
@@ -148,7 +148,8 @@ class Way {
       if (broken) {
         good_ = before.at;
         bad_ = *broken;
-        return narrow();
+        narrow();
+        return look_inside();  // at other places, inside the nearer end
       }
       before = now;
     }
@@ -188,7 +189,7 @@ std::optional<double> downwards(std::optional<double> distance) {
 }  // namespace
 
 void find_margin(const Question& q, Ledger& ledger, Shot& shot) {
-  if (shot.scratch) return void(shot.margin = Margin{{0, 0}, {0, 0}});
+  if (shot.scratch && !is_ideal(q.puzzle.physics)) return void(shot.margin = Margin{{0, 0}, {0, 0}});
   const Mark& mark = q.mark_of(shot);
   const Route route = route_with_jaws_of(shot);
   const LockedAim aim{q, route, mark};

@@ -217,7 +217,8 @@ Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goa
     return Follower(q, motion, cushion, launch, goal, false).run(contacts).replay;
   });
   ledger.charge(static_cast<std::size_t>(r.bounces));
-  if (r.made && goal.counts && aftermath(q, ledger, launch).scratch_pocket) {
+  // In `ideal` no ball comes to rest, so that every cue ball would fall in the end.
+  if (r.made && goal.counts && !is_ideal(q.puzzle.physics) && aftermath(q, ledger, launch).scratch_pocket) {
     r.made = false;
     r.failure = {Foul::scratched};
   }

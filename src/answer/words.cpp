@@ -235,7 +235,13 @@ std::string noise_words(const Noise& n) {
 
 std::string player_words(const Noise& n) {
   const auto all = players();
-  const auto known = std::ranges::find(all, n, &Player::noise);
+  // Without the physics `spin` the tip does not err.
+  const auto is_same = [&](const Player& player) {
+    Noise noise = player.noise;
+    if (n.tip == 0) noise.tip = 0;
+    return noise == n;
+  };
+  const auto known = std::ranges::find_if(all, is_same);
   if (n.none()) return "a player without errors";
   return (known == all.end() ? "a player" : std::string(known->about)) + " whose standard errors are " + noise_words(n);
 }
@@ -359,7 +365,7 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   rows.push_back({"arrives", arrival_words(p, shot)});
   add_leave(p, shot, rows);
   if (shot.success) rows.push_back({"success", success_words(shot) + " for " + player_words(p.noise)});
-  if (shot.margin && shot.scratch)
+  if (shot.margin && shot.scratch && !is_ideal(p.physics))
     rows.push_back({"margin", "none, for the cue ball falls"});
   else if (shot.margin)
     for (Row& row : margin_rows(*shot.margin)) rows.push_back(std::move(row));

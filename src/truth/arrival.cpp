@@ -200,13 +200,14 @@ bool Scene::seems_to_count(const Launch& launch, const Shot& claim) const {
 
 bool Scene::scratches(const Launch& launch, const LaunchSpin& spin) const {
   if (!std::holds_alternative<BallTarget>(puzzle.target) || puzzle.table.pockets.empty()) return false;
+  if (is_ideal(puzzle.physics)) return false;  // no ball rests, so that every cue ball would fall in the end
   const Starts starts({.table = puzzle.table,
                        .physics = puzzle.physics,
                        .ball = puzzle.ball,
                        .others = puzzle.others,
                        .launch = launch,
                        .spin = spin});
-  const long most = is_ideal(puzzle.physics) ? ideal_cushions : max_events;
+  const long most = max_events;
   return with_physics(puzzle.physics, [&](const auto& motion, const auto& cushion) {
     ManyBalls sim(starts.balls(), motion, cushion, collisions(puzzle.physics));
     for (long i = 0; i < most && sim.in_play(0); ++i)

@@ -200,7 +200,7 @@ class ShotCheck {
     constexpr int places = 50;
     double wrong = 0;
     std::string what;
-    if (shot_.scratch) return scratched();
+    if (shot_.scratch && !is_ideal(p_.physics)) return scratched();
     const auto end = [&](std::optional<double> m, double turned, double pushed, const char* which) {
       if (!m) return;
       const auto launch = [&](double k, double beyond = 0) {
@@ -245,7 +245,7 @@ class ShotCheck {
   void value() {
     constexpr double digits = 1e-9, per_contact = 0.005;
     if (!shot_.success) return compare(Claim::value, HUGE_VAL, digits, "is given without a success");
-    const double without_jaws = *shot_.success - cost_of(shot_);
+    const double without_jaws = *shot_.success - cost_of(shot_) + per_contact * shot_.jaws;
     const double jaws = shot_.rattles ? std::max(1.0, std::round((without_jaws - *shot_.value) / per_contact)) : 0;
     compare(Claim::value, std::abs(without_jaws - per_contact * jaws - *shot_.value), digits,
             fmt::format("says {:.6g} and success less costs is {:.6g}", *shot_.value, without_jaws));

@@ -130,7 +130,7 @@ TEST_CASE("option --all prints every distinct shot, the best first") {
   REQUIRE(all.size() > 1);
   REQUIRE(one.size() == 1);
   CHECK(all[0].at("angle") == one[0].at("angle"));
-  for (std::size_t i = 1; i < all.size(); ++i) CHECK(all[i - 1].at("success") >= all[i].at("success"));
+  for (std::size_t i = 1; i < all.size(); ++i) CHECK(all[i - 1].at("value") >= all[i].at("value"));
 }
 
 TEST_CASE("option --first prints the first shot found, and not with --all") {

@@ -79,7 +79,8 @@ TEST_CASE("where the line through a pocket's centre has no room the shot is on t
            .ball = {.at = {0.635, 0.4}},
            .target = PocketTarget{5},
            .cushions = CushionRule::exactly(0),
-           .arrive = Range{0.5, 0.5}};
+           .arrive = Range{0.5, 0.5},
+           .aim = Aim::centre};
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   CHECK_FALSE(a.shots[0].off_centre);

@@ -17,7 +17,8 @@ Puzzle rolling_puzzle(PointTarget target) {
           .cushions = CushionRule::exactly(0)};
 }
 
-void check_beside_centre(const Puzzle& p) {
+void check_beside_centre(Puzzle p) {
+  p.aim = Aim::centre;
   const Answer a = solve(p);
   INFO(a.message);
   REQUIRE(a.status == Status::solved);

@@ -54,7 +54,7 @@ TEST_CASE("a shot that only a looser search comes upon is the answer, and holds"
     "others": [{"id": "1", "at": [0.8194009083707215, 1.167980858443458]},
                {"id": "2", "at": [0.33104663522504624, 0.18111229505982407]},
                {"id": "3", "at": [0.16633974000787613, 0.7010244790241309]}],
-    "target": {"ball": "1"}, "cushions": 3})");
+    "target": {"ball": "1", "cut": 0}, "cushions": 3})");
   REQUIRE(solve(p, {.suggest = false}).status == Status::no_shot);
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);

@@ -31,7 +31,7 @@ TEST_CASE("every kick that a shot made is found, at its cut and speed", "[heavy]
 
 TEST_CASE("a full hit leads through both centres, a cut ball leaves to the side that is asked") {
   const double to_8 = std::atan2(0.63 - 0.4, 1.4 - 0.635);
-  const Answer full = solved(R"("target": {"ball": "8"}, "cushions": 0)");
+  const Answer full = solved(R"("target": {"ball": "8", "cut": 0}, "cushions": 0)");
   REQUIRE(full.status == Status::solved);
   CHECK_THAT(full.shots.front().launch.angle, WithinAbs(to_8, 1e-12));
   CHECK(full.shots.front().arrival.speed == Approx(0.5));

@@ -56,7 +56,7 @@ TEST_CASE("a ball on the target is said to cover it") {
 TEST_CASE("where a ball hides the middle of a pocket the ball goes in beside it") {
   for (const char* physics : {"ideal", "rolling", "spin"}) {
     CAPTURE(physics);
-    const Answer a = solved(R"("target": {"pocket": "top-middle"}, "cushions": 0, "physics": ")" +
+    const Answer a = solved(R"("target": {"pocket": "top-middle"}, "cushions": 0, "aim": "centre", "physics": ")" +
                             std::string(physics) + R"(", "others": [{"id": "1", "at": [1.0082, 0.8383]}])");
     REQUIRE(a.status == Status::solved);
     CHECK(a.shots.front().off_centre);

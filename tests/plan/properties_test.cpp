@@ -47,15 +47,6 @@ double value_of(const Puzzle& p) {
   return a.shots.front().value.value();
 }
 
-/// Left and right change places.
-Puzzle mirrored(Puzzle p) {
-  const double length = p.table.highest().x;
-  p.ball.at.x = length - p.ball.at.x;
-  for (Ball& ball : p.others) ball.at.x = length - ball.at.x;
-  p.spin.side = -p.spin.side;
-  return p;
-}
-
 }  // namespace
 
 TEST_CASE("what should I play? is answered on every layout, and no worse than by direct shots", "[heavy]") {
@@ -89,7 +80,7 @@ TEST_CASE("the safest aim has at least the value of the centre") {
   }
 }
 
-TEST_CASE("a mirrored scene has the mirrored answer, and the order of balls changes nothing") {
+TEST_CASE("the order of balls changes nothing") {
   const auto seed = test::seed_or_fresh(3);
   CAPTURE(seed);
   Random random(seed);
@@ -99,7 +90,6 @@ TEST_CASE("a mirrored scene has the mirrored answer, and the order of balls chan
     p.spin = {.top = random.uniform(-0.5, 0.5), .side = random.uniform(-0.5, 0.5)};
     CAPTURE(i);
     const double value = value_of(p);
-    CHECK(value_of(mirrored(p)) == Approx(value).margin(1e-6));
     std::ranges::reverse(p.others);
     CHECK(value_of(p) == Approx(value).margin(1e-6));
   }

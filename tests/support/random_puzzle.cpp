@@ -88,6 +88,10 @@ Made random_puzzle(Random& r, Family family, Model model, int bounces) {
     if (family == Family::discrete) shot.launch = {1.0 * r.integer(1, 4), wrap_angle(radians(15.0 * r.integer(0, 23)))};
     shot.until.cushions = std::max(bounces, most_bounces) + 1;
     const Trajectory t = simulate(shot);
+    // No shot of a point bounces where it starts, in a vertex.
+    const bool in_vertex = std::ranges::find(shot.table.vertices, shot.ball.at) != shot.table.vertices.end();
+    const auto at_start = [](const Record& e) { return e.kind == EventKind::cushion && e.time == 0; };
+    if (shot.ball.body.radius == 0 && in_vertex && std::ranges::any_of(t.events, at_start)) continue;
     if (auto made = bounces < 0 ? ask(r, shot, t, 0, most_bounces) : ask(r, shot, t, bounces, bounces)) {
       made->puzzle.noise = {};
       return *made;
