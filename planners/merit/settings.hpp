@@ -72,6 +72,8 @@ inline constexpr int draws = 4096;
 namespace success {
 /// Simulations at most; 100 are usual. What the chance is off by is in planners/README.md.
 inline constexpr std::size_t most_samples = 150;
+/// The same where the cue ball may fall; and points spread over each of its lines but the first.
+inline constexpr std::size_t most_samples_of_balls = 400, points_of_balls = 10;
 /// Errors beyond are taken to do as those here: 0.001 of all.
 inline constexpr double widest = 3.3;
 /// From where an edge is expected to the next point tried, and how often that doubles.

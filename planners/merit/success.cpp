@@ -59,12 +59,13 @@ class Chance {
     if (scale < 1)
       for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
     for (const Known& k : known_) look_at(k);
-    while (used_ + cheapest_line <= most_samples) {
+    while (used_ + cheapest_line <= most()) {
       std::size_t at = 0;
-      double most = least_doubt;
+      double worst = least_doubt;
       for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
-        if (const double d = doubt(i); d > most) most = d, at = i + 1;
-      if (at == 0 || (most < doubt_of_agreed && std::abs(chance_of(lines_) - shot_.chance) < agrees)) break;
+        if (const double d = doubt(i); d > worst) worst = d, at = i + 1;
+      if (at == 0 || (!may_scratch() && worst < doubt_of_agreed && std::abs(chance_of(lines_) - shot_.chance) < agrees))
+        break;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
     return chance_of(lines_);
@@ -97,7 +98,10 @@ class Chance {
     if (size > same_edge && size < widest && known_.size() < most_known) known_.push_back(k);
   }
 
-  bool left() const { return used_ < most_samples && !ledger_.spent(); }
+  /// Cue balls that fall cut what is made into parts of which first order knows nothing.
+  bool may_scratch() const { return q_.whole && !q_.puzzle.table.pockets.empty() && !is_ideal(q_.puzzle.physics); }
+  std::size_t most() const { return may_scratch() ? most_samples_of_balls : most_samples; }
+  bool left() const { return used_ < most() && !ledger_.spent(); }
 
   /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
   bool made(LineOfErrors& line, double across) {
@@ -191,6 +195,7 @@ class Chance {
     const bool later = lines_.size() >= first_lines.size();
     const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
                               : lines_.empty()            ? points_on_first
+                              : may_scratch()             ? points_of_balls
                               : later && no_edges         ? points_without_edges
                                                           : points_on_others;
     const double share = 1 / static_cast<double>(count),

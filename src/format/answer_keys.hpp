@@ -88,7 +88,7 @@ inline constexpr Key answer_shot_keys[] = {
     {"aim",
      "word",
      "",
-     R"("centre")",
+     "of a shot that was moved",
      R"("safest")",
      "it was moved off the exact line or point, to a larger value",
      {},

@@ -198,9 +198,14 @@ bool Scene::seems_to_count(const Launch& launch, const Shot& claim) const {
          !scratches(launch, claim.spin);
 }
 
+/// In `ideal` no ball comes to rest, so that every cue ball would fall in the end.
+bool Scene::may_scratch() const {
+  return std::holds_alternative<BallTarget>(puzzle.target) && !puzzle.table.pockets.empty() &&
+         !is_ideal(puzzle.physics);
+}
+
 bool Scene::scratches(const Launch& launch, const LaunchSpin& spin) const {
-  if (!std::holds_alternative<BallTarget>(puzzle.target) || puzzle.table.pockets.empty()) return false;
-  if (is_ideal(puzzle.physics)) return false;  // no ball rests, so that every cue ball would fall in the end
+  if (!may_scratch()) return false;
   const Starts starts({.table = puzzle.table,
                        .physics = puzzle.physics,
                        .ball = puzzle.ball,

@@ -41,6 +41,7 @@ class Scene {
   bool seems_to_count(const Launch& launch, const Shot& claim) const;
   /// Whether the cue ball falls into a pocket before all balls rest, where a ball is the target; in double.
   bool scratches(const Launch& launch, const LaunchSpin& spin) const;
+  bool may_scratch() const;
   /// The share of seeded draws from the player's errors that makes the target by any cushions allowed, as `success`
   /// counts it: by the shot's own ball and pocket, and without a scratch. In double: a sample has no use for more
   /// digits.

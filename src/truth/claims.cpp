@@ -216,12 +216,20 @@ class ShotCheck {
         }
         return false;
       };
+      // Cue balls fall in bands that may be narrower than the tolerance of an end.
+      const auto goes_on = [&] {
+        if (!made(launch(1 + beside, 1))) return false;
+        constexpr int looks = 16;
+        for (int i = -looks; i < looks && scene_.may_scratch(); ++i)
+          if (!made(launch(1 + beside * i / looks, static_cast<double>(i) / looks))) return false;
+        return true;
+      };
       // Nearer than `least` no launch is told from the shot's.
       const bool inside = std::abs(*m) <= least || made(launch(1 - beside, -1));
-      const char* const trouble = !inside                       ? "is not made"
-                                  : made(launch(1 + beside, 1)) ? "does not break it"
-                                  : gap()                       ? "jumps launches that are not made"
-                                                                : nullptr;
+      const char* const trouble = !inside     ? "is not made"
+                                  : goes_on() ? "does not break it"
+                                  : gap()     ? "jumps launches that are not made"
+                                              : nullptr;
       if (!trouble) return;
       wrong += 1;
       what +=
