@@ -75,6 +75,16 @@ template <class Range, class Less = std::less<>, class Part = identity>
 auto max_element(Range&& range, Less less = {}, Part part = {}) {
   return std::max_element(std::begin(range), std::end(range), by(less, part));
 }
+template <class Range, class T, class Less = std::less<>, class Part = identity>
+auto lower_bound(Range&& range, const T& value, Less less = {}, Part part = {}) {
+  return std::lower_bound(std::begin(range), std::end(range), value,
+                          [&](auto&& x, const T& v) -> bool { return std::invoke(less, std::invoke(part, x), v); });
+}
+template <class Range, class T, class Less = std::less<>, class Part = identity>
+auto upper_bound(Range&& range, const T& value, Less less = {}, Part part = {}) {
+  return std::upper_bound(std::begin(range), std::end(range), value,
+                          [&](const T& v, auto&& x) -> bool { return std::invoke(less, v, std::invoke(part, x)); });
+}
 template <class Range>
 void reverse(Range&& range) {
   std::reverse(std::begin(range), std::end(range));
