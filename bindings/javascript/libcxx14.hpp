@@ -75,6 +75,10 @@ template <class Range, class Less = std::less<>, class Part = identity>
 auto max_element(Range&& range, Less less = {}, Part part = {}) {
   return std::max_element(std::begin(range), std::end(range), by(less, part));
 }
+template <class Range, class Does>
+void for_each(Range&& range, Does does) {
+  std::for_each(std::begin(range), std::end(range), does);
+}
 template <class Range, class T, class Less = std::less<>, class Part = identity>
 auto lower_bound(Range&& range, const T& value, Less less = {}, Part part = {}) {
   return std::lower_bound(std::begin(range), std::end(range), value,
