@@ -33,6 +33,12 @@ bool LineOfErrors::made(double across) const {
   return open != (before % 2 == 1);
 }
 
+int LineOfErrors::changes() const {
+  int count = 0;
+  for (std::size_t i = 1; i < tries.size(); ++i) count += tries[i - 1].made != tries[i].made;
+  return count;
+}
+
 void LineOfErrors::read_off(const std::vector<double>& expected) {
   edges.clear();
   open = !tries.empty() && tries.front().made;

@@ -217,10 +217,11 @@ class Chance {
     return (b.across - a.across) * std::min(1.0, thin_out * std::exp(-z * z / 2));
   }
 
-  /// Bisects every change between two tries, the widest first, and reads off the edges.
+  /// Bisects every change between two tries, the widest first, and reads off the edges. Where the cue ball may fall, a
+  /// line with more than one band is left as it is: its parts are too many to follow, and more lines say more.
   void settle(LineOfErrors& line, const std::vector<double>& expected) {
     const double enough = (is_ideal(q_.puzzle.physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
-    while (left()) {
+    while (left() && !(may_scratch() && line.changes() > 2)) {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
         const LineOfErrors::Try &a = line.tries[i], &b = line.tries[i + 1];
