@@ -187,18 +187,19 @@ Shot Family::tuned(const Shot& shot) {
   double step = 1, turned = 0;
   for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.success < sure;) {
     std::optional<Shot> better;
+    Point there;
     for (const Vector& way : ways({*at}, turned)) {
       const auto next = settle(at->x + step * scale_.cwiseProduct(way), box_);
       Tried t = next ? attempt(*next) : Tried{};
       if (!t.made()) continue;
       find_success(q_, ledger_, t.proof->shot);
       ++tried;
-      if (!(*t.proof->shot.value > *best.value + worth_tuning)) continue;
+      if (!(*t.proof->shot.value > (better ? *better : best).value.value() + (better ? 0 : worth_tuning))) continue;
       better = std::move(t.proof->shot);
-      at = next;
-      break;
+      there = *next;
     }
     if (better) {
+      at = there;
       better->planner = best.planner;
       better->simulations = best.simulations;
       best = std::move(*better);

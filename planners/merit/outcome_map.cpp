@@ -25,7 +25,9 @@ OutcomeMap::OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot)
   double low = -angle_, high = angle_;
   if (const double by_aim = norm(shot.by_angle); by_aim > 0) {
     const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
-    low = room.low / by_aim, high = room.high / by_aim;
+    // Where the aim moves nothing to speak of, no more aims than the player's errors reach.
+    const double widest = std::min(far * angle_, radians(180));
+    low = std::clamp(room.low / by_aim, -widest, widest), high = std::clamp(room.high / by_aim, -widest, widest);
   }
   rows_.push_back(row_at(shot.launch.speed, {low, high}, aims));
 }
@@ -186,7 +188,9 @@ double OutcomeMap::safest_aim(const Row& row) const {
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double fa = success(a, row.speed), fb = success(b, row.speed);
   while (high - low > settled * angle_) {
-    if (fa < fb) {
+    if (fa == fb) {  // all of it is as good: its middle
+      break;
+    } else if (fa < fb) {
       low = a, a = b, fa = fb;
       fb = success(b = low + golden * (high - low), row.speed);
     } else {

@@ -189,22 +189,25 @@ class Chance {
     }
   }
 
-  /// Points at even steps of probability, shifted from line to line.
+  /// Points at even steps of probability, shifted from line to line; both ways of a line are alike.
   void spread(LineOfErrors& line, bool no_edges) {
-    constexpr double golden = 0.6180339887;  // shifts that never repeat
     const bool later = lines_.size() >= first_lines.size();
     const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
                               : lines_.empty()            ? points_on_first
                               : may_scratch()             ? points_of_balls
                               : later && no_edges         ? points_without_edges
                                                           : points_on_others;
+    constexpr double golden = 0.6180339887;  // shifts that never repeat
     const double share = 1 / static_cast<double>(count),
                  shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
-    for (std::size_t k = 0; k < count; ++k) {
-      const double p = tail + (static_cast<double>(k) + shift) * share * (1 - 2 * tail);
+    const auto look = [&](double p) {
       const auto close = [&](const LineOfErrors::Try& t) { return std::abs(about_below(t.across) - p) < share / 4; };
       if (std::none_of(line.tries.begin(), line.tries.end(), close)) made(line, about_at(p));
-    }
+    };
+    for (std::size_t k = 0; k < count / 2; ++k)
+      for (const double p : {(static_cast<double>(k) + shift) * share, 1 - (static_cast<double>(k) + shift) * share})
+        look(tail + p * (1 - 2 * tail));
+    if (count % 2 == 1) look(0.5);
     // Beyond the last of them an edge may hide.
     if (line.tries.empty()) return;
     if (line.tries.front().made) made(line, -widest);

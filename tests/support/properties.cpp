@@ -255,7 +255,7 @@ bool names_its_ball(const Json& question) {
 }
 
 std::optional<Case> far_case(Random& r, const Json& question) {
-  if (!names_its_ball(question)) return {};
+  if (!names_its_ball(question) || is_ideal(valid_puzzle(question)->physics)) return {};  // there no ball rests
   const Answered a = answered(question);
   if (!a.solved() || a.budget_ended()) return {};
   const Pieces pieces = paths_of(a);
