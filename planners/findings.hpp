@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,13 @@ struct Lead {
 
 struct Findings {
   std::vector<Shot> shots{};
+  /// Shots at their safest launches, by where they were found; none: worth less than the shot then in hand.
+  struct Moved {
+    Launch from;
+    LaunchSpin spin;
+    std::optional<Shot> shot;
+  };
+  std::vector<Moved> moved{};
   std::vector<Lead> leads{};
   NearMiss nearest{};
   struct Counted {

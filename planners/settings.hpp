@@ -262,8 +262,6 @@ inline constexpr double first_share_of_parts = 0.2;
 /// Of value: what more cushions must be able to add to be worth a search. The contract lets a wider question be
 /// answered worse by twice as much.
 inline constexpr double worth_a_stage = 0.005;
-/// Shots of which the value in hand is told after a stage: those that seem best by first order.
-inline constexpr std::size_t most_in_hand = 2;
 /// Of value: what is found only by looking closely, off jaws or round balls, hardly ever has more.
 inline constexpr double best_found_closely = 0.75;
 /// Of chance: no rival of such a shot is worth a map.

@@ -75,9 +75,9 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
   if ((options.robustness || q.safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
-    if (q.puzzle.prefer == Prefer::robust && !q.all()) planning::best_first(q, aside, found.shots);
+    if (q.puzzle.prefer == Prefer::robust && !q.all() && !q.safest()) planning::best_first(q, aside, found.shots);
     planning::family::tune(q, aside, found);
-    if (q.safest()) planning::move_best(q, aside, found.shots);
+    if (q.safest()) planning::move_best(q, aside, found);
     if (options.robustness) planning::add_robustness(q, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }

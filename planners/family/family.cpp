@@ -221,8 +221,9 @@ Lead lead_of(const Question& q, const Shot& shot) { return {shot.launch, route_o
 
 void tune(const Question& q, Ledger& ledger, Findings& found) {
   const Puzzle& p = q.puzzle;
-  if (p.prefer != Prefer::robust || (q.safest() && q.all()) || is_straight(p.physics) || Family::freedom(q) == 0)
-    return;
+  // Of what is moved to its safest launch, speed and aim are chosen there.
+  const bool chosen_later = q.safest() && (q.all() || !p.spin_range);
+  if (p.prefer != Prefer::robust || chosen_later || is_straight(p.physics) || Family::freedom(q) == 0) return;
   // First order knows little of what else may lead a carom to its second ball: the best is one of several.
   const std::size_t some = q.carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
   const std::span<Shot> shots = std::span(found.shots).first(q.all() ? found.shots.size() : some);

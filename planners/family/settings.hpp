@@ -58,9 +58,9 @@ inline constexpr int most_climbed = 120;
 /// rad: turns of the compass that never repeat.
 inline constexpr double golden_turn = 2.399963;
 /// Steps of the last touch by simulated success: estimates at most, the finest step, a gain of chance that is worth
-/// one, and a chance that needs none.
+/// one (less is what success is off by), and a chance that needs none.
 inline constexpr int most_tuned = 10;
-inline constexpr double finest_tuning = 0.2, worth_tuning = 0.001, sure = 0.995;
+inline constexpr double finest_tuning = 0.2, worth_tuning = 0.005, sure = 0.995;
 /// A chance that is worth comparing; and one that is as good as none.
 inline constexpr double playable = 0.01, least_chance = 1e-15;
 }  // namespace family

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/merit/lines_of_errors.hpp"
@@ -29,7 +30,8 @@ OutcomeMap::OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot)
     const double widest = std::min(far * angle_, radians(180));
     low = std::clamp(room.low / by_aim, -widest, widest), high = std::clamp(room.high / by_aim, -widest, widest);
   }
-  rows_.push_back(row_at(shot.launch.speed, {low, high}, aims));
+  first_ = {low, high};
+  rows_.push_back(row_at(shot.launch.speed, first_, aims));
 }
 
 double OutcomeMap::deviation(double speed) const {
@@ -72,7 +74,7 @@ OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected, int tried
   for (std::size_t i = 0; i + 1 < tries.size(); ++i) {
     if (tries[i].made == tries[i + 1].made) continue;
     double in = tries[i].aim, out = tries[i + 1].aim;
-    while (out - in > finest * std::min(angle_, width) && !ledger_.spent()) {
+    while (out - in > (tried == coarse_aims ? roughest : finest) * std::min(angle_, width) && !ledger_.spent()) {
       const double middle = (in + out) / 2;
       if (!(in < middle && middle < out)) break;
       (arrival_at(middle, speed).has_value() == tries[i].made ? in : out) = middle;
@@ -88,6 +90,7 @@ OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected, int tried
 
 /// Where the rows around a speed have their widest bands.
 OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
+  if (std::ranges::none_of(rows_, &Row::made)) return first_;  // the cue ball may fall at the speed of the shot alone
   const auto after = std::ranges::find_if(rows_, [&](const Row& r) { return r.made() && r.speed > speed; });
   const auto is_before = [&](const Row& r) { return r.made() && r.speed < speed; };
   const auto before = std::find_if(rows_.rbegin(), rows_.rend(), is_before);
@@ -109,7 +112,6 @@ OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
 /// False where there are rows enough.
 bool OutcomeMap::add(double speed, int tried) {
   if (rows_.size() >= most_rows || ledger_.spent() || !(speed > 0)) return false;
-  if (std::ranges::none_of(rows_, &Row::made)) return false;
   Row row = row_at(speed, expected_at(speed), tried);
   rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
   return true;
@@ -213,27 +215,32 @@ bool OutcomeMap::allowed(const Row& row) const {
   return row.made() && bring_inside(speed, q_.speed) && (!arrive || arrive->contains(row.arrival));
 }
 
-std::optional<OutcomeMap::Best> OutcomeMap::best_so_far() const {
-  std::optional<Best> best;
+std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
+  std::vector<Best> best;
   for (const Row& row : rows_) {
     if (!allowed(row)) continue;
     const double aim = safest_aim(row);
-    const double value = success(aim, row.speed) - cost_of({row.speed, aim}, shot_.spin);
-    if (!best || value > best->value) best = {{row.speed, wrap_angle(shot_.launch.angle + aim)}, value};
+    best.push_back({{row.speed, wrap_angle(shot_.launch.angle + aim)},
+                    success(aim, row.speed) - cost_of({row.speed, aim}, shot_.spin)});
   }
+  std::ranges::stable_sort(best, std::greater(), &Best::value);
   return best;
 }
 
-std::optional<OutcomeMap::Best> OutcomeMap::best(double worth) {
+double OutcomeMap::own_value() const {
+  return success(0, shot_.launch.speed) - cost_of(shot_.launch, shot_.spin);
+}
+
+std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   const bool one_speed = is_ideal(q_.puzzle.physics) || q_.pinned;
   if (!one_speed) look_along();
   const double contacts = cost_of(shot_) - cost_of(shot_.launch, shot_.spin);
-  std::optional<Best> best = best_so_far();
-  if (best && best->value - contacts < worth - hope) return {};
+  std::vector<Best> best = best_so_far();
+  if (!best.empty() && best.front().value - contacts < worth - hope) return {};
   // A narrow peak may stand where the shot is.
   while (!one_speed && refine(shot_.launch.speed)) continue;
   best = best_so_far();
-  while (best && !one_speed && refine(best->launch.speed)) best = best_so_far();
+  while (!best.empty() && !one_speed && refine(best.front().launch.speed)) best = best_so_far();
   return best;
 }
 

@@ -23,13 +23,16 @@ class OutcomeMap {
   /// `q` has the spin of the shot, which must outlive this.
   OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot);
 
-  /// The launch inside the puzzle's bounds whose value is largest, and that value; none where nothing is made, or where
-  /// the first look at all speeds leaves no hope of a value of `worth`.
+  /// Launches inside the puzzle's bounds with their values: that of the largest value, and those of other speeds, best
+  /// first. None where nothing is made, or where the first look at all speeds leaves no hope of a value of `worth`.
   struct Best {
     Launch launch;
     double value = 0;
   };
-  std::optional<Best> best(double worth);
+  std::vector<Best> best(double worth);
+
+  /// Of the shot as it is.
+  double own_value() const;
 
  private:
   /// Aims that are made, from one to another [rad beside the shot's].
@@ -53,7 +56,7 @@ class OutcomeMap {
   bool add(double speed, int aims);
   void look_along();
   bool refine(double speed);
-  std::optional<Best> best_so_far() const;
+  std::vector<Best> best_so_far() const;
   double deviation(double speed) const;
   double success(double aim, double speed) const;
   double success_at(double aim, double speed) const;
@@ -65,6 +68,7 @@ class OutcomeMap {
   const Shot& shot_;
   Goal goal_;
   double angle_;             ///< rad, deviation of the aim
+  Band first_{};             ///< what the shot's derivatives expect
   std::vector<Row> rows_{};  ///< slowest first
 };
 

@@ -134,7 +134,9 @@ double first_merit(const Puzzle& p, const Shot& shot) {
 
 void rank(const Question& q, std::vector<Shot>& shots) {
   keep_centred(q, shots);
-  const auto last = [&](const Shot& shot) { return shot.scratch || last_choice(q, shot); };
+  // Where shots are ranked by value, that tells of the scratch, and beside such a launch there may be a good one.
+  const bool by_value = q.valued && q.puzzle.prefer == Prefer::robust;
+  const auto last = [&](const Shot& shot) { return (shot.scratch && !by_value) || last_choice(q, shot); };
   if (!q.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
   order(q, shots);
 }
@@ -161,7 +163,7 @@ void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
   for (const Candidate& c : candidates) {
     const double tie = q.puzzle.leave ? settings::rank::as_likely : 0;
     if (shots[best].value && c.at_most <= *shots[best].value - tie) break;
-    as_struck(q, shots[c.shot], [&](const Question& own) { find_success(own, ledger, shots[c.shot], shots); });
+    as_struck(q, shots[c.shot], [&](const Question& own) { find_success(own, ledger, shots[c.shot]); });
     if (*shots[c.shot].value > *shots[best].value) best = c.shot;
   }
   std::swap(shots.front(), shots[best]);
@@ -171,43 +173,101 @@ void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
 
 namespace {
 
-/// What the value of a shot may be once it is moved.
-struct Movable {
-  double likely, at_most;
-  std::size_t shot;
-};
+/// The value of a shot to first order, moved to where that is largest.
+double likely_value(const Question& q, const Shot& shot) {
+  if (shot.scratch && !q.safest()) return 0;
+  const double chance = q.safest() ? std::max(shot.chance, chance_in_middle(q, shot)) : shot.chance;
+  return chance - cost_of(shot);
+}
 
-/// As its first-order chance in the middle of its target says.
-Movable movable(const Question& q, const Shot& shot, std::size_t number) {
-  const double chance = std::max(shot.chance, chance_in_middle(q, shot));
-  const double most = success_at_most(q, q.mark_of(shot), chance) + settings::rank::off_jaws;
+/// What the value of a shot may be once it is moved. `shots`: those that were found. `q` has the spin of the shot.
+double movable_to(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot, double likely) {
   const double contacts = cost_of(shot) - cost_of(shot.launch, shot.spin);
-  return {chance - cost_of(shot), std::min(1.0, std::max(most, shot.success.value_or(0))) - contacts, number};
+  const double most = success_at_most(q, q.mark_of(shot), likely + cost_of(shot)) + settings::rank::off_jaws;
+  return std::min(1.0, std::max(most, shot_at_most(q, ledger, shots, shot))) - contacts;
+}
+
+auto moved_from(Findings& found, const Shot& shot) {
+  return std::ranges::find_if(found.moved, [&](const Findings::Moved& m) {
+    return m.from.angle == shot.launch.angle && m.from.speed == shot.launch.speed && m.spin == shot.spin;
+  });
+}
+
+/// Of a shot that was moved; less than any where it was not.
+double moved_value(Findings& found, const Shot& shot) {
+  const auto known = moved_from(found, shot);
+  return known == found.moved.end() || !known->shot ? -1 : *known->shot->value;
+}
+
+/// Moves shots that may be worth more than all others are, `most` of them, those first that seem best.
+void move_some(const Question& q, Ledger& ledger, Findings& found, int most) {
+  struct Candidate {
+    double likely, at_most;
+    const Shot* shot;
+  };
+  std::vector<Candidate> candidates;
+  double value = -1;
+  for (const Shot& shot : found.shots) {
+    value = std::max(value, moved_value(found, shot));
+    if (moved_from(found, shot) != found.moved.end()) continue;
+    candidates.push_back(as_struck(q, shot, [&](const Question& own) {
+      const double likely = likely_value(own, shot);
+      return Candidate{likely, movable_to(own, ledger, found.shots, shot, likely), &shot};
+    }));
+  }
+  std::ranges::stable_sort(candidates, std::greater(), &Candidate::likely);
+  for (const Candidate& c : candidates) {
+    if (c.at_most <= value) continue;
+    if (most-- == 0) return;
+    Shot shot = *c.shot;
+    const bool hope = as_struck(q, shot, [&](const Question& own) { return make_safest(own, ledger, shot, value); });
+    found.moved.push_back({c.shot->launch, c.shot->spin, {}});
+    if (!hope) continue;
+    value = std::max(value, *shot.value);
+    found.moved.back().shot = std::move(shot);
+  }
 }
 
 }  // namespace
 
-void move_best(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
-  const auto move = [&](Shot& shot, double worth = -1) {
-    return as_struck(q, shot, [&](const Question& own) { return make_safest(own, ledger, shot, worth); });
+double value_in_hand(const Question& q, Findings& found) {
+  if (q.puzzle.prefer != Prefer::robust || found.shots.empty()) return 0;
+  using settings::rank::most_in_hand;
+  Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
+  double value = 0;
+  if (q.valued && q.safest() && !q.all()) {
+    move_some(q, aside, found, most_in_hand);
+    for (const Shot& shot : found.shots) value = std::max(value, moved_value(found, shot));
+    return value;
+  }
+  std::vector<std::pair<double, Shot*>> likely;
+  for (Shot& shot : found.shots)
+    likely.emplace_back(as_struck(q, shot, [&](const Question& own) { return likely_value(own, shot); }), &shot);
+  std::ranges::stable_sort(likely, std::greater(), [](const auto& one) { return one.first; });
+  if (!q.valued) return std::max(0.0, likely.front().first);
+  int most = most_in_hand;
+  for (auto& [at_most, shot] : likely) {
+    if (at_most <= value) break;
+    if (!shot->value && most-- == 0) break;
+    if (!shot->value) as_struck(q, *shot, [&](const Question& own) { find_success(own, aside, *shot); });
+    value = std::max(value, *shot->value);
+  }
+  return value;
+}
+
+void move_best(const Question& q, Ledger& ledger, Findings& found) {
+  const auto move = [&](Shot& shot) {
+    as_struck(q, shot, [&](const Question& own) { return make_safest(own, ledger, shot); });
   };
-  if (q.all()) {
-    for (Shot& shot : shots) move(shot);
-    return;
-  }
-  move(shots.front());
-  std::vector<Movable> candidates;
-  for (std::size_t i = 1; i < shots.size(); ++i)
-    if (!shots[i].scratch)
-      candidates.push_back(as_struck(q, shots[i], [&](const Question& own) { return movable(own, shots[i], i); }));
-  std::ranges::stable_sort(candidates, std::greater(), &Movable::likely);
-  int moved = 0;
-  for (const Movable& candidate : candidates) {
-    if (candidate.at_most <= *shots.front().value) continue;
-    if (moved++ == settings::rank::most_moved) break;
-    Shot& shot = shots[candidate.shot];
-    if (move(shot, *shots.front().value) && *shot.value > *shots.front().value) std::swap(shot, shots.front());
-  }
+  if (q.all()) return std::ranges::for_each(found.shots, move), void();
+  if (q.puzzle.prefer != Prefer::robust) return move(found.shots.front());
+  move_some(q, ledger, found, settings::rank::most_moved);
+  Shot& best = *std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return moved_value(found, s); });
+  if (const auto known = moved_from(found, best); known != found.moved.end() && known->shot)
+    best = *known->shot;
+  else
+    move(best);  // what was worth more has been dropped since
+  std::swap(best, found.shots.front());
 }
 
 void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
@@ -215,7 +275,7 @@ void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
   if (q.puzzle.leave && !q.all()) order_by_leave(q.puzzle, shots);
   for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
     as_struck(q, shot, [&](const Question& own) {
-      if (!shot.success) find_success(own, ledger, shot, shots);
+      if (!shot.success) find_success(own, ledger, shot);
       find_margin(own, ledger, shot);
     });
   }

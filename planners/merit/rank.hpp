@@ -23,9 +23,13 @@ void rank(const Question& q, std::vector<Shot>& shots);
 /// Brings the shot with the largest value to the front; of shots that cannot be first it is not computed.
 void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
 
+/// The value of the best shot so far: of a few that seem best by first order, which knows of no scratch, it is
+/// computed, once. 0 where values do not rank shots.
+double value_in_hand(const Question& q, Findings& found);
+
 /// Moves shots to their safest launches (safest.hpp): all where all are wanted, else those that may be first then, and
 /// brings that one to the front.
-void move_best(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
+void move_best(const Question& q, Ledger& ledger, Findings& found);
 
 /// Shots without a computed value come last.
 void order_by_value(std::span<Shot> shots);

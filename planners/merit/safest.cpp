@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "planners/merit/safest.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "planners/certify.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/outcome_map.hpp"
+#include "planners/merit/settings.hpp"
 #include "planners/merit/success.hpp"
 #include "planners/proof/aftermath.hpp"
 #include "planners/proof/prove.hpp"
@@ -14,9 +17,12 @@
 namespace bankshot::planning {
 namespace {
 
-/// The same shot with another launch; none where it is not made.
+/// The same shot with another launch, which may brush a rail on its way where the puzzle allows that; none where it is
+/// not made.
 std::optional<Shot> moved(const Question& q, Ledger& ledger, const Shot& from, const Launch& to) {
-  Proof proof = prove(q, ledger, to, Goal::along(from, q.puzzle.arrive ? Demand::off_centre : Demand::made));
+  Goal goal = Goal::counted(q, from);
+  if (q.puzzle.arrive) goal.demand = Demand::off_centre;
+  Proof proof = prove(q, ledger, to, goal);
   if (!proof.holds()) return {};
   Shot& shot = proof.shot;
   add_aftermath(q, ledger, shot);
@@ -32,11 +38,21 @@ std::optional<Shot> moved(const Question& q, Ledger& ledger, const Shot& from, c
 }  // namespace
 
 bool make_safest(const Question& q, Ledger& ledger, Shot& shot, double worth) {
-  const auto best = OutcomeMap(q, ledger, shot).best(worth);
-  if (!best && worth > -1) return false;
-  if (!shot.success) find_success(q, ledger, shot);
-  if (!best) return true;
-  if (auto there = moved(q, ledger, shot, best->launch); there && *there->value > *shot.value) shot = std::move(*there);
+  using namespace settings::outcome_map;
+  OutcomeMap map(q, ledger, shot);
+  const auto likely = map.best(worth);
+  if (likely.empty() && worth > -1) return false;
+  std::optional<Shot> best;
+  for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), most_tried))) {
+    auto there = moved(q, ledger, shot, launch);
+    if (there && (!best || *there->value > *best->value)) best = std::move(there);
+    if (best && *best->value > value - kept) break;  // it keeps what the map promised
+  }
+  if (!best || *best->value < map.own_value() + sure) {
+    if (!shot.success) find_success(q, ledger, shot);
+    if (best && *best->value <= *shot.value) best.reset();
+  }
+  if (best) shot = std::move(*best);
   return true;
 }
 

@@ -29,6 +29,8 @@ inline constexpr double beside = 4;
 inline constexpr double as_likely = 0.02;
 /// Shots that are moved to their safest launches where one is wanted. What none of them may reach is not moved.
 inline constexpr int most_moved = 12;
+/// The same after each stage of a search, to know the value in hand.
+inline constexpr int most_in_hand = 2;
 /// What a moved shot's success is at most: its first-order chance in the middle of what its pocket offers, and so much
 /// more for what falls off jaws and rails.
 inline constexpr double off_jaws = 0.1;
@@ -53,8 +55,6 @@ inline constexpr int most_looks = 20;
 /// with half of them 2 of 90,000 ends hid a band that is not made.
 inline constexpr double nearly = 0.1;
 inline constexpr int few_parts = 8, many_parts = 20;
-/// The same where another ball is sent on: what the struck ball does meanwhile, no limit knows.
-inline constexpr int parts_of_chains = 100;
 /// Bands thinner than the aims that are one which may be passed over.
 inline constexpr int most_passed = 4;
 /// rad or m/s: a margin this small is 0.
@@ -72,7 +72,7 @@ inline constexpr int draws = 4096;
 namespace success {
 /// Simulations at most; 100 are usual. What the chance is off by is in planners/README.md.
 inline constexpr std::size_t most_samples = 150;
-/// The same where the cue ball may fall; and points spread over each of its lines but the first.
+/// The same where the cue ball was seen to fall; and points spread over each of its lines but the first.
 inline constexpr std::size_t most_samples_of_balls = 400, points_of_balls = 10;
 /// Errors beyond are taken to do as those here: 0.001 of all.
 inline constexpr double widest = 3.3;
@@ -99,10 +99,6 @@ inline constexpr double tail = 0.0015;
 inline constexpr double agrees = 1e-3, doubt_of_agreed = 0.02;
 /// Of a bracket's width: what lies z deviations out counts by this times exp(-z²/2), and never more than all.
 inline constexpr double thin_out = 3;
-/// Of the other shots whose bands are looked at: the least first-order chance, and how many at most; a line so near to
-/// one is the line through it.
-inline constexpr double least_beside = 5e-4, same_line = 0.05;
-inline constexpr std::size_t most_known = 4;
 /// Edges this close on neighbouring lines are one; how far beside a new one its neighbours are tried.
 inline constexpr double same_edge = 0.3, beside_edge = 0.5;
 }  // namespace success
@@ -110,7 +106,7 @@ inline constexpr double same_edge = 0.3, beside_edge = 0.5;
 namespace outcome_map {
 /// From one speed to the next, where they are laid over all that are allowed; and how many of them in which no aim is
 /// made end that: a ball that moves may be in the way at some.
-inline constexpr double coarse = 1.25;
+inline constexpr double coarse = 1.15;
 inline constexpr int most_missed = 2;
 /// Deviations of the speed from one row to the next around the best one, and so many rows on either side.
 inline constexpr double apart = 0.8;
@@ -121,11 +117,16 @@ inline constexpr std::size_t most_rows = 64;
 inline constexpr double least_deviation = 0.02;
 /// Aims tried across what is expected to be made, finely and at the first look, and to either side of it, in deviations
 /// of the aim; farther than `far` nothing counts. A change between two of them is bisected to this share of a
-/// deviation, or of what is expected.
+/// deviation, or of what is expected, more roughly at the first look.
 inline constexpr int aims = 11, coarse_aims = 7;
 /// Of value: so much a finer look may find beyond the first one.
 inline constexpr double hope = 0.05;
-inline constexpr double least_beside = 0.25, most_beside = 2, far = 8, finest = 0.05;
+/// Launches of the map whose value is computed: the best of other speeds, where that of the best falls short of what
+/// the map promised by so much; and by how much it must exceed what the map says of the shot as it is, which is not
+/// computed then.
+inline constexpr std::size_t most_tried = 4;
+inline constexpr double kept = 0.002, sure = 0.02;
+inline constexpr double least_beside = 0.25, most_beside = 2, far = 8, finest = 0.05, roughest = 0.1;
 /// Deviations: where the best aim is settled.
 inline constexpr double settled = 0.05;
 }  // namespace outcome_map

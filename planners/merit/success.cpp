@@ -8,8 +8,7 @@
 // across it the edges are bisected, and the chance on that line follows from them; lines_of_errors.hpp says what all
 // lines together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its
 // neighbours say. Edges are looked for where the neighbouring lines have them, between some points spread over the line
-// and its ends, so that a band which nobody expects is met too, and where other shots are; then the neighbours are
-// looked at again. Where that agrees with first order (limits.hpp) and leaves little doubt, it ends.
+// and its ends, so that a band which nobody expects is met too; then the neighbours are looked at again. Where that agrees with first order (limits.hpp) and leaves little doubt, it ends.
 // Cost: most_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
 #include "planners/merit/success.hpp"
 
@@ -36,20 +35,18 @@ double about_at(double p) { return std::log(p / (1 - p)) / logistic; }
 
 class Chance {
  public:
-  Chance(const Question& q, Ledger& ledger, const Shot& shot, std::span<const Shot> others)
+  Chance(const Question& q, Ledger& ledger, const Shot& shot)
       : q_(q),
         ledger_(ledger),
         shot_(shot),
         goal_(Goal::counted(q, shot)),
         noise_{q.puzzle.noise.angle, q.puzzle.noise.speed_at(shot.launch.speed)} {
     turn();
-    for (const Shot& other : others)
-      if (other.chance >= least_beside) remember(other.launch);
   }
 
   double run() {
     if (is_ideal(q_.puzzle.physics)) {  // any speed will do that is one: one line is all
-      add(0, known_);
+      add(0);
       const double noise = noise_.speed;
       return lines_.front().chance * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
     }
@@ -58,13 +55,12 @@ class Chance {
     for (const double along : first_lines) add(scale * along);
     if (scale < 1)
       for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
-    for (const Known& k : known_) look_at(k);
     while (used_ + cheapest_line <= most()) {
       std::size_t at = 0;
       double worst = least_doubt;
       for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
         if (const double d = doubt(i); d > worst) worst = d, at = i + 1;
-      if (at == 0 || (!may_scratch() && worst < doubt_of_agreed && std::abs(chance_of(lines_) - shot_.chance) < agrees))
+      if (at == 0 || (!scratches_ && worst < doubt_of_agreed && std::abs(chance_of(lines_) - shot_.chance) < agrees))
         break;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
@@ -86,21 +82,8 @@ class Chance {
     expected_ = {room.low / moved, room.high / moved};
   }
 
-  /// Errors that are known to make it, for another shot is there.
-  struct Known {
-    double along, across;
-  };
-  void remember(const Launch& other) {
-    const double turned = angle_difference(shot_.launch.angle, other.angle) / noise_.angle,
-                 harder = is_ideal(q_.puzzle.physics) ? 0 : (other.speed - shot_.launch.speed) / noise_.speed;
-    const Known k{across_.x * harder - across_.y * turned, across_.x * turned + across_.y * harder};
-    const double size = std::hypot(k.along, k.across);  // not a number where a deviation is 0
-    if (size > same_edge && size < widest && known_.size() < most_known) known_.push_back(k);
-  }
-
   /// Cue balls that fall cut what is made into parts of which first order knows nothing.
-  bool may_scratch() const { return q_.whole && !q_.puzzle.table.pockets.empty() && !is_ideal(q_.puzzle.physics); }
-  std::size_t most() const { return may_scratch() ? most_samples_of_balls : most_samples; }
+  std::size_t most() const { return scratches_ ? most_samples_of_balls : most_samples; }
   bool left() const { return used_ < most() && !ledger_.spent(); }
 
   /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
@@ -113,9 +96,10 @@ class Chance {
     const double turned = across_.x * across - across_.y * line.along,
                  harder = across_.y * across + across_.x * line.along;
     const double speed = shot_.launch.speed + noise_.speed * harder, angle = shot_.launch.angle + noise_.angle * turned;
-    const bool result = speed > 0 && replay(q_, ledger_, {speed, wrap_angle(angle)}, goal_).made;
-    line.tries.insert(at, {across, result});
-    return result;
+    const Replay r = speed > 0 ? replay(q_, ledger_, {speed, wrap_angle(angle)}, goal_) : Replay{};
+    scratches_ = scratches_ || r.failure.foul == Foul::scratched;
+    line.tries.insert(at, {across, r.made});
+    return r.made;
   }
 
   struct Expected {
@@ -144,10 +128,9 @@ class Chance {
     return e;
   }
 
-  void add(double along, const std::vector<Known>& known = {}) {
+  void add(double along) {
     LineOfErrors line{along};
     const Expected e = expect(along);
-    for (const Known& k : known) made(line, k.across);
     for (std::size_t k = 0; k <= e.line.edges.size(); ++k) {
       const double low = k > 0 ? std::max(e.line.edges[k - 1], -widest) : -widest;
       const double high = k < e.line.edges.size() ? std::min(e.line.edges[k], widest) : widest;
@@ -161,17 +144,6 @@ class Chance {
     const auto at = lines_.insert(after, std::move(line)) - lines_.begin();
     tell(at, -1);
     tell(at, 1);
-  }
-
-  /// A line through it, or the line that is there.
-  void look_at(const Known& k) {
-    const auto line = std::find_if(lines_.begin(), lines_.end(),
-                                   [&](const LineOfErrors& l) { return std::abs(l.along - k.along) < same_line; });
-    if (line == lines_.end()) return add(k.along, {k});
-    made(*line, k.across);
-    settle(*line, std::vector<double>(line->edges));
-    tell(line - lines_.begin(), -1);
-    tell(line - lines_.begin(), 1);
   }
 
   /// Brackets both ends of what is expected to be made, by steps that double.
@@ -194,7 +166,7 @@ class Chance {
     const bool later = lines_.size() >= first_lines.size();
     const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
                               : lines_.empty()            ? points_on_first
-                              : may_scratch()             ? points_of_balls
+                              : scratches_             ? points_of_balls
                               : later && no_edges         ? points_without_edges
                                                           : points_on_others;
     constexpr double golden = 0.6180339887;  // shifts that never repeat
@@ -224,7 +196,7 @@ class Chance {
   /// line with more than one band is left as it is: its parts are too many to follow, and more lines say more.
   void settle(LineOfErrors& line, const std::vector<double>& expected) {
     const double enough = (is_ideal(q_.puzzle.physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
-    while (left() && !(may_scratch() && line.changes() > 2)) {
+    while (left() && !(scratches_ && line.changes() > 2)) {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
         const LineOfErrors::Try &a = line.tries[i], &b = line.tries[i + 1];
@@ -282,15 +254,15 @@ class Chance {
   double length_ = std::numeric_limits<double>::infinity();
   std::vector<double> expected_{};
   std::size_t used_ = 0;
+  bool scratches_ = false;  ///< in some simulation
   std::vector<LineOfErrors> lines_{};
-  std::vector<Known> known_{};
 };
 
 }  // namespace
 
-void find_success(const Question& q, Ledger& ledger, Shot& shot, std::span<const Shot> others) {
+void find_success(const Question& q, Ledger& ledger, Shot& shot) {
   shot.success =
-      q.puzzle.errs_in_more() ? success_under_all_errors(q, ledger, shot) : Chance(q, ledger, shot, others).run();
+      q.puzzle.errs_in_more() ? success_under_all_errors(q, ledger, shot) : Chance(q, ledger, shot).run();
   shot.value = *shot.success - cost_of(shot);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-
 #include "bankshot/plan/shot.hpp"
 #include "planners/ledger.hpp"
 #include "planners/question.hpp"
@@ -10,8 +8,8 @@
 namespace bankshot::planning {
 
 /// `success`: the chance that the target is made by any allowed cushions, under the player's errors;
-/// success.cpp says how it is found. What `others` make, shots of the same puzzle, is looked for. At most
-/// settings::success::most_samples simulations, fewer where the ledger ends.
-void find_success(const Question& q, Ledger& ledger, Shot& shot, std::span<const Shot> others = {});
+/// success.cpp says how it is found. At most settings::success::most_samples_of_balls simulations, fewer where the
+/// ledger ends.
+void find_success(const Question& q, Ledger& ledger, Shot& shot);
 
 }  // namespace bankshot::planning

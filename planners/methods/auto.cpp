@@ -134,49 +134,10 @@ Seeds seeds_of(const Question& q) {
   return {chains, steps::chains_closely, steps::word::chains};
 }
 
-/// The value of a shot to first order, moved to where that is largest.
-double likely_value(const Question& q, const Shot& shot) {
-  if (shot.scratch) return 0;
-  const auto in_middle = [&](const Question& own) { return std::max(shot.chance, chance_in_middle(own, shot)); };
-  return (q.safest() ? as_struck(q, shot, in_middle) : shot.chance) - cost_of(shot);
-}
-
-/// The value of the best shot so far, as its success says: first order knows of no scratch. Shots that seem best are
-/// looked at once.
-class InHand {
- public:
-  explicit InHand(const Question& q) : q_(q) {}
-
-  double value(const Findings& found) {
-    if (q_.puzzle.prefer != Prefer::robust) return 0;
-    std::vector<std::pair<double, const Shot*>> likely;
-    for (const Shot& shot : found.shots)
-      if (std::ranges::none_of(
-              known_, [&](const Launch& l) { return l.angle == shot.launch.angle && l.speed == shot.launch.speed; }))
-        likely.emplace_back(likely_value(q_, shot), &shot);
-    std::ranges::stable_sort(likely, std::greater(), [](const auto& one) { return one.first; });
-    for (std::size_t i = 0; i < std::min(likely.size(), most_in_hand) && likely[i].first > value_; ++i) {
-      if (!q_.valued) return value_ = likely[i].first;
-      known_.push_back(likely[i].second->launch);
-      std::vector<Shot> shot{*likely[i].second};
-      Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
-      best_first(q_, aside, shot);
-      if (q_.safest() && !q_.all()) move_best(q_, aside, shot);
-      value_ = std::max(value_, *shot.front().value);
-    }
-    return value_;
-  }
-
- private:
-  const Question& q_;
-  std::vector<Launch> known_{};
-  double value_ = 0;
-};
-
 /// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together.
 /// Where the best shot is wanted a stage ends the search when no shot by so many cushions can be better.
 template <class Look>
-void each_stage(const Question& q, Ledger& ledger, Findings& found, InHand& in_hand, const Look& look) {
+void each_stage(const Question& q, Ledger& ledger, Findings& found, const Look& look) {
   if (q.carom()) return look(q);  // all cushions are followed at once
   const bool sent = q.then() != nullptr;
   const CushionRule &cue = q.cue_cushions, object = sent ? q.object_cushions : CushionRule::exactly(0);
@@ -184,7 +145,7 @@ void each_stage(const Question& q, Ledger& ledger, Findings& found, InHand& in_h
   for (int n = cue.min + object.min; n <= cue.max + object.max; ++n) {
     constexpr double per_contact = 0.005;
     const double at_most = 1 - per_contact * n - cost_of({q.speed.low, 0}, {});
-    const double value = best ? in_hand.value(found) : 0;
+    const double value = best ? value_in_hand(q, found) : 0;
     if (best && at_most < value + worth_a_stage) return;
     for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
       Question stage = q.stage(c, n - c);
@@ -197,7 +158,7 @@ void each_stage(const Question& q, Ledger& ledger, Findings& found, InHand& in_h
 }
 
 /// What is free is followed from roots of a few arrival speeds and spins, along each route to each mark.
-void along_families(const Question& q, Ledger& ledger, Findings& found, InHand& in_hand) {
+void along_families(const Question& q, Ledger& ledger, Findings& found) {
   struct Followed {
     Route route;
     Mark mark;
@@ -217,7 +178,7 @@ void along_families(const Question& q, Ledger& ledger, Findings& found, InHand& 
     for (const Lead& lead : leads)
       if (!stop::over(q, ledger, found) && !enough(lead)) family::Family(q, ledger, found, lead, step).search();
   };
-  each_stage(q, ledger, found, in_hand, [&](const Question& stage) {
+  each_stage(q, ledger, found, [&](const Question& stage) {
     Seeds seeds = seeds_of(stage);
     const std::vector<Question> samples = samples_of(stage);
     Findings starts;
@@ -258,8 +219,7 @@ void improve(const Question& q, Ledger& ledger, Findings& found) {
 /// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
 /// launches at the bounds of their own speed, which arrive as they may; fine maps at the first of them alone.
 void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
-  InHand in_hand(q);
-  along_families(q, ledger, found, in_hand);
+  along_families(q, ledger, found);
   const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
   if (!nothing_yet()) return;
   const auto look_at = [&](const Question& one) {
@@ -297,12 +257,11 @@ bool has_shot(const Question& stage, const Findings& found) {
 void with_balls(const Question& q, Ledger& ledger, Findings& found) {
   const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
   const Seeds seeds = seeds_of(q);
-  InHand in_hand(q);
-  free ? along_families(q, ledger, found, in_hand)
-       : each_stage(q, ledger, found, in_hand, [&](const Question& stage) { seeds.first(stage, ledger, found); });
-  if (!q.all() && in_hand.value(found) > best_found_closely) return;
+  free ? along_families(q, ledger, found)
+       : each_stage(q, ledger, found, [&](const Question& stage) { seeds.first(stage, ledger, found); });
+  if (!q.all() && value_in_hand(q, found) > best_found_closely) return;
   const auto each_sample = [&](const auto& look_at) {
-    each_stage(q, ledger, found, in_hand, [&](const Question& stage) {
+    each_stage(q, ledger, found, [&](const Question& stage) {
       const auto nothing_yet = [&] { return !has_shot(stage, found) && !ledger.cut(); };
       if (!free && (q.all() || nothing_yet())) return look_at(stage);
       for (const Question& sample : samples_of(stage))

@@ -103,7 +103,7 @@ TEST_CASE("the winner is the one with the largest value, and few are computed") 
       planning::add_robustness(q, some, found);
       double best = -1;
       for (Shot& shot : each) {
-        planning::find_success(q, all, shot, found.shots);
+        planning::find_success(q, all, shot);
         planning::find_margin(q, all, shot);
         best = std::max(best, *shot.value);
       }
