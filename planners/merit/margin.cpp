@@ -138,9 +138,10 @@ class Way {
   void look_inside() {
     const double end = good_;
     Look before = look(0);
-    // Where the first look saw the end, the limits are nearly straight; of what other balls do they know nothing.
-    const bool straight = !aim_.q.whole && std::abs(before.onward - end) < nearly * end;
-    const int parts = straight ? few_parts : many_parts;
+    // Where the first look saw the end, the limits are nearly straight.
+    const int parts = aim_.q.whole                                   ? parts_of_chains
+                      : std::abs(before.onward - end) < nearly * end ? few_parts
+                                                                     : many_parts;
     for (int k = 1; k <= parts; ++k) {
       const Look now = look(end * k / parts);
       const auto broken = k < parts && !made(now.at) ? std::optional(now.at) : look_between(before, now);

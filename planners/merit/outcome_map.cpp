@@ -2,9 +2,9 @@
 #include "planners/merit/outcome_map.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/merit/lines_of_errors.hpp"
@@ -148,34 +148,27 @@ bool OutcomeMap::refine(double speed) {
   return false;
 }
 
-double OutcomeMap::success_at(double aim, double speed) const {
-  const auto after = std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
-  if (after == rows_.end() || (after == rows_.begin() && after->speed != speed)) return 0;
-  const Row &b = *after, &a = after == rows_.begin() ? b : *(after - 1);
-  const double share = &a == &b ? 0 : (speed - a.speed) / (b.speed - a.speed);
-  const auto inside = [&](const Band& band) {
-    return normal_below((band.high - aim) / angle_) - normal_below((band.low - aim) / angle_);
-  };
+double OutcomeMap::success_at(double aim, const Row& row) const {
   double sum = 0;
-  if (a.bands.size() == b.bands.size()) {
-    for (std::size_t i = 0; i < a.bands.size(); ++i)
-      sum += inside(
-          {std::lerp(a.bands[i].low, b.bands[i].low, share), std::lerp(a.bands[i].high, b.bands[i].high, share)});
-    return sum;
-  }
-  for (const Band& band : a.bands) sum += (1 - share) * inside(band);
-  for (const Band& band : b.bands) sum += share * inside(band);
+  for (const Band& band : row.bands)
+    sum += normal_below((band.high - aim) / angle_) - normal_below((band.low - aim) / angle_);
   return sum;
 }
 
+/// Between rows it changes evenly with the speed, which the normal errors of speed weigh; beyond them nothing is made.
 double OutcomeMap::success(double aim, double speed) const {
-  if (is_ideal(q_.puzzle.physics)) return success_at(aim, speed);
-  constexpr std::array node{0.0, 1.3556261799742659, 2.8569700138728056};
-  constexpr std::array weight{0.5333333333333333, 0.2220759220056126, 0.0112574113277207};
+  const auto own = std::ranges::find(rows_, speed, &Row::speed);
+  if (rows_.size() == 1) return own == rows_.end() ? 0 : success_at(aim, *own);
+  const auto density = [](double z) { return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi); };
   const double by = deviation(speed);
-  double sum = weight[0] * success_at(aim, speed);
-  for (std::size_t k = 1; k < node.size(); ++k)
-    sum += weight[k] * (success_at(aim, speed - by * node[k]) + success_at(aim, speed + by * node[k]));
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
+    const Row &a = rows_[i], &b = rows_[i + 1];
+    const double low = (a.speed - speed) / by, high = (b.speed - speed) / by;
+    if (high < -far || low > far || !(a.made() || b.made())) continue;
+    const double at_low = success_at(aim, a), slope = (success_at(aim, b) - at_low) / (high - low);
+    sum += (at_low - slope * low) * (normal_below(high) - normal_below(low)) + slope * (density(low) - density(high));
+  }
   return sum;
 }
 
@@ -232,8 +225,8 @@ double OutcomeMap::own_value() const {
 }
 
 std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
-  const bool one_speed = is_ideal(q_.puzzle.physics) || q_.pinned;
-  if (!one_speed) look_along();
+  const bool one_speed = is_ideal(q_.puzzle.physics);
+  if (!one_speed && !q_.pinned) look_along();
   const double contacts = cost_of(shot_) - cost_of(shot_.launch, shot_.spin);
   std::vector<Best> best = best_so_far();
   if (!best.empty() && best.front().value - contacts < worth - hope) return {};

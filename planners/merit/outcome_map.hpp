@@ -2,10 +2,10 @@
 //
 // Which launches around a shot are made, labelled once, so that the value of any of them costs no simulation.
 // Method: at each of some launch speeds aims are tried across what is expected to be made, and every change between
-// them is bisected. The success of a launch is the sum of the bands that are made under the player's normal errors
-// (Gauss and Hermite's rule of five nodes across the speeds). Speeds are laid in few steps over all that the puzzle
-// allows, and then finely around the best of them. Bands between two aims are not seen, so that what the map says is an
-// estimate. Cost: some twenty simulations for each of twenty speeds.
+// them is bisected. The success of a launch is the sum of the bands that are made under the player's normal errors.
+// Speeds are laid in few steps over all that the puzzle allows, and then finely around the best of them. Bands between
+// two aims are not seen, so that what the map says is an estimate. Cost: some twenty simulations for each of twenty
+// speeds.
 #pragma once
 
 #include <algorithm>
@@ -59,7 +59,7 @@ class OutcomeMap {
   std::vector<Best> best_so_far() const;
   double deviation(double speed) const;
   double success(double aim, double speed) const;
-  double success_at(double aim, double speed) const;
+  double success_at(double aim, const Row& row) const;
   double safest_aim(const Row& row) const;
   bool allowed(const Row& row) const;
 

@@ -48,12 +48,12 @@ Answer play(Json question, const Json& cushions_of_object) {
 
 }  // namespace
 
-TEST_CASE("the safest aim is worth at least what the centre is") { holds('b', 24, 1); }
+// Where the cue ball may fall, success is sampled: so much may lie between two answers.
+constexpr double sampled = 0.015;
 
-TEST_CASE("a mirrored question has the mirrored answer") {
-  constexpr double sampled = 2e-3;  // of success, whose samples are not mirrored
-  holds('d', 24, 2, sampled);
-}
+TEST_CASE("the safest aim is worth at least what the centre is") { holds('b', 24, 1, sampled); }
+
+TEST_CASE("a mirrored question has the mirrored answer") { holds('d', 24, 2, sampled); }
 
 TEST_CASE("the order of other balls changes nothing") { holds('e', 24, 3); }
 
