@@ -43,7 +43,8 @@ bool make_safest(const Question& q, Ledger& ledger, Shot& shot, double worth) {
   const auto likely = map.best(worth);
   if (likely.empty() && worth > -1) return false;
   std::optional<Shot> best;
-  for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), most_tried))) {
+  const std::size_t tried = q.all() ? 1 : most_tried;  // a list has many shots
+  for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), tried))) {
     auto there = moved(q, ledger, shot, launch);
     if (there && (!best || *there->value > *best->value)) best = std::move(there);
     if (best && *best->value > value - kept) break;  // it keeps what the map promised
