@@ -246,7 +246,8 @@ double value_in_hand(const Question& q, Findings& found) {
   std::ranges::stable_sort(likely, std::greater(), [](const auto& one) { return one.first; });
   if (!q.valued) return std::max(0.0, likely.front().first);
   int most = most_in_hand;
-  for (auto& [at_most, shot] : likely) {
+  for (const auto& [at_most, at] : likely) {
+    Shot* const shot = at;
     if (at_most <= value) break;
     if (!shot->value && most-- == 0) break;
     if (!shot->value) as_struck(q, *shot, [&](const Question& own) { find_success(own, aside, *shot); });
