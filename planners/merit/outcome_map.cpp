@@ -220,9 +220,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
   return best;
 }
 
-double OutcomeMap::own_value() const {
-  return success(0, shot_.launch.speed) - cost_of(shot_.launch, shot_.spin);
-}
+double OutcomeMap::own_value() const { return success(0, shot_.launch.speed) - cost_of(shot_.launch, shot_.spin); }
 
 std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   const bool one_speed = is_ideal(q_.puzzle.physics);

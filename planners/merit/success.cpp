@@ -8,8 +8,9 @@
 // across it the edges are bisected, and the chance on that line follows from them; lines_of_errors.hpp says what all
 // lines together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its
 // neighbours say. Edges are looked for where the neighbouring lines have them, between some points spread over the line
-// and its ends, so that a band which nobody expects is met too; then the neighbours are looked at again. Where that agrees with first order (limits.hpp) and leaves little doubt, it ends.
-// Cost: most_samples simulations at most. Guarantee: none; what was measured is in planners/README.md.
+// and its ends, so that a band which nobody expects is met too; then the neighbours are looked at again. Where that
+// agrees with first order (limits.hpp) and leaves little doubt, it ends. Cost: most_samples simulations at most.
+// Guarantee: none; what was measured is in planners/README.md.
 #include "planners/merit/success.hpp"
 
 #include <algorithm>
@@ -166,7 +167,7 @@ class Chance {
     const bool later = lines_.size() >= first_lines.size();
     const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
                               : lines_.empty()            ? points_on_first
-                              : scratches_             ? points_of_balls
+                              : scratches_                ? points_of_balls
                               : later && no_edges         ? points_without_edges
                                                           : points_on_others;
     constexpr double golden = 0.6180339887;  // shifts that never repeat
@@ -261,8 +262,7 @@ class Chance {
 }  // namespace
 
 void find_success(const Question& q, Ledger& ledger, Shot& shot) {
-  shot.success =
-      q.puzzle.errs_in_more() ? success_under_all_errors(q, ledger, shot) : Chance(q, ledger, shot).run();
+  shot.success = q.puzzle.errs_in_more() ? success_under_all_errors(q, ledger, shot) : Chance(q, ledger, shot).run();
   shot.value = *shot.success - cost_of(shot);
 }
 
