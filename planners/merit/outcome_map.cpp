@@ -183,7 +183,7 @@ double OutcomeMap::safest_aim(const Row& row) const {
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double fa = success(a, row.speed), fb = success(b, row.speed);
   while (high - low > settled * angle_) {
-    if (fa == fb) {  // all of it is as good: its middle
+    if (std::abs(fa - fb) < alike) {  // all of it is as good: its middle
       break;
     } else if (fa < fb) {
       low = a, a = b, fa = fb;
@@ -216,7 +216,8 @@ std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
     best.push_back({{row.speed, wrap_angle(shot_.launch.angle + aim)},
                     success(aim, row.speed) - cost_of({row.speed, aim}, shot_.spin)});
   }
-  std::ranges::stable_sort(best, std::greater(), &Best::value);
+  // Of launches that are alike the slowest, whatever their last digits.
+  std::ranges::stable_sort(best, std::greater(), [](const Best& b) { return std::round(b.value / alike); });
   return best;
 }
 

@@ -129,6 +129,8 @@ inline constexpr double hope = 0.05;
 inline constexpr std::size_t most_tried = 4;
 inline constexpr double kept = 0.002, sure = 0.02;
 inline constexpr double least_beside = 0.25, most_beside = 2, far = 8, finest = 0.05, roughest = 0.1;
+/// Of value: less is no difference, so that last digits of a machine choose nothing.
+inline constexpr double alike = 1e-6;
 /// Deviations: where the best aim is settled.
 inline constexpr double settled = 0.05;
 }  // namespace outcome_map

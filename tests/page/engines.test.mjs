@@ -48,8 +48,10 @@ describe('the npm package in Node', { skip: !isBuilt, timeout: 600000 }, () => {
       const best = here.solve(puzzle, plain);
       same(JSON.parse(run(['solve', '--json', '--no-timing'], puzzle)), best, name);
       assert.deepEqual(await worker.solve(puzzle, plain), best);
-      const all = await worker.solveAll(puzzle, plain);
-      same(JSON.parse(run(['solve', '--json', '--no-timing', '--all'], puzzle)), all, `${name}, all`);
+      // Launches that were chosen by their value stand in another order where the last digit of a sine differs.
+      const all = await worker.solveAll(puzzle, { ...plain, noRobustness: true });
+      const native = run(['solve', '--json', '--no-timing', '--no-robustness', '--all'], puzzle);
+      same(JSON.parse(native), all, `${name}, all`);
       for (const shot of best.shots) {
         const scene = { ...puzzle, shot };
         same(JSON.parse(run(['simulate', '--json'], scene)), here.simulate(scene), `${name}, played`);
@@ -58,8 +60,8 @@ describe('the npm package in Node', { skip: !isBuilt, timeout: 600000 }, () => {
         ++shots;
       }
     }
-    assert.equal(Object.keys(examples).length, 11);
-    assert.equal(shots, 10);
+    assert.equal(Object.keys(examples).length, 12);
+    assert.equal(shots, 11);
   });
 
   test('maps, tables, schemas and the version', async () => {
