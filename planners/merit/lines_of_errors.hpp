@@ -24,7 +24,7 @@ struct LineOfErrors {
   double chance = 0;            ///< of all errors on this line
 
   bool made(double across) const;
-  /// From one try to the next.
+  /// The number of neighbouring tries that differ.
   int changes() const;
   /// Edges and chance from the tries; an edge expected inside its bracket is taken to lie there.
   void read_off(const std::vector<double>& expected);

@@ -157,8 +157,7 @@ double OutcomeMap::success_at(double aim, const Row& row) const {
 
 /// Between rows it changes evenly with the speed, which the normal errors of speed weigh; beyond them nothing is made.
 double OutcomeMap::success(double aim, double speed) const {
-  const auto own = std::ranges::find(rows_, speed, &Row::speed);
-  if (rows_.size() == 1) return own == rows_.end() ? 0 : success_at(aim, *own);
+  if (rows_.size() == 1) return success_at(aim, rows_.front());
   const auto density = [](double z) { return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi); };
   const double by = deviation(speed);
   double sum = 0;

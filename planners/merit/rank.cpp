@@ -163,8 +163,9 @@ void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
   for (const Candidate& c : candidates) {
     const double tie = q.puzzle.leave ? settings::rank::as_likely : 0;
     if (shots[best].value && c.at_most <= *shots[best].value - tie) break;
-    as_struck(q, shots[c.shot], [&](const Question& own) { find_success(own, ledger, shots[c.shot]); });
-    if (*shots[c.shot].value > *shots[best].value) best = c.shot;
+    Shot& shot = shots[c.shot];  // the value of some is known since their stage
+    if (!shot.value) as_struck(q, shot, [&](const Question& own) { find_success(own, ledger, shot); });
+    if (*shot.value > *shots[best].value) best = c.shot;
   }
   std::swap(shots.front(), shots[best]);
   // Those behind it are tuned as well, or leave the cue ball better.

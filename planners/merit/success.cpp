@@ -9,8 +9,9 @@
 // lines together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its
 // neighbours say. Edges are looked for where the neighbouring lines have them, between some points spread over the line
 // and its ends, so that a band which nobody expects is met too; then the neighbours are looked at again. Where that
-// agrees with first order (limits.hpp) and leaves little doubt, it ends. Cost: most_samples simulations at most.
-// Guarantee: none; what was measured is in planners/README.md.
+// agrees with first order (limits.hpp) and leaves little doubt, it ends.
+// Cost: most_samples simulations at most, most_samples_of_balls once the cue ball is seen to fall. Guarantee: none;
+// what was measured is in planners/README.md.
 #include "planners/merit/success.hpp"
 
 #include <algorithm>

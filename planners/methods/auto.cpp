@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -15,7 +14,6 @@
 #include "planners/family/family.hpp"
 #include "planners/family/settings.hpp"
 #include "planners/merit/connected.hpp"
-#include "planners/merit/first_order.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
