@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "bankshot/numbers/tolerances.hpp"
@@ -17,12 +18,34 @@ namespace bankshot::planning {
 
 using namespace settings::outcome_map;
 
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The largest step that divides a half turn by a power of two and is at most `most` [rad].
+double lattice_step(double most) {
+  return std::ldexp(std::numbers::pi, -static_cast<int>(std::ceil(std::log2(std::numbers::pi / most))));
+}
+
+/// Launch speed of a rung [m/s]: `rungs` of them make one coarse step.
+double speed_of(int rung) { return std::pow(coarse, static_cast<double>(rung) / rungs); }
+
+double rungs_of(double speed) { return std::log(speed) / std::log(coarse) * rungs; }
+
+/// The last of every `stride` rungs that is no faster.
+int rung_below(double speed, int stride) { return static_cast<int>(std::floor(rungs_of(speed) / stride)) * stride; }
+
+}  // namespace
+
 OutcomeMap::OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot)
     : q_(q),
       ledger_(ledger),
       shot_(shot),
       goal_(Goal::counted(q, shot)),
-      angle_(std::max(q.puzzle.noise.angle, tolerance::same_aim)) {
+      angle_(std::max(q.puzzle.noise.angle, tolerance::same_aim)),
+      origin_(std::round(shot.launch.angle / origin_step) * origin_step),
+      own_(angle_difference(origin_, shot.launch.angle)),
+      one_speed_(is_ideal(q.puzzle.physics) || q.pinned) {
   double low = -angle_, high = angle_;
   if (const double by_aim = norm(shot.by_angle); by_aim > 0) {
     const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
@@ -30,54 +53,61 @@ OutcomeMap::OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot)
     const double widest = std::min(far * angle_, radians(180));
     low = std::clamp(room.low / by_aim, -widest, widest), high = std::clamp(room.high / by_aim, -widest, widest);
   }
-  first_ = {low, high};
+  first_ = {own_ + low, own_ + high};
   rows_.push_back(row_at(shot.launch.speed, first_, aims));
 }
+
+Launch OutcomeMap::launch(double aim, double speed) const { return {speed, wrap_angle(origin_ + aim)}; }
 
 double OutcomeMap::deviation(double speed) const {
   return std::max(q_.puzzle.noise.speed_at(speed), least_deviation * speed);
 }
 
-/// m/s, of a launch that is made.
-std::optional<double> OutcomeMap::arrival_at(double aim, double speed) {
-  if (!(speed > 0) || ledger_.spent()) return {};
-  const Replay r = replay(q_, ledger_, {speed, wrap_angle(shot_.launch.angle + aim)}, goal_);
-  return r.made ? std::optional(r.arrival.speed) : std::nullopt;
+/// Whether a launch of a row is made; the row keeps what it meets.
+bool OutcomeMap::is_made(double aim, Row& row) {
+  if (!(row.speed > 0) || ledger_.spent()) return false;
+  std::vector<Contact> cushions;
+  const Replay r = replay(q_, ledger_, launch(aim, row.speed), goal_, &cushions);
+  if (!r.made) return false;
+  std::size_t contacts = cushions.size() + static_cast<std::size_t>(r.jaws);
+  for (const Onward& ball : r.then) contacts += ball.cushions.size();
+  const auto at = std::ranges::lower_bound(row.seen, aim, {}, &Seen::aim);
+  row.seen.insert(at, {aim, static_cast<int>(contacts)});
+  row.arrival = r.arrival.speed;
+  return true;
 }
 
 OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected, int tried) {
   Row row{speed};
   const double width = std::max(expected.width(), tolerance::same_aim);
   const double beside = std::clamp(width / 2, least_beside * angle_, most_beside * angle_);
-  const double first = expected.low - beside, step = (width + 2 * beside) / (tried - 1);
+  const double step = lattice_step((width + 2 * beside) / tried);
+  const double exact = lattice_step((tried == coarse_aims ? roughest : finest) * std::min(angle_, width));
   struct Try {
     double aim;
     bool made;
   };
   std::vector<Try> tries;
-  const auto look = [&](double aim) {
-    const auto arrival = arrival_at(aim, speed);
-    if (arrival) row.arrival = *arrival;
-    return Try{aim, arrival.has_value()};
-  };
-  for (int k = 0; k < tried; ++k) tries.push_back(look(first + k * step));
+  const auto look = [&](double aim) { return Try{aim, is_made(aim, row)}; };
+  const double first = std::floor((expected.low - beside) / step), last = std::ceil((expected.high + beside) / step);
+  for (double k = first; k <= last; ++k) tries.push_back(look(k * step));
   // A shot is made as it is launched, wherever the middle of its target may be.
   if (rows_.empty() && std::ranges::none_of(tries, &Try::made))
-    tries.insert(std::ranges::upper_bound(tries, 0.0, {}, &Try::aim), look(0));
+    tries.insert(std::ranges::upper_bound(tries, own_, {}, &Try::aim), look(own_));
   if (std::ranges::none_of(tries, &Try::made)) return row;
-  const double farthest = far * angle_;
+  const double farthest = far * angle_, farther = std::exp2(std::ceil(std::log2(beside / step))) * step;
   while (tries.front().made && expected.middle() - tries.front().aim < farthest)
-    tries.insert(tries.begin(), look(tries.front().aim - beside));
+    tries.insert(tries.begin(), look(tries.front().aim - farther));
   while (tries.back().made && tries.back().aim - expected.middle() < farthest)
-    tries.push_back(look(tries.back().aim + beside));
+    tries.push_back(look(tries.back().aim + farther));
   if (tries.front().made) row.bands.push_back({tries.front().aim, 0});
   for (std::size_t i = 0; i + 1 < tries.size(); ++i) {
     if (tries[i].made == tries[i + 1].made) continue;
     double in = tries[i].aim, out = tries[i + 1].aim;
-    while (out - in > (tried == coarse_aims ? roughest : finest) * std::min(angle_, width) && !ledger_.spent()) {
+    while (out - in > 1.5 * exact && !ledger_.spent()) {
       const double middle = (in + out) / 2;
       if (!(in < middle && middle < out)) break;
-      (arrival_at(middle, speed).has_value() == tries[i].made ? in : out) = middle;
+      (is_made(middle, row) == tries[i].made ? in : out) = middle;
     }
     if (tries[i].made)
       row.bands.back().high = (in + out) / 2;
@@ -101,51 +131,51 @@ OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
     return out.low < out.high ? out : a;
   };
   if (before != rows_.rend() && after != rows_.end()) return beyond(*before, *after);
-  if (before != rows_.rend()) {
-    const auto next = std::find_if(before + 1, rows_.rend(), is_before);
-    return next == rows_.rend() ? before->widest() : beyond(*before, *next);
-  }
-  const auto next = std::find_if(after + 1, rows_.end(), [](const Row& r) { return r.made(); });
-  return next == rows_.end() ? after->widest() : beyond(*after, *next);
+  // Rows that are nearer to each other than to the speed say nothing of how the band moves.
+  const auto extended = [&](const Row& near, auto from, auto end) {
+    const auto tells = [&](const Row& r) {
+      return r.made() && std::abs(r.speed - near.speed) >= std::abs(speed - near.speed) / 2;
+    };
+    const auto next = std::find_if(from, end, tells);
+    return next == end ? near.widest() : beyond(near, *next);
+  };
+  if (before != rows_.rend()) return extended(*before, before + 1, rows_.rend());
+  return extended(*after, after + 1, rows_.end());
 }
 
-/// False where there are rows enough.
-bool OutcomeMap::add(double speed, int tried) {
-  if (rows_.size() >= most_rows || ledger_.spent() || !(speed > 0)) return false;
+/// False where the row is there, or there are rows enough.
+bool OutcomeMap::add(Rung rung, int tried) {
+  const double speed = speed_of(rung);
+  const auto at = std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
+  if ((at != rows_.end() && at->speed == speed) || rows_.size() >= most_rows || ledger_.spent()) return false;
   Row row = row_at(speed, expected_at(speed), tried);
   rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
   return true;
 }
 
-/// Rows from the shot outwards, as far as some aim is made, in few steps.
+/// Lays rows in coarse steps from the shot outwards, as far as some aim is made.
 void OutcomeMap::look_along() {
-  for (const double ratio : {1 / coarse, coarse}) {
+  const Rung below = rung_below(shot_.launch.speed, rungs);
+  for (const int way : {-1, 1}) {
     int missed = 0;
-    for (double speed = shot_.launch.speed * ratio; q_.speed.contains(speed) && missed < most_missed; speed *= ratio) {
-      if (!add(speed, coarse_aims)) return;
-      const Row& row = ratio < 1 ? rows_.front() : rows_.back();
+    for (Rung at = way < 0 ? below : below + rungs; missed < most_missed; at += way * rungs) {
+      const double speed = speed_of(at);
+      if (!q_.speed.contains(speed) || !add(at, coarse_aims)) break;
+      const Row& row = *std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
       missed = row.made() ? 0 : missed + 1;
     }
   }
 }
 
-/// A row where they are farther apart than the player's errors see, near the best one; false where there is none.
+/// Lays rows around a speed, as near to each other as the player's errors of speed see; false where none is new.
 bool OutcomeMap::refine(double speed) {
-  const double by = deviation(speed);
-  for (const double way : {-1.0, 1.0}) {
-    double at = speed;
-    for (int k = 0; k < around; ++k) {
-      const double next = at + way * apart * by;
-      if (!(next > 0)) break;
-      const auto known = [&](const Row& r) {
-        return way * (r.speed - at) > 0 && way * (r.speed - next) <= 1e-9 * speed;
-      };
-      const auto row = std::ranges::find_if(rows_, known);
-      if (row == rows_.end()) return add(next, aims);
-      at = row->speed;
-    }
-  }
-  return false;
+  const double step = std::log(coarse) * speed / (apart * deviation(speed));  // coarse steps are so many times too wide
+  const Rung stride = rungs >> std::clamp(static_cast<int>(std::ceil(std::log2(step))), 0, most_halvings);
+  const Rung below = rung_below(speed, stride);
+  bool any = false;
+  for (int k = 0; k < around; ++k)
+    for (const Rung at : {below - k * stride, below + (k + 1) * stride}) any = add(at, aims) || any;
+  return any;
 }
 
 double OutcomeMap::success_at(double aim, const Row& row) const {
@@ -171,67 +201,121 @@ double OutcomeMap::success(double aim, double speed) const {
   return sum;
 }
 
-/// Golden sections between the middles of the rows around, inside the bounds of the aim.
-double OutcomeMap::safest_aim(const Row& row) const {
-  double low = row.widest().middle(), high = low;
-  for (const Row& other : rows_)
-    if (other.made() && std::abs(other.speed - row.speed) < 2 * deviation(row.speed))
-      low = std::min(low, other.widest().middle()), high = std::max(high, other.widest().middle());
-  for (const Band& band : row.bands) low = std::min(low, band.middle()), high = std::max(high, band.middle());
-  constexpr double golden = 0.6180339887498949;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double fa = success(a, row.speed), fb = success(b, row.speed);
-  while (high - low > settled * angle_) {
-    if (std::abs(fa - fb) < alike) {  // all of it is as good: its middle
-      break;
-    } else if (fa < fb) {
-      low = a, a = b, fa = fb;
-      fb = success(b = low + golden * (high - low), row.speed);
-    } else {
-      high = b, b = a, fb = fa;
-      fa = success(a = high - golden * (high - low), row.speed);
-    }
+/// Lays a row between two around a launch whose success differs by much, as where the ball begins to arrive; false
+/// where there are none.
+bool OutcomeMap::refine_changes(const Launch& best) {
+  const double aim = angle_difference(origin_, best.angle), by = deviation(best.speed);
+  for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
+    const Row &a = rows_[i], &b = rows_[i + 1];
+    if (b.speed < best.speed - reach * by || a.speed > best.speed + reach * by) continue;
+    const double change = std::abs(success_at(aim, a) - success_at(aim, b));
+    const int low = static_cast<int>(std::lround(rungs_of(a.speed))),
+              high = static_cast<int>(std::lround(rungs_of(b.speed)));
+    if (change * (b.speed - a.speed) / by > uneven && add((low + high) / 2, aims)) return true;
   }
-  double aim = wrap_angle(shot_.launch.angle + (low + high) / 2);
-  if (!q_.angle || inside_aims(aim, q_.angle)) return (low + high) / 2;
-  // The nearer end of the bounds.
-  const double to_low = angle_difference(aim, q_.angle->low), to_high = angle_difference(aim, q_.angle->high);
-  return (low + high) / 2 + (std::abs(to_low) < std::abs(to_high) ? to_low : to_high);
+  return false;
 }
 
-/// It may be launched so fast, and arrives as asked.
-bool OutcomeMap::allowed(const Row& row) const {
-  const auto& arrive = q_.puzzle.arrive;
-  double speed = row.speed;
-  if (is_ideal(q_.puzzle.physics) || q_.pinned) return row.made() && row.speed == shot_.launch.speed;
-  return row.made() && bring_inside(speed, q_.speed) && (!arrive || arrive->contains(row.arrival));
+/// `row`: the one whose launches meet what this one does.
+OutcomeMap::Best OutcomeMap::at(double aim, double speed, const Row& row) const {
+  const auto apart = [&](const Seen& s) { return std::abs(s.aim - aim); };
+  const int contacts = row.seen.empty() ? 0 : std::ranges::min_element(row.seen, {}, apart)->contacts;
+  const double cost = cost_of({speed, aim}, shot_.spin) + cost_of_contacts(contacts);
+  return {launch(aim, speed), success(aim, speed) - cost};
+}
+
+namespace {
+
+/// Golden sections for the largest value of f; where values are alike all is as good, and the middle is taken.
+template <class F>
+double largest(double low, double high, double enough, const F& f) {
+  constexpr double golden = 0.6180339887498949;
+  double a = high - golden * (high - low), b = low + golden * (high - low);
+  double fa = f(a), fb = f(b);
+  while (high - low > enough && std::abs(fa - fb) >= alike) {
+    if (fa < fb) {
+      low = a, a = b, fa = fb;
+      fb = f(b = low + golden * (high - low));
+    } else {
+      high = b, b = a, fb = fa;
+      fa = f(a = high - golden * (high - low));
+    }
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+/// The best aim between the middles of the rows around, inside the bounds of the aim.
+double OutcomeMap::safest_aim(double speed) const {
+  const double near = 2 * deviation(speed);
+  double low = infinity, high = -low;
+  for (const Row& row : rows_)
+    if (rows_.size() == 1 || std::abs(row.speed - speed) < near)
+      for (const Band& band : row.bands) low = std::min(low, band.middle()), high = std::max(high, band.middle());
+  if (low > high) low = high = own_;
+  const double best = largest(low, high, settled * angle_, [&](double aim) { return success(aim, speed); });
+  double aim = wrap_angle(origin_ + best);
+  if (!q_.angle || inside_aims(aim, q_.angle)) return best;
+  // The nearer end of the bounds.
+  const double to_low = angle_difference(aim, q_.angle->low), to_high = angle_difference(aim, q_.angle->high);
+  return best + (std::abs(to_low) < std::abs(to_high) ? to_low : to_high);
+}
+
+/// The best launch of a speed: the likeliest, or that nearest to it among those that meet the least.
+OutcomeMap::Best OutcomeMap::best_at(double speed) const {
+  const auto apart = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinity; };
+  const Row& row = *std::ranges::min_element(rows_, {}, apart);
+  const double aim = safest_aim(speed);
+  Best best = at(aim, speed, row);
+  if (row.seen.empty()) return best;
+  const auto effort = [&](const Seen& s) { return std::pair(s.contacts, std::abs(s.aim - aim)); };
+  double easy = wrap_angle(origin_ + std::ranges::min_element(row.seen, {}, effort)->aim);
+  if (!inside_aims(easy, q_.angle)) return best;
+  const Best other = at(angle_difference(origin_, easy), speed, row);
+  return other.value > best.value ? other : best;
 }
 
 std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
   std::vector<Best> best;
+  const auto& arrive = q_.puzzle.arrive;
   for (const Row& row : rows_) {
-    if (!allowed(row)) continue;
-    const double aim = safest_aim(row);
-    best.push_back({{row.speed, wrap_angle(shot_.launch.angle + aim)},
-                    success(aim, row.speed) - cost_of({row.speed, aim}, shot_.spin)});
+    double speed = row.speed;
+    if (!row.made() || !bring_inside(speed, q_.speed) || (arrive && !arrive->contains(row.arrival))) continue;
+    if (!one_speed_ || row.speed == shot_.launch.speed) best.push_back(best_at(speed));
   }
   // Of launches that are alike the slowest, whatever their last digits.
   std::ranges::stable_sort(best, std::greater(), [](const Best& b) { return std::round(b.value / alike); });
   return best;
 }
 
-double OutcomeMap::own_value() const { return success(0, shot_.launch.speed) - cost_of(shot_.launch, shot_.spin); }
+double OutcomeMap::own_value() const { return success(own_, shot_.launch.speed) - cost_of(shot_); }
 
 std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
-  const bool one_speed = is_ideal(q_.puzzle.physics);
-  if (!one_speed && !q_.pinned) look_along();
-  const double contacts = cost_of(shot_) - cost_of(shot_.launch, shot_.spin);
+  if (is_ideal(q_.puzzle.physics)) return best_so_far();
+  if (!one_speed_) look_along();
   std::vector<Best> best = best_so_far();
-  if (!best.empty() && best.front().value - contacts < worth - hope) return {};
+  if (!best.empty() && best.front().value < worth - hope) return {};
   // A narrow peak may stand where the shot is.
-  while (!one_speed && refine(shot_.launch.speed)) continue;
+  refine(shot_.launch.speed);
+  if (one_speed_) return best_so_far();
+  // The row of the shot itself led here; the lattice is the same for every shot of the band. An arrival is known on
+  // rows alone.
+  const auto is_own = [&](const Row& row) { return row.speed == shot_.launch.speed; };
+  const auto leads_on = [&](const Row& row) { return row.made() && !is_own(row); };
+  if (!q_.puzzle.arrive && std::ranges::any_of(rows_, leads_on)) std::erase_if(rows_, is_own);
   best = best_so_far();
-  while (!best.empty() && !one_speed && refine(best.front().launch.speed)) best = best_so_far();
+  while (!best.empty() && (refine(best.front().launch.speed) || refine_changes(best.front().launch)))
+    best = best_so_far();
+  if (best.empty() || q_.puzzle.arrive) return best;
+  const double best_speed = best.front().launch.speed;
+  const auto beyond = std::ranges::upper_bound(rows_, best_speed, {}, &Row::speed);
+  const auto from = std::ranges::lower_bound(rows_, best_speed, {}, &Row::speed);
+  const double slower = from == rows_.begin() ? best_speed : std::prev(from)->speed;
+  const double faster = beyond == rows_.end() ? best_speed : beyond->speed;
+  const double low = std::max(slower, q_.speed.low), high = std::min(faster, q_.speed.high);
+  const double speed = largest(low, high, settled * deviation(low), [&](double v) { return best_at(v).value; });
+  if (const Best peak = best_at(speed); peak.value > best.front().value) best.insert(best.begin(), peak);
   return best;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Which launches around a shot are made, labelled once, so that the value of any of them costs no simulation.
-// Method: at each of some launch speeds aims are tried across what is expected to be made, and every change between
-// them is bisected. The success of a launch is the sum of the bands that are made under the player's normal errors.
-// Speeds are laid in few steps over all that the puzzle allows, and then finely around the best of them. Bands between
-// two aims are not seen, so that what the map says is an estimate. Cost: some twenty simulations for each of twenty
-// speeds.
+// Which launches around a shot make its target, labelled once, so that the value of any of them costs no simulation.
+// Method: the map tries aims at several launch speeds and bisects every change between them. The success of a launch is
+// the sum of the bands that are made, weighed by the player's normal errors. A first look at all allowed speeds is
+// coarse; the map is then refined around the best one. Speeds and aims lie on a lattice which the shot does not move,
+// so that all shots of one band lead to one map and to the same safest launch, and a mirrored shot to its mirror image.
+// The map sees no band between two aims, so what it says is an estimate. Cost: some twenty simulations for each of
+// twenty speeds.
 #pragma once
 
 #include <algorithm>
@@ -35,40 +36,55 @@ class OutcomeMap {
   double own_value() const;
 
  private:
-  /// Aims that are made, from one to another [rad beside the shot's].
+  /// Aims that are made, from one to another [rad beside `origin_`].
   struct Band {
     double low, high;
     double width() const { return high - low; }
     double middle() const { return (low + high) / 2; }
   };
-  /// What is made at one launch speed.
+  /// A launch that is made, and how many cushions and jaws its balls meet.
+  struct Seen {
+    double aim;  ///< rad beside `origin_`
+    int contacts;
+  };
+  /// The launches of one speed.
   struct Row {
     double speed;               ///< m/s
-    std::vector<Band> bands{};  ///< in order
+    std::vector<Band> bands{};  ///< made, in order
+    std::vector<Seen> seen{};   ///< in order
     double arrival = 0;         ///< m/s, at the target
     bool made() const { return !bands.empty(); }
     const Band& widest() const { return *std::ranges::max_element(bands, {}, &Band::width); }
   };
 
-  std::optional<double> arrival_at(double aim, double speed);
+  /// A place on the lattice of launch speeds.
+  using Rung = int;
+
+  bool is_made(double aim, Row& row);
   Row row_at(double speed, const Band& expected, int aims);
   Band expected_at(double speed) const;
-  bool add(double speed, int aims);
+  bool add(Rung rung, int aims);
   void look_along();
   bool refine(double speed);
+  bool refine_changes(const Launch& best);
   std::vector<Best> best_so_far() const;
+  Launch launch(double aim, double speed) const;
+  Best at(double aim, double speed, const Row& row) const;
+  Best best_at(double speed) const;
   double deviation(double speed) const;
   double success(double aim, double speed) const;
   double success_at(double aim, const Row& row) const;
-  double safest_aim(const Row& row) const;
-  bool allowed(const Row& row) const;
+  double safest_aim(double speed) const;
 
   const Question& q_;
   Ledger& ledger_;
   const Shot& shot_;
   Goal goal_;
-  double angle_;             ///< rad, deviation of the aim
-  Band first_{};             ///< what the shot's derivatives expect
+  double angle_;             ///< deviation of the aim [rad]
+  double origin_;            ///< aim of the lattice that is nearest to the shot's [rad]
+  double own_;               ///< the shot's aim, seen from there [rad]
+  bool one_speed_;           ///< only the speed of the shot is allowed
+  Band first_{};             ///< the band that the shot's derivatives expect
   std::vector<Row> rows_{};  ///< slowest first
 };
 

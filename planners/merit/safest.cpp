@@ -51,7 +51,7 @@ bool make_safest(const Question& q, Ledger& ledger, Shot& shot, double worth) {
   }
   if (!best || *best->value < map.own_value() + sure) {
     if (!shot.success) find_success(q, ledger, shot);
-    if (best && *best->value <= *shot.value) best.reset();
+    if (best && *best->value < *shot.value + worth_moving) best.reset();
   }
   if (best) shot = std::move(*best);
   return true;

@@ -110,9 +110,16 @@ namespace outcome_map {
 /// made end that: a ball that moves may be in the way at some.
 inline constexpr double coarse = 1.15;
 inline constexpr int most_missed = 2;
+/// Steps of the lattice of speeds in a coarse one, a power of two, and how often a coarse one is halved.
+inline constexpr int most_halvings = 6, rungs = 1 << most_halvings;
+/// rad: the origin of aims is a multiple of this, a part of a half turn by a power of two.
+inline constexpr double origin_step = radians(180) / 64;
 /// Deviations of the speed from one row to the next around the best one, and so many rows on either side.
-inline constexpr double apart = 0.8;
+inline constexpr double apart = 1.2;
 inline constexpr int around = 3;
+/// Two rows at most `reach` deviations from the best launch are too far apart where the change of success between them
+/// times their distance, in deviations, is more than `uneven`.
+inline constexpr double reach = 3, uneven = 0.1;
 /// Rows at most, which bounds the time of one shot.
 inline constexpr std::size_t most_rows = 64;
 /// Of the launch speed: where a player makes no errors of speed, rows are so far apart.
@@ -120,7 +127,7 @@ inline constexpr double least_deviation = 0.02;
 /// Aims tried across what is expected to be made, finely and at the first look, and to either side of it, in deviations
 /// of the aim; farther than `far` nothing counts. A change between two of them is bisected to this share of a
 /// deviation, or of what is expected, more roughly at the first look.
-inline constexpr int aims = 11, coarse_aims = 7;
+inline constexpr int aims = 8, coarse_aims = 5;
 /// Of value: so much a finer look may find beyond the first one.
 inline constexpr double hope = 0.05;
 /// Launches of the map whose value is computed: the best of other speeds, where that of the best falls short of what
@@ -128,6 +135,8 @@ inline constexpr double hope = 0.05;
 /// computed then.
 inline constexpr std::size_t most_tried = 4;
 inline constexpr double kept = 0.002, sure = 0.02;
+/// Of value: a launch that gains less does not leave the exact one.
+inline constexpr double worth_moving = 1e-4;
 inline constexpr double least_beside = 0.25, most_beside = 2, far = 8, finest = 0.05, roughest = 0.1;
 /// Of value: less is no difference, so that last digits of a machine choose nothing.
 inline constexpr double alike = 1e-6;

@@ -20,10 +20,9 @@ double cost_of(const Launch& launch, const LaunchSpin& spin) {
   return per_speed * launch.speed + per_radius_of_tip * tip_of(spin, 1).from_centre();
 }
 
-double cost_of(const Shot& shot) {
-  constexpr double per_contact = 0.005;
-  return per_contact * shot.contacts() + cost_of(shot.launch, shot.spin);
-}
+double cost_of_contacts(int contacts) { return 0.005 * contacts; }
+
+double cost_of(const Shot& shot) { return cost_of_contacts(shot.contacts()) + cost_of(shot.launch, shot.spin); }
 
 double fullness(const Puzzle& p, const Hit& hit, int by) {
   const auto other = [&](int ball) -> const Ball& { return p.others[static_cast<std::size_t>(ball) - 1]; };

@@ -97,6 +97,8 @@ struct Shot {
 double cost_of(const Shot& shot);
 /// The part of it that a launch has whatever it meets.
 double cost_of(const Launch& launch, const LaunchSpin& spin);
+/// The part of it for cushions and jaws.
+double cost_of_contacts(int contacts);
 
 /// How much of the ball that is hit the one that hits it covers, seen along its line of travel: 1 is a full hit, 0.5 a
 /// half-ball hit. With radii a of the one that hits and b: (a + b − d) / 2b, d the distance of the line of travel from
