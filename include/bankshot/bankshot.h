@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * bankshot in C: JSON in, JSON out, as the program prints it (docs/format.md); and, for many launches of one scene,
- * plain structs. Link with libbankshot (pkg-config bankshot).
+ * The C interface of bankshot. It takes JSON and returns JSON as the program prints it (docs/format.md). Many launches
+ * of one scene use plain structs instead. Link with libbankshot (pkg-config bankshot).
  *
- * Every function may be called from any thread at any time, and none throws or ends the program. What a function hands
- * out belongs to the caller, who gives it back with bankshot_free or bankshot_scene_free. Texts are UTF-8, lengths are
- * in bytes and without the 0 that stands behind each text. SI units; angles in JSON in degrees, in structs in radians.
+ * Every function may be called from any thread at any time, and none throws or ends the program. The caller owns what a
+ * function returns and releases it with bankshot_free or bankshot_scene_free. Texts are UTF-8; lengths are in bytes and
+ * exclude the terminating 0. Units are SI. Angles are in degrees in JSON and in radians in structs.
  */
 #ifndef BANKSHOT_BANKSHOT_H
 #define BANKSHOT_BANKSHOT_H
@@ -23,15 +23,15 @@
 extern "C" {
 #endif
 
-/* Raised whenever a program that was built with an older one would no longer work. */
+/* Raised whenever a program built against an older version would no longer work. */
 #define BANKSHOT_ABI_VERSION 1
 
-BANKSHOT_API int bankshot_abi_version(void);     /* of the library that is loaded */
-BANKSHOT_API const char* bankshot_version(void); /* "0.1.0"; not to be freed */
+BANKSHOT_API int bankshot_abi_version(void);     /* version of the loaded library */
+BANKSHOT_API const char* bankshot_version(void); /* such as "0.1.0"; do not free it */
 
 typedef enum bankshot_status {
-  BANKSHOT_DONE = 0,      /* as the program's exit codes: */
-  BANKSHOT_NOTHING = 1,   /* no shot, or a claim that does not hold; the text says so */
+  BANKSHOT_DONE = 0,      /* success; the values equal the program's exit codes */
+  BANKSHOT_NOTHING = 1,   /* no shot, or a claim does not hold; the text gives details */
   BANKSHOT_BAD_INPUT = 2, /* the text is {"path": "/ball/at", "reason": "..."} */
   BANKSHOT_NO_MEMORY = 3  /* there is no text */
 } bankshot_status;
@@ -42,28 +42,28 @@ typedef struct bankshot_text {
   size_t length;
 } bankshot_text;
 
-/* `flags` as the server takes them, names and values of the command line: "all&path&budget=500&noise=league". NULL: none. */
+/* `flags` holds command-line flags in the server's form: "all&path&budget=500&noise=league". NULL means none. */
 
-/* A puzzle; the text is what `bankshot solve --json` prints. */
+/* Solves a puzzle; the text is what `bankshot solve --json` prints. */
 BANKSHOT_API bankshot_status bankshot_solve(const char* puzzle, size_t length, const char* flags,
                                             bankshot_text* answer);
-/* A shot; as `bankshot simulate --json`, or with the flag csv (and rate=HZ) a table. */
+/* Simulates a shot; the text is what `bankshot simulate --json` prints, or CSV with the flag csv (and rate=HZ). */
 BANKSHOT_API bankshot_status bankshot_simulate(const char* shot, size_t length, const char* flags, bankshot_text* path);
-/* From where on the table a puzzle's shot can be made: CSV, or with the flag svg a picture; grid=NX,NY. */
+/* Maps the starts from which a puzzle can be solved: CSV, or a picture with the flag svg; grid=NX,NY. */
 BANKSHOT_API bankshot_status bankshot_map(const char* puzzle, size_t length, const char* flags, bankshot_text* map);
-/* Every claim of an answer held against 50 digits: {"holds": true, "checked": 14, "failed": [{"claim": ...}]}. */
+/* Checks every claim of an answer in 50 digits: {"holds": true, "checked": 14, "failed": [{"claim": ...}]}. */
 BANKSHOT_API bankshot_status bankshot_verify(const char* puzzle, size_t puzzle_length, const char* answer,
                                              size_t answer_length, bankshot_text* report);
-/* The JSON Schema of "puzzle", "shot" or "answer". */
+/* Returns the JSON Schema of "puzzle", "shot", "answer" or "recording". */
 BANKSHOT_API bankshot_status bankshot_schema(const char* document, bankshot_text* schema);
 
-/* What the functions above handed out; NULL is allowed. */
+/* Frees a text that a function above returned; NULL is allowed. */
 BANKSHOT_API void bankshot_free(char* data);
 
-/* The hot path. A scene is a `simulate` document; its shot counts only where a launch is missing. */
+/* A prepared scene, for many fast simulations. It is read from a `simulate` document, whose own shot is not used. */
 typedef struct bankshot_scene bankshot_scene;
 
-/* NULL where the document is wrong; then `error`, unless NULL, is {"path": ..., "reason": ...}. */
+/* Returns NULL if the document is invalid; `error`, unless NULL, is then {"path": ..., "reason": ...}. */
 BANKSHOT_API bankshot_scene* bankshot_scene_new(const char* shot, size_t length, bankshot_text* error);
 BANKSHOT_API void bankshot_scene_free(bankshot_scene* scene);
 
@@ -74,26 +74,26 @@ typedef struct bankshot_launch {
 
 typedef enum bankshot_end_kind {
   BANKSHOT_END_REST = 0,
-  BANKSHOT_END_UNTIL = 1, /* time, cushions or length of the scene's `until` */
+  BANKSHOT_END_UNTIL = 1, /* a limit of the scene's `until`: time, cushions or length */
   BANKSHOT_END_POCKETED = 2,
-  BANKSHOT_END_EVENTS = 3, /* too many of them */
-  BANKSHOT_END_INVALID = 4 /* the launch is no launch: a number that is not finite, a speed that is not above 0, or spin
-                              in physics that have none */
+  BANKSHOT_END_EVENTS = 3, /* too many events */
+  BANKSHOT_END_INVALID = 4 /* invalid launch: a number is not finite, the speed is not above 0, or the physics
+                              does not model the spin */
 } bankshot_end_kind;
 
-/* How the cue ball ends. */
+/* The final state of the cue ball. */
 typedef struct bankshot_end {
-  double time, length; /* s, m of its path */
+  double time, length; /* s; length of its path [m] */
   double x, y;         /* m */
   double vx, vy;       /* m/s */
   double wx, wy, wz;   /* rad/s */
-  int32_t cushions;    /* bounces */
+  int32_t cushions;    /* number of cushion contacts */
   int32_t kind;        /* bankshot_end_kind */
-  int32_t pocket;      /* which, in the order of the table; -1: none */
+  int32_t pocket;      /* index in the table's order; -1 means none */
   int32_t reserved;
 } bankshot_end;
 
-/* `ends[i]` for `launches[i]`, on so many threads (0: one for each core). */
+/* Writes the end of `launches[i]` to `ends[i]`, using this many threads (0 means one per core). */
 BANKSHOT_API bankshot_status bankshot_simulate_many(const bankshot_scene* scene, const bankshot_launch* launches,
                                                     size_t count, bankshot_end* ends, int threads);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whichever cushion a scene has, chosen at each bounce: for motions whose own work is so long that it does not show.
+// A cushion of any law, chosen at each bounce. It serves motions that take so long to compute that the choice costs
+// nothing noticeable.
 #pragma once
 
 #include <variant>
@@ -25,7 +26,7 @@ struct AnyCushion {
   }
 };
 
-/// The law of a rail with its own coefficients.
+/// Returns the law of a rail with its own coefficients.
 inline AnyCushion of_rail(const RailCushion& rail, const AnyCushion& cushion) {
   return {std::visit([&](const auto& law) -> CushionVariant { return rail.of(law); }, cushion.law)};
 }

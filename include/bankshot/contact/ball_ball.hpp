@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Two balls meet: normal restitution along the line of centres, Coulomb friction across it, which throws the struck
-// ball and spins both (D. Alciatore, The Illustrated Principles of Pool and Billiards, TP A.14; for balls of any size
-// and mass).
+// Impact of two balls: normal restitution along the line of centres, and Coulomb friction across it. Friction throws
+// the object ball and spins both (D. Alciatore, The Illustrated Principles of Pool and Billiards, TP A.14; here for
+// balls of any size and mass).
 //   n  from the first centre to the second, in plan; lever arms are R₁ n and −R₂ n. The impulse between balls of
 //      different radii stays horizontal along n: its small vertical part is left out
 //   w = v₁ − v₂ + (R₁ ω₁ + R₂ ω₂) × n,  μ₁₂ = m₁ m₂/(m₁ + m₂)
 //   J = (1 + e)(w·n) μ₁₂,  T = min(μ J, 2/7 μ₁₂ |w_t|),  μ = a + b exp(−c |w_t|), often a constant
 //   P = −J n − T ŵ_t;  v₁ += P/m₁, v₂ −= P/m₂ without their vertical part;  ωᵢ += 5/(2 mᵢ Rᵢ) n × P
-// Two that approach slower than tolerance::slow_contact do not part again: e = 0 and no friction.
+// Two balls that approach slower than tolerance::slow_contact do not part again: then e = 0, without friction.
 #pragma once
 
 #include "bankshot/motion/arc.hpp"
@@ -16,12 +16,12 @@
 
 namespace bankshot {
 
-/// a + b exp(−c s) at the slip speed s [m/s].
+/// Friction coefficient a + b exp(−c s) at the slip speed s [m/s].
 template <class C>
 struct BallFrictionOf {
-  C fast{0.05};  ///< a, >= 0: where the slip is fast
-  C more{0};     ///< b: by how much it is more where the slip is slow
-  C fades{0};    ///< c [s/m], >= 0
+  C fast{0.05};  ///< a, >= 0: friction at fast slip
+  C more{0};     ///< b: additional friction at slow slip
+  C fades{0};    ///< c [s/m], >= 0: rate at which b fades
 
   constexpr BallFrictionOf() = default;
   constexpr BallFrictionOf(const C& constant) : fast(constant) {}
@@ -37,7 +37,7 @@ struct BallFrictionOf {
     if (constant()) return T(K(fast));
     const T power = slip * T(K(fades));
     const Real<T> at = exp(-value(power));
-    // exp with its derivatives, of which it is the first
+    // exp(−p) and its derivative, −exp(−p)
     if constexpr (has_derivatives<T>)
       return T(K(fast)) + T(K(more)) * (T(at) - (power - T(value(power))) * at);
     else
@@ -50,17 +50,17 @@ template <class C>
 struct BallBallOf {
   C restitution{0.95};  ///< e, in [0, 1]
   BallFrictionOf<C> friction{};
-  bool lasts = true;  ///< slow contacts last
+  bool lasts = true;  ///< slow contacts persist
 
   friend bool operator==(const BallBallOf&, const BallBallOf&) = default;
 
-  /// The speed at which they come nearer [m/s]; n as above.
+  /// Returns the speed at which the two come nearer [m/s]; n as above.
   template <class T>
   static T approach(const State<T>& first, const State<T>& second, const Vec2<T>& n) {
     return dot(first.velocity - second.velocity, n);
   }
 
-  /// Both where they are now.
+  /// Applies the impact to both balls where they are.
   template <class T>
   void collide(const Body& body1, State<T>& first, const Body& body2, State<T>& second) const {
     using std::sqrt;
@@ -71,7 +71,7 @@ struct BallBallOf {
     const bool slow = lasts && value(closing) < Number(tolerance::slow_contact);
     const Number m1(body1.mass), m2(body2.mass), mass = m1 * m2 / (m1 + m2);
     const T normal = closing * T(K(slow ? K(1) : K(K(1) + K(restitution)))) * mass;
-    T along(0), up(0);  // of the impulse T ŵ_t
+    T along(0), up(0);  // parts of the impulse T ŵ_t
     if (!slow && !friction.none()) {
       const auto surface = [&](const T& first_spin, const T& second_spin) {
         return T(first_spin * Number(body1.radius) + second_spin * Number(body2.radius));
@@ -79,7 +79,7 @@ struct BallBallOf {
       const T wx = surface(first.spin.x, second.spin.x), wy = surface(first.spin.y, second.spin.y);
       const T slip_along = dot(first.velocity - second.velocity, t) + surface(first.spin.z, second.spin.z);
       const T slip_up = wx * n.y - wy * n.x;
-      // Squares are compared, for a root of 0 has no derivative.
+      // Squares are compared, because a root of 0 has no derivative.
       const T slip2 = slip_along * slip_along + slip_up * slip_up;
       const T most = normal * (friction.constant() ? T(K(friction.fast))
                                : value(slip2) > 0  ? friction(T(sqrt(slip2)))
@@ -98,7 +98,7 @@ struct BallBallOf {
   }
 
  private:
-  /// n × P = −along ẑ − up (n_y, −n_x, 0), as above.
+  /// Changes the spin by n × P = −along ẑ − up (n_y, −n_x, 0), as above.
   template <class T>
   static void turn(const Body& body, State<T>& s, const Vec2<T>& n, const T& along, const T& up) {
     using Number = Real<T>;

@@ -13,7 +13,8 @@ struct InCushionFrame {
   T wn, wt, wz;  ///< rad/s
 };
 
-/// `away` is a unit vector that points away from the cushion; of a straight one a plain number.
+/// Returns the motion in the frame of a cushion. `away` is a unit vector that points away from the cushion; for a
+/// straight cushion it has no derivatives.
 template <class T, class N>
 InCushionFrame<T> into_frame(const State<T>& s, const Vec2<N>& away) {
   const Vec2<N> n = -away, t = perpendicular(n);
@@ -28,7 +29,7 @@ void out_of_frame(const InCushionFrame<T>& f, const Vec2<N>& away, State<T>& s) 
   s.spin = {f.wn * n.x + f.wt * t.x, f.wn * n.y + f.wt * t.y, f.wz};
 }
 
-/// The height of a cushion's nose over the ball's centre as an angle: sin θ = (h − R) / R.
+/// Elevation of a cushion's nose above the ball's centre, as an angle: sin θ = (h − R) / R.
 template <class N = double>
 struct NoseAngle {
   N sine, cosine;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
 // A cushion of your own: a law in double that changes the ball's motion in the frame of the cushion it meets
-// (cushion_frame.hpp): n points into the cushion, so vn > 0 before, and vn <= 0 after.
+// (cushion_frame.hpp). n points into the cushion, so vn > 0 before and vn <= 0 after.
 //
 //   const CushionLawOf law([](const Body&, InCushionFrame<double>& f) { f.vn *= -0.8; });  // must outlive the physics
 //   Physics physics = spin_physics();
 //   physics.cushion = CustomCushion{.law = &law, .restitution = 0.8};
 //
-// testing/cushion_promises.hpp tries whether a law keeps what planners rely on.
+// testing/cushion_promises.hpp tests whether a law keeps what planners rely on.
 // Properties:
-//  1. Derivatives are central differences of the law, ten calls a bounce, right to about 1e-9. Where a step
+//  1. Derivatives are central differences of the law, with ten calls per bounce, right to about 1e-9. If a step
 //     crosses a switch of the law, such as from sticking to sliding, they are a mean of both sides.
-//  2. The law runs in double, also inside a simulation of 50 digits.
-//  3. A law that leaves the ball moving into the cushion leaves it there: vn becomes 0. One that gives a number
-//     that is not finite throws std::domain_error.
+//  2. The law runs in double, even inside a simulation of 50 digits.
+//  3. If the law leaves the ball moving into the cushion, vn becomes 0 and the ball stays there. If it gives a number
+//     that is not finite, bounce() throws std::domain_error.
 //  4. No allocation; the other cushions pay nothing for it.
-// JSON has no words for it: a puzzle with a custom cushion can be solved, not written.
+// JSON cannot describe such a law: a puzzle with a custom cushion can be solved, but not written.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class CushionLaw {
   virtual void impact(const Body& body, InCushionFrame<double>& f) const = 0;
 };
 
-/// A law made of a function.
+/// A law made from a function.
 template <class F>
 class CushionLawOf final : public CushionLaw {
  public:
@@ -48,7 +48,7 @@ class CushionLawOf final : public CushionLaw {
 
 struct CustomCushion {
   const CushionLaw* law = nullptr;  ///< must outlive every physics it is part of
-  Restitution restitution{};        ///< about what comes back of vn: planners begin with straight lines bent by it
+  Restitution restitution{};        ///< approximate share of vn that comes back; planners start from it
 
   template <class T, class N>
   void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
@@ -78,20 +78,20 @@ struct CustomCushion {
     return {f.vn, f.vt, f.wn, f.wt, f.wz};
   }
 
-  /// Adds to each result the derivatives of what went in, times those of the law.
+  /// Adds to each result the derivatives of the inputs, times those of the law.
   template <class T>
   void add_derivatives(const Body& body, const Numbers<T>& before, const Numbers<double>& at,
                        Numbers<T>& result) const {
-    constexpr double step = 1e-5;  // of the size: truncation and rounding are alike
+    constexpr double step = 1e-5;  // relative to the size; truncation and rounding errors are then about equal
     const double v = std::hypot(at[0], at[1]) + body.radius * std::hypot(at[2], at[3], at[4]);
     for (std::size_t i = 0; i < at.size(); ++i) {
       double h = step * (i < 2 ? v : v / body.radius);
-      if (i == 0) h = std::min(h, at[0] / 2);  // the law is asked about balls that meet the cushion only
+      if (i == 0) h = std::min(h, at[0] / 2);  // the law is asked only about balls that move into the cushion
       Numbers<double> low = at, high = at;
       low[i] -= h;
       high[i] += h;
       const Numbers<double> a = after(body, low), b = after(body, high);
-      const T change = before[i] - T(at[i]);  // 0, with derivatives
+      const T change = before[i] - T(at[i]);  // 0, with the derivatives of the input
       for (std::size_t k = 0; k < result.size(); ++k) result[k] += change * ((b[k] - a[k]) / (high[i] - low[i]));
     }
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Cushion impact with spin: Han, Dynamics in carom and three cushion billiards, J. Mech. Sci. Tech.
-// 19 (2005) 976-984. The ball meets the nose at height h above the cloth; normal restitution acts
-// along the line from the nose to the centre, friction across it, sticking or sliding.
+// Cushion impact with spin: Han, Dynamics in carom and three cushion billiards, J. Mech. Sci. Tech. 19 (2005) 976-984.
+// The ball meets the nose at height h above the cloth. Normal restitution acts along the line from the nose to the
+// centre. Friction acts across it, sticking or sliding.
 //   θ: sin θ = (h − R)/R;  A = 7/(2m), B = 1/m, I = 2mR²/5
-// The map is homogeneous of degree one in (v, ω) when the restitution is constant.
-// Limitation of the law: at low restitution (about e < tan²θ) it leaves the ball moving into the
-// cushion; then the normal velocity is set to 0 and the ball stays at the cushion.
+// The map is homogeneous of degree one in (v, ω) if the restitution is constant.
+// Limitation of the law: at low restitution (about e < tan²θ) it leaves the ball moving into the cushion. Then the
+// normal velocity is set to 0, and the ball stays at the cushion.
 #pragma once
 
 #include "bankshot/contact/cushion_frame.hpp"
@@ -34,7 +34,7 @@ struct Han2005Of {
     const T sy = f.wn * K(R * sine) - f.vt - f.wz * K(R * cosine);
     constexpr double a = 7.0 / 2;
     const T normal_impulse = restitution.rebound(f.vn) * cosine;  // eq 17, PzE
-    // Sticking needs |s|/A <= f PzE; squares are compared, for a root of 0 has no derivative.
+    // Sticking needs |s|/A <= f PzE. Squares are compared, because a root of 0 has no derivative.
     const T limit = normal_impulse * K(K(friction) * a), slip2 = sx * sx + sy * sy;
     const bool slides = value(slip2) > value(limit) * value(limit);
     const T share = slides ? T(limit / sqrt(slip2) / Number(a)) : T(1 / Number(a));

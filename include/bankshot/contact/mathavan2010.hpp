@@ -2,17 +2,17 @@
 //
 // Cushion impact with friction at the nose and at the cloth: Mathavan, Jackson & Parkin, A theoretical
 // analysis of billiard ball dynamics under cushion impacts, Proc. IMechE C 224 (2010),
-// doi 10.1243/09544062JMES1964. An ODE in the normal impulse; here integrated by Taylor series whose
-// order follows from the tolerance, with every switch between sticking and sliding located.
+// doi 10.1243/09544062JMES1964. The model is an ODE in the normal impulse. It is integrated by Taylor series whose
+// order follows from the tolerance, and every switch between sticking and sliding is located.
 // Properties:
 //  1. The map is homogeneous of degree one in (v, ω) when the restitution is constant.
-//  2. No allocation; the same source for double, dual numbers and 50 digits.
+//  2. No allocation. One source serves double, dual numbers and 50 digits.
 //  3. A ball that does not move into the cushion is left as it is.
-//  4. Coefficients may be dual numbers: what is decided (orders, switches) is decided on values, so derivatives by
+//  4. Coefficients may be dual numbers. Decisions (orders, switches) are taken on values, so derivatives by
 //     coefficients are as exact as those by the state.
-// Limitations: at exactly zero slip (natural roll at the cloth) the map has one-sided derivatives only;
-// the slip then counts as constant 0. With large friction the ball can jam between nose and cloth: its
-// normal velocity is set to 0, and `course` says so.
+// Limitations: at exactly zero slip (natural roll at the cloth) the map has one-sided derivatives only; the slip then
+// counts as constant 0. With large friction the ball can jam between nose and cloth. Then its normal velocity is set
+// to 0, and `course` says so.
 #pragma once
 
 #include "bankshot/contact/cushion_frame.hpp"
@@ -27,7 +27,7 @@ struct Mathavan2010Of {
   C height{1.28 * 0.028575};  ///< h [m], R < h < 2R
   RestitutionOf<C> restitution{};
   C friction{0.2};          ///< μw, between ball and cushion
-  C sliding_friction{0.2};  ///< μs, between ball and cloth; that of the motion
+  C sliding_friction{0.2};  ///< μs, between ball and cloth, as in the motion
   double tolerance = bankshot::tolerance::impact;
 
   template <class T, class N>
@@ -35,7 +35,7 @@ struct Mathavan2010Of {
     course(body, s, normal);
   }
 
-  /// bounce() that tells how the impact went.
+  /// Does what bounce() does, and returns how the impact went.
   template <class T, class N>
   mathavan::Course course(const Body& body, State<T>& s, const Vec2<N>& normal) const {
     const Vec2<T> away = to<T>(normal);
@@ -69,9 +69,9 @@ struct Mathavan2010Of {
   }
 
  private:
-  static constexpr double negligible = 0.1;  ///< of the tolerance: a slip this small counts as 0
+  static constexpr double negligible = 0.1;  ///< share of the tolerance; a smaller slip counts as 0
 
-  /// Velocities from the changes of the slips: the friction impulses along x are linear in them.
+  /// Computes the velocities from the changes of the slips, which are linear in the friction impulses along x.
   template <class T>
   static void recover(const mathavan::Nose<T>& nose, const Vec2<T>& cushion, const Vec2<T>& cloth, const T& vy_after,
                       T& vx, T& vy, T& wx, T& wy, T& wz) {

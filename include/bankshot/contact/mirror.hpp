@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The simplest cushion: the normal velocity is reversed and multiplied by the restitution, the
-// tangential velocity and the spin are kept. Restitution 1 is the law of mirrors.
+// The simplest cushion. It reverses the normal velocity, multiplied by the restitution, and keeps the tangential
+// velocity and the spin. Restitution 1 is the law of mirrors.
 #pragma once
 
 #include "bankshot/contact/restitution.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the cushion of one rail has of its own: new rubber, a worn corner. Where it has nothing, the physics' cushion
-// says it. Derivatives by the physics' coefficients are those of a change that all rails share.
+// Coefficients that one rail has of its own, for new rubber or a worn corner. The others come from the physics'
+// cushion. Derivatives by the physics' coefficients are those of a change that all rails share.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct RailCushion {
   bool operator==(const RailCushion&) const = default;
   bool any() const { return restitution || friction; }
 
-  /// The law of this rail.
+  /// Returns the law of this rail.
   template <class Cushion>
   Cushion of(Cushion law) const {
     const auto own = [](auto& coefficient, double its) { coefficient += its - value(coefficient); };

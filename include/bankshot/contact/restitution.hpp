@@ -5,7 +5,7 @@
 
 namespace bankshot {
 
-/// e = clamp(at_rest + per_speed · vn + per_speed2 · vn², 0, 1), vn the normal approach speed [m/s].
+/// Restitution e = clamp(at_rest + per_speed · vn + per_speed2 · vn², 0, 1), with the normal approach speed vn [m/s].
 template <class C>
 struct RestitutionOf {
   C at_rest{0.85};
@@ -28,7 +28,7 @@ struct RestitutionOf {
     if (e < T(0)) return T(0);
     return e > T(1) ? T(1) : e;
   }
-  /// (1 + e) vn: what the cushion changes the approach speed by.
+  /// Returns (1 + e) vn, the change of the approach speed by the cushion.
   template <class T>
   T rebound(const T& normal_speed) const {
     if (constant()) return normal_speed * Coefficient<T, C>(Real<T>(1) + at_rest);

@@ -2,18 +2,20 @@
 //
 // Cushion impact with spin and a rubber that gives across as well as along: W. J. Stronge, Impact Mechanics (2nd ed.,
 // Cambridge 2018), chapter "Tangential compliance in planar impact of rough bodies". The contact is a massless point on
-// two springs, one along the line from nose to centre, which loses energy through e, and one across it, elastic, behind
-// a Coulomb slider. The slip keeps its line, so the impact is planar; what happens across is found in closed form but
-// for the moment in which the contact lets go, one root.
+// two springs, behind a Coulomb slider. One spring acts along the line from nose to centre and loses energy through e.
+// The other acts across that line and is elastic. The slip keeps its line, so the impact is planar. The motion across
+// has a closed form, apart from one root: the moment in which the contact lets go.
 //   tan θ = (h − R)/R, the ball's centre being R from the nose in plan;  c from centre to nose, d = sin θ n − cos θ ẑ
 //   a = vn cos θ approach, S slip, ρ = S/a;  β = 7/2, η² = β/Ω², Ω the ratio of the springs' frequencies
 //   clock x: compression to π/2, restitution to x_f = (1 + e) π/2;  ψ = x, then π/2 + (x − π/2)/e
-//   what friction can hold: μη² sin ψ, as an extension of the spring in units of a
+//   limit of friction: μη² sin ψ, as an extension of the spring in units of a
 //   sliding: V = ρ − μβ(1 − κ cos ψ), κ = 1, then e;  sticking: U'' = −Ω² U, V = U'
-// The outcome is stationary in the moments of sticking and letting go (the force is continuous there), so these are
-// found as plain numbers and the derivatives are exact.
-// The vertical velocity after the impact is dropped: the ball stays on the cloth, whose friction during it is left out.
-// Where e < 1/Ω the theory's cases go on as step integration of the same springs has it (continuous, any e).
+// The outcome is stationary in the moments of sticking and letting go, because the force is continuous there. These
+// moments are therefore found as plain numbers, and the derivatives are exact.
+//
+// The vertical velocity after the impact is dropped, because the ball stays on the cloth. Cloth friction during the
+// impact is left out. For e < 1/Ω, the theory's cases are continued as step integration of the same springs gives them
+// (continuous, any e).
 // Limitation: at e below about tan²θ the ball may be left moving into the cushion; then vn = 0, as for han2005.
 #pragma once
 
@@ -45,44 +47,44 @@ struct Turn {
   }
 };
 
-/// What of the slip is taken away, (1 − S'/ρ)/β, S' being the slip that is left over a.
+/// Share of the slip that the impulse across takes, (1 − S'/ρ)/β, where S' is the slip that is left, over a.
 template <class T>
 class Across {
   using Number = Real<T>;
 
  public:
-  /// Friction μ, restitution e, ratio of frequencies Ω.
+  /// Takes the friction μ, the restitution e and the ratio of frequencies Ω.
   Across(const T& mu, const T& e, const T& omega)
       : mu_(mu), e_(e), omega_(omega), eta2_(T(beta) / (omega * omega)), quarter_(half_pi()) {}
 
   T share(const T& rho) const {
     const Number r = value(rho), mu = value(mu_), e = value(e_), eta2 = value(eta2_), b(beta);
-    const bool gives = e > Number(0) && (e + Number(1)) * b - eta2 / e > b;  // slides longer than through compression
+    const bool gives = e > Number(0) && (e + Number(1)) * b - eta2 / e > b;  // may slide first, stick later
     if (r >= mu * (gives ? Number((e + Number(1)) * b - eta2 / e) : b)) return mu_ * (e_ + T(Number(1))) / rho;
     Stick stick{T(Number(0)), T(Number(0)), rho};
     if (r >= mu * eta2) stick = r <= mu * b ? in_compression(rho) : in_restitution(rho);
     return (T(Number(1)) - left(stick) / rho) / T(b);
   }
 
-  /// The same where the slip vanishes: it sticks all through.
+  /// Returns the share for a vanishing slip. The contact then sticks all through.
   T share_at_rest() const {
     return (T(Number(1)) - Turn<T>(omega_ * (e_ + T(Number(1))) * T(quarter_)).cosine) / T(Number(beta));
   }
 
  private:
   static constexpr double beta = 3.5;
-  static constexpr int most_steps = 200;  // of which Newton needs five; halving alone ends in 50 digits, too
+  static constexpr int most_steps = 200;  // Newton's method needs five; halving alone also ends, even in 50 digits
   static Number half_pi() {
     using std::acos;
     return acos(Number(0));
   }
 
-  /// From x on; extension and slip then. In restitution ψ is what is found: x moves with e.
+  /// Start of sticking: clock, extension and slip. In restitution ψ is solved for, and x moves with e.
   struct Stick {
     T x, extension, slip;
   };
 
-  /// An inverse cosine may be asked for what rounding puts beyond 1.
+  /// Returns an inverse cosine. Rounding may put its argument beyond 1.
   static Number angle(const Number& cosine) {
     using std::acos;
     return acos(cosine < Number(-1) ? Number(-1) : cosine > Number(1) ? Number(1) : cosine);
@@ -101,17 +103,17 @@ class Across {
             rho - mu_ * T(b) * (T(Number(1)) - e_ * T(at.cosine))};
   }
 
-  /// The slip that is left. The moment of letting go is counted back from the end: ψ = π − δ, x = x_f − e δ.
+  /// Returns the slip that is left. The moment of letting go is counted back from the end: ψ = π − δ, x = x_f − e δ.
   T left(const Stick& s) const {
     using std::atan2;
     using std::sqrt;
     const Number e = value(e_), omega = value(omega_), pi = quarter_ * Number(2), end = (e + Number(1)) * quarter_,
                  x = value(s.x), u = value(s.extension), v = value(s.slip), phase = atan2(omega * u, v);
-    const bool back = x + (pi - phase) / omega < end;  // the spring is relaxed before the end: the last slip is back
+    const bool back = x + (pi - phase) / omega < end;  // spring relaxes early: the last slip is backward
     if (!(e > Number(0))) return slip_after(s, T(Number(0)));
     const Number size = sqrt(u * u + v * v / (omega * omega)), hold = value(mu_) * value(eta2_),
                  from = back ? x + (pi - phase) / omega : x;
-    // Zero where it lets go: what friction holds, less what the spring pulls.
+    // Zero when the contact lets go: the limit of friction less the pull of the spring.
     const auto spare = [&](const Number& delta) {
       const Turn<Number> held(delta), pulled(omega * (end - e * delta - x) + phase);
       const Number pull = size * pulled.sine;
@@ -122,7 +124,7 @@ class Across {
       return out;
     };
     Number low(0), high = from > quarter_ ? (end - from) / e : quarter_;
-    Number delta(0);  // from where Newton's method overshoots little
+    Number delta(0);  // from here, Newton's method overshoots little
     for (int i = 0; i < most_steps; ++i) {
       const auto at = spare(delta);
       (at.value < Number(0) ? low : high) = delta;
@@ -137,13 +139,13 @@ class Across {
     return slip_after(s, e_ * T(delta)) + (back ? pushed : -pushed);
   }
 
-  /// Of the contact that sticks until `early` before the end.
+  /// Returns the slip of a contact that sticks until `early` before the end.
   T slip_after(const Stick& s, const T& early) const {
     const Turn<T> y(omega_ * ((e_ + T(Number(1))) * T(quarter_) - early - s.x));
     return s.slip * y.cosine - s.extension * omega_ * y.sine;
   }
 
-  /// Of a step of Newton's method: the next one would be beyond rounding.
+  /// Returns the relative size of a Newton step after which the next one is below rounding.
   static Number rounding() {
     using std::sqrt;
     return sqrt(std::numeric_limits<Number>::epsilon());
@@ -160,7 +162,7 @@ struct StrongeOf {
   C height{1.28 * 0.028575};  ///< h [m], R < h < 2R
   RestitutionOf<C> restitution{};
   C friction{0.2};         ///< μ, between ball and cushion
-  C frequency_ratio{1.8};  ///< Ω, 1 < Ω < 2: that of the spring across over that of the spring along
+  C frequency_ratio{1.8};  ///< Ω, 1 < Ω < 2: frequency of the spring across over that of the spring along
 
   template <class T, class N>
   void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {

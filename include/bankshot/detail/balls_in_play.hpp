@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The balls on a table, each on its own arc, and the clock that they share. Whoever holds it decides what happens next
-// (simulate/many_balls.hpp).
+// The balls on a table, each on its own arc, and the clock that they share. The owner of this state decides what
+// happens next (simulate/many_balls.hpp).
 #pragma once
 
 #include <algorithm>
@@ -21,18 +21,18 @@ struct BallsInPlay {
 
   struct Ball {
     BallTrack<T> track;
-    T began{0};                ///< s, its arc
-    NextEvent<Number> next{};  ///< of the ball alone
-    Number due{never};         ///< s, that
-    Number fastest{0};         ///< m/s, on its arc at most
-    Number bend{0};            ///< m/s², likewise
-    Contact pending{};         ///< the second cushion of a corner, still to bounce
+    T began{0};                ///< s, start of its arc
+    NextEvent<Number> next{};  ///< next event of the ball alone
+    Number due{never};         ///< s, time of that event
+    Number fastest{0};         ///< m/s, highest speed on its arc
+    Number bend{0};            ///< m/s², bound on the acceleration on its arc
+    Contact pending{};         ///< second cushion of a corner, whose bounce is still to come
     bool in_play = true;
     bool moves = false;
-    bool awake = false;  ///< it was struck, and is not known to rest
+    bool awake = false;  ///< it was hit, and is not known to rest
   };
 
-  /// What rules out most pairs, side by side: where a ball is now and how it goes on.
+  /// Data of the broad phase, side by side in memory: where a ball is now and how it goes on.
   struct Glance {
     Vec2<Number> at{}, velocity{};
     Number fastest{0}, bend{0}, due{never};
@@ -48,16 +48,16 @@ struct BallsInPlay {
   std::size_t count() const { return balls.size(); }
   const Body& body(std::size_t i) const { return balls[i].track.boundary().body; }
 
-  /// The second as seen from the first, at a time on the arcs that they are on.
+  /// Returns the motion of the second ball as seen from the first, at `time`, on the arcs that they are on.
   Apart<Number> seen(std::size_t i, std::size_t j, const Number& time) const {
     const Ball &a = balls[i], &b = balls[j];
     return {value(a.track.arc()), Number(time - value(a.began)), value(b.track.arc()), Number(time - value(b.began))};
   }
 
-  /// How far apart their centres are where they touch [m].
+  /// Returns the distance of their centres when they touch [m].
   Number reach(std::size_t i, std::size_t j) const { return Number(touching_distance(body(i), body(j))); }
 
-  /// Along its arc, to now.
+  /// Moves a ball along its arc to the present time.
   template <class Watch>
   void bring(std::size_t i, Watch&& watch) {
     Ball& s = balls[i];
@@ -76,16 +76,16 @@ struct BallsInPlay {
     watch(static_cast<int>(i), s.began, s.track.before(), s.track.arc(), parameter);
   }
 
-  /// A new arc from where the ball is.
+  /// Makes a new arc from where the ball is.
   void begin(std::size_t i) {
     Ball& s = balls[i];
     if (s.in_play) s.track.begin(motion);
   }
 
-  /// It does not move on this arc.
+  /// Returns true if a ball does not move on this arc.
   static bool stands(const Arc<Number>& arc) { return arc.end == PhaseEnd::rest && !(arc.duration > Number(0)); }
 
-  /// When the ball's own next event comes, if it moves.
+  /// Finds when the ball's own next event comes, if it moves.
   void find(Ball& s) {
     s.due = never;
     s.moves = false;
@@ -100,14 +100,14 @@ struct BallsInPlay {
       return;
     }
     s.pending = {};
-    s.next = s.track.template find<false>(T(never));  // a ball that is pressed bends in any motion
+    s.next = s.track.template find<false>(T(never));  // in persistent contact, a path bends in any motion model
     const Number lasts = arc.seconds(s.next.time);
     if (lasts < never) s.due = value(s.began) + lasts;
     s.fastest = fastest_on(arc, s.next.time);
     s.bend = most_bend(arc);
   }
 
-  /// m/s, up to a parameter: at one of its ends.
+  /// Returns the highest speed up to a parameter [m/s]. It is reached at one of the two ends.
   static Number fastest_on(const Arc<Number>& arc, const Number& until) {
     using std::sqrt;
     const Number begin2 = dot(arc.velocity, arc.velocity);
@@ -116,7 +116,7 @@ struct BallsInPlay {
     return sqrt(std::max<Number>(begin2, dot(end, end)));
   }
 
-  /// Looks at a ball, which is where its arc is now.
+  /// Updates the glance of a ball from its arc at the present time.
   void look_at(std::size_t i) {
     const Ball& s = balls[i];
     const Arc<Number>& arc = value(s.track.arc());
@@ -124,7 +124,7 @@ struct BallsInPlay {
     glances[i] = {arc.position(t), arc.velocity_at(t), s.fastest, s.bend, s.due, body(i).radius};
   }
 
-  /// The two, looked at, are too far from each other to touch now.
+  /// Returns true if two balls with current glances are too far from each other to touch now.
   bool are_apart(std::size_t i, std::size_t j) const {
     const Glance &a = glances[i], &b = glances[j];
     const Vec2<Number> d = b.at - a.at;
@@ -132,7 +132,8 @@ struct BallsInPlay {
     return dot(d, d) > near * near;
   }
 
-  /// The two, looked at, cannot touch before one of them is due: neither at their highest speeds, nor as they move now.
+  /// Returns true if two balls with current glances cannot touch before one of them is due. Either of two bounds shows
+  /// it: their highest speeds, or their present motion.
   bool stay_apart(std::size_t i, std::size_t j) const {
     const Glance &a = glances[i], &b = glances[j];
     const Vec2<Number> d = b.at - a.at;
@@ -142,13 +143,13 @@ struct BallsInPlay {
     return cannot_meet(d, Vec2<Number>(b.velocity - a.velocity), Number(a.bend + b.bend), reach, limit, rounding);
   }
 
-  /// So slow that among others that press on it a ball rests.
+  /// Returns true if a ball in persistent contact is so slow that it counts as resting.
   static bool hardly_moves(const Vec2<T>& velocity) {
     constexpr double slow = tolerance::slow_contact * tolerance::pressed_rest;
     return dot(value(velocity), value(velocity)) < Number(slow * slow);
   }
 
-  /// A ball that rolls, pressed on, and hardly moves where that ends, rests.
+  /// Brings a rolling ball to rest if it hardly moves at the end of a persistent contact.
   void slow_to_rest(Ball& s) {
     State<T> state = s.track.state();
     if (!hardly_moves(state.velocity)) return;

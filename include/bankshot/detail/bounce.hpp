@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A ball bounces off what it met, by the law of the rail where that has its own.
+// Bounces a ball off what it met, by the rail's own law if it has one.
 #pragma once
 
 #include "bankshot/contact/any_cushion.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Rolling friction that grows with speed, μr = a + b v: a straight line run through by its own clock.
+// Rolling friction that grows with speed, μr = a + b v. The ball moves along a straight line by a clock of its own.
 //   v̇ = −(A + B v), A = a g [m/s²], B = b g [1/s]
 //   v(t) = (v0 + A/B) e^{−Bt} − A/B,  rest after ln(1 + B v0/A)/B seconds
 //   s(v) = (v0 − v)/B − (A/B²) ln((A + B v0)/(A + B v))
-// Written with x = B (v0 − v)/(A + B v) and x − ln(1 + x), so that nothing cancels as B → 0, where
-// s = (v0² − v²)/2A. Error: a few units in the last place.
+// The code uses x = B (v0 − v)/(A + B v) and x − ln(1 + x), so that nothing cancels as B → 0, where s = (v0² − v²)/2A.
+// Error: a few units in the last place.
 #pragma once
 
 #include <cmath>
@@ -15,11 +15,11 @@
 
 namespace bankshot {
 
-/// Up to here series are summed: beyond, the closed forms lose no more than two bits to cancellation.
+/// Largest argument for which series are summed. Beyond it, the closed forms lose at most two bits to cancellation.
 inline constexpr double where_series_converge = 1;
 inline constexpr int most_terms = 200;
 
-/// x − ln(1 + x), to full relative precision: with u = x/(2 + x) it is x u − 2 (u³/3 + u⁵/5 + ...).
+/// Returns x − ln(1 + x) to full relative precision. With u = x/(2 + x) it is x u − 2 (u³/3 + u⁵/5 + ...).
 template <class T>
 T minus_log1p(const T& x) {
   using std::abs, std::log;
@@ -33,7 +33,7 @@ T minus_log1p(const T& x) {
   return sum;
 }
 
-/// (y − 1 + e^{−y}) / y² for y >= 0, likewise.
+/// Returns (y − 1 + e^{−y}) / y² for y >= 0, also to full relative precision.
 template <class T>
 T exponential_rest(const T& y) {
   using std::abs, std::exp;
@@ -53,14 +53,14 @@ struct Drag {
 
   bool none() const { return value(linear) == 0; }
 
-  /// Metres rolled while slowing from v0 to v.
+  /// Returns the distance rolled while slowing from v0 to v [m].
   template <class T>
   T length(const T& v0, const T& v) const {
     const T x = (v0 - v) * linear / (v * linear + constant);
     return (minus_log1p(x) * constant + x * v * linear) / (linear * linear);
   }
 
-  /// Seconds for that.
+  /// Returns the time to slow from v0 to v [s].
   template <class T>
   T seconds(const T& v0, const T& v) const {
     const T x = (v0 - v) * linear / (v * linear + constant);
@@ -68,14 +68,14 @@ struct Drag {
     return (value(x) > where_series_converge ? T(log(x + 1.0)) : T(x - minus_log1p(x))) / linear;
   }
 
-  /// Speed after s metres: Newton's method in v², of which s is nearly linear, inside a bracket. Near the rest the
-  /// rounding of s is more than a step, and the bracket closes on the root instead. A step at the end, of which the
-  /// value is left out, gives the derivatives.
+  /// Returns the speed after s metres. Uses Newton's method in v², of which s is nearly linear, inside a bracket. Near
+  /// rest the rounding of s is more than a step, and the bracket closes on the root instead. One last step, whose value
+  /// is left out, gives the derivatives.
   template <class T>
   T speed_after(const T& v0, const T& s) const {
     using std::abs;
     if (!(value(s) < value(length(v0, T(0))))) return T(0);
-    const T first = v0 - s * linear;  // exact without the constant part, too fast with it
+    const T first = v0 - s * linear;  // exact without the constant part, else too fast
     T square = value(first) > 0 ? T(first * first) : T(0);
     using Number = Real<T>;
     const Number start2 = value(v0) * value(v0), slowing = value(v0) * value(linear) + value(constant);
@@ -100,7 +100,7 @@ struct Drag {
     return root_of(square);
   }
 
-  /// Metres rolled in t seconds, which must not be beyond the rest.
+  /// Returns the distance rolled in t seconds [m]. The ball must not rest before.
   template <class T>
   T length_in(const T& v0, const T& t) const {
     const T y = t * linear, rest = exponential_rest(y);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The slide of a ball that a cushion holds. The cushion takes the part of the friction that drives the ball into it,
-// but friction still turns the ball as a whole, so with û = û_t t + û_n n, n across the cushion,
+// but friction still turns the ball as a whole. With û = û_t t + û_n n, where n points across the cushion,
 //   v̇ = −μs g û_t t,  u̇ = v̇ − (5/2) μs g û = −μs g (7/2 û_t t + 5/2 û_n n)
 // The slip turns across the cushion while it fades, and the path has no closed form.
-// Method: pieces with û held, as it will be in the middle of the piece; each lasts 2 ms at most, and half as long as
-// the slip would last in its first direction. Error of a piece of h seconds, of a slip that lasts T: (h/T)² of the
-// speed it takes away, so that where and when it ends is right to 0.03 %; what is left of the slip in its last
-// microsecond, 5 µm/s at most, is dropped.
+// Method: pieces with constant û, as it will be in the middle of the piece. Each lasts 2 ms at most, and half as long
+// as the slip would last in its first direction. Error of a piece of h seconds, for a slip that lasts T: (h/T)² of the
+// speed that it takes away. The time and place of its end are therefore right to 0.03 %. The slip that is left in its
+// last microsecond, 5 µm/s at most, is dropped.
 // Worked number: a ball that slips at 1 m/s straight into its cushion, μs = 0.2, rolls after 1/(5/2 · 1.962) = 0.204 s.
 #pragma once
 
@@ -16,8 +16,9 @@
 
 namespace bankshot {
 
-/// Makes a piece of a sliding ball's arc, whose speed across the cushion is 0 already, and whose acceleration is the
-/// whole friction; of an arc that is a piece already, one with the slip's direction. `n`: across the cushion.
+/// Turns a sliding ball's arc into a piece along the cushion. Its speed across the cushion must be 0 already, and its
+/// acceleration the whole friction. If the arc is a piece already, friction keeps its direction. `n` points across the
+/// cushion.
 template <class T>
 void hold_slip(Arc<T>& arc, const Vec2<Real<T>>& n) {
   using std::sqrt;
@@ -44,7 +45,7 @@ void hold_slip(Arc<T>& arc, const Vec2<Real<T>>& n) {
   arc.acceleration = friction - arc.taken;
 }
 
-/// The same between two cushions, where the ball stays in its place: the slip keeps its direction.
+/// Holds a sliding ball between two cushions, where it stays in its place. The slip keeps its direction.
 template <class T>
 void hold_slip_in_corner(Arc<T>& arc) {
   arc.taken = arc.acceleration;

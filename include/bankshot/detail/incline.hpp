@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
 // A vector under dry friction on an incline: the slip of a ball that slides on a tilted table, or the velocity of one
-// that rolls there,
+// that rolls there.
 //   ẇ = −M ŵ − B w + a e,   q = |w|
-// M [m/s²] the friction, B [1/s] its growth with the speed, a [m/s²] the pull, e the unit vector downhill.
-// In the clock σ [s²/m] with dt = q dσ the pair (q, w) obeys polynomials, without root or quotient:
+// M [m/s²] is the friction, B [1/s] its growth with the speed, a [m/s²] the pull, and e the unit vector downhill.
+// In the clock σ [s²/m] with dt = q dσ, the pair (q, w) obeys polynomial equations, without root or quotient:
 //   w' = −M w + a q e − B q w,   q' = −M q + a w·e − B q²,   t' = q,   r' = q w
-// and without B even linear ones (q² = w² is kept: a boost), so that what is left until w = 0 has a closed form: with
-// P = q + w·e, N = q − w·e, W = w·e⊥
+// Without B they are even linear (they keep q² = w², as a Lorentz boost does). The motion left until w = 0 then has a
+// closed form. With P = q + w·e, N = q − w·e and W = w·e⊥ it is
 //   T   = P / 2(M−a) + N / 2(M+a)
 //   r_e = P² / 8(M−a) − N² / 8(M+a),   r_⊥ = W (P / (2M−a) + N / (2M+a)) / 2
-// Method: the power series in σ, over at most half of the time in which w would change by its own size: about twelve
-// terms in double. Error: a few units in the last place a series. Worked number: a ball that rolls at 1 m/s across a
-// slope of 2 mm a metre, M = 0.0981, a = 0.014014 m/s², rests after 10.406 s, 5.123 m on and 0.372 m downhill.
+// Method: the power series in σ, over at most half of the time in which w would change by its own size. In double that
+// takes about twelve terms. Error: a few units in the last place per series. Worked number: a ball rolls at 1 m/s
+// across a slope of 2 mm per metre, with M = 0.0981 and a = 0.014014 m/s². It rests after 10.406 s, 5.123 m on and
+// 0.372 m downhill.
 #pragma once
 
 #include <array>
@@ -25,7 +26,7 @@
 
 namespace bankshot {
 
-/// K: of the coefficients, T or its numbers.
+/// K is the type of the coefficients: T, or T without derivatives.
 template <class K>
 struct Incline {
   K friction;    ///< M
@@ -34,14 +35,15 @@ struct Incline {
   Vec2<K> down;  ///< e
 };
 
-/// What is left until w = 0, of an incline without drag whose friction is more than its pull, or straight uphill.
+/// Motion left until w = 0, on an incline without drag. Either friction exceeds the pull, or w points straight uphill.
 template <class T>
 struct Stop {
   T time;
-  Vec2<T> beyond;  ///< the integral of w − w(0)
+  Vec2<T> beyond;  ///< integral of w − w(0)
 };
 
-/// P, N and W: e^−(M−a)σ, e^−(M+a)σ and e^−Mσ of them are left after σ. The small one of P and N without cancellation.
+/// P, N and W. After σ, they have shrunk by the factors e^−(M−a)σ, e^−(M+a)σ and e^−Mσ. The smaller one of P and N is
+/// computed without cancellation.
 template <class T>
 struct Fading {
   T p, n, across;
@@ -59,7 +61,7 @@ template <class T, class K>
 Stop<T> stop_on(const Incline<K>& law, const Vec2<T>& w) {
   using N = Real<T>;
   const auto [p, n, across] = fading(law, w);
-  // With less friction than pull it stops straight uphill alone, where p is 0.
+  // If friction is less than the pull, w stops only straight uphill, where p is 0.
   const bool stays = value(law.friction) > value(law.pull);
   const auto ahead = [&, p = p](const K& slow) { return stays ? T(p / slow) : T(0); };
   const K fast = law.friction + law.pull, twice = law.friction * N(2);
@@ -71,8 +73,8 @@ Stop<T> stop_on(const Incline<K>& law, const Vec2<T>& w) {
   return {time, moved - w * time};
 }
 
-/// What w is when `left` seconds of that stop are left. Newton's method for σ, in the logarithm of the time left, which
-/// is convex.
+/// Returns w when `left` seconds remain until it stops. Uses Newton's method for σ on the logarithm of the remaining
+/// time, which is convex.
 template <class T, class K>
 Vec2<T> before_stop(const Incline<K>& law, const Vec2<T>& w, const T& left) {
   using std::abs, std::exp, std::log;
@@ -105,7 +107,7 @@ Vec2<T> before_stop(const Incline<K>& law, const Vec2<T>& w, const T& left) {
   return {law.down.x * along - law.down.y * aside, law.down.y * along + law.down.x * aside};
 }
 
-/// The series from w on, over h [s²/m] of σ; x = σ/h, from 0 to about 1.
+/// Power series of the motion from w on, over a step h [s²/m] of σ. Its variable is x = σ/h, from 0 to about 1.
 template <class T, class K>
 class Glide {
  public:
@@ -122,7 +124,7 @@ class Glide {
     for (terms_ = 0; terms_ + 1 < most;) {
       const std::size_t k = terms_;
       const Number by = h / static_cast<double>(k + 1);
-      // Of w, and what of it is beyond w(0).
+      // Coefficient k of q (w − w(0)), along and across, and of q².
       T later_on(0), later_aside(0), square(0);
       for (std::size_t j = 0; j < k; ++j) {
         later_on += speed_[j] * along_[k - j];
@@ -151,10 +153,10 @@ class Glide {
 
   T time(const T& x) const { return sum(time_, x); }
   Vec2<T> velocity(const T& x) const { return on_table(sum(along_, x), sum(across_, x)); }
-  /// The integral of w − w(0).
+  /// Returns the integral of w − w(0).
   Vec2<T> beyond(const T& x) const { return on_table(sum(on_, x), sum(aside_, x)); }
 
-  /// The x at a time: Newton's method, and a last step for the derivatives.
+  /// Returns x at a time. Uses Newton's method, and one last step for the derivatives.
   T at(const T& t) const {
     using std::abs;
     const Number asked = value(t);
@@ -185,7 +187,7 @@ class Glide {
     return out;
   }
 
-  /// The time at x and its slope.
+  /// Returns the time at x and its slope.
   std::pair<Number, Number> reached_at(const Number& x) const {
     Number out = value(time_[terms_]), slope(0);
     for (std::size_t k = terms_; k-- > 0;) {
@@ -201,7 +203,7 @@ class Glide {
 
   Vec2<T> down_;
   Series along_, across_, speed_, time_, on_, aside_;
-  std::size_t terms_ = 0;  ///< the last that counts
+  std::size_t terms_ = 0;  ///< index of the last coefficient
 };
 
 }  // namespace bankshot

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Contacts that last: balls that touch, do not approach or part to speak of, and that friction drives together. They
-// are held apart by forces (detail/pressed.hpp), which is no event; when one of them changes its arc all are looked at
-// anew.
+// Persistent contacts: balls that touch, neither approach nor part noticeably, and are driven together by friction.
+// Contact forces hold them apart (detail/pressed.hpp); this is not an event. When one of them changes its arc, all
+// their contacts are found anew.
 #pragma once
 
 #include <algorithm>
@@ -22,31 +22,32 @@ class LastingContacts {
   using Number = Real<T>;
   using Balls = BallsInPlay<T, Motion>;
 
-  /// `launch`: |v| + R|ω| of it [m/s].
+  /// `launch` is the speed scale of the launch, √squared_scale [m/s].
   explicit LastingContacts(const Number& launch)
       : held_speed_(std::min<Number>(Number(tolerance::held_contact), Number(tolerance::held_part) * launch)) {}
 
-  /// Two that meet no faster than this [m/s] are held at once.
+  /// Returns the speed up to which two balls that meet are held at once [m/s].
   const Number& slowest_meeting() const { return held_speed_; }
 
-  /// These two press on each other.
+  /// Returns true if these two press on each other.
   bool is_held(std::size_t i, std::size_t j) const { return has(held_, i, j); }
 
-  /// Forces between these balls and others end here; the others join them. They come again if nothing has changed.
+  /// Ends the forces between these balls and others, and adds the others to `balls`. hold() brings the forces back if
+  /// nothing has changed.
   template <class Watch>
   void let_go(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
     let_go_.clear();
     release(in, balls, watch);
   }
 
-  /// Of balls whose arcs have just begun, all looked at: those that friction drives into another are held apart from
-  /// it. Joins to `balls` whoever they touch.
+  /// Holds balls apart that friction drives into each other, and adds every ball that they touch to `balls`. Their arcs
+  /// must have just begun, and the glances of all balls must be current.
   template <class Watch>
   void hold(Balls& in, std::vector<std::size_t>& balls, Watch&& watch) {
     bool driven = false, any = false;
     joined_.assign(in.count(), false);
     for (std::size_t k = 0; k < balls.size() && !any; ++k) {
-      joined_[balls[k]] = true;  // a pair is looked at once
+      joined_[balls[k]] = true;  // each pair is checked once
       for (std::size_t j = 0; j < in.count() && !any; ++j)
         any = !joined_[j] && may_touch(in, balls[k], j) && touch(in, balls[k], j, driven) && driven;
     }
@@ -97,18 +98,19 @@ class LastingContacts {
     return std::ranges::find(pairs, Two{std::min(i, j), std::max(i, j)}) != pairs.end();
   }
 
-  /// What rules out most pairs, at a fraction of what touch costs.
+  /// Returns false for most pairs, at a fraction of the cost of touch().
   bool may_touch(const Balls& in, std::size_t i, std::size_t j) const {
     return in.balls[i].in_play && in.balls[j].in_play && (!in.are_apart(i, j) || has(let_go_, i, j));
   }
 
-  /// Two balls that may touch do, and neither approach nor part, to speak of. If so `driven` says whether they do
-  /// approach, or will. Two that were held until now have come apart a little where one goes round the other.
+  /// Returns true if two balls that may touch do so, and neither approach nor part noticeably. `driven` then tells if
+  /// they approach, or will. Two balls that were held until this moment may be a little apart if one goes round the
+  /// other.
   bool touch(const Balls& in, std::size_t i, std::size_t j, bool& driven) const {
     using std::abs;
     const bool were_held = has(let_go_, i, j);
     const Apart<Number> apart = in.seen(i, j, value(in.now));
-    // Twice what a meeting counts as touching: rounding must not part two that have just met.
+    // Twice the touching tolerance of a meeting, so that rounding does not part two that have just met.
     const Number far = norm(apart.at), near = were_held ? Number(tolerance::held_gap) : 2 * in.rounding.touch;
     if (!(far - in.reach(i, j) < near)) return false;
     const Vec2<Number> normal = apart.at / far;
@@ -118,7 +120,7 @@ class LastingContacts {
     return abs(parting) <= (were_held ? Number(tolerance::slow_contact) : held_speed_);
   }
 
-  /// Of these balls with each other and with cushions.
+  /// Lists the contacts of these balls with each other and with cushions.
   void find_contacts(const Balls& in, const std::vector<std::size_t>& balls) {
     using std::abs;
     contacts_.clear();
@@ -158,9 +160,9 @@ class LastingContacts {
     return found.settled;
   }
 
-  /// What is left of speeds at contacts is taken away: where there are forces all of it, elsewhere what comes nearer.
-  /// A ball that rests goes on resting: moved so little, it would come to rest again and again. False: there was
-  /// nothing.
+  /// Removes the remaining speeds at contacts: the whole speed if there is a force, else only an approach. A resting
+  /// ball goes on resting; moved so little, it would come to rest again and again. Returns false if there was nothing
+  /// to remove.
   bool stop_approach(Balls& in, const std::vector<std::size_t>& balls) {
     speeds_.clear();
     for (const std::size_t i : balls) speeds_.push_back(in.balls[i].track.state().velocity);
@@ -187,7 +189,7 @@ class LastingContacts {
     return true;
   }
 
-  /// Speeds that die away so slowly are those of balls in a wedge, which come to rest in it.
+  /// Speeds that take more sweeps than this are those of balls in a wedge, which come to rest in it.
   static constexpr int sweeps_of_a_wedge = 1000;
   void stop_slow() {
     for (Pressed<T>& c : contacts_) c.force = T(0);
@@ -198,12 +200,12 @@ class LastingContacts {
     }
   }
 
-  /// How a pair moves across its line of centres.
+  /// Motion of a pair across its line of centres.
   struct Across {
     T speed;        ///< m/s
-    Number brakes;  ///< m/s², what takes that away; negative where it grows
+    Number brakes;  ///< m/s², deceleration of that speed; negative if it grows
     Number reach;   ///< m
-    Number turns() const { return value(speed) * value(speed) / reach; }  ///< m/s², towards each other
+    Number turns() const { return value(speed) * value(speed) / reach; }  ///< m/s², centripetal
   };
   Across across(const Balls& in, const std::vector<std::size_t>& balls, const Pressed<T>& c) const {
     const std::size_t i = balls[static_cast<std::size_t>(c.first)], j = balls[static_cast<std::size_t>(c.second)];
@@ -217,7 +219,7 @@ class LastingContacts {
     return c.second != Pressed<T>::none && value(c.force) > Number(0);
   }
 
-  /// Seconds that a piece may last: until a line of centres or a friction has turned too far.
+  /// Returns how long a piece may last [s], before a line of centres or a friction turns too far.
   Number piece(const Balls& in, const std::vector<std::size_t>& balls) const {
     using std::abs;
     Number fastest(0);  // rad/s
@@ -232,8 +234,8 @@ class LastingContacts {
                               Number(tolerance::quiet_piece));
   }
 
-  /// Of two that stay in touch one goes round the other: as fast as the least speed across on a piece (pressed.hpp).
-  /// Forces elsewhere then change what brakes them; where they may come too near by that they do not turn.
+  /// Sets the centripetal acceleration of pairs in contact, from the least speed across during the piece (pressed.hpp).
+  /// Forces elsewhere then change how a pair is braked. A pair that might overlap because of that gets none.
   void turn(const Balls& in, const std::vector<std::size_t>& balls, const Number& lasts) {
     using std::abs, std::sqrt;
     const auto lost = [&](const Number& brakes) { return std::max<Number>(brakes, Number(0)) * lasts; };
@@ -289,13 +291,13 @@ class LastingContacts {
 
   Number held_speed_;        ///< m/s
   std::vector<Two> held_;    ///< pairs that press on each other
-  std::vector<Two> let_go_;  ///< pairs that did until now
-  // Of the balls that do, while they are looked at:
+  std::vector<Two> let_go_;  ///< pairs that did until let_go()
+  // Working data of hold() about the balls in contact:
   std::vector<Pressed<T>> contacts_;
   std::vector<Vec2<T>> rates_, own_, speeds_;
   std::vector<double> inertias_;
-  Number rounding_{0};        ///< N, of forces
-  std::vector<char> joined_;  ///< of all balls: it is looked at
+  Number rounding_{0};        ///< N, rounding error of forces
+  std::vector<char> joined_;  ///< per ball: it needs no further check
 };
 
 }  // namespace bankshot

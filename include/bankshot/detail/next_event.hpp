@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The first thing an arc meets: a cushion, a vertex, a jaw, a pocket, a ball at rest, its own end or the horizon. Found
-// and ordered on values; `lift_event` then gives the time of the one that happens its derivatives.
+// The first thing an arc meets: a cushion, a vertex, a jaw, a pocket, a ball at rest, its own end or the horizon.
+// Events are found and ordered on values. `lift_event` then gives the time of the one that happens its derivatives.
 // Property, numbered as in simulator.hpp:
-//  2. One instant: a pocket captures before balls meet, of those the larger approach speed first; then a cushion
-//     bounces; two cushions both bounce, larger approach speed first, ties in the order of edges. Same instant means
-//     equal computed times.
+//  2. One instant: a pocket captures before balls meet, and of two balls the one with the larger approach speed meets
+//     first. Then a cushion bounces. Two cushions both bounce, larger approach speed first, ties in the order of edges.
+//     Same instant means equal computed times.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@ struct NextEvent {
   N time;  ///< the arc's parameter
   Event event;
   Contact second{};    ///< another cushion met at the same time
-  bool piece = false;  ///< no event: the arc is a piece that ends, and the motion goes on
+  bool piece = false;  ///< no event: a piece of the path ends, and the motion goes on
 
-  /// Member by member: a whole one is put together in memory and waited for, at each cushion.
+  /// Sets the members one by one. A whole struct would be built in memory and waited for, at each cushion.
   void set(const N& t, EventKind kind, Contact contact) {
     time = t;
     event.kind = kind;
@@ -63,7 +63,8 @@ struct EventFinder {
     if (horizon < first.time) first.set(horizon, EventKind::horizon, {});
   }
 
-  /// Apart from the walls, so that a table without vertices to hit and without pockets does not pay for them.
+  /// Considers vertices and pockets. Walls are treated separately, so that a table without vertices and pockets pays
+  /// nothing.
   void consider_circles(NextEvent<N>& first) const {
     const Reach<N> reach(arc, first.time, N(boundary.touch));
     for (const Circle& c : boundary.tips)
@@ -72,8 +73,8 @@ struct EventFinder {
       if (!reach.misses(c.centre, c.radius)) consider_pocket(first, c);
   }
 
-  /// Rails alone do not tell what comes first: the ball crosses a rail's line where there is a mouth, has done so, or
-  /// is held by a rail that ends there.
+  /// Returns true if rails alone do not decide what comes first. The ball crosses a rail's line at a mouth, has done
+  /// so, or is held by a rail that ends there.
   bool is_at_mouth(const NextEvent<N>& first) const {
     if (cushions.any_holds()) return true;
     const auto breached = [&](Contact rail) {
@@ -84,8 +85,8 @@ struct EventFinder {
     return between_jaws() >= 0;
   }
 
-  /// The pocket in whose mouth the arc crosses a rail's line; -1 where the rail is whole. A ball that the rail held to
-  /// its end, and that goes on, is in the mouth.
+  /// Returns the pocket in whose mouth the arc crosses a rail's line, or -1 if the rail is whole there. A ball that a
+  /// rail held up to its end, and that goes on, is in the mouth.
   int mouth_at(const Wall& w, const N& t) const {
     const double s = static_cast<double>(dot(w.along, arc.position(t)));
     const int pocket = boundary.break_at(w, s);
@@ -93,7 +94,7 @@ struct EventFinder {
     return boundary.break_at(w, s + (dot(w.along, arc.velocity) < N(0) ? -boundary.touch : boundary.touch));
   }
 
-  /// The pocket between whose jaws the arc starts; -1 where that is on the table, as on a rail.
+  /// Returns the pocket between whose jaws the arc starts, or -1 if it starts on the table or on a rail.
   int between_jaws() const { return cushions.on_rail() ? -1 : boundary.between_jaws(arc.at); }
 
   void consider_tip(NextEvent<N>& first, const Circle& c) const {
@@ -107,8 +108,8 @@ struct EventFinder {
     if (t <= first.time && t < N(forever)) first.set(t, EventKind::pocket, c.contact);
   }
 
-  /// A centre that leaves the rectangle of centres does so between the jaws of a pocket: only those are looked at, and
-  /// of legs that bounce off rails none.
+  /// Considers rails, and the jaws of the few pockets that the arc may enter. A centre leaves the rectangle of centres
+  /// only between the jaws of a pocket, so a leg that ends at a rail needs no jaws.
   void consider_rails_and_jaws(NextEvent<N>& first) const {
     int pockets[4];
     int count = 0;
@@ -128,7 +129,7 @@ struct EventFinder {
       if (cushions.held(w.contact)) end_hold(first, w);
   }
 
-  /// A rail holds a ball no farther than to its end: there a piece of the arc ends.
+  /// Ends a piece of the arc where the rail that holds the ball ends.
   void end_hold(NextEvent<N>& first, const Wall& w) const {
     const N s = dot(w.along, arc.at), speed = dot(w.along, arc.velocity), a = dot(w.along, arc.acceleration);
     const auto [low, high] = boundary.whole_around(w, static_cast<double>(s));
@@ -151,7 +152,7 @@ struct EventFinder {
     consider_pocket(first, boundary.pockets[k]);
   }
 
-  /// Before a cushion in the same instant, after a pocket.
+  /// Considers balls at rest. In the same instant, a ball comes before a cushion and after a pocket.
   void consider_balls(NextEvent<N>& first) const {
     const Reach<N> reach(arc, first.time, N(boundary.touch));
     for (const Circle& ball : boundary.balls) {
@@ -165,7 +166,7 @@ struct EventFinder {
     }
   }
 
-  /// Than the ball that is met in the same instant.
+  /// Returns true if the arc approaches `ball` faster than the ball that it meets in the same instant.
   bool approaches_faster(const Circle& ball, const NextEvent<N>& first) const {
     const Vec2<N> at = arc.position(first.time), v = arc.tangent(first.time);
     const auto speed = [&](const Circle& c) {
@@ -182,13 +183,13 @@ struct EventFinder {
       first.second = contact;
   }
 
-  /// When the arc meets a wall, if not after `limit`.
+  /// Returns when the arc meets a wall. A result after `limit` only means that it does not do so before.
   N wall_hit(const Wall& w, const N& limit) const {
     const N speed = dot(w.normal, arc.velocity);
     if (straight && !(speed < N(0))) return N(forever);
     N gap = dot(w.normal, arc.at) - N(w.offset);
     const N acceleration = dot(w.normal, arc.acceleration);
-    // The gap of an arc that bends towards the wall, or not at all, is least at an end.
+    // If an arc bends towards the wall, or not at all, its gap is least at one end.
     if (gap > N(0) && !(acceleration > N(0)) && limit < N(forever) &&
         gap + (speed + acceleration * (limit * 0.5)) * limit > N(boundary.touch))
       return N(forever);
@@ -204,15 +205,15 @@ struct EventFinder {
     return boundary.strictly_convex || !(t <= limit) || ends_hold(w, t) ? t : N(forever);
   }
 
-  /// At this time the foot is inside the wall's ends.
+  /// Returns true if the ball's foot on the wall's line is between the wall's ends at this time.
   bool ends_hold(const Wall& w, const N& t) const {
     const N s = dot(w.along, arc.position(t));
     const double slack = tolerance::edge_end * boundary.extent;
     return s >= N(w.begin - slack) && s <= N(w.end + slack) && !starts_past(w, s);
   }
 
-  /// A point that starts at a vertex which points into the table meets a cushion there, at `s` along it, only where it
-  /// approaches the other cushion too: else it goes past the end of the first.
+  /// Returns true if a point starts at a vertex that points into the table, and goes past the end of this wall. It
+  /// meets the wall there, at `s` along it, only if it approaches the other cushion too.
   bool starts_past(const Wall& w, const N& s) const {
     using std::abs;
     if (boundary.body.radius > 0) return false;
@@ -232,7 +233,7 @@ struct EventFinder {
     return false;
   }
 
-  /// Speed to and from a line, now and when the arc ends, is the rounding of the velocity.
+  /// Returns true if the speed to or from a line is only the rounding of the velocity, now and at the end of the arc.
   bool runs_parallel(const N& speed, const N& acceleration) const {
     const N noise2 = dot(arc.velocity, arc.velocity) * (tolerance::along * tolerance::along);
     if (!(speed * speed < noise2)) return false;
@@ -240,7 +241,8 @@ struct EventFinder {
     return gained * gained < noise2;
   }
 
-  /// The ball runs along a cushion that ends at this tip: the line touches the tip's arc there, exactly.
+  /// Returns true if the ball runs along a cushion that ends at this tip. The cushion's line is exactly tangent to the
+  /// tip.
   bool passes_tangent(const Circle& tip) const {
     for (const Contact beside : {tip.before, tip.after}) {
       if (cushions.held(beside)) return true;
@@ -252,8 +254,8 @@ struct EventFinder {
   }
 };
 
-/// The time of an event that was found, with the derivatives of the arc. `on`: its cushion's line is where
-/// the arc starts, exactly.
+/// Returns the time of an event that was found, with the derivatives of the arc. `on`: the arc starts exactly on the
+/// line of the event's cushion.
 template <class T>
 T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc<T>& arc, bool on, const T& horizon) {
   if constexpr (!has_derivatives<T>) return next.time;
@@ -268,7 +270,7 @@ T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc
       return lift_circle(arc, boundary.rim(contact)->centre, next.time);
     case EventKind::horizon:
       if (!next.piece) return horizon;
-      return next.time < value(arc.duration) ? T(next.time) : arc.duration;  // a rail that holds the ball ends
+      return next.time < value(arc.duration) ? T(next.time) : arc.duration;  // the rail that holds the ball ends
     default:
       return arc.duration;
   }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The contacts that the centre is exactly on, and those of them that hold it. Two at most: a corner.
+// The contacts that the centre is exactly on, and those of them that hold it. There are two at most, in a corner.
 // Properties, numbered as in simulator.hpp:
-//  4. A bounce puts the centre exactly on the cushion's line, and the gap to a cushion just left
-//     is exactly 0, so the same bounce is never found twice.
-//  5. A ball at a cushion, with no speed away from it, that friction drives into it is held there:
-//     its normal motion stops, its tangential motion and its slip go on until the acceleration leaves
-//     (held.hpp). That is no bounce; it ends the bouncing without end of a ball that returns slower each time. A ball
-//     that starts within Boundary::touch of a cushion is put on its line. Limitation: at a reflex vertex the ball goes
-//     on along the tangent, where friction might take it round. A ball slower than tolerance::still of its launch after
-//     a bounce rests.
+//  4. A bounce puts the centre exactly on the cushion's line, and the gap to a cushion just left is exactly 0. The same
+//     bounce is therefore never found twice.
+//  5. A ball at a cushion, with hardly any speed away from it, is held there if friction drives it in. Its normal
+//     motion stops. Its tangential motion and its slip go on until the acceleration points away (held.hpp). This is
+//     not a bounce; it ends the endless bouncing of a ball that returns slower each time. A ball that starts within
+//     Boundary::touch of a cushion is put on its line. A ball slower than tolerance::still of its launch after a bounce
+//     rests. Limitation: at a reflex vertex the ball goes on along the tangent, although friction might take it round.
 #pragma once
 
 #include <cmath>
@@ -21,28 +20,28 @@
 
 namespace bankshot {
 
-/// Decides on numbers N without derivatives; what it moves may have some.
+/// Decides on numbers N without derivatives; the states that it moves may have some.
 template <class N>
 class OnCushions {
  public:
-  /// `launch2`: squared_scale of the launch.
+  /// `launch2` is the squared_scale of the launch.
   explicit OnCushions(const N& launch2)
       : bounced2_(launch2),
         resting2_(launch2 * (tolerance::resting * tolerance::resting)),
         still2_(launch2 * (tolerance::still * tolerance::still)) {}
 
-  /// The centre is exactly on the contact.
+  /// Returns true if the centre is exactly on the contact.
   bool on(Contact contact) const { return contact == on_[0] || contact == on_[1]; }
   bool on_rail() const { return on_[0].kind == ContactKind::rail || on_[1].kind == ContactKind::rail; }
-  /// Friction drives the ball into the contact, which holds it.
+  /// Returns true if the contact holds the ball because friction drives it in.
   bool held(Contact contact) const { return contact == held_[0] || contact == held_[1]; }
 
-  /// The first or the second of those that the centre is on; none.
+  /// Returns the first (0) or second (1) contact that the centre is on, or none.
   Contact at(int k) const { return on_[k]; }
-  /// Other balls press the ball to this contact, which the centre is on.
+  /// Makes a contact hold the ball, because other balls press the ball against it. The centre must be on it.
   void hold(Contact contact) { held_[contact == on_[0] ? 0 : 1] = contact; }
 
-  /// Other balls push the ball, which is at `at`: what they push it away from holds it no longer.
+  /// Releases a ball at `at` from the contacts that other balls push it away from.
   void let_go(const Boundary& boundary, const Vec2<N>& at, const Vec2<N>& push) {
     for (Contact& c : held_) {
       if (!c) continue;
@@ -51,26 +50,26 @@ class OnCushions {
     }
   }
 
-  /// Some contact holds the ball.
+  /// Returns true if some contact holds the ball.
   bool any_holds() const { return held_[0] || held_[1]; }
 
-  /// Says that a ball of this squared_scale is about to bounce.
+  /// Records that a ball of this squared_scale is about to bounce.
   void bounces(const N& scale2) { bounced2_ = scale2; }
 
-  /// A squared speed that is no more than the rounding of the last bounce.
+  /// Returns true if a squared speed is no more than the rounding of the last bounce.
   bool is_rounding(const N& speed2) const { return speed2 < bounced2_ * (tolerance::along * tolerance::along); }
 
-  /// A ball of this squared_scale, after a bounce, rests.
+  /// Returns true if a ball of this squared_scale rests after a bounce.
   bool is_still(const N& scale2) const { return scale2 < still2_; }
 
-  /// The ball has moved: it is at no cushion but those that hold it.
+  /// Forgets the contacts that do not hold the ball, because it has moved.
   void leave() {
     on_[0] = held_[0];
     on_[1] = held_[1];
-    if (!on_[0]) std::swap(on_[0], on_[1]);  // the only one is the first
+    if (!on_[0]) std::swap(on_[0], on_[1]);  // a single contact comes first
   }
 
-  /// Remembers that the centre is on the contact.
+  /// Records that the centre is on the contact.
   void meet(Contact contact) {
     if (contact != on_[0]) on_[1] = std::exchange(on_[0], contact);
   }
@@ -85,7 +84,7 @@ class OnCushions {
     meet(contact);
   }
 
-  /// A ball may start at rest against a cushion: then it is put on the line, and the gap is 0.
+  /// Puts a ball that starts against a cushion exactly on its line, so that the gap is 0.
   template <class T>
   void settle_at_start(const Boundary& boundary, Vec2<T>& centre) {
     using std::abs;
@@ -105,8 +104,8 @@ class OnCushions {
         for (const Wall& w : jaws.facings) try_wall(w);
   }
 
-  /// Where the ball rests on a cushion and friction drives it in: no normal motion on this arc. Between
-  /// two cushions it may be held by one, along which the other lets it go, or by both: then it stays.
+  /// Removes the normal motion from the arc of a ball that stays at a cushion because friction drives it in. Between
+  /// two cushions, one may hold the ball while it leaves the other along the first. If both hold it, it stays in place.
   template <class T>
   void hold(const Boundary& boundary, Arc<T>& arc) {
     held_[0] = held_[1] = {};
@@ -139,7 +138,7 @@ class OnCushions {
   }
 
  private:
-  /// A rail that ends at a pocket's jaws holds nothing beyond. True if it let the ball go.
+  /// Releases the ball from a rail whose end at a pocket's jaws it has passed. Returns true if it did.
   bool leaves_ends(const Boundary& boundary, const Vec2<N>& at) {
     if (boundary.jaws.empty()) return false;
     bool left = false;
@@ -156,16 +155,16 @@ class OnCushions {
     return left;
   }
 
-  /// The arc ends with a speed towards the cushion. Otherwise the ball is not pressed to it, and an acceleration
-  /// along the cushion, whose normal part has the sign of rounding, decides nothing. A ball that rolls away
-  /// ends with speed 0, up to rounding: a hundredth more tells them apart.
+  /// Returns true if the arc ends with a speed towards the cushion. Otherwise the ball is not pressed against it: the
+  /// normal part of an acceleration along the cushion is only rounding and decides nothing. A ball that rolls away ends
+  /// with speed 0, up to rounding. The factor 1.01 tells the two cases apart.
   static bool brings_back(const N& acceleration, const N& speed, const N& duration) {
     using std::abs;
     return acceleration < 0 && -acceleration * duration > 1.01 * abs(speed);
   }
 
-  /// Where the ball is at a cushion in a corner and hardly moves: the other cushion, else none. Friction into
-  /// the corner and spin at the cushions may feed ever the same tiny bounces from one to the other.
+  /// Returns the other cushion of a corner in which the ball hardly moves, else none. Friction into the corner and spin
+  /// at the cushions might otherwise feed the same tiny bounces between them forever.
   Contact corner_to_crawl_in(const Boundary& boundary, const Arc<N>& arc) const {
     using std::abs;
     constexpr double more = tolerance::crawling / tolerance::resting;
@@ -177,7 +176,7 @@ class OnCushions {
     return {};
   }
 
-  /// The ball is at this contact without speed from or towards it, to speak of.
+  /// Returns true if the ball has hardly any speed towards or away from this contact.
   bool rests_at(const Boundary& boundary, Contact contact, const Arc<N>& arc) const {
     if (!contact) return false;
     const N speed = dot(boundary.normal(contact, arc.at), arc.velocity);
@@ -191,11 +190,11 @@ class OnCushions {
   }
 
   // Squares of speeds [m²/s²]:
-  N bounced2_;       ///< before the last bounce; its roundings are in proportion
+  N bounced2_;       ///< scale before the last bounce, which sets its rounding
   N resting2_;       ///< a ball that leaves a cushion slower than this may be held
   N still2_;         ///< a ball slower than this after a bounce rests
   Contact on_[2];    ///< contacts the centre is exactly on
-  Contact held_[2];  ///< of those, the ones friction drives it into
+  Contact held_[2];  ///< contacts among them that friction drives it into
 };
 
 }  // namespace bankshot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An event that was found on a chord of a path, moved onto the path: Newton's method for the time at which the gap to
-// what is met is 0.
+// Moves an event that was found on a chord of a path onto the path itself. Newton's method finds the time at which the
+// gap is 0.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,9 @@
 
 namespace bankshot {
 
-/// Where a path only grazes what its chord meets: when the gap falls through 0, or, where the chord alone does so, when
-/// it is least. The chord's time unless there is a gap that closes where the piece begins and opens where it ends.
+/// Returns the time of a graze: the path may only come close to the thing that its chord meets. It is the time at which
+/// the gap falls through 0 or, if only the chord meets the thing, the time at which the gap is least. Returns the
+/// chord's time unless there is a gap that closes at the start of the piece and opens at its end.
 template <class N, class On, class Gap>
 N graze_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&& gap) {
   constexpr int enough = std::numeric_limits<N>::digits;
@@ -34,8 +35,9 @@ N graze_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&&
   return high;
 }
 
-/// `state(t)` on the path, `gap(state)` the gap there and the speed at which it closes; `t` the time on the chord, of a
-/// piece of the path that begins at `first` and ends at `last`.
+/// Returns the time at which the gap on the path is 0. `state(t)` is the state on the path; `gap(state)` is the gap
+/// there and the speed at which it closes. `chord` is the time found on the chord. The piece of the path begins at
+/// `first` and ends at `last`.
 template <class N, class On, class Gap>
 N time_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&& gap) {
   using std::abs;
@@ -52,8 +54,8 @@ N time_on_path(const N& chord, const N& first, const N& last, On&& state, Gap&& 
   return t;
 }
 
-/// When the path meets a contact that its chord meets at t. `on`: the path begins on its line, exactly. A path that is
-/// told its route may have met it `before` it began.
+/// Returns when the path meets a contact that its chord meets at t. `on`: the path begins exactly on the contact's
+/// line. `before`: a path that follows a given route may have met the contact before it began.
 template <class T, class Motion>
 Real<T> time_on_path(const Motion& motion, const Boundary& boundary, const State<T>& start, const Arc<T>& arc,
                      Contact contact, bool on, bool before, const Real<T>& t) {
@@ -67,7 +69,7 @@ Real<T> time_on_path(const Motion& motion, const Boundary& boundary, const State
       return value(advance(motion, boundary.body, start, arc, T(when)));
   };
   if (const Wall* const w = boundary.line(contact)) {
-    // What counts as touching begins with a gap of 0, whatever rounding has made of it.
+    // A centre on the line, or within rounding beyond it, begins with a gap of 0.
     const N begins = dot(w->normal, value(start.at)) - N(w->offset);
     const N less = on || (begins < N(0) && begins > -N(boundary.touch)) ? begins : N(0);
     return time_on_path(t, first, last, state, [&](const State<N>& s) {
@@ -83,7 +85,7 @@ Real<T> time_on_path(const Motion& motion, const Boundary& boundary, const State
   });
 }
 
-/// The same with the derivatives of the path.
+/// Returns that time with the derivatives of the path.
 template <class T, class Motion>
 T lift_on_path(const Motion& motion, const Boundary& boundary, const State<T>& start, const Arc<T>& arc,
                Contact contact, bool on, bool before, const Real<T>& found) {

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// Balls that touch, do not approach, and that friction drives into each other push on each other as long as that lasts.
-// The forces along the lines of centres, and from cushions that balls are pressed to, are the least that leave no
-// acceleration into a contact, but what takes one round the other:
+// Contact forces between balls in persistent contact: they touch, do not approach, and friction drives them together.
+// They push on each other as long as that lasts. Forces act along the lines of centres, and cushions push on balls that
+// are pressed against them. All are the least that leave no acceleration into a contact, apart from the centripetal
+// acceleration of one ball that goes round the other:
 //   f_c >= 0, w_c >= 0, f_c w_c = 0 where w_c = n_c·(a_b − a_a) + v²/D, a_i = its own + Σ ± f_c n_c / M_i
-// with M the mass of a ball that slides, and 7/5 of it where it rolls or rests: it has to be turned as well; v the
-// speed of one across the line of centres, as seen from the other, and D the distance of centres.
+// M is the mass of a ball that slides, and 7/5 of it for a ball that rolls or rests, since that has to be turned as
+// well. v is the speed of one ball across the line of centres, as seen from the other. D is the distance of the
+// centres.
 //
-// Method: contact by contact in the order given, what is left of its acceleration taken away, until nothing changes
-// (projected Gauss–Seidel); one contact alone is exact at once, of two what shrinks by the same share from sweep to
-// sweep is taken to its limit (Aitken's Δ², of all contacts as one vector), and more are hastened by that. What is left
-// of speeds along the lines of centres, up to tolerance::held_contact, is taken away in the same manner, since contact
-// by contact it would take hundreds of events: a ball that rolls goes on rolling, one that rests goes on resting. Balls
-// that press on each other move with constant acceleration for a piece: 2 ms, or 20 where nothing turns to speak of.
+// Method: projected Gauss–Seidel. Contact by contact, in the order given, the remaining acceleration is removed, until
+// nothing changes. A single contact is exact at once. With two, the changes shrink by the same share from sweep to
+// sweep and are taken to their limit (Aitken's Δ², with all contacts as one vector). With more contacts, that saves
+// sweeps. Remaining speeds along the lines of centres, up to tolerance::held_contact, are removed in the same way,
+// because one contact at a time would take hundreds of events. A ball that rolls goes on rolling, and one that rests
+// goes on resting. Balls that press on each other move with constant acceleration for one piece: 2 ms, or up to 20 ms
+// if hardly anything turns.
 //
-// No overlap: with v₁ in the place of v above, the square of the distance is after t seconds at least
-//   D² + (v² − v₁²) t² + a v t³, a the acceleration across
-// which is no less than D² up to t = h where v₁ <= v − h max(0, −a). Two that are held come v (v − v₁) h²/D apart.
+// No overlap: with v₁ in place of v above, the squared distance after t seconds is at least
+//   D² + (v² − v₁²) t² + a v t³, where a is the acceleration across the line of centres.
+// That is no less than D² up to t = h if v₁ <= v − h max(0, −a). Two balls in contact come v (v − v₁) h²/D apart.
 #pragma once
 
 #include <cmath>
@@ -28,7 +31,7 @@
 
 namespace bankshot {
 
-/// Acceleration where the arc begins, also of one with a drag.
+/// Returns the acceleration where the arc begins, including that of a drag.
 template <class T>
 Vec2<T> first_acceleration(const Arc<T>& arc) {
   if (arc.drag.none()) return arc.acceleration;
@@ -42,14 +45,14 @@ bool slides(const Arc<T>& arc) {
          (arc.end == PhaseEnd::roll || arc.end == PhaseEnd::none || arc.end == PhaseEnd::piece);
 }
 
-/// What a push has to move [kg].
+/// Returns the effective mass that a push has to move [kg].
 template <class T>
 double inertia(const Arc<T>& arc, const Body& body) {
   return slides(arc) ? body.mass : body.mass * 7 / 5;
 }
 
-/// Radians a second by which the friction turns where others give the centre this acceleration: with the slip, or with
-/// the way of a ball that rolls.
+/// Returns how fast friction turns [rad/s] if other balls give the centre the acceleration `push`. Friction turns with
+/// the slip, or with the direction of travel of a rolling ball.
 template <class T>
 Real<T> friction_turns(const Arc<T>& arc, const Vec2<T>& push) {
   using N = Real<T>;
@@ -61,12 +64,13 @@ Real<T> friction_turns(const Arc<T>& arc, const Vec2<T>& push) {
   else if (arc.end == PhaseEnd::roll)
     way = value(arc.acceleration) * N(value(arc.duration) * N(3.5));
   else
-    return N(forever);  // a cushion holds it, too
+    return N(forever);  // a cushion holds it as well
   const N size2 = dot(way, way);
   return size2 > N(0) ? N(abs(cross(more, way)) / size2) : N(forever);
 }
 
-/// Others give the centre this acceleration all along the arc, which becomes a piece of no more than so many seconds.
+/// Adds to an arc the acceleration `push` that other balls give the centre. The arc becomes a piece of at most
+/// `longest` seconds.
 template <class T>
 void press(Arc<T>& arc, const Vec2<T>& push, const Real<T>& longest) {
   using N = Real<T>;
@@ -80,7 +84,8 @@ void press(Arc<T>& arc, const Vec2<T>& push, const Real<T>& longest) {
     arc.taken -= push;
     arc.pressed = Press::slides;
     if (turns) {
-      // The slip fades at 7/2 of the friction, and the push moves it too: so long until none is left in its direction.
+      // The slip fades at 7/2 of the friction, and the push changes it too. No slip is left along its first direction
+      // after:
       const T fades = size2 * N(3.5) + dot(push, friction);
       arc.duration = value(fades) > N(0) ? T(arc.duration * (size2 * N(3.5)) / fades) : T(forever);
     }
@@ -103,50 +108,50 @@ void press(Arc<T>& arc, const Vec2<T>& push, const Real<T>& longest) {
   arc.chord = false;
 }
 
-/// A contact of two balls, by number; or of the first with a cushion.
+/// A contact of two balls, given by number, or of the first ball with a cushion.
 template <class T>
 struct Pressed {
-  int first, second;   ///< second: none is the cushion
+  int first, second;   ///< `second` is `none` for a cushion
   Vec2<T> normal;      ///< unit, from the first to the second or to the cushion
-  T turns{0};          ///< m/s², of balls that stay in touch while one goes round the other
+  T turns{0};          ///< m/s², centripetal acceleration of one ball that goes round the other in contact
   T force{0};          ///< N, or an impulse [N s]
-  T change{0};         ///< of the force, by the last sweep
-  bool keeps = false;  ///< it pulls as well
-  Real<T> first_lightness{0}, second_lightness{0};  ///< 1/kg; 0 of a cushion
+  T change{0};         ///< change of the force in the last sweep
+  bool keeps = false;  ///< the force may also pull
+  Real<T> first_lightness{0}, second_lightness{0};  ///< 1/kg; 0 for a cushion
   static constexpr int none = -1;
 };
 
-/// Of the second as seen from the first.
+/// Returns the rate of the second as seen from the first.
 template <class T>
 Vec2<T> relative(const Pressed<T>& c, std::span<const Vec2<T>> rates) {
   const Vec2<T>& first = rates[static_cast<std::size_t>(c.first)];
   return c.second == Pressed<T>::none ? -first : rates[static_cast<std::size_t>(c.second)] - first;
 }
 
-/// How fast the two part, or what drives them apart.
+/// Returns how fast the two part [m/s], or the acceleration that drives them apart [m/s²].
 template <class T>
 T parting_rate(const Pressed<T>& c, std::span<const Vec2<T>> rates) {
   return dot(c.normal, relative<T>(c, rates)) + c.turns;
 }
 
-/// Of all contacts, where their forces do not settle earlier.
+/// Largest number of sweeps over all contacts, in case their forces do not settle earlier.
 inline constexpr int most_sweeps = 100000;
 
-/// What became of forces.
+/// Result of a search for forces.
 template <class N>
 struct Settled {
   bool settled = false;
-  N rounding{0};  ///< N, of the force on a ball
+  N rounding{0};  ///< N, rounding error of the force on a ball
 };
 
-/// Finds the forces at contacts, or the impulses where rates are velocities.
+/// Finds the forces at contacts, or the impulses if rates are velocities.
 template <class T>
 class Forces {
  public:
   using N = Real<T>;
 
-  /// `rates`: accelerations of the balls with the forces that `contacts` have, changed as these change. `inertias`
-  /// [kg]; infinite: it stays as it is.
+  /// `rates` are the accelerations of the balls under the current forces of `contacts`, and change with these forces.
+  /// `inertias` are in kg; a ball with an infinite one keeps its rate.
   Forces(std::span<Pressed<T>> contacts, std::span<Vec2<T>> rates, std::span<const double> inertias)
       : contacts_(contacts), rates_(rates) {
     const auto inverse = [&](int ball) {
@@ -166,11 +171,12 @@ class Forces {
     rounding_ = largest * (8 * std::numeric_limits<N>::epsilon());
   }
 
-  /// Where it does not settle in so many sweeps what is left is for the next look, which comes with the next piece.
+  /// Sweeps over the contacts until their forces settle, at most `sweeps` times. If they do not settle, the next piece
+  /// finds forces anew.
   Settled<N> settle(int sweeps) {
     bool settled = false;
     for (int sweep = 1, leap_after = 3; sweep <= sweeps && !settled; ++sweep) {
-      N shrinks(0), before(0);  // of the changes of all forces: the product with those before, and their square
+      N shrinks(0), before(0);  // over all forces: Σ last change × change, and Σ last change²
       settled = true;
       for (Pressed<T>& c : contacts_) {
         if (!moves(c)) continue;
@@ -181,17 +187,17 @@ class Forces {
         shrinks += value(c.change) * value(last), before += value(last) * value(last);
       }
       if (settled || sweep != leap_after) continue;
-      leap_after *= 2;  // less and less often: sweeps alone do settle
+      leap_after *= 2;  // leaps become rarer, since sweeps alone settle in the end
       const N share = shrinks / before;
       if (share > N(0) && share < N(most_left) && before > square(N(clear * rounding_)))
         leap(N(share / (N(1) - share)));
     }
-    return {settled, rounding_ * 8};  // of a ball with six others around it
+    return {settled, rounding_ * 8};  // covers a ball with six others around it
   }
 
  private:
-  /// Of a change, what the next sweep leaves of it where that tells the rest: a longer leap would cost digits; and
-  /// roundings, below which it tells nothing.
+  /// Limits of a leap. The next sweep may leave at most the share `most_left` of a change, since a longer leap would
+  /// cost digits. Changes below `clear` roundings tell nothing about the rest.
   static constexpr double most_left = 0.99, clear = 1e3;
 
   static N square(const N& x) { return x * x; }
@@ -211,7 +217,7 @@ class Forces {
     if (ball != Pressed<T>::none) rates_[static_cast<std::size_t>(ball)] += more;
   }
 
-  /// Every force changes by so many times its last change.
+  /// Changes every force by `times` its last change.
   void leap(const N& times) {
     for (Pressed<T>& c : contacts_)
       if (moves(c)) set(c, c.force + c.change * T(times));
@@ -219,7 +225,7 @@ class Forces {
 
   std::span<Pressed<T>> contacts_;
   std::span<Vec2<T>> rates_;
-  N rounding_{0};  ///< N, of a force: that of the largest
+  N rounding_{0};  ///< N, rounding error of the largest force
 };
 
 }  // namespace bankshot

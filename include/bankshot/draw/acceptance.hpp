@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The acceptance window of a pocket: angle across, offset upwards, the lines that lead in coloured by how.
+// Draws the acceptance window of a pocket: the angle runs across, the offset upwards. Lines that lead into the pocket
+// are coloured by the way they enter.
 #pragma once
 
 #include <span>
@@ -11,7 +12,7 @@
 
 namespace bankshot {
 
-/// One window below the other, a speed each, with the pocket's exact line (geometry/opening.hpp) in all of them.
+/// Draws the windows one below the other, one per speed. Each shows the pocket's exact line (geometry/opening.hpp).
 std::string draw(const Scene& scene, int pocket, std::span<const Acceptance> windows, Theme theme = Theme::light);
 
 }  // namespace bankshot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a fit found, on a page: of each shot the path on the table with the places where the ball was seen, and how far
-// these lie from it over time.
+// Draws the result of a fit on one page. Each shot shows its path on the table with the observed positions, and their
+// distances from the path over time.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace bankshot {
 
-/// `recordings`: the first of those that were fitted, or all of them.
+/// `recordings` holds the fitted recordings, or only the first few of them.
 std::string draw(std::span<const Recording> recordings, const Fit& fit, const PictureStyle& style = {});
 
 }  // namespace bankshot

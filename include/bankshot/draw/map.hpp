@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Heat maps on a table: cells in colours, with the scale below; and the map of a puzzle's starts.
+// Heat maps on a table: coloured cells with a legend below, and the map of a puzzle's starts.
 #pragma once
 
 #include <span>
@@ -14,20 +14,21 @@ namespace bankshot {
 struct Cell {
   Vec2d low, high;  ///< corners [m]
   std::string fill;
-  std::optional<double> aim{};  ///< rad; drawn as an arrowhead in the middle, where the cell has room for it ...
-  std::string ink = "#fff";     ///< ... in this colour
+  std::optional<double> aim{};  ///< rad; drawn as an arrowhead in the middle if the cell is large enough
+  std::string ink = "#fff";     ///< colour of the arrowhead
 };
 
 struct LegendEntry {
   std::string label, colour;
 };
 
-/// The puzzle's table and target under coloured cells.
+/// Draws the puzzle's table and target with coloured cells.
 std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend,
                  const std::string& title, const PictureStyle& style = {});
 
-/// Two tables one above the other: how likely the best shot from each start is made, and how slow it is.
-/// Without success the second alone. Cells without a shot are holes; where no ball can start the cloth is seen.
+/// Draws two tables one above the other: the success of the best shot from each start, and its launch speed. If no
+/// success was computed, only the second is drawn. Cells without a shot are left blank; the cloth shows where no ball
+/// can start.
 std::string draw(const Puzzle& puzzle, const StartMap& map, Theme theme = Theme::light);
 
 }  // namespace bankshot

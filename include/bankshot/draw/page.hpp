@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Several pictures on one page, with headings and captions: SVG text made of SVG texts.
+// Combines several SVG pictures on one page, with headings and captions.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 namespace bankshot {
 
 struct Plate {
-  std::string svg;                     ///< a picture of draw/svg.hpp
+  std::string svg;                     ///< a picture from draw/svg.hpp
   std::string title{};                 ///< above it
   std::vector<std::string> caption{};  ///< below it, line by line
 };
@@ -24,9 +24,9 @@ struct Chapter {
 
 struct PageStyle {
   int columns = 1;
-  double plate = 1000;  ///< px, the width of a plate
-  double ratio = 0;     ///< of the space for a picture, height over width; 0: a row is as high as its highest
-  double letter = 18;   ///< px, of captions
+  double plate = 1000;  ///< width of a plate [px]
+  double ratio = 0;     ///< height over width of the space for a picture; 0: a row is as high as its tallest picture
+  double letter = 18;   ///< font size of captions [px]
   std::string title{}, subtitle{};
   Theme theme = Theme::light;
 };

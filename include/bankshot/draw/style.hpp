@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// How pictures look.
+// Style options of pictures.
 #pragma once
 
 namespace bankshot {
 
-enum class Theme { light, dark };  ///< for paper and for dark screens
+enum class Theme { light, dark };  ///< `light` suits paper, `dark` suits dark screens
 
 struct PictureStyle {
   Theme theme = Theme::light;
-  bool words = true;    ///< a caption and the cue's tip below the table; without, only the table
-  bool moving = false;  ///< the balls of the shot, or of the best one, move; paths are drawn all the same
+  bool words = true;    ///< draw a caption and the tip position below the table; otherwise only the table
+  bool moving = false;  ///< animate the balls of the shot, or of the best one; paths are drawn as well
 };
 
 }  // namespace bankshot

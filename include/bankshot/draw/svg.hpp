@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Pictures as SVG text: the table with its cushions, diamonds and pockets, paths on it, and words below that say how to
-// play them. Pure functions of their arguments; drawing simulates the shot once and, for a margin's band, a few times
-// more.
+// Draws pictures as SVG text: the table with its cushions, diamonds and pockets, the paths, and a caption that says how
+// to play them. The functions are pure. Drawing simulates the shot once, and a few more times for the band of a margin.
 #pragma once
 
 #include <span>
@@ -15,7 +14,7 @@
 
 namespace bankshot {
 
-/// A simulated shot: path, bounces, start and end.
+/// Draws a simulated shot: path, bounces, start and end.
 std::string draw(const ShotRequest& request, const Trajectory& trajectory, const PictureStyle& style = {});
 
 struct LabelledPath {
@@ -23,13 +22,13 @@ struct LabelledPath {
   Trajectory trajectory;
 };
 
-/// Several paths on one table, each in its colour, with a legend.
+/// Draws several paths on one table, each in its own colour, with a legend.
 std::string draw(const Table& table, const Ball& ball, std::span<const LabelledPath> paths,
                  const PictureStyle& style = {});
 
-/// A puzzle with its answer. One shot: its path with numbered bounces and a dot each half second, the margin of its aim
-/// as a band, the line of aim as far as the diamond. Several: numbered, with a list. None: the nearest miss. An answer
-/// of its own making (`Answer{}`) leaves the question alone.
+/// Draws a puzzle with its answer. One shot is drawn as its path with numbered bounces and dots at equal times, the
+/// margin of its aim as a band, and the line of aim as far as the diamond. Several shots are numbered and listed. If
+/// there is no shot, the nearest miss is drawn. With an empty answer (`Answer{}`) only the puzzle is drawn.
 std::string draw(const Puzzle& puzzle, const Answer& answer, const PictureStyle& style = {});
 
 }  // namespace bankshot

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a ball can meet, as a value: which kind of thing, and which of them. It bounces off a rail along the
-// rail's line, off a vertex that points into the table, off the jaws of a pocket and off other balls; a pocket takes
-// it. What shape a contact has, the Boundary says (boundary.hpp): ask that for its line or its rim rather than a
-// contact for its kind.
+// A contact names what a ball can meet, by kind and index. A ball bounces off rails, off vertices that point into the
+// table, off the jaws of pockets and off other balls; a pocket captures it. The Boundary (boundary.hpp) knows the shape
+// of each contact: code should ask it for the line or rim instead of switching on the kind.
 #pragma once
 
 #include <compare>
@@ -16,34 +15,35 @@ namespace bankshot {
 
 struct Table;
 
-/// In the order of lists of contacts. As wide as the index: a contact is copied and compared in registers.
+/// The order of the kinds sorts lists of contacts. The type is as wide as the index, so that a contact is copied and
+/// compared in registers.
 enum class ContactKind : std::int32_t { none, rail, vertex, pocket, jaw, ball };
 
 struct Contact {
   ContactKind kind = ContactKind::none;
-  int index = -1;  ///< among the table's cushions, vertices, pockets or the balls; of jaws four to a pocket
+  int index = -1;  ///< among the table's cushions, vertices or pockets, or the balls; jaws take four per pocket
 
   static constexpr Contact rail(int i) { return {ContactKind::rail, i}; }
   static constexpr Contact vertex(int i) { return {ContactKind::vertex, i}; }
   static constexpr Contact pocket(int i) { return {ContactKind::pocket, i}; }
-  /// Of a pocket's four pieces, anticlockwise: tip and facing at the end of one rail, facing and tip of the next.
+  /// A pocket has four jaw pieces, anticlockwise: tip and facing at the end of one rail, facing and tip of the next.
   static constexpr Contact jaw(int pocket, int piece) { return {ContactKind::jaw, jaws * pocket + piece}; }
-  /// 0 is the ball that is struck.
+  /// Ball 0 is the cue ball.
   static constexpr Contact ball(int i) { return {ContactKind::ball, i}; }
   static constexpr int jaws = 4;
-  constexpr int jaw_pocket() const { return index / jaws; }  ///< of a jaw
-  constexpr int jaw_piece() const { return index % jaws; }   ///< of a jaw
+  constexpr int jaw_pocket() const { return index / jaws; }  ///< only for jaws
+  constexpr int jaw_piece() const { return index % jaws; }   ///< only for jaws
 
-  /// False of none.
+  /// Returns false for `none`.
   constexpr explicit operator bool() const { return kind != ContactKind::none; }
   friend constexpr auto operator<=>(const Contact&, const Contact&) = default;
 };
 
-/// The name of a contact in puzzles and answers: the cushion's, `v<i>`, the pocket's, also of
-/// its jaws; "ball 2" of a ball, whose name the table does not know; "none" of none.
+/// Returns the name of a contact in puzzles and answers: that of the cushion or pocket (also for its jaws), or `v<i>`.
+/// A ball is "ball 2", because the table does not know its name; no contact is "none".
 std::string contact_name(const Table& table, Contact contact);
 
-/// The cushion or vertex with this name; none where there is none.
+/// Finds the cushion or vertex with this name, if there is one.
 std::optional<Contact> find_cushion(const Table& table, std::string_view name);
 
 }  // namespace bankshot

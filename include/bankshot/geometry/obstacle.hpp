@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// What balls bounce off, before any ball is there: pieces of the cushions' nose lines, straight or round, each
-// with an end. They are made of a table once; a Boundary moves them into the table by the radius of a ball.
-//   segment  from one point to another; the table lies on its left
-//   bend     part of a circle: a corner that points into the table is one of radius 0, between the normals of
-//            the two segments that meet there, and the tip of a rail at a pocket with jaws another
-//   mouth    the gap in the rails at a pocket with jaws, and its four pieces: a ball whose centre leaves the table's
-//            rectangle of centres does so through one of them
-// A ball of radius R meets a segment where its centre is R from the line and its foot inside the segment, a bend
-// where its centre is R + radius from the bend's centre, in a direction between the two normals.
+// The obstacles of a table, independent of any ball: straight and round pieces of the cushions' nose lines. They are
+// built once per table; a Boundary moves them into the table by the radius of a ball.
+//   segment  a line from one point to another; the table lies on its left
+//   bend     an arc. A corner that points into the table is a bend of radius 0 between the normals of the two segments
+//            that meet there. The tip of a rail at a pocket with jaws is another.
+//   mouth    the gap in the rails at a pocket with jaws, with its four jaw pieces. A centre leaves the rectangle of
+//            centres only through a mouth.
+// A ball of radius R meets a segment when its centre is R from the line and its foot lies inside the segment. It meets
+// a bend when its centre is R + radius from the bend's centre, in a direction between the two normals.
 #pragma once
 
 #include <array>
@@ -27,34 +27,34 @@ struct Segment {
 struct Bend {
   Vec2d centre;   ///< m
   double radius;  ///< m, >= 0
-  Vec2d middle;   ///< unit, into the table: the normal half way along it
-  double half;    ///< rad: it extends so far to either side of that
+  Vec2d middle;   ///< unit normal at the middle of the arc, into the table
+  double half;    ///< rad; the arc extends this far to either side of `middle`
   Contact contact{};
   Contact before{}, after{};  ///< the segments that it joins, tangent to both
 };
 
-/// Between `begin` and `end` along a rail [m from its start] there is no cushion.
+/// An interval of a rail without cushion, from `begin` to `end` [m from the rail's start].
 struct Break {
   int rail;
   double begin, end;
 };
 
 struct JawPieces {
-  std::vector<Break> breaks;       ///< of the rail before and the rail after, or of the one that both are
-  std::array<Bend, 2> tips;        ///< in the order of the outline, as the facings
-  std::array<Segment, 2> facings;  ///< of no length where the tips reach as deep
+  std::vector<Break> breaks;       ///< one in each of the two rails; a single one inside a rail
+  std::array<Bend, 2> tips;        ///< in the order of the outline, like the facings
+  std::array<Segment, 2> facings;  ///< of length 0 if the tips reach as deep
   bool faced() const { return !(facings[0].from == facings[0].to); }
 };
 
 struct Obstacles {
   std::vector<Segment> segments;  ///< whole rails, in the order of the outline
   std::vector<Bend> bends;        ///< corners that point into the table
-  std::vector<JawPieces> jaws{};  ///< of every pocket, or none
+  std::vector<JawPieces> jaws{};  ///< one for every pocket, or empty
 };
 
 Obstacles obstacles(const Table& table);
 
-/// The corners of what is inside, anticlockwise; round tips are cut short.
+/// Returns the corners of the table's inside, anticlockwise; round tips are cut short.
 std::vector<Vec2d> outline(const Table& table, const std::vector<JawPieces>& jaws);
 
 }  // namespace bankshot

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// What a pocket offers to a ball that comes straight: the arc of its circle where a ball's centre can be.
-// A line in direction u is told by its *offset*, its distance from the pocket's centre, positive where the line passes
-// on the left of that centre as the ball travels. Lines that enter through the arc fill an interval of offsets, the
-// *gap*. With jaws the gap holds those that touch none of them: a line may pass the round tip at either end of the arc
-// no nearer than a tangent of it. The *exact line* is the one nearest to the centre that keeps an eighth of the gap
-// from both its ends. Worked number: a corner pocket of radius 58 mm and a ball of 28.575 mm: the arc is that
-// from 29.5° to 60.5°, its ends 31 mm apart. Seen along the bisector the gap is ±15.4 mm and the exact line has offset
-// 0; seen 30° beside it the gap goes from 15.5 to 42 mm, and the exact line, 3.3 mm inside it, has offset 18.8 mm.
+// The opening of a pocket: the arc of its circle where a ball's centre can enter in a straight line.
+// A line in direction u is described by its *offset*, its distance from the pocket's centre. The offset is positive if
+// the line passes on the left of that centre as the ball travels. Lines that enter through the arc fill an interval of
+// offsets, the *gap*. With jaws the gap holds only lines that touch no jaw: at either end of the arc, a line may come
+// no nearer to the round tip than a tangent. The *exact line* is the line nearest to the centre that keeps an eighth of
+// the gap from both its ends.
+// Example: a corner pocket of radius 58 mm and a ball of radius 28.575 mm. The arc goes from 29.5° to 60.5°, and its
+// ends are 31 mm apart. Along the bisector the gap is ±15.4 mm and the exact line has offset 0. At 30° from the
+// bisector the gap goes from 15.5 to 42 mm, and the exact line, 3.3 mm inside it, has offset 18.8 mm.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +19,12 @@
 
 namespace bankshot {
 
-/// Offsets [m] of the lines in one direction that lead straight in.
+/// The interval of offsets [m] of the lines in one direction that lead straight into the pocket.
 template <class T>
 struct Gap {
   T low, high;
 
-  /// The offset of the exact line: clamp(0, low + w/8, high − w/8), w the width.
+  /// Returns the offset of the exact line: clamp(0, low + w/8, high − w/8), where w is the width.
   T exact() const {
     const T eighth = (high - low) / 8;
     if (low + eighth > T(0)) return low + eighth;
@@ -31,30 +32,30 @@ struct Gap {
   }
 };
 
-/// The tip of a jaw beside an opening, from the pocket's centre.
+/// The tip of a jaw beside an opening, relative to the pocket's centre.
 struct OpeningTip {
   Vec2d centre{};     ///< m
-  double radius = 0;  ///< m, for the centre of a ball; 0: there is none
-  Vec2d middle{};     ///< unit: of its extent
-  double least = 0;   ///< cosine of half its extent
+  double radius = 0;  ///< m; includes the ball's radius; 0 if there is no tip
+  Vec2d middle{};     ///< unit vector to the middle of its arc
+  double least = 0;   ///< cosine of half its arc
 
   bool operator==(const OpeningTip&) const = default;
 };
 
 struct Opening {
-  double radius = 0;      ///< m, of the circle
-  Vec2d first{}, last{};  ///< m, from its centre to the ends of the arc, anticlockwise; equal where it is whole
-  OpeningTip tips[2]{};   ///< beside those ends
+  double radius = 0;      ///< m; of the pocket's circle
+  Vec2d first{}, last{};  ///< m; from the centre to the ends of the arc, anticlockwise; equal if it is a whole circle
+  OpeningTip tips[2]{};   ///< beside the ends of the arc
 
   bool operator==(const Opening&) const = default;
   bool whole() const { return first == last; }
-  /// Whether a ray from the centre goes through the arc.
+  /// Returns true if a ray from the centre goes through the arc.
   bool covers(const Vec2d& ray) const;
-  /// From a point, given from the centre, to the nearest of the arc [m].
+  /// Returns the distance [m] from a point, given relative to the centre, to the arc.
   double distance(const Vec2d& from_centre) const;
 
-  /// Seen along the unit vector u. Of an arc that is seen in two parts, the one where the offset `near` is; of one that
-  /// only shows its back, nothing: both ends where its first bit will appear.
+  /// Returns the gap along the unit vector u. If the visible arc has two parts, returns the one that holds the offset
+  /// `near`. If only the back of the arc is visible, returns an empty gap at the offset where it would first appear.
   template <class T>
   Gap<T> gap(const Vec2<T>& u, double near) const {
     Gap<T> out = into_circle(u, near);
@@ -65,14 +66,14 @@ struct Opening {
   }
 
  private:
-  /// As if nothing stood before the circle.
+  /// Returns the gap of the arc alone, without the tips of jaws.
   template <class T>
   Gap<T> into_circle(const Vec2<T>& u, double near) const {
     const T left(radius), right(-radius);
     if (whole()) return {right, left};
     const Vec2d way = value(u);
     const bool sees_first = !(dot(first, way) > 0), sees_last = !(dot(last, way) > 0);
-    // Anticlockwise along the side of the circle that is seen is from left to right.
+    // On the visible side of the circle, anticlockwise means from left to right.
     const T high = cross(u, to<T>(first)), low = cross(u, to<T>(last));
     if (sees_first && sees_last) {
       if (!(high < low)) return {low, high};
@@ -85,12 +86,12 @@ struct Opening {
     return {end, end};
   }
 
-  /// `side`: 1 where the tip is on the left of the line, else -1.
+  /// Narrows the gap to lines that clear a tip. `side` is 1 if the tip is on the left of the line, otherwise -1.
   template <class T>
   void pass_tip(const Vec2<T>& u, const OpeningTip& tip, int side, Gap<T>& gap) const {
     if (!(tip.radius > 0)) return;
     const Vec2d way = value(u), towards_line{side * way.y, -side * way.x}, met = tip.centre + towards_line * tip.radius;
-    // The tangent's point is not on the tip, or the ball has fallen before.
+    // The tip does not matter if the point of tangency is not on it, or if the ball is captured before it gets there.
     if (dot(tip.middle, towards_line) < tip.least || dot(met, met) < radius * radius) return;
     const T bound = cross(u, to<T>(tip.centre)) - T(side * tip.radius);
     if (side > 0 && bound < gap.high) gap.high = bound;
@@ -98,8 +99,8 @@ struct Opening {
   }
 };
 
-/// The arcs of a pocket's circle, as walls and tips cut it. A pocket without a size has one that is whole;
-/// one whose jaws are too narrow has none.
+/// Returns the arcs of a pocket's circle that walls and tips leave open. A pocket of radius 0 has one whole circle; a
+/// pocket whose jaws are too narrow has no arc.
 std::vector<Opening> openings(const Boundary& boundary, const Circle& pocket);
 
 }  // namespace bankshot

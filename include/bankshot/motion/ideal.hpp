@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Constant speed on a straight line: the billiard of mathematics.
+// Constant speed on a straight line, as in mathematical billiards.
 #pragma once
 
 #include "bankshot/motion/arc.hpp"
@@ -25,7 +25,7 @@ struct Ideal {
   Vec3<T> spin(const Body& body, const State<T>& s) const {
     return natural_roll(s.velocity, body.radius);
   }
-  /// Deceleration along the path [m/s²].
+  /// Returns the deceleration along the path [m/s²].
   double deceleration() const { return 0; }
 };
 

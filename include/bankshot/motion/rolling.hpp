@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Natural roll from the first instant, slowed by rolling friction: a straight line with the
-// constant deceleration μr g (Leckie & Greenspan 2006, rolling phase).
-// From speed v it stops after v/(μr g) seconds and v²/(2 μr g) metres. Where friction grows with the
-// speed the line is the same, with another clock (drag.hpp).
+// Natural roll from the first instant, slowed by rolling friction: a straight line with the constant deceleration μr g
+// (Leckie & Greenspan 2006, rolling phase). From speed v, the ball stops after v/(μr g) seconds and v²/(2 μr g) metres.
+// If friction grows with the speed, the line is the same, with another clock (drag.hpp).
 #pragma once
 
 #include "bankshot/motion/arc.hpp"
 
 namespace bankshot {
 
-/// The rolling phase from velocity v with deceleration a [m/s²].
+/// Returns the rolling phase from velocity v with deceleration a [m/s²].
 template <class T, class A>
 [[gnu::always_inline]] inline Arc<T> rolling_arc(const Vec2<T>& at, const Vec2<T>& velocity, const A& a) {
   const T speed2 = dot(velocity, velocity);
@@ -21,11 +20,11 @@ template <class T, class A>
   return {at, velocity, velocity * T(-a / speed), speed / a, PhaseEnd::rest};
 }
 
-/// μr = at_rest + per_speed · v, dimensionless.
+/// Rolling friction μr = at_rest + per_speed · v, dimensionless.
 template <class C>
 struct RollingFrictionOf {
   C at_rest{0.01};
-  C per_speed{0};  ///< s/m, >= 0; where it is not 0, at_rest is greater than 0
+  C per_speed{0};  ///< s/m, >= 0; unless it is 0, at_rest is greater than 0
 
   constexpr RollingFrictionOf() = default;
   constexpr RollingFrictionOf(const C& constant) : at_rest(constant) {}
@@ -33,7 +32,7 @@ struct RollingFrictionOf {
 };
 using RollingFriction = RollingFrictionOf<double>;
 
-/// The rolling phase with friction that grows with the speed.
+/// Returns the rolling phase with friction that grows with the speed.
 template <class T, class C>
 Arc<T> rolling_arc(const Vec2<T>& at, const Vec2<T>& velocity, const RollingFrictionOf<C>& friction, double g) {
   using K = Coefficient<T, C>;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A ball on cloth: it slides until its contact point rests on the cloth, then it rolls, then it
-// stops; vertical spin decays beside either (Leckie & Greenspan 2006; pooltool's theory notes).
+// A ball on cloth. It slides until its contact point rests on the cloth, then it rolls, then it stops. Vertical spin
+// decays in parallel with either phase (Leckie & Greenspan 2006; pooltool's theory notes).
 //   slip      u = v − R (ω × ẑ) = (vx − R ωy, vy + R ωx)
 //   sliding   v̇ = −μs g û,  ω̇∥ = (5 μs g / 2R)(ẑ × û),  u̇ = −(7/2) μs g û; û is constant, so the
 //             path is a parabola, until t = 2|u| / (7 μs g)
 //   rolling   v̇ = −μr g v̂,  ω∥ = ẑ × v / R
 //   vertical  ω̇z = −sign(ωz) 5 μsp g / (2R), until ωz = 0
-// Worked number: hit in the centre at v0 = 2 m/s with μs = 0.2, a ball rolls after 2 v0/(7 μs g) =
-// 0.291 s and 12 v0²/(49 μs g) = 0.499 m, at 5/7 v0.
+// Worked number: a ball hit in the centre at v0 = 2 m/s, with μs = 0.2, rolls after 2 v0/(7 μs g) = 0.291 s and
+// 12 v0²/(49 μs g) = 0.499 m, at 5/7 v0.
 #pragma once
 
 #include "bankshot/motion/rolling.hpp"
@@ -16,7 +16,7 @@
 
 namespace bankshot {
 
-/// A ball with a radius: its slip needs one.
+/// Motion of a ball that slides and rolls. The ball needs a radius, because slip does.
 template <class C>
 struct SlideRollOf {
   C sliding_friction{0.2};                  ///< μs
@@ -26,7 +26,7 @@ struct SlideRollOf {
 
   static constexpr bool straight = false;
 
-  /// Velocity of the ball's lowest point over the cloth.
+  /// Returns the velocity of the ball's lowest point over the cloth.
   template <class T>
   static Vec2<T> slip(const Body& body, const State<T>& s) {
     const Real<T> R(body.radius);
@@ -63,7 +63,7 @@ struct SlideRollOf {
     fade(body, s, t);
   }
 
-  /// The spin about the vertical dies out.
+  /// Lets the spin about the vertical fade for t seconds.
   template <class T>
   void fade(const Body& body, State<T>& s, const T& t) const {
     using Number = Real<T>;
@@ -96,12 +96,12 @@ struct SlideRollOf {
   Vec3<T> spin(const Body&, const State<T>& s) const {
     return s.spin;
   }
-  /// Of a slow ball [m/s²].
+  /// Returns the deceleration of a slow ball [m/s²].
   C deceleration() const { return rolling_friction.at_rest * g; }
 
  private:
-  /// What is left of a slip that turned (held.hpp, pressed.hpp) still takes its share, 2/7, of the speed: without that
-  /// the last of the slip would come back as energy. Along a cushion, which took the rest across it:
+  /// Takes from the speed its share, 2/7, of the slip that is left after it turned (held.hpp, pressed.hpp). Otherwise
+  /// the last of the slip would come back as energy. The ball moves along a cushion, which took the part across it.
   template <class T>
   static void slow_to_roll(const Body& body, State<T>& s) {
     const T speed2 = dot(s.velocity, s.velocity);

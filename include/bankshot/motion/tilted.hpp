@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Sliding, rolling and spin on a cloth that rises by s metres a metre, along x and y. Gravity along the table, −g s,
-// acts in full on a ball that slides and by 5/7 on one that rolls; with u the slip and û its direction
+// Sliding, rolling and spin on a cloth that rises by s metres per metre, along x and y. Gravity along the table, −g s,
+// acts in full on a ball that slides and by 5/7 on one that rolls. With the slip u and its direction û,
 //   sliding  v̇ = −μs g û − g s,   u̇ = −(7/2) μs g û − g s
 //   rolling  v̇ = −μr(v) g v̂ − (5/7) g s
-// so that the slip turns and a ball that rolls curves. A ball rolls where (2/7)|s| <= μs, else it slides for ever; it
-// rests where (5/7)|s| <= μr, else it starts downhill. Both laws are one (detail/incline.hpp).
-// Method: an arc is a chord, the parabola through both ends of a piece of the path with the velocity where it begins,
-// and never farther than tolerance::chord from the path. What it meets is found on the chord; when, and the state
-// there, on the path itself (`follow`), to a few units in the last place. Events closer to each other than
-// the chord is to the path may come in the wrong order, and a cushion grazed by less than that may be missed.
-// Held by a cushion, or pressed on by other balls, it moves by short pieces (detail/held.hpp, pressed.hpp).
+// The slip therefore turns, and a ball that rolls curves. A ball rolls if (2/7)|s| <= μs, else it slides forever. It
+// rests if (5/7)|s| <= μr, else it starts downhill. Both laws have one form (detail/incline.hpp).
+// Method: an arc is a chord, the parabola through both ends of a piece of the path with the velocity where the piece
+// begins. It is never farther than tolerance::chord from the path. Events are found on the chord. Their time and state
+// are then found on the path itself (`follow`), to a few units in the last place.
+// Limitation: events closer to each other than the chord is to the path may come in the wrong order. A cushion grazed
+// by less than that may be missed.
+// A ball that is held by a cushion, or pushed by other balls, moves by short pieces (detail/held.hpp, pressed.hpp).
 #pragma once
 
 #include <algorithm>
@@ -27,10 +28,10 @@ struct TiltedOf : SlideRollOf<C> {
   using Level = SlideRollOf<C>;
 
   Vec2<C> rise{};             ///< s, not 0
-  bool always_rolls = false;  ///< from the start, as in Rolling: the ball carries no spin
+  bool always_rolls = false;  ///< rolls from the start, as in Rolling: the ball carries no spin
 
   static constexpr bool straight = false;
-  static constexpr bool plain = !has_derivatives<C>;  ///< it runs in numbers without derivatives
+  static constexpr bool plain = !has_derivatives<C>;  ///< true if coefficients have no derivatives
 
   template <class T>
   Arc<T> arc(const Body& body, const State<T>& s) const {
@@ -41,7 +42,7 @@ struct TiltedOf : SlideRollOf<C> {
     out.bends = true;
     if (!phase.slides) out.pressed = Press::rolls;
     const Piece piece = piece_of(body, phase);
-    if (piece.even) {  // from a halt downhill
+    if (piece.even) {  // downhill from a halt
       const Vec2<T> pull = phase.downhill(phase.law.pull - phase.law.friction);
       out.acceleration = pull * T(phase.share) + phase.weight;
       out.duration = T(value(phase.law.drag) == N(0) ? N(forever) : N(tolerance::first_piece));
@@ -65,7 +66,7 @@ struct TiltedOf : SlideRollOf<C> {
     return with_friction(out, phase);
   }
 
-  /// The state t seconds on the path of which the arc from `s` is a chord.
+  /// Returns the state t seconds along the path of which the arc from `s` is a chord.
   template <class T>
   State<T> follow(const Body& body, const State<T>& s, const Arc<T>& arc, const T& t) const {
     using N = Real<T>;
@@ -80,7 +81,7 @@ struct TiltedOf : SlideRollOf<C> {
       const Glide<T, K<T>> glide(phase.law, w, N(piece.step));
       const T covered = glide.time(T(1));
       if (piece.last && value(t) > value(covered)) {
-        // Farther than the series goes: all that is left less what is left then.
+        // Beyond the series: all that is left now, less what is left then.
         const Stop<T> stop = stop_on(phase.law, w);
         const T left = stop.time - t;
         w = before_stop(phase.law, w, left);
@@ -106,7 +107,8 @@ struct TiltedOf : SlideRollOf<C> {
     return out;
   }
 
-  /// The arc of a ball that is held by the cushion with this normal, unit, into the table; `corner`: by two.
+  /// Returns the arc of a ball held by the cushion with this normal, a unit vector into the table. `corner`: two hold
+  /// it.
   template <class T>
   Arc<T> held(const Body& body, const State<T>& s, const Vec2<Real<T>>& n, bool corner) const {
     using N = Real<T>;
@@ -118,7 +120,7 @@ struct TiltedOf : SlideRollOf<C> {
     const Vec2<T> weight = phase.slides ? full_weight<T>() : phase.downhill(phase.law.pull);
     const T pull = corner ? T(0) : T(dot(along, weight));
     if (phase.slides) {
-      // û turns while it fades: a piece with the direction that it has (detail/held.hpp).
+      // û turns while the slip fades, so this is a piece with its present direction (detail/held.hpp).
       const T size = norm(phase.w), friction = sliding_deceleration<T>();
       const Vec2<T> unit = direction(phase);
       const T part = corner ? T(0) : T(dot(along, unit));
@@ -187,15 +189,15 @@ struct TiltedOf : SlideRollOf<C> {
   template <class T>
   using K = Coefficient<T, C>;
 
-  /// What a ball does now: w is its slip, or its velocity where it rolls, and v changes by `share` of what w does and
-  /// by `weight`.
+  /// Present phase of a ball. w is its slip, or its velocity if it rolls. v changes by `share` of the change of w, and
+  /// by the acceleration `weight`.
   template <class T>
   struct Phase {
     Incline<K<T>> law;
     Vec2<T> w;
     Real<T> share;
     Vec2<T> weight;
-    bool slides, stays, stands;  ///< `stays`: it would rest, or roll, once w = 0
+    bool slides, stays, stands;  ///< `stays`: once w = 0, the ball would rest or roll
 
     Vec2<T> downhill(const K<T>& size) const { return {T(law.down.x * size), T(law.down.y * size)}; }
   };
@@ -234,13 +236,13 @@ struct TiltedOf : SlideRollOf<C> {
     return {{friction, drag, rolls, down}, velocity, N(1), {T(0), T(0)}, false, stays, halts && stays};
   }
 
-  /// Of a path: how far its series goes; or all that is left, or an even acceleration.
+  /// Piece of a path: a step of its series, all that is left, or an even acceleration.
   struct Piece {
     double step = 0;
     bool last = false, even = false;
   };
 
-  /// Of w; where it begins, downhill.
+  /// Returns the direction of w, or downhill if w is 0.
   template <class T>
   static Vec2<T> direction(const Phase<T>& phase) {
     const T size = norm(phase.w);
@@ -251,7 +253,7 @@ struct TiltedOf : SlideRollOf<C> {
     return T(K<T>(Level::sliding_friction) * Real<T>(Level::g));
   }
 
-  /// The slip's friction, which the spin feels, is the acceleration with what is taken.
+  /// Sets `taken` so that the acceleration and `taken` add up to the friction of the slip, which the spin feels.
   template <class T>
   Arc<T> with_friction(Arc<T> arc, const Phase<T>& phase) const {
     if (!phase.slides) return arc;
@@ -259,7 +261,7 @@ struct TiltedOf : SlideRollOf<C> {
     return arc;
   }
 
-  /// Half of what w lasts at least.
+  /// Returns half of the least σ in which w can change by its own size.
   template <class L, class W>
   static double shortest_step(const L& law, const W& w) {
     const auto number = [](const auto& v) { return static_cast<double>(value(v)); };
@@ -288,7 +290,7 @@ struct TiltedOf : SlideRollOf<C> {
     if (stops) {
       const double lasts = along < 0 && !(m > a) ? q / (m + a) : (m * q + a * along) / ((m - a) * (m + a));
       const double off = m > a ? share * turns * a / m * q * lasts / 8 : 0;
-      // The closed form knows no drag: what that would take of the way left must be less than rounding.
+      // The closed form has no drag. Its effect on the distance left must be less than rounding.
       if (off <= fine && b * lasts <= std::sqrt(epsilon) && b * lasts * share * q * lasts <= epsilon * size) {
         piece.last = true;
         return piece;
@@ -299,7 +301,7 @@ struct TiltedOf : SlideRollOf<C> {
     return piece;
   }
 
-  /// A path that is nearly straight may turn sooner than it looks.
+  /// Least sine for the error of a chord, since a path that is nearly straight may turn sooner than it looks.
   static constexpr double least_sine = 0.02;
 };
 using Tilted = TiltedOf<double>;

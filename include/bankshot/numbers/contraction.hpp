@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Results are the same bits at every optimisation level, on every machine with IEEE doubles, as long as no compiler
-// joins a product and a sum to one operation with one rounding (contraction), and none reorders sums. Much of the
-// simulator is templates, compiled with the flags of whoever includes them: the CMake targets bring
-// -ffp-contract=off along, and this header speaks up where it is missing.
+// Results are bit-identical at every optimisation level and on every machine with IEEE doubles, provided the compiler
+// neither fuses a product and a sum into one rounding (contraction) nor reorders sums. Much of the simulator is
+// templates, which are compiled with the flags of the including program. The CMake targets therefore propagate
+// -ffp-contract=off, and this header warns if it is missing.
 #pragma once
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A number with its derivatives by N variables, carried along exactly through every operation (forward mode of
-// automatic differentiation). Where a scalar T may be anything (numbers/scalar.hpp), this gives derivatives.
-//   Dual<2> x(3.0, 0), y(4.0, 1);   // the variables number 0 and 1
+// A dual number holds a value and its derivatives by N variables, which every operation carries along exactly (forward
+// mode of automatic differentiation). It can stand for any scalar T (numbers/scalar.hpp) to obtain derivatives.
+//   Dual<2> x(3.0, 0), y(4.0, 1);   // variables 0 and 1
 //   Dual<2> z = sqrt(x * x + y * y);  // z.a = 5, z.v = {0.6, 0.8}
-// The operations round in the order of ceres::Jet (Ceres 2.1, jet.h), so both give the same bits; comparisons look at
+// The operations round in the same order as ceres::Jet (Ceres 2.1, jet.h), so both give the same bits. Comparisons use
 // the value alone.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace bankshot {
 
-/// Two derivatives at once, which compilers do not put together by themselves.
+/// Two derivatives as one vector, because compilers do not vectorise them by themselves.
 typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
 
 template <int N>
@@ -34,12 +34,13 @@ struct Dual {
   using Scalar = double;
 
   double a = 0;  ///< the value
-  /// Its derivative by each variable. Aligned: a pair that is read across two copied halves is waited for.
+  /// The derivative by each variable. A pair is aligned and copied whole: reading it across two separately copied
+  /// halves would stall.
   Derivatives<N> v{};
 
   constexpr Dual() = default;
   explicit constexpr Dual(double value) : a(value) {}
-  /// The variable number k.
+  /// Makes variable number k.
   constexpr Dual(double value, int k) : a(value) { v[static_cast<std::size_t>(k)] = 1; }
 
   friend Dual operator+(const Dual& f) { return f; }
@@ -81,7 +82,7 @@ struct Dual {
   Dual& operator*=(double s) { return *this = *this * s; }
   Dual& operator/=(double s) { return *this = *this / s; }
 
-  // Written out: compilers turn <=> of doubles into slower code.
+  // The comparisons are written out because compilers turn <=> of doubles into slower code.
   friend bool operator==(const Dual& f, const Dual& g) { return f.a == g.a; }
   friend bool operator<(const Dual& f, const Dual& g) { return f.a < g.a; }
   friend bool operator>(const Dual& f, const Dual& g) { return f.a > g.a; }
@@ -111,7 +112,7 @@ struct Dual {
   friend Dual cos(const Dual& f) { return f.through(std::cos(f.a), -std::sin(f.a)); }
 
  private:
-  /// A value, and derivatives made of those of f and g by one rule.
+  /// Returns a number with this value, and with derivatives computed from those of f and g by one rule.
   template <class Rule>
   static Dual each(double value, const Dual& f, const Dual& g, Rule&& rule) {
     Dual out(value);
@@ -122,7 +123,7 @@ struct Dual {
     return out;
   }
 
-  /// A function's value, and its slope here.
+  /// Applies a function with this value and slope (chain rule).
   Dual through(double value, double slope) const {
     return each(value, *this, *this, [&](auto d, auto) { return d * slope; });
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Seeded draws: the same seed gives the same numbers on every machine and with every library.
+// Seeded random numbers: the same seed gives the same numbers on every machine and with every standard library.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@ namespace bankshot {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
-  /// A stream of its own for each number: the puzzles of a seed do not depend on how many are asked for.
+  /// Starts a separate stream for each number, so that the puzzles of a seed do not depend on how many are requested.
   Random(std::uint64_t seed, std::uint64_t number);
-  double uniform(double low, double high);  ///< own arithmetic: std distributions differ by library
+  double uniform(double low, double high);  ///< own arithmetic, because std distributions differ between libraries
   double log_uniform(double low, double high);
   int integer(int low, int high);  ///< both ends included
   bool chance(double p) { return uniform(0, 1) < p; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A plane vector over any scalar: double, a dual number, a 50-digit number.
+// Plane vectors over any scalar: double, a dual number, a 50-digit number.
 // Mixed products (double × T) are allowed, because geometry is always double and motion is T.
 #pragma once
 
@@ -39,13 +39,13 @@ auto dot(const Vec2<A>& a, const Vec2<B>& b) {
   return a.x * b.x + a.y * b.y;
 }
 
-/// z component of a × b: positive when b lies anticlockwise of a.
+/// Returns the z component of a × b, which is positive if b lies anticlockwise of a.
 template <class A, class B>
 auto cross(const Vec2<A>& a, const Vec2<B>& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// A vector with derivatives times a plain number.
+/// Multiplies a vector with derivatives by a plain number.
 template <class T>
 requires has_derivatives<T> Vec2<T>
 operator*(const Vec2<T>& a, const Real<T>& s) { return {a.x * s, a.y * s}; }
@@ -55,7 +55,7 @@ Vec2<Real<T>> value(const Vec2<T>& a) {
   return {value(a.x), value(a.y)};
 }
 
-/// `a` turned by +90 degrees.
+/// Returns `a` turned by +90 degrees.
 template <class T>
 Vec2<T> perpendicular(const Vec2<T>& a) {
   return {-a.y, a.x};
@@ -67,7 +67,7 @@ T norm(const Vec2<T>& a) {
   return sqrt(dot(a, a));
 }
 
-/// The same vector in another scalar; how double geometry enters a computation in T.
+/// Converts a vector to another scalar. Geometry, which is double, enters a computation in T this way.
 template <class T, class U>
 Vec2<T> to(const Vec2<U>& a) {
   return {T(a.x), T(a.y)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shots with their proof, or the reason why there is none.
+// The answer to a puzzle: verified shots, or the reason why there is none.
 #pragma once
 
 #include <optional>
@@ -20,46 +20,46 @@ const char* name(Status status);
 
 struct Answer {
   std::string id{};     ///< JSON text of the puzzle's identifier; empty without
-  std::string about{};  ///< the same of the puzzle's `about`
+  std::string about{};  ///< JSON text of the puzzle's `about`; empty without
   Status status = Status::no_shot;
   std::vector<Shot> shots{};  ///< best first
   struct Nearest {
     Shot shot;
     std::string why;
   };
-  std::optional<Nearest> nearest{};  ///< the closest miss of a `no_shot`
+  std::optional<Nearest> nearest{};  ///< the nearest miss of a `no_shot`
   std::vector<std::string> modelled{};
-  long simulations = 0;  ///< search and certification
-  double time_us = 0;    ///< of the search, without margin and success
+  long simulations = 0;  ///< simulations spent on search and verification
+  double time_us = 0;    ///< time of the search, without margin and success
   struct Cost {
-    double certify_us = 0;     ///< of time_us, what the replays of candidates took
-    double robustness_us = 0;  ///< margin and success, beside time_us
-  } cost{};                    ///< where SolveOptions::measure asked for it
+    double certify_us = 0;     ///< part of time_us that the replays of candidates took
+    double robustness_us = 0;  ///< time for margin and success, not part of time_us
+  } cost{};                    ///< filled if SolveOptions::measure is set
   std::string message{};
   struct Error {
     std::string path, reason;
   };
-  std::optional<Error> error{};  ///< of `invalid`
+  std::optional<Error> error{};  ///< set if the status is `invalid`
 };
 
-/// The answer to input that could not be read or breaks a rule.
+/// Returns the answer to input that could not be read or breaks a rule.
 Answer invalid_answer(std::string id, const InvalidInput& error, std::string about = "");
 
-/// One line of JSON. `timing` writes time_us, `path` the points of each shot's path.
+/// Returns the answer as one line of JSON. `timing` adds time_us, `path` adds the points of each shot's path.
 std::string to_json(const Puzzle& puzzle, const Answer& answer, bool timing = true, bool path = false);
-/// The same for an `invalid` answer, which has no puzzle.
+/// Returns the JSON of an `invalid` answer, which has no puzzle.
 std::string to_json(const Answer& invalid);
 
-/// An answer read back, shots with the launch, spin, cushions and claims of their JSON. Throws InvalidInput with
-/// the JSON path. Of an answer to a puzzle that cannot be read (null) only id, status and error are
-/// read. `unread`, if given, receives the keys of answer and shots that are no part of the format.
+/// Reads an answer back: its shots have the launch, spin, cushions and claims of the JSON. Throws InvalidInput with
+/// the JSON path. If `puzzle` is null (it could not be read), only id, status and error are read.
+/// `unread`, if given, receives the keys of answer and shots that are not part of the format.
 Answer read_answer(std::string_view text, const Puzzle* puzzle, std::set<std::string>* unread = nullptr);
 
-/// The path of each shot up to its target, as `to_csv` of a trajectory writes it; with `numbered` the last column says
-/// which shot it is, from 1.
+/// Returns the path of each shot up to its target, in the CSV format of a trajectory. With `numbered`, a last column
+/// holds the number of the shot, from 1.
 std::string to_csv(const Puzzle& puzzle, const Answer& answer, bool numbered);
 
-/// A short text for a person: where to aim, how hard, what happens.
+/// Returns a short text for a player: where to aim, how hard, and what happens.
 std::string to_text(const Puzzle& puzzle, const Answer& answer);
 
 }  // namespace bankshot

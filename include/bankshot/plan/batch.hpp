@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Many puzzles at once. The puzzles are handed out in small blocks to as many threads as asked, so
-// that a hard one holds up nobody; threads share one counter and nothing else. The answers are in
-// the order of the puzzles and do not depend on the number of threads (`time_us` does).
+// Solves many puzzles in parallel. Threads take puzzles in small blocks, so that a hard one does not delay
+// the others; they share one counter and nothing else. The answers are in the order of the puzzles and,
+// except for `time_us`, do not depend on the number of threads.
 #pragma once
 
 #include <span>
@@ -14,10 +14,10 @@ namespace bankshot {
 
 struct BatchOptions {
   SolveOptions solve{};
-  int threads = 0;  ///< 0: one for each core
+  int threads = 0;  ///< 0: one per core
 };
 
-/// One answer for each puzzle. Never throws for a puzzle: what `solve` would throw becomes an
+/// Returns one answer for each puzzle. Never throws for a puzzle: an exception of `solve` becomes an
 /// `invalid` answer in its place.
 std::vector<Answer> solve_batch(std::span<const Puzzle> puzzles, const BatchOptions& options = {});
 

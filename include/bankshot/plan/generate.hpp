@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Puzzles that have a shot. Each is made from a simulated shot, or where a sequence of cushions or other balls are
-// wished from a drawn target, with its numbers rounded to what a person would write; it is kept only when
-// `solve` finds its shot, and when the target is a fifth of the table's diagonal from the ball or more. Seeded: the
+// Generates puzzles that have a shot. Each is made from a simulated random shot; if a sequence of cushions or other
+// balls are requested, it is made from a random target. Its numbers are rounded as a person would write them. A puzzle
+// is kept only if `solve` finds its shot and the target is at least a fifth of the table's diagonal from the ball. The
 // same seed gives the same puzzles.
 #pragma once
 
@@ -16,39 +16,39 @@
 
 namespace bankshot {
 
-/// A puzzle and the launch it was made from.
+/// A puzzle and the launch from which it was made.
 struct Made {
   Puzzle puzzle;
   Launch launch;
   int bounces;
 };
 
-/// What to ask about a simulated shot with `least` to `most` bounces: the pocket it dropped into, where it
-/// came to rest, or a point it passed. None when it does not lend itself to the kind drawn.
+/// Makes a puzzle from a simulated shot with `least` to `most` bounces. Its target is the pocket that took the ball,
+/// the point where it came to rest, or a point that it passed. Returns none if the shot does not suit the kind drawn.
 std::optional<Made> ask(Random& random, const ShotRequest& shot, const Trajectory& trajectory, int least, int most);
 
-/// How hard a shot is for a player with the default noise, by `success` and by the smaller side of the
+/// The difficulty of a shot for a player with the default noise, by `success` and by the smaller side of the
 /// aim's margin. easy: at least `easy_success` and `easy_margin`. hard: below `hard_success` or
-/// `hard_margin`. medium: between.
+/// `hard_margin`. medium: anything else.
 enum class Difficulty { easy, medium, hard };
 inline constexpr double easy_success = 0.9, hard_success = 0.4;
-inline constexpr double easy_margin = radians(0.25), hard_margin = radians(0.0625);  ///< two, half a deviation
+inline constexpr double easy_margin = radians(0.25), hard_margin = radians(0.0625);  ///< 2 and 0.5 sigma
 const char* name(Difficulty difficulty);
-/// Needs margin and success.
+/// The shot must have margin and success.
 Difficulty difficulty(const Shot& shot);
 
 struct Wish {
   Table table{};
   Physics physics{};
   Ball ball{};                     ///< radius and mass
-  CushionRule cushions{1, 3, {}};  ///< a number between min and max is drawn for each puzzle, or the sequence
+  CushionRule cushions{1, 3, {}};  ///< a number between min and max, drawn for each puzzle, or the sequence
   enum class Kind { pocket, stop, pass, kick, pot, carom };
-  std::optional<Kind> kind{};  ///< drop, rest at a point, pass it at a speed; else one of these three is drawn. Or
-                               ///< touch a ball, send one into a pocket, touch one and then another
-  int others = 0;              ///< balls beside the struck one; 0: none, or three where the kind needs some
-  CushionRule then{0, 0, {}};  ///< of the ball that is sent into a pocket
+  std::optional<Kind> kind{};  ///< drop into a pocket, rest at a point, pass it at a speed; touch a ball, send a
+                               ///< ball into a pocket, touch two balls. None: one of the first three is drawn
+  int others = 0;              ///< balls besides the cue ball; 0: none, or three if the kind needs some
+  CushionRule then{0, 0, {}};  ///< rule for the object ball that is sent into a pocket
   std::optional<Difficulty> difficulty{};
-  bool unique = false;  ///< `solve --all` finds exactly one shot
+  bool unique = false;  ///< keep only puzzles for which `solve --all` finds exactly one shot
   int tries = 2000;     ///< puzzles to solve before giving up
 };
 
@@ -57,16 +57,16 @@ struct Generated {
   Answer answer;
 };
 
-/// Why tries failed, for the message when there is no puzzle.
+/// Counts of failed tries, for the message when there is no puzzle.
 struct Tries {
-  long draws = 0;  ///< shots simulated; most have other bounces than wished
+  long draws = 0;  ///< shots simulated; most do not have the requested bounces
   int solved = 0;  ///< puzzles given to `solve`
   bool no_room = false;
   int no_shot = 0, other_difficulty = 0, not_unique = 0;
   std::string text() const;
 };
 
-/// None after `wish.tries` puzzles, or 50 times as many draws.
+/// Returns none if `wish.tries` puzzles, or 50 times as many draws, have failed.
 std::optional<Generated> generate(const Wish& wish, Random& random, Tries* tries = nullptr);
 
 }  // namespace bankshot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which launches make a shot, and how surely? One puzzle, asked about a grid of aims and speeds.
+// Maps which launches of one puzzle make the shot, and with which success, on a grid of aims and speeds.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace bankshot {
 
-/// The grid's cells tile the window, aim by aim from the lowest speed; a launch is the middle of its cell.
+/// The cells tile the window, aim by aim from the lowest speed. A launch is the middle of its cell.
 struct LaunchGrid {
   Range angle;  ///< rad, low < high; may begin below 0
   Range speed;  ///< m/s, 0 <= low < high
@@ -23,19 +23,19 @@ struct LaunchGrid {
 
 struct LaunchMap {
   LaunchGrid grid;
-  std::vector<bool> made;      ///< in the contract's sense, by any allowed cushions
-  std::vector<double> chance;  ///< that it is made under the puzzle's noise, launched so
+  std::vector<bool> made;      ///< the launch reaches the target by any allowed cushions
+  std::vector<double> chance;  ///< success of this launch under the puzzle's noise
 };
 
-/// Each cell simulated once, and as many cells around the window as the noise reaches; spins of a range are not
-/// searched: the launch spin is `puzzle.spin`. The chance is the sum over cells of the normal errors (as fine as the
-/// cells are: let them be at most half a standard deviation). Bounds on speed and aim do not count, as for `success`.
-/// `cancelled` ends it: then the rest counts as not made. Throws InvalidInput as `solve` does, and where the noise
-/// reaches over more than two million cells.
+/// Simulates each cell once, including the cells around the window that the noise reaches. Spin ranges are not
+/// searched: the launch spin is `puzzle.spin`. The success is the sum of normal error weights over made cells, so cells
+/// should be at most half a standard deviation wide. Bounds on speed and aim do not count, as for `success`. When
+/// `cancelled` becomes true, the remaining cells count as not made. Throws InvalidInput as `solve` does, and if the
+/// noise reaches more than two million cells.
 LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::atomic<bool>* cancelled = nullptr);
 
-/// `{"angle": [from, to], "speed": […], "grid": [angles, speeds], "made": "0110…", "chance": […]}`: degrees, m/s, a
-/// character or number a cell.
+/// Returns `{"angle": [from, to], "speed": […], "grid": [angles, speeds], "made": "0110…", "chance": […]}`: degrees,
+/// m/s, one character or number per cell.
 std::string to_json(const LaunchMap& map);
 
 }  // namespace bankshot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The door to the planners. Every shot in an answer was replayed in the plain simulator and found
-// to reach its target; a planner can fail to find a shot, never return a wrong one.
+// The entry point of the planners. Every shot in an answer is verified by replay in the plain simulator:
+// a planner can fail to find a shot, but it never returns a wrong one.
 #pragma once
 
 #include <atomic>
@@ -16,24 +16,24 @@ namespace bankshot {
 
 struct SolveOptions {
   std::string planner = "auto";
-  bool all = false;          ///< every distinct shot, not only the best
-  bool first = false;        ///< the first shot found, not the best; not with `all`
-  bool robustness = true;    ///< margin and success; without, `robust` ranks by first-order margin
-  bool sensitivity = false;  ///< what each coefficient of the table moves each shot's arrival by
-  bool suggest = true;       ///< where there is no shot, look for what would make one possible
-  bool measure = false;      ///< fill Answer::cost, at the price of a clock beside each replay
-  /// Ends the search, with what it has, as soon as this is true; may be set from another thread. Must outlive the call.
+  bool all = false;          ///< return every distinct shot, not only the best
+  bool first = false;        ///< return the first shot found, not the best; not with `all`
+  bool robustness = true;    ///< compute margin and success; otherwise `robust` ranks by first-order margin
+  bool sensitivity = false;  ///< compute how far each coefficient of the table moves each arrival
+  bool suggest = true;       ///< if there is no shot, search for relaxations that allow one
+  bool measure = false;      ///< fill Answer::cost; this reads a clock at each replay
+  /// The search ends with its current result when this becomes true. Another thread may set it. It must outlive the
+  /// call.
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-/// Never throws for a puzzle that is merely hard: invalid puzzles and unknown planners throw
-/// InvalidInput, everything else is a status.
+/// Solves one puzzle. Invalid puzzles and unknown planners throw InvalidInput; every other outcome, such as a puzzle
+/// that is too hard, is a status.
 Answer solve(const Puzzle& puzzle, const SolveOptions& options = {});
 
 struct PlannerInfo {
   std::string_view name, summary;
-  bool bends =
-      true;  ///< it also does physics where the shape of a path depends on its speed; else `solve` refuses them
+  bool bends = true;  ///< it handles physics in which the shape of a path depends on speed; else `solve` refuses them
 };
 std::span<const PlannerInfo> planners();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What to do: a launch that was replayed in the plain simulator, with its proof and how robust it is.
+// A shot: a launch verified by replay in the plain simulator, with its evidence and its robustness.
 #pragma once
 
 #include <array>
@@ -20,108 +20,108 @@ struct Arrival {
   Vec2d at{};        ///< centre of the ball [m]
 };
 
-/// How far each launch number can move down and up, the other held, with the shot still made by
-/// the same cushions; none where nothing breaks it.
+/// The changes of aim and of speed, down and up, with which the same cushions still make the shot while the other
+/// number is fixed. No value means that no such change breaks the shot.
 struct Margin {
   std::array<std::optional<double>, 2> angle;  ///< rad, [<= 0, >= 0]
   std::array<std::optional<double>, 2> speed;  ///< m/s, [<= 0, >= 0]
 };
 
-/// Of a ball with another, just before.
+/// The state just before a ball hits another.
 struct Hit {
-  int ball = 0;      ///< which of the others, from 1
-  double cut = 0;    ///< rad, see BallTarget
+  int ball = 0;      ///< number of the ball that is hit, from 1
+  double cut = 0;    ///< rad; see BallTarget
   double speed = 0;  ///< m/s
-  Vec2d at{};        ///< centre of the ball that hits [m]
-  int after = 0;     ///< cushions that the ball that hits had met
+  Vec2d at{};        ///< centre of the hitting ball [m]
+  int after = 0;     ///< number of cushions that the hitting ball had met
 };
 
-/// A ball that is sent on.
+/// The path of an object ball, or a combination link.
 struct Onward {
-  int ball = 0;                     ///< which of the others, from 1
-  std::vector<Contact> cushions{};  ///< of its own, in order
+  int ball = 0;                     ///< number of the ball, from 1
+  std::vector<Contact> cushions{};  ///< cushions that this ball meets, in order
 };
 
-/// What a wrong coefficient of the table costs.
+/// The effect of a wrong coefficient of the table.
 struct Sensitivity {
   std::string coefficient;  ///< its path in `physics`, such as "cushion.height"; "tilt.x" and "tilt.y" are the table's
-  double by;                ///< m that the arrival moves, as by_angle, per unit of the coefficient
+  double by;                ///< m that the arrival moves per unit of the coefficient; arrival as in by_angle
 };
 
 struct Shot {
   Launch launch{};
   LaunchSpin spin{};
-  bool cushion_stick = false;       ///< some cushion's law left the ball moving into it: it stayed there
-  std::vector<Contact> cushions{};  ///< contacts in order
-  Arrival arrival{};                ///< of the ball that reaches the target
-  double miss = 0;                  ///< m, from the replay: to the point, or from the exact line to a pocket or ball
-  double offset = 0;  ///< m, into a pocket: of the line of travel (geometry/opening.hpp); exactly 0 through its centre
-  bool rattles = false;        ///< it touches the jaws of a pocket on its way
-  std::vector<Contact> met{};  ///< if so, jaws and cushions in order
-  std::vector<Hit> hits{};     ///< in order, up to the target
-  std::vector<Onward> then{};  ///< those that are sent on, in order: the last one arrives; none: the cue ball does
-  int jaws = 0;                ///< contacts with jaws, of any ball of the shot, before the target
-  bool scratch = false;        ///< the cue ball falls into a pocket after it has touched its target
-  std::optional<int> scratch_pocket{};  ///< which, if so
-  std::optional<Vec2d> cue_rests{};     ///< m, where it comes to rest instead, when all balls do; of shots with hits
-  bool off_centre = false;              ///< it is made, but beside the exact line or point
-  double condition = 0;                 ///< m of arrival per rad of aim or per unit of relative speed, the larger
-  /// Decimal digits of the arrival, of the table's diagonal, that can be promised; none: nine or more. 0: rounding
-  /// decides how often the ball bounces at its target.
+  bool cushion_stick = false;       ///< a cushion law left the ball moving into the cushion; it stayed there
+  std::vector<Contact> cushions{};  ///< cushion contacts in order
+  Arrival arrival{};                ///< arrival of the ball that reaches the target
+  double miss = 0;                  ///< m, from the replay: to the point, or from the exact line of a pocket or ball
+  double offset = 0;                ///< m; offset of the line of travel into a pocket (geometry/opening.hpp)
+  bool rattles = false;             ///< it touches the jaws of a pocket (jaw shot)
+  std::vector<Contact> met{};       ///< for a jaw shot: jaws and cushions in order
+  std::vector<Hit> hits{};          ///< hits in order, up to the target
+  std::vector<Onward> then{};       ///< object balls in order; the last one arrives. Empty: the cue ball arrives
+  int jaws = 0;                     ///< jaw contacts of all balls of the shot before the target
+  bool scratch = false;             ///< the cue ball falls into a pocket after it has touched the target ball
+  std::optional<int> scratch_pocket{};  ///< the pocket of the scratch
+  std::optional<Vec2d> cue_rests{};     ///< m; otherwise where the cue ball rests at the end; for shots with hits
+  bool off_centre = false;              ///< it is made off the exact line or point
+  double condition = 0;                 ///< m of arrival per rad of aim or per unit of relative speed; the larger.
+  /// Number of guaranteed decimal digits of the arrival, relative to the table's diagonal; none: nine or more. 0:
+  /// rounding decides how often the ball bounces at its target.
   std::optional<int> digits{};
-  /// Derivatives of the arrival: where the ball rests, or else the closest point of its line of travel
-  /// to the target, which moves across the line only.
+  /// Derivatives of the arrival. The arrival is the point of rest, or else the point of the line of travel that is
+  /// closest to the target; that point moves only across the line.
   Vec2d by_angle{};  ///< m/rad
   Vec2d by_speed{};  ///< m per m/s
-  /// First-order margin in standard deviations of the player: orders shots when success is not
-  /// computed.
+  /// First-order margin in standard deviations of the player. It ranks shots if success is not computed.
   double first_order = 0;
-  double chance = 0;  ///< `success` to first order, from one simulation (planners/merit/first_order.hpp)
+  double chance = 0;  ///< success estimate, to first order, from one simulation (planners/merit/first_order.hpp)
   std::optional<Margin> margin{};
-  std::optional<double> success{};         ///< probability of a legal shot under the puzzle's noise
-  std::optional<double> value{};           ///< success less `cost_of` the shot
-  bool moved = false;                      ///< off its exact root, to where the value is larger
-  std::vector<Sensitivity> sensitivity{};  ///< where it was asked for
+  std::optional<double> success{};         ///< probability that the shot is made under the puzzle's noise
+  std::optional<double> value{};           ///< success minus `cost_of` the shot
+  bool moved = false;                      ///< it was moved off its exact root to increase the value
+  std::vector<Sensitivity> sensitivity{};  ///< filled if it was requested
   std::string planner{};
-  long simulations = 0;  ///< spent until this shot was certified
+  long simulations = 0;  ///< simulations spent until this shot was verified
 
-  /// The number of the ball that reaches the target: 0 is the cue ball.
+  /// Returns the number of the ball that reaches the target; 0 is the cue ball.
   int arriving() const { return then.empty() ? 0 : then.back().ball; }
-  /// Cushions and jaws that any ball of the shot meets before the target.
+  /// Returns the number of contacts with cushions and jaws of all balls of the shot before the target.
   int contacts() const;
 };
 
-/// What a shot costs beside its success, which less this is its value: 0.005 a contact, 0.004 for each m/s of the
-/// launch, 0.02 for each radius that the tip is off the centre. So a soft and simple shot wins among those about as
-/// likely.
+/// Returns the cost of a shot; its value is success minus this cost. The cost is 0.005 per contact, 0.004 per m/s of
+/// the launch, and 0.02 per ball radius of tip offset. A soft and simple shot therefore wins among shots of about equal
+/// success.
 double cost_of(const Shot& shot);
-/// The part of it that a launch has whatever it meets.
+/// Returns the part of the cost that depends on the launch alone.
 double cost_of(const Launch& launch, const LaunchSpin& spin);
 /// The part of it for cushions and jaws.
 double cost_of_contacts(int contacts);
 
-/// How much of the ball that is hit the one that hits it covers, seen along its line of travel: 1 is a full hit, 0.5 a
-/// half-ball hit. With radii a of the one that hits and b: (a + b − d) / 2b, d the distance of the line of travel from
-/// the other centre. `by` is the number of the ball that hits; 0 is the cue ball.
+/// Returns the fullness of a hit: the fraction of the hit ball that the hitting ball covers, seen along its line of
+/// travel. A full hit is 1, a half-ball hit 0.5. The value is (a + b − d) / 2b. Here a is the radius of the hitting
+/// ball, b that of the hit ball, and d the distance of the line of travel from the hit ball's centre. The argument
+/// `by` is the number of the hitting ball; 0 is the cue ball.
 double fullness(const Puzzle& puzzle, const Hit& hit, int by = 0);
 
-/// The cue ball nearly touches the first object ball without being frozen to it, and the hit is fairly full: the cue
-/// may strike the cue ball a second time, which is a foul.
+/// Returns true if the cue may strike the cue ball twice, which the rules forbid: the cue ball nearly touches the first
+/// object ball without being frozen to it, and the hit is fairly full.
 bool may_double_hit(const Puzzle& puzzle, const Shot& shot);
 
-/// The player makes it less than once in a hundred tries. Never in `ideal`, of a player without errors, or where
-/// success is not known.
+/// Returns true if the player makes the shot less than once in a hundred tries. Returns false in `ideal` physics, for a
+/// player without errors, and if success is not known.
 bool is_hopeless(const Puzzle& puzzle, const Shot& shot);
 
-/// What a player should know before trying it: a likely miscue, a likely double hit. Mostly empty.
+/// Returns warnings for the player, such as a likely miscue or a likely double hit. The list is usually empty.
 std::vector<std::string> warnings(const Puzzle& puzzle, const Shot& shot);
 
-/// The shot as a `simulate` request that ends where the ball reaches its target.
+/// Returns the shot as a `simulate` request that ends when the ball reaches its target.
 ShotRequest as_request(const Puzzle& puzzle, const Shot& shot);
-/// Of the cue ball, up to there.
+/// Returns the path of the cue ball up to that moment.
 Trajectory path_of(const Puzzle& puzzle, const Shot& shot);
 
-/// The pocket that takes the ball of a made shot; null where a point is the target.
+/// Returns the pocket that takes the ball of a made shot; null if no pocket does.
 const Pocket* pocket_reached(const Puzzle& puzzle, const Shot& shot);
 
 }  // namespace bankshot

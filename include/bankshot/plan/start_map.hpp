@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where on the table can a shot be made from? One puzzle, asked from every point of a grid.
+// Maps from which starts a puzzle can be solved: the puzzle is solved from every point of a grid.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace bankshot {
 
-/// Why no puzzle is asked from here.
+/// `legal`, or the reason why a ball cannot start here.
 enum class Start { legal, cushion, pocket, ball, target };
 const char* name(Start start);
 
-/// The grid's cells tile the box of all places of the ball's centre, row by row from the lower left; the ball
+/// The cells tile the bounding box of all positions of the ball's centre, row by row from the lower left. The ball
 /// starts in the middle of a cell.
 struct StartGrid {
   StartGrid(const Puzzle& puzzle, int columns, int rows);
@@ -29,13 +29,13 @@ struct StartGrid {
 struct StartMap {
   StartGrid grid;
   std::vector<Start> starts;
-  std::vector<Answer> answers;  ///< status `invalid` where the start is not legal
+  std::vector<Answer> answers;  ///< status `invalid` if the start is not legal
 };
 
-/// Whether a ball can start here: clear of cushions, outside every pocket, not at its target already.
+/// Returns `legal` if a ball can start here: clear of cushions and balls, outside every pocket, not yet at its target.
 Start start_at(const Puzzle& puzzle, const Boundary& boundary, const Vec2d& at);
 
-/// x_m,y_m,status,... one row a cell, with a header that names the units.
+/// Returns one CSV row per cell (x_m,y_m,status,...), with a header that names the units.
 std::string to_csv(const Puzzle& puzzle, const StartMap& map);
 
 }  // namespace bankshot

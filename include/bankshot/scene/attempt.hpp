@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A player's attempt at a shot: what was meant, and what was seen of it.
+// A player's attempt at a shot: the intended shot and the observations of it.
 #pragma once
 
 #include "bankshot/scene/recording.hpp"
@@ -8,12 +8,12 @@
 namespace bankshot {
 
 struct Attempt {
-  Recording seen{};                ///< its launch, where one is given, is the one that was meant
-  std::optional<Puzzle> puzzle{};  ///< that was meant; with no launch given its likeliest shot
+  Recording seen{};                ///< the observations; a given launch is the intended one
+  std::optional<Puzzle> puzzle{};  ///< the intended puzzle; without a launch, its most successful shot was intended
   std::optional<bool> made{};
 };
 
-/// Throws InvalidInput as `read_recording` does, and where it does not say what was meant or what happened.
+/// Reads an attempt. Throws InvalidInput as `read_recording` does, and if the intention or the outcome is missing.
 Attempt read_attempt(std::string_view text);
 
 }  // namespace bankshot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Coefficients of a physics by the names that fits and sensitivities give them, such as "cushion.friction", and physics
-// drawn from how well a fit knows its own.
+// Access to the coefficients of a physics by the names that fits and sensitivities use, such as "cushion.friction", and
+// random draws of a physics from the uncertainty of its fitted coefficients.
 #pragma once
 
 #include <span>
@@ -12,26 +12,26 @@
 
 namespace bankshot {
 
-/// Where it stands, in SI units; more than one place where laws share it, none where this physics has no such one.
+/// Returns pointers to a coefficient, in SI units: several if laws share it, none if this physics does not have it.
 std::vector<double*> coefficient(Physics& physics, std::string_view name);
 
-/// What the errors of a physics say it may be instead.
+/// Draws physics from the distribution that the coefficient errors of a physics describe.
 class DrawnPhysics {
  public:
-  /// Of a physics without errors: itself.
+  /// A physics without errors always draws itself.
   explicit DrawnPhysics(const Physics& physics);
 
-  /// How many standard normal numbers a draw takes.
+  /// Returns the number of standard normal numbers that a draw takes.
   std::size_t count() const { return names_.size(); }
 
-  /// Coefficients are kept where they mean something: frictions not below 0, restitutions in [0, 1], noses between R
-  /// and 2 R.
+  /// Returns one draw. Coefficients are clamped to physical values: frictions to at least 0, restitutions to [0, 1],
+  /// nose heights to between R and 2 R.
   Physics draw(const double* normal, const Body& body) const;
 
  private:
   Physics middle_;
   std::vector<std::string> names_;
-  std::vector<double> root_;  ///< lower triangle L, L Lᵀ the covariance (Cholesky), row by row
+  std::vector<double> root_;  ///< lower triangle L with L Lᵀ = covariance (Cholesky), row by row
 };
 
 }  // namespace bankshot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which laws a scene follows. The scene decides once; `with_physics` then runs a generic function
-// with the concrete types, so that the simulator pays for nothing it does not model.
+// The laws that a scene follows. They are chosen once per scene; `with_physics` then calls a generic function
+// with the concrete types, so that the simulator does not pay for effects that it does not model.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@
 
 namespace bankshot {
 
-/// How well coefficients are known that were fitted (learn/fit.hpp).
+/// The uncertainty of fitted coefficients (learn/fit.hpp).
 struct CoefficientErrors {
   std::vector<std::string> names{};
-  std::vector<double> covariance{};  ///< row by row, in the units of each
+  std::vector<double> covariance{};  ///< row by row, in the units of the coefficients
 };
 
 struct Physics {
@@ -34,31 +34,31 @@ struct Physics {
   std::optional<CoefficientErrors> errors{};  ///< none: the coefficients are exact
 };
 
-/// How balls of this physics collide: elastically in `ideal`, without friction where no spin is carried.
+/// Returns the law of ball collisions: elastic in `ideal` physics, and without friction if balls carry no spin.
 BallBall collisions(const Physics& physics);
 
 inline Physics ideal_physics() { return {Ideal{}, Mirror{.restitution = 1}}; }
 inline Physics rolling_physics() { return {Rolling{}, Mirror{}}; }
-/// The default: sliding, rolling and spin on cloth, cushions after Han 2005. The spinning friction is that of a ball of
-/// this size, and so is the height of the cushions' nose [m], 1.28 R, unless it is given.
+/// Returns the default physics: sliding, rolling and spin on cloth, and cushions after Han 2005. The spinning friction
+/// is scaled to the ball's radius R, and so is the nose height [m], 1.28 R, unless it is given.
 Physics spin_physics(const Body& body = {}, std::optional<double> nose_height = {});
 
-/// m/s²; 0 in `ideal`, which knows no weight.
+/// Returns the gravitational acceleration [m/s²]; 0 in `ideal` physics, which has no weight.
 double gravity(const Physics& p);
 
 inline bool is_level(const Physics& p) { return p.tilt == Vec2d{}; }
-/// The motion on a table that is not level.
+/// Returns the law of motion for a table that is not level.
 Tilted tilted(const Physics& physics);
 
-/// `f(motion)` with the type the scene has.
+/// Calls `f(motion)` with the concrete type of the motion.
 template <class F>
 decltype(auto) with_motion(const Physics& p, F&& f) {
   if (!is_level(p)) return f(tilted(p));
   return std::visit([&](const auto& motion) -> decltype(auto) { return f(motion); }, p.motion);
 }
 
-/// `f(motion, cushion)` with the types the scene holds. Cushions that act on spin exist only where
-/// the motion carries it; elsewhere every cushion is a mirror.
+/// Calls `f(motion, cushion)` with the concrete types. Cushions that act on spin require a motion that carries spin;
+/// with other motions every cushion is a mirror.
 template <class F>
 decltype(auto) with_physics(const Physics& p, F&& f) {
   if (!is_level(p)) return f(tilted(p), AnyCushion{p.cushion});
@@ -74,21 +74,21 @@ decltype(auto) with_physics(const Physics& p, F&& f) {
 
 inline bool is_ideal(const Physics& p) { return std::holds_alternative<Ideal>(p.motion); }
 
-/// A ball slides, and keeps spin.
+/// Returns true if balls can slide and have spin.
 inline bool carries_spin(const Physics& p) { return std::holds_alternative<SlideRoll>(p.motion); }
 
-/// The shape of a path does not depend on its speed: aims have a closed form.
+/// Returns true if the shape of a path does not depend on its speed. Aims then have a closed form.
 inline bool is_straight(const Physics& p) { return !carries_spin(p) && is_level(p); }
 
-/// A ball that stands stays where it is.
+/// Returns true if a ball at rest stays at rest.
 bool rests(const Physics& p);
 
-/// Deceleration of a slow ball that rolls on a level table [m/s²].
+/// Returns the deceleration of a slow ball that rolls on a level table [m/s²].
 inline double deceleration(const Physics& p) {
   return std::visit([](const auto& m) { return m.deceleration(); }, p.motion);
 }
 
-/// The same on this table, whichever way the ball rolls: not below 0.
+/// Returns the least deceleration on this table over all directions of rolling [m/s²]; at least 0.
 double least_deceleration(const Physics& p);
 
 inline const Restitution& restitution(const Physics& p) {

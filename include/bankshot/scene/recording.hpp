@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What was seen of one real shot: a scene, where its balls were at which times, where they came to rest.
-// docs/recordings.md says how to get one from what trackers write.
+// A recording of one real shot: the scene, observed positions of its balls over time, and where they came to rest.
+// docs/recordings.md explains how to convert the output of trackers.
 #pragma once
 
 #include <optional>
@@ -12,32 +12,32 @@
 
 namespace bankshot {
 
-/// Where a ball was seen, its centre.
+/// One observation of a ball's centre.
 struct Sample {
-  double time;  ///< s, by the recording's own clock
+  double time;  ///< s; by the recording's own clock
   Vec2d at;     ///< m
 };
 
 struct Track {
-  int ball = 0;                   ///< 0 is the one that is struck
-  std::vector<Sample> samples{};  ///< later and later; gaps may lie between them
+  int ball = 0;                   ///< 0 is the cue ball
+  std::vector<Sample> samples{};  ///< in increasing time; gaps are allowed
   std::optional<Vec2d> rest{};    ///< where it came to rest [m]
 };
 
 struct Recording {
-  ShotRequest scene{};        ///< physics and launch: what a fit starts from
-  bool launch_given = false;  ///< else `scene.launch` and `scene.spin` say nothing
+  ShotRequest scene{};        ///< its physics and launch are the start values of a fit
+  bool launch_given = false;  ///< otherwise `scene.launch` and `scene.spin` have no meaning
   std::vector<Track> tracks{};
-  std::optional<double> sigma{};                   ///< m, standard deviation of one coordinate of one sample
-  std::optional<std::vector<Contact>> cushions{};  ///< that the struck ball was seen to meet, in order
+  std::optional<double> sigma{};                   ///< m; standard deviation of one coordinate of one sample
+  std::optional<std::vector<Contact>> cushions{};  ///< observed contacts of the cue ball, in order
 };
 
-/// Throws InvalidInput, with the path of the sample that cannot be: a time that goes back, a ball that jumps, that
-/// leaves the table, or that was struck a second time.
+/// Reads a recording. Throws InvalidInput with the path of an impossible sample: time goes back, or a ball jumps,
+/// leaves the table or is struck a second time.
 Recording read_recording(std::string_view text);
 
-/// The recording as one line of JSON that reads back to it, but for the coefficients of its physics, which are not
-/// told.
+/// Returns the recording as one line of JSON. It reads back to the same recording except for the coefficients of the
+/// physics, which are not written.
 std::string write_recording(const Recording& recording);
 
 }  // namespace bankshot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A table, the laws it is played by and the ball that is played on it, by their names.
+// A scene: a table, its physics and the ball played on it. Presets are available by name.
 //   Scene scene = preset_scene("snooker-12ft");            // or ..., "rolling")
 //   scene.ball.at = {0.7, 0.5};
 #pragma once
@@ -19,8 +19,8 @@ struct Scene {
   Ball ball{};
 };
 
-/// What the same names mean in a file: the preset's table, its ball, and `ideal`, `rolling` or `spin` for that ball and
-/// those cushions. Throws InvalidInput where there is no such name.
+/// Returns the scene that these names mean in a file: the preset's table and ball, and the physics `ideal`, `rolling`
+/// or `spin` for that ball and those cushions. Throws InvalidInput for an unknown name.
 Scene preset_scene(std::string_view table, std::string_view physics = "spin");
 
 }  // namespace bankshot

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Balls whose measured places overlap a little are moved apart, so that the scene can be played.
+// Moves balls apart whose measured positions overlap a little, so that the scene can be simulated.
 //   puzzle.settled = settle(puzzle.table, puzzle.ball, puzzle.others);
-// Method: sweeps over all pairs. Two that overlap are pushed apart along their line of centres, each by half, and back
-// off cushions, until no two overlap by more than tolerance::overlap.
+// Method: repeated sweeps over all pairs. Two overlapping balls are pushed apart along their line of centres, each by
+// half, and off cushions. The sweeps end when no two balls overlap by more than tolerance::overlap.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@
 
 namespace bankshot {
 
-/// By how much each ball moved [m], the cue ball first. All stay where two overlap by more than
-/// tolerance::settled_overlap, or have no room: `validate` then says which.
+/// Moves the balls and returns their displacements [m], the cue ball first. No ball moves if two balls overlap by more
+/// than tolerance::settled_overlap or if there is no room; `validate` then names the balls.
 std::vector<Vec2d> settle(const Table& table, Ball& cue, std::vector<Ball>& others);
 
 }  // namespace bankshot

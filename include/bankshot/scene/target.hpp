@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shot must reach. A target is data, as the puzzle gives it; its *marks*, made once for a table and a ball,
-// answer whatever is asked about it: where seeds aim, what counts as met, how wide it is, the miss. No other file asks
-// which kind a target is, but for those that read and write the format and the 50-digit checker, which shares nothing.
-//   point   the centre passes within `within` of it, or comes to rest there: one mark
-//   pocket  the ball falls into it: a mark for each arc of its circle where a ball can enter, mostly one; any pocket:
-//           those of each
-//   ball    the struck ball touches it, before any other or off a first one: a mark for each ball of a list
+// The target of a puzzle. A target is data, as the puzzle gives it. Its *aim points* (`Mark`) are built once for a
+// table and a ball; they tell where seeds aim, what counts as reached, how wide the target is, and the miss. Only the
+// readers and writers of the format and the 50-digit checker, which shares no code, distinguish kinds of targets.
+//   point   the centre passes within `within` of it, or comes to rest there: one aim point
+//   pocket  the ball falls into it: one aim point for each arc of its circle where a ball can enter, usually one; "any
+//           pocket" has those of every pocket
+//   ball    the cue ball touches it, before any other ball or off a first one: one aim point for each ball of a list
 #pragma once
 
 #include <optional>
@@ -20,13 +20,13 @@
 
 namespace bankshot {
 
-/// The centre passes through `at`, or rests there when the arrival speed asked is 0.
+/// The centre passes through `at`, or rests there if the required arrival speed is 0.
 struct PointTarget {
   Vec2d at;
-  double within = 0.01;  ///< m; how far off still counts as made
+  double within = 0.01;  ///< m; largest miss that counts as made
 };
 
-/// The ball drops into a pocket; no number means any pocket.
+/// The ball falls into a pocket; no number means any pocket.
 struct PocketTarget {
   std::optional<int> pocket{};
 };
@@ -45,78 +45,81 @@ struct CushionRule {
 
 inline constexpr int max_cushions = 20000;
 
-/// Of a combination: a ball that is touched in turn, by one that was sent on.
+/// A combination link: an object ball that the previous object ball touches.
 struct Link {
-  CushionRule cushions{0, 0, {}};  ///< of the ball that touches it
+  CushionRule cushions{0, 0, {}};  ///< cushions of the ball that touches it
   int ball = 0;
 };
 
-/// What a ball that was touched does: it reaches this, after cushions of its own. With links, each ball sends the next
-/// one on, and the last reaches it.
+/// The object-ball path: the touched ball reaches this target, after cushions of its own. With combination links, each
+/// ball hits the next, and the last one reaches the target.
 struct Then {
   std::variant<PointTarget, PocketTarget> target{};
-  std::optional<CushionRule> cushions{};  ///< of the last; none given: no cushion
+  std::optional<CushionRule> cushions{};  ///< rule for the last ball; none: no cushion
   std::vector<Link> links{};
 
-  /// Of the ball that is sent on as the n-th, from 0.
+  /// Returns the cushion rule of the n-th object ball, from 0.
   const CushionRule& cushions_of(std::size_t n) const {
     static const CushionRule no_cushions{0, 0, {}};
     return n < links.size() ? links[n].cushions : cushions ? *cushions : no_cushions;
   }
-  /// A pot without a rule of cushions: success and margin count every fall into the pocket, by any rails or jaws.
+  /// Returns true for a pot without a cushion rule. Success and margin then count every fall into the pocket, by any
+  /// rails or jaws.
   bool counts_any_fall() const { return !cushions && std::holds_alternative<PocketTarget>(target); }
 };
 
-inline constexpr double any_touch = radians(90.0);  ///< rad: so far off a full hit every cut is
+inline constexpr double any_touch = radians(90.0);  ///< rad; every cut is within this angle of a full hit
 
-/// The struck ball touches one of these, its first contact with a ball; in a carom the second. The cut is the angle
-/// from its velocity just before to the line of centres, anticlockwise.
+/// The cue ball touches one of these balls. This is its first contact with a ball, in a carom the second. The cut is
+/// the angle from its velocity just before the hit to the line of centres, anticlockwise.
 struct BallTarget {
-  std::vector<int> balls{};        ///< number k stands for the k-th of `others`
-  std::optional<double> cut{};     ///< rad, inside a right angle; above 0 the other ball leaves to the left
-  std::optional<double> within{};  ///< rad; how far off the cut, or a full hit, still counts as made
-  std::optional<Then> then{};      ///< what counts instead of the cut
-  std::optional<int> off{};        ///< of a carom: the ball that is touched before
+  std::vector<int> balls{};        ///< k stands for the k-th of `others`, from 1
+  std::optional<double> cut{};     ///< rad, between ±90°; above 0 the object ball leaves to the left
+  std::optional<double> within{};  ///< rad; largest error of the cut, or of a full hit, that counts as made
+  std::optional<Then> then{};      ///< object-ball path, which replaces the cut
+  std::optional<int> off{};        ///< in a carom, the ball that is touched first
 
-  /// rad. Without a cut it is a full hit.
+  /// Returns the cut [rad]; without a cut, that of a full hit.
   double exact_cut() const { return cut.value_or(0); }
-  /// rad. By default 5° beside a cut, and any contact without one.
+  /// Returns the tolerance of the cut [rad]. The default is 5° if a cut is given; otherwise any contact counts.
   double cut_within() const { return within ? *within : cut ? radians(5.0) : any_touch; }
-  /// Any contact counts.
+  /// Returns true if any contact counts.
   bool any_contact() const { return !then && cut_within() >= any_touch; }
 };
 
 using Target = std::variant<PointTarget, PocketTarget, BallTarget>;
 
-/// Offsets of the lines of travel that touch a ball at a cut [m, see opening.hpp]: −2 √(R1 R2) sin cut.
+/// Offsets [m, see opening.hpp] of the lines of travel that touch a ball at the allowed cuts: −2 √(R1 R2) sin cut.
 struct Cuts {
   double low, exact, high;
   bool operator==(const Cuts&) const = default;
 };
 
-/// One place to aim at.
+/// An aim point: one point that a planner aims at to reach the target.
 struct Mark {
-  Vec2d at{};          ///< the point, or the pocket's centre
-  double reach = 0;    ///< m: how far off still counts: `within`, the radius of capture, or where two balls touch
-  int ball = 0;        ///< that is to reach it: the struck one, or one that it sends on
-  Contact taken_by{};  ///< the pocket or ball that ends the path; none: the ball passes here, or rests
-  Opening opening{};   ///< of a pocket
-  std::optional<Cuts> cuts{};  ///< of a ball
+  Vec2d at{};                  ///< the point, or the pocket's centre
+  double reach = 0;            ///< m; `within`, the capture radius, or the touching distance of two balls
+  int ball = 0;                ///< number of the ball that must reach it: the cue ball or an object ball
+  Contact taken_by{};          ///< the pocket or ball that ends the path; none: the ball passes or rests here
+  Opening opening{};           ///< for a pocket
+  std::optional<Cuts> cuts{};  ///< for a ball
 
   bool operator==(const Mark&) const = default;
   bool captures() const { return bool(taken_by); }
   bool drops() const { return taken_by.kind == ContactKind::pocket; }
-  /// How far before the mark the ball arrives [m].
+  /// Returns the distance from the aim point at which the ball arrives [m].
   double capture() const { return captures() ? reach : 0; }
-  /// From where a ball arrived to the point, or to the arc of the pocket's circle [m].
+  /// Returns the distance [m] from an arrival to the point, the arc of the pocket's circle, or the touching circle of
+  /// the ball.
   double apart(const Vec2d& arrived) const;
-  /// Offsets of the lines along the unit vector u that lead there [m, see opening.hpp]. `near`: one of them.
+  /// Returns the offsets [m, see opening.hpp] of the lines along the unit vector u that lead here. `near` is one of
+  /// them.
   template <class T>
   Gap<T> gap(const Vec2<T>& u, double near) const {
     if (cuts) return {T(cuts->low), T(cuts->high)};
     return drops() ? opening.gap(u, near) : Gap<T>{T(-reach), T(reach)};
   }
-  /// The one that is asked: 0 of a point.
+  /// Returns the offset of the exact line; 0 for a point.
   template <class T>
   T exact_offset(const Vec2<T>& u, double near) const {
     if (cuts) return T(cuts->exact);
@@ -124,20 +127,21 @@ struct Mark {
   }
 };
 
-/// Of what the ball that sees this boundary is to reach; in the order of pockets, of balls as they are listed.
+/// Returns the aim points of a target for the ball of this boundary, in the order of the pockets or of the listed
+/// balls.
 std::vector<Mark> marks_of(const Target& target, const Boundary& boundary);
 
-/// Whether a ball must fall to reach it.
+/// Returns true if a ball must fall into a pocket to reach the target.
 bool is_pocket(const Target& target);
-/// Where some ball is to arrive, the struck one or one that it sends on; null of the other kinds.
+/// Return the point or pocket that the cue ball or an object ball must reach; null for other kinds of target.
 const PointTarget* point_of(const Target& target);
 const PocketTarget* pocket_of(const Target& target);
-/// The ball that a carom is played off; 0 where there is none.
+/// Returns the first ball of a carom; 0 if there is none.
 inline int off_of(const Target& target) {
   const auto* ball = std::get_if<BallTarget>(&target);
   return ball ? ball->off.value_or(0) : 0;
 }
-/// What the struck ball sends another to; null where it goes itself.
+/// Returns the object-ball path; null if the cue ball itself reaches the target.
 inline const Then* then_of(const Target& target) {
   const auto* ball = std::get_if<BallTarget>(&target);
   return ball && ball->then ? &*ball->then : nullptr;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// One ball on its way, whoever keeps the time: the one-ball loop of simulator.hpp, or a queue of many balls. It
+// One ball in motion. The caller keeps the time: the one-ball loop of simulator.hpp, or a queue of many balls. A track
 // holds the state, the arc that leads on from it, and the contacts that the centre is on (on_cushions.hpp).
 //
-//   auto next = track.next(motion, limit);     // what ends its arc, and when
-//   track.go(motion, track.when(next));        // there, or less far when something else happens first
-//   track.meet(cushion, next.event.contact);   // where it meets something
+//   auto next = track.next(motion, limit);         // finds what ends the arc, and when
+//   track.go(motion, track.when(motion, next));    // goes there, or less far if something else happens first
+//   track.meet(cushion, next.event.contact);       // bounces, if the ball meets a cushion
 //
-// Properties as numbered in simulator.hpp. No allocation; laws are told the ball's body, which is the boundary's.
+// Properties are numbered as in simulator.hpp. No allocation. Laws get the ball's body from the boundary.
 #pragma once
 
 #include "bankshot/detail/bounce.hpp"
@@ -22,17 +22,17 @@ class BallTrack {
  public:
   using Number = Real<T>;
 
-  /// `boundary` must outlive it.
+  /// `boundary` must outlive the track.
   BallTrack(const Boundary& boundary, const State<T>& start)
       : BallTrack(boundary, start, squared_scale(start, boundary.body.radius)) {}
-  /// `launch2`: squared_scale of the launch, where another ball is struck.
+  /// `launch2` is the squared_scale of the launch, which may be that of another ball.
   BallTrack(const Boundary& boundary, const State<T>& start, const Number& launch2)
       : boundary_(&boundary), state_(start), before_(start), arc_{start.at, start.velocity}, cushions_(launch2) {}
 
-  /// A ball that starts against a cushion is put exactly on its line.
+  /// Puts a ball that starts against a cushion exactly on its line.
   void settle() { cushions_.settle_at_start(*boundary_, state_.at); }
 
-  /// Makes the arc from here.
+  /// Makes the arc from the present state.
   template <class Motion>
   void begin(const Motion& motion) {
     set_out(motion);
@@ -41,7 +41,8 @@ class BallTrack {
       if (cushions_.any_holds()) hold_on_cushion(motion);
   }
 
-  /// What ends the arc within `limit` seconds; its time is the arc's parameter. `straight`: the arc does not bend.
+  /// Finds what ends the arc within `limit` seconds. The result's time is the arc's parameter. `straight`: the arc does
+  /// not bend.
   template <bool straight>
   NextEvent<Number> find(const T& limit) {
     limit_ = arc_.parameter(limit);
@@ -54,7 +55,7 @@ class BallTrack {
     return find<Motion::straight>(limit);
   }
 
-  /// The time of what `next` told, with its derivatives.
+  /// Returns the time of what `next` found, with its derivatives.
   template <class Motion>
   T when(const Motion& motion, const NextEvent<Number>& next) const {
     if constexpr (has_chords<Motion>)
@@ -64,7 +65,7 @@ class BallTrack {
     return lift_event(*boundary_, next, arc_, cushions_.on(next.event.contact), limit_);
   }
 
-  /// Along the arc.
+  /// Moves the ball along the arc.
   template <class Motion>
   void go(const Motion& motion, const T& parameter) {
     travelled_ = parameter;
@@ -72,13 +73,13 @@ class BallTrack {
     if (value(travelled_) > Number(0)) cushions_.leave();
   }
 
-  /// Where the arc ends by itself, the state becomes exact.
+  /// Makes the state exact where the arc ends by itself.
   template <class Motion>
   void finish(const Motion& motion) {
     motion.finish(boundary_->body, state_, arc_);
   }
 
-  /// Bounces off a contact. `also`: another one that the centre is on in this instant.
+  /// Bounces off a contact. `also` is another one that the centre is on in this instant.
   template <class Cushion>
   void meet(const Cushion& cushion, Contact contact, Contact also = {}) {
     cushions_.leave();
@@ -86,8 +87,8 @@ class BallTrack {
     bounce(cushion, contact);
   }
 
-  /// Bounces off the other one. No time passes, but the instant of the second bounce has derivatives of its own.
-  /// Rare, so out of line: the common bounce is short enough to be inlined then.
+  /// Bounces off the other contact. No time passes, but the instant of the second bounce has derivatives of its own. It
+  /// is rare and therefore out of line, so that the common bounce is short enough to be inlined.
   template <class Motion, class Cushion>
   [[gnu::noinline]] void meet_also(const Motion& motion, const Cushion& cushion, Contact contact) {
     set_out(motion);
@@ -99,13 +100,13 @@ class BallTrack {
     bounce(cushion, contact);
   }
 
-  /// Time passes for a ball that stands: only its vertical spin fades.
+  /// Lets time pass for a ball that stands. Only its vertical spin fades.
   template <class Motion>
   void wait(const Motion& motion, const T& seconds) {
     if (value(state_.spin.z) != Number(0)) motion.turn(boundary_->body, state_, arc_, seconds);
   }
 
-  /// A little more velocity; where it rolls, it goes on rolling.
+  /// Adds a little velocity. A ball that rolls goes on rolling.
   template <class Motion>
   void nudge(const Motion& motion, const Vec2<T>& velocity) {
     const bool rolls = !slides(arc_);
@@ -113,30 +114,30 @@ class BallTrack {
     if (rolls) motion.roll(boundary_->body, state_);
   }
 
-  /// Others push its centre with this acceleration all along the arc.
+  /// Adds the acceleration that others give the centre all along the arc.
   void press(const Vec2<T>& push, const Number& longest) {
     bankshot::press(arc_, push, longest);
     cushions_.let_go(*boundary_, value(state_.at), value(push));
   }
-  /// It stays at this cushion, which the centre is on, all along the arc.
+  /// Keeps the ball at this cushion, which the centre is on, all along the arc.
   void hold(Contact contact) { cushions_.hold(contact); }
-  /// The cushion, tip or facing that the centre is exactly on: none, one or two.
+  /// Returns the cushion, tip or facing that the centre is exactly on. There may be none, one or two.
   Contact on(int k) const { return cushions_.at(k); }
 
-  /// Speed towards a contact.
+  /// Returns the speed towards a contact.
   Number approach(Contact contact) const {
     return -dot(boundary_->normal(contact, value(state_.at)), value(state_.velocity));
   }
 
   const Boundary& boundary() const { return *boundary_; }
-  const State<T>& state() const { return state_; }    ///< where it is
-  const State<T>& before() const { return before_; }  ///< where its arc began
+  const State<T>& state() const { return state_; }    ///< present state
+  const State<T>& before() const { return before_; }  ///< state at the start of its arc
   const Arc<T>& arc() const { return arc_; }
-  const T& travelled() const { return travelled_; }  ///< how far on that arc: its parameter
+  const T& travelled() const { return travelled_; }  ///< parameter reached on that arc
 
-  /// It does not go on from here.
+  /// Leaves the ball where it is.
   void stay() { travelled_ = T(0); }
-  /// Goes on from another state at the same place, such as the same with fresh derivatives.
+  /// Goes on from another state at the same place, such as the present one with fresh derivatives.
   void resume(const State<T>& state) { state_ = state; }
 
  private:
@@ -156,7 +157,7 @@ class BallTrack {
                        by_first && by_second);
   }
 
-  // A call takes a tenth of a shot whose paths are straight.
+  // Inlined, because calls would take a tenth of a shot whose paths are straight.
   template <class Cushion>
   [[gnu::always_inline]] void bounce(const Cushion& cushion, Contact contact) {
     const Body& body = boundary_->body;
@@ -175,7 +176,7 @@ class BallTrack {
   State<T> state_;
   State<T> before_;
   Arc<T> arc_;
-  T limit_{0};  ///< of the arc's parameter
+  T limit_{0};  ///< limit of the arc's parameter
   T travelled_{0};
   OnCushions<Number> cushions_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A simulated shot as a camera would see it: what fits are tried on, since its truth is known.
+// Films a simulated shot as a camera would see it. Fits are tested on such recordings, because their truth is known.
 #pragma once
 
 #include "bankshot/numbers/random.hpp"
@@ -10,15 +10,15 @@
 namespace bankshot {
 
 struct Camera {
-  double rate = usual_rate;  ///< samples a second
+  double rate = usual_rate;  ///< samples per second
   double noise = 0;          ///< m, standard deviation of each coordinate
   double drop = 0;           ///< share of samples that are missing
-  double outliers = 0;       ///< share of samples that are anywhere within `astray`
+  double outliers = 0;       ///< share of samples that are displaced by up to `astray` in each coordinate
   double astray = 0.3;       ///< m
 };
 
-/// Every ball that moves, from the launch to where it rests or falls. Physics and launch are not told, only which
-/// physics it is; where balls stood and came to rest errs as all samples do.
+/// Records every ball that moves, from the launch to where it rests or falls. The recording names the kind of physics,
+/// but neither its coefficients nor the launch. Start and rest positions have the same errors as all samples.
 Recording film(const ShotRequest& shot, const Trajectory& trajectory, const Camera& camera, Random& random);
 
 }  // namespace bankshot

@@ -10,15 +10,15 @@
 
 namespace bankshot {
 
-/// How a ball is struck.
+/// Launch of the cue ball in one stroke.
 struct Stroke {
   Launch launch;
   LaunchSpin spin{};
 };
 
-/// `see(i, trajectory)` of each stroke, what `simulate` gives for the scene struck so; null where it would throw for
-/// the stroke. What strokes share is made once. Throws InvalidInput where the scene, whose own launch does not count,
-/// breaks a rule.
+/// Calls `see(i, trajectory)` for each stroke, with the result of `simulate` for the scene with that stroke. The
+/// trajectory is null if `simulate` would throw for the stroke. Work that strokes share is done once. Throws
+/// InvalidInput if the scene breaks a rule; its own launch does not count.
 void simulate_each(ShotRequest scene, std::span<const Stroke> strokes,
                    const std::function<void(std::size_t, const Trajectory*)>& see);
 

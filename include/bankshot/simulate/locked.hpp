@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The locked path: one that is *told* its route, which cushions it meets, on their infinite lines.
-// Where the real path jumps from one cushion to another at a corner, the locked one stays smooth,
-// which is what a root finder with derivatives needs. Two aims just either side of a corner have
-// locked paths that differ by little; a bounce may lie at slightly negative time when the ball is
-// already past the line. Pockets are not seen: the real simulator decides afterwards.
+// The locked path follows a *given* route, with cushions on their infinite lines. Where the real path jumps from one
+// cushion to another at a corner, the locked one stays smooth, as a root finder with derivatives needs. Two aims just
+// either side of a corner have locked paths that differ by little. A bounce may lie at a slightly negative time if the
+// ball is already past the line. Pockets are not seen: the real simulator decides afterwards.
 #pragma once
 
 #include <span>
@@ -19,24 +18,24 @@
 
 namespace bankshot {
 
-/// How a locked path ended: at the end of its route, stopped while moving towards the next
-/// cushion (more speed would help), or moving away from it (another aim would).
+/// End of a locked path: at the end of its route, stopped while moving towards the next contact (more speed would
+/// help), or moving away from it (another aim would help).
 enum class LockedEnd { complete, fell_short, wrong_way };
 
-/// A ball that a route may touch on its way: the table as it sees it, and where it stands before.
+/// A ball that a route may touch: the table as that ball sees it, and where it stands before.
 struct StandingBall {
   int ball;
   const Boundary* boundary;
   Vec2d at;
 };
 
-/// The balls of a route. The struck one alone is its boundary.
+/// The balls of a route. A boundary alone stands for the cue ball alone.
 template <class C>
 struct RouteBallsOf {
   const Boundary& struck;
   std::span<const StandingBall> others{};
   BallBallOf<C> law{};
-  bool carom = false;  ///< it is the ball that touches another that goes on
+  bool carom = false;  ///< after a meeting, the path goes on with the ball that hit the other
 
   RouteBallsOf(const Boundary& boundary) : struck(boundary) {}
   RouteBallsOf(const Boundary& boundary, std::span<const StandingBall> standing, const BallBallOf<C>& collision,
@@ -56,18 +55,18 @@ template <class T>
 struct LockedPath {
   State<T> state;  ///< right after the last meeting
   T time;          ///< s since the launch
-  int ball = 0;    ///< that is on its way now
+  int ball = 0;    ///< ball that the path ends with
   LockedEnd end = LockedEnd::complete;
 };
 
-/// Time to the line of wall w, negative when the centre is already beyond it and moving on.
+/// Returns the time to the line of wall w. It is negative if the centre is already beyond the line and moves on.
 template <class N>
 N time_to_line(const Arc<N>& arc, const Wall& w) {
   using std::sqrt;
   const N speed = dot(w.normal, arc.velocity), a = dot(w.normal, arc.acceleration);
   const N gap = dot(w.normal, arc.at) - N(w.offset);
   if (!(speed < N(0))) return first_descent(gap > N(0) ? gap : N(0), speed, a);
-  // Without acceleration no square, which would underflow for the slowest approach.
+  // Without acceleration no square is taken, since it would underflow for the slowest approach.
   if (a == N(0)) return gap / -speed;
   const N discriminant = speed * speed - 2 * a * gap;
   return discriminant < N(0) ? N(forever) : N(2 * gap / (sqrt(discriminant) - speed));
@@ -83,7 +82,7 @@ N time_to_contact(const Boundary& boundary, const Arc<N>& arc, Contact contact) 
   return first_entry(arc, rim->centre, rim->radius, arc.duration);
 }
 
-/// The time at which a contact is met, with the derivatives of the arc; of a gap that counted as 0, none.
+/// Returns the time at which a contact is met, with the derivatives of the arc. A gap that counted as 0 adds none.
 template <class T, class Motion>
 T lift_contact(const Motion& motion, const Boundary& boundary, const State<T>& start, const Arc<T>& arc,
                Contact contact, const Real<T>& t) {
@@ -96,7 +95,8 @@ T lift_contact(const Motion& motion, const Boundary& boundary, const State<T>& s
   return lift_line(arc, w->normal, w->offset, beyond && away, t);
 }
 
-/// The ball that is met goes on, from where it stood; in a carom, the one that meets it.
+/// Lets two balls collide. The path goes on with the ball that was hit, from where it stood; in a carom, with the
+/// other.
 template <class T, class C>
 void meet_ball(const RouteBallsOf<C>& balls, Contact contact, LockedPath<T>& path) {
   const StandingBall& other = balls.standing(contact.index);
@@ -107,7 +107,7 @@ void meet_ball(const RouteBallsOf<C>& balls, Contact contact, LockedPath<T>& pat
   path.ball = other.ball;
 }
 
-/// Paths of many pieces are followed no farther than this beyond the table: on one that leans they may never end.
+/// Returns true if a path of many pieces has gone far from where its leg began. On a tilted table it might never end.
 template <class Motion, class N>
 bool is_lost(const Motion&, const Boundary& boundary, const Vec2<N>& from, const Vec2<N>& at) {
   if constexpr (!has_chords<Motion>) {
@@ -119,8 +119,8 @@ bool is_lost(const Motion&, const Boundary& boundary, const Vec2<N>& from, const
   }
 }
 
-/// From the ball of its first meeting on; where a ball sends another on the route is that one's. `watch` is shown each
-/// arc and how far it was followed.
+/// Follows a route. `start` is the state of the ball of its first meeting. After a meeting of two balls, the route is
+/// that of the ball that goes on. `watch` sees each arc and how far it was followed.
 template <class T, class C, class Motion, class Cushion, class Watch = Unwatched>
 LockedPath<T> follow_locked(const RouteBallsOf<C>& balls, const Motion& motion, const Cushion& cushion,
                             std::span<const Meeting> route, const State<T>& start, Watch&& watch = {}) {
@@ -154,21 +154,21 @@ LockedPath<T> follow_locked(const RouteBallsOf<C>& balls, const Motion& motion, 
   return path;
 }
 
-/// Of the struck ball alone.
+/// Follows a route of the cue ball alone.
 template <class T, class Motion, class Cushion, class Watch = Unwatched>
 LockedPath<T> follow_locked(const Boundary& boundary, const Motion& motion, const Cushion& cushion,
                             std::span<const Meeting> route, const State<T>& start, Watch&& watch = {}) {
   return follow_locked(RouteBalls(boundary), motion, cushion, route, start, watch);
 }
 
-/// The last leg of a locked path: the state where the ball is abreast of the target, or enters the
-/// circle of radius `capture` around it, or comes to rest.
+/// End of the last leg of a locked path. The ball is abreast of the target, enters the circle of radius `capture`
+/// around it, or comes to rest.
 template <class T>
 struct LockedArrival {
   State<T> state;
-  Vec2<T> heading;  ///< of the last arc, also where the ball rests; not a unit vector
+  Vec2<T> heading;  ///< direction of the last arc, even if the ball rests; not a unit vector
   bool at_rest = false;
-  T time{0};  ///< s since the leg began; infinite where it never ends
+  T time{0};  ///< s since the leg began; infinite if it never ends
 };
 
 template <class T, class Motion, class Watch = Unwatched>

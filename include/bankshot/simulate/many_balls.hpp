@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The forward simulator of many balls, event by event, over the same arcs, contacts and laws as that of one
-// (simulator.hpp), whose properties hold for each ball. A ball's own next event and the next meeting of each pair are
-// kept; an event renews those of its balls alone.
-//   7. One instant: pockets capture before balls meet; of those the larger approach speed first, then the lower pair,
-//      one pair at a time; then cushions bounce, phases change, and the horizon comes last. Same instant means equal
-//      computed times.
-//   8. No overlap: a meeting is found as the gap falls through 0, and balls that touch and do not approach are held
-//      apart (detail/pressed.hpp), anew after each event and each piece. Two that overlap at the start by no more than
-//      tolerance::overlap keep the distance they have until they part.
-//   9. Every shot ends: slow contacts last (contact/ball_ball.hpp), pressed balls come to rest.
-// Memory is taken once, at the start, and where more balls are pressed at once than before.
+// The forward simulator of many balls, event by event. It uses the arcs, contacts and laws of the simulator of one ball
+// (simulator.hpp), whose properties hold for each ball. It keeps each ball's own next event and the next meeting of
+// each pair. An event renews only those of its balls.
+//  7. One instant: pockets capture before balls meet. Of meetings the one with the larger approach speed comes first,
+//     then that of the lower pair, one pair at a time. Then cushions bounce, phases change, and the horizon comes last.
+//     Same instant means equal computed times.
+//  8. No overlap: a meeting is found as the gap falls through 0. Balls that touch and do not approach are held apart
+//     (detail/pressed.hpp), anew after each event and each piece. Two balls that overlap at the start, by no more than
+//     tolerance::overlap, keep their distance until they part.
+//  9. Every shot ends: slow contacts persist (contact/ball_ball.hpp), and balls in persistent contact come to rest.
+//
+// Memory is taken once, at the start, and when more balls are in contact at once than before.
 #pragma once
 
 #include <algorithm>
@@ -27,25 +28,26 @@
 
 namespace bankshot {
 
-/// Of two balls that met the first is `ball`, the lower number, and the other the contact. A ball of a boundary, which
-/// stands, is met without a bounce: what happens then is the caller's.
+/// An event and its ball. If two balls met, `ball` is the lower number, and the other is the contact. A standing ball
+/// of a boundary is met without a bounce; the caller decides what happens then.
 struct BallEvent {
   int ball = 0;
   Event event{};
 };
 
-/// T: the scalar (scalar.hpp). Boundaries must outlive it.
+/// T is the scalar (scalar.hpp). Boundaries must outlive the simulator.
 template <class T, class Motion, class Cushion>
 class ManyBalls {
  public:
   using Number = Real<T>;
 
-  /// Ball 0 is struck, the others stand.
+  /// The first ball is launched; the others stand.
   ManyBalls(std::span<const BallStart<T>> balls, const Motion& motion, const Cushion& cushion, const BallBall& law)
       : ManyBalls(balls, motion, cushion, law, launch_of(balls)) {}
 
-  /// Moves to the next event, or `horizon` seconds on if that comes first: then its kind is `horizon`, as where no ball
-  /// moves any more. `watch` is shown each arc that ends: the ball, when it began and how, the arc, how far it went.
+  /// Moves to the next event, or by `horizon` seconds if that comes first. The event is then `horizon`, as it is if no
+  /// ball moves any more. `watch` sees each arc that ends: the ball, the time and state at which the arc began, the
+  /// arc, and how far it went.
   template <class Watch = Unwatched>
   BallEvent step(const T& horizon = T(forever), Watch&& watch = {}) {
     const T end = in_.now + horizon;
@@ -62,7 +64,7 @@ class ManyBalls {
     }
   }
 
-  /// Ends the arcs of all balls where they are now; there is no step after it.
+  /// Ends the arcs of all balls where they are now. No step may follow.
   template <class Watch>
   void stop(Watch&& watch) {
     for (std::size_t i = 0; i < in_.count(); ++i) in_.bring(i, watch);
@@ -72,11 +74,11 @@ class ManyBalls {
   const T& time() const { return in_.now; }  ///< s since the launch
   bool in_play(int ball) const { return ball_at(ball).in_play; }
   bool moves(int ball) const { return ball_at(ball).moves; }
-  /// Where the ball's arc began: of the balls of the last event, right after it.
+  /// Returns the state where the ball's arc began. For the balls of the last event, that is right after it.
   const State<T>& state(int ball) const { return ball_at(ball).track.state(); }
   const Body& body(int ball) const { return in_.body(static_cast<std::size_t>(ball)); }
 
-  /// Where the ball is now, wherever on its arc.
+  /// Returns the present state of a ball, wherever it is on its arc.
   State<T> state_now(int ball) const {
     const Ball& s = ball_at(ball);
     const Arc<T>& arc = s.track.arc();
@@ -86,7 +88,7 @@ class ManyBalls {
  private:
   using Ball = typename BallsInPlay<T, Motion>::Ball;
   static constexpr double never = forever;
-  /// What comes first in one instant.
+  /// Order of events in one instant.
   enum class Rank { pocket, meeting, bounce, phase };
 
   struct Due {
@@ -95,7 +97,7 @@ class ManyBalls {
     std::size_t first = 0, second = 0;
   };
 
-  /// `launch`: |v| + R|ω| of it.
+  /// `launch` is the speed scale of the launch, √squared_scale [m/s].
   ManyBalls(std::span<const BallStart<T>> balls, const Motion& motion, const Cushion& cushion, const BallBall& law,
             const Number& launch)
       : cushion_(cushion),
@@ -119,11 +121,11 @@ class ManyBalls {
   }
 
   const Ball& ball_at(int ball) const { return in_.balls[static_cast<std::size_t>(ball)]; }
-  /// `i` < `j`
+  /// Requires `i` < `j`.
   Number& meeting(std::size_t i, std::size_t j) { return meetings_[i * in_.count() + j]; }
   const Number& meeting(std::size_t i, std::size_t j) const { return meetings_[i * in_.count() + j]; }
 
-  /// |v| + R|ω|, the largest.
+  /// Returns the largest √squared_scale of the balls [m/s].
   static Number launch_of(std::span<const BallStart<T>> balls) {
     using std::sqrt;
     Number launch2(0);
@@ -162,7 +164,7 @@ class ManyBalls {
     return best;
   }
 
-  /// Of the meetings of a ball with those of higher numbers.
+  /// Returns the earliest meeting of a ball with those of higher numbers.
   Number& earliest(std::size_t i) { return meetings_[i * in_.count() + i]; }
   const Number& earliest(std::size_t i) const { return meetings_[i * in_.count() + i]; }
 
@@ -172,7 +174,7 @@ class ManyBalls {
     for (std::size_t j = i + 1; j < in_.count(); ++j) first = std::min<Number>(first, meeting(i, j));
   }
 
-  /// Speed at which the two that are due to meet come nearer.
+  /// Returns the speed at which the two that are due to meet come nearer.
   Number approach(const Due& due) const {
     const Apart<Number> apart = in_.seen(due.first, due.second, due.time);
     return -dot(apart.at, apart.velocity) / norm(apart.at);
@@ -199,7 +201,7 @@ class ManyBalls {
     return {static_cast<int>(i), {EventKind::ball, Contact::ball(numbers_[j])}};
   }
 
-  /// What ball i does by itself.
+  /// Carries out ball i's own event.
   template <class Watch>
   BallEvent act(std::size_t i, Watch&& watch) {
     Ball& s = in_.balls[i];
@@ -245,7 +247,7 @@ class ManyBalls {
     return {static_cast<int>(i), {bounce_off(first), first}};
   }
 
-  /// New arcs, events and meetings of these balls, and of those that they pressed on or press on now.
+  /// Renews the arcs, events and meetings of these balls, and of those that they pressed on or press on now.
   template <class Watch = Unwatched>
   void renew(std::vector<std::size_t>& balls, Watch&& watch = {}) {
     lasting_.let_go(in_, balls, watch);
@@ -265,7 +267,7 @@ class ManyBalls {
     for (const std::size_t i : balls) fresh_[i] = false;
   }
 
-  /// Of a fresh ball with all others; of two that are fresh, for the lower number.
+  /// Finds the meetings of a fresh ball with all others. Those of two fresh balls are found for the lower number.
   void find_meetings(std::size_t i) {
     earliest(i) = never;
     for (std::size_t j = 0; j < i; ++j) {
@@ -284,7 +286,7 @@ class ManyBalls {
     }
   }
 
-  /// `i` < `j`: so that a pair is looked at in one way.
+  /// Returns the next meeting of a pair. Requires `i` < `j`, so that each pair is computed in one way.
   Number next_meeting(std::size_t i, std::size_t j) const {
     const Ball &a = in_.balls[i], &b = in_.balls[j];
     if (in_.stay_apart(i, j) || !a.in_play || !b.in_play || (!a.moves && !b.moves) || lasting_.is_held(i, j))
@@ -301,7 +303,7 @@ class ManyBalls {
       return due.time;
   }
 
-  /// The time at which two meet whose arcs are chords of their paths.
+  /// Returns when two balls meet whose arcs are chords of their paths.
   Number on_paths(std::size_t i, std::size_t j, const Number& time) const {
     const auto there = [&](std::size_t ball, const Number& when) {
       const Ball& s = in_.balls[ball];
@@ -318,7 +320,7 @@ class ManyBalls {
     });
   }
 
-  /// The instant at which two meet, with the derivatives of their arcs.
+  /// Returns the instant at which two meet, with the derivatives of their arcs.
   T lift_meeting(std::size_t i, std::size_t j, const Number& time) const {
     if constexpr (!has_derivatives<T>) {
       return time;
@@ -339,10 +341,10 @@ class ManyBalls {
   BallBall law_;
   BallsInPlay<T, Motion> in_;
   LastingContacts<T, Motion> lasting_;
-  std::vector<Number> meetings_;  ///< s, of each pair, the lower number first; of a ball alone, the earliest of its row
+  std::vector<Number> meetings_;  ///< s, per pair, lower number first; on the diagonal, the earliest of the row
   std::vector<std::size_t> changed_;
-  std::vector<char> fresh_;   ///< of each ball: its arc is new
-  std::vector<int> numbers_;  ///< of the balls, as contacts
+  std::vector<char> fresh_;   ///< per ball: its arc is new
+  std::vector<int> numbers_;  ///< number of each ball, as a contact
 };
 
 }  // namespace bankshot

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What happens on the way, in order: which ball meets what. A path that is told its route (simulate/locked.hpp) stays
-// smooth where the real one jumps from one cushion to another.
-//   one ball by two cushions: {cue, bottom} {cue, right}
+// A route: the ordered list of what balls meet. A path that follows a given route (simulate/locked.hpp) stays smooth
+// where the real one jumps from one cushion to another.
+//   cue ball off two cushions: {cue, bottom} {cue, right}
 //   a bank: {cue, ball 8} {8, bottom}
 #pragma once
 
@@ -15,14 +15,14 @@
 namespace bankshot {
 
 struct Meeting {
-  int ball = 0;  ///< 0 is the ball that is struck
+  int ball = 0;  ///< 0 is the cue ball
   Contact with{};
   friend auto operator<=>(const Meeting&, const Meeting&) = default;
 };
 
 using Route = std::vector<Meeting>;
 
-/// The struck ball meets these, and no other ball moves.
+/// Returns the route of a cue ball that meets these contacts, while no other ball moves.
 inline Route route_by(std::span<const Contact> contacts) {
   Route route;
   route.reserve(contacts.size());
@@ -30,7 +30,7 @@ inline Route route_by(std::span<const Contact> contacts) {
   return route;
 }
 
-/// What a ball meets, in order, but for other balls.
+/// Returns what a ball meets, in order, except other balls.
 inline std::vector<Contact> contacts_of(std::span<const Meeting> route, int ball = 0) {
   std::vector<Contact> contacts;
   contacts.reserve(route.size());
@@ -39,7 +39,7 @@ inline std::vector<Contact> contacts_of(std::span<const Meeting> route, int ball
   return contacts;
 }
 
-/// How often the struck ball bounces off cushions; jaws are none.
+/// Returns how often the cue ball bounces off cushions. Jaws do not count.
 inline int bounces_of(std::span<const Meeting> route) {
   int bounces = 0;
   for (const Meeting& meeting : route)

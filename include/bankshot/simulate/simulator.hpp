@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// The forward simulator of one ball, event by event. `step()` moves the ball to its next event and
-// says what it was; a caller that wants a record keeps one, so not recording costs nothing.
+// The forward simulator of one ball, event by event. `step()` moves the ball to its next event and returns it. A caller
+// that wants a record keeps one, so not recording costs nothing.
 //
 //   Simulator sim(boundary, motion, cushion, State<double>{at, velocity});
 //   for (Event e = sim.step(); !e.final(); e = sim.step()) { ... sim.state() ... sim.arc() ... }
 //
 // Properties (2: detail/next_event.hpp; 4 and 5: detail/on_cushions.hpp):
-//  1. No allocation. Events are found and ordered on values; only the time of the one that happens gets
-//     the derivatives of T, by the implicit function theorem (roots.hpp).
+//  1. No allocation. Events are found and ordered on values. Only the time of the one that happens gets the
+//     derivatives of T, by the implicit function theorem (roots.hpp).
 //  3. The centre stays inside the boundary to Boundary::touch.
 //  6. Error. The walls and constants are the given doubles. With T = double the position of the last
 //     event differs from the exact one of the same start state by
 //       |error| <= C · 2⁻⁵³ · size · κ,   C = tolerance::simulation_error,   size = Boundary::extent,
-//       (2⁻⁵³ times tolerance::pieces_rounding where the table leans, for there each piece of a path rounds)
+//       (2⁻⁵³ times tolerance::pieces_rounding if the table leans, since each piece of a path rounds)
 //       κ = Σ_k ‖J_k D_k‖ / size over the start (k = 0) and every event before the last.
-//     J_k: Jacobian of that position by the state after event k (x, y, v, ω), D_k = diag(size, size, V,
-//     V, V/R, V/R, V/R), V = |v| + R|ω| where the arc that led to event k began. Each event rounds the
-//     state anew by a few units in the last place. The start alone would not do: a bounce forgets
-//     the gap, and so what was wrong with it, while a ball that then leaves slowly along the cushion
-//     multiplies what the bounce has rounded. The bound holds as long as both runs meet the same events; they may
-//     differ only where two events lie within that bound of each other, or a cushion is grazed that closely.
+//     J_k is the Jacobian of that position by the state after event k (x, y, v, ω). D_k is diag(size, size, V,
+//     V, V/R, V/R, V/R), with V = |v| + R|ω| where the arc that led to event k began. Each event rounds the
+//     state anew by a few units in the last place. The start alone would not do. A bounce forgets the gap, and
+//     with it the error of the gap. But a ball that then leaves slowly along the cushion multiplies the rounding
+//     of the bounce. The bound holds as long as both runs meet the same events. They may differ only where two
+//     events lie within that bound of each other, or a cushion is grazed that closely.
 #pragma once
 
 #include <utility>
@@ -29,7 +29,7 @@
 
 namespace bankshot {
 
-/// T: the scalar (scalar.hpp). `boundary` must outlive it.
+/// T is the scalar (scalar.hpp). `boundary` must outlive the simulator.
 template <class T, class Motion, class Cushion>
 class Simulator {
  public:
@@ -38,8 +38,8 @@ class Simulator {
     if constexpr (!Motion::straight) track_.settle();
   }
 
-  /// Moves to the next event, or `horizon` seconds on if that comes first. Where the law of motion hands over pieces
-  /// the last one leads to the event; `watch` is shown those before, with how far they were followed.
+  /// Moves to the next event, or by `horizon` seconds if that comes first. If the law of motion hands over pieces, the
+  /// last one leads to the event. `watch` sees those before, and how far they were followed.
   template <class Watch = Unwatched>
   Event step(const T& horizon = T(forever), Watch&& watch = {}) {
     if (pending_) {
@@ -65,16 +65,16 @@ class Simulator {
   const State<T>& before() const { return track_.before(); }  ///< where the last arc began
   const T& time() const { return time_; }                     ///< seconds since the launch
   const Arc<T>& arc() const { return track_.arc(); }          ///< the arc that led to the last event
-  const T& travelled() const { return track_.travelled(); }   ///< how far on that arc: its parameter, seconds on most
-  /// The state on the path along that arc, which may be its chord.
+  const T& travelled() const { return track_.travelled(); }   ///< parameter reached on that arc, seconds on most
+  /// Returns the state on the path along that arc, which may be its chord.
   State<T> on_arc(const T& parameter) const {
     return advance(motion_, track_.boundary().body, before(), arc(), parameter);
   }
 
-  /// Unit vector away from a contact, into the table, for the ball where it is now.
+  /// Returns the unit vector away from a contact, into the table, for the ball where it is now.
   Vec2<T> normal(Contact contact) const { return track_.boundary().normal(contact, state().at); }
 
-  /// Goes on from another state at the same event, such as the same with fresh derivatives.
+  /// Goes on from another state at the same event, such as the present one with fresh derivatives.
   void resume(const State<T>& state) { track_.resume(state); }
 
  private:
@@ -105,7 +105,7 @@ class Simulator {
   Motion motion_;
   Cushion cushion_;
   T time_;
-  Contact pending_{};  ///< the second cushion of a corner, still to bounce
+  Contact pending_{};  ///< second cushion of a corner, whose bounce is still to come
 };
 
 }  // namespace bankshot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The balls of a shot as they start, each with the table as it sees it, which is made once for each size.
+// The balls of a shot as they start, each with the table as it sees it. That is made once for each ball size.
 //   const Starts starts(request);
 //   ManyBalls sim(starts.balls(), motion, cushion, collisions(request.physics));   // simulate/many_balls.hpp
 #pragma once
@@ -14,17 +14,17 @@
 
 namespace bankshot {
 
-/// The boundary is the ball's own: that of its radius.
+/// Start of one ball. The boundary is that for its radius.
 template <class T>
 struct BallStart {
   const Boundary* boundary;
   State<T> state;
-  int number = -1;  ///< by which it is told as a contact; its place in the list where there is none
+  int number = -1;  ///< number as a contact; its place in the list if negative
 };
 
 class Starts {
  public:
-  /// The struck ball is the first. Of a valid request.
+  /// Takes a valid request. The cue ball comes first.
   explicit Starts(const ShotRequest& request);
   Starts(const Starts&) = delete;
   Starts& operator=(const Starts&) = delete;
@@ -32,7 +32,7 @@ class Starts {
   std::span<const BallStart<double>> balls() const { return balls_; }
 
  private:
-  std::list<Boundary> boundaries_;  ///< which stay where they are
+  std::list<Boundary> boundaries_;  ///< a list, so that they stay where they are
   std::vector<BallStart<double>> balls_;
 };
 

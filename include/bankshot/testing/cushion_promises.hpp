@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What every cushion owes, tried on random impacts: a law that breaks one of these makes simulations or
-// plans wrong. A cushion is anything with bounce(body, State<double>&, normal): Mirror, Han2005, CustomCushion, your
-// own.
+// Tests on random impacts the properties that every cushion model must have: a law that breaks one of them makes
+// simulations or plans wrong. A cushion is any type with bounce(body, State<double>&, normal), such as Mirror, Han2005,
+// CustomCushion or a user's own.
 //
 //   for (const Promise& p : try_promises(cushion, body)) std::puts(p.kept() ? "kept" : p.what);
 #pragma once
@@ -17,24 +17,25 @@
 
 namespace bankshot {
 
-/// ½ v² + ⅕ R² ω²: the energy of a ball of mass 1 [m²/s²].
+/// Returns the energy of a ball of mass 1 [m²/s²]: ½ v² + ⅕ R² ω².
 inline double energy_of(const State<double>& s, double radius) {
   const Vec3<double>& w = s.spin;
   return dot(s.velocity, s.velocity) / 2 + radius * radius * (w.x * w.x + w.y * w.y + w.z * w.z) / 5;
 }
 
-/// |v| + R |ω| [m/s]: what differences of states are small against.
+/// Returns |v| + R |ω| [m/s], the scale to which differences of states are compared.
 inline double scale_of(const State<double>& s, double radius) {
   return norm(s.velocity) + radius * std::hypot(s.spin.x, s.spin.y, s.spin.z);
 }
 
-/// Difference of velocity and R · spin [m/s].
+/// Returns the difference of velocities plus R times the difference of spins [m/s].
 inline double difference(const State<double>& a, const State<double>& b, double radius) {
   return norm(a.velocity - b.velocity) +
          radius * std::hypot(a.spin.x - b.spin.x, a.spin.y - b.spin.y, a.spin.z - b.spin.z);
 }
 
-/// Seen in a mirror that stands along y, across a cushion that runs along x: spin is an axial vector.
+/// Returns the mirror image of a state. The mirror is parallel to y, across a cushion that runs along x; spin is an
+/// axial vector.
 inline State<double> mirrored(const State<double>& s) {
   return {{-s.at.x, s.at.y}, {-s.velocity.x, s.velocity.y}, {s.spin.x, -s.spin.y, -s.spin.z}};
 }
@@ -58,12 +59,12 @@ State<double> bounced(const Cushion& cushion, const Body& body, State<double> s,
 struct Promise {
   const char* what;
   double allowed;
-  double worst = 0;        ///< of all impacts tried
-  State<double> impact{};  ///< the worst one, on a cushion that runs along x below the ball
+  double worst = 0;        ///< worst value of all impacts
+  State<double> impact{};  ///< the worst impact, on a cushion that runs along x below the ball
   bool kept() const { return worst <= allowed; }
 };
 
-/// Impacts over four decades of speed with any spin; the same seed tries the same ones.
+/// Tests random impacts over four decades of speed with any spin. The same seed gives the same impacts.
 template <class Cushion>
 std::array<Promise, 5> try_promises(const Cushion& cushion, const Body& body, int impacts = 5000,
                                     std::uint64_t seed = 1) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The impact of mathavan2010 from first touch to the end of restitution: Taylor steps, each cut at the
+// The impact of mathavan2010 from first touch to the end of restitution. It consists of Taylor steps, each cut at the
 // first switch in it, which is a root of their polynomials.
 //   compression   until vy = 0
 //   restitution   until the work given back is e² times the work taken
@@ -17,7 +17,7 @@ inline constexpr int most_steps = 2000;
 template <class T>
 class Impact : private Straight<T> {
  public:
-  /// Slips at the cushion and at the cloth over the approach speed; `zero` is the slip that counts as 0.
+  /// `cushion` and `cloth` are the slips over the approach speed. A slip up to `zero` counts as 0.
   Impact(const Nose<T>& nose, const Vec2<T>& cushion, const Vec2<T>& cloth, const T& vy, double tolerance, double zero)
       : Base(nose, tolerance), order_(order(tolerance)) {
     vy_ = vy;
@@ -44,12 +44,12 @@ class Impact : private Straight<T> {
       Base::start, Base::straight, Base::target_, Base::tolerance_, Base::vy_, Base::work_;
   using Contact = typename Base::Contact;
 
-  /// The order at which a tolerance costs least.
+  /// Returns the order at which a tolerance costs least.
   static int order(double tolerance) {
     return std::clamp(static_cast<int>(5 - 0.55 * std::log(tolerance)), 8, max_order<T> - 1);
   }
 
-  /// Compression (sign 1) or restitution (sign −1).
+  /// Runs compression (sign 1) or restitution (sign −1).
   void phase(int sign, const T& target, double e) {
     sign_ = sign;
     target_ = target;
@@ -60,7 +60,7 @@ class Impact : private Straight<T> {
       if (course_.steps++ > most_steps) course_.jams = true;
       e_.begin();
       if (!(as_double(e_.vy_rate[0]) < 0)) course_.jams = true;
-      // A cushion that sticks can leave the cloth no load only where no friction force is consistent.
+      // A cushion that sticks leaves the cloth no load only if no friction force is consistent.
       if (!e_.cushion.moves() && as_double(e_.q[0]) < 0) course_.jams = true;
       if (course_.jams) return;
       const double rate = -as_double(e_.vy_rate[0]);
@@ -71,7 +71,7 @@ class Impact : private Straight<T> {
     }
   }
 
-  /// One Taylor step. True at the end of the phase.
+  /// Takes one Taylor step. Returns true at the end of the phase.
   bool curved() {
     if (e_.cushion.slip == Slip::starts || e_.cloth.slip == Slip::starts) {
       e_.unit = T(scale());
@@ -95,7 +95,7 @@ class Impact : private Straight<T> {
     return cut(slide_, reach(slide_, clock));
   }
 
-  /// The slip whose direction turns soonest.
+  /// Returns the slip whose direction turns soonest.
   int nearest() const {
     int clock = 0;
     double soonest = 1e300;
@@ -110,7 +110,7 @@ class Impact : private Straight<T> {
     return e_.cushion.moves() ? clock : 1;
   }
 
-  /// An impulse over which the slips change noticeably.
+  /// Returns an impulse over which the slips change noticeably.
   double scale() const {
     double unit = left_ + tolerance_;
     for (const Contact* k : {&e_.cushion, &e_.cloth})
@@ -120,7 +120,7 @@ class Impact : private Straight<T> {
     return unit;
   }
 
-  /// Length of a step whose neglected terms, smaller than the last two kept, stay below the tolerance. A
+  /// Returns the length of a step whose neglected terms, smaller than the last two kept, stay below the tolerance. A
   /// slip close to 0 has to keep its direction too.
   template <class Series>
   double reach(const Series& s, int clock) const {
@@ -156,7 +156,7 @@ class Impact : private Straight<T> {
     work_ = evaluate(s.work, order_, x);
   }
 
-  /// Goes along the series, at most to `length`, to the first switch. True at the end of the phase.
+  /// Follows the series to the first switch, at most to `length`. Returns true at the end of the phase.
   template <class Series>
   bool cut(const Series& s, double length) {
     Contact* leaves = nullptr;
@@ -198,7 +198,7 @@ class Impact : private Straight<T> {
     return false;
   }
 
-  static constexpr double share = 0.5;  ///< of the tolerance, for one Taylor step
+  static constexpr double share = 0.5;  ///< share of the tolerance that one Taylor step may use
 
   int order_;
   double left_ = 0;  ///< impulse left in this phase, roughly

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// The forces of the cushion impact of Mathavan, Jackson & Parkin (2010), written once for every way to
-// integrate them. The ball has mass 1 and radius 1 (spin velocities are Rω); P is the normal impulse, x
-// runs along the cushion, y into it. With I = (Ix, Iy) and C = (Cx, Cy) the friction at the cushion and
-// at the cloth per unit of P, and q = sin θ + Iy cos θ the load on the cloth, the paper's equations of
-// motion become
+// The forces of the cushion impact of Mathavan, Jackson & Parkin (2010), written once for every way to integrate them.
+// The ball has mass 1 and radius 1 (spin velocities are Rω). P is the normal impulse; x runs along the cushion, y into
+// it. Per unit of P, the friction is I = (Ix, Iy) at the cushion and C = (Cx, Cy) at the cloth. The load on the cloth
+// is q = sin θ + Iy cos θ. The paper's equations of motion then become
 //   ẋI′ = −7/2 Ix − β Cx         ẏI′ = sin θ cos θ − (5/2 + sin²θ) Iy − γ Cy      slip at the cushion
 //   ẋC′ = −β Ix − 7/2 Cx         ẏC′ = −cos θ − γ Iy − 7/2 Cy                     slip at the cloth
 //   vy′ = −(cos θ − Iy sin θ + Cy),   β = 1 − 5/2 sin θ,  γ = 5/2 − sin θ
-// Sliding: I = μw f, C = μs q f, f the direction of that slip. Sticking: the force that keeps the slip 0.
+// A contact that slides has I = μw f or C = μs q f, where f is the direction of its slip. One that sticks has the force
+// that keeps its slip at 0.
 #pragma once
 
 #include "bankshot/numbers/vec.hpp"
 
 namespace bankshot::mathavan {
 
-/// What does not change during an impact.
+/// Constants of an impact.
 template <class T>
 struct Nose {
   T sine, cosine, mu_w, mu_s;
@@ -41,13 +41,14 @@ template <class T>
 struct Forces {
   Vec2<T> cushion, cloth;            ///< I and C
   T load;                            ///< q
-  Vec2<T> cushion_rate, cloth_rate;  ///< of the slips
+  Vec2<T> cushion_rate, cloth_rate;  ///< rates of the slips
   T vy_rate;
 };
 
-/// Coefficient n of the series of the forces from those of the directions; values are coefficients 0.
-/// `one` is coefficient n of 1, `lead` coefficient 0 of the cloth's fy, and `known` what lower
-/// coefficients of Iy add to fy Iy there; times_load(q) gives q f at the cloth.
+/// Returns coefficient n of the series of the forces from those of the directions; values are coefficients 0. Argument
+/// `one` is coefficient n of the number 1, and `lead` is coefficient 0 of the cloth's fy. Argument `known` is what
+/// lower coefficients of Iy add to coefficient n of fy Iy. The function `times_load(q)` returns coefficient n of q f at
+/// the cloth.
 template <class T, class TimesLoad>
 inline Forces<T> forces(const Nose<T>& nose, const Sliding& slides, const T& one, const Vec2<T>& cushion,
                         const Vec2<T>& cloth, const T& lead, const T& known, TimesLoad&& times_load) {
@@ -76,7 +77,7 @@ inline Forces<T> forces(const Nose<T>& nose, const Sliding& slides, const T& one
   return out;
 }
 
-/// The forces here and now.
+/// Returns the current forces.
 template <class T>
 inline Forces<T> forces(const Nose<T>& nose, const Sliding& slides, const Vec2<T>& cushion, const Vec2<T>& cloth) {
   return forces(nose, slides, T(1), cushion, cloth, cloth.y, T(0), [&](const T& q) {

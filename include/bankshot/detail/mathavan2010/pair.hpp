@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One number of the cushion and one of the cloth, computed side by side: for double in one register, so
-// that one instruction serves both.
+// One number of the cushion and one of the cloth, computed side by side. Two doubles share one register, so that one
+// instruction serves both.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Arithmetic of truncated power series, as the impact of mathavan2010 needs it: product, value, slope,
-// root. One source for double, dual numbers and 50 digits; what is decided is decided on the double.
+// Arithmetic of truncated power series, as the impact of mathavan2010 needs it: product, value, slope, root. One source
+// serves double, dual numbers and 50 digits. Decisions are taken on the double.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace bankshot::mathavan {
 
-/// The number itself, without derivatives or further digits: decisions are taken on it.
+/// Returns the number itself, without derivatives or further digits. Decisions are taken on it.
 template <class T>
 double as_double(const T& x) {
   if constexpr (requires { x.a; })
@@ -21,7 +21,7 @@ double as_double(const T& x) {
     return static_cast<double>(x);
 }
 
-/// What an error estimate sees of x: derivatives, where there are any, to three digits less.
+/// Returns the size of x for an error estimate. Derivatives, if there are any, count a thousandth.
 template <class T>
 double magnitude(const T& x) {
   double size = as_double(x) < 0 ? -as_double(x) : as_double(x);
@@ -31,14 +31,15 @@ double magnitude(const T& x) {
   return size;
 }
 
-/// Tolerances below the rounding of double need more terms than it, or a dual number, can use.
+/// Highest order of a series. A tolerance below the rounding of double needs more terms than a double or a dual number
+/// can use.
 template <class T>
 inline constexpr int max_order = has_derivatives<T> || std::is_same_v<T, double> ? 28 : 48;
 
 template <class T>
 using Series = std::array<T, max_order<T> + 1>;
 
-/// Coefficient n of a·b, without the first `from` terms of a and the first `skip` of b.
+/// Returns coefficient n of a·b, without the first `from` terms of a and the first `skip` of b.
 template <class T>
 T product(const Series<T>& a, const Series<T>& b, int n, int from = 0, int skip = 0) {
   T sum(0);
@@ -53,7 +54,7 @@ T evaluate(const Series<T>& a, int order, const T& x) {
   return sum;
 }
 
-/// The same of member k of a series of pairs.
+/// Evaluates member k of a series of pairs.
 template <class S, class T>
 T evaluate(const S& a, std::size_t k, int order, const T& x) {
   T sum = a[static_cast<std::size_t>(order)][k];
@@ -68,8 +69,8 @@ T slope(const Series<T>& a, int order, const T& x) {
   return sum;
 }
 
-/// Root in (0, length] of a polynomial minus `goal`, which it passes once there; Newton, bracketed. `off`
-/// is the error allowed, relative to the length.
+/// Returns the root in (0, length] of a polynomial minus `goal`, which it passes once there. Uses Newton's method in a
+/// bracket. `off` is the error allowed, relative to the length.
 template <class T>
 T root(const Series<T>& a, int order, const T& goal, double length, double off) {
   double low = 0, high = length;
@@ -82,7 +83,7 @@ T root(const Series<T>& a, int order, const T& goal, double length, double off) 
     ((as_double(miss) > 0) == rises ? high : low) = as_double(x);
     T next = x - miss / slope(a, order, x);
     const double v = as_double(next);
-    // Near the root the bracket, kept in double, says no more.
+    // Near the root, the bracket is too coarse to decide, since it is kept in double.
     constexpr double near = 1e-10;
     if (!(v > low && v < high) && !(std::abs(v - as_double(x)) <= near * length)) next = T((low + high) / 2);
     const double moved = std::abs(as_double(T(next - x)));
@@ -93,7 +94,8 @@ T root(const Series<T>& a, int order, const T& goal, double length, double off) 
   return x;
 }
 
-/// The end of the interval outside, to the last bit, of a change from outside(0) = false.
+/// Finds, to the last bit, where `outside` changes from false at 0 to true. Returns the end of the bracket that is
+/// outside.
 template <class F>
 double first_outside(double length, const F& outside) {
   double low = 0, high = length;

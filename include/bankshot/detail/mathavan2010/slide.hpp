@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// One step of the cushion impact of Mathavan, Jackson & Parkin (2010) as Taylor series, where every slip
-// is either 0 and stays so or is well away from 0. A direction turns as fast as its slip is small, so the
-// variable is a clock σ that slows down with one of the slips: dP = unit (r / r0) dσ. With the slip
-// w = (x, y), its size r and its direction f the recurrences are w′ = a dP/dσ (a from
-// law.hpp), r′ = f·w′ and r f = w. vy needs none: vy (1 + sin θ) is the difference of the
-// two slips along y. Both contacts are computed side by side, which a compiler turns into one instruction
-// for two, and all sums over earlier coefficients in one loop, so that they do not wait for each other.
+// One step of the cushion impact of Mathavan, Jackson & Parkin (2010) as Taylor series, where every slip either stays 0
+// or is well away from 0. The smaller a slip, the faster its direction turns. The variable is therefore a clock σ that
+// slows down with one of the slips: dP = unit (r / r0) dσ. For the slip w = (x, y), its size r and its direction f, the
+// recurrences are w′ = a dP/dσ (a from law.hpp), r′ = f·w′ and r f = w. vy needs none, because vy (1 + sin θ) is the
+// difference of the two slips along y.
+//
+// Both contacts are computed side by side, which a compiler turns into one instruction for two. All sums over earlier
+// coefficients share one loop, so that they do not wait for each other.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +30,8 @@ struct Slide {
   PairSeries<T> ix, iy;           ///< friction impulses per unit of P
   Series<T> q, vy, work;
 
-  /// All coefficients up to `order`, from coefficients 0 of x, y, r, fx, fy, vy and work. The clock is that
-  /// of the slip at the cushion (0) or at the cloth (1).
+  /// Computes all coefficients up to `order`, from coefficients 0 of x, y, r, fx, fy, vy and work. The slip at the
+  /// cushion (`clock` 0) or at the cloth (1) drives the clock.
   void expand(const Nose<T>& nose, const Sliding& slides, int order, std::size_t clock, const T& unit, int sign) {
     const T by_sum = T(1) / (T(1) + nose.sine), work_rate = T(sign) * nose.cosine;
     const Pair<T> by_size{slides.cushion ? T(1) / r[0][0] : T(0), slides.cloth ? T(1) / r[0][1] : T(0)};
@@ -55,7 +56,7 @@ struct Slide {
     }
   }
 
-  /// At σ = x: the slip and the friction impulse per unit of P of contact k (0 cushion, 1 cloth).
+  /// Return the slip of contact k (0 cushion, 1 cloth) at σ = `at`, and its friction impulse per unit of P.
   Vec2<T> slip(std::size_t k, int order, const T& at) const {
     return {evaluate(x, k, order, at), evaluate(y, k, order, at)};
   }
@@ -63,7 +64,7 @@ struct Slide {
     return {evaluate(ix, k, order - 1, at), evaluate(iy, k, order - 1, at)};
   }
 
-  /// Size of the terms of order n.
+  /// Returns the size of the terms of order n.
   double term(std::size_t n) const {
     double most = std::max(std::abs(as_double(vy[n])), std::abs(as_double(work[n])));
     for (std::size_t k = 0; k < 2; ++k)
@@ -73,10 +74,10 @@ struct Slide {
 
  private:
   PairSeries<T> ax_, ay_, px_, py_;  ///< rates of the slips with P and with σ
-  PairSeries<T> cloth_;              ///< direction there: x, y
+  PairSeries<T> cloth_;              ///< direction of the slip at the cloth: x, y
   Series<T> pace_;                   ///< dP/dσ
 
-  /// What coefficients 1 to n − 1 give to coefficient n of the products.
+  /// Part of coefficient n of the products that comes from coefficients 1 to n − 1.
   struct Sums {
     Pair<T> rfx{T(0), T(0)}, rfy{T(0), T(0)};  ///< r f
     Pair<T> pax{T(0), T(0)}, pay{T(0), T(0)};  ///< a dP/dσ
@@ -100,13 +101,13 @@ struct Slide {
     return s;
   }
 
-  /// Coefficient n > 0 of the directions.
+  /// Computes coefficient n > 0 of the directions.
   void turn(std::size_t n, const Sums& s, const Pair<T>& by_size) {
     fx[n] = (x[n] - s.rfx - r[n] * fx[0]) * by_size;
     fy[n] = (y[n] - s.rfy - r[n] * fy[0]) * by_size;
   }
 
-  /// Coefficient n of the forces.
+  /// Computes coefficient n of the forces.
   void push(const Nose<T>& nose, const Sliding& slides, std::size_t n, const Sums& s) {
     cloth_[n] = {fx[n][1], fy[n][1]};
     T known(0);
@@ -126,7 +127,7 @@ struct Slide {
     ay_[n] = {slides.cushion ? f.cushion_rate.y : T(0), slides.cloth ? f.cloth_rate.y : T(0)};
   }
 
-  /// Coefficient n of the rates with σ.
+  /// Computes coefficient n of the rates with σ.
   void pull(std::size_t n, const Sums& s) {
     px_[n] = s.pax + pace_[0] * ax_[n];
     py_[n] = s.pay + pace_[0] * ay_[n];

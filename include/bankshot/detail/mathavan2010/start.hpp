@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// One step of the cushion impact of Mathavan, Jackson & Parkin (2010) as Taylor series in the normal
-// impulse P, of the forces in law.hpp, from a slip that is 0 and grows. Each slip is written
-// r f in polar form, r′ = N and r θ′ = T (N and T: slip acceleration along and across f), because these
-// recurrences also start from r = 0, where a direction needs T = 0: at order n they are linear in the
-// coefficient θn, with the same slope −κ at every order.
+// One step of the cushion impact of Mathavan, Jackson & Parkin (2010) as Taylor series in the normal impulse P, with
+// the forces of law.hpp, for a slip that is 0 and grows. Each slip is written r f in polar form: r′ = N and r θ′ = T,
+// where N and T are the slip acceleration along and across f. These recurrences also start from r = 0, where a
+// direction needs T = 0. At order n they are linear in the coefficient θn, with the same slope −κ at every order.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +26,7 @@ struct Contact {
   Slip slip = Slip::slides;
   T size{};                   ///< r now
   Vec2<T> direction{};        ///< f now
-  Series<T> r, turn, fx, fy;  ///< turn: of θ′
+  Series<T> r, turn, fx, fy;  ///< `turn` is the series of θ′
   Series<T> ix, iy;           ///< friction impulse per unit of P
   Series<T> ax, ay;           ///< slip acceleration
   Series<T> along, across;    ///< N and T
@@ -42,12 +41,12 @@ struct Start {
   Nose<T> nose;
   Contact<T> cushion, cloth;
   bool lifted = false;  ///< q < 0: the cushion's friction carries the ball, the cloth's is 0
-  T unit{1};            ///< of P: dP = unit dσ, so that no coefficient overflows
+  T unit{1};            ///< unit of P: dP = unit dσ, so that no coefficient overflows
   Series<T> q, vy, work, vy_rate;
 
   Sliding sliding() const { return {cushion.moves(), cloth.moves(), lifted}; }
 
-  /// Coefficient n of forces and accelerations from those of the directions.
+  /// Computes coefficient n of forces and accelerations from those of the directions.
   void forces(std::size_t n) {
     const int order = static_cast<int>(n);
     const T one = n == 0 ? T(1) : T(0);
@@ -76,7 +75,7 @@ struct Start {
     vy_rate[n] = f.vy_rate;
     for (Contact<T>* k : {&w, &c}) {
       if (!k->moves()) continue;
-      // Four products in one loop: their sums do not wait for each other.
+      // Four products share one loop, so that their sums do not wait for each other.
       T xx(0), yy(0), yx(0), xy(0);
       for (std::size_t j = 0; j <= n; ++j) {
         xx += k->ax[j] * k->fx[n - j];
@@ -89,7 +88,7 @@ struct Start {
     }
   }
 
-  /// Coefficient n > 0 of the directions from θ1 … θn: f′ = θ′ (−fy, fx).
+  /// Computes coefficient n > 0 of the directions from θ1 … θn: f′ = θ′ (−fy, fx).
   static void turn_to(Contact<T>& k, std::size_t n) {
     T x(0), y(0);
     for (std::size_t j = 0; j < n; ++j) {
@@ -105,7 +104,7 @@ struct Start {
     if (cloth.moves()) turn_to(cloth, n);
   }
 
-  /// −∂T/∂θ at a contact whose direction is being chosen, read off the recurrence at order 1.
+  /// Returns κ = −∂T/∂θ at a contact whose direction is being chosen, read off the recurrence at order 1.
   T stiffness(Contact<T>& k) {
     for (Contact<T>* other : {&cushion, &cloth}) other->fx[1] = other->fy[1] = T(0);
     forces(1);
@@ -116,7 +115,7 @@ struct Start {
     return still - k.across[1];
   }
 
-  /// θn of a contact that starts: (n r1 + κ) θn = Tn at θn = 0, less the terms of r2, r3, …
+  /// Computes θn of a contact that starts: (n r1 + κ) θn = Tn at θn = 0, less the terms of r2, r3, …
   void start_turning(Contact<T>& k, std::size_t n, const T& kappa) {
     const int order = static_cast<int>(n);
     forces(n);
@@ -126,7 +125,7 @@ struct Start {
     turn_to(k, n);
   }
 
-  /// Coefficient n + 1 of the slips, vy and the work from coefficient n of the accelerations.
+  /// Computes coefficient n + 1 of the slips, vy and the work from coefficient n of the accelerations.
   void integrate(std::size_t n, double sign) {
     const int order = static_cast<int>(n);
     const T by = T(1) / T(order + 1);
@@ -140,7 +139,7 @@ struct Start {
     vy[n + 1] = unit * vy_rate[n] * by;
   }
 
-  /// Order 0: forces and accelerations here and now.
+  /// Computes order 0: the current forces and accelerations.
   void begin() {
     for (Contact<T>* k : {&cushion, &cloth}) {
       k->r[0] = k->slip == Slip::slides ? k->size : T(0);
@@ -150,7 +149,7 @@ struct Start {
     forces(0);
   }
 
-  /// All coefficients up to `order`, after begin(). `sign` is that of vy.
+  /// Computes all coefficients up to `order`, after begin(). `sign` is that of vy.
   void expand(int order, double sign) {
     T kappa[2]{};
     if (cushion.slip == Slip::starts) kappa[0] = stiffness(cushion);
@@ -173,7 +172,7 @@ struct Start {
     turn_to(last);
   }
 
-  /// At σ = x: the slip and the friction impulse per unit of P of contact k (0 cushion, 1 cloth).
+  /// Return the slip of contact k (0 cushion, 1 cloth) at σ = x, and its friction impulse per unit of P.
   Vec2<T> slip(std::size_t k, int order, const T& x) const {
     const Contact<T>& c = contact(k);
     const Vec2<T> d{evaluate(c.fx, order, x), evaluate(c.fy, order, x)};
@@ -184,7 +183,7 @@ struct Start {
     return {evaluate(c.ix, order - 1, x), evaluate(c.iy, order - 1, x)};
   }
 
-  /// Size of the terms of order n.
+  /// Returns the size of the terms of order n.
   double term(std::size_t n) const {
     double most = std::max(std::abs(as_double(vy[n])), std::abs(as_double(work[n])));
     for (const Contact<T>* k : {&cushion, &cloth}) {

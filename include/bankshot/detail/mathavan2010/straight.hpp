@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Straight steps of the cushion impact of mathavan2010: where the forces are constant to the tolerance
-// until the phase ends, or until a slip reaches 0. A slip that runs into 0 does so along a straight line
-// at the end; it is taken there when what the line neglects is below the tolerance.
+// Straight steps of the cushion impact of mathavan2010, taken if the forces are constant to the tolerance until the
+// phase ends or a slip reaches 0. A slip that runs into 0 does so along a straight line at the end. It gets there in
+// one step if what the line neglects is below the tolerance.
 #pragma once
 
 #include "bankshot/detail/mathavan2010/switches.hpp"
@@ -18,8 +18,8 @@ class Straight : protected Switches<T> {
       Base::work_;
   using Contact = typename Base::Contact;
 
-  /// Whether the forces are constant over dp: a slip that shrinks to 0 swings by T dp, another by T dp / r,
-  /// and turns an acceleration of about 7/2 μ.
+  /// Returns true if the forces are constant over dp. A slip that shrinks to 0 swings by T dp, another by T dp / r. The
+  /// swing turns an acceleration of about 7/2 μ.
   bool constant_over(double dp) const {
     for (const Contact* k : {&e_.cushion, &e_.cloth}) {
       if (!k->moves()) continue;
@@ -32,8 +32,8 @@ class Straight : protected Switches<T> {
     return true;
   }
 
-  /// The rest of the phase, or of a slide that ends before it, in one straight step if that is exact
-  /// to the tolerance.
+  /// Takes the rest of the phase, or of a slide that ends before it, in one straight step. Returns false if that is not
+  /// exact to the tolerance. Sets `done` at the end of the phase.
   bool straight(bool& done) {
     using std::sqrt;
     const T rate = -e_.vy_rate[0];
@@ -79,15 +79,15 @@ class Straight : protected Switches<T> {
     work_ += T(sign_) * e_.nose.cosine * (before + vy_) * dp / T(2);
   }
 
-  /// Directions whose forces, taken as constant, bring the slip of `ends` to 0 within dp: the other slip
-  /// at its middle, this one turned by T / (κ − N), which is its mean turn, for z reaches 0 with it.
-  /// False when the squares that this neglects exceed the tolerance.
+  /// Sets directions whose forces, taken as constant, bring the slip of `ends` to 0 within dp. The other slip gets its
+  /// direction at the middle of the step. This one is turned by T / (κ − N), its mean turn, since T reaches 0 together
+  /// with the slip. Returns false if the squares that this neglects exceed the tolerance.
   bool mean_directions(Contact& ends, const T& dp) {
     Contact& other = &ends == &e_.cushion ? e_.cloth : e_.cushion;
     const T kappa = e_.stiffness(ends), firm = kappa - ends.along[0];
     if (!(as_double(firm) > 0)) return false;
     const T turn = ends.across[0] / firm, swing = other.moves() ? T(other.across[0] * dp / other.size) : T(0);
-    // A derivative may grow without bound towards r = 0; far below the tolerance it no longer decides.
+    // A derivative may grow without bound towards r = 0. In a step far below the tolerance it no longer matters.
     constexpr double far_below = 1e-3;
     const bool small = magnitude(T(dp * (turn * turn + swing * swing))) <= tolerance_ * share;
     if (!small && !(as_double(dp) <= tolerance_ * far_below)) return false;
@@ -103,7 +103,7 @@ class Straight : protected Switches<T> {
     return true;
   }
 
-  static constexpr double share = 0.1;  ///< of the tolerance, for one straight step
+  static constexpr double share = 0.1;  ///< share of the tolerance that one straight step may use
 };
 
 }  // namespace bankshot::mathavan

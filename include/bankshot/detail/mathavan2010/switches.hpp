@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// State of the cushion impact of mathavan2010 and the switches between sticking and sliding in it.
+// State of the cushion impact of mathavan2010, and the switches between sticking and sliding in it.
 //   stick → slide where the force that keeps a slip at 0 leaves its cone
 //   load          where q, the load on the cloth, changes sign
 #pragma once
@@ -13,15 +13,15 @@
 
 namespace bankshot::mathavan {
 
-/// Which contacts slide (bits 0 cushion, 1 cloth), whether the cloth carries nothing (bit 2) and
-/// whether the ball is on its way back (bit 3).
+/// Bit set: the cushion slides (bit 0), the cloth slides (bit 1), the cloth carries nothing (bit 2), and the ball is on
+/// its way back (bit 3).
 using Mode = unsigned char;
 
 struct Course {
-  bool jams = false;  ///< vy' >= 0 before the ball had stopped, or too many steps
+  bool jams = false;  ///< vy' >= 0 before the ball stops, no consistent forces, or too many steps
   int steps = 0;
   int modes = 0;
-  std::array<Mode, 16> mode{};  ///< the first sixteen, in order
+  std::array<Mode, 16> mode{};  ///< first sixteen modes, in order
 };
 
 template <class T>
@@ -58,7 +58,7 @@ class Switches {
     ++course_.modes;
   }
 
-  /// Decides for every contact at 0 whether it sticks or starts, and where to.
+  /// Decides for every contact whose slip is 0 if it sticks or starts to slide, and in which direction.
   void settle() {
     for (Contact* k : {&e_.cushion, &e_.cloth})
       if (k->slip == Slip::starts) k->slip = Slip::sticks;
@@ -81,8 +81,8 @@ class Switches {
     e_.lifted = as_double(e_.nose.sine + e_.nose.mu_w * e_.nose.cosine * e_.cushion.direction.y) < 0;
   }
 
-  /// From no slip at all (only where vy = 0, in the plane of a head-on shot): the motion stays in that
-  /// plane, so the directions are ±y and the first consistent pair is taken.
+  /// Settles both contacts if neither slips. That happens only at vy = 0, in the plane of a head-on shot. The motion
+  /// stays in that plane, so the directions are ±y, and the first consistent pair is taken.
   void settle_both() {
     Contact &w = e_.cushion, &c = e_.cloth;
     for (const int cloth : {-1, 1, 0})
@@ -101,8 +101,8 @@ class Switches {
     course_.jams = true;
   }
 
-  /// Direction in which contact k leaves 0: T = 0. The force that would keep it there is the first
-  /// guess, exact where the contact's inverse mass is isotropic; then Newton.
+  /// Finds the direction in which contact k leaves 0, where T = 0. The first guess is the direction of the force that
+  /// would keep the slip at 0. It is exact if the contact's inverse mass is isotropic. Newton's method improves it.
   void start(Contact& k) {
     using std::sqrt;
     const T size = sqrt(k.ix[0] * k.ix[0] + k.iy[0] * k.iy[0]);
@@ -125,7 +125,8 @@ class Switches {
     }
   }
 
-  /// Forces are recomputed after a switch that was located on them: rounding must not decide.
+  /// Returns the margin that counts as 0. Forces are recomputed after a switch that was located on them, and rounding
+  /// must not decide.
   double rounding() const { return 1e-14 * as_double(e_.nose.mu_w * e_.nose.mu_w); }
 
   double tolerance_;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// When two balls meet that are both under way: the first time at which the distance of their centres falls through that
-// at which they touch (scene/body.hpp). Their arcs share a clock, but began at different times.
-// Method: the distance bends down no faster than the two accelerations differ, so from a gap and a speed of approach
-// follows a time before which they cannot meet; such steps rule out most pairs at once and close in on the root as
-// Newton's method does, from before. What is neither after a few of them (a graze) is a quartic, isolated between the
-// roots of its derivatives, and polished on the distance itself. Where a clock is no polynomial (drag) there are steps
-// alone.
-// Error: that of a few roundings of the gap, over the speed of approach. Limitation: a graze is found or missed by
-// rounding.
+// The meeting of two balls that are both moving: the first time at which the distance of their centres falls through
+// their touching distance (scene/body.hpp). Their arcs share a clock, but began at different times.
+// Method: the distance bends down no faster than the two accelerations differ. A gap and a speed of approach therefore
+// give a time before which the balls cannot meet. Such steps rule out most pairs at once, and close in on the root from
+// before, as Newton's method does. If a few steps do not decide (a graze), the time is a root of a quartic. It is
+// isolated between the roots of the derivatives, and polished on the distance itself. A clock that is no polynomial
+// (drag) uses steps alone.
+// Error: a few roundings of the gap, over the speed of approach. Limitation: a graze is found or missed by rounding.
 #pragma once
 
 #include <optional>
@@ -17,20 +16,20 @@
 
 namespace bankshot {
 
-/// The most that the velocity on an arc changes [m/s²].
+/// Returns a bound on how fast the velocity on an arc changes [m/s²].
 template <class N>
 N most_bend(const Arc<N>& arc) {
   const N bend = norm(arc.acceleration);
   return arc.drag.none() ? bend : N(bend + arc.drag.constant + arc.drag.linear * norm(arc.velocity));
 }
 
-/// The second ball as seen from the first: where, and with what velocity, at times from now on.
+/// Motion of the second ball as seen from the first: its place and velocity at times from now on.
 template <class N>
 struct Apart {
   Vec2<N> at, velocity, acceleration;
-  N bend;  ///< m/s²: the distance bends down no faster
+  N bend;  ///< m/s²: the second derivative of the distance is no less than −bend
 
-  /// They began so many seconds ago.
+  /// `a_began` and `b_began` are the ages of the arcs [s].
   Apart(const Arc<N>& a, const N& a_began, const Arc<N>& b, const N& b_began) {
     if (!a.drag.none() || !b.drag.none()) {
       clocks_.emplace(Clocks{a, b, a_began, b_began});
@@ -44,7 +43,7 @@ struct Apart {
     }
   }
 
-  /// Some clock is no polynomial.
+  /// Returns true if a clock is no polynomial.
   bool clocked() const { return clocks_.has_value(); }
   Vec2<N> place(const N& t) const {
     if (!clocked()) return at + (velocity + acceleration * N(t * 0.5)) * t;
@@ -66,20 +65,21 @@ struct Apart {
   static Vec2<N> on(const Arc<N>& arc, const N& t) { return arc.position(arc.parameter(t)); }
 };
 
-/// What counts as touching [m] and as not approaching [m/s].
+/// Largest gap that counts as touching [m], and largest speed that counts as not approaching [m/s].
 template <class N>
 struct Rounding {
   N touch, still;
 };
 
-/// They do not meet within `limit`: they come no nearer than this,
-///   distance > reach + closing · limit + bend · limit² / 2, times the distance and squared,
-/// as the first step of first_meeting would find, with neither a root nor a division; or their straight lines pass each
-/// other too far for what bends them. `at`, `velocity`: of the second as seen from the first.
+/// Returns true if two balls cannot meet within `limit`, for one of two reasons. Either they do not come near enough,
+///   distance > reach + closing · limit + bend · limit² / 2,
+/// tested after multiplication by the distance and squaring, without root or division. The first step of first_meeting
+/// would find the same. Or their straight lines pass each other too far apart for what bends them. `at` and `velocity`
+/// are those of the second as seen from the first.
 template <class N>
 bool cannot_meet(const Vec2<N>& at, const Vec2<N>& velocity, const N& bend, const N& reach, const N& limit,
                  const Rounding<N>& rounding) {
-  constexpr double sure = 1 + 1e-9;  // far above the rounding of both, so that they never disagree
+  constexpr double sure = 1 + 1e-9;  // far above the rounding of this and of first_meeting, so that they never disagree
   const N near = (reach + 2 * rounding.touch + bend * limit * limit / 2) * N(sure);
   const N near2 = near * near, off = cross(at, velocity);
   if (off * off > near2 * dot(velocity, velocity)) return true;
@@ -88,8 +88,8 @@ bool cannot_meet(const Vec2<N>& at, const Vec2<N>& velocity, const N& bend, cons
   return rest > N(0) && rest * rest > near2 * square;
 }
 
-/// Seconds until the distance falls through `reach`, if within `limit`; else `forever`. Two that touch and approach
-/// meet now; two that touch and do not approach must part first.
+/// Returns the seconds until the distance falls through `reach`, or `forever` if not within `limit`. Two that touch and
+/// approach meet now. Two that touch and do not approach must part first.
 template <class N>
 N first_meeting(const Apart<N>& pair, N reach, const N& limit, const Rounding<N>& rounding) {
   using std::sqrt;
@@ -118,7 +118,7 @@ N first_meeting(const Apart<N>& pair, N reach, const N& limit, const Rounding<N>
     if (!(t + step > t)) {
       if (!touching) return closing > N(0) ? t : N(forever);
       if (!pair.clocked()) break;
-      step = limit / N(1024);  // they lie still beside each other
+      step = limit / N(1024);  // they stay still beside each other
     }
     t += step;
     look();
@@ -128,18 +128,18 @@ N first_meeting(const Apart<N>& pair, N reach, const N& limit, const Rounding<N>
       if (closing > N(0)) closing = N(0);
     }
   }
-  // Times counted from here, where the gap is as good as exact.
+  // Times count from t now, where the gap is nearly exact.
   const N rest = limit - t;
   const N f0 = gap * (far + reach), f1 = -2 * closing * far;
   const Vec2<N>& a = pair.acceleration;
   const N f2 = dot(v, v) + dot(d, a);
   if (touching && closing == N(0) && f2 < N(0))
-    return t;  // they have parted no more than rounding, and are driven back
+    return t;  // they have parted by no more than rounding, and are driven back
   const N found = first_descent_of(Polynomial<N, 4>{f0, f1, f2, dot(v, a), N(dot(a, a) / 4)}, rest);
   if (!(found < rest)) return N(forever);
   t += found;
   look();
-  // A step on the distance itself, whose rounding is that of a gap and not of the whole distance.
+  // One Newton step on the distance itself, whose rounding is that of the gap and not of the whole distance.
   using std::abs;
   const N rough = t, off = abs(gap);
   if (!(closing > N(0)) || off > rounding.touch) return t;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Real roots of a polynomial of low degree in an interval, for contacts of curved arcs with circles.
-// Method: between two neighbouring roots of its derivative a polynomial is monotone, so each sign
-// change there holds exactly one root, found by Newton's method inside a bracket; the derivative's
-// roots come from its own derivative, down to a line. No division by a leading coefficient: it may
-// vanish. Error: a few units in the last place times the root's conditioning.
-// Limitation: a double root is found or missed by rounding.
-// With dual numbers the last Newton step carries the derivative of the root (implicit functions).
+// Method: between two neighbouring roots of its derivative, a polynomial is monotone. Each sign change there holds
+// exactly one root, found by Newton's method inside a bracket. The derivative's roots are found in the same way, down
+// to a line. Nothing is divided by a leading coefficient, since it may vanish.
+// Error: a few units in the last place times the root's conditioning.
+// Limitation: a double root is found or missed by rounding. With dual numbers, the last Newton step carries the
+// derivative of the root (implicit function theorem).
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct Polynomial {
   }
 };
 
-/// Up to N values; a list without an allocation.
+/// A list of up to N values, without allocation.
 template <class T, int N>
 struct Roots {
   std::array<T, N> values{};
@@ -46,13 +46,13 @@ struct Roots {
   const T* end() const { return values.data() + count; }
 };
 
-/// The root in [low, high], where f is monotone and its signs at the ends differ.
+/// Returns the root in [low, high]. f must be monotone there, with different signs at the ends.
 template <class T, int N>
 T root_in_bracket(const Polynomial<T, N>& f, T low, T high) {
   const auto slope = f.derivative();
   const bool rising = f(high) > T(0);
   T t = low + (high - low) / T(2);
-  constexpr int enough = 200;  // halvings of a bracket of any scalar used here, and to spare
+  constexpr int enough = 200;  // more halvings than a bracket of any scalar used here needs
   for (int i = 0; i < enough; ++i) {
     const T value = f(t);
     if (value == T(0)) break;
@@ -68,7 +68,7 @@ T root_in_bracket(const Polynomial<T, N>& f, T low, T high) {
   return s == T(0) ? t : T(t - f(t) / s);
 }
 
-/// All roots in [low, high] at which f changes sign, in order.
+/// Returns all roots in [low, high] at which f changes sign, in order.
 template <class T, int N>
 Roots<T, N> roots_between(const Polynomial<T, N>& f, const T& low, const T& high) {
   Roots<T, N> out;
@@ -89,8 +89,8 @@ Roots<T, N> roots_between(const Polynomial<T, N>& f, const T& low, const T& high
   return out;
 }
 
-/// First t in [0, limit] at which f falls through 0, infinity if never. A value of exactly 0 at the
-/// start counts when f falls from there.
+/// Returns the first t in [0, limit] at which f falls through 0, infinity if never. A value of exactly 0 at the start
+/// counts if f falls from there.
 template <class T, int N>
 T first_descent_of(const Polynomial<T, N>& f, const T& limit) {
   if (f.c[0] == T(0) && f.c[1] < T(0)) return T(0);

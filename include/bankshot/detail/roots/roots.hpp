@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// First times at which an arc meets a line or enters a circle. Every root is a *descent*: the
-// gap falls through zero, so a ball that leaves is never caught and one inside a circle must
-// first come out. Branches are cancellation-free; a gap of exactly 0 gives exactly 0.
+// First times at which an arc meets a line or enters a circle. Every root is a *descent*: the gap falls through zero. A
+// ball that leaves is therefore never caught, and one inside a circle must first come out. Branches are
+// cancellation-free; a gap of exactly 0 gives exactly 0.
 // Error: a few units in the last place of t, times the root's conditioning |∂t/∂gap|·|gap|/t.
 // Limitation: a double root (the arc just touches) is found or missed by rounding.
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace bankshot {
 
-/// First t >= 0 at which gap + speed t + acceleration t²/2 falls through 0; `forever` if never. It is in every search
-/// for a cushion, and a call costs a tenth of a shot.
+/// Returns the first t >= 0 at which gap + speed t + acceleration t²/2 falls through 0; `forever` if never. It is
+/// inlined because every search for a cushion uses it, and calls would cost a tenth of a shot.
 template <class T>
 [[gnu::always_inline]] inline T first_descent(const T& gap, const T& speed, const T& acceleration) {
   using std::sqrt;
@@ -30,15 +30,15 @@ template <class T>
   return gap == T(0) && speed == T(0) && acceleration < T(0) ? T(0) : T(forever);
 }
 
-/// Time after which a ball on a *straight* arc has moved by `length` metres. The acceleration is
-/// taken along the velocity: its norm would have no derivative where it is 0.
+/// Returns the time after which a ball on a *straight* arc has moved by `length` metres. The acceleration is taken
+/// along the velocity, because its norm has no derivative where it is 0.
 template <class T>
 T time_at_length(const Arc<T>& arc, const T& length) {
   const T speed = norm(arc.velocity);
   return first_descent(length, T(-speed), T(-dot(arc.velocity, arc.acceleration) / speed));
 }
 
-/// First time at which a *straight* arc (acceleration along the velocity) enters the circle.
+/// Returns the first time at which a *straight* arc (acceleration along the velocity) enters the circle.
 template <class T>
 T first_entry_straight(const Arc<T>& arc, const Vec2d& centre, double radius) {
   using std::sqrt;
@@ -56,7 +56,7 @@ T first_entry_straight(const Arc<T>& arc, const Vec2d& centre, double radius) {
   return time_at_length(arc, length);
 }
 
-/// When, within `duration`, a *straight* arc is closest to `point`.
+/// Returns the time within `duration` at which a *straight* arc is closest to `point`.
 template <class T>
 T closest_time_straight(const Arc<T>& arc, const T& duration, const Vec2d& point) {
   const T speed = norm(arc.velocity);
@@ -67,9 +67,9 @@ T closest_time_straight(const Arc<T>& arc, const T& duration, const Vec2d& point
   return t < duration ? t : duration;
 }
 
-/// The time `t` at which an arc meets the line of a wall, with the derivatives of the arc: one step of
-/// Newton's method, which does not move the value (implicit function theorem). `on`: the arc starts
-/// on the line, exactly. Without a crossing (a double root) there is no derivative, and none is given.
+/// Returns the time `t` at which an arc meets the line of a wall, with the derivatives of the arc. They come from one
+/// step of Newton's method, which does not move the value (implicit function theorem). `on`: the arc starts exactly on
+/// the line. Without a crossing (a double root) there is no derivative, and none is given.
 template <class T>
 T lift_line(const Arc<T>& arc, const Vec2d& normal, double offset, bool on, const Real<T>& t) {
   if constexpr (!has_derivatives<T>) {
@@ -83,7 +83,7 @@ T lift_line(const Arc<T>& arc, const Vec2d& normal, double offset, bool on, cons
   }
 }
 
-/// The same for the rim of a circle.
+/// Returns the time `t` at which an arc meets the rim of a circle, with derivatives likewise.
 template <class T>
 T lift_circle(const Arc<T>& arc, const Vec2d& centre, const Real<T>& t) {
   if constexpr (!has_derivatives<T>) {
@@ -96,7 +96,8 @@ T lift_circle(const Arc<T>& arc, const Vec2d& centre, const Real<T>& t) {
   }
 }
 
-/// The same for the closest approach to a point, where the arc runs across the line to it.
+/// Returns the time `t` of the closest approach to a point, with derivatives likewise. There the arc runs across the
+/// line to the point.
 template <class T>
 T lift_closest(const Arc<T>& arc, const Vec2d& point, const Real<T>& t) {
   if constexpr (!has_derivatives<T>) {
@@ -109,9 +110,9 @@ T lift_closest(const Arc<T>& arc, const Vec2d& point, const Real<T>& t) {
   }
 }
 
-/// A step of Newton's method on the distance itself. The quartic's coefficients are squares of the whole
-/// distance to the circle, so its roots are off by that over the radius. Where the arc hardly enters, a step leads
-/// astray.
+/// Improves an entry by a step of Newton's method on the distance itself. The quartic's coefficients are squares of the
+/// whole distance to the circle, so the error of its roots grows by that over the radius. If the arc hardly enters, a
+/// step may lead astray and is not taken.
 template <class T>
 T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& t, const T& limit) {
   const Vec2<T> d = arc.position(t) - to<T>(centre), v = arc.tangent(t);
@@ -124,21 +125,22 @@ T polished_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T&
   return abs(left) <= abs(off) ? better : t;
 }
 
-/// A speed to or from a place is the rounding of the velocity. `product`: of the way there and v.
+/// Returns true if a speed to or from a place is only the rounding of the velocity. `product` is the scalar product of
+/// v and the vector to the place.
 template <class T>
 bool is_rounding(const T& product, const T& distance2, const Vec2<T>& v) {
   const T noise(tolerance::along * tolerance::along);
   return product * product <= noise * distance2 * dot(v, v);
 }
 
-/// First time within `limit` at which an arc enters the circle. `left`: it starts on the circle,
-/// just left; then the gap there is exactly 0, and a speed that is rounding leads not back in.
+/// Returns the first time within `limit` at which an arc enters the circle. `left`: the arc starts on the circle and
+/// has just left it. Then the gap there is exactly 0, and a speed that is rounding does not lead back in.
 template <class T>
 T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& limit, bool left = false) {
   if (!arc.bends) return left ? T(forever) : first_entry_straight(arc, centre, radius);
   const Vec2<T> d = arc.at - to<T>(centre), v = arc.velocity, a = arc.acceleration;
   const T until = limit < arc.duration ? limit : arc.duration;
-  // Nothing further away than the ball can get by then needs a quartic.
+  // A circle farther away than the ball can get by then needs no quartic.
   const T reach = T(radius) + (norm(v) + norm(a) * (until / T(2))) * until;
   const T distance2 = dot(d, d);
   if (distance2 > reach * reach) return T(forever);
@@ -150,8 +152,9 @@ T first_entry(const Arc<T>& arc, const Vec2d& centre, double radius, const T& li
   return t < T(forever) ? polished_entry(arc, centre, radius, t, until) : t;
 }
 
-/// The same for a ball that stands there, which may be touched from the start: one that comes nearer meets it now, else
-/// they must part first. `touch`: what counts as touching [m].
+/// Returns the first time within `limit` at which an arc meets a standing ball, which it may touch from the start. A
+/// ball that touches and comes nearer meets it now; otherwise they must part first. `touch` is the gap that counts as
+/// touching [m].
 template <class T>
 T first_touch(const Arc<T>& arc, const Vec2d& centre, double radius, double touch, const T& limit) {
   const Vec2<T> d = to<T>(centre) - arc.at;
@@ -162,14 +165,14 @@ T first_touch(const Arc<T>& arc, const Vec2d& centre, double radius, double touc
   return first_entry(arc, centre, radius, limit, true);
 }
 
-/// Where an arc gets to within `limit`: the triangle of its control points, and the box of that.
+/// Region that holds an arc up to `limit`: the triangle of its control points, and the box around that.
 template <class T>
 struct Reach {
   Vec2<T> start, bend, end, low, high;
   T slack;
-  bool bounded;  ///< false where the arc has no end: then nothing is missed
+  bool bounded;  ///< false if the arc has no end; then it misses nothing
 
-  /// `close`: what comes so close is not missed [m].
+  /// `close`: what comes this close is not missed [m].
   Reach(const Arc<T>& arc, const T& limit, const T& close)
       : start(arc.at),
         bend(arc.at + arc.velocity * T(limit * 0.5)),
@@ -181,20 +184,21 @@ struct Reach {
     high = {max(start.x, T(max(bend.x, end.x))), max(start.y, T(max(bend.y, end.y)))};
   }
 
-  /// No place of it is inside the circle.
+  /// Returns true if no point of the region is inside the circle.
   bool misses(const Vec2d& centre, double radius) const {
     if (!bounded) return false;
     const T near = slack + radius;
     const bool beside = low.x > centre.x + near || high.x < centre.x - near;
     if (beside || low.y > centre.y + near || high.y < centre.y - near) return true;
-    // Farther than that from the chord's line, all three points on one side of it.
+    // The triangle lies between the chord's line and its parallel through `bend`; the centre is outside, farther than
+    // `near`.
     const Vec2<T> chord = end - start, to_start = start - to<T>(centre), to_bend = bend - to<T>(centre);
     const T a = cross(chord, to_start), b = cross(chord, to_bend), least2 = dot(chord, chord) * T(near * near);
     return a * b > T(0) && a * a > least2 && b * b > least2;
   }
 };
 
-/// When, within `duration`, an arc is closest to `point`.
+/// Returns the time within `duration` at which an arc is closest to `point`.
 template <class T>
 T closest_time(const Arc<T>& arc, const T& duration, const Vec2d& point) {
   if (!arc.bends) return closest_time_straight(arc, duration, point);
