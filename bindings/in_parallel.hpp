@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Work on many things, on all cores, that somebody may end.
+// Runs work on many items on all cores; it can be cancelled.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,9 @@
 
 namespace bankshot::bindings {
 
-/// `work(begin, end)` for blocks of [0, count) until `stop`, on so many threads (0: one for each core). This thread is
-/// one of them, and calls `between()` after each of its blocks. Throws what either throws, once all threads are done.
+/// Calls `work(begin, end)` for blocks of [0, count) until `stop`, on the given number of threads (0: one per core).
+/// This thread is one of them and calls `between()` after each of its blocks. An exception of either is rethrown once
+/// all threads are done.
 template <class Work, class Between>
 void in_parallel(std::size_t count, std::size_t block, int threads, const std::atomic<bool>& stop, const Work& work,
                  const Between& between) {
@@ -42,7 +43,7 @@ void in_parallel(std::size_t count, std::size_t block, int threads, const std::a
     try {
       while (others.size() + 1 < std::min(wanted, (count + block - 1) / block)) others.emplace_back(run, false);
     } catch (const std::system_error&) {
-      // The system has no more threads to give: those there are do the work.
+      // The system cannot start more threads; the existing ones do the work.
     }
     run(true);
   }

@@ -19,12 +19,12 @@ bankshot_end of_no_launch() {
   return out;
 }
 
-/// None where the launch is none.
+/// Returns the launch; none if it is invalid.
 std::optional<Stroke> stroke_of(const bankshot_launch& l, bool spins) {
   const Stroke stroke{{l.speed, l.angle}, {l.top, l.side, l.masse}};
   if (!(l.speed > 0) || !std::isfinite(l.angle + l.top + l.side + l.masse)) return {};
   if (spins || stroke.spin == LaunchSpin{}) return stroke;
-  // Natural roll is what an answer prints where balls roll from the start.
+  // Answers print natural roll in physics without spin.
   if (stroke.spin == LaunchSpin{.top = 1}) return Stroke{stroke.launch};
   return {};
 }
@@ -57,7 +57,7 @@ bankshot_end end_of(const Trajectory& t) {
 void simulate_many(const ShotRequest& scene, std::span<const bankshot_launch> launches, bankshot_end* ends, int threads,
                    const std::atomic<bool>& stop) {
   const bool spins = carries_spin(scene.physics);
-  // Launches of a block share what their scene costs once; few are spread all the same.
+  // Launches of a block share the setup of the scene. Small numbers of launches are still spread over threads.
   const std::size_t block = std::clamp<std::size_t>(launches.size() / 64, 1, 256);
   in_parallel(
       launches.size(), block, threads, stop,

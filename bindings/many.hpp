@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Many launches of one scene, into an array: the hot path of the interfaces in C and Python.
+// Simulates many launches of one scene into an array: the fast path of the C and Python interfaces.
 #pragma once
 
 #include <atomic>
@@ -11,8 +11,8 @@
 
 namespace bankshot::bindings {
 
-/// `ends[i]` for `launches[i]`, on so many threads (0: one for each core), until `stop`. The scene's own shot does not
-/// count. Throws InvalidInput where the scene breaks a rule.
+/// Writes the end of `launches[i]` to `ends[i]`, on the given number of threads (0: one per core), until `stop`. The
+/// scene's own shot is not used. Throws InvalidInput if the scene breaks a rule.
 void simulate_many(const ShotRequest& scene, std::span<const bankshot_launch> launches, bankshot_end* ends, int threads,
                    const std::atomic<bool>& stop);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // 01: simulate one shot and read its events.
-// The seed article's scene: 2.5 × 1.25 m, friction 0.05, no loss at the cushions; a ball leaves
+// The scene is that of the seed article: 2.5 × 1.25 m, friction 0.05, no loss at the cushions. A ball leaves
 // (0.2, 0.2) with 5 m/s at 45 degrees.
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // 02: find the aim and the speed that drop a ball straight into a pocket.
-// One new idea: a Puzzle is asked, an Answer comes back with proof.
+// One new idea: `solve` takes a Puzzle and returns an Answer with verified shots.
 #include <fmt/format.h>
 
 #include "bankshot/plan/planner.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 03: a two-cushion bank, all the ways there are, softest first; every aim that a player could
-// choose between. One new idea: options.
+// 03: list all shots of a two-cushion bank, the softest first, for a player to choose from. One new idea:
+// options of `solve`.
 #include <fmt/format.h>
 
 #include "bankshot/geometry/boundary.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 04: one shot, three cushions' laws. The mirror keeps the spin and the tangential speed; Han (2005) and
-// Mathavan (2010) let friction trade one for the other. One new idea: choosing the physics.
+// 04: simulate one shot with three cushion models. The mirror keeps spin and tangential speed; in Han (2005) and
+// Mathavan (2010), friction converts one into the other. One new idea: choosing the physics.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// 05: every way to a point with exactly three cushions, with spin and real cushions. One new idea: --all.
+// 05: find every shot to a point by exactly three cushions, with spin and real cushions. One new idea: --all.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// 06: the safest shot is not the centred one. The ball should rest within 10 cm of a point near a corner
-// pocket; a little too hard and it drops. Stopping short gives up the point and gains in chance. One new
-// idea: aim.
+// 06: compare the safest shot with the centred one. The ball should rest within 10 cm of a point near a corner
+// pocket; a little too hard, and it drops. A ball that stops short misses the exact point, but its success is
+// higher. One new idea: aim.
 #include <fmt/format.h>
 
 #include <fstream>

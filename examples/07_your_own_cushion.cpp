@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 07: a cushion of your own. A law in a few lines; does it keep what a cushion owes; the same three-cushion shot
-// planned with it and with Han's. One new idea: CustomCushion.
+// 07: define your own cushion in a few lines, test the properties that every cushion needs, and plan the same
+// three-cushion shot with it and with Han's model. One new idea: CustomCushion.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,13 +17,13 @@ namespace {
 
 using namespace bankshot;
 
-/// A soft rail that is met at the height of the ball's centre: it gives back less of a hard hit, and grips the
-/// ball along the rail until the contact point stops sliding or friction has given all it can.
+/// A soft rail that meets the ball at the height of its centre. Its restitution falls with the speed of the hit. It
+/// grips the ball along the rail until the contact point stops sliding or friction reaches its limit.
 struct SoftRail final : CushionLaw {
   void impact(const Body& ball, InCushionFrame<double>& f) const override {
-    constexpr double friction = 0.14, stick = 2.0 / 7, turns = 5.0 / 2;  // of a solid ball
+    constexpr double friction = 0.14, stick = 2.0 / 7, turns = 5.0 / 2;  // for a solid ball
     const double restitution = 0.9 / (1 + 0.05 * f.vn), impulse = (1 + restitution) * f.vn;
-    const double slip = f.vt + ball.radius * f.wz;  // of the contact point along the rail
+    const double slip = f.vt + ball.radius * f.wz;  // slip of the contact point along the rail
     const double grip = -std::copysign(std::min(stick * std::abs(slip), friction * impulse), slip);
     f.vn -= impulse;
     f.vt += grip;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 08: fifteen balls and a break. Every ball is simulated until all rest; whatever the others do is in the same list of
-// events. With a file name it draws the paths.
+// 08: simulate a break with fifteen balls until all rest. The events of all balls are in one list. With a file name,
+// it draws the paths.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 int main(int argc, char** argv) {
   using namespace bankshot;
   const Scene scene = preset_scene("pool-9ft");
-  // No rack is perfect: the balls stand up to half a millimetre apart.
+  // No rack is perfect: the gaps between balls are about half a millimetre.
   const double step = 2 * scene.ball.body.radius + 5e-4, row = step * std::sqrt(0.75);
   Random random(2);
   const auto off = [&] { return random.uniform(-1.2e-4, 1.2e-4); };

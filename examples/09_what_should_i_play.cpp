@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 09: seven balls on the table. Which of them goes into which pocket, straight or by up to two cushions? Every shot,
-// the likeliest first. With a file name it draws the best one.
+// 09: seven balls are on the table. Find every pot of any ball into any pocket, straight or by up to two cushions, the
+// highest success first. With a file name, it draws the best shot.
 #include <fmt/format.h>
 
 #include <fstream>

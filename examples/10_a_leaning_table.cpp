@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 10: a table that leans by 2 mm a metre. Where the level table's shot ends there, how the aim changes, and what else a
-// little wrong costs. One new idea: Physics::tilt.
+// 10: play on a table that leans by 2 mm per metre. It shows where the level table's shot ends, how the aim changes,
+// and what small errors of coefficients cost. One new idea: Physics::tilt.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 11: a table whose cloth and cushions nobody knows, learnt from thirty filmed shots; then banks that were in none of
-// them, planned with what was learnt and with the values that tables usually have. One new idea: fit().
+// 11: learn the unknown cloth and cushions of a table from thirty filmed shots. Then plan new bank shots with the
+// learnt values and with the usual values of tables, and compare. One new idea: fit().
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using namespace bankshot;
 
 namespace {
 
-/// What the cue ball really does there, after an error of aim and speed.
+/// Returns true if the launch, with random errors of aim and speed, makes the shot on the true table.
 bool is_made(const Puzzle& puzzle, const Physics& truth, Launch launch, Random& random) {
   const auto error = [&] { return random.uniform(-1, 1) + random.uniform(-1, 1) + random.uniform(-1, 1); };
   launch.angle = wrap_angle(launch.angle + puzzle.noise.angle * error());

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Writes examples/puzzles/balls.jsonl: fifty puzzles with other balls, ten each past them, onto one, of pots and banks, of
-# kicks that pot, and of three-cushion billiards, of rising difficulty. Every choice is a line below; the page is drawn
-# by `bankshot book`.
+# Writes examples/puzzles/balls.jsonl: fifty puzzles with other balls, in order of difficulty. There are ten each of
+# shots past the balls, shots onto a ball, pots and banks, kick pots, and three-cushion billiards. Each line below
+# chooses some puzzles; `bankshot book` draws the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bankshot=${BANKSHOT:-build/release/bankshot}
@@ -39,7 +39,7 @@ three() {
   some 6 carom-10ft 3-6 carom --balls 2
 }
 
-# Easy, medium, hard, and then those with one answer; in each the surest shot first.
+# Sorts by easy, medium, hard, and only one answer; within each level, the highest success comes first.
 sorted() {
   while read -r puzzle; do
     level=$(grep -o '"difficulty":"[a-z]*"' <<<"$puzzle" | sed 's/.*"easy"/1/; s/.*"medium"/2/; s/.*"hard"/3/')

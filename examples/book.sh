@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Writes examples/puzzles/book.jsonl: 100 puzzles of rising difficulty, 30 easy, 30 medium, 30 hard and 10
-# with exactly one shot, each part from the surest shot to the least. Every choice is a line below; the
-# page is drawn by `bankshot book`.
+# Writes examples/puzzles/book.jsonl: 100 puzzles in order of difficulty: 30 easy, 30 medium, 30 hard and 10
+# with exactly one shot, each part from the highest success to the lowest. Each line below chooses some
+# puzzles; `bankshot book` draws the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bankshot=${BANKSHOT:-build/release/bankshot}
@@ -90,7 +90,7 @@ unique() {
   some 1 "$kite" rolling south-east,north-west,south-west stop
 }
 
-# The surest shot first.
+# Sorts by success, the highest first.
 sorted() {
   while read -r puzzle; do
     success=$("$bankshot" solve --json <<<"{\"aim\": \"centre\", ${puzzle#\{}" | grep -o '"success":[0-9.e+-]*' | head -n 1 | cut -d: -f2)

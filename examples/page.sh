@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Writes bankshot.html: the page that `bankshot serve` shows, with the engine inside. It opens from a disk and asks
-# nobody. Debian's emscripten builds the engine, in some minutes.
+# Writes bankshot.html: the page of `bankshot serve` with the engine inside. It opens from a disk and needs no network.
+# Debian's emscripten builds the engine in a few minutes.
 #   bash examples/page.sh [FILE]
 set -eu
 out=${1:-bankshot.html}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Pool as an environment of Gymnasium: one stroke a step, until the balls are down. An agent learns here what the planner
-knows, and `hint` tells it. Without Gymnasium the class has the same methods, and no spaces.
+"""Pool as a Gymnasium environment: one stroke per step, until all balls are down. Agents can learn from it; `hint`
+returns the planner's stroke. Without Gymnasium, the class has the same methods but no spaces.
 
     python3 examples/pool_environment.py     lets the planner play two racks of three balls
 """
@@ -19,8 +19,8 @@ table, length, width, radius = "pool-9ft", 2.54, 1.27, 0.028575
 
 
 class PoolEnvironment(gymnasium.Env if gymnasium else object):
-    """Observation: x, y of each ball in m, the struck one first; -1 where a ball is down.
-    Action: speed in m/s and angle in degrees. Reward: 1 for each ball that falls, -1 where the struck one does."""
+    """Observation: x, y of each ball in m, the cue ball first; -1 for a ball that is down.
+    Action: speed in m/s and angle in degrees. Reward: 1 for each ball that falls, -1 if the cue ball falls."""
 
     metadata = {"render_modes": ["svg"]}
 
@@ -65,7 +65,7 @@ class PoolEnvironment(gymnasium.Env if gymnasium else object):
         return self.path.svg() if self.path else None
 
     def hint(self) -> np.ndarray | None:
-        """The planner's stroke: the likeliest pot, straight or by a cushion."""
+        """Returns the planner's stroke: the most successful pot, straight or by a cushion."""
         target = {"ball": "any", "then": {"pocket": "any", "cushions": {"max": 1}}}
         best = bankshot.solve({**self.scene(), "target": target, "cushions": {"max": 1}}).best
         return None if best is None else np.array([best.speed, best.angle])

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what is missing, builds, solves the example puzzles, prints the answers and writes the
+# Installs missing packages, builds, solves the example puzzles, prints the answers and writes the
 # pictures to examples/figures/.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -13,7 +13,7 @@ for puzzle in examples/puzzles/*.json; do
   echo "== $name"
   more=()
   [ "$name" = three-cushion-carom ] && more=(--animate)
-  # Not every one has a shot: that is exit 1.
+  # A puzzle without a shot exits with 1.
   "$bin/bankshot" solve "$puzzle" --svg "examples/figures/$name.svg" "${more[@]}" | tee "examples/puzzles/$name.txt" || [ $? = 1 ]
 done
 for example in "$bin"/examples/[0-9]*; do

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// libbankshot from C# (docs/c.md): a sample, to be copied. JSON in, JSON out.
+// A sample for copying: calls libbankshot from C# (docs/c.md). JSON in, JSON out.
 using System;
 using System.Runtime.InteropServices;
 using System.Text;
@@ -27,7 +27,7 @@ public static class Bankshot
     [DllImport("bankshot")] private static extern void bankshot_scene_free(IntPtr scene);
     [DllImport("bankshot")] private static extern int bankshot_simulate_many(IntPtr scene, Launch[] launches, UIntPtr count, [Out] End[] ends, int threads);
 
-    /// The answer to a puzzle as `bankshot solve --json` prints it; flags as in "all&path". Throws where the puzzle is wrong.
+    /// Returns the answer as `bankshot solve --json` prints it; flags as in "all&path". Throws for an invalid puzzle.
     public static string Solve(string puzzle, string flags = "")
     {
         byte[] text = Encoding.UTF8.GetBytes(puzzle);
@@ -35,7 +35,7 @@ public static class Bankshot
         return Take(status, answer);
     }
 
-    /// The path of a shot as `bankshot simulate --json` prints it.
+    /// Returns the path of a shot as `bankshot simulate --json` prints it.
     public static string Simulate(string shot, string flags = "")
     {
         byte[] text = Encoding.UTF8.GetBytes(shot);
@@ -43,7 +43,7 @@ public static class Bankshot
         return Take(status, path);
     }
 
-    /// How each launch of one scene ends.
+    /// Returns the end of each launch of one scene.
     public static End[] SimulateMany(string shot, Launch[] launches)
     {
         byte[] text = Encoding.UTF8.GetBytes(shot);

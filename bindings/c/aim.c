@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Aims by a cushion into a corner, checks the answer in 50 digits, and asks how a thousand launches around it end.
+ * Solves a one-cushion shot into a corner, checks the answer in 50 digits, and simulates a thousand launches around it.
  *   cc aim.c $(pkg-config --cflags --libs bankshot) -o aim
  */
 #include <bankshot/bankshot.h>
@@ -14,7 +14,7 @@ static const char puzzle[] =
 static const char scene_text[] =
     "{\"table\": \"pool-9ft\", \"ball\": {\"at\": [0.635, 0.40]}, \"shot\": {\"speed\": 2, \"angle\": 0}}";
 
-/* The number behind "key": in a text of JSON; a JSON library does this better. */
+/* Returns the number after "key": in JSON text. A real program would use a JSON library. */
 static double number(const char* text, const char* key) {
   const char* at = strstr(text, key);
   return at ? strtod(at + strlen(key), NULL) : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The interface in C (include/bankshot/bankshot.h): the answers of the server's api, and many launches of one scene.
+// The C interface (include/bankshot/bankshot.h): the answers of the server's API, and many launches of one scene.
 #include "bankshot/bankshot.h"
 
 #include <atomic>
@@ -24,7 +24,7 @@ namespace {
 
 using bankshot::InvalidInput;
 
-/// A copy that C can free; false where there is no memory for it.
+/// Copies a text for the caller, who frees it. Returns false if there is no memory.
 bool hand_out(std::string_view text, bankshot_text* out) {
   if (!out) return true;
   out->length = 0;
@@ -40,7 +40,7 @@ std::string trouble(const std::string& path, const std::string& reason) {
   return serve::refusal(400, path, reason).body;
 }
 
-/// What `f` gives: a status and a text. Nothing is thrown across.
+/// Calls `f`, which returns a status and a text, and converts exceptions to a status.
 template <class F>
 bankshot_status guarded(bankshot_text* out, const F& f) noexcept {
   try {
@@ -73,7 +73,7 @@ Result result_of(serve::Reply reply) {
   return {reply.status == 200 ? BANKSHOT_DONE : BANKSHOT_BAD_INPUT, std::move(reply.body)};
 }
 
-/// Nobody ends a search from outside.
+/// Calls `f` without a way to cancel the search.
 template <class F>
 Result unhurried(const F& f) {
   const std::atomic<bool> never{false};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What only Node has, asked for where nothing else will do: those who bundle for a browser need not know of it.
+// Imports modules that only Node has. Bundlers for a browser ignore the import.
 
 /** @param {string} name @returns {Promise<any>} */
 export const builtin = (name) => import(/* webpackIgnore: true */ /* @vite-ignore */ `node:${name}`);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// An engine in a worker, one question at a time; what is asked meanwhile waits its turn.
+// An engine in a worker. It answers one question at a time; further questions wait in a queue.
 
-/** ms for an answer that nobody waits for any longer; then its worker ends, and the next question begins another. */
+/** ms to wait for an answer to an aborted question; then the worker ends, and the next question starts another. */
 const patience = 60;
 
 export class Desk {
   #begin;
   #module;
   #worker = null;
-  /** @type {Set<AbortController>} of each question that is not answered */
+  /** @type {Set<AbortController>} one for each unanswered question */
   #asked = new Set();
   #turn = Promise.resolve();
-  #fail = null; // of the question that the worker is at
+  #fail = null; // rejects the question that the worker is answering
 
   /**
    * @param {() => Worker} begin
@@ -46,7 +46,7 @@ export class Desk {
     });
   }
 
-  /** Ends the worker and all that was asked; another question begins a new one. */
+  /** Ends the worker and rejects all open questions; another question starts a new worker. */
   end() {
     const why = new Error('its worker was ended');
     for (const stop of this.#asked) stop.abort(why);
@@ -70,7 +70,7 @@ export class Desk {
     const worker = /** @type {any} */ (this.#worker ??= this.#start());
     let late;
     signal.addEventListener('abort', () => (late = setTimeout(() => this.#drop(signal.reason), patience)));
-    worker.ref?.(); // Node waits for a worker that has something to do
+    worker.ref?.(); // keeps Node alive while the worker is busy
     try {
       return await new Promise((done, fail) => {
         this.#fail = fail;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The server's answers, called from JavaScript: the engine of the npm package, and of a page that has no server. Built
-// by emscripten alone.
+// The answers of the server's API for JavaScript: the engine of the npm package, and of a page without a server. It is
+// built only by emscripten.
 #include <emscripten.h>
 
 #include <cstring>
@@ -11,7 +11,7 @@
 namespace bankshot::app::serve {
 namespace {
 
-/// Nobody can stop it from outside: whoever asks ends its worker.
+/// Answers a request. It cannot be cancelled; the caller can end its worker instead.
 Reply reply_to(std::string_view path, const Query& query, const std::string& body) {
   const std::atomic<bool> never{false};
   const std::atomic<const char*> why{""};
@@ -29,7 +29,7 @@ Reply reply_to(std::string_view path, const Query& query, const std::string& bod
 }  // namespace
 }  // namespace bankshot::app::serve
 
-/// The status, a line break and the body; the caller frees it.
+/// Returns the status, a line break and the body; the caller frees the text.
 extern "C" EMSCRIPTEN_KEEPALIVE char* bankshot_ask(const char* path, const char* query, const char* body) {
   using namespace bankshot::app::serve;
   const Reply reply = reply_to(path, query_of(query, '\n'), body);

@@ -1,37 +1,37 @@
-// bankshot in JavaScript: documents in, documents out (format.md). Lengths are metres, times seconds, angles degrees.
+// bankshot in JavaScript: documents in, documents out (format.md). Units are metres, seconds and degrees.
 import type { Answer, Puzzle, Shot } from './documents.js';
 
 export * from './documents.js';
 
-/** Names of the command line: `{ all: true, noTiming: true }` is `--all --no-timing`. */
+/** Flags of the command line: `{ all: true, noTiming: true }` is `--all --no-timing`. */
 export interface SolveFlags {
-  /** Which planner; the default is `auto`. */
+  /** The planner; the default is `auto`. */
   planner?: string;
-  /** Every distinct shot, best first. */
+  /** Return every distinct shot, best first. */
   all?: boolean;
-  /** The first shot found, not the best. */
+  /** Return the first shot found, not the best. */
   first?: boolean;
-  /** Simulations to spend at most. */
+  /** Maximum number of simulations. */
   budget?: number;
-  /** Whose errors, in place of the puzzle's. */
+  /** A player whose errors replace the puzzle's. */
   noise?: 'pro' | 'league' | 'beginner';
-  /** Leave out `time_us`: same input, same answer. */
+  /** Leave out `time_us`, so that equal input gives equal output. */
   noTiming?: boolean;
-  /** Leave out `margin` and `success`: faster. */
+  /** Leave out `margin` and `success`, which is faster. */
   noRobustness?: boolean;
-  /** How far a wrong coefficient of the table moves each arrival. */
+  /** Add how far a wrong coefficient of the table moves each arrival. */
   sensitivity?: boolean;
-  /** Each shot with the points of its path. */
+  /** Add the points of each shot's path. */
   path?: boolean;
 }
 
 export interface MapFlags {
-  /** Places along the table and across it, each at most 200; the default is 40 by 20. */
+  /** Number of starts along and across the table, each at most 200; the default is 40 by 20. */
   grid?: [number, number];
-  /** Simulations to spend at most at one place. */
+  /** Maximum number of simulations per start. */
   budget?: number;
   noRobustness?: boolean;
-  /** A picture in place of a table. */
+  /** Return a picture instead of CSV. */
   svg?: boolean;
 }
 
@@ -44,14 +44,14 @@ export interface LaunchFlags {
   grid?: [number, number];
 }
 
-/** Which launches make a puzzle, and how surely. */
+/** The launches that make the shot, and their success. */
 export interface LaunchMap {
   angle: [number, number];
   speed: [number, number];
   grid: [number, number];
-  /** A `1` where the launch makes it, else a `0`; the angles of the first speed, then of the next. */
+  /** `1` for a launch that makes the shot, otherwise `0`; all angles of the first speed, then of the next. */
   made: string;
-  /** For the puzzle's player, in the same order. */
+  /** Success for the puzzle's player, in the same order. */
   chance: number[];
 }
 
@@ -63,13 +63,13 @@ export interface BallState {
   spin: [number, number, number];
 }
 
-/** A state right after what happens. */
+/** An event, with the state right after it. */
 export interface Event extends BallState {
   type: 'start' | 'cushion' | 'jaw' | 'ball' | 'slide-to-roll' | 'roll-to-rest' | 'pocket' | 'end';
   time: number;
   cushion?: string;
   pocket?: string;
-  /** The ball that is met. */
+  /** The ball that is hit. */
   other?: BallState;
 }
 
@@ -83,66 +83,66 @@ export interface Trajectory {
     cushions: number;
     length: number;
   };
-  /** In joules. */
+  /** Energy in joules. */
   energy: { start: number; end: number };
 }
 
-/** A pocket of a table by its name, as it is drawn. */
+/** A pocket of a preset table, with the data to draw it. */
 export interface NamedPocket {
   name: string;
   at: [number, number];
-  /** Of the mouth's width. */
+  /** Half the width of the mouth. */
   half: number;
-  /** Away from the table. */
+  /** Unit vector away from the table. */
   out: [number, number];
-  /** The middle of the circle in which a ball falls, and that circle's radius. */
+  /** Centre of the capture circle; `radius` is its radius. */
   hole: [number, number];
   radius: number;
-  /** With jaws: from a rail round its tip, along both facings, round the other tip; and the radius of a tip. */
+  /** With jaws: outline from a rail round its tip, along both facings and round the other tip; `tip` is its radius. */
   mouth?: [number, number][];
   tip?: number;
 }
 
-/** A table by its name, as it is drawn. */
+/** A preset table, with the data to draw it. */
 export interface NamedTable {
   name: string;
   length: number;
   width: number;
   cushions: string[];
   pockets: NamedPocket[];
-  /** Of its balls. */
+  /** Radius of its balls. */
   radius: number;
-  /** From one to the next. */
+  /** Distance between two diamonds. */
   diamond: number;
 }
 
-/** What is wrong with a document or a flag: every function throws it, or rejects with it. */
+/** An error in a document or a flag. Every function throws it or rejects with it. */
 export class BankshotError extends Error {
-  /** Of the place in the document, such as `/ball/at/0`; empty where it is none of a document. */
+  /** JSON pointer to the place in the document, such as `/ball/at/0`; empty if there is no such place. */
   readonly path: string;
   readonly reason: string;
 }
 
-/** In a worker everything is promised, and may be given up: the promise rejects at once, and the worker turns to the next. */
+/** In a worker, functions return promises that can be aborted: one rejects at once, and the next question runs. */
 type Given<InWorker, T> = InWorker extends true ? Promise<T> : T;
 type Options<InWorker> = InWorker extends true ? { signal?: AbortSignal } : {};
 
-/** A document is an object, or the text of one. */
+/** A document is an object or its JSON text. */
 interface Functions<InWorker> {
-  /** The best shot. That there is none is an answer too, and no error. */
+  /** Finds the best shot. If there is none, the answer says so; that is no error. */
   solve(puzzle: Puzzle | string, flags?: SolveFlags & Options<InWorker>): Given<InWorker, Answer>;
-  /** Every shot, best first. */
+  /** Finds every shot, best first. */
   solveAll(
     puzzle: Puzzle | string,
     flags?: Omit<SolveFlags, 'all' | 'first'> & Options<InWorker>,
   ): Given<InWorker, Answer>;
   simulate(shot: Shot | string, options?: Options<InWorker>): Given<InWorker, Trajectory>;
-  /** As a table (csv.md), `rate` times a second. */
+  /** Returns the path as CSV (csv.md), sampled `rate` times a second. */
   simulate(shot: Shot | string, flags: { csv: true; rate?: number } & Options<InWorker>): Given<InWorker, string>;
-  /** From where on the table the shot can be made: a table (csv.md), or a picture. */
+  /** Maps the starts from which the shot can be made, as CSV (csv.md) or a picture. */
   map(puzzle: Puzzle | string, flags?: MapFlags & Options<InWorker>): Given<InWorker, string>;
   launches(puzzle: Puzzle | string, flags: LaunchFlags & Options<InWorker>): Given<InWorker, LaunchMap>;
-  /** A JSON Schema. */
+  /** Returns the JSON Schema of a document. */
   schema(
     document?: 'puzzle' | 'shot' | 'answer' | 'recording',
     options?: Options<InWorker>,
@@ -153,18 +153,18 @@ interface Functions<InWorker> {
 
 export type Engine = Functions<false>;
 export interface EngineInWorker extends Functions<true> {
-  /** Ends the worker and all that was asked; another question begins a new one. */
+  /** Ends the worker and rejects all open questions; another question starts a new worker. */
   end(): void;
 }
 
 export interface LoadOptions {
-  /** Where `bankshot.wasm` and `worker.js` are, if not beside this module. */
+  /** Returns the address of `bankshot.wasm` or `worker.js`, if not beside this module. */
   locateFile?: (name: 'bankshot.wasm' | 'worker.js') => string | URL;
-  /** The engine, if it is compiled already: then nothing is loaded. */
+  /** A compiled engine; nothing is loaded then. */
   module?: WebAssembly.Module;
 }
 
-/** An engine in this thread. Engines share nothing but the compiled module. */
+/** Loads an engine in this thread. Engines share nothing but the compiled module. */
 export function load(options?: LoadOptions): Promise<Engine>;
-/** An engine in a worker of its own. */
+/** Loads an engine in its own worker. */
 export function loadWorker(options?: LoadOptions): Promise<EngineInWorker>;

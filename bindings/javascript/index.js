@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot in JavaScript: documents in, documents out, by an engine in this thread (`load`) or in a worker
-// (`loadWorker`). index.d.ts says what each function takes and gives.
+// bankshot in JavaScript: documents in, documents out, with an engine in this thread (`load`) or in a worker
+// (`loadWorker`). index.d.ts documents the functions.
 import { builtin } from './builtin.js';
 import { Desk } from './desk.js';
 import { instantiate } from './instance.js';
 
-/** What is wrong with a document or a flag. */
+/** An error in a document or a flag. */
 export class BankshotError extends Error {
   constructor({ path, reason }) {
     super(path ? `${path}: ${reason}` : reason);
@@ -16,7 +16,7 @@ export class BankshotError extends Error {
   }
 }
 
-/** As they are typed: {noTiming: true, grid: [40, 20]} is --no-timing --grid=40,20. */
+/** Converts flags to command-line form: {noTiming: true, grid: [40, 20]} is --no-timing --grid=40,20. */
 function typed(flags) {
   const given = Object.entries(flags).filter(([, value]) => value !== undefined && value !== false);
   const dashed = (name) => name.replace(/[A-Z]/g, (letter) => '-' + letter.toLowerCase());
@@ -28,7 +28,7 @@ function read({ ok, text }) {
   return /^[[{]/.test(text) ? JSON.parse(text) : text;
 }
 
-/** The functions over one way to ask, which gives what is read at once or as a promise. */
+/** Returns the public functions on top of `ask`, which returns a result or a promise of it. */
 function functions(ask) {
   const call = (name, document, options = {}) => {
     const { signal, ...flags } = options;
@@ -55,7 +55,7 @@ async function compile(url) {
   return WebAssembly.compile(await reply.arrayBuffer());
 }
 
-/** @type {Map<string, Promise<WebAssembly.Module>>} by address: engines side by side share it */
+/** @type {Map<string, Promise<WebAssembly.Module>>} by address, shared by all engines */
 const compiled = new Map();
 
 /** @typedef {{module?: WebAssembly.Module, locateFile?: (name: string) => string | URL}} Options */
@@ -63,22 +63,22 @@ const compiled = new Map();
 /** @param {Options} options @returns {WebAssembly.Module | Promise<WebAssembly.Module>} */
 function moduleOf({ module, locateFile }) {
   if (module) return module;
-  // Bundlers know what such a line means.
+  // Bundlers recognise this form of URL.
   const url = locateFile
     ? new URL(locateFile('bankshot.wasm'), import.meta.url)
     : new URL('./bankshot.wasm', import.meta.url);
   if (!compiled.has(url.href)) compiled.set(url.href, compile(url));
   const found = compiled.get(url.href);
-  found.catch(() => compiled.delete(url.href)); // it may be there the next time
+  found.catch(() => compiled.delete(url.href)); // allows another attempt
   return found;
 }
 
-/** Node's, as a browser has it. @returns {Promise<any>} */
+/** Returns Node's Worker with the interface of a browser's. @returns {Promise<any>} */
 async function nodeWorker() {
   const { Worker } = await builtin('worker_threads');
   return class extends Worker {
     constructor(url) {
-      super(url, { execArgv: [] }); // --input-type and the like are not meant for it
+      super(url, { execArgv: [] }); // options such as --input-type do not apply to the worker
       this.on('message', (data) => this.onmessage?.({ data }));
       this.on('error', (error) => this.onerror?.(error));
     }

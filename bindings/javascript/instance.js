@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// One engine in this thread: WebAssembly, asked in text.
+// One WebAssembly engine in this thread, with text as input and output.
 // @ts-ignore: emscripten writes it
 import bankshotEngine from 'bankshot-engine';
 
-/** @typedef {{name: string, flags: string, body: string}} Question flags: a line each, `name=value` */
+/** @typedef {{name: string, flags: string, body: string}} Question flags: one `name=value` per line */
 /** @typedef {{ok: boolean, text: string}} Reply */
 
 /** @param {WebAssembly.Module} module */
@@ -25,7 +25,7 @@ function begin(module) {
 export async function instantiate(module) {
   const engine = await begin(module);
 
-  /** A C string of our own: the stack is too small for a large puzzle. */
+  /** Allocates a C string on the heap, because the stack is too small for a large puzzle. */
   const put = (text) => {
     const size = engine.lengthBytesUTF8(text) + 1;
     const at = engine._malloc(size);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What emscripten 3.1.6's libc++ (14) lacks of C++20 and ours uses; included before each of our files when the engine
-// is built for a page, and nowhere else. Goes when Debian's emscripten has a newer one.
+// C++20 features that our code uses and that libc++ 14 of emscripten 3.1.6 lacks. It is included before each of our
+// files in the WebAssembly build, and nowhere else. It can be removed when Debian's emscripten has a newer libc++.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Writes the npm package: a folder for `npm install FOLDER` and `npm pack FOLDER`. Debian's emscripten builds the engine,
-# in some minutes.
+# Writes the npm package: a folder for `npm install FOLDER` and `npm pack FOLDER`. Debian's emscripten builds the engine
+# in a few minutes.
 #   bash bindings/javascript/package.sh [FOLDER]
 set -eu
 out=${1:-bankshot-js}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The types of puzzles, shots, answers and recordings, from the engine's own schema of them:
+// Writes the types of puzzles, shots, answers and recordings from the engine's schema:
 //   node types.mjs PACKAGE_FOLDER > documents.d.ts
 import { pathToFileURL } from 'node:url';
 
@@ -17,7 +17,7 @@ function list({ items, minItems, maxItems }) {
 
 const plain = { number: 'number', integer: 'number', string: 'string', boolean: 'boolean', null: 'null' };
 
-/** A part of a schema in TypeScript. What it has no word for is an error, not `any`. */
+/** Converts a part of a schema to TypeScript. An unknown construct is an error, not `any`. */
 function type(schema) {
   if (schema === true || Object.keys(schema).every((key) => ['description', 'examples', 'default'].includes(key)))
     return 'unknown';
@@ -43,7 +43,7 @@ function object(name, { description, properties, required = [] }) {
   return `${told('', description)}export interface ${pascal(name)} {\n${members.join('')}}\n`;
 }
 
-/** @type {Map<string, string>} an object of a name is the same in every document */
+/** @type {Map<string, string>} by name, which means the same object in every document */
 const objects = new Map();
 for (const document of ['puzzle', 'shot', 'answer', 'recording']) {
   const { $defs, ...schema } = engine.schema(document);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One engine in a worker, of a browser or of Node. The first message brings the compiled engine, each other a question.
+// One engine in a worker of a browser or of Node. The first message holds the compiled engine, every other a question.
 import { instantiate } from './instance.js';
 import { builtin } from './builtin.js';
 

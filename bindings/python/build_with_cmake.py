@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What setuptools runs for pyproject.toml: CMake builds the engine, in build/python, which a second run goes on with."""
+"""Build backend for pyproject.toml. CMake builds the engine in build/python, and a second run continues there."""
 import pathlib
 import shutil
 import subprocess
@@ -19,7 +19,7 @@ on = ["PYTHON", "LEARN"]
 
 class BdistWheel(bdist_wheel):
     def finalize_options(self):
-        # Said here, since pyproject.toml cannot: without it the wheel would be one for every machine.
+        # pyproject.toml cannot declare this extension; without it the wheel would claim to fit every machine.
         self.distribution.ext_modules = [Extension("bankshot._engine", sources=[])]
         super().finalize_options()
 

@@ -21,7 +21,7 @@ Solved solved_until(const std::string& text, const SolveFlags& flags, const std:
   return out;
 }
 
-/// As a line of `batch`: never throws for a text.
+/// Returns the answer as `batch` does. Never throws for an invalid text.
 std::string answer_line(const std::string& text, const SolveFlags& flags, const std::atomic<bool>& stop) {
   try {
     return solved_until(text, flags, stop).json();
@@ -33,7 +33,7 @@ std::string answer_line(const std::string& text, const SolveFlags& flags, const 
   }
 }
 
-/// Tells Python from time to time how much is done.
+/// Reports the progress to Python from time to time.
 class Told {
  public:
   explicit Told(py::object tell) : tell_(std::move(tell)) {}
@@ -52,7 +52,7 @@ class Told {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// `made(i, stop)` for each of `count`, on several threads.
+/// Calls `make(i, stop)` for each i below `count` on several threads, and returns the results.
 template <class Make>
 auto each(std::size_t count, int threads, py::object tell, const Make& make) {
   using Result = decltype(make(std::size_t{}, std::atomic<bool>{}));
@@ -77,7 +77,7 @@ void check(const SolveFlags& flags) {
   if (flags.options.all && flags.options.first) throw InvalidInput("", "all excludes first");
   try {
     app::solve::check(flags);
-  } catch (const std::runtime_error& e) {  // the command line's own
+  } catch (const std::runtime_error& e) {  // thrown by the command line's check
     throw InvalidInput("", e.what());
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the module asks of the planners: texts in, texts out, without the GIL and until Ctrl-C.
+// The module's calls to the planners: texts in, texts out, without the GIL and interruptible by Ctrl-C.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -32,26 +32,26 @@ struct Solved {
   std::string text() const { return to_text(puzzle, answer); }
 };
 
-/// Throws InvalidInput where they cannot be meant.
+/// Throws InvalidInput for invalid flags.
 void check(const SolveFlags& flags);
 
 Solved solved(const std::string& text, const SolveFlags& flags);
 
-/// A line of JSON for each; tells `tell`, unless it is None, from time to time how many there are.
+/// Returns a line of JSON for each puzzle. Unless `tell` is None, it is called from time to time with the number done.
 Texts solve_lines(const Texts& lines, const SolveFlags& flags, int threads, pybind11::object tell);
 
 struct NotFound : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Puzzles, a line each. Throws NotFound.
+/// Returns puzzles, one per line. Throws NotFound.
 Texts generate_lines(const app::generate::Wishes& wishes, long count, int threads);
 
-/// From where on the table a shot can be made, as CSV.
+/// Returns as CSV the starts from which a shot can be made.
 std::string map(const std::string& text, int columns, int rows, const SolveFlags& flags);
 
 #if BANKSHOT_LEARN
-/// Of recordings, a line each. Ctrl-C is heard between steps.
+/// Fits recordings, one per line. Ctrl-C takes effect between steps.
 std::string fit(const Texts& lines, FitWish wish);
 #endif
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The module bankshot._engine: texts in, texts and arrays out. What a user sees of it is written in Python
+// The module bankshot._engine: texts in, texts and arrays out. Its public interface is written in Python
 // (bankshot/__init__.py).
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -29,14 +29,14 @@ PictureStyle style_of(bool dark, bool words, bool moving) {
   return {.theme = dark ? Theme::dark : Theme::light, .words = words, .moving = moving};
 }
 
-/// A row of a path: one ball at one time.
+/// One row of a path: one ball at one time.
 struct Row {
   double t;
   std::int32_t ball;
   double x, y, vx, vy, wx, wy, wz;
 };
 
-/// A shot, and what it does.
+/// A shot and its trajectory.
 struct Played {
   ShotRequest request;
   Trajectory trajectory;
@@ -74,7 +74,7 @@ struct Played {
     return out;
   }
 
-  /// name, x, y, half its mouth
+  /// Returns name, x, y and half the mouth of each pocket.
   std::vector<std::tuple<std::string, double, double, double>> pockets() const {
     std::vector<std::tuple<std::string, double, double, double>> out;
     for (const Pocket& p : request.table.pockets) out.emplace_back(p.name, p.place().x, p.place().y, p.half());
@@ -89,7 +89,7 @@ Played played(const std::string& text) {
   return p;
 }
 
-/// Arrays of one length: m/s, degrees and, if there are any, rows of top, side and masse.
+/// Simulates launches. The arrays have one length: m/s, degrees and, if given, rows of top, side and masse.
 py::array_t<bankshot_end> simulate_many(const std::string& text, const Array<double>& speeds,
                                         const Array<double>& angles, const std::optional<Array<double>>& spins,
                                         int threads) {
@@ -123,9 +123,9 @@ void translate(std::exception_ptr thrown) {
   try {
     std::rethrow_exception(std::move(thrown));
   } catch (const InvalidInput& e) {
-    const Answer answer = invalid_answer("", e);  // its reason names the line of a text that is no JSON
+    const Answer answer = invalid_answer("", e);  // its reason names the line for text that is not JSON
     raise(answer.error->path, answer.error->reason);
-  } catch (const app::FileError& e) {  // a wish of `generate` that is none
+  } catch (const app::FileError& e) {  // an invalid wish of `generate`
     raise("", e.what());
   } catch (const NotFound& e) {
     PyErr_SetString(PyExc_LookupError, e.what());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Ctrl-C while C++ works. Python's own handler only notes that it came; nobody looks before the work is done.
+// Handles Ctrl-C during C++ work. Python's own handler only sets a flag, which is not checked before the work is done.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -11,8 +11,8 @@
 
 namespace bankshot::python {
 
-/// While one lives in the main thread, Ctrl-C sets `stop`, and is told to Python as ever. Elsewhere, and where Python
-/// does not listen, it does nothing: Python hears signals in its main thread alone.
+/// While an object exists in the main thread, Ctrl-C sets `stop` and is passed on to Python. In other threads, and if
+/// Python has no handler, the object does nothing: Python handles signals only in its main thread.
 class Interrupt {
  public:
   Interrupt() {
@@ -36,8 +36,8 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// Raises what Python's handler raises; KeyboardInterrupt where the work was ended and that raised nothing. With the
-  /// GIL.
+  /// Raises the exception of Python's handler. If the work was stopped and the handler raised nothing, raises
+  /// KeyboardInterrupt. The caller must hold the GIL.
   void raise() const {
     if (PyErr_CheckSignals() == 0) {
       if (!stop) return;
@@ -62,7 +62,7 @@ class Interrupt {
   bool installed_ = false;
 };
 
-/// What `f(stop)` gives, worked out without the GIL.
+/// Returns the result of `f(stop)`, which runs without the GIL.
 template <class F>
 auto interruptibly(const F& f) {
   Interrupt interrupt;

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""A batch in parts on the workers of a Dask cluster, then merged. Each worker needs the program and sees the same folder.
+"""Runs a batch in parts on a Dask cluster and merges them. Each worker needs the program and access to the same folder.
 
     python3 batch_dask.py puzzles.jsonl shots.jsonl --parts 64 --scheduler tcp://head:8786
 
-Without --scheduler the workers are two processes here. A part that was lost with its worker is begun by another, and
-goes on where it was.
+Without --scheduler, the workers are two local processes. If a worker is lost, another continues its part where it
+stopped.
 """
 import argparse
 import subprocess

@@ -10,7 +10,7 @@
 namespace bankshot {
 namespace {
 
-/// As files have it: degrees.
+/// Converts angles to degrees, as used in files.
 double in_file(const PlayerError& e, double value) { return e.name == "angle" ? degrees(value) : value; }
 Json interval(const PlayerError& e, const Range& r) {
   const auto end = [&](double v) { return std::isfinite(v) ? Json(in_file(e, v)) : Json(); };

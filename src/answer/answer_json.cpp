@@ -67,7 +67,7 @@ void write_contact(JsonWriter& w, const Puzzle& p, const Hit& hit) {
   w.close('}');
 }
 
-/// Where the cue ball comes to rest, or the pocket that it falls into.
+/// Writes where the cue ball comes to rest, or the pocket that it falls into.
 void write_cue_rests(JsonWriter& w, const Puzzle& p, const Shot& shot) {
   if (shot.cue_rests) write_point(w, *shot.cue_rests, "cue_rests");
   if (shot.scratch_pocket && !is_ideal(p.physics))
@@ -87,9 +87,9 @@ void write_then(JsonWriter& w, const Puzzle& p, std::span<const Onward> then, co
   w.close('}');
 }
 
-/// `why` is the reason of a nearest miss; none for a shot.
+/// Writes a shot, or a nearest miss if `why` gives its reason.
 void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, const std::string* why = nullptr) {
-  // Without the physics `spin` the ball rolls from the start: natural roll, hit 2/5 R above centre.
+  // Without the physics `spin`, the ball rolls from the start: natural roll, as if hit 2/5 R above centre.
   const LaunchSpin spin = !carries_spin(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
   w.open('{');
   w.number("speed", shot.launch.speed);
@@ -141,7 +141,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   w.close('}');
 }
 
-/// By how much balls were moved apart, those that were.
+/// Writes the displacement of each ball that `settle` moved.
 void write_settled(JsonWriter& w, const Puzzle& p) {
   w.key("settled");
   w.open('{');
@@ -150,7 +150,7 @@ void write_settled(JsonWriter& w, const Puzzle& p) {
   w.close('}');
 }
 
-/// Up to the list of shots, which is left open.
+/// Writes the answer up to the list of shots, which is left open.
 void write_head(JsonWriter& w, const Answer& a) {
   w.open('{');
   if (!a.id.empty()) w.key("id"), w.raw(a.id);

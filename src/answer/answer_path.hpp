@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The points of a shot's path, up to its target.
+// Writes the points of a shot's path, up to its target.
 #pragma once
 
 #include "bankshot/plan/answer.hpp"
@@ -8,7 +8,8 @@
 
 namespace bankshot {
 
-/// The key "path" with [t, x, y] at each event and 60 times a second between them.
+/// Writes the key "path" with [t, x, y] of the cue ball at each event and 60 times a second between events, and the key
+/// "paths" for other balls that move.
 void write_points(JsonWriter& w, const Puzzle& puzzle, const Shot& shot);
 
 }  // namespace bankshot

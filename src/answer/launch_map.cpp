@@ -12,7 +12,7 @@ void write_pair(JsonWriter& w, std::string_view key, double a, double b) {
   w.key(key), w.open('['), w.number(a), w.number(b), w.close(']');
 }
 
-/// A picture needs no more.
+/// Rounds to three decimals, which is enough for a picture.
 double thousandth(double v) { return std::round(v * 1000) / 1000; }
 
 }  // namespace

@@ -30,12 +30,12 @@ std::vector<Contact> read_contacts(const Reader& r, const Table& table) {
     for (int i = 0; i < static_cast<int>(table.vertices.size()); ++i)
       all.push_back(contact_name(table, Contact::vertex(i)));
     const std::vector<std::string_view> names(all.begin(), all.end());
-    item.word("cushion", names);  // fails
+    item.word("cushion", names);  // throws
   }
   return contacts;
 }
 
-/// In `ideal` and `rolling` the natural roll is printed, which is no spin of the launch's own.
+/// Reads the launch spin. Answers in `ideal` and `rolling` physics print natural roll, which is subtracted.
 LaunchSpin read_spin(const Reader& r, const Puzzle& p) {
   LaunchSpin spin{r.need("top").number(), r.need("side").number(), 0};
   if (const auto v = r.find("masse")) spin.masse = v->number();
@@ -105,7 +105,7 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   return s;
 }
 
-/// Moved again, balls go where the answer says.
+/// Checks that `settle` moves the balls as the answer says.
 void check_settled(const Reader& r, const Puzzle& p) {
   const auto members = r.members();
   for (std::size_t i = 0; i < p.settled.size(); ++i) {

@@ -31,8 +31,8 @@ double fullness(const Puzzle& p, const Hit& hit, int by) {
 }
 
 bool may_double_hit(const Puzzle& p, const Shot& shot) {
-  // Rules of pool warn of a double hit within the width of a cube of chalk (B. Jewett, "A Modest Proposal", Billiards
-  // Digest, January 2006); 22 mm is what most cubes measure. How full is too full is an assumption.
+  // The rules of pool warn of a double hit within the width of a cube of chalk (B. Jewett, "A Modest Proposal",
+  // Billiards Digest, January 2006); most cubes measure 22 mm. The limit of the fullness is an assumption.
   constexpr double chalk = 0.022, frozen = 1e-6;  // m
   constexpr double fairly_full = 0.5;
   if (shot.hits.empty() || shot.hits.front().after > 0) return false;

@@ -10,7 +10,7 @@ struct Edge {
   Vec2d from, to;
 };
 
-/// A cushion's line, `back` metres behind its nose, from the left or from the bottom.
+/// Returns the line `back` metres behind a cushion's nose, directed from the left or from the bottom.
 Edge line_behind(const Table& t, std::size_t i, double back) {
   const Vec2d a = t.vertices[i], b = t.vertices[(i + 1) % t.vertices.size()];
   const Vec2d out = -perpendicular(b - a) * (back / norm(b - a));
@@ -21,7 +21,7 @@ Edge line_behind(const Table& t, std::size_t i, double back) {
 }  // namespace
 
 double sight_distance(const Table& t) {
-  constexpr double wpa = 0.0936625, most = 0.05;  // of the longer side: more than on any table that is sold
+  constexpr double wpa = 0.0936625, most = 0.05;  // relative to the longer side; more than on any table that is sold
   const Vec2d size = t.highest() - t.lowest();
   return std::min(wpa, most * std::max(size.x, size.y));
 }
@@ -41,7 +41,7 @@ std::optional<Sight> sight(const Table& t, const Vec2d& from, const Vec2d& aim) 
     const Vec2d along = e.to - e.from;
     const double way = cross(e.from - from, along) / cross(aim, along),
                  part = cross(e.from - from, aim) / cross(aim, along);
-    const double beyond = back / norm(along);  // lines of diamonds meet behind the corner
+    const double beyond = back / norm(along);  // lines of diamonds extend to behind the corner
     if (!(way > 0 && part >= -beyond && part <= 1 + beyond) || (nearest && way >= least)) continue;
     const int cushion = static_cast<int>(i);
     nearest = Sight{cushion, from + aim * way, part, t.is_rectangle() ? part * diamonds_along(t, cushion) : 0};

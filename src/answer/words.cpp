@@ -17,8 +17,8 @@
 namespace bankshot {
 namespace {
 
-/// D. Alciatore's names (billiards.colostate.edu/faq/speed/typical), by miles an hour. Between his power shot, up to
-/// 10, and his powerful break, from 25, he has none.
+/// Returns D. Alciatore's name of a speed (billiards.colostate.edu/faq/speed/typical) in miles per hour. He has no name
+/// between the power shot, up to 10, and the powerful break, from 25.
 std::string_view pace(double mph) {
   if (mph < 1) return "soft touch";
   if (mph < 2) return "slow";
@@ -28,7 +28,7 @@ std::string_view pace(double mph) {
   return mph < 25 ? "harder than a power shot" : "powerful break";
 }
 
-/// Of this table, cloth and ball; none where no ball comes back.
+/// Returns the lag speed of this table, cloth and ball [m/s]; none if no ball comes back.
 std::optional<double> lag_speed(const ShotRequest& shot) {
   if (!shot.table.is_rectangle() || deceleration(shot.physics) == 0) return {};
   ShotRequest lag = shot;
@@ -44,7 +44,7 @@ std::optional<double> lag_speed(const ShotRequest& shot) {
     lag.launch.speed = speed;
     return simulate(lag).cushions == 2;
   };
-  constexpr double fastest = 20;  // m/s, faster than any break
+  constexpr double fastest = 20;  // m/s; faster than any break
   double slow = 0, fast = fastest;
   if (!comes_back(fast)) return {};
   for (int i = 0; i < 20; ++i) (comes_back((slow + fast) / 2) ? fast : slow) = (slow + fast) / 2;
@@ -55,7 +55,7 @@ std::string side_words(double v, std::string_view more, std::string_view less) {
   return fmt::format("{:.1f} mm {}", 1e3 * std::abs(v), v > 0 ? more : less);
 }
 
-/// How far a line passes a point, "through its middle" where nobody sees a difference.
+/// Says how far a line passes from a point; "through its middle" if the distance is not visible.
 std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
   constexpr double seen = 5e-4;  // m
   const double right = cross(aim, centre - at) / norm(aim);
@@ -64,16 +64,16 @@ std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
                                               right > 0 ? "right" : "left");
 }
 
-/// D. Alciatore's names of how full a hit is, the nearest of them.
+/// Returns the nearest of D. Alciatore's names for the fullness of a hit.
 std::string_view fullness_words(double full) {
   constexpr std::string_view names[] = {"thin hit", "1/4-ball hit", "half-ball hit", "3/4-ball hit", "full hit"};
   return names[static_cast<std::size_t>(std::lround(4 * std::clamp(full, 0.0, 1.0)))];
 }
 
-/// `by`: the number of the ball that hits; 0 is the cue ball.
+/// Describes a hit. `by` is the number of the hitting ball; 0 is the cue ball.
 std::string hit_words(const Puzzle& p, const Hit& hit, int by = 0) {
   const double cut = degrees(hit.cut), full = std::clamp(fullness(p, hit, by), 0.0, 1.0);
-  constexpr double none = 0.05;  // degrees that nobody tells from none
+  constexpr double none = 0.05;  // degrees; not visible to a player
   return fmt::format("{}, {} ({:.0f} %)", contact_name(p, Contact::ball(hit.ball)), fullness_words(full), 100 * full) +
          (std::abs(cut) < none
               ? ""
@@ -96,10 +96,10 @@ std::string arrival_words(const Puzzle& p, const Shot& s) {
                     : fmt::format("{}passes {} the point after {:.2f} s at {:.2f} m/s", who, where, time, speed);
 }
 
-/// One side of a margin: "up to 0.4 m/s slower", "any amount faster", "not slower".
+/// Describes one side of a margin: "up to 0.4 m/s slower", "any amount faster", "not slower".
 std::string side_of_margin(const std::optional<double>& by, double unit, std::string_view unit_words,
                            std::string_view way) {
-  constexpr double least = 1e-6;  // degrees, m/s: nobody aims more finely
+  constexpr double least = 1e-6;  // degrees or m/s; finer than any player
   if (!by) return fmt::format("any amount {}", way);
   const double most = std::abs(*by) * unit;
   return most < least ? fmt::format("not {}", way) : fmt::format("up to {:.3g} {} {}", most, unit_words, way);
@@ -235,7 +235,7 @@ std::string noise_words(const Noise& n) {
 
 std::string player_words(const Noise& n) {
   const auto all = players();
-  // Without the physics `spin` the tip does not err.
+  // Without the physics `spin`, the tip has no error.
   const auto is_same = [&](const Player& player) {
     Noise noise = player.noise;
     if (n.tip == 0) noise.tip = 0;
@@ -250,7 +250,8 @@ namespace {
 
 bool is_carom(const Shot& shot) { return shot.then.empty() && shot.hits.size() > 1; }
 
-/// The cushions of the cue ball: in a carom before and after the first ball, else all and none.
+/// Returns the cue ball's cushions before and after the first ball of a carom. For other shots, the first list holds
+/// all cushions and the second is empty.
 std::array<std::vector<Contact>, 2> around_first_ball(const Shot& shot) {
   const auto& all = shot.cushions;
   const auto split = is_carom(shot) ? all.begin() + shot.hits.front().after : all.end();
@@ -267,7 +268,7 @@ std::string cushion_words(const Puzzle& p, const Shot& shot) {
                      named(then));
 }
 
-/// What a shot does to other balls, and then `aim`.
+/// Returns what the shot does to other balls, followed by `aim`.
 std::string target_of(const Puzzle& p, const Shot& shot, const std::string& aim) {
   const auto name = [&](int ball) { return contact_name(p, Contact::ball(ball)); };
   if (shot.hits.empty()) return aim;
@@ -279,7 +280,7 @@ std::string target_of(const Puzzle& p, const Shot& shot, const std::string& aim)
   return to + aim;
 }
 
-/// What moves the arrival visibly, most first: by as much of each coefficient as one may well be wrong by.
+/// Lists the coefficients whose plausible error moves the arrival visibly, the largest effect first.
 std::vector<std::string> sensitivity_words(const Puzzle& p, const Shot& shot) {
   struct Step {
     std::string_view in_name;
@@ -328,7 +329,7 @@ std::string title_words(const Puzzle& p, const Shot& shot) {
 
 namespace {
 
-/// Which balls are touched, how full, and the ghost ball of the first.
+/// Adds the touched balls with their fullness, and the ghost ball of the first hit.
 void add_hits(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
   if (is_carom(shot)) rows.push_back({"touches", hit_words(p, shot.hits.front())});
   for (std::size_t i = 0; i < shot.then.size(); ++i) {
@@ -339,7 +340,7 @@ void add_hits(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
   if (!shot.hits.empty()) rows.push_back({"ghost", "ball " + place_words(p.table, shot.hits.front().at)});
 }
 
-/// What becomes of the cue ball.
+/// Adds the leave of the cue ball, or its scratch.
 void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
   if (shot.scratch)
     rows.push_back(

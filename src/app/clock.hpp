@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The clock of what is measured: work of others on the same machine does not count.
+// The clock for measurements: processor time, so that other work on the same machine does not count.
 #pragma once
 
 #include <time.h>
 
 namespace bankshot::app {
 
-/// Seconds of processor time of this thread.
+/// Returns the processor time of this thread in seconds.
 inline double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One file per command: each adds itself to the command line and says what to run.
+// One file per command: each adds its command to the command line and returns the function to run.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,16 +10,17 @@ namespace bankshot::app {
 
 using Run = std::function<int()>;
 
-/// A line to type, and what it does.
+/// A command line to type, and what it does.
 struct Example {
   std::string line, what;
 };
 
-/// What stands under the options of `--help`, and in the manual page (manual/man.cpp, which knows its headings).
+/// Writes the text below the options of `--help`; the manual page repeats it (manual/man.cpp, which knows its
+/// headings).
 void explain(CLI::App& command, const std::string& text, const std::vector<Example>& examples,
              const std::string& exit_codes);
 
-// A folder and a namespace a command.
+// Each command has a folder and a namespace of its own.
 namespace solve {
 Run add(CLI::App& app);
 }
@@ -64,7 +65,7 @@ namespace advise {
 Run add(CLI::App& app);
 }
 #endif
-// Written from the command line's own definitions.
+// These are generated from the command line's own definitions.
 namespace manual {
 Run add_help(CLI::App& app);
 Run add_man(CLI::App& app);

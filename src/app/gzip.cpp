@@ -12,7 +12,7 @@
 namespace bankshot::app {
 
 std::string gzipped(std::string_view text) {
-  constexpr int level = 6, gzip_header = 16, memory = 8;  // zlib's defaults but for the header
+  constexpr int level = 6, gzip_header = 16, memory = 8;  // zlib's defaults, except for the header
   z_stream z{};
   if (deflateInit2(&z, level, Z_DEFLATED, MAX_WBITS + gzip_header, memory, Z_DEFAULT_STRATEGY) != Z_OK)
     throw WriteError("zlib cannot begin to compress: out of memory");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Packed files, known by their suffix .gz.
+// Gzip files, known by their suffix .gz.
 #pragma once
 
 #include <zlib.h>
@@ -12,16 +12,16 @@ namespace bankshot::app {
 
 inline bool is_packed(std::string_view path) { return path.ends_with(".gz"); }
 
-/// A name without the suffix, for whoever asks what is inside.
+/// Returns the name without the suffix .gz, for a caller who asks what kind of file is inside.
 inline std::string_view unpacked_name(std::string_view path) {
   if (is_packed(path)) path.remove_suffix(3);
   return path;
 }
 
-/// A gzip member of its own; the same bytes each time.
+/// Returns `text` as one complete gzip member; equal texts give equal bytes.
 std::string gzipped(std::string_view text);
 
-/// Files and standard input ("-") in pieces, unpacked where they are packed.
+/// Reads a file or standard input ("-") in pieces, and unpacks it if it is a gzip file.
 class ByteReader {
  public:
   /// Throws FileError.
@@ -30,7 +30,7 @@ class ByteReader {
   ByteReader(const ByteReader&) = delete;
   ByteReader& operator=(const ByteReader&) = delete;
 
-  /// The next piece; empty at the end. Throws FileError.
+  /// Returns the next piece; empty at the end. Throws FileError.
   std::string_view next();
 
  private:

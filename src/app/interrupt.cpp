@@ -18,10 +18,11 @@ extern "C" void note_signal(int signal) { noted.store(signal, std::memory_order_
 Interrupts::Interrupts() {
   struct sigaction once {};
   once.sa_handler = note_signal;
-  once.sa_flags = static_cast<int>(SA_RESETHAND);  // reads that wait are woken, and a second signal kills
+  once.sa_flags = static_cast<int>(SA_RESETHAND);  // a signal wakes waiting reads, and a second one ends the program
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
-  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &once, nullptr);  // else nohup wants it to go on
+  // an ignored SIGHUP means that nohup started the program
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &once, nullptr);
   sigaction(SIGINT, &once, nullptr);
   sigaction(SIGTERM, &once, nullptr);
   std::signal(SIGPIPE, SIG_IGN);

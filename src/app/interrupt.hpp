@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Ctrl-C, a closed terminal and a polite kill: a long command looks here between two pieces of work.
-// The second signal ends the program at once.
+// Ctrl-C, a closed terminal and SIGTERM: a long command checks for them between two pieces of work. The second signal
+// ends the program at once.
 #pragma once
 
 namespace bankshot::app {
 
-/// From its construction SIGINT, SIGTERM and SIGHUP are noted, and a closed pipe or a
-/// file grown to its limit is a write error.
+/// Notes SIGINT, SIGTERM and SIGHUP from its construction on. It also turns a closed pipe, or a file grown to its
+/// limit, into a write error.
 class Interrupts {
  public:
   Interrupts();
@@ -15,7 +15,7 @@ class Interrupts {
   Interrupts& operator=(const Interrupts&) = delete;
 };
 
-/// The signal that asked the program to stop; 0 while none did.
+/// Returns the signal that asked the program to stop, or 0.
 int interrupted();
 
 }  // namespace bankshot::app

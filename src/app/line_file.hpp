@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The lines of a file, of a packed one (*.gz) or of standard input ("-"), one after another, numbered from 1.
+// The lines of a file, a gzip file (*.gz) or standard input ("-"), one after another and numbered from 1.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace bankshot::app {
 
 class LineFile {
  public:
-  /// Throws FileError, also where there is nothing to read (a folder).
+  /// Throws FileError, also if there is nothing to read (a folder).
   explicit LineFile(const std::string& path)
       : name(path == "-" ? "standard input" : path), bytes_(path), piece_(bytes_.next()) {}
 
-  /// Without its line break, which the last may lack; false at the end.
+  /// Reads the next line without its line break, which the last line may lack; returns false at the end.
   bool next(std::string& line);
 
   const std::string name;
@@ -23,7 +23,7 @@ class LineFile {
 
  private:
   ByteReader bytes_;
-  std::string_view piece_;  ///< what is read and not handed out
+  std::string_view piece_;  ///< bytes that were read and not yet handed out
 };
 
 }  // namespace bankshot::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The program: reads the command line, runs one command, turns every failure into one line on
-// standard error and an exit code.
+// The program: reads the command line, runs one command, and turns every failure into one line on standard error and an
+// exit code.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -14,18 +14,18 @@
 namespace bankshot::app {
 namespace {
 
-/// One line on standard error, and an `invalid` answer where JSON was asked.
+/// Writes one line to standard error, and prints an `invalid` answer if JSON was asked for.
 int refuse(const std::string& reason, bool json) {
   std::cerr << "bankshot: " << one_line(reason) << '\n';
   try {
     if (json) print(to_json(invalid_answer("", InvalidInput("", reason))) + "\n");
   } catch (const FileError&) {
-    // Standard output is what failed; standard error has said so.
+    // Standard output itself failed, and standard error has already said so.
   }
   return bad_input;
 }
 
-/// The parser would only say that a command is missing.
+/// Throws if `first` is not a command, and suggests similar names; the parser would only say that a command is missing.
 void check_command(const std::string& first, const std::map<std::string, Run>& commands) {
   if (first.starts_with('-') || commands.contains(first)) return;
   std::vector<std::string_view> names;

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks of an option's value: what is wrong with it, or nothing.
+// Checks of an option's value: each returns what is wrong with it, or an empty text.
 #pragma once
 
 #include <string>
 
 namespace bankshot::app {
 
-/// A file to write. "--svg --json" would write a file of that name, and standard output carries the answer.
+/// Checks the name of a file to write. In "--svg --json" the file name is missing, and "-" would be standard output,
+/// which carries the answer.
 std::string file_name(const std::string& text);
-/// The same where "-" may take the text's place.
+/// Checks a file name likewise, but "-" may stand for standard output.
 std::string file_or_output(const std::string& text);
-/// At least 0; CLI11's own check prints its bounds with 309 digits.
+/// Checks for a whole number of at least 0; CLI11's own check prints its bounds with 309 digits.
 std::string whole_number(const std::string& text);
 
-/// As many threads as asked for; 0: as the machine has.
+/// Returns `jobs`, or the number of the machine's threads for 0.
 int threads_for(int jobs);
 
 }  // namespace bankshot::app

@@ -17,7 +17,7 @@ namespace bankshot::app {
 namespace {
 
 #if BANKSHOT_PNG
-constexpr double zoom = 2;  // pixels of the PNG for each of the SVG: sharp in print and on dense screens
+constexpr double zoom = 2;  // pixels of the PNG per pixel of the SVG: sharp in print and on dense screens
 
 template <auto release>
 struct Releases {

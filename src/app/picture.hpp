@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Pictures to files, as SVG or, where librsvg was there at the build, as PNG; and the flags that ask for them.
+// Writes pictures to files: as SVG or, if librsvg was present at the build, as PNG. Also the flags that ask for
+// pictures.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,19 +13,19 @@
 
 namespace bankshot::app {
 
-/// As PNG where the name ends so.
+/// Writes a PNG if the name ends in .png, else the SVG itself.
 void write_picture(const std::string& path, const std::string& svg);
 
-/// Its name ends in .csv, packed or not.
+/// Returns whether the name ends in .csv, packed or not.
 bool is_table(const std::string& path);
 
-/// A check of a file's name: why no picture can go there, empty when one can.
+/// Checks a file name: returns why no picture can be written there, or an empty text.
 std::string picture_name(const std::string& path);
 
-/// -o of a command that writes `what` (.svg, .png) or a table (.csv), or both.
+/// Adds the option -o of a command that writes `what` (.svg, .png), a table (.csv), or both.
 void add_output_option(CLI::App& command, std::vector<std::string>& files, const std::string& what);
 
-/// Functions without arguments that make the text of either.
+/// Writes each file; `table()` and `picture()` return the text of either kind.
 template <class Table, class Picture>
 void write_outputs(const std::vector<std::string>& files, const Table& table, const Picture& picture) {
   for (const std::string& file : files) is_table(file) ? write_file(file, table()) : write_picture(file, picture());
@@ -34,7 +35,7 @@ struct PictureFlags {
   std::string svg, png;
   PictureStyle style{};
 
-  /// `draw(style)` makes the SVG text; it runs only when a picture is wanted.
+  /// Writes the pictures asked for. `draw(style)` returns the SVG text and runs only if a picture is wanted.
   template <class Draw>
   void write(const Draw& draw) const {
     if (svg.empty() && png.empty()) return;

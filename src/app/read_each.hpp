@@ -13,8 +13,8 @@
 
 namespace bankshot::app {
 
-/// What `read` makes of every line that it can read, without blank ones; the others are told on standard error, with
-/// file and line, and counted.
+/// Returns what `read` makes of each line, without blank lines. A line that cannot be read is reported on standard
+/// error, with file and line, and counted in `bad`.
 template <class Read>
 auto read_each(const std::string& file, const Read& read, long& bad) {
   std::vector<decltype(read(std::string()))> out;
@@ -32,7 +32,7 @@ auto read_each(const std::string& file, const Read& read, long& bad) {
   return out;
 }
 
-/// On standard error, where there were any.
+/// Reports on standard error how many lines were left out, if any were.
 inline void tell_left_out(long bad, std::size_t good) {
   if (bad > 0) std::cerr << fmt::format("bankshot: {} of {} lines were left out\n", bad, bad + static_cast<long>(good));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A table and a physics as words of the command line: a name each, or the JSON of an object.
+// A table and a physics on the command line: each is a name or a JSON object.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace bankshot::app {
 
-/// As JSON.
+/// Returns `text` as JSON: an object as it is, a name as a string.
 std::string as_json(const std::string& text);
 
-/// Throws FileError, which names the word: `table` and `physics`, with `dashes` before it.
+/// Reads the scene. Throws FileError, which names the option (`table` or `physics`) with `dashes` before it.
 Scene read_scene_flags(const std::string& table, const std::string& physics, std::string_view dashes = "");
 
 }  // namespace bankshot::app

@@ -13,18 +13,19 @@
 namespace bankshot {
 namespace {
 
-/// Dark, middle and light (on a dark page the other way round), so that they are told apart in print too.
+/// Returns the colour of an entry. The colours are dark, medium and light (reversed on a dark page), so that they
+/// differ in print, too.
 const char* fill(Entry entry, Theme theme) {
   constexpr const char* on_paper[] = {"none", "#ccd3da", "#e59a2f", "#1d6b4a"};
   constexpr const char* on_screen[] = {"none", "#39424c", "#b56f1d", "#8ff0c6"};
   return (theme == Theme::light ? on_paper : on_screen)[static_cast<int>(entry)];
 }
 
-/// One speed, in pixels.
+/// The window of one speed, in pixels.
 class Plot {
  public:
   Plot(const Acceptance& window, Theme theme) : w_(window), theme_(theme), c_(drawing::colours(theme)) {
-    // No more offsets than some line needs.
+    // The plot ends a little beyond the largest offset at which a line enters the pocket.
     for (int k = 0; k <= w_.widest; ++k)
       for (int degree = -w_.steepest; degree <= w_.steepest; ++degree)
         if (w_.at(degree, k) >= Entry::rattles || w_.at(degree, -k) >= Entry::rattles) highest_ = k;

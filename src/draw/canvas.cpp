@@ -11,11 +11,11 @@ namespace {
 
 // Pixels.
 constexpr double longer_side = 900;
-constexpr double margin = 26;  // above and below the rails, for names and numbers
+constexpr double margin = 26;  // space above and below the rails, for names and numbers
 constexpr double side_margin = 42;
-constexpr double bare_margin = 4;    // of a picture without words
-constexpr double least_width = 860;  // of the page: captions have room below a narrow table
-// A rail is 14 cm wide and its rubber 5 cm, but neither vanishes nor covers a picture.
+constexpr double bare_margin = 4;    // margin of a picture without words
+constexpr double least_width = 860;  // page width that leaves room for captions below a narrow table
+// A rail is 14 cm wide and its rubber 5 cm; the width in pixels is limited to keep the picture readable.
 constexpr double rail_metres = 0.14, least_rail = 38, most_rail = 64, nose_part = 0.36;
 
 }  // namespace
@@ -28,7 +28,7 @@ Canvas::Canvas(const Table& t, const PictureStyle& style)
   nose = nose_part * rail;
   sight = std::clamp(px(sight_distance(t)), nose + 5, rail - 6);
   double room = rail;
-  for (const Pocket& p : t.pockets) {  // whole pockets are seen, also where they reach beyond the rail
+  for (const Pocket& p : t.pockets) {  // leaves room for pockets that reach beyond the rail
     const double inside =
         std::max({std::min(p.at.x - low_.x, high_.x - p.at.x), std::min(p.at.y - low_.y, high_.y - p.at.y), 0.0});
     room = std::max(room, px(std::max(0.0, p.radius - inside)) + nose);
@@ -68,7 +68,7 @@ std::string Canvas::document(std::string_view title) const {
 }
 
 double width_of(std::string_view text, double size) {
-  constexpr double letter = 0.56;  // of its size, in the widest of the fonts named
+  constexpr double letter = 0.56;  // width over size, in the widest of the named fonts
   const auto letters = std::count_if(text.begin(), text.end(), [](char b) { return (b & 0xC0) != 0x80; });
   return letter * size * static_cast<double>(letters);
 }

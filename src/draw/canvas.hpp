@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A table in pixels: where a point in metres lies in the picture, and the elements that are put there, in order. The
-// page holds the table with its rails and a margin for marks, and grows downwards for what stands below.
+// The picture of a table in pixels. It converts metres to pixels and collects SVG elements in drawing order. The page
+// holds the table with its rails and a margin, and grows downwards for captions.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace bankshot::drawing {
 struct Words {
   double size = 15;  ///< px
   std::string_view colour;
-  const char* anchor = "start";  ///< or middle, end
+  const char* anchor = "start";  ///< "start", "middle" or "end"
   bool bold = false;
   double turned = 0;  ///< degrees, clockwise
 };
@@ -29,7 +29,7 @@ class Canvas {
 
   double px(double metres) const { return metres * scale_; }
   Vec2d at(const Vec2d& p) const { return {left_ + px(p.x - low_.x), top_ + px(high_.y - p.y)}; }
-  /// A direction on the table as one of the picture, whose y runs downwards.
+  /// Converts a direction on the table to one in the picture, whose y axis points down.
   static Vec2d flipped(const Vec2d& u) { return {u.x, -u.y}; }
 
   template <class... A>
@@ -37,16 +37,16 @@ class Canvas {
     body_ += fmt::format(f, std::forward<A>(args)...) + "\n";
   }
   void circle(const Vec2d& px_at, double radius_px, std::string_view style);
-  /// `tag`: polyline or polygon; the points in metres.
+  /// Adds a polyline or polygon, as `tag` says, through points in metres.
   void line(const std::vector<Vec2d>& points, std::string_view tag, std::string_view style);
   void words(const Vec2d& px_at, std::string_view text, const Words& w);
 
   const Table& table;
   const Colours& c;
-  double rail = 0, nose = 0;  ///< px, widths of the whole rail and of its cushion
-  double sight = 0;           ///< px, of the diamonds behind the nose line
-  double width = 0;           ///< px, of the page
-  double bottom = 0;          ///< px, how far down the page is filled
+  double rail = 0, nose = 0;  ///< px; widths of the whole rail and of its cushion
+  double sight = 0;           ///< px; distance of the diamonds behind the nose line
+  double width = 0;           ///< px; width of the page
+  double bottom = 0;          ///< px; height of the filled part of the page
 
   std::string document(std::string_view title) const;
 
@@ -56,7 +56,7 @@ class Canvas {
   std::string body_;
 };
 
-/// About as wide as a text is [px]: letters of a sans serif.
+/// Returns the approximate width of a text in a sans serif font [px].
 double width_of(std::string_view text, double size);
 
 }  // namespace bankshot::drawing

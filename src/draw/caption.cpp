@@ -11,7 +11,7 @@ namespace {
 // Pixels.
 constexpr double edge = 34, letter = 15, line = 23, title_letter = 19;
 
-/// Broken between words into lines of at most `width`.
+/// Breaks a text between words into lines of at most `width`.
 std::vector<std::string> broken(const std::string& text, double width) {
   std::vector<std::string> lines{""};
   for (std::size_t begin = 0; begin < text.size();) {
@@ -27,7 +27,7 @@ std::vector<std::string> broken(const std::string& text, double width) {
   return lines;
 }
 
-/// The ball as the player sees it over the cue: the circle of the miscue limit, and the tip.
+/// Draws the ball as the player sees it over the cue, with the circle of the miscue limit and the tip.
 void draw_inset(Canvas& c, const ShotRequest& shot, const Vec2d& middle, double radius) {
   const double R = shot.ball.body.radius;
   const Tip tip = tip_of(!carries_spin(shot.physics) ? LaunchSpin{.top = 1} : shot.spin, R);
@@ -38,7 +38,7 @@ void draw_inset(Canvas& c, const ShotRequest& shot, const Vec2d& middle, double 
   c.circle(middle, radius * miscue_limit,
            fmt::format(R"(fill="none" stroke="{}" stroke-width="1" stroke-dasharray="4 3")", thin));
   const Vec2d at = middle + Vec2d{tip.right, -tip.up} * (radius / R);
-  constexpr double tip_part = 0.115;  // of the ball's radius: what a tip of 13 mm touches it with
+  constexpr double tip_part = 0.115;  // contact radius of a 13 mm tip over the ball's radius
   c.circle(at, radius * tip_part, fmt::format(R"(fill="{}" stroke="#ffffff" stroke-width="1")", light.aim));
 }
 

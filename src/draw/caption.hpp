@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What stands below the table: a title, rows of words, a picture of the ball with the tip's place, legends.
+// Draws what appears below the table: a title, rows of text, a picture of the tip position on the ball, legends.
 #pragma once
 
 #include <span>
@@ -10,23 +10,23 @@
 
 namespace bankshot::drawing {
 
-/// `tip`: whose tip is shown beside the rows; none without.
+/// Draws a title and rows. If `tip` is given, its tip position is shown beside the rows.
 void draw_caption(Canvas& c, const std::string& title, std::span<const Row> rows, const ShotRequest* tip = nullptr);
 
 struct Swatch {
   std::string label, colour;
 };
 
-/// One line after another, as many entries in each as fit.
+/// Draws the entries line by line, as many per line as fit.
 void draw_legend(Canvas& c, std::span<const Swatch> entries);
 
 struct Entry {
-  int number;  ///< on the disc, in the path's colour
+  int number;  ///< number on a disc in the path's colour
   std::string_view colour;
   std::string words;
 };
 
-/// In two columns, down the first and then the second.
+/// Draws the entries in two columns, first down the left one.
 void draw_list(Canvas& c, const std::string& title, std::span<const Entry> entries);
 
 }  // namespace bankshot::drawing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The colours of both themes. On paper a pale cloth carries dark lines, as coaching books print them; on a dark screen
-// a dark cloth carries light ones. The eight paths are told apart also by most who see fewer colours.
+// The colours of both themes. On paper, dark lines lie on a pale cloth, as in coaching books; on a dark screen, light
+// lines lie on a dark cloth. Most colour-blind readers can distinguish the eight path colours.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct Colours {
   const char *wood, *wood_words, *sight, *leather, *cushion, *cushion_words, *cloth, *hole;
   const char *band, *aim, *target, *halo, *ball, *ball_edge;
   std::array<const char*, 8> paths;
-  std::array<const char*, 8> pool;  ///< of the balls 1 to 8; 9 to 15 have stripes of 1 to 7
+  std::array<const char*, 8> pool;  ///< balls 1 to 8; balls 9 to 15 have stripes in the colours 1 to 7
 };
 
 inline constexpr Colours light{

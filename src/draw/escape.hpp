@@ -5,7 +5,7 @@
 
 namespace bankshot {
 
-/// Text that may stand between two tags.
+/// Escapes a text for use between two tags.
 inline std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {

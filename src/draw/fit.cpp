@@ -31,7 +31,7 @@ ShotRequest played(const Recording& recording, const FittedShot& shot, const Phy
   return out;
 }
 
-/// A length of a scale that has a few even parts.
+/// Rounds up to 1, 2 or 5 times a power of ten, for the length of a scale.
 double rounded_up(double x) {
   const double power = std::pow(10, std::floor(std::log10(x)));
   for (const double step : {1.0, 2.0, 5.0})
@@ -39,7 +39,7 @@ double rounded_up(double x) {
   return 10 * power;
 }
 
-/// Distances over time, below the table. What lies beyond the scale stands at its end.
+/// Draws the distances over time below the table. Values beyond the scale are drawn at its end.
 void draw_distances(Canvas& c, const Recording& recording, const FittedShot& shot, const Trajectory& path) {
   constexpr double height = 150, gap = 26, letters = 15;
   const double left = c.at(c.table.lowest()).x, right = c.at(c.table.highest()).x;
@@ -102,7 +102,7 @@ Plate plate(const Recording& recording, const FittedShot& shot, const Physics& p
   return out;
 }
 
-/// A line each: name, value, error; what was held, grey.
+/// Lists the coefficients, one per line with value and error; held ones are grey.
 Plate coefficients(const Fit& fit, const PictureStyle& style) {
   constexpr double letters = 26, line = 40, width = 1000, values = 620;
   const Colours& c = colours(style.theme);

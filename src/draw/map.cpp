@@ -14,7 +14,7 @@
 namespace bankshot {
 namespace {
 
-/// Of the colour map viridis (Smith and van der Walt, 2015, CC0): its lightness rises evenly, so that it
+/// Nine colours of the map viridis (Smith and van der Walt, 2015, CC0). Its lightness rises evenly, so that it
 /// reads the same to colour-blind people and in print.
 constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84},
                                                         {71, 44, 122},
@@ -26,10 +26,10 @@ constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84},
                                                         {170, 220, 50},
                                                         {253, 231, 37}}};
 
-/// Above this part a dark line is seen better on it than a white one.
+/// Above this value, a dark arrow is more visible on the colour than a white one.
 constexpr double light = 0.55;
 
-/// Between two of its colours in a straight line; `part` from 0 to 1.
+/// Interpolates linearly between the colours; `part` is from 0 to 1.
 std::string colour(double part) {
   const double x = std::clamp(part, 0.0, 1.0) * (viridis.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(x), viridis.size() - 2);
@@ -44,7 +44,7 @@ const Shot* shot_from(const StartMap& m, std::size_t i) {
   return m.starts[i] == Start::legal && !m.answers[i].shots.empty() ? &m.answers[i].shots.front() : nullptr;
 }
 
-/// One table; `part` of a shot picks its colour.
+/// Draws one table; `part` maps a shot to its place on the colour scale.
 template <class Part>
 std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> legend, const std::string& title,
                  Theme theme, Part&& part) {
@@ -68,7 +68,7 @@ std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> le
   return draw(p, cells, legend, title, {.theme = theme});
 }
 
-/// A narrow triangle that points along the aim.
+/// Draws a narrow triangle that points along the aim.
 void draw_arrow(drawing::Canvas& c, const Cell& cell) {
   const Vec2d size = cell.high - cell.low, middle = c.at(cell.low + size / 2.0);
   const double half = 0.38 * c.px(std::min(size.x, size.y));
@@ -86,7 +86,7 @@ std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<co
                  const std::string& title, const PictureStyle& style) {
   drawing::Canvas c(puzzle.table, style);
   drawing::draw_table(c, style.words);
-  constexpr double seam = 0.5;  // px more than its size: no cloth shines through between two cells
+  constexpr double seam = 0.5;  // px; cells overlap by this, so that no cloth shows between them
   c.add(R"(<g shape-rendering="crispEdges">)");
   for (const Cell& cell : cells) {
     const Vec2d a = c.at({cell.low.x, cell.high.y}), b = c.at({cell.high.x, cell.low.y});
@@ -116,7 +116,7 @@ std::string draw(const Puzzle& p, const StartMap& m, Theme theme) {
   for (int i = 0; i <= 4; ++i) {
     const double part = i / 4.0;
     chance.push_back({fmt::format("{:.0f} %", 100 * part), colour(part)});
-    // Slow is light: both maps are light where a player would like to be. Evenly in ln speed.
+    // Slow is light, so that both maps are light at good starts. The scale is even in ln speed.
     if (i == 0 ? fastest > 0 : fastest > slowest)
       speed.push_back({fmt::format("{:.3g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
   }

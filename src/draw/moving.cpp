@@ -11,17 +11,17 @@
 namespace bankshot::drawing {
 namespace {
 
-constexpr double pause = 1;        // s, at the end
-constexpr double seen = 0.3;       // px: nobody sees a ball so little off
-constexpr double ideal_lasts = 8;  // s, of balls that never rest
+constexpr double pause = 1;        // s; at the end
+constexpr double seen = 0.3;       // px; smaller displacements are not visible
+constexpr double ideal_lasts = 8;  // s; in ideal physics, where balls never rest
 
 struct Seen {
   double time;
   Vec2d at;  ///< px
 };
 
-/// Those between the ends that linear motion between their neighbours does not come near enough to (Ramer, 1972, with
-/// the distance at the same time).
+/// Keeps the points between the ends that linear motion between kept points would miss visibly (Ramer, 1972, with the
+/// distance taken at equal times).
 void keep_needed(const std::vector<Seen>& all, std::size_t first, std::size_t last, std::vector<Seen>& out) {
   double worst = seen;
   std::size_t far = last;
@@ -59,7 +59,7 @@ std::vector<Moving> moving(const Canvas& c, const ShotRequest& r, const Trajecto
   return balls;
 }
 
-/// Attributes of an animation over `lasts` seconds.
+/// Returns the attributes of an animation over `lasts` seconds.
 std::string over(double lasts) { return fmt::format(R"(dur="{:.2f}s" repeatCount="indefinite")", lasts); }
 
 void draw_at_start(Canvas& c, const ShotRequest& r, int ball, double opacity = 1) {

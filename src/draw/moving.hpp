@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Balls that move in the picture.
+// Animates balls in the picture.
 #pragma once
 
 #include "bankshot/simulate/trajectory.hpp"
@@ -8,8 +8,8 @@
 
 namespace bankshot::drawing {
 
-/// All balls of a shot, until all rest, in real time and over and over; where nothing moves, as on paper, they stand
-/// where they begin.
+/// Draws all balls of a shot, moving in real time until all rest, and then again. Without animation, as on paper, they
+/// are at their start positions.
 void draw_moving(Canvas& c, const ShotRequest& request);
 
 }  // namespace bankshot::drawing

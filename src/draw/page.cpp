@@ -12,7 +12,7 @@
 namespace bankshot {
 namespace {
 
-/// A picture's own svg element, placed and sized; its title stays as a tooltip.
+/// Returns a picture's svg element, placed and sized. Its title stays as a tooltip.
 std::string placed(const std::string& svg, double x, double y, double width, double height) {
   const std::string box_key = "viewBox=\"";
   const auto box = svg.find(box_key), end = svg.find('"', box + box_key.size()), body = svg.find('>') + 1;
@@ -20,7 +20,7 @@ std::string placed(const std::string& svg, double x, double y, double width, dou
                      y, width, height, svg.substr(box, end + 1 - box), svg.substr(body));
 }
 
-/// Height over width of a picture, from its viewBox.
+/// Returns height over width of a picture, from its viewBox.
 double ratio_of(const std::string& svg) {
   double x = 0, y = 0, width = 1, height = 1;
   std::istringstream(svg.substr(svg.find("viewBox=\"") + 9)) >> x >> y >> width >> height;
@@ -91,7 +91,7 @@ class Page {
 
   const PageStyle& style_;
   double gap_, margin_, width_;
-  double y_;  ///< px, how far the page is filled
+  double y_;  ///< px; height of the filled part of the page
   const drawing::Colours& c_;
   std::string body_;
 };

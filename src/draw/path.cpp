@@ -12,7 +12,7 @@
 namespace bankshot::drawing {
 namespace {
 
-/// Points along one arc: its ends, and points between where it bends.
+/// Returns points along one arc: its ends and, if it is curved, points between.
 std::vector<Vec2d> outline(const Leg& leg, int pieces) {
   if (!(std::abs(cross(leg.arc.velocity, leg.arc.acceleration)) > 1e-12)) pieces = 1;
   std::vector<Vec2d> points;
@@ -20,7 +20,7 @@ std::vector<Vec2d> outline(const Leg& leg, int pieces) {
   return points;
 }
 
-/// The path from one bounce to the next, each a row of points.
+/// Splits the path at bounces and hits; each stretch is a list of points.
 std::vector<std::vector<Vec2d>> stretches(const Trajectory& t) {
   constexpr int pieces = 24;
   std::vector<std::vector<Vec2d>> out{{t.events.front().state.at}};
@@ -36,9 +36,9 @@ std::vector<std::vector<Vec2d>> stretches(const Trajectory& t) {
   return out;
 }
 
-/// A filled head whose tip is past the middle of a stretch, where there is room for one.
+/// Draws a filled arrowhead whose tip is past the middle of a stretch, if there is room.
 void draw_head(Canvas& c, const std::vector<Vec2d>& stretch, const PathStyle& style) {
-  constexpr double place = 0.58, least_length = 11;  // part of the stretch; px
+  constexpr double place = 0.58, least_length = 11;  // fraction of the stretch; px
   const double length = std::max(least_length, 5 * style.width), half_width = 0.36 * length, least = 3.5 * length;
   double all = 0;
   for (std::size_t i = 1; i < stretch.size(); ++i) all += norm(stretch[i] - stretch[i - 1]);
@@ -58,13 +58,13 @@ void draw_head(Canvas& c, const std::vector<Vec2d>& stretch, const PathStyle& st
   }
 }
 
-/// Where a number stands that belongs to a bounce: on the rubber that the ball meets.
+/// Returns the position of a bounce's number: on the rubber that the ball meets.
 Vec2d on_cushion(const Canvas& c, const Boundary& b, const Record& bounce) {
   const Vec2d out = Canvas::flipped(-b.normal(bounce.contact, bounce.state.at));
   return c.at(bounce.state.at) + out * (c.px(b.body.radius) + c.nose / 2);
 }
 
-/// Labels on cushions that would cover each other are moved along it.
+/// Moves a label along its cushion until it covers no other label.
 Vec2d apart(Vec2d at, std::vector<Vec2d>& taken, const Vec2d& along, double room) {
   const auto covers = [&](const Vec2d& other) { return norm(other - at) < room; };
   while (norm(along) > 0 && std::any_of(taken.begin(), taken.end(), covers)) at += along * (room / 2);
@@ -137,7 +137,7 @@ void draw_band(Canvas& c, const Puzzle& p, const Shot& shot) {
   if (!shot.margin || !shot.margin->angle[0] || !shot.margin->angle[1]) return;
   const double low = *shot.margin->angle[0], high = *shot.margin->angle[1];
   constexpr int strips = 8, pieces = 8;
-  // Opaque inside a group that is not: where strips overlap or meet nothing is seen of it.
+  // The strips are opaque inside a translucent group, so that overlaps and seams are not visible.
   c.add(R"(<g opacity="0.2" fill="{0}" stroke="{0}" stroke-width="0.6">)", c.c.band);
   std::vector<Leg> before;
   for (int i = 0; i <= strips; ++i) {
@@ -160,7 +160,7 @@ void draw_aim(Canvas& c, const Vec2d& from, const Sight& aim) {
   const Vec2d a = t.vertices[i], b = t.vertices[(i + 1) % t.vertices.size()];
   const Vec2d out = Canvas::flipped(-perpendicular(b - a) / norm(b - a));
   const Vec2d begin = c.at(from), u = (c.at(aim.at) - begin) / norm(c.at(aim.at) - begin);
-  // Diamonds are drawn elsewhere where their true place would be hidden.
+  // Diamonds are drawn at another distance if their true place would be hidden.
   const double shifted = t.is_rectangle() ? (c.sight - c.px(sight_distance(t))) / dot(u, out) : 0;
   const Vec2d end = c.at(aim.at) + u * shifted;
   c.add(
@@ -174,7 +174,7 @@ void draw_aim(Canvas& c, const Vec2d& from, const Sight& aim) {
 
 namespace {
 
-/// 1 to 15, or 0.
+/// Returns the number of a pool ball, 1 to 15, or 0.
 int number_of(const Ball& ball) {
   int number = 0;
   const char* const end = ball.id.data() + ball.id.size();
@@ -182,7 +182,7 @@ int number_of(const Ball& ball) {
   return error == std::errc() && rest == end && number >= 1 && number <= 15 ? number : 0;
 }
 
-/// Of carom balls, which are called by it.
+/// Returns the colour of a carom ball, whose name is its colour.
 std::optional<std::string_view> named_colour(const Canvas& c, std::string_view id) {
   if (id == "yellow") return c.c.pool[0];
   if (id == "red") return c.c.pool[2];
@@ -206,7 +206,7 @@ void draw_other(Canvas& c, const Ball& ball, const Vec2d& at, double opacity) {
   c.circle(centre, radius,
            fmt::format(R"(fill="{}" stroke="{}" stroke-width="1")", striped ? "#ffffff" : colour_of(c, ball),
                        c.c.ball_edge));
-  if (striped)  // a band of the colour, as wide as the ball
+  if (striped)  // a coloured band across the ball
     c.add(
         R"(<path d="M{0:.1f} {1:.1f}A{2:.1f} {2:.1f} 0 0 1 {3:.1f} {1:.1f}L{3:.1f} {4:.1f}A{2:.1f} {2:.1f} 0 0 1 {0:.1f} {4:.1f}z" fill="{5}"/>)",
         centre.x - 0.83 * radius, centre.y - 0.55 * radius, radius, centre.x + 0.83 * radius, centre.y + 0.55 * radius,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What moves on the table: paths with arrowheads and a dot at equal times, the balls at bounces with their numbers, the
-// margin as a band, the line of aim as far as the diamond.
+// Draws moving things on the table: paths with arrowheads and dots at equal times, the balls at bounces with their
+// numbers, the margin as a band, and the line of aim as far as the diamond.
 #pragma once
 
 #include "answer/sights.hpp"
@@ -16,34 +16,34 @@ struct PathStyle {
   double width = 2.6;
   double opacity = 1;
   bool dashed = false;
-  bool ghosts = true;   ///< balls at bounces
-  bool numbers = true;  ///< of the bounces, on the cushions
+  bool ghosts = true;   ///< draw the ball at each bounce
+  bool numbers = true;  ///< number the bounces, on the cushions
 };
 
 void draw_path(Canvas& c, const Ball& ball, const Trajectory& t, const PathStyle& style);
 
-/// Seconds between two dots: half of one, or as many as keep them apart.
+/// Returns the seconds between two dots: 0.5, doubled until there are at most 40 dots.
 double dot_step(const Trajectory& t);
 void draw_dots(Canvas& c, const ShotRequest& shot, const Trajectory& t, std::string_view colour);
 
-/// A number in a disc on the cushion that a path meets first, or on the path where it meets none.
+/// Draws a number in a disc on the first cushion of a path, or on the path if it meets none.
 void draw_tag(Canvas& c, const Ball& ball, const Trajectory& t, int number, std::string_view colour);
 
-/// All aims of the margin as one band, leg by leg between the outermost paths.
+/// Draws all aims of the margin as one band, leg by leg between the outermost paths.
 void draw_band(Canvas& c, const Puzzle& puzzle, const Shot& shot);
 
-/// From the ball to the diamond, or to the nose where a table has none.
+/// Draws the line of aim from the ball to the diamond, or to the nose line if the table has no diamonds.
 void draw_aim(Canvas& c, const Vec2d& from, const Sight& aim);
 
-/// Another ball, with its name: in the colours of pool where that is a number from 1 to 15.
+/// Draws another ball with its name. If the name is a number from 1 to 15, the ball has the colours of pool.
 void draw_other(Canvas& c, const Ball& ball, const Vec2d& at, double opacity = 1);
-/// The colour of its path.
+/// Returns the colour of the ball and its path.
 std::string_view colour_of(const Canvas& c, const Ball& ball);
 
-/// `edge`: its outline, the theme's where empty.
+/// Draws the cue ball. `edge` is the colour of its outline; empty means the theme's.
 void draw_ball(Canvas& c, const Ball& ball, const Vec2d& at, double opacity = 1, std::string_view edge = {});
 
-/// Where the cue ball ends: a ball with a ring round it where it stops, a cross where it falls.
+/// Draws the end of the cue ball's path: a ball with a ring if it stops there, a cross if it falls.
 void draw_stop(Canvas& c, const Ball& ball, const Vec2d& at, bool stops);
 
 }  // namespace bankshot::drawing

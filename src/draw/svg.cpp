@@ -18,10 +18,10 @@ using namespace drawing;
 
 constexpr std::size_t most_listed = 16;
 
-/// Pictures without words are shown small, so their lines are wider.
+/// Returns the line width. Pictures without words are shown small, so their lines are wider.
 double line_width(const PictureStyle& style) { return style.words ? 2.6 : 5; }
 
-/// Rows that a picture has room for.
+/// Returns the rows that fit into a picture.
 std::vector<Row> caption_rows(std::vector<Row> all, const Trajectory& t) {
   std::erase_if(all, [](const Row& r) {
     return r.what.empty() || r.what == "cushions" || r.what == "margin" || r.what == "note" || r.what == "ghost";
@@ -30,18 +30,18 @@ std::vector<Row> caption_rows(std::vector<Row> all, const Trajectory& t) {
   return all;
 }
 
-/// The balls before the shot.
+/// Draws the balls before the shot.
 void draw_standing(Canvas& c, const Puzzle& p) {
   for (const Ball& other : p.others) draw_other(c, other, other.at);
   draw_ball(c, p.ball, p.ball.at);
 }
 
-/// The same, or on their way.
+/// Draws the balls before the shot, or moving if the style asks for it.
 void draw_balls(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
   style.moving ? draw_moving(c, as_request(p, shot)) : draw_standing(c, p);
 }
 
-/// The balls that are sent on, and their paths up to where each sends the next: that of the last.
+/// Draws the object balls and their paths up to where each hits the next. Returns the path of the last.
 Trajectory draw_sent(Canvas& c, const ShotRequest& r, const Trajectory& all, const Shot& shot,
                      const PictureStyle& style) {
   Trajectory t;
@@ -54,7 +54,7 @@ Trajectory draw_sent(Canvas& c, const ShotRequest& r, const Trajectory& all, con
   return t;
 }
 
-/// The way of the cue ball up to where it stops or falls, dashed, and a mark there.
+/// Draws the cue ball's path to where it stops or falls, dashed, with a symbol at its end.
 void draw_leave(Canvas& c, ShotRequest request, const Shot& shot, const PictureStyle& style) {
   if (!shot.cue_rests && !(shot.scratch_pocket && !is_ideal(request.physics))) return;
   request.until = {};
@@ -93,7 +93,7 @@ std::string listed(const Puzzle& p, const Shot& s) {
                      s.launch.speed, s.success ? ", success " + success_words(s) : "");
 }
 
-/// The best in front, those that are not listed faintly behind.
+/// Draws several shots: the best in front, unlisted ones faint behind.
 void draw_all(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& style) {
   draw_table(c, style.words);
   draw_target(c, p);
@@ -120,7 +120,7 @@ void draw_all(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& s
             list);
 }
 
-/// The question, and the closest miss where there is one.
+/// Draws the puzzle, and the nearest miss if there is one.
 void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& style) {
   draw_table(c, style.words);
   draw_target(c, p);
@@ -138,7 +138,7 @@ void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& 
   draw_caption(c, a.nearest ? "No shot; dashed is the nearest miss" : "No shot", rows);
 }
 
-/// How the cue ball's own path ends.
+/// Says how the cue ball's own path ends.
 std::string ending(const Trajectory& t, const Table& table) {
   const Record& end = t.events.back();
   const std::string after = fmt::format(" after {:.2f} s and {:.2f} m", end.time, t.length);
@@ -147,7 +147,7 @@ std::string ending(const Trajectory& t, const Table& table) {
   return (t.end == EventKind::rest ? "at rest" : "stopped") + after;
 }
 
-/// Which other balls fall, and where.
+/// Says which other balls fall, and where.
 std::string fallen(const ShotRequest& r, const Trajectory& t) {
   std::string out;
   for (const Record& e : t.events)
@@ -157,7 +157,7 @@ std::string fallen(const ShotRequest& r, const Trajectory& t) {
   return out;
 }
 
-/// The other balls where they stand, and faintly where they go.
+/// Draws the other balls at their start positions, and faintly at their ends.
 void draw_others(Canvas& c, const ShotRequest& r, const Trajectory& t, const PictureStyle& style) {
   for (int ball = 1; ball <= static_cast<int>(r.others.size()); ++ball) {
     const Ball& other = ball_of(r, ball);
@@ -221,7 +221,7 @@ std::string draw(const Puzzle& puzzle, const Answer& answer, const PictureStyle&
     draw_one(c, puzzle, answer.shots.front(), style);
   else
     draw_all(c, puzzle, answer, style);
-  // The picture of a question has no answer to tell.
+  // A picture of the puzzle alone has an empty answer.
   return c.document(answer.message.empty() ? "The question: " + target_words(puzzle)
                                            : fmt::format("{}: {}", name(answer.status), answer.message));
 }

@@ -11,9 +11,9 @@
 namespace bankshot::drawing {
 namespace {
 
-/// Cushion `i`, from the left or from the bottom on a rectangle.
+/// One cushion; on a rectangle it runs from the left or from the bottom.
 struct Edge {
-  Vec2d from, to, out;  ///< out: unit, away from the table
+  Vec2d from, to, out;  ///< `out`: unit vector away from the table
   Vec2d at(double part) const { return from + (to - from) * part; }
 };
 
@@ -25,15 +25,15 @@ Edge edge(const Table& t, std::size_t i) {
 
 double radius_px(const Canvas& c, const Pocket& p) { return std::max(c.px(p.radius), 3.0); }
 
-/// A pocket's hole, or with `grow` the leather round it: from the capture circle outwards into the rail, where jaws do
-/// not put it there already.
+/// Draws a pocket's hole, or with `grow` the leather around it. Without jaws the hole extends from the capture circle
+/// into the rail; with jaws the circle already lies there.
 void draw_hole(Canvas& c, const Pocket& p, double grow, const char* colour) {
   const Vec2d from = c.at(p.at), way = Canvas::flipped(view(c.table, p).out) * (p.jaws ? 0 : 0.75 * c.nose);
   c.add(R"(<path d="M{:.1f} {:.1f}l{:.1f} {:.1f}" stroke="{}" stroke-width="{:.1f}" stroke-linecap="round"/>)", from.x,
         from.y, way.x, way.y + 0.01, colour, 2 * (radius_px(c, p) + grow));
 }
 
-/// The cloth between the jaws of a pocket: along a tip and a facing into the hole, and out again.
+/// Draws the cloth between the jaws of a pocket: along a tip and a facing into the hole, and out again.
 void draw_mouth(Canvas& c, const JawPieces& j) {
   std::string path;
   const auto arc = [&](const Bend& tip) { return fmt::format("A{0:.2f} {0:.2f} 0 0 1 ", c.px(tip.radius)); };
@@ -51,17 +51,17 @@ bool under_pocket(const Canvas& c, const Vec2d& at) {
 
 double turned_along(const Edge& e) {
   const double turn = -degrees(std::atan2(e.to.y - e.from.y, e.to.x - e.from.x));
-  constexpr double upright = 89.5;  // such rails are read upwards, all of them
+  constexpr double upright = 89.5;  // degrees; names of vertical rails always read upwards
   return turn > upright ? turn - 180 : turn < -upright - 1 ? turn + 180 : turn;
 }
 
-/// On the wood, between two diamonds where there are any, and not where the line of aim crosses it.
+/// Draws a cushion's name on the wood, between two diamonds if there are any, and away from the line of aim.
 void draw_name(Canvas& c, std::size_t i, const std::optional<Sight>& aim) {
   const Edge e = edge(c.table, i);
   const int spaces = c.table.is_rectangle() ? diamonds_along(c.table, static_cast<int>(i)) : 1;
   double part = spaces == 1 ? 0.5 : (spaces / 2 + 0.5) / spaces;
   if (aim && aim->cushion == static_cast<int>(i) && std::abs(aim->part - part) < 0.6 / spaces) part = 1 - part;
-  constexpr double size = 13, down = 0.35;  // of the size: from the middle of the letters to their line
+  constexpr double size = 13, down = 0.35;  // relative to the size: middle of the letters to the baseline
   const std::string& name = c.table.cushions[i];
   if (width_of(name, size) > c.px(norm(e.to - e.from)) / spaces) return;
   const double turn = turned_along(e);
@@ -87,10 +87,10 @@ void draw_diamonds(Canvas& c, std::size_t i, bool words, const std::optional<Sig
   c.add(R"(<path d="{}" fill="{}"/>)", shapes, c.c.sight);
 }
 
-/// Gives way to the number where the line of aim ends.
+/// Draws a pocket's name unless the number at the end of the line of aim is near.
 void draw_pocket_name(Canvas& c, const Pocket& p, const std::optional<Sight>& aim) {
   const Vec2d out = Canvas::flipped(view(c.table, p).out);
-  constexpr double room = 70;  // px, of the two
+  constexpr double room = 70;  // px; space for name and number
   if (norm(out) == 0 || (aim && c.px(norm(aim->at - p.place())) < room)) return;
   const bool corner = out.x != 0 && out.y != 0;
   const Vec2d at = c.at(p.place()) + (corner ? Vec2d{out.x > 0 ? c.rail : -c.rail, 0} : Vec2d{}) +
@@ -142,7 +142,7 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
       ring(at, std::max(c.px(mark.reach), 4.0) + 2, 3);
       continue;
     }
-    // What counts as there, as wide as it is, and a ring that is seen however narrow that is.
+    // The disc shows the true size of the target; the ring around it is visible for any size.
     const double reach = c.px(mark.reach);
     c.circle(at, reach, fmt::format(R"(fill="{0}" fill-opacity="0.3" stroke="{0}")", c.c.target));
     ring(at, std::max(reach, c.px(p.ball.body.radius)) + 5, 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The empty table: rails, cushions, cloth, pockets cut into the rails, diamonds with their numbers, names; and what a
-// puzzle asks for on it.
+// Draws the empty table (rails, cushions, cloth, pockets cut into the rails, diamonds with their numbers, names) and
+// the target of a puzzle on it.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,18 @@
 
 namespace bankshot::drawing {
 
-/// `words`: names and numbers. The number of a diamond gives way to that of the line of aim next to it.
+/// Draws the table, with `words` also names and numbers. The number of a diamond is left out if the number of the line
+/// of aim is next to it.
 void draw_table(Canvas& c, bool words, const std::optional<Sight>& aim = {});
 
-/// Once more, over whatever covers them.
+/// Draws the holes again, over elements that cover them.
 void draw_holes(Canvas& c);
 
-/// Of several pockets only `reached`, where one was.
+/// Draws the target. If `reached` is given, the other pockets are not marked.
 void draw_target(Canvas& c, const Puzzle& puzzle, const Pocket* reached = nullptr);
 
-/// Of the pocket that a shot falls into: the lines beside its own that lead straight in, as a bar across the mouth.
-/// `heading`: as it arrives.
+/// Draws the gap of the pocket that a shot falls into, as a bar across the mouth. `heading` is the ball's velocity at
+/// arrival.
 void draw_opening(Canvas& c, const Puzzle& puzzle, const Shot& shot, const Vec2d& heading);
 
 }  // namespace bankshot::drawing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The objects of an answer, key by key (format/key.hpp says how a row is read). What always stands there is `required`.
+// The objects of an answer, key by key (format/key.hpp explains the rows). A key that is always present is `required`.
 #pragma once
 
 #include "format/key.hpp"

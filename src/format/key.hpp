@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of keys: what may stand in an object of a file. The readers ask it which keys are known and which numbers
-// are allowed, `bankshot schema` prints it as a JSON Schema, and docs/format.md shows it. One row a key:
+// The table of keys that objects of a file may hold. The readers use it to check keys and bounds of numbers, `bankshot
+// schema` prints it as a JSON Schema, and docs/format.md shows it. It has one row per key:
 //   {"radius", "number", "m", "the preset's ball", "0.03", "half its diameter", at_least(0)}
-// A type is a word or several with " | " between them, any of which will do:
+// A type is a word, or several alternatives separated by " | ":
 // clang-format off
 //   any null boolean string       as in JSON
 //   number whole                  within the bounds of the key
 //   pair                          [a, b] within the bounds
 //   range                         a number or a pair, low end first
 //   sides                         a pair that may hold null
-//   point place vector            [x, y]; [t, x, y]; [x, y, z]
+//   point place                   [x, y]; [t, x, y]
 //   word                          one of the key's words
 //   never                         nothing but `false`
 //   [T] {name} <T>                a list of T; an object of that name; T of each of several, by name
-//   later                         of the format, and not supported yet
+//   later                         part of the format, but not supported yet
 // clang-format on
 #pragma once
 
@@ -24,7 +24,7 @@
 
 namespace bankshot::format {
 
-/// Numbers from `low` to `high`, without `low` itself where it is `open`.
+/// Numbers from `low` to `high`; if `open`, `low` itself is excluded.
 struct Bounds {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool open = false;
@@ -34,7 +34,7 @@ constexpr Bounds at_least(double low) { return {.low = low}; }
 constexpr Bounds between(double low, double high) { return {low, high}; }
 inline constexpr Bounds positive{.low = 0, .open = true};
 
-/// The default of a key that must stand there.
+/// The default of a key that must be present.
 inline constexpr std::string_view required = "required";
 /// The type of a key that is not supported yet.
 inline constexpr std::string_view later = "later";
@@ -42,7 +42,7 @@ inline constexpr std::string_view later = "later";
 struct Key {
   std::string_view name, type;
   std::string_view unit{};
-  std::string_view fallback{};  ///< what holds where the key is missing: JSON, words or `required`
+  std::string_view fallback{};  ///< meaning of a missing key: JSON, words or `required`
   std::string_view example{};   ///< JSON
   std::string_view meaning{};
   Bounds bounds{};
@@ -52,9 +52,9 @@ struct Key {
 struct Object {
   std::string_view name, meaning;
   std::span<const Key> keys;
-  std::span<const Key> unread{};  ///< keys that may stand there too, and are not read
+  std::span<const Key> unread{};  ///< keys that are allowed but not read
 
-  /// The row of a key; a name that is not there does not compile.
+  /// Returns the row of a key; an unknown name does not compile.
   consteval const Key& operator[](std::string_view wanted) const {
     for (const Key& key : keys)
       if (key.name == wanted) return key;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every object of the format, found by its name.
+// Finds the objects of the format by name.
 #pragma once
 
 #include <string_view>
@@ -10,10 +10,10 @@
 
 namespace bankshot::format {
 
-/// The types that a key may have, one by one.
+/// Splits a type into its alternatives.
 std::vector<std::string_view> alternatives(std::string_view type);
 
-/// A document and all that may stand in it, each once, in the order in which one meets them.
+/// Returns a document and all objects that it may contain, each once, in the order of their first use.
 std::vector<const Object*> objects_of(std::string_view document);
 
 }  // namespace bankshot::format

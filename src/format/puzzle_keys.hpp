@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The objects of a puzzle, key by key (format/key.hpp says how a row is read).
+// The objects of a puzzle, key by key (format/key.hpp explains the rows).
 #pragma once
 
 #include <algorithm>
@@ -136,7 +136,8 @@ inline constexpr Key scene_keys[] = {
     {"settle", "boolean", "", "false", "true",
      "first move balls apart that overlap by up to 1e-4 m, the cue ball too; the answer says by how much"},
 };
-/// Those, then the document's own. Without std::ranges::copy, which libc++ 14, that of the engine, does not have.
+/// Returns the keys of the scene followed by the document's own. It avoids std::ranges::copy, which libc++ 14 of the
+/// WebAssembly engine lacks.
 template <std::size_t N>
 constexpr auto with_scene_keys(const Key (&own)[N]) {
   std::array<Key, std::size(scene_keys) + N> out{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The objects of a recording for `fit`, key by key (format/key.hpp says how a row is read).
+// The objects of a recording for `fit`, key by key (format/key.hpp explains the rows).
 #pragma once
 
 #include "format/shot_keys.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The objects that say where a ball is played and by which laws, key by key (format/key.hpp says how a row is read).
+// The objects of a scene (table, physics, balls), key by key (format/key.hpp explains the rows).
 #pragma once
 
 #include "format/key.hpp"

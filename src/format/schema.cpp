@@ -33,7 +33,7 @@ Json any_of(std::vector<Json> all) {
   return {{"anyOf", std::move(all)}};
 }
 
-/// One alternative of a type.
+/// Returns the schema of one alternative of a type.
 Json one_of(const Key& key, std::string_view type) {
   Json number = numbers(key.bounds, "number"), free{{"type", "number"}};
   if (type.starts_with('[')) return {{"type", "array"}, {"items", one_of(key, type.substr(1, type.size() - 2))}};
@@ -80,7 +80,7 @@ Json definition(const Object& object) {
   return j;
 }
 
-/// A type in words, its objects as links.
+/// Describes a type in words, with links to objects.
 std::string in_words(const Key& key, std::string_view type) {
   const std::string inner(type.substr(std::min<std::size_t>(type.size(), 1), type.size() - 2));
   if (type.starts_with('[')) return "list of " + in_words(key, inner) + (inner == "string" ? "s" : "");
@@ -115,7 +115,7 @@ std::string row(const Key& key) {
                      fallback, key.example, key.meaning);
 }
 
-/// The tables that have a name.
+/// Returns the Markdown table of the preset tables.
 std::string presets() {
   std::string out =
       "### tables\n\n| name | length × width, m | mouth of a corner, middle pocket, m | radius, m, and mass, kg, of "

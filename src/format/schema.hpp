@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The format of a file as a JSON Schema (draft 2020-12) and as tables for people, both made from the table of keys that
-// the readers ask. What a schema refuses, a reader refuses too; a reader also knows geometry, which no schema can say.
+// Prints the format of a file as a JSON Schema (draft 2020-12) and as Markdown tables. Both are made from the table of
+// keys that the readers use. A reader refuses everything that the schema refuses; it also checks geometry, which a
+// schema cannot express.
 #pragma once
 
 #include <span>
@@ -10,13 +11,14 @@
 
 namespace bankshot::format {
 
-/// "puzzle", "shot", "answer", "recording".
+/// Returns the names of the documents: "puzzle", "shot", "answer", "recording".
 std::span<const std::string_view> documents();
 
-/// `document` is one of documents().
+/// Returns the schema of `document`, which is one of documents().
 std::string schema(std::string_view document);
 
-/// A table in Markdown for each of its objects; those that a puzzle has too stand with the puzzle alone.
+/// Returns a Markdown table for each object of a document. Objects shared with the puzzle are listed with the puzzle
+/// only.
 std::string markdown(std::string_view document);
 
 }  // namespace bankshot::format

@@ -11,7 +11,7 @@
 namespace bankshot {
 namespace {
 
-/// m², which are compared without a root.
+/// Returns the squared distance from a point to a segment [m²]. Squares are compared to avoid a root.
 double square_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
   const Vec2d d = b - a;
   const double length2 = dot(d, d);
@@ -27,19 +27,19 @@ double distance_to_bend(const Vec2d& p, const Bend& b) {
   return std::min(norm(d - (along + across) * b.radius), norm(d - (along - across) * b.radius));
 }
 
-/// The edge from `b` to `a` lies to the right of p, at its height: a polygon has p inside when an odd
-/// number of edges do.
+/// Returns true if the edge from `b` to `a` passes to the right of p, at its height. A polygon contains p if an
+/// odd number of edges do.
 bool passes_right_of(const Vec2d& a, const Vec2d& b, const Vec2d& p) {
   return (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x;
 }
 
-/// Where a ball touches both cushions of a convex vertex.
+/// Returns the centre of a ball that touches both cushions of a convex vertex.
 Vec2d corner_of_centres(const Wall& a, const Wall& b) {
   const double det = cross(a.normal, b.normal);
   return {(a.offset * b.normal.y - b.offset * a.normal.y) / det, (b.offset * a.normal.x - a.offset * b.normal.x) / det};
 }
 
-/// A segment as the centre of a ball meets it.
+/// Returns a segment moved by the radius, as the centre of a ball meets it.
 Wall moved(const Segment& s, double radius) {
   const Vec2d along = (s.to - s.from) / norm(s.to - s.from), normal = perpendicular(along);
   return {.normal = normal,
@@ -52,10 +52,10 @@ Wall moved(const Segment& s, double radius) {
           .contact = s.contact};
 }
 
-/// A bend as the centre of a ball meets it. Its extent grows by half of what it lacks to a whole circle, 45° or
-/// more to either side: at the ends rounding must not decide between the bend and the wall that touches it there. No
-/// ball gets to what is added, for there its centre would be 0.7 R outside the table; one hardly larger than what
-/// counts as touching could, so the circle is whole for that.
+/// Returns a bend enlarged by the radius, as the centre of a ball meets it. Its arc grows to either side by half of
+/// what it lacks to a half circle, 45° or more: at the ends, rounding must not decide between the bend and the wall
+/// that touches it there. No ball reaches the added part, because its centre would be 0.7 R outside the table there.
+/// Only a ball hardly larger than the touching tolerance could, so for it the circle is whole.
 Circle moved(const Bend& b, double radius, double touch) {
   constexpr double hardly_larger = 16;
   Circle c{b.centre, b.radius + radius, b.contact, b.before, b.after};
@@ -86,9 +86,9 @@ Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> oth
       strictly_convex = false;
   }
   for (const Bend& b : there.bends) {
-    if (!(b.radius + radius > 0)) continue;  // two segments end there: a point has no side to meet
+    if (!(b.radius + radius > 0)) continue;  // two segments end there; a point ball needs no bend
     tips.push_back(moved(b, radius, touch));
-    if (b.contact.kind == ContactKind::vertex) unfolds_ = false;  // what else bends stands at a pocket's mouth
+    if (b.contact.kind == ContactKind::vertex) unfolds_ = false;  // other bends are at a pocket's mouth
   }
   for (std::size_t i = 0; i < table.pockets.size(); ++i) {
     const Pocket& p = table.pockets[i];
@@ -102,7 +102,7 @@ Boundary::Boundary(const Table& table, const Body& of, std::span<const Ball> oth
   }
 }
 
-/// The rails end at the tips of jaws, and what is inside goes on between them.
+/// Ends the rails at the tips of jaws and extends the inside of the table between the jaws.
 void Boundary::open(const Table& table, const std::vector<JawPieces>& jaw_pieces) {
   outline_ = outline(table, jaw_pieces);
   std::vector<Segment> pieces;
@@ -132,7 +132,7 @@ void Boundary::open(const Table& table, const std::vector<JawPieces>& jaw_pieces
     for (Breach& b : breaks) {
       add(b.begin);
       from = b.end;
-      // Beyond the end of a rail there is nothing to meet.
+      // Beyond the end of a rail there is no cushion.
       if (b.begin <= w.begin) b.begin = -std::numeric_limits<double>::infinity();
       if (b.end >= w.end) b.end = std::numeric_limits<double>::infinity();
     }
@@ -158,7 +158,7 @@ double Boundary::clearance(const Vec2d& at) const {
   bool inside = false;
   for (const Segment& s : segments_) square = std::min(square, square_to_segment(at, s.from, s.to));
   double nearest = std::sqrt(square);
-  for (const Bend& b : bends_)  // no part of it is nearer than its circle
+  for (const Bend& b : bends_)  // no part of a bend is nearer than its circle
     if (std::abs(norm(at - b.centre) - b.radius) < nearest) nearest = std::min(nearest, distance_to_bend(at, b));
   for (std::size_t i = 0, n = outline_.size(); i < n; ++i)
     inside = inside != passes_right_of(outline_[i + 1 < n ? i + 1 : 0], outline_[i], at);

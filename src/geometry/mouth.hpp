@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The mouth of a pocket with jaws, as it is drawn.
+// The outline of the mouth of a pocket with jaws, for pictures.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace bankshot {
 
-/// The cloth between two jaws: from a rail round its tip to the second point, along the facing, across, along the other
-/// facing, and round the other tip to the last point, on a rail.
+/// Returns the outline of the cloth between two jaws. It goes from a rail round a tip to the second point, along the
+/// facing, across, along the other facing, and round the other tip to the last point, on a rail.
 std::array<Vec2d, 6> mouth(const Table& table, const JawPieces& jaws);
 
 }  // namespace bankshot

@@ -12,9 +12,9 @@ namespace {
 
 Vec2d direction_of(const Segment& s) { return (s.to - s.from) / norm(s.to - s.from); }
 
-/// The corner between two segments along u and v, where the outline turns to the right.
+/// Returns the bend at the corner between two segments along u and v, where the outline turns right.
 Bend corner(const Segment& before, const Segment& after, const Vec2d& u, const Vec2d& v, int vertex) {
-  // Both lie along the bisector: their lengths are 2 cos and 2 sin of half the turn, so never both small.
+  // Both vectors lie along the bisector. Their lengths are 2 cos and 2 sin of half the turn, so never both small.
   const Vec2d of_normals = perpendicular(u) + perpendicular(v), of_sides = u - v, sum = of_normals + of_sides;
   return {.centre = after.from,
           .radius = 0,
@@ -25,12 +25,12 @@ Bend corner(const Segment& before, const Segment& after, const Vec2d& u, const V
           .after = after.contact};
 }
 
-/// The end of a rail at a pocket, seen from `from`, the corner or the middle of the mouth: `a` leads along the rail
-/// away from there, n into the table. `half`: how far the rail would begin without a tip.
+/// The end of a rail at a pocket. The point `from` is the corner or the middle of the mouth; `a` points along the rail
+/// away from it and `n` into the table. Without a tip, the rail would begin at distance `half`.
 struct RailEnd {
-  double seam;  ///< m from `from`: where the rail begins
+  double seam;  ///< m from `from` to the start of the rail
   Bend tip;
-  Segment facing;  ///< from the tip inwards
+  Segment facing;  ///< from the tip into the pocket
 };
 RailEnd rail_end(const Jaws& jaws, const Vec2d& from, const Vec2d& a, const Vec2d& n, double half) {
   const double turn = jaws.angle - radians(90), d = jaws.tip / std::tan(jaws.angle / 2);
@@ -110,7 +110,7 @@ std::vector<Vec2d> outline(const Table& table, const std::vector<JawPieces>& jaw
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2d from = table.vertices[i], along = direction_of({from, table.vertices[(i + 1) % n]});
     const auto on_rail = [&](const Break& b) { return b.rail == static_cast<int>(i); };
-    // Of each mouth at this rail the half that begins the rail, both halves, or the half that ends it.
+    // For each mouth at this rail: the half at the rail's start, both halves, or the half at its end.
     std::vector<std::pair<double, std::vector<Vec2d>>> parts;
     bool starts = false;
     for (const JawPieces& m : jaws) {

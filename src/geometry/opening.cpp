@@ -8,7 +8,7 @@
 namespace bankshot {
 namespace {
 
-/// Where a wall's line of centres crosses the circle, from its centre.
+/// Adds the crossings of a wall's line of centres with the circle, relative to the circle's centre.
 void add_crossings(const Wall& wall, const Circle& circle, double touch, std::vector<Vec2d>& out) {
   const double above = dot(wall.normal, circle.centre) - wall.offset;
   const double half2 = circle.radius * circle.radius - above * above;
@@ -38,7 +38,7 @@ const JawWalls* jaws_of(const Boundary& boundary, const Circle& pocket) {
   return boundary.jaws.empty() ? nullptr : &boundary.jaws[static_cast<std::size_t>(pocket.contact.index)];
 }
 
-/// From a pocket with jaws to the table, of no particular length.
+/// Returns a vector from a pocket with jaws towards the table; its length has no meaning.
 Vec2d inwards(const JawWalls& jaws) { return jaws.tips[0].middle + jaws.tips[1].middle; }
 
 OpeningTip seen(const Circle& tip, const Circle& pocket) {

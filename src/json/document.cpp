@@ -13,12 +13,12 @@ namespace bankshot {
 namespace {
 
 constexpr std::size_t max_depth = 64;  // a puzzle needs 6; deeper text is garbage
-constexpr std::size_t max_quote = 60;  // characters of a value worth repeating in an error
+constexpr std::size_t max_quote = 60;  // characters of a value that an error message repeats
 
 std::string clip(std::string s) {
   if (s.size() > max_quote) {
     std::size_t cut = max_quote;
-    while (cut > 0 && (static_cast<unsigned char>(s[cut]) & 0xC0) == 0x80) --cut;  // whole UTF-8 characters
+    while (cut > 0 && (static_cast<unsigned char>(s[cut]) & 0xC0) == 0x80) --cut;  // cuts between UTF-8 characters
     s = s.substr(0, cut) + "…";
   }
   for (char& c : s)
@@ -26,7 +26,7 @@ std::string clip(std::string s) {
   return s;
 }
 
-/// The word around the last character read, as a user would point at it; empty at the text's end.
+/// Returns the word around the last character read, for an error message; empty at the text's end.
 std::string_view word_at(std::string_view text, std::size_t characters_read) {
   constexpr std::string_view separators = " \t\r\n,:[]{}";
   if (characters_read == 0 || characters_read > text.size()) return {};
@@ -36,7 +36,7 @@ std::string_view word_at(std::string_view text, std::size_t characters_read) {
   return text.substr(begin, text.find_first_of(separators, last) - begin);
 }
 
-/// The line on which brackets first nest deeper than allowed.
+/// Returns the line on which brackets first nest deeper than allowed.
 int too_deep_line(std::string_view text) {
   std::size_t depth = 0;
   bool in_string = false;
@@ -55,8 +55,8 @@ int too_deep_line(std::string_view text) {
   return line;
 }
 
-/// Builds the tree from nlohmann's events; the library's own builder keeps only the last of two
-/// equal keys and says nothing.
+/// Builds the tree from nlohmann's events. The library's own builder silently keeps only the last of two
+/// equal keys.
 class Builder : public nlohmann::json_sax<Json> {
  public:
   explicit Builder(std::string_view text) : text_(text) {}
@@ -115,7 +115,7 @@ class Builder : public nlohmann::json_sax<Json> {
   Json* place(Json v) {
     if (stack_.empty()) return &(root_ = std::move(v));
     if (stack_.back()->is_array()) return &stack_.back()->emplace_back(std::move(v));
-    // `key` has looked for the same key already.
+    // `key` has already checked for duplicates.
     auto& members = stack_.back()->get_ref<Json::object_t&>();
     return &members.Json::object_t::Container::emplace_back(std::move(key_), std::move(v)).second;
   }
@@ -148,7 +148,7 @@ class Builder : public nlohmann::json_sax<Json> {
   std::string key_, id_;
 };
 
-/// Listens for the top-level "id" only, so that an answer to broken text still says whose it is.
+/// Finds only the top-level "id", so that an answer to broken text still has its id.
 class IdFinder : public nlohmann::json_sax<Json> {
  public:
   std::string take() { return found_ == 1 ? id_ : ""; }
@@ -176,7 +176,7 @@ class IdFinder : public nlohmann::json_sax<Json> {
   bool token(std::string text) {
     if (depth_ == 1 && at_id_) {
       id_ = std::move(text);
-      ++found_;  // two of them: nobody can tell
+      ++found_;  // with two of them the id is ambiguous
     }
     return depth_ > 0;
   }
@@ -213,7 +213,7 @@ void write(const Json& v, std::string& out) {
 }  // namespace
 
 Json parse_document(std::string_view text, std::string* id) {
-  // To nlohmann's reader a zero byte is the end of the text, whatever follows.
+  // For nlohmann's reader, a zero byte ends the text.
   if (const auto zero = text.find('\0'); zero != std::string_view::npos)
     throw InvalidInput("", "not JSON: there is a zero byte",
                        1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n')));

@@ -10,7 +10,7 @@
 namespace bankshot {
 namespace {
 
-/// Letters to put in, leave out, change, or swap with the next.
+/// Returns the number of letters to insert, delete, change, or swap with the next.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)
@@ -26,7 +26,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string suggestion(std::string_view wrong, std::span<const std::string_view> words) {
-  constexpr std::size_t longest = 40;  // nobody mistypes a longer word, and the distance is costly
+  constexpr std::size_t longest = 40;  // longer words are hardly typing errors, and the distance is costly
   if (wrong.size() > longest) return "";
   const auto best = std::min_element(words.begin(), words.end(),
                                      [&](auto a, auto b) { return edit_distance(wrong, a) < edit_distance(wrong, b); });
@@ -83,7 +83,7 @@ int Reader::integer(const format::Bounds& b) const {
 }
 
 long Reader::count() const {
-  constexpr double most = 0x1p53;  // above, a double no longer holds every whole number
+  constexpr double most = 0x1p53;  // beyond this, a double does not hold every whole number
   const double v = number();
   if (v != std::floor(v) || v < 0 || v > most) fail("must be a whole number, at least 0");
   return static_cast<long>(v);

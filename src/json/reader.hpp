@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A JSON value together with its path, so that each complaint names the place, the value and the
+// A JSON value together with its path, so that each error message names the place, the value and the
 // rule. Private to the readers.
 #pragma once
 
@@ -33,28 +33,28 @@ class Reader {
   double at_least(double low) const;
   double number(const format::Bounds& bounds) const;
   int integer(int low, int high) const;
-  int integer(const format::Bounds& bounds) const;  ///< of a key whose numbers are whole
+  int integer(const format::Bounds& bounds) const;  ///< a whole number within the bounds
   long count() const;                               ///< a whole number, at least 0
   bool boolean() const;
   std::string text() const;
   Vec2d point() const;
-  Vec2d pair(const format::Bounds& bounds) const;  ///< both within them
+  Vec2d pair(const format::Bounds& bounds) const;  ///< both numbers within the bounds
   Range range() const;                             ///< a number or [low, high]
   /// One of the words; returns its index.
   std::size_t word(std::string_view what, std::span<const std::string_view> words) const;
 
   std::vector<Reader> items() const;
-  std::vector<std::pair<std::string, Reader>> members() const;  ///< of an object, by name
+  std::vector<std::pair<std::string, Reader>> members() const;  ///< members of an object, by name
   std::size_t size() const { return value_->size(); }
 
-  /// A member of an object; `find` gives none where it is missing, `need` complains.
+  /// Return a member of an object. If it is missing, `find` returns none and `need` throws.
   std::optional<Reader> find(const std::string& key) const;
   Reader need(const std::string& key) const;
-  /// Complains about any key but those of the object, naming the nearest one.
+  /// Throws if there is a key that the object does not have; the message suggests the most similar one.
   void only(const format::Object& object) const;
-  /// The number of a key that is required.
+  /// Returns the number of a required key.
   double need(const format::Key& key) const;
-  /// Sets `value` where a number is given for this key.
+  /// Sets `value` if a number is given for this key.
   void read(const format::Key& key, double& value) const;
 
  private:
@@ -62,10 +62,10 @@ class Reader {
   std::string path_;
 };
 
-/// The word most like `wrong`, with a "did you mean" around it; empty when nothing is near.
+/// Returns a "did you mean" with the word most similar to `wrong`; empty if no word is similar.
 std::string suggestion(std::string_view wrong, std::span<const std::string_view> words);
 
-/// "; known are ..." with the words that `wrong` is not, and the suggestion.
+/// Returns "; known are ..." with the allowed words, and the suggestion for `wrong`.
 std::string known_words(std::string_view wrong, std::span<const std::string_view> words);
 
 }  // namespace bankshot

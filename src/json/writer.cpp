@@ -11,7 +11,7 @@
 namespace bankshot {
 namespace {
 
-/// Printable ASCII but for the two characters that JSON escapes.
+/// Returns true for printable ASCII without the two characters that JSON escapes.
 bool plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7f && c != '"' && c != '\\'; });
 }
@@ -28,7 +28,7 @@ void JsonWriter::key(std::string_view k) {
 void JsonWriter::number(double v) {
   if (!std::isfinite(v)) return null();
   comma();
-  char text[32];                                                        // 24 characters at most
+  char text[32];                                                        // at most 24 characters
   out_.append(text, fmt::format_to(text, FMT_COMPILE("{}"), v + 0.0));  // -0 + 0 is 0
 }
 

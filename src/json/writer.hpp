@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON text from left to right, without a tree: where a million answers are written, the tree would
-// cost more than the search. Numbers as in document.hpp. Private to the writers.
+// Writes JSON text from left to right, without a tree: for a million answers the tree would cost more
+// than the search. Numbers are written as in document.hpp. Private to the writers.
 #pragma once
 
 #include <string>
@@ -14,11 +14,11 @@ class JsonWriter {
   JsonWriter() { out_.reserve(usual); }
   void open(char bracket) { comma(), out_ += bracket; }
   void close(char bracket) { out_ += bracket; }
-  /// What follows is the value of this key, which needs no escapes.
+  /// Writes a key that needs no escapes; its value must follow.
   void key(std::string_view k);
-  /// The same of any text.
+  /// Writes a key that may need escapes.
   void name(std::string_view text) { string(text), out_ += ':'; }
-  void number(double v);  ///< null where it is not finite
+  void number(double v);  ///< null if it is not finite
   void boolean(std::string_view k, bool v) { key(k), raw(v ? "true" : "false"); }
   void integer(long v);
   void string(std::string_view text);
@@ -33,7 +33,7 @@ class JsonWriter {
  private:
   static constexpr std::size_t usual = 1024;  ///< bytes of an answer with one shot, margin and success
 
-  /// Between two values of a list or two members of an object.
+  /// Writes a comma between two values of a list or two members of an object.
   void comma() {
     if (!out_.empty() && std::string_view("{[:").find(out_.back()) == std::string_view::npos) out_ += ',';
   }

@@ -9,7 +9,7 @@ namespace {
 
 using Places = std::vector<double*>;
 
-/// A part of `e.at_rest`, or all of a constant one.
+/// Returns the coefficient of a restitution law that `part` names; empty names the constant.
 Places of_restitution(Restitution& e, std::string_view part) {
   if (part.empty() || part == ".at_rest") return {&e.at_rest};
   if (part == ".per_speed") return {&e.per_speed};
@@ -55,14 +55,14 @@ Places of_balls(BallBall& law, std::string_view name) {
 }
 
 double kept(std::string_view name, double value, const Body& body) {
-  constexpr double inside = 1e-6;  // of a radius: a nose at R or at 2 R is none
+  constexpr double inside = 1e-6;  // relative to the radius; a nose at R or 2 R is invalid
   if (name == "cushion.height") return std::clamp(value, (1 + inside) * body.radius, (2 - inside) * body.radius);
   if (name == "cushion.frequency_ratio") return std::clamp(value, 1 + inside, 2 - inside);
   if (name.ends_with("restitution") || name.ends_with("restitution.at_rest")) return std::clamp(value, 0.0, 1.0);
   return name.find("restitution.") == std::string_view::npos ? std::max(value, 0.0) : value;
 }
 
-/// Of a covariance that may have lost rank: a direction without error stays without.
+/// Returns the Cholesky factor of a covariance that may be singular. A direction without error stays without.
 std::vector<double> cholesky(std::vector<double> a, std::size_t n) {
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t k = 0; k < j; ++k)

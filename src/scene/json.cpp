@@ -16,7 +16,7 @@
 namespace bankshot {
 namespace {
 
-/// None when every spin is one number.
+/// Reads the ranges of spin; returns none if every spin is one number.
 std::optional<SpinRange> read_spin_range(const Reader& r) {
   r.only(format::spins);
   SpinRange range;
@@ -54,12 +54,12 @@ std::vector<std::string_view> names_of(const Reader& r, const std::vector<Ball>&
   return names;
 }
 
-/// The number of a ball by its name.
+/// Reads the name of a ball and returns its number.
 int read_ball(const Reader& r, const std::vector<Ball>& others) {
   return 1 + static_cast<int>(r.word("ball", names_of(r, others)));
 }
 
-/// Numbers of balls by their names: one, a list, or any.
+/// Reads one ball, a list of balls, or "any", and returns their numbers.
 std::vector<int> read_balls(const Reader& r, const std::vector<Ball>& others) {
   std::vector<std::string_view> names = names_of(r, others);
   std::vector<int> balls;
@@ -90,7 +90,7 @@ PocketTarget read_pocket(const Reader& r, const Table& table) {
   return {static_cast<int>(which) - 1};
 }
 
-/// Adds what the ball that was touched last is to do.
+/// Adds the path of the ball that was touched last, recursively for combination links.
 void read_then(const Reader& r, const Table& table, const std::vector<Ball>& others, Then& then) {
   std::optional<CushionRule> cushions;
   if (const auto v = r.find("cushions")) cushions = read_cushions(*v, table);
@@ -124,7 +124,7 @@ BallTarget read_ball_target(const Reader& r, const Table& table, const std::vect
   if (pocket) t.then.emplace().target = read_pocket(r, table);
   if (then) {
     read_then(*then, table, others, t.then.emplace());
-    // Of any ball those that are touched later are not meant.
+    // "any" excludes the balls of later combination links.
     if (const Reader ball = r.need("ball"); ball.is_string() && ball.text() == "any")
       for (const Link& link : t.then->links) std::erase(t.balls, link.ball);
   }
@@ -164,7 +164,7 @@ Range read_angle(const Reader& r) {
   if (to - from > turn + rounding) r.fail("must span at most 360 degrees");
   const auto rotate = [&](double by) { from += by, to += by; };
   while (from < 0) rotate(turn);
-  while (from >= turn) rotate(-turn);  // also -1e-20, which is a turn once a turn is added
+  while (from >= turn) rotate(-turn);  // also for -1e-20, which becomes a full turn by adding one
   while (to < from) to += turn;
   return {radians(from), radians(std::min(to, from + turn))};
 }
@@ -203,7 +203,7 @@ void read_choices(const Reader& doc, Puzzle& p) {
   if (const auto v = doc.find("aim")) p.aim = static_cast<Aim>(v->word("aim", format::aims));
   if (const auto v = doc.find("noise")) {
     p.noise = read_noise(*v);
-    // A player's tip errs only where a ball takes its spin from the tip.
+    // A player's tip error applies only in physics with spin.
     const bool own_tip = v->is_object() && v->find("tip");
     if (!own_tip && !carries_spin(p.physics)) p.noise.tip = 0;
   }

@@ -34,7 +34,7 @@ RollingFriction read_rolling_friction(const Reader& r) {
   return f;
 }
 
-/// `sliding_friction` of the cloth acts in mathavan2010 also during the impact.
+/// Reads a cushion. In mathavan2010, the cloth's `sliding_friction` also acts during the impact.
 decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
   r.only(format::cushion);
   std::size_t which = 0;
@@ -77,8 +77,7 @@ CoefficientErrors read_covariance(const Reader& r) {
   return out;
 }
 
-/// The cushions' height over the cloth where nothing is said of it [m]: for the largest ball where no preset has its
-/// own.
+/// Returns the default height of the cushion nose [m]: the preset's, or one that suits the largest ball.
 double usual_nose(const Reader& table, const Ball& ball, const std::vector<Ball>& others) {
   if (const TablePreset* const preset = preset_of(table)) return preset->nose();
   double largest = ball.body.radius;

@@ -11,7 +11,7 @@ namespace bankshot {
 
 Restitution read_restitution(const Reader& r);
 
-/// What a document says of its physics; what it does not say depends on its table and on the balls.
+/// Reads the physics of a document. Defaults depend on the table and on the balls.
 Physics read_physics(const Reader& scene, const Ball& ball, const std::vector<Ball>& others = {});
 
 }  // namespace bankshot

@@ -18,7 +18,7 @@ namespace {
 
 using namespace tolerance::recording;
 
-/// The number of a ball by its name.
+/// Returns the number of the ball with this name.
 int ball_named(const Reader& r, const std::string& name, const ShotRequest& scene) {
   std::vector<std::string_view> names{scene.ball.id};
   for (const Ball& other : scene.others) names.push_back(other.id);
@@ -33,14 +33,14 @@ Sample read_sample(const Reader& r) {
   return {numbers[0].number(), {numbers[1].number(), numbers[2].number()}};
 }
 
-/// Beyond the cushions, by more than a camera errs.
+/// Returns true if a point is beyond the cushions by more than a camera's error.
 bool off_table(const Boundary& boundary, const Vec2d& at) { return boundary.clearance(at) < -off_the_table; }
 
-/// Faster than a ball can be.
+/// Returns true if no ball is fast enough for these two samples.
 bool too_far(const Sample& a, const Sample& b) { return norm(b.at - a.at) > jump + fastest_ball * (b.time - a.time); }
 
-/// One sample may be anywhere: it is an outlier. Two in a row that agree with each other, and not with those before,
-/// are not.
+/// Checks the samples of a track. A single sample may be anywhere, as an outlier. Two consecutive samples that agree
+/// with each other, but not with the earlier ones, are refused.
 void check_way(const std::vector<Reader>& places, const std::vector<Sample>& samples, const Boundary& boundary) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (i > 0 && !(samples[i].time > samples[i - 1].time))
@@ -56,7 +56,7 @@ void check_way(const std::vector<Reader>& places, const std::vector<Sample>& sam
   }
 }
 
-/// A ball that has stood for a while does not go on by itself. The balls that others may have struck are not looked at.
+/// Checks that the ball does not move again after it has come to rest: that would be a second shot.
 void check_one_shot(const std::vector<Reader>& places, const std::vector<Sample>& samples) {
   const auto stands = [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from + 1; i <= to; ++i)
@@ -95,7 +95,7 @@ Recording read_recording(const Reader& doc, std::string id) {
   read_setting(doc, s);
   out.launch_given = read_launch(doc, s);
   const Boundary boundary(s.table, s.ball.body);
-  // Where a ball stands is measured too: a little beyond a cushion, it touched it.
+  // Start positions are measured, too: a ball slightly beyond a cushion is moved back to touch it.
   s.ball.at = boundary.moved_inside(s.ball.at, off_the_table);
   for (Ball& other : s.others) other.at = Boundary(s.table, other.body).moved_inside(other.at, off_the_table);
   validate(s);
@@ -117,7 +117,7 @@ Recording read_recording(const Reader& doc, std::string id) {
   return out;
 }
 
-/// By its name where it has one, for that says how high its cushions are.
+/// Returns the table as JSON, by its preset name if possible, because the preset defines the nose height.
 Json named_table_json(const ShotRequest& s) {
   for (const TablePreset& preset : table_presets())
     if (is_level(s.physics) && s.table == make_table(preset)) return preset.name;

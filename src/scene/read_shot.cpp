@@ -9,7 +9,7 @@
 namespace bankshot {
 namespace {
 
-/// The struck one; what is not said of it is as in `ball`.
+/// Reads the cue ball; `ball` holds the defaults.
 Ball read_ball(const Reader& scene, Ball ball) {
   const Reader r = scene.need("ball");
   r.only(format::ball);
@@ -19,7 +19,7 @@ Ball read_ball(const Reader& scene, Ball ball) {
   return ball;
 }
 
-/// What is not said of them is as in the struck one.
+/// Reads the other balls; the cue ball's body gives the defaults.
 std::vector<Ball> read_others(const Reader& scene, const Body& struck) {
   std::vector<Ball> others;
   const auto list = scene.find("others");
@@ -66,7 +66,7 @@ void read_setting(const Reader& doc, Scene& s) {
   s.others = read_others(doc, s.ball.body);
   s.physics = read_physics(doc, s.ball, s.others);
   const auto asked = doc.find("settle");
-  // A table without corners is refused later.
+  // A table with too few vertices is refused later.
   if (asked && asked->boolean() && s.table.vertices.size() >= 3) s.settled = settle(s.table, s.ball, s.others);
 }
 template void read_setting(const Reader& doc, Puzzle& scene);

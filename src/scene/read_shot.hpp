@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What puzzles, shots and recordings have alike: who they are, the scene and its launch.
+// Reads the parts that puzzles, shots and recordings share: id, scene and launch.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@
 
 namespace bankshot {
 
-/// As it was `written` where the document has none of its own for it.
+/// Returns the id as it was `written`; throws if it is neither a string nor a number.
 std::string read_id(const Reader& doc, std::string written);
 
-/// Table, physics and balls of a Puzzle or a ShotRequest.
+/// Reads table, physics and balls of a Puzzle or a ShotRequest.
 template <class Scene>
 void read_setting(const Reader& doc, Scene& scene);
 
-/// `printed`: answers print the natural roll that every shot has without the physics `spin`.
+/// Reads a launch spin. With `printed`, natural roll is allowed without the physics `spin`, because answers print it.
 LaunchSpin read_spin(const Reader& r, const Physics& physics, bool printed);
 
-/// "shot", and the spin that stands with the ball where that has none. False where there is no "shot".
+/// Reads "shot"; if it has no spin, reads the ball's. Returns false if there is no "shot".
 bool read_launch(const Reader& doc, ShotRequest& shot);
 
-/// A list of cushions in order.
+/// Reads a list of cushions in order.
 std::vector<Contact> read_sequence(const Reader& list, const Table& table);
 
 }  // namespace bankshot

@@ -9,7 +9,7 @@
 namespace bankshot {
 namespace {
 
-/// Of each cushion what it has of its own.
+/// Reads the own coefficients of each cushion.
 std::vector<RailCushion> read_own_cushions(const Reader& table, const Table& shape) {
   const auto r = table.find("cushions");
   if (!r) return {};
@@ -40,7 +40,7 @@ bool wants_jaws(const Reader& table, bool usual) {
   return r ? r->boolean() : usual;
 }
 
-/// A preset, with what changes it.
+/// Reads a preset with changes.
 Table changed(const Reader& table, const TablePreset& preset) {
   table.only(format::preset);
   const bool jaws = wants_jaws(table, preset.mouth.has_value());

@@ -7,13 +7,13 @@
 
 namespace bankshot {
 
-/// The ball that a table document implies: the preset's, else the default one.
+/// Returns the ball that a table document implies: the preset's, or else the default ball.
 Ball default_ball(const Reader& table);
 
-/// Of a name, or of an object that changes it; null where the table is one's own.
+/// Returns the preset that a table names or changes; null for a custom table.
 const TablePreset* preset_of(const Reader& table);
 
-/// `radius` is the struck ball's: mouths of "six" on a custom table scale with it.
+/// Reads a table. `radius` is the cue ball's; the mouths of "six" pockets on a custom table scale with it.
 Table read_table(const Reader& table, double radius);
 
 }  // namespace bankshot

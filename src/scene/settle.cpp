@@ -21,7 +21,7 @@ double worst_overlap(const Balls& balls) {
   return worst;
 }
 
-/// One sweep over all pairs.
+/// Sweeps once over all pairs.
 void push_apart(const Balls& balls, const std::vector<Boundary>& boundaries) {
   for (std::size_t i = 0; i < balls.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -37,7 +37,7 @@ void push_apart(const Balls& balls, const std::vector<Boundary>& boundaries) {
 }  // namespace
 
 std::vector<Vec2d> settle(const Table& table, Ball& cue, std::vector<Ball>& others) {
-  constexpr int most_sweeps = 1000;  // a tight rack of 15 balls takes a tenth of them
+  constexpr int most_sweeps = 1000;  // a tight rack of 15 balls needs about a tenth
   Balls balls{&cue};
   for (Ball& other : others) balls.push_back(&other);
   std::vector<Vec2d> moves;

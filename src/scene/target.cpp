@@ -87,7 +87,7 @@ std::string words_of(const PointTarget&, const Puzzle& p) {
   return arrive && arrive->high == 0 ? "to rest in the ring" : "through the ring";
 }
 
-/// " off one cushion", " by top, right"; nothing where none is asked.
+/// Returns a cushion rule as words, such as " off one cushion" or " by top, right"; empty if no cushion is required.
 std::string bank_words(const CushionRule& rule, const Puzzle& p) {
   constexpr std::string_view numbers[] = {"no", "one", "two", "three", "four", "five"};
   const auto counted = [&](int n) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The rules that a puzzle and a shot must keep, whether they came from a file or from a C++ program.
+// Checks the rules for puzzles and shots, whether they come from a file or from a C++ program.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ void check_range(const Range& r, const std::string& path) {
   if (!(r.low <= r.high)) fail(path, fmt::format("[{}, {}] must have its lower end first", r.low, r.high));
 }
 
-/// In a puzzle: a cue meets the ball somewhere.
+/// Checks that the spin of a puzzle needs a tip position on the ball.
 void check_tip(const LaunchSpin& spin, const Body& body) {
   const double R = body.radius, from_centre = tip_of(spin, R).from_centre();
   if (from_centre > R)
@@ -47,7 +47,7 @@ void check_number(const Puzzle& p, int k, const std::string& path) {
   if (k < 1 || k > static_cast<int>(p.others.size())) fail(path, fmt::format("there is no ball number {}", k));
 }
 
-/// One ball after the other, each another one.
+/// Checks that every combination link touches a different ball.
 void check_links(const Puzzle& p, const BallTarget& asked) {
   std::vector<int> before = asked.balls;
   std::string path = "/target/then";
@@ -114,7 +114,7 @@ void check_target(const Puzzle& p, const Boundary& boundary) {
   }
 }
 
-/// Speeds that are launched and, where it is asked, arrive.
+/// Returns the speeds allowed at launch and, if required, at arrival.
 Range ideal_speeds(const Puzzle& p) {
   const Range& asked = p.arrive ? *p.arrive : p.speed;
   return {std::max(p.speed.low, asked.low), std::min(p.speed.high, asked.high)};

@@ -5,7 +5,7 @@
 
 namespace bankshot {
 
-/// What `validate` checks of a shot beside its scene. Throws InvalidInput.
+/// Checks the launch of a shot, which `validate` does in addition to its scene. Throws InvalidInput.
 void validate(const Launch& launch, const LaunchSpin& spin);
 
 }  // namespace bankshot

@@ -16,7 +16,7 @@ namespace {
 
 std::string show(const Vec2d& p) { return fmt::format("[{}, {}]", p.x, p.y); }
 
-/// `path` is only asked for when it is told: puzzles come by the million.
+/// Checks that a point is finite. `path` is a function, so that the path is built only for an error.
 void need_point(const Vec2d& p, auto&& path) {
   if (std::isfinite(p.x) && std::isfinite(p.y)) return;
   need_finite(p.x, path() + "/0");
@@ -57,7 +57,7 @@ void check_shape(const Table& t) {
   if (!(area > 0)) fail("/table/vertices", "the vertices must run anticlockwise");
 }
 
-/// The first that stands earlier in the list as well.
+/// Returns the index of the first name that occurs earlier in the list, too.
 std::optional<std::size_t> second_of_a_name(const std::vector<std::string_view>& names) {
   for (std::size_t i = 0; i < names.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -83,7 +83,7 @@ void check_names(const Table& t) {
          fmt::format("\"{}\" is taken; names of pockets are unique and not \"any\"", pockets[*i]));
 }
 
-/// Between two mouths there is a cushion.
+/// Checks that some cushion is left between any two mouths.
 void check_mouths(const Table& t) {
   std::vector<Break> breaks;
   for (const JawPieces& m : obstacles(t).jaws) breaks.insert(breaks.end(), m.breaks.begin(), m.breaks.end());
@@ -196,7 +196,7 @@ void check_own_cushions(const Table& table, const Physics& physics) {
   }
 }
 
-/// `path`: of the ball.
+/// Checks a ball's body. `path` is that of the ball.
 void check_body(const Body& body, const std::string& path) {
   if (!(body.radius >= 0 && std::isfinite(body.radius)))
     fail(path + "/radius", fmt::format("{} must be at least 0", body.radius));
@@ -206,14 +206,14 @@ void check_body(const Body& body, const std::string& path) {
     fail(path + "/mass", fmt::format("{} kg is too heavy to compute with", body.mass));
 }
 
-/// The ball stands where its centre can be, and in no pocket.
+/// Checks that the ball is on the table and in no pocket.
 void check_stands(const Table& table, const Boundary& b, const Ball& ball, const std::string& path) {
   if (const Circle* const pocket = b.pocket_around(ball.at))
     fail(path, fmt::format("ball {} lies in pocket {}", ball.id, contact_name(table, pocket->contact)));
   check_inside(b, ball.at, path, "the centre of the ball");
 }
 
-/// Balls that touch are legal.
+/// Checks that two balls do not overlap. Touching balls are legal.
 void check_apart(const Ball& ball, const Ball& other, const std::string& path) {
   const double overlap = touching_distance(ball.body, other.body) - norm(ball.at - other.at);
   if (overlap > tolerance::overlap)

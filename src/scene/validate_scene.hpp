@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The rules that a table, its balls and its physics keep, in a puzzle as in a shot. What breaks one is thrown, with the
-// JSON path of where it stands.
+// Checks the rules for a table, its balls and its physics, in puzzles and shots. A violation throws InvalidInput with
+// the JSON path of the offending value.
 #pragma once
 
 #include <string>
@@ -15,15 +15,15 @@ namespace bankshot::validation {
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason);
 
-/// The path of an item of a list.
+/// Returns the path of an item of a list.
 std::string at(std::string_view list, std::size_t i);
 
 void need_finite(double v, const std::string& path);
 
-/// `what`, a centre of a ball, is on the table.
+/// Checks that a ball with centre `p` is on the table; `what` names the point in the error message.
 void check_inside(const Boundary& boundary, const Vec2d& p, const std::string& path, std::string_view what);
 
-/// All but the other balls. The boundary is that of the ball.
+/// Checks everything except the other balls. Returns the boundary for the cue ball.
 Boundary check_scene(const Table& table, const Ball& ball, const Physics& physics);
 
 void check_others(const Table& table, const Boundary& boundary, const Ball& struck, const std::vector<Ball>& others,

@@ -29,7 +29,7 @@ Json json_of(const PocketTarget& target, const Puzzle& p) {
 
 const std::string& id_of(const Puzzle& p, int ball) { return p.others[static_cast<std::size_t>(ball) - 1].id; }
 
-/// Of the ball that is sent on as the n-th.
+/// Returns the path of the n-th object ball as JSON.
 Json then_json(const Then& then, const Puzzle& p, std::size_t n = 0) {
   Json j = n < then.links.size() ? Json{{"ball", id_of(p, then.links[n].ball)}}
                                  : std::visit([&](const auto& t) { return json_of(t, p); }, then.target);
@@ -69,7 +69,7 @@ Json noise_json(const Noise& n) {
   return j;
 }
 
-/// All but the scene.
+/// Returns everything except table and physics as JSON.
 Json question_json(const Puzzle& p) {
   constexpr const char* preferences[] = {"robust", "soft", "quick"};
   Json j = Json::object();

@@ -6,7 +6,7 @@
 namespace bankshot {
 namespace {
 
-/// A table with jaws is told by what it was made of.
+/// Returns the keys from which a table with jaws was made.
 Json jaws_json(const Table& t) {
   Table plain = t;
   plain.own.clear();
@@ -61,7 +61,7 @@ Json friction_json(const BallFriction& f) {
   return f.constant() ? Json(f.fast) : Json{{"a", f.fast}, {"b", f.more}, {"c", f.fades}};
 }
 
-/// Adds how well the coefficients are known.
+/// Adds the covariance of the coefficients.
 Json with_errors(Json j, const Physics& p) {
   if (!p.errors) return j;
   const std::size_t n = p.errors->names.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts of a scene as the JSON that is read back to them, every choice written out.
+// Writes parts of a scene as JSON that reads back to them, with every choice written out.
 #pragma once
 
 #include "bankshot/scene/puzzle.hpp"
@@ -9,25 +9,25 @@
 
 namespace bankshot {
 
-/// [x, y]
+/// Returns [x, y].
 Json pair_json(const Vec2d& p);
 
-/// Null where there is none.
+/// Returns the identifier as JSON; null if it is empty.
 Json id_json(const std::string& id);
 
-/// The tilt of the physics stands with the table. A preset is told by its name.
+/// Returns a table, with the tilt of the physics. A preset is written by its name.
 Json table_json(const Table& table, const Vec2d& tilt);
 
-/// Where it stands and what it is.
+/// Returns a ball with its position, radius and mass.
 Json ball_json(const Ball& ball);
-/// What is as in the struck one is not said.
+/// Returns the other balls, without values that equal the cue ball's.
 Json others_json(const std::vector<Ball>& others, const Body& struck);
 
 Json spin_json(const LaunchSpin& spin);
-/// The angle in degrees.
+/// Returns a launch, with the angle in degrees.
 Json launch_json(const Launch& launch, const LaunchSpin& spin);
 
-/// Throws InvalidInput for a custom cushion.
+/// Returns the physics. Throws InvalidInput for a custom cushion.
 Json physics_json(const Physics& physics);
 
 }  // namespace bankshot

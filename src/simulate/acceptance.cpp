@@ -14,7 +14,7 @@
 namespace bankshot {
 namespace {
 
-/// Balls that roll at one pocket.
+/// Simulates balls that roll at one pocket.
 class Rolls {
  public:
   Rolls(const Scene& scene, int pocket, double speed)
@@ -48,7 +48,7 @@ class Rolls {
 
   template <class Sim>
   Entry followed(Sim sim) const {
-    constexpr double far = 1.5;  // times as far as it began: gone
+    constexpr double far = 1.5;  // a ball this many times farther away than its start has left the pocket
     bool bounced = false, jaw = false;
     for (;;) {
       const Event e = sim.step();

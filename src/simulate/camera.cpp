@@ -7,7 +7,7 @@
 namespace bankshot {
 namespace {
 
-/// Two independent normal draws (Box and Muller 1958).
+/// Returns two independent normal draws (Box and Muller 1958).
 Vec2d normal_pair(Random& random) {
   const double u = random.uniform(0, 1), turn = random.uniform(0, 2 * 3.14159265358979323846);
   return Vec2d{std::cos(turn), std::sin(turn)} * std::sqrt(-2 * std::log1p(-u));
@@ -34,7 +34,7 @@ Recording film(const ShotRequest& shot, const Trajectory& t, const Camera& camer
   sample(shot, t, camera.rate, [&](double time, int ball, const State<double>& s) {
     const auto k = static_cast<std::size_t>(ball);
     const double number = std::round(time * camera.rate);
-    if (!moved[k] || std::abs(time - number / camera.rate) > 1e-12 || number < next[k]) return;  // at an event
+    if (!moved[k] || std::abs(time - number / camera.rate) > 1e-12 || number < next[k]) return;  // a sample at an event
     next[k] = number + 1;
     const bool dropped = random.chance(camera.drop), astray = random.chance(camera.outliers);
     Vec2d at = seen(s.at);

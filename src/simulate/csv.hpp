@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The rows of a path as CSV, for whoever writes one.
+// Formats the rows of a path as CSV.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace bankshot {
 
 inline constexpr std::string_view csv_header = "t,ball,x,y,vx,vy,wx,wy,wz";
 
-/// Without a line break.
+/// Returns one row without a line break.
 std::string csv_row(double time, std::string_view ball, const State<double>& state);
 
-/// A name as a field: in quotes where it needs them (RFC 4180).
+/// Returns a name as a CSV field, quoted if necessary (RFC 4180).
 std::string csv_field(std::string_view text);
 
 }  // namespace bankshot

@@ -21,7 +21,7 @@ double length(const Arc<double>& arc, double t) {
 
 namespace {
 
-/// When a ball on this arc has covered `metres`; forever, where that lies beyond the arc's end.
+/// Returns the time at which a ball on this arc has covered `metres`; forever if that is beyond the arc's end.
 double time_to_length(const Arc<double>& arc, double duration, double metres) {
   double low = 0, high = duration;
   if (!(length(arc, high) > metres)) return forever;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How far a ball has come.
+// Computes path lengths.
 #pragma once
 
 #include <span>
@@ -9,11 +9,12 @@
 
 namespace bankshot {
 
-/// Metres that a ball covers in t seconds of an arc: ∫|v + a t| dt, split along and across a; written so that nothing
-/// cancels where a is small.
+/// Returns the metres that a ball covers in t seconds of an arc: ∫|v + a t| dt, split along and across a. The formula
+/// avoids cancellation for small a.
 double length(const Arc<double>& arc, double t);
 
-/// Seconds from the first of these legs of one ball until it has covered `metres`; forever, where that lies beyond.
+/// Returns the seconds from the start of the first leg of one ball until it has covered `metres`; forever if the legs
+/// are shorter.
 double time_to_length(std::span<const Leg> legs, double metres);
 
 }  // namespace bankshot

@@ -14,14 +14,14 @@ namespace {
 template <class Motion, class Cushion>
 class Recorder {
  public:
-  /// `most`: seconds to look at.
+  /// `most` is the duration of the simulation [s].
   Recorder(const ShotRequest& r, const Motion& motion, const Cushion& cushion, double most)
       : r_(r), most_(most), starts_(r), motion_(motion), sim_(starts_.balls(), motion, cushion, collisions(r.physics)) {
     if (std::is_same_v<Motion, Ideal> && !r.until.time && !r.until.cushions && !r.until.length)
       cushions_ = ideal_cushions;
   }
 
-  /// `metres`: no more is needed of the struck ball's path.
+  /// Records the shot until the cue ball's path is longer than `metres`.
   Trajectory run(double metres) {
     for (int ball = 0; ball < sim_.count(); ++ball) note(EventKind::start, ball);
     if (r_.launch.speed == 0) return finish(EventKind::rest);
@@ -87,7 +87,7 @@ Trajectory record(const ShotRequest& request, double most, double metres) {
   });
 }
 
-/// When the struck ball has come so far.
+/// Returns the time at which the cue ball has covered `metres`.
 double time_to_length(const Trajectory& t, double metres) {
   std::vector<Leg> struck;
   std::ranges::copy_if(t.legs, std::back_inserter(struck), [](const Leg& leg) { return leg.ball == 0; });

@@ -5,7 +5,7 @@
 
 namespace bankshot {
 
-/// A shot with other balls on the table; the request is valid.
+/// Simulates a shot with other balls on the table. The request must be valid.
 Trajectory record_many(const ShotRequest& request);
 
 }  // namespace bankshot

@@ -9,7 +9,7 @@ namespace {
 
 using See = std::function<void(double, int, const State<double>&)>;
 
-/// Where each ball is, as time goes on.
+/// The positions of all balls over time.
 class Positions {
  public:
   Positions(const ShotRequest& r, const Trajectory& t) : r_(r), balls_(r.others.size() + 1) {
@@ -22,7 +22,7 @@ class Positions {
     if (e.kind == EventKind::pocket) of(e.ball).in_play = false;
   }
 
-  /// Those in play that had no event at this very time.
+  /// Reports the balls in play that have no event at exactly this time.
   void at(double time, const See& see) {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       Ball& b = balls_[i];
@@ -36,7 +36,7 @@ class Positions {
   struct Ball {
     std::vector<const Leg*> legs{};
     std::size_t leg = 0;
-    double time = 0;  ///< s, of its last event
+    double time = 0;  ///< s; time of its last event
     State<double> state{};
     bool in_play = true;
   };
@@ -53,7 +53,7 @@ class Positions {
       if (leg.begin <= time && time < leg.begin + leg.arc.seconds(leg.duration))
         return state_at(r_, leg, time - leg.begin);
     }
-    State<double> s = b.state;  // it stands, and its vertical spin fades
+    State<double> s = b.state;  // the ball is at rest, and its vertical spin fades
     std::visit(
         [&](const auto& motion) {
           const Body& body = ball_of(r_, ball).body;

@@ -18,7 +18,7 @@ namespace {
 template <class Motion, class Cushion>
 class Recorder {
  public:
-  /// `out` is empty, but may have room.
+  /// `out` must be empty; its capacity is reused.
   Recorder(const ShotRequest& r, const Boundary& boundary, const Motion& motion, const Cushion& cushion,
            Trajectory& out)
       : r_(r), motion_(motion), sim_(boundary, motion, cushion, start_state(r)), out_(out) {
@@ -41,7 +41,7 @@ class Recorder {
   }
 
  private:
-  /// The next event, or what `until` stops the ball at. A ball that stands though its spin never ends has neither.
+  /// Returns the next event, or the limit of `until`. A ball at rest whose spin never ends has neither.
   Event next() {
     const double limit = r_.until.time ? std::max(0.0, *r_.until.time - sim_.time()) : forever;
     stopped_ = r_.until.time.has_value();

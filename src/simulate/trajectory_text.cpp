@@ -28,7 +28,7 @@ Json event_json(const ShotRequest& r, const Record& e) {
   return j;
 }
 
-/// Where there are others, of the balls in play alone.
+/// Returns the energy at the end; with other balls, that of the balls in play.
 double energy_at_end(const ShotRequest& r, const Trajectory& t) {
   if (r.others.empty()) return energy(r.physics, r.ball.body, t.events.back().state);
   double sum = 0;
@@ -53,7 +53,7 @@ std::string to_json(const ShotRequest& r, const Trajectory& t) {
               {"at", {end.state.at.x, end.state.at.y}},
               {"cushions", t.cushions},
               {"length", t.length}};
-  // The others stand at the start.
+  // The other balls are at rest at the start.
   j["energy"] = {{"start", energy(r.physics, r.ball.body, t.events.front().state)}, {"end", energy_at_end(r, t)}};
   if (!r.settled.empty()) j["settled"] = Json::object();
   for (std::size_t i = 0; i < r.settled.size(); ++i)

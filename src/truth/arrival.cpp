@@ -16,16 +16,16 @@
 namespace bankshot::truth {
 namespace {
 
-/// Of the time of an arrival: what the fall on the same arc may be later.
+/// Largest delay of the fall on the same arc, relative to the time of arrival.
 constexpr double same_fall = 1e-9;
 
-/// As a shot claims.
+/// Returns the goal that a shot claims to reach.
 Goal goal_of(const Shot& claim, double slack = 0) {
   const int n = static_cast<int>(claim.cushions.size());
   return {n, n, &claim.cushions, claim.then.empty() ? nullptr : &claim.then, claim.arrival.time, slack};
 }
 
-/// As the margin of a shot counts: along its own cushions up to the first ball, and then as the puzzle asks.
+/// Returns the goal that the margin of a shot counts: its own cushions up to the first ball, then the puzzle's rules.
 Goal counted(const Shot& claim) {
   const int n = static_cast<int>(claim.cushions.size());
   return {n, n, &claim.cushions, nullptr, claim.arrival.time, 0, &claim};
@@ -36,7 +36,7 @@ Path beside(Run run, double turned, double pushed) {
   return run_truth(run);
 }
 
-/// The same meetings up to those events; where an arc ends is none.
+/// Returns true if both paths have the same contacts up to these events. Ends of arcs are ignored.
 bool same_meetings(const Path& a, std::size_t last, const Path& b, std::size_t its_last) {
   if (a.events.size() <= last || b.events.size() <= its_last) return false;
   const auto next = [](const Path& path, std::size_t i, std::size_t end) {
@@ -50,7 +50,7 @@ bool same_meetings(const Path& a, std::size_t last, const Path& b, std::size_t i
   }
 }
 
-/// The event whose arc arrives: after n bounces, the nearest to the time claimed.
+/// Returns the event at the end of the arriving arc: after n bounces, the one nearest to the claimed time.
 std::size_t arriving(const Path& path, int n, double time, bool stops) {
   std::optional<std::size_t> best;
   const auto late = [&](std::size_t i) {
@@ -64,7 +64,7 @@ std::size_t arriving(const Path& path, int n, double time, bool stops) {
   return best.value_or(path.events.size());
 }
 
-/// Of a carom: the second contact of the cue ball.
+/// Returns the second contact of the cue ball with a ball, for caroms.
 std::size_t second_contact(const Path& path) {
   int contacts = 0;
   const auto second = [&](const TruthEvent& e) {
@@ -74,8 +74,9 @@ std::size_t second_contact(const Path& path) {
   return static_cast<std::size_t>(std::ranges::find_if(path.events, second) - path.events.begin());
 }
 
-/// Of a ball that is sent on: the arc on which it arrives after `n` bounces, the last where it falls, or the event of
-/// its rest. At a bounce the arcs before and after it are as near, and lead elsewhere.
+/// Returns the event that ends the arriving arc of an object ball after `n` bounces. If it falls, that is the last arc;
+/// if it must rest, the event is its rest. Bounces are counted because the arcs before and after one are equally near
+/// in time but lead elsewhere.
 std::size_t arriving_of(const Path& path, int ball, int n, double time, bool stops) {
   const auto falls = [&](const TruthEvent& e) { return e.ball == ball && e.kind == EventKind::pocket; };
   const auto fall = std::ranges::find_if(path.events, falls);
@@ -96,7 +97,7 @@ std::size_t arriving_of(const Path& path, int ball, int n, double time, bool sto
   return best.value_or(path.events.size());
 }
 
-/// Metres between two arrivals: of where the ball rests, or across the line of travel.
+/// Returns the metres between two arrivals: between points of rest, or across the line of travel.
 double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
   if (stops) return norm((a.state.at - b.state.at) + (a.at_rest - b.at_rest));
   return std::abs((a.passing.lateral - b.passing.lateral) + (a.passing.lateral_rest - b.passing.lateral_rest));
@@ -141,8 +142,8 @@ Arrived Scene::replay(const Launch& launch, const Shot& claim, double slack) con
   return judge(*this, run_truth(run(launch, claim.spin, n)), goal_of(claim, slack));
 }
 
-/// A ball that comes to a line so slowly is as fast there as rounding of its place allows, by this share; and so are
-/// its derivatives.
+/// Returns the relative error that rounding of the position causes in the speed at the slowest bounce, for a ball that
+/// creeps up to a cushion. The derivatives have the same relative error.
 double Scene::creeping(const Path& path, std::size_t arrives) const {
   const double moved2 = 2 * deceleration(puzzle.physics) * tolerance::simulation_error * 0x1p-53 * boundary.extent;
   double most = 0;
@@ -153,7 +154,7 @@ double Scene::creeping(const Path& path, std::size_t arrives) const {
 }
 
 std::optional<Scene::Condition> Scene::condition(const Shot& shot, const Sides& sides) const {
-  constexpr double step = 1e-14;  // what is left out is of this size; the values have 32 digits
+  constexpr double step = 1e-14;  // the truncation error is of this size; the values have 32 digits
   const int n = static_cast<int>(shot.cushions.size());
   Run base = run(shot.launch, shot.spin, n);
   if (!stops) base.target = shot.arrival.at;
@@ -165,7 +166,7 @@ std::optional<Scene::Condition> Scene::condition(const Shot& shot, const Sides& 
   };
   const Path path = run_truth(base);
   const auto moved = [&](double turned, double pushed) -> std::optional<double> {
-    // On one side of the shot its path may meet other cushions.
+    // On one side of the shot the path may meet other cushions.
     for (const double side : {step, -step}) {
       const Path from = sides.beyond ? beside(base, side * turned, side * pushed) : path;
       const double to = sides.beyond ? 2 * side : side;
@@ -198,7 +199,8 @@ bool Scene::seems_to_count(const Launch& launch, const Shot& claim) const {
          !scratches(launch, claim.spin);
 }
 
-/// In `ideal` no ball comes to rest, so that every cue ball would fall in the end.
+/// Scratches do not count in `ideal` physics, where no ball comes to rest and the cue ball would usually fall in the
+/// end.
 bool Scene::may_scratch() const {
   return std::holds_alternative<BallTarget>(puzzle.target) && !puzzle.table.pockets.empty() &&
          !is_ideal(puzzle.physics);

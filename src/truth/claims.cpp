@@ -14,7 +14,7 @@
 namespace bankshot::truth {
 namespace {
 
-/// The checks of one shot.
+/// Checks one shot.
 class ShotCheck {
  public:
   ShotCheck(const Puzzle& p, const Shot& shot) : p_(p), shot_(shot), scene_(p), place_(place_tolerance()) {}
@@ -22,7 +22,7 @@ class ShotCheck {
   std::vector<Check> run() {
     bounds();
     asked_cushions();
-    if (shot_.digits == 0) return std::move(out_);  // rounding decides how often it bounces: nothing is promised
+    if (shot_.digits == 0) return std::move(out_);  // rounding decides the number of bounces, so nothing is guaranteed
     const Then* const then = then_of(p_.target);
     if (shot_.then.size() != (then ? 1 + then->links.size() : 0))
       return fails(Claim::hits, fmt::format("sends {} balls on", shot_.then.size()));
@@ -51,7 +51,7 @@ class ShotCheck {
     out_.push_back({c, 1, 0, std::move(what)});
     return out_;
   }
-  /// `words` describe the claim and the truth.
+  /// Adds a check; `words` describe the claim and the truth.
   void compare(Claim c, double off, double allowed, std::string words) {
     if (!(off >= 0)) off = std::isnan(off) ? HUGE_VAL : 0;
     out_.push_back(
@@ -65,14 +65,14 @@ class ShotCheck {
     return out.empty() ? "no cushion" : out;
   }
 
-  /// The shot, as if it named other cushions.
+  /// Returns the shot with other cushions.
   Shot named(const std::vector<Contact>& cushions) const {
     Shot other = shot_;
     other.cushions = cushions;
     return other;
   }
 
-  /// What is promised: this share, or as many digits as the shot says.
+  /// Returns the allowed relative error: `share`, or more if the shot guarantees fewer digits.
   double promised(double share) const { return shot_.digits ? std::max(share, std::pow(10, -*shot_.digits)) : share; }
   double place_tolerance() const { return promised(tolerance::exact_miss) * scene_.boundary.diagonal; }
 
@@ -110,8 +110,8 @@ class ShotCheck {
       holds(Claim::rule);
   }
 
-  /// A place at the speed of the ball [s]. One that rests is slower than at its launch only in the end, unless
-  /// it rests on a cushion: whether it bounces off at a crawl first is up to rounding.
+  /// Returns the time error [s] of a position error at the speed of the ball. For a ball at rest the launch speed is
+  /// used. If it rests on a cushion, rounding decides whether it first bounces off at a crawl, which adds time.
   double time_tolerance(const Arrived& there, double place) const {
     if (there.speed > 0) return place / there.speed;
     const bool on_cushion = scene_.boundary.clearance(there.at) <= place;
@@ -121,7 +121,7 @@ class ShotCheck {
   void arrives(const Arrived& there) {
     const Arrival& said = shot_.arrival;
     const double place = place_ / there.incidence, miss = scene_.miss(there);
-    // In a direction in which no line leads straight in there is none to miss.
+    // If no line in this direction leads straight in, there is no exact line to miss.
     const bool no_line = std::isnan(miss) && shot_.rattles;
     compare(Claim::miss, no_line ? 0 : std::abs(miss - shot_.miss), place_,
             fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, miss));
@@ -140,7 +140,7 @@ class ShotCheck {
     compare(Claim::arrival, std::abs(said.speed - there.speed),
             promised(tolerance::exact_speed) * std::max(1.0, there.speed),
             fmt::format("says {} m/s and arrives at {} m/s", said.speed, there.speed));
-    // The safest launch need not arrive at the speed asked: what counts as made does not speak of it.
+    // The safest launch need not arrive at the required speed, because "made" does not depend on that speed.
     if (const auto asked = arrival_range(p_); asked && !shot_.moved)
       compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high),
               promised(tolerance::exact_speed) * std::max(1.0, asked->high),
@@ -153,7 +153,7 @@ class ShotCheck {
     for (std::size_t i = 0; i < there.hits.size(); ++i) compare_hit(shot_.hits[i], i, there.hits[i], place);
   }
 
-  /// `nth` of the shot's contacts.
+  /// Checks contact number `nth` of the shot.
   void compare_hit(const Hit& said, std::size_t nth, const Arrived::Hit& hit, double place) {
     const Contact ball = Contact::ball(hit.ball);
     if (said.ball != hit.ball) return fails(Claim::hits, "meets " + contact_name(p_, ball)), void();
@@ -163,7 +163,7 @@ class ShotCheck {
     compare(Claim::hits, std::abs(as_said - offset), place_,
             fmt::format("says a cut of {:.6g}°, the offset {:.6g} m, and it is {:.6g} m", degrees(said.cut), as_said,
                         offset));
-    // Along its path the contact is as far off as it is across, over the cosine of the cut.
+    // The error of the contact along the path is the error across it over the cosine of the cut.
     compare(Claim::hits, norm(said.at - hit.passing.at), place / std::max(std::cos(said.cut), 1e-6),
             "the contact is elsewhere");
     compare(Claim::hits, std::abs(said.speed - speed), tolerance::exact_speed * std::max(1.0, speed),
@@ -171,11 +171,11 @@ class ShotCheck {
   }
 
   void condition() {
-    constexpr double digits = 1e-6;  // what a player or a program may build on
-    // Where the place has fewer, what the path bends around, of a ball's size or more, turns by so much more or less.
+    constexpr double digits = 1e-6;  // relative accuracy that users may rely on
+    // If the position has fewer digits, its error turns the normals of round obstacles, whose size is a ball's or more.
     double allowed = std::max(digits, shot_.digits ? place_ / scene_.boundary.body.radius : 0);
-    // Within rounding of the launch it may change: where a cushion holds the ball on one side of the shot alone, or
-    // where the ball creeps up to one. Then it is any between.
+    // Within rounding of the launch the condition may jump: a cushion may hold the ball on one side of the shot only,
+    // or the ball may creep up to a cushion. Any value between is then correct.
     constexpr Scene::Sides sides[] = {{1, 1}, {1, 1, true}, {-1, 1, true}, {1, -1, true}, {-1, -1, true}};
     std::optional<Range> truth;
     double off = 0;
@@ -194,7 +194,7 @@ class ShotCheck {
               fmt::format("says {} m and it is {} to {} m", shot_.condition, truth->low, truth->high));
   }
 
-  /// Both sides of each end, a little more than its tolerance away, and places between 0 and the end.
+  /// Checks both sides of each end, slightly more than its tolerance away, and launches between 0 and the end.
   void margin() {
     constexpr double beside = 3 * tolerance::margin, least = tolerance::same_aim;
     constexpr int places = 50;
@@ -216,7 +216,7 @@ class ShotCheck {
         }
         return false;
       };
-      // Cue balls fall in bands that may be narrower than the tolerance of an end.
+      // Intervals in which the cue ball falls may be narrower than the tolerance of an end.
       const auto goes_on = [&] {
         if (!made(launch(1 + beside, 1))) return false;
         constexpr int looks = 16;
@@ -224,7 +224,7 @@ class ShotCheck {
           if (!made(launch(1 + beside * i / looks, static_cast<double>(i) / looks))) return false;
         return true;
       };
-      // Nearer than `least` no launch is told from the shot's.
+      // Launches nearer than `least` cannot be distinguished from the shot's.
       const bool inside = std::abs(*m) <= least || made(launch(1 - beside, -1));
       const char* const trouble = !inside     ? "is not made"
                                   : goes_on() ? "does not break it"
@@ -242,14 +242,15 @@ class ShotCheck {
     compare(Claim::margin, wrong, 0, what);
   }
 
-  /// A shot that scratches as launched leaves nothing to be off by.
+  /// Checks that the margins of a shot that scratches are 0.
   void scratched() {
     const auto& [angle, speed] = *shot_.margin;
     const auto wrong = [](const auto& ends) { return std::ranges::count_if(ends, [](auto m) { return m != 0.0; }); };
     compare(Claim::margin, static_cast<double>(wrong(angle) + wrong(speed)), 0, "is not 0, and the cue ball falls");
   }
 
-  /// An answer does not tell how many jaws a shot touches: one that rattles touches a whole number of them.
+  /// Checks the value. An answer does not contain the number of jaw contacts; for a jaw shot, any whole number from 1
+  /// is accepted.
   void value() {
     constexpr double digits = 1e-9, per_contact = 0.005;
     if (!shot_.success) return compare(Claim::value, HUGE_VAL, digits, "is given without a success");
@@ -261,7 +262,7 @@ class ShotCheck {
 
   void success() {
     constexpr int draws = 1000;
-    constexpr double deviations = 5;  // of the share that these draws make
+    constexpr double deviations = 5;  // standard deviations of the fraction made in these draws
     const double p = *shot_.success, seen = scene_.chance(shot_, draws);
     const double spread = std::sqrt(std::max(seen * (1 - seen), 1.0 / draws) / draws);
     const bool possible = p >= 0 && p <= 1;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Every claim of an answer, held against a replay in 50 digits.
-// What may differ: a place by `exact_miss` of the diagonal or, where the shot promises fewer `digits`, by as many of
-// the diagonal (of a shot that promises none its bounds alone are held to it); a time by that place at the ball's
-// speed; a speed on arrival by `exact_speed`, or as many digits; a condition by 1e-6 or, where there are fewer digits,
-// by that place over the ball's radius. With mathavan2010 the impacts of the replay are integrated 1e7 times finer than
-// those of the solver.
+// Checks every claim of an answer against a replay in 50 digits. Allowed differences:
+//   position   `exact_miss` of the diagonal; if the shot guarantees fewer `digits`, that many digits of the diagonal
+//   time       the position error at the ball's speed
+//   speed      on arrival, `exact_speed` or the guaranteed digits
+//   condition  1e-6; with fewer digits, the position error over the ball's radius
+// A shot that guarantees no digits is checked only for its bounds. With mathavan2010, the replay integrates impacts 1e7
+// times finer than the solver.
 #pragma once
 
 #include <string>
@@ -17,43 +18,44 @@
 namespace bankshot::truth {
 
 enum class Claim {
-  id,         ///< that of the puzzle
-  form,       ///< the answer has what its status says: shots when solved, none when not
-  status,     ///< a puzzle that cannot be read is `invalid`, and no other
+  id,         ///< the puzzle's id
+  form,       ///< the answer matches its status: shots if solved, otherwise none
+  status,     ///< `invalid` exactly if the puzzle cannot be read
   speed,      ///< launch speed inside the puzzle's bounds [m/s]
   angle,      ///< aim inside the puzzle's bounds [rad]
-  spin,       ///< the spin asked, or one inside the ranges asked
-  rule,       ///< the cushions are as the puzzle asks
-  cushions,   ///< the ball meets the cushions named, in that order
-  target,     ///< the target is made: nothing is in the way, no other pocket takes the ball
-  centre,     ///< exactly, unless the shot says that it is off centre [m]
-  miss,       ///< [m]
-  offset,     ///< of the line of travel from the pocket's centre [m]
-  hits,       ///< the contact with the ball that is its target: cut, place [m], speed [m/s]
-  place,      ///< where it arrives [m]
-  time,       ///< when [s]
-  arrival,    ///< how fast [m/s]
-  asked,      ///< as fast as the puzzle asks [m/s]
-  condition,  ///< by differences in 50 digits [relative]
-  margin,     ///< made just inside, not made just outside, all 0 of a scratch [number of ends that are wrong]
-  success,    ///< between 0 and 1, and as 1,000 seeded draws say
-  value,      ///< success less what the shot costs
+  spin,       ///< the required spin, or one inside the required ranges
+  rule,       ///< the cushions satisfy the puzzle's rule
+  cushions,   ///< the ball meets the named cushions in this order
+  target,     ///< the target is made: no obstacle, and no other pocket takes the ball
+  centre,     ///< the target is made exactly, unless the shot says that it is off centre [m]
+  miss,       ///< distance from the point or exact line [m]
+  offset,     ///< offset of the line of travel from the pocket's centre [m]
+  hits,       ///< contacts with balls: cut and position [m], speed [m/s]
+  place,      ///< position of the arrival [m]
+  time,       ///< time of the arrival [s]
+  arrival,    ///< speed on arrival [m/s]
+  asked,      ///< speed on arrival inside the puzzle's range [m/s]
+  condition,  ///< condition by differences in 50 digits [relative]
+  margin,     ///< made just inside, not just outside; all 0 for a scratch [number of wrong ends]
+  success,    ///< between 0 and 1, and consistent with 1,000 seeded draws
+  value,      ///< success minus the cost of the shot
 };
 inline constexpr int claims = 21;
 
 std::string_view name(Claim claim);
-std::string_view unit(Claim claim);  ///< of `off` and `allowed`
+std::string_view unit(Claim claim);  ///< unit of `off` and `allowed`
 
 /// One claim of one shot. It holds when off <= allowed.
 struct Check {
   Claim claim;
   double off = 0, allowed = 0;
-  std::string what{};    ///< in words, where it does not hold
-  std::size_t shot = 0;  ///< which of the answer's; 0 is the best
+  std::string what{};    ///< description if it does not hold
+  std::size_t shot = 0;  ///< index among the answer's shots; 0 is the best
   bool holds() const { return off <= allowed; }
 };
 
-/// Checks of all shots, in their order. `puzzle` is null where it cannot be read; `id` is its JSON text.
+/// Returns the checks of the answer and of all its shots, in order. `puzzle` is null if it cannot be read; `id` is the
+/// JSON text of its id.
 std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answer& answer);
 
 }  // namespace bankshot::truth

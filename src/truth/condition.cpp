@@ -14,7 +14,7 @@ namespace {
 
 using Dual = bankshot::Dual<7>;
 
-/// What a step of the simulator rounds or neglects, of the size of what it works on.
+/// Returns the relative error of one step of the simulator, by rounding or integration.
 double error_of_a_step(const Physics& p) {
   const auto* integrated = std::get_if<Mathavan2010>(&p.cushion);
   return integrated ? integrated->tolerance : 0x1p-53 * (is_level(p) ? 1 : tolerance::pieces_rounding);
@@ -22,7 +22,7 @@ double error_of_a_step(const Physics& p) {
 
 using Step = Eigen::Matrix<double, 7, 7>;
 
-/// The state with its seven numbers as the variables of derivation.
+/// Makes the seven numbers of a state the variables of differentiation.
 State<Dual> seeded(State<Dual> s) {
   Dual* const inputs[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
   for (int k = 0; k < 7; ++k) *inputs[k] = Dual(inputs[k]->a, k);
@@ -40,7 +40,7 @@ double speed_scale(const State<Dual>& s, double radius) {
   return std::hypot(s.velocity.x.a, s.velocity.y.a) + radius * std::hypot(s.spin.x.a, s.spin.y.a, s.spin.z.a);
 }
 
-/// Whether a and b meet the same events, up to the order of two cushions at one instant.
+/// Returns the number of leading events that a and b have in common.
 std::size_t agree(const Path& a, const Path& b) {
   const std::size_t n = std::min(a.events.size(), b.events.size());
   for (std::size_t i = 0; i < n; ++i)
@@ -50,8 +50,8 @@ std::size_t agree(const Path& a, const Path& b) {
 
 bool same(const Path& a, const Path& b) { return a.events.size() == b.events.size() && agree(a, b) == a.events.size(); }
 
-/// Without slides that last less than the ball needs to cross the bound: whether there is one at all is
-/// up to the rounding of a slip that is nearly 0.
+/// Removes slides that last less than the ball needs to cross the bound. Whether such a slide exists depends on
+/// the rounding of a slip near 0.
 Path without_tiny_slides(Path path, double bound) {
   double before = 0;
   std::erase_if(path.events, [&](const TruthEvent& e) {
@@ -61,7 +61,7 @@ Path without_tiny_slides(Path path, double bound) {
   return path;
 }
 
-/// The events in double are those of an exact path from a start this close, relative to its own size.
+/// Returns true if the events in double are those of an exact path whose start differs by 1e-13 in one number.
 bool nearby_start(const Run& run, const Path& rough) {
   constexpr double step = 1e-13;
   const double v = norm(run.start.velocity), w = run.boundary.body.radius > 0 ? v / run.boundary.body.radius : 0;
@@ -126,7 +126,8 @@ Compared compare_with_truth(const Run& run) {
     exact = without_tiny_slides(std::move(exact), tolerance::simulation_error * c.unit);
   }
   if (!same(rough, exact)) {
-    // Where they part, the events that compete lie within the bound, as times at the speed of the ball.
+    // It is a tie if the first two different events lie within the bound: their times differ by no more than the ball
+    // needs to cross it.
     const std::size_t i = agree(rough, exact);
     c.order = Compared::Order::wrong;
     if (i < std::min(rough.events.size(), exact.events.size())) {

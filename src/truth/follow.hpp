@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs the simulator in a scalar T and notes what happened, for run.hpp and the tests.
+// Runs the simulator in a scalar T and records its events, for run.hpp and the tests.
 #pragma once
 
 #include "bankshot/detail/roots/roots.hpp"
@@ -10,7 +10,7 @@
 namespace bankshot::truth {
 
 inline double rounded(double x) { return x; }
-/// Of a number of 50 digits.
+/// Rounds a multiprecision number to double.
 template <class T>
 requires requires(const T& x) { x.template convert_to<double>(); }
 double rounded(const T& x) { return x.template convert_to<double>(); }
@@ -20,7 +20,7 @@ State<T> lift(const State<double>& s) {
   return {to<T>(s.at), to<T>(s.velocity), {T(s.spin.x), T(s.spin.y), T(s.spin.z)}};
 }
 
-/// The run's start in T, turned and pushed.
+/// Returns the run's start in T, turned and pushed.
 template <class T>
 State<T> start_of(const Run& run) {
   State<T> s = lift<T>(run.start);
@@ -37,7 +37,7 @@ State<T> start_of(const Run& run) {
   return s;
 }
 
-/// Where the ball is at parameter t of an arc that began at a time, seen from `target`.
+/// Returns the state at parameter t of an arc that started at `began`, relative to `target`.
 template <class T>
 Passing passing(const Arc<T>& arc, const T& began, const T& t, const Vec2d& target) {
   const Vec2<T> at = arc.position(t), v = arc.velocity_at(t), off = to<T>(target) - at;
@@ -48,13 +48,13 @@ Passing passing(const Arc<T>& arc, const T& began, const T& t, const Vec2d& targ
           rounded(T(norm(off))), side,           rounded(T(lateral - side))};
 }
 
-/// On the arc that led `sim` to its last event.
+/// Returns the passing on the arc that led `sim` to its last event.
 template <class T, class Sim>
 Passing passing(const Sim& sim, const T& t, const Vec2d& target) {
   return passing<T>(sim.arc(), T(sim.time() - sim.arc().seconds(sim.travelled())), t, target);
 }
 
-/// What a line of travel led to: of jaws, their pocket.
+/// Returns the contact that a line of travel leads to; for jaws, their pocket.
 inline Contact towards(const Event& e) {
   return e.kind == EventKind::jaw ? Contact::pocket(e.contact.jaw_pocket()) : e.contact;
 }
@@ -83,7 +83,7 @@ TruthEvent note(const Event& e, const T& time, const State<T>& s, const Passing&
           ball};
 }
 
-/// Runs in T and hands each event to `see(event, simulator)`; true when the shot came to its end.
+/// Runs in T and calls `see(event, simulator)` for each event. Returns true if the run reached its end.
 template <class T, class See>
 bool follow(const Run& run, const State<T>& start, See&& see) {
   return with_physics(run.physics, [&](const auto& motion, const auto& cushion) {

@@ -18,7 +18,7 @@ HardCase hard(std::string what, const ShotRequest& shot) {
   return {std::move(what), shot.table, shot.ball.body.radius, shot.physics, start_state(shot)};
 }
 
-/// Sent from the middle to the end of the second cushion, `off` radians beside it.
+/// Shots from the middle to the end of the second cushion, with an aim `off` radians beside it.
 Cases corners() {
   Cases out;
   for (const Table& table : {rectangle_table(2, 1), polygon_table({{0, 0}, {2, 0}, {2.3, 1.1}, {0, 1}}),
@@ -34,7 +34,7 @@ Cases corners() {
   return out;
 }
 
-/// A slide that ends within 20 units in the last place of the cushion.
+/// Slides that end within 20 units in the last place of the cushion.
 Cases coincidence() {
   Cases out;
   const double v = 2, slide = 12 * v * v / (49 * 0.2 * 9.81);
@@ -44,8 +44,8 @@ Cases coincidence() {
   return out;
 }
 
-/// Falls towards the bottom while friction pushes away; the vertex of the parabola lies just beyond the line, or before
-/// it.
+/// Balls that move to the bottom cushion while friction pushes them away. The vertex of the parabola lies just beyond
+/// the line, or just before it.
 Cases curving() {
   Cases out;
   const SlideRoll motion;
@@ -75,7 +75,7 @@ Cases frozen() {
   return out;
 }
 
-/// The place of the bounce, and the place of rest.
+/// Grazing bounces; the position of the bounce and the position of rest are tested.
 Cases grazing() {
   Cases out;
   for (const double angle : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10})
@@ -140,7 +140,7 @@ Cases reflex() {
   return out;
 }
 
-/// The line of travel passes a vertex at R (1 ± δ): odd ones hit it.
+/// Lines of travel that pass a vertex at R (1 ± δ). Those at R (1 − δ) hit it.
 Cases grazing_vertex() {
   Cases out;
   for (double delta = 1e-2; delta > 1e-13; delta /= 10)
@@ -175,13 +175,13 @@ Cases speeds() {
   return out;
 }
 
-/// One scene with lengths times s and speeds times √s, shifted.
+/// One scene with lengths scaled by s and speeds by √s, and shifted.
 Cases tables() {
   Cases out;
   constexpr double radius = 0.03125;
   for (const double s : {1e-3, 1e-2, 0.3, 7.0, 1e2, 1e3})
     for (const Vec2d& by : {Vec2d{0, 0}, Vec2d{1e-3, -1}, Vec2d{-100, 37}, Vec2d{1e4, -1e4}}) {
-      if (norm(by) > 1e6 * s) continue;  // a millimetre at ten kilometres has four digits left
+      if (norm(by) > 1e6 * s) continue;  // far from the origin, a small table has too few digits left
       Physics physics = spin_physics({radius * s});
       std::get<Han2005>(physics.cushion).height = 1.25 * radius * s;
       std::get<SlideRoll>(physics.motion).spinning_friction = 0.015;
@@ -207,7 +207,7 @@ Cases endless() {
   return out;
 }
 
-/// μr = 0.01 + b v, from a growth that rounding hides to one that stops the ball within centimetres.
+/// μr = 0.01 + b v, with b from values hidden by rounding to values that stop the ball within centimetres.
 Cases friction_by_speed() {
   Cases out;
   for (const double b : {1e-18, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 1e-1, 1.0, 10.0})
@@ -220,8 +220,8 @@ Cases friction_by_speed() {
   return out;
 }
 
-/// Cushions of mathavan2010: natural roll, whose slip on the cloth is 0, side spin that the nose takes away in the end,
-/// nearly along the cushion, and straight at it, where slips reach 0 in one instant.
+/// Cushions after mathavan2010. The cases have natural roll, whose slip on the cloth is 0; side spin that the nose
+/// removes in the end; paths nearly along the cushion; and straight impacts, where both slips reach 0 at one instant.
 Cases integrated_impacts() {
   Cases out;
   for (const double aim : {270.0, 269.999999, 250.0, 225.0, 200.0, 183.0, 180.01})

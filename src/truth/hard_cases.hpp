@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The scenes that simulators and planners find hard, by class: the tests of tests/hard hold each to its bound,
-// and `report` counts them and says how near to the bound they come. Why each is hard stands in its test.
+// Hard scenes for simulators and planners, by class. The tests in tests/hard check each against its bound, and
+// `report` counts them and prints how near they come to it. Each test explains why its class is hard.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 namespace bankshot::truth {
 
 struct HardCase {
-  std::string what;  ///< in words, for a failure
+  std::string what;  ///< description for failure messages
   Table table;
   double radius;
   Physics physics;
@@ -25,15 +25,16 @@ struct HardCase {
 
 Compared compare_with_truth(const HardCase& hard);
 
-/// Classes whose error is bounded by the simulator's property 6.
+/// Returns the classes whose error the simulator's property 6 bounds.
 std::vector<std::string_view> hard_classes();
 std::vector<HardCase> hard_cases(std::string_view name);
 
-/// Classes of puzzles; every one has an answer with a miss of at most tolerance::exact_miss of the diagonal.
+/// Returns the classes of puzzles. Every puzzle has an answer with a miss of at most tolerance::exact_miss of the
+/// diagonal.
 std::vector<std::string_view> hard_puzzle_classes();
 std::vector<Puzzle> hard_puzzles(std::string_view name);
 
-/// A shot on a 2 × 1 table with the default physics `spin`.
+/// Returns a shot on a 2 m × 1 m table with the default physics `spin`.
 ShotRequest spin_shot(Vec2d at, double speed, double degrees_, LaunchSpin spin = {});
 
 }  // namespace bankshot::truth

@@ -42,7 +42,8 @@ Puzzles at_the_start() {
   return out;
 }
 
-/// As far as the top speed goes: by hand v²/(2 μr g) rolling, 12 v²/(49 μs g) + (5v/7)²/(2 μr g) struck in the centre.
+/// Targets at the reach of the top speed: v²/(2 μr g) for a rolling ball, 12 v²/(49 μs g) + (5v/7)²/(2 μr g) for a
+/// centre hit.
 Puzzles at_the_speed_bound() {
   Puzzles out;
   const double v = 0.4;
@@ -75,7 +76,7 @@ ShotRequest launch(const Fold& c, double degrees_) {
 
 struct Rest {
   Vec2d at;
-  double determinant;  ///< of d(rest)/d(aim, ln speed)
+  double determinant;  ///< determinant of d(rest)/d(aim, ln speed)
   std::vector<Contact> met;
 };
 
@@ -85,7 +86,7 @@ Rest rest_of(const ShotRequest& shot) {
   const Run run{boundary, shot.physics, s};
   const Condition c = condition(run);
   const Trajectory t = simulate(shot);
-  // The spin turns and grows with the velocity.
+  // The spin turns and grows together with the velocity.
   const double by_aim[] = {0, 0, -s.velocity.y, s.velocity.x, -s.spin.y, s.spin.x, 0};
   const double by_speed[] = {0, 0, s.velocity.x, s.velocity.y, s.spin.x, s.spin.y, s.spin.z};
   double m[2][2] = {};
@@ -94,7 +95,8 @@ Rest rest_of(const ShotRequest& shot) {
   return {t.events.back().state.at, m[0][0] * m[1][1] - m[0][1] * m[1][0], t.sequence()};
 }
 
-/// An aim at which the determinant vanishes while the cushions stay the same; none when the scan finds none.
+/// Finds an aim at which the determinant vanishes while the cushions stay the same. Returns false if the scan finds
+/// none.
 bool find_fold(const Fold& c, double& aim) {
   constexpr double step = 0.25;
   for (double low = c.from; low < c.to; low += step) {
@@ -113,7 +115,7 @@ bool find_fold(const Fold& c, double& aim) {
   return false;
 }
 
-/// Places of rest where d(rest)/d(aim, speed) is singular, found by bisection of its determinant along a line of
+/// Points of rest where d(rest)/d(aim, speed) is singular, found by bisection of its determinant along a line of
 /// launches.
 Puzzles folds() {
   Puzzles out;

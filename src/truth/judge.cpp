@@ -13,10 +13,10 @@
 namespace bankshot::truth {
 namespace {
 
-/// Two bounces less apart than this are one instant to a run in double [s].
+/// Two bounces closer than this are one instant for a run in double [s].
 constexpr double one_instant = 1e-12;
 
-/// Two at one instant match in either order.
+/// Returns true if the contacts have the required order. Two at one instant match in either order.
 bool same_order(const std::vector<Contact>& asked, const std::vector<const TruthEvent*>& met) {
   if (asked.size() != met.size()) return false;
   for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -29,7 +29,7 @@ bool same_order(const std::vector<Contact>& asked, const std::vector<const Truth
   return true;
 }
 
-/// A path, event by event. Where a ball sends another on, that one is looked at from their contact on.
+/// Judges a path event by event. After the cue ball has hit an object ball, the object ball is judged.
 class Judge {
  public:
   Judge(const Scene& scene, const Goal& goal)
@@ -55,7 +55,7 @@ class Judge {
   }
 
  private:
-  /// The words for the cue ball, or for what it does to another.
+  /// Returns the words for the cue ball, or those for the object ball that it hits.
   std::string_view does(std::string_view itself, std::string_view another) const { return then_ ? another : itself; }
   std::string name(const TruthEvent& e) const { return contact_name(puzzle_, e.contact); }
 
@@ -66,7 +66,7 @@ class Judge {
 
   void note_order() { out_.in_order = !goal_.sequence || same_order(*goal_.sequence, met_); }
 
-  /// Of the cue ball, on its way to another.
+  /// Handles an event of the cue ball on its way to an object ball. Returns true if the path ends.
   bool ends_before_hit(const TruthEvent& e) {
     if (e.ball != 0 || e.kind == EventKind::slide_to_roll) return false;
     if (e.kind == EventKind::jaw) {
@@ -98,16 +98,16 @@ class Judge {
     met_.clear();
     return false;
   }
-  /// Of those that are sent on, the one on its way, from 0.
+  /// Returns the number of the moving object ball, from 0.
   std::size_t nth() const { return out_.then.size() - 1; }
 
-  /// The pot may be made by any rails.
+  /// Returns true if the pot counts by any rails.
   bool any_fall() const { return goal_.counts && then_ && all_set() && then_->counts_any_fall(); }
   bool own_pocket(Contact pocket) const {
     return !own_pocket_ || &puzzle_.table.pockets[static_cast<std::size_t>(pocket.index)] == own_pocket_;
   }
 
-  /// Of the ball that is to arrive: its bounces are those asked.
+  /// Returns true if the arriving ball has made the required bounces.
   bool counts() const {
     const auto in_turn = [&](const std::vector<Contact>& asked) { return same_order(asked, met_); };
     if (!then_) return static_cast<int>(met_.size()) >= goal_.min && out_.in_order;
@@ -122,7 +122,7 @@ class Judge {
     return goal_.then ? static_cast<int>((*goal_.then)[nth()].cushions.size()) : then_->cushions_of(nth()).max;
   }
   bool all_set() const { return !then_ || nth() == then_->links.size(); }
-  /// A contact of the ball that is on its way with the one that it is to send on.
+  /// Returns true if the moving ball hits the next ball of the combination.
   bool is_next(const TruthEvent& e) const {
     if (!then_ || all_set()) return false;
     return e.ball == out_.ball && e.contact == Contact::ball(then_->links[nth()].ball);
@@ -155,7 +155,7 @@ class Judge {
     }
   }
 
-  /// Of several passes by a point the nearest to the time claimed counts.
+  /// Takes note of a pass by the point. Of several passes, the one nearest to the claimed time counts.
   void look_at_pass(const TruthEvent& e) {
     const bool whole_arc = !then_ || e.kind == EventKind::slide_to_roll;
     if (!point_ || scene_.stops || !whole_arc || !all_set() || !counts() || e.passing.miss > within_) return;
@@ -166,7 +166,7 @@ class Judge {
 
   bool bounces(const TruthEvent& e) {
     if (e.ball == 0 && bounces_in_place(e)) return fails("bounces where it stands");
-    if (then_ && !(e.time > hit_->time)) return false;  // against what it touches, in the instant in which it is hit
+    if (then_ && !(e.time > hit_->time)) return false;  // bounces off a cushion it touches at the instant of the hit
     if (static_cast<int>(met_.size()) == most() || found_)
       return fails(fmt::format("{} {} before the target", does("meets", "sends it to"), name(e)));
     met_.push_back(&e);
@@ -175,7 +175,8 @@ class Judge {
     return false;
   }
 
-  /// Legs have a length, but for that between the two cushions of a corner. A point in a vertex has no side to bounce.
+  /// Returns true for a forbidden bounce without travel at the start. A ball in a corner may bounce twice in place; a
+  /// point ball in a vertex may not bounce at all.
   bool bounces_in_place(const TruthEvent& e) {
     constexpr std::size_t of_a_corner = 2;
     at_start_ = at_start_ && norm(e.state.at - puzzle_.ball.at) <= scene_.boundary.touch;
@@ -222,7 +223,7 @@ class Judge {
     out_.rattles = touched_jaw_;
   }
 
-  /// `line`: the event whose line of travel counts.
+  /// Records the capture at event `e`; `line` is the event whose line of travel counts.
   bool taken(const TruthEvent& e, const TruthEvent& line) {
     out_.why = "";
     out_.time = e.time, out_.speed = norm(e.state.velocity), out_.at = e.state.at;
@@ -239,19 +240,19 @@ class Judge {
   const Puzzle& puzzle_;
   const Goal& goal_;
   const BallTarget* touches_;
-  int off_;  ///< the ball that a carom is played off; 0: none is
+  int off_;  ///< the first ball of a carom; 0 if there is none
   const Then* then_;
   const PointTarget* point_;
   const PocketTarget* pocket_;
-  const Shot* own_ = nullptr;  ///< whose ball and pocket alone count
+  const Shot* own_ = nullptr;  ///< the shot whose ball and pocket alone count
   const Pocket* own_pocket_ = nullptr;
   double within_;                         ///< m
-  std::vector<const TruthEvent*> met_{};  ///< bounces, of the cue ball up to the contact and then of the other
-  const TruthEvent* hit_ = nullptr;       ///< the last contact with a ball on the way
-  const TruthEvent* jaw_ = nullptr;       ///< the first touched of those of a pocket that is asked for
-  bool touched_jaw_ = false;              ///< of any pocket, so far
-  bool found_ = false;                    ///< a pass by the point
-  bool at_start_ = true;                  ///< the struck ball has bounced nowhere else
+  std::vector<const TruthEvent*> met_{};  ///< bounces: of the cue ball up to its hit, then of the moving object ball
+  const TruthEvent* hit_ = nullptr;       ///< the last hit before the target
+  const TruthEvent* jaw_ = nullptr;       ///< the first contact with a jaw of the target pocket
+  bool touched_jaw_ = false;              ///< a jaw of any pocket was touched
+  bool found_ = false;                    ///< a pass by the point was found
+  bool at_start_ = true;                  ///< the cue ball has bounced only at its start
   Arrived out_{};
 };
 

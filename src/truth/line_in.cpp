@@ -9,7 +9,7 @@
 namespace bankshot::truth {
 namespace {
 
-/// Lines in one direction into a pocket.
+/// The lines in one direction into a pocket.
 class LineIn {
  public:
   LineIn(const Boundary& boundary, const Circle& rim, const Vec2d& heading)
@@ -26,7 +26,7 @@ class LineIn {
     const Vec2d entry = rim_.centre + left_ * offset - u_ * ahead;
     const auto at = [&](double back) { return boundary_.clearance(entry - u_ * back); };
     if (boundary_.jaws.empty()) return at(0);
-    double low = 0, high = 0;  // m back to the table
+    double low = 0, high = 0;  // m; range of the distance back to the table
     for (const Wall& w : boundary_.walls) {
       const double inside = dot(w.normal, entry) - w.offset, slope = -dot(w.normal, u_);
       if (inside < 0 && !(slope > 0)) return {};
@@ -44,7 +44,7 @@ class LineIn {
     return std::min(least, at(low));
   }
 
-  /// Of lines from `in`, which enters, towards `out`: the last that does.
+  /// Returns the offset of the last entering line from `in`, which enters, towards `out`.
   double last(double in, double out) const {
     constexpr int steps = 100;
     const double from = in, to = out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines that lead straight into a pocket, by the definition of its opening and exact line: tried, one by one.
+// Finds lines that lead straight into a pocket by trying single lines against the definitions of opening and exact
+// line.
 #pragma once
 
 #include <optional>
@@ -9,14 +10,14 @@
 
 namespace bankshot::truth {
 
-/// How far a ball's centre keeps from what it may not touch, by less than 0 where it does [m]: on a line of this
-/// offset, where it enters the pocket's circle and, with jaws, since it left the table; none where it cannot come from
-/// there.
+/// Returns the least clearance [m] of a ball on a line with this offset; negative if it touches an obstacle. It is
+/// taken where the centre enters the pocket's circle and, with jaws, from where it leaves the table. Returns none if no
+/// ball can come along the line.
 std::optional<double> room_of_line(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double offset);
 
-/// The offset of a pocket's exact line [m], not a number where no line leads straight in; from its definition: lines
-/// beside the ball's own enter farther and farther off, up to the last one that enters where a ball's centre can be.
-/// `heading` need not be a unit vector.
+/// Returns the offset of a pocket's exact line [m]; NaN if no line leads straight in. By definition, it tries lines
+/// farther and farther beside the ball's own, up to the last that enters where a ball's centre can be. `heading` need
+/// not be a unit vector.
 double exact_offset(const Boundary& boundary, const Circle& rim, const Vec2d& heading, double own);
 
 }  // namespace bankshot::truth

@@ -38,7 +38,7 @@ std::vector<BallTruth> run(const ShotRequest& request, std::size_t most, double 
   });
 }
 
-/// An arc that ended.
+/// A completed arc.
 template <class T>
 struct Flown {
   T began;
@@ -70,7 +70,7 @@ Path run_all(const Run& run) {
     ManyBalls sim(std::span<const BallStart<T>>(balls), motion, cushion, collisions(run.physics));
     Path path;
     std::vector<Flown<T>> last(balls.size());
-    // In `ideal` the struck ball may bounce very often before a slow one arrives.
+    // In `ideal` physics, the cue ball may bounce very often before a slow ball arrives.
     constexpr long patience = 20;
     int on_its_way = 0, contacts = 0;
     for (long i = 0; i < patience * run.events; ++i) {
@@ -88,18 +88,18 @@ Path run_all(const Run& run) {
       }
       Vec2d met{};
       const bool meets = e.event.kind == EventKind::ball;
-      // Of two that meet it is the one on its way that hits.
+      // The ball on its way to the target counts as the hitting ball.
       if (meets && e.event.contact.index == on_its_way) e = {on_its_way, {EventKind::ball, Contact::ball(e.ball)}};
       if (meets) {
         const State<T>& other = sim.state(e.event.contact.index);
         met = {rounded(other.at.x), rounded(other.at.y)};
       }
-      // Two others meet: what the ball has passed on its arc until then counts, and nothing after.
+      // Two other balls meet: the moving ball's arc up to this time counts, and nothing after it.
       const bool others_meet = meets && on_its_way != 0 && e.ball != on_its_way;
       if (others_meet) sim.stop(look);
       const Passing p = passing_of<T>(run, e, starts, last[static_cast<std::size_t>(e.ball)], met);
       path.events.push_back(note<T>(e.event, sim.time(), sim.state(e.ball), p, e.ball));
-      // What the ball on its way to the target does after its rest, its fall or one contact more is not asked.
+      // The path ends when the ball on its way to the target rests, falls or has one contact too many.
       const bool ended = e.event.kind == EventKind::pocket || e.event.kind == EventKind::rest;
       path.ended = path.ended || others_meet;
       if (others_meet) break;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The truth about a shot with other balls: the simulator of many balls, in 50 digits from the same double start.
+// The truth about a shot with other balls: the simulator of many balls, run in 50 digits from the same double start.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,20 @@
 
 namespace bankshot::truth {
 
-/// An event of a ball; of two that meet, of the first.
+/// An event of a ball; for a collision, that of the first ball.
 struct BallTruth {
   BallEvent event;
   double time;
   Vec2d at, velocity;
 };
 
-/// A run where all balls move, see run.hpp.
+/// Run a shot in which all balls move (see run.hpp).
 Path run_all_truth(const Run& run);
 Path run_all_double(const Run& run);
 
-/// The first events, at most so many. `turned` [rad]: the launch is turned by this, without rounding.
+/// Returns the first events, up to `most`. The launch is turned by `turned` [rad] without rounding.
 std::vector<BallTruth> run_many_truth(const ShotRequest& request, std::size_t most, double turned = 0);
-/// The same in double.
+/// Returns the first events of the run in double.
 std::vector<BallTruth> run_many_double(const ShotRequest& request, std::size_t most);
 
 }  // namespace bankshot::truth

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where to aim and how hard, so that a ball reaches a pocket or a point after the cushions you ask for.
+"""Finds where to aim and how hard, so that a ball reaches a pocket or a point after the cushions you ask for.
 
 >>> import bankshot
 >>> answer = bankshot.solve({"table": "pool-9ft", "ball": {"at": [0.635, 0.40]},
@@ -7,7 +7,7 @@
 >>> answer.best.angle, answer.best.speed   # degrees, m/s
 >>> print(answer)
 
-Documents are those of the program (docs/format.md): metres from the lower left corner of the cloth, m/s, degrees
+Documents have the program's format (docs/format.md): metres from the lower left corner of the cloth, m/s, degrees
 anticlockwise from +x. docs/python.md shows more.
 """
 from ._answer import Answer

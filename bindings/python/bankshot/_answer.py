@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 
 class Answer:
-    """What `solve` found: shots, best first, and what it cost.
+    """The answer of `solve`: shots, best first, and the cost of the search.
 
-    It is the JSON of `bankshot solve --json` (`answer.json`), read when it is first looked at. In a notebook it draws
-    itself; print(answer) tells it to a player.
+    `answer.json` is the JSON of `bankshot solve --json`, which is parsed at first use. A notebook shows the answer as a
+    picture; print(answer) shows it as text for a player.
     """
 
     def __init__(
@@ -31,20 +31,20 @@ class Answer:
         self._shots: Optional[List[Shot]] = None
 
     def _engines(self) -> _engine.Solved:
-        """Solved again where it came from a batch or a pickle: the same puzzle has the same answer."""
+        """Solves the puzzle again if the answer came from a batch or a pickle; the same puzzle has the same answer."""
         if self._solved_by is None:
             self._solved_by = _engine.solve(self._puzzle, _engine.SolveFlags(**self._flags))
         return self._solved_by
 
     @property
     def json(self) -> str:
-        """One line, to the byte as the program prints it."""
+        """One line of JSON, byte for byte as the program prints it."""
         if self._text is None:
             self._text = self._engines().json()
         return self._text
 
     def to_dict(self) -> Dict[str, Any]:
-        """As docs/format.md has it; a new one each time."""
+        """Returns a new dict in the format of docs/format.md."""
         document: Dict[str, Any] = json.loads(self.json)
         return document
 
@@ -64,7 +64,7 @@ class Answer:
 
     @property
     def status(self) -> str:
-        """"solved", "no-shot", "budget", or of a batch's line that is no puzzle "invalid"."""
+        """"solved", "no-shot", "budget", or "invalid" for a line of a batch that is no puzzle."""
         return str(self._get("status"))
 
     @property
@@ -73,47 +73,47 @@ class Answer:
 
     @property
     def shots(self) -> List[Shot]:
-        """Best first."""
+        """All shots, best first."""
         if self._shots is None:
             self._shots = [Shot.from_dict(shot) for shot in self._get("shots")]
         return self._shots
 
     @property
     def best(self) -> Optional[Shot]:
-        """None where there is no shot."""
+        """The best shot; None if there is no shot."""
         return self.shots[0] if self.shots else None
 
     @property
     def nearest(self) -> Optional[Shot]:
-        """The closest miss, where there is no shot."""
+        """The nearest miss, if there is no shot."""
         miss = self._get("nearest")
         return Shot.from_dict(miss) if miss else None
 
     @property
     def message(self) -> str:
-        """One sentence for a person."""
+        """One sentence for a player."""
         return str(self._get("message"))
 
     @property
     def error(self) -> Optional[Dict[str, str]]:
-        """What is wrong with the puzzle, of "invalid": its "path" and the "reason"."""
+        """The "path" and "reason" of the error, if the status is "invalid"."""
         error: Optional[Dict[str, str]] = self._get("error")
         return error
 
     @property
     def simulations(self) -> Optional[int]:
-        """Spent, search and proof."""
+        """Simulations spent on search and verification."""
         count: Optional[int] = self._get("simulations")
         return count
 
     @property
     def time_us(self) -> Optional[float]:
-        """Microseconds of the search; None with no_timing."""
+        """Time of the search in microseconds; None with no_timing."""
         time: Optional[float] = self._get("time_us")
         return time
 
     def trajectory(self, shot: int = 0, rate: float = 60, to_target: bool = False) -> Trajectory:
-        """Plays one of the shots until all balls rest, or until the target is reached."""
+        """Simulates one of the shots until all balls rest, or until the target is reached."""
         chosen = self.shots[shot]
         scene: Dict[str, Any] = {**dict_of(self._puzzle), "shot": chosen}
         if to_target:
@@ -130,14 +130,17 @@ class Answer:
         return f"<Answer {self.status}: {self.shots[0].in_words()}{more}>"
 
     def svg(self, theme: str = "light", words: bool = True, animate: bool = False) -> str:
-        """The picture of `bankshot solve --svg`. theme: "light" or "dark"; words: a caption; animate: the balls roll."""
+        """Returns the picture of `bankshot solve --svg`.
+
+        theme: "light" or "dark"; words: draw a caption; animate: move the balls
+        """
         return self._engines().svg(is_dark(theme), words, animate)
 
     def _repr_svg_(self) -> Optional[str]:
         return None if self.status == "invalid" else self.svg()
 
     def plot(self, ax: Optional["Axes"] = None, shot: Optional[int] = None) -> "Axes":
-        """Draws the table and the paths of all shots, or of one, with matplotlib: metres."""
+        """Draws the table and the paths of all shots, or of one, with matplotlib, in metres."""
         from . import _plot
 
         scene = dict_of(self._puzzle)

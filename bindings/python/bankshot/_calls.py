@@ -35,17 +35,17 @@ def solve(
     """Finds the best shot of a puzzle. The flags are those of `bankshot solve`.
 
     puzzle:        a dict, JSON text or a Puzzle; lengths in metres, speeds in m/s, angles in degrees
-    all:           every distinct shot, best first
-    first:         the first shot found, not the best
-    planner:       which one; "auto" is the default
-    budget:        simulations to spend at most; below 0: the puzzle's own
+    all:           return every distinct shot, best first
+    first:         return the first shot found, not the best
+    planner:       name of the planner; "auto" is the default
+    budget:        maximum number of simulations; below 0: the puzzle's own
     no_robustness: leave out margin and success, which is faster
-    sensitivity:   how far a wrong coefficient of the table moves each arrival
-    path:          each shot with the points of its path
-    no_timing:     leave out time_us: same input, same bytes
-    noise:         whose errors: "pro", "league" or "beginner"; "": the puzzle's own
+    sensitivity:   add how far a wrong coefficient of the table moves each arrival
+    path:          add the points of each shot's path
+    no_timing:     leave out time_us, so that equal input gives equal bytes
+    noise:         player whose errors apply: "pro", "league" or "beginner"; "": the puzzle's own
 
-    Raises InvalidInput where the puzzle breaks a rule. Ctrl-C ends the search.
+    Raises InvalidInput if the puzzle breaks a rule. Ctrl-C ends the search.
     """
     flags: Dict[str, Any] = dict(
         all=all,
@@ -63,22 +63,22 @@ def solve(
 
 
 def solve_all(puzzle: Document, **flags: Any) -> Answer:
-    """Every distinct shot of a puzzle, best first: `solve` with all=True."""
+    """Finds every distinct shot of a puzzle, best first: `solve` with all=True."""
     return solve(puzzle, all=True, **flags)
 
 
 def solve_batch(
     puzzles: Documents, *, threads: int = 0, progress: Optional[bool] = None, **flags: Any
 ) -> List[Answer]:
-    """Answers many puzzles, in their order, on all cores and without the GIL.
+    """Solves many puzzles on all cores and without the GIL. Returns the answers in order.
 
-    puzzles:  dicts, texts or Puzzles; or the path of a file with a puzzle a line, packed where it ends in .gz
-    threads:  0: one for each core
-    progress: a bar on standard error; None: where that is a terminal, or in a notebook
+    puzzles:  dicts, texts or Puzzles; or the path of a file with one puzzle per line, compressed if it ends in .gz
+    threads:  0: one per core
+    progress: show a bar on standard error; None: only on a terminal or in a notebook
     flags:    those of `solve`
 
-    One that is no puzzle is answered "invalid" in its place, and raises nothing. All answers are held in memory: for
-    files of millions there is `bankshot batch`.
+    An item that is no puzzle has the answer "invalid" in its place, and raises nothing. All answers are held in memory;
+    for millions of puzzles use `bankshot batch`.
     """
     lines = _lines(puzzles)
     with _progress.bar(len(lines), progress) as tell:
@@ -87,21 +87,23 @@ def solve_batch(
 
 
 def simulate(scene: Document, *, rate: float = 60) -> Trajectory:
-    """Plays a shot: a scene with its "shot", as a dict, JSON text or a Scene; a puzzle with a shot of its answer is one.
+    """Simulates a shot: a scene with its "shot", as a dict, JSON text or a Scene.
 
-    rate: points a second of the arrays; the events are exact and stand between them
+    A puzzle joined with a shot of its answer is also valid.
+
+    rate: points per second of the arrays; exact events are included as well
     """
     return Trajectory(scene, rate)
 
 
 class End(enum.IntEnum):
-    """How a launch of `simulate_many` ends."""
+    """The kind of end of a launch of `simulate_many`."""
 
     REST = 0
-    UNTIL = 1  # the scene's "until"
+    UNTIL = 1  # a limit of the scene's "until"
     POCKETED = 2
-    EVENTS = 3  # too many of them
-    INVALID = 4  # no launch: a number that is not finite, a speed of 0 or below
+    EVENTS = 3  # too many events
+    INVALID = 4  # a number is not finite, the speed is not above 0, or the physics has no such spin
 
 
 def simulate_many(
@@ -112,16 +114,16 @@ def simulate_many(
     *,
     threads: int = 0,
 ) -> npt.NDArray[np.void]:
-    """How the cue ball ends, for many launches of one scene: on all cores, without the GIL or a loop of Python.
+    """Simulates many launches of one scene, on all cores, without the GIL or a Python loop.
 
     scene:   as for `simulate`; its shot is not needed
     speeds:  m/s
-    angles:  degrees, anticlockwise from +x; of the speeds' shape, or one that goes with it
+    angles:  degrees, anticlockwise from +x; of the speeds' shape, or one that broadcasts with it
     spins:   of that shape with one more axis of three: top, side, masse, in units of natural roll; None: the scene's
-    threads: 0: one for each core
+    threads: 0: one per core
 
-    An array of that shape with the fields time s, length m, x m, y m, vx m/s, vy m/s, wx rad/s, wy rad/s, wz rad/s,
-    cushions, kind (End) and pocket (its number on the table; -1: none).
+    Returns the ends of the cue ball: an array of that shape with the fields time s, length m, x m, y m, vx m/s,
+    vy m/s, wx rad/s, wy rad/s, wz rad/s, cushions, kind (End) and pocket (its number on the table; -1: none).
     """
     speed, angle = np.broadcast_arrays(np.asarray(speeds, float), np.asarray(angles, float))
     spin = None
@@ -138,9 +140,10 @@ def simulate_many(
 
 
 def verify(puzzle: Document, answer: Union[Answer, Document]) -> Dict[str, Any]:
-    """Holds every claim of an answer against a replay with 50 digits.
+    """Checks every claim of an answer against a replay in 50 digits.
 
-    {"holds": True, "checked": 14, "failed": []}; of a claim that fails "shot", "claim", "off", "allowed" and "what".
+    Returns {"holds": True, "checked": 14, "failed": []}. Each failed claim has the keys "shot", "claim", "off",
+    "allowed" and "what".
     """
     text = answer.json if isinstance(answer, Answer) else text_of(answer)
     player = answer._flags.get("noise") if isinstance(answer, Answer) else ""
@@ -163,16 +166,16 @@ def generate(
     unique: bool = False,
     threads: int = 0,
 ) -> List[Puzzle]:
-    """Makes puzzles that have a shot: those of `bankshot generate`, whose flags these are. Same seed, same puzzles.
+    """Makes puzzles that have a shot, with the flags of `bankshot generate`. The same seed gives the same puzzles.
 
     cushions:   a number; (least, most); or names in order
     target:     "pocket", "stop", "pass", "kick", "pot", "carom"; "": one of the first three is drawn
-    balls:      others on the table
-    then:       as cushions, of the ball that is sent into a pocket ("pot")
+    balls:      number of other balls on the table
+    then:       cushions of the object ball that is sent into a pocket ("pot"), given as for `cushions`
     difficulty: "easy", "medium", "hard"; "": any
-    unique:     puzzles with exactly one shot
+    unique:     only puzzles with exactly one shot
 
-    Raises LookupError where a puzzle was not found.
+    Raises LookupError if a puzzle is not found.
     """
     lines = _engine.generate(
         count,
@@ -191,10 +194,10 @@ def generate(
 
 
 def map(puzzle: Document, columns: int = 40, rows: int = 20, *, budget: int = -1, no_robustness: bool = False) -> npt.NDArray[np.void]:
-    """From where on the table can a shot be made? Solves the puzzle from every start on a grid, on all cores.
+    """Solves the puzzle from every start on a grid, on all cores, to show from where a shot can be made.
 
-    An array of `rows` by `columns`, from the lower left: map["success"][0, 0]. Its fields are the columns of
-    docs/csv.md: x_m, y_m, status, speed_m_per_s, angle_deg, success and more; nan where there is nothing to say.
+    Returns an array of `rows` by `columns`, from the lower left: map["success"][0, 0]. Its fields are the columns of
+    docs/csv.md: x_m, y_m, status, speed_m_per_s, angle_deg, success and more; missing values are nan.
     """
     flags = _engine.SolveFlags(budget=budget, no_robustness=no_robustness)
     table = list(csv.reader(_engine.map(text_of(puzzle), columns, rows, flags).splitlines()))
@@ -223,10 +226,10 @@ def fit(
     predict: bool = False,
     threads: int = 0,
 ) -> Dict[str, Any]:
-    """Learns a table from recorded shots: the document of `bankshot fit`, whose flags these are (docs/recordings.md).
+    """Learns a table from recorded shots: returns the document of `bankshot fit`, with its flags (docs/recordings.md).
 
-    Its "physics" may stand in a puzzle. recordings: dicts or texts, or the path of a file with one a line.
-    Ctrl-C is heard between its steps. Raises RuntimeError where the module was built without BANKSHOT_LEARN.
+    Its "physics" can be used in a puzzle. recordings: dicts or texts, or the path of a file with one per line.
+    Ctrl-C takes effect between steps. Raises RuntimeError if the module was built without BANKSHOT_LEARN.
     """
     if not _engine.learns:
         raise RuntimeError("this module was built without BANKSHOT_LEARN, and cannot fit")
@@ -248,13 +251,13 @@ def fit(
 
 
 def schema(document: str = "puzzle") -> Dict[str, Any]:
-    """The JSON Schema of "puzzle", "shot", "answer" or "recording"."""
+    """Returns the JSON Schema of "puzzle", "shot", "answer" or "recording"."""
     found: Dict[str, Any] = json.loads(_engine.schema(document))
     return found
 
 
 def tables() -> List[Dict[str, Any]]:
-    """The tables by name: "name", "length" m, "width" m, "cushions", "pockets" in the order of their numbers."""
+    """Returns the preset tables: "name", "length" m, "width" m, "cushions", "pockets" in the order of their numbers."""
     found: List[Dict[str, Any]] = json.loads(_engine.tables())
     return found
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Puzzles and scenes as JSON, as dicts or as classes. docs/format.md has every key, with its unit and its default."""
+"""Puzzles and scenes as JSON, dicts or classes. docs/format.md lists every key with its unit and default."""
 from __future__ import annotations
 
 import dataclasses
@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 Named = Union[str, Mapping[str, Any]]
-"""A name, such as "pool-9ft" or "spin", or an object with keys of its own."""
+"""A name, such as "pool-9ft" or "spin", or an object with its own keys."""
 Range = Union[float, Tuple[float, float], Sequence[float]]
-"""One number, or the lowest and the highest."""
+"""One number, or the lowest and the highest number."""
 _T = TypeVar("_T", bound="_Document")
 
 
 class _Document:
-    """What its fields hold, without those that are None."""
+    """A document whose fields are keys; fields that are None are left out."""
 
     def to_dict(self) -> Dict[str, Any]:
         fields = dataclasses.fields(self)
@@ -26,13 +26,13 @@ class _Document:
         return cls(**document)
 
     def __repr__(self) -> str:
-        """Without what is not set."""
+        """Returns the class with the fields that are set."""
         return f"{type(self).__name__}({', '.join(f'{key}={value!r}' for key, value in self.to_dict().items())})"
 
 
 @dataclass(repr=False)
 class Puzzle(_Document):
-    """What is asked: the input of `solve`. None is the default of docs/format.md.
+    """A puzzle: the input of `solve`. None means the default of docs/format.md.
 
     Lengths are in metres from the lower left corner of the cloth, speeds in m/s, angles in degrees anticlockwise
     from +x. Puzzle("pool-9ft", {"at": [0.635, 0.40]}, {"pocket": "top-right"}, cushions=1)
@@ -58,7 +58,7 @@ class Puzzle(_Document):
 
 @dataclass(repr=False)
 class Scene(_Document):
-    """A table with its balls, and how one is struck: the input of `simulate`. None is the default of docs/format.md.
+    """A table with its balls and a launch: the input of `simulate`. None means the default of docs/format.md.
 
     shot:  {"speed": m/s, "angle": degrees, "spin": {"top", "side", "masse"} in units of natural roll}, or a Shot
     until: where to stop: {"time": s, "cushions": bounces, "length": m}
@@ -76,36 +76,36 @@ class Scene(_Document):
 
 @dataclass(frozen=True, repr=False)
 class Shot(_Document):
-    """What to do, and the proof: one shot of an answer. docs/format.md has more of each key."""
+    """One shot of an answer, with its evidence. docs/format.md describes each key."""
 
-    speed: float  # m/s, of the launch
+    speed: float  # m/s; of the launch
     angle: float  # degrees, anticlockwise from +x
     spin: Dict[str, float]  # "top", "side", "masse": units of natural roll
-    tip: Dict[str, float]  # m, "right" and "up" of the ball's centre
-    cushions: Sequence[str]  # the bounces in order
-    miss: float  # m, how far a replay is off
+    tip: Dict[str, float]  # m; "right" and "up" from the ball's centre
+    cushions: Sequence[str]  # bounces in order
+    miss: float  # m; miss of the replay
     arrival: Dict[str, Any]  # "time" s, "speed" m/s, "at" m
-    condition: float  # m of arrival for a radian of aim
+    condition: float  # m of arrival per radian of aim
     planner: str
     simulations: int
     pocket: Optional[str] = None
-    offset: Optional[float] = None  # m, beside the pocket's centre
+    offset: Optional[float] = None  # m; from the pocket's centre
     hits: Optional[Sequence[Dict[str, Any]]] = None
     then: Optional[Dict[str, Any]] = None
     scratch: Optional[bool] = None
-    cue_rests: Union[None, str, Sequence[float]] = None  # m, or the pocket that the cue ball falls into
+    cue_rests: Union[None, str, Sequence[float]] = None  # m; or the pocket that the cue ball falls into
     contact: Optional[Dict[str, Any]] = None  # "fullness", and "ghost" m: the first contact with a ball
     rattles: Optional[bool] = None
     off_centre: Optional[bool] = None
-    aim: Optional[str] = None  # "safest" where the shot was moved off its exact root
+    aim: Optional[str] = None  # "safest" if the shot was moved off its exact root
     digits: Optional[int] = None
     margin: Optional[Dict[str, Any]] = None  # "angle" degrees, "speed" m/s: [down, up]
     success: Optional[float] = None  # probability that it is made
-    value: Optional[float] = None  # success less small costs of contacts, speed and tip offset
+    value: Optional[float] = None  # success minus small costs of contacts, speed and tip offset
     sensitivity: Optional[Dict[str, float]] = None  # m per unit
     path: Optional[Sequence[Sequence[float]]] = None  # [s, m, m]
     paths: Optional[Dict[str, Any]] = None
-    why: Optional[str] = None  # what is wrong with a miss
+    why: Optional[str] = None  # failure reason of a miss
 
     def __repr__(self) -> str:
         return f"<Shot {self.in_words()}>"
@@ -122,7 +122,7 @@ Document = Union[str, bytes, Mapping[str, Any], Puzzle, Scene]
 
 
 def _plain(value: Any) -> Any:
-    """Of numpy, and of our classes inside a dict."""
+    """Converts numpy values, and our classes inside a dict, to plain values."""
     for how in ("to_dict", "tolist"):
         if hasattr(value, how):
             return getattr(value, how)()
@@ -130,7 +130,7 @@ def _plain(value: Any) -> Any:
 
 
 def text_of(document: Document) -> str:
-    """The JSON of a document, every number as it is."""
+    """Returns the JSON of a document; numbers in a text are unchanged."""
     if isinstance(document, str):
         return document
     if isinstance(document, bytes):
@@ -139,5 +139,5 @@ def text_of(document: Document) -> str:
 
 
 def dict_of(document: Document) -> Dict[str, Any]:
-    """The same as a dict of its own; a text must be right JSON."""
+    """Returns the document as a new dict; a text must be valid JSON."""
     return dict(json.loads(text_of(document)))

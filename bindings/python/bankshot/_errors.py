@@ -5,7 +5,7 @@ from __future__ import annotations
 class InvalidInput(ValueError):
     """A document that breaks a rule.
 
-    path:   the place in the document, a JSON pointer such as "/ball/at/0"; empty for the whole of it
+    path:   the place in the document, a JSON pointer such as "/ball/at/0"; empty for the whole document
     reason: the rule, in words
     """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tables and paths in matplotlib, which is imported with this file."""
+"""Draws tables and paths with matplotlib, which is imported with this file."""
 from __future__ import annotations
 
 from typing import Optional
@@ -14,7 +14,7 @@ _wood, _ink = "#7a4f2b", "#222222"
 
 
 def table(scene: Trajectory, ax: Optional[Axes] = None) -> Axes:
-    """The cushions' noses, the pockets, and the balls where they start."""
+    """Draws the cushion noses, the pockets, and the balls at their start positions."""
     axes = plt.gca() if ax is None else ax
     axes.add_patch(Polygon(scene._played.vertices(), closed=True, fill=False, edgecolor=_wood, linewidth=2))
     for _, x, y, half in scene._played.pockets():
@@ -31,7 +31,7 @@ def table(scene: Trajectory, ax: Optional[Axes] = None) -> Axes:
 
 
 def path(trajectory: Trajectory, axes: Axes, label: Optional[str] = None) -> Axes:
-    """The paths of all balls that move."""
+    """Draws the paths of all balls that move."""
     for i, name in enumerate(trajectory.balls):
         rows = trajectory.of(name)
         if len(rows) > 1:

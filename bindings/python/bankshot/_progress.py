@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A bar on standard error: tqdm's where that is installed."""
+"""A progress bar on standard error, by tqdm if it is installed."""
 from __future__ import annotations
 
 import sys
@@ -11,7 +11,7 @@ Tell = Optional[Callable[[int], None]]
 
 @contextmanager
 def bar(total: int, wanted: Optional[bool]) -> Iterator[Tell]:
-    """What to tell how many are done. `wanted` None: where standard error is a terminal, or in a notebook."""
+    """Yields a function to report the number done. `wanted` None: only on a terminal or in a notebook."""
     if wanted is None:
         wanted = sys.stderr.isatty() or "ipykernel" in sys.modules
     if not wanted:

@@ -23,10 +23,10 @@ def is_dark(theme: str) -> bool:
 
 
 class Trajectory:
-    """A shot as it rolls: arrays of the cue ball, sampled `rate` times a second and at every event.
+    """A simulated shot: arrays of the cue ball, sampled `rate` times a second and at every event.
 
-    t s; x, y m; vx, vy m/s; wx, wy, wz rad/s, z points up. `of("8")` has those of another ball. In a notebook it draws
-    itself.
+    t s; x, y m; vx, vy m/s; wx, wy, wz rad/s, z points up. `of("8")` returns those of another ball. A notebook shows
+    the shot as a picture.
     """
 
     def __init__(self, scene: Document, rate: float = 60) -> None:
@@ -37,13 +37,13 @@ class Trajectory:
 
     @property
     def rows(self) -> npt.NDArray[np.void]:
-        """All balls, in the order of time: t, ball (a number: `balls` has its name), x, y, vx, vy, wx, wy, wz."""
+        """Rows of all balls in order of time: t, ball (its index in `balls`), x, y, vx, vy, wx, wy, wz."""
         if self._rows is None:
             self._rows = self._played.rows(self._rate)
         return self._rows
 
     def of(self, ball: str) -> npt.NDArray[np.void]:
-        """The rows of one ball, by its name; the cue ball is "cue"."""
+        """Returns the rows of one ball by its name; the cue ball is "cue"."""
         if ball not in self.balls:
             raise KeyError(f'no ball is called "{ball}": {", ".join(self.balls)}')
         return self._of(self.balls.index(ball))
@@ -58,17 +58,17 @@ class Trajectory:
 
     @property
     def t(self) -> Column:
-        """s since the launch"""
+        """Time since the launch [s]."""
         return self._column("t")
 
     @property
     def x(self) -> Column:
-        """m, of the ball's centre"""
+        """x of the ball's centre [m]."""
         return self._column("x")
 
     @property
     def y(self) -> Column:
-        """m, of the ball's centre"""
+        """y of the ball's centre [m]."""
         return self._column("y")
 
     @property
@@ -98,11 +98,11 @@ class Trajectory:
 
     @property
     def balls(self) -> List[str]:
-        """Their names; the first is the cue ball."""
+        """Names of the balls; the first is the cue ball."""
         return self._played.balls()
 
     def to_dict(self) -> Dict[str, Any]:
-        """The document of `bankshot simulate --json`; a new one each time."""
+        """Returns the document of `bankshot simulate --json` as a new dict."""
         document: Dict[str, Any] = json.loads(self.json)
         return document
 
@@ -113,18 +113,18 @@ class Trajectory:
 
     @property
     def json(self) -> str:
-        """One line, to the byte as the program prints it."""
+        """One line of JSON, byte for byte as the program prints it."""
         return self._played.json()
 
     @property
     def events(self) -> List[Dict[str, Any]]:
-        """In order: "type", "time" s, "ball", "at" m, "velocity" m/s, "spin" rad/s, and what was met."""
+        """Events in order: "type", "time" s, "ball", "at" m, "velocity" m/s, "spin" rad/s, and the contact."""
         events: List[Dict[str, Any]] = self._get("events")
         return events
 
     @property
     def end(self) -> Dict[str, Any]:
-        """Of the cue ball: "reason", "time" s, "at" m, "cushions", "length" m."""
+        """End of the cue ball's path: "reason", "time" s, "at" m, "cushions", "length" m."""
         end: Dict[str, Any] = self._get("end")
         return end
 
@@ -136,14 +136,14 @@ class Trajectory:
         )
 
     def svg(self, theme: str = "light", words: bool = True, animate: bool = False) -> str:
-        """The picture of `bankshot simulate --svg`. theme: "light" or "dark"; animate: the balls roll."""
+        """Returns the picture of `bankshot simulate --svg`. theme: "light" or "dark"; animate: moving balls."""
         return self._played.svg(is_dark(theme), words, animate)
 
     def _repr_svg_(self) -> str:
         return self.svg()
 
     def plot(self, ax: Optional["Axes"] = None) -> "Axes":
-        """Draws the table and the paths of all balls with matplotlib: metres."""
+        """Draws the table and the paths of all balls with matplotlib, in metres."""
         from . import _plot
 
         return _plot.path(self, _plot.table(self, ax))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot advise: what a player's attempts say of the player.
+// bankshot advise: estimates a player's errors from attempts.
 #include "bankshot/learn/advise.hpp"
 
 #include <iostream>

@@ -18,17 +18,17 @@
 namespace bankshot::app::batch {
 namespace {
 
-constexpr int by_signal = 128;  ///< exit codes above: ended by this signal
+constexpr int by_signal = 128;  ///< an exit code of 128 + n means that signal n ended the program
 
 struct Arguments {
   std::string file, output = "-", cost;
   solve::SolveFlags flags;
   int threads = 0;
-  std::optional<Part> part{};  ///< of the input, that alone
+  std::optional<Part> part{};  ///< the only part of the input to solve, if set
   bool resume = false, quiet = false, strict = false, json = true;
 };
 
-/// Where a part is written until it is whole.
+/// Returns the name under which a part is written until it is complete.
 std::string partial_of(const std::string& output) {
   return is_packed(output) ? std::string(unpacked_name(output)) + ".partial.gz" : output + ".partial";
 }
@@ -40,13 +40,13 @@ std::string without_time(std::string line) {
 
 bool is_invalid(std::string_view answer) {
   constexpr std::string_view key =
-      "\"status\":\"";  // no string of JSON holds it, and nothing stands before it but an id
+      "\"status\":\"";  // only an id precedes this key, and no JSON string contains it unescaped
   const std::size_t at = answer.find(key);
   return at != std::string_view::npos && answer.substr(at + key.size()).starts_with("invalid\"");
 }
 
-/// Whether an output without a journal is all of the answer already: as many lines, and those of the
-/// first and the last chunk are what this input and these flags give. Counts its invalid ones.
+/// Returns whether an output without a journal is already the complete answer: it has as many lines as the input, and
+/// its first and last chunks hold what this input and these flags give. Counts its invalid answers.
 bool finished(LineReader& in, const Arguments& a, long& invalid) {
   LineReader out(a.output, true);
   Lines asked, told;
@@ -76,7 +76,7 @@ bool finished(LineReader& in, const Arguments& a, long& invalid) {
   return asked.after.lines == told.after.lines && same(true);
 }
 
-/// How far an earlier run had come, checked and with the output cut to it.
+/// Resumes an earlier run: checks its journal, cuts the output to the last good mark, and returns that mark.
 Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::string& path) {
   journal.check_same();
   const auto mark = journal.last(path);
@@ -93,7 +93,7 @@ Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::st
   return *mark;
 }
 
-/// A new output; the answers of a run that was cut off are not thrown away unasked.
+/// Begins a new output; refuses to discard the answers of a run that was cut off.
 Journal::Mark begin(Journal& journal, Output& out) {
   if (const auto mark = journal.last(out.name()); mark && out.size() > 0)
     throw FileError(fmt::format(
@@ -104,7 +104,7 @@ Journal::Mark begin(Journal& journal, Output& out) {
   return {};
 }
 
-/// The part is there already, of this input and with these flags.
+/// Returns whether the part is already complete, for this input and these flags.
 bool is_done(const Arguments& a) {
   if (!std::filesystem::exists(a.output)) return false;
   const auto record = read_part(a.output);
@@ -115,16 +115,16 @@ bool is_done(const Arguments& a) {
   return in.begun() == record->from && in.skip(record->to) && !in.next(more) && !interrupted();
 }
 
-/// Of a part: what it is goes beside its output, and both to where they belong.
+/// Completes a part: writes its record beside the output and moves the output to its final name.
 void close_part(const Arguments& a, const LineReader& in, const Journal::Mark& at) {
   const std::string partial = partial_of(a.output);
-  if (!std::filesystem::exists(partial) && is_done(a)) return;  // by another run, unknown to this one
+  if (!std::filesystem::exists(partial) && is_done(a)) return;  // another run completed it in the meantime
   if (Kept kept(partial); !kept.holds(at.written, at.crc) || !kept.at_end())
     throw WriteError(fmt::format(
         "{}: is not what was written to it, as where another bankshot writes to it too, or a disk fails; the same "
         "command with --resume goes on behind what is right",
         partial));
-  // Behind the last line; of a part without lines, where it begins.
+  // The part ends after its last line; a part without lines ends where it begins.
   const ReadMark& to = at.read.bytes > in.begun().bytes ? at.read : in.begun();
   write_part(a.output, {*a.part, a.flags.words(), in.begun(), to, measured(partial), at.tally.invalid});
   put_in_place(partial, a.output);
@@ -143,7 +143,7 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
   try {
     run_pipeline(batch);
     if (!interrupted()) {
-      if (out.gzip() && out.written() == 0) out.write(gzipped(""));  // an empty file is no gzip file
+      if (out.gzip() && out.written() == 0) out.write(gzipped(""));  // an empty file is not a gzip file
       out.finish();
     }
   } catch (const FileError& e) {
@@ -170,7 +170,8 @@ int run_part(const Arguments& a) {
   if (a.output == "-") throw FileError("--part needs a file of its own: -o SHOTS.jsonl");
   LineReader in(a.file, is_packed(a.output), *a.part);
   const std::string partial = partial_of(a.output);
-  // First of all the lock, else another run of this part might finish between a look and the next step.
+  // The journal takes the lock first: otherwise another run of this part could finish between the check and the next
+  // step.
   Journal journal(partial, fmt::format("{} --part {}/{}", a.flags.words(), a.part->k, a.part->n), in.identity());
   if (a.resume && is_done(a)) {
     journal.remove();

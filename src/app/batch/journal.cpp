@@ -48,7 +48,7 @@ Journal::Journal(const std::string& output, const std::string& flags, const std:
 
 void Journal::lock(const std::string& output) {
   constexpr mode_t everybody = 0666;  // less the umask
-  constexpr int tries = 10;           // a run that ends between two steps of this one costs a try
+  constexpr int tries = 10;           // another run that ends between two steps of this one costs one try
   for (int i = 0; i < tries; ++i) {
     fd_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everybody);
     if (fd_ < 0) throw WriteError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
@@ -61,7 +61,7 @@ void Journal::lock(const std::string& output) {
     if (fstat(fd_, &ours) == 0 && stat(path_.c_str(), &named) == 0 && ours.st_dev == named.st_dev &&
         ours.st_ino == named.st_ino)
       return;
-    close(fd_);  // who held it was done with it and removed it
+    close(fd_);  // its former holder finished and removed the file
   }
   throw FileError(fmt::format("{}: is another file each time it is opened", path_));
 }
@@ -70,7 +70,7 @@ Journal::~Journal() {
   if (fd_ >= 0) close(fd_);
 }
 
-/// What an earlier run left; a line without its line break was cut off and counts for nothing.
+/// Reads what an earlier run left. A line without its line break was cut off and is ignored.
 void Journal::read() {
   std::string text;
   char piece[1 << 16];

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What makes a batch crash-proof: a small file beside the output (SHOTS.jsonl.progress) that says
-// whose answers those are (version, flags, input) and then, a line each time, how far input and
-// output have come. An answer is written first and its mark after it, so whatever the moment of a
-// kill, the output holds at least what the last whole mark says. Where a machine dies or two write
-// at once it may hold less, so a mark has the checksum of both. To resume: find the last mark that
-// the output keeps, cut it there, check that the input up to there is the same, go on. The file goes
-// when the batch is done.
+// The journal that makes a batch crash-proof: a small file beside the output (SHOTS.jsonl.progress). It says to what
+// the answers belong (version, flags, input) and then, one mark per line, how far input and output have come. An answer
+// is written before its mark, so that after a kill the output holds at least what the last complete mark says. If the
+// machine dies or two programs write at once, it may hold less; therefore a mark has the checksums of both. To resume,
+// bankshot finds the last mark that the output satisfies, cuts the output there, checks that the input up to there is
+// unchanged, and continues. The journal is removed when the batch is done.
 #pragma once
 
 #include <optional>
@@ -22,25 +21,25 @@ class Journal {
   struct Mark {
     ReadMark read;
     long written = 0;       ///< bytes of output
-    std::uint32_t crc = 0;  ///< of them
+    std::uint32_t crc = 0;  ///< checksum of these bytes
     Tally tally;
   };
 
   static std::string path_for(const std::string& output) { return output + ".progress"; }
 
-  /// Opens or makes the file; throws FileError where another program is at work on this output. From then on nobody
-  /// else is, where the file system has locks.
+  /// Opens or creates the file and locks it, if the file system has locks. Throws FileError if another program is at
+  /// work on this output.
   Journal(const std::string& output, const std::string& flags, const std::string& input);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// The last mark whose answers the output holds, byte for byte; none where nothing is worth keeping.
+  /// Returns the last mark whose answers the output holds, byte for byte; none if nothing is worth keeping.
   std::optional<Mark> last(const std::string& output) const;
-  /// Throws FileError when the earlier run had other flags, another input or another version.
+  /// Throws FileError if the earlier run had other flags, another input or another version.
   void check_same() const;
-  void begin();               ///< empty but for the header
-  void go_on(const Mark& m);  ///< behind this mark
+  void begin();               ///< clears the journal and writes the header
+  void go_on(const Mark& m);  ///< drops every mark after `m`
   void add(const Mark& m);
   void remove();
 
@@ -51,9 +50,9 @@ class Journal {
 
   std::string path_, header_[3];
   int fd_ = -1;
-  std::string found_[3];  ///< the header in the file
+  std::string found_[3];  ///< the header found in the file
   bool header_read_ = false;
-  std::vector<std::pair<long, Mark>> marks_;  ///< each with where it ends in the file
+  std::vector<std::pair<long, Mark>> marks_;  ///< the marks, each with the offset of its end in the file
 };
 
 }  // namespace bankshot::app::batch

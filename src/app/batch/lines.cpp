@@ -42,7 +42,7 @@ LineReader::LineReader(const std::string& path, bool whole_chunks, const Part& p
   if (part.n > 1) find(part);
 }
 
-/// Lines belong to the part in which they begin, whatever packs them.
+/// Moves to the first line of the part. A line belongs to the part in which it begins; offsets count unpacked bytes.
 void LineReader::find(const Part& part) {
   long bytes = size_;
   if (gz_) {
@@ -54,7 +54,7 @@ void LineReader::find(const Part& part) {
   const auto cut = [&](long k) { return bytes / part.n * k + bytes % part.n * k / part.n; };
   const long from = cut(part.k);
   until_ = cut(part.k + 1);
-  // The line break before the part, and what comes up to it.
+  // Skips to `from`, and past the line that crosses it, which belongs to an earlier part.
   while (mark_.bytes < from && (begin_ < end_ || fill())) {
     const char* const data = buffer_.data() + begin_;
     const std::size_t most = std::min(end_ - begin_, static_cast<std::size_t>(from - mark_.bytes));
@@ -75,7 +75,7 @@ void LineReader::find(const Part& part) {
       mark_.bytes += static_cast<long>(used);
       begin_ += used;
     }
-    ++mark_.lines;  // the last of all may lack its line break
+    ++mark_.lines;  // counts that line; the last line of the input may lack its line break
   }
   begun_ = mark_;
 }
@@ -94,15 +94,15 @@ bool LineReader::next(Lines& out) {
       if (!add_line(out)) break;
     }
   } catch (const FileError&) {
-    if (out.lines.empty()) throw;  // else it comes again, after the lines before it
+    if (out.lines.empty()) throw;  // else it is thrown again after the lines before it
   }
-  if (whole_chunks_ && interrupted()) return false;  // a shorter chunk would be another way to cut the input
+  if (whole_chunks_ && interrupted()) return false;  // a shorter chunk would cut the input differently
   out.after = mark_;
   out.share = share();
   return !out.lines.empty();
 }
 
-/// One line; the last may lack its line break. `mark_` moves by whole lines only.
+/// Reads one line; the last may lack its line break. `mark_` moves by whole lines only.
 bool LineReader::add_line(Lines& out) {
   const std::size_t start = out.text.size();
   ReadMark mark = mark_;
@@ -112,7 +112,7 @@ bool LineReader::add_line(Lines& out) {
     try {
       return fill();
     } catch (const FileError&) {
-      out.text.resize(start);  // half a line is none
+      out.text.resize(start);  // drops the incomplete line
       throw;
     }
   };
@@ -175,7 +175,7 @@ bool LineReader::fill() {
   return false;
 }
 
-/// A signal may reach another thread than the one that waits, so it looks up now and then.
+/// Waits until input arrives; false once interrupted. It wakes regularly, since the signal may reach another thread.
 bool LineReader::wait_for_input() const {
   constexpr int patience = 100;  // ms
   while (size_ < 0 && !interrupted()) {
@@ -185,7 +185,7 @@ bool LineReader::wait_for_input() const {
   return !interrupted();
 }
 
-/// Without waiting for it.
+/// Returns whether more input is available without waiting.
 bool LineReader::more_is_there() const {
   if (size_ >= 0 || gz_ || std::memchr(buffer_.data() + begin_, '\n', end_ - begin_)) return true;
   pollfd look{fd_, POLLIN, 0};

@@ -29,7 +29,7 @@ struct Found {
   PartRecord record;
 };
 
-/// Numbers as Slurm writes them: 0-3,7,9-11.
+/// Writes numbers as Slurm does: 0-3,7,9-11.
 std::string as_array(const std::vector<long>& numbers) {
   std::string out;
   for (std::size_t i = 0; i < numbers.size();) {
@@ -42,7 +42,7 @@ std::string as_array(const std::vector<long>& numbers) {
   return out;
 }
 
-/// In order, one of each; `damaged`: those that are to be made again.
+/// Returns the parts in order, each once. `damaged` gets the numbers of those that must be made again.
 std::vector<Found> found_parts(const Arguments& a, std::vector<long>& damaged) {
   std::vector<Found> found;
   for (const std::string& path : a.parts) {
@@ -74,7 +74,7 @@ std::vector<Found> found_parts(const Arguments& a, std::vector<long>& damaged) {
   return found;
 }
 
-/// Throws FileError, and says which parts to make again.
+/// Throws FileError if parts are missing or damaged, and says which to make again.
 void check_whole(const std::vector<Found>& found, std::vector<long> again) {
   const long n = found.front().record.part.n;
   for (long k = 0; k < n; ++k)
@@ -89,7 +89,7 @@ void check_whole(const std::vector<Found>& found, std::vector<long> again) {
                                   found[i - 1].path));
 }
 
-/// In the same pieces as a batch in one go.
+/// Writes the same gzip members as a single batch would.
 void write_packed(const std::vector<Found>& found, batch::Output& out) {
   std::string text;
   std::size_t lines = 0;

@@ -43,7 +43,7 @@ void Output::cut(long size, std::uint32_t crc) {
 }
 
 void Output::cut_quietly(long size) noexcept {
-  if (fd_ >= 0 && ftruncate(fd_, size) != 0) return;  // the next resume cuts
+  if (fd_ >= 0 && ftruncate(fd_, size) != 0) return;  // the next resume cuts it
 }
 
 void Output::write(std::string_view bytes) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where answers are written: a file, standard output ("-") or a gzip file (*.gz). A gzip file is a
-// row of members, one for each piece written, as gzip allows; so it can be cut between any two of
-// them and gone on with.
+// The destination of answers: a file, standard output ("-") or a gzip file (*.gz). A gzip file is a sequence of
+// members, one for each piece written, as the format allows. So it can be cut between any two members and continued.
 #pragma once
 
 #include <cstdint>
@@ -14,24 +13,26 @@ namespace bankshot::app::batch {
 
 class Output {
  public:
-  /// Opens without changing anything yet. Throws WriteError.
+  /// Opens the file without changing it yet. Throws WriteError.
   explicit Output(const std::string& path);
   ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  bool regular() const { return regular_; }  ///< a file that can be cut and gone on with
+  bool regular() const { return regular_; }  ///< a regular file, which can be cut and continued
   bool gzip() const { return gzip_; }
   int descriptor() const { return fd_; }
   const std::string& name() const { return name_; }
 
-  long size() const;                           ///< of the file as it is now
-  void cut(long size, std::uint32_t crc = 0);  ///< to its first bytes, which have this checksum, and go on behind them
-  void cut_quietly(long size) noexcept;        ///< what came after them is not whole; the file may be beyond reach
+  long size() const;  ///< current size of the file
+  /// Keeps the first `size` bytes, whose checksum is `crc`, and continues after them.
+  void cut(long size, std::uint32_t crc = 0);
+  /// Drops an incomplete piece; ignores failures, as the file may be unreachable.
+  void cut_quietly(long size) noexcept;
   void write(std::string_view bytes);
-  long written() const { return at_; }        ///< bytes, those before a cut included
-  std::uint32_t crc() const { return crc_; }  ///< of them
-  void finish();                              ///< on disk and closed; what the system could not write is an error here
+  long written() const { return at_; }        ///< bytes, including those kept by a cut
+  std::uint32_t crc() const { return crc_; }  ///< checksum of these bytes
+  void finish();                              ///< syncs and closes the file; throws if the system could not write it
 
  private:
   [[noreturn]] void fail() const;
@@ -43,11 +44,11 @@ class Output {
   std::uint32_t crc_ = 0;
 };
 
-/// Whether the first bytes of a file are what was written there, packed or not.
+/// Checks whether the first bytes of a file are still those written there, packed or not.
 class Kept {
  public:
   explicit Kept(const std::string& path) : in_(path, std::ios::binary) {}
-  /// Reads on up to so many bytes; false where they are not there or have another checksum.
+  /// Reads on until `bytes` bytes are read; false if the file is shorter or the checksum differs.
   bool holds(long bytes, std::uint32_t crc);
   bool at_end() { return in_.peek() == std::ifstream::traits_type::eof(); }
 

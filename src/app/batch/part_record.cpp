@@ -38,7 +38,7 @@ std::optional<long> variable(const std::string& name) {
   return value ? whole_number(value) : std::nullopt;
 }
 
-/// A file's bytes, or a folder's names, are on disk; false where they cannot be brought there.
+/// Flushes a file's bytes, or a folder's names, to disk; returns false if that fails.
 bool settle(const std::string& path) {
   const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return false;
@@ -81,7 +81,8 @@ void put_in_place(const std::string& from, const std::string& to) {
   if (!settle(from) || std::rename(from.c_str(), to.c_str()) != 0)
     throw WriteError(fmt::format("{}: cannot be written: {}", to, std::strerror(errno)));
   const auto folder = std::filesystem::path(to).parent_path();
-  settle(folder.empty() ? "." : folder.string());  // not every file system can; then it does so by itself
+  // Not every file system can sync a folder; then it does so in its own time.
+  settle(folder.empty() ? "." : folder.string());
 }
 
 void write_part(const std::string& output, const PartRecord& r) {
@@ -122,7 +123,7 @@ std::optional<PartRecord> read_part(const std::string& output) {
 bool is_whole(const std::string& output, const PartRecord& r) try {
   return std::filesystem::exists(output) && r.output.lines == r.to.lines - r.from.lines && measured(output) == r.output;
 } catch (const FileError&) {
-  return false;  // packed, and cut off
+  return false;  // a gzip file that was cut off
 }
 
 Part part_of(const std::string& text) {

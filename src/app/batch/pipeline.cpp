@@ -27,7 +27,7 @@ struct Chunk {
 };
 using ChunkPointer = std::shared_ptr<Chunk>;
 
-/// Adds the CPU time since the last call; a clock that is off costs nothing.
+/// Adds the CPU time since the previous call to a counter; does nothing when switched off.
 class Laps {
  public:
   explicit Laps(bool on) : on_(on), last_(on ? cpu_seconds() : 0) {}
@@ -42,13 +42,14 @@ class Laps {
   double last_;
 };
 
-/// The puzzles of a chunk, and the answers to lines that hold none.
+/// The puzzles of a chunk, and the answers to its lines without a puzzle.
 struct Parsed {
   std::vector<Puzzle> puzzles;
-  std::vector<std::string> bad;  ///< a text for each line; empty where the line is a puzzle
+  std::vector<std::string> bad;  ///< one text per line; empty if the line is a puzzle
 };
 
-/// A text that is no JSON is known by its line of the file; of any other the path tells what is wrong.
+/// Returns the answer to a line without a valid puzzle. Text that is not JSON is located by its line in the file, other
+/// errors by their JSON path.
 std::string answer_to_bad(std::string_view line, long number, InvalidInput e) {
   if (line.find_first_not_of(" \t\r") == std::string_view::npos) e = InvalidInput("", "blank line", 1);
   if (e.line) e.line = number;
@@ -73,7 +74,7 @@ Parsed parse(const Lines& lines, const solve::SolveFlags& flags) {
   return p;
 }
 
-/// Shares out what the puzzles' own clocks say; they are wall clocks, `seconds` is time of CPU.
+/// Divides the chunk's CPU time `seconds` in proportion to the wall-clock times that its answers report.
 void add_solving(Cost& cost, const std::vector<Answer>& answers, double seconds) {
   double certify = 0, robustness = 0, all = 0;
   for (const Answer& a : answers) {
@@ -115,7 +116,7 @@ void work(Chunk& c, const solve::SolveFlags& flags, bool gzip, bool measure) {
   laps.add_to(c.cost.format);
 }
 
-/// The answers first, their mark after them.
+/// Writes the answers first and their mark after them.
 void write(Batch& b, Chunk& c) {
   Laps laps(b.cost != nullptr);
   b.out.write(c.out);
@@ -152,7 +153,7 @@ void run_pipeline(Batch& b) {
     return chunk;
   };
   const auto write_chunk = [&](const ChunkPointer& chunk) {
-    if (stop) return;  // something failed: nothing may follow
+    if (stop) return;  // after a failure nothing more may be written
     try {
       write(b, *chunk);
     } catch (...) {
@@ -161,7 +162,7 @@ void run_pipeline(Batch& b) {
     }
   };
   const auto threads = static_cast<std::size_t>(b.threads);
-  constexpr std::size_t chunks_a_thread = 4;  // a hard puzzle may hold up the writing without idling the rest
+  constexpr std::size_t chunks_a_thread = 4;  // so that one hard puzzle delays the writing but not the other threads
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena(b.threads).execute([&] {
     using Mode = tbb::filter_mode;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines in, answers out: chunks of lines are read one after another, worked on by several threads at
-// once, and written in the order they were read. A bounded number of chunks is under way, so memory
-// does not grow with the input.
+// The batch pipeline: chunks of lines are read one after another, solved by several threads at once, and written in the
+// order in which they were read. The number of chunks in progress is bounded, so memory does not grow with the input.
 #pragma once
 
 #include "app/batch/journal.hpp"
@@ -16,19 +15,19 @@ namespace bankshot::app::batch {
 struct Batch {
   LineReader& in;
   Output& out;
-  Journal* journal;  ///< none where the output cannot be gone on with
+  Journal* journal;  ///< null if the output cannot be resumed
   const solve::SolveFlags& flags;
   int threads;
   Progress& progress;
-  Journal::Mark at;      ///< how far it has come
-  Cost* cost = nullptr;  ///< filled where given
+  Journal::Mark at;      ///< how far the batch has come
+  Cost* cost = nullptr;  ///< measured if not null
 };
 
-/// Runs until the end of the input, an interrupt, or an error, which it throws once what was under
-/// way is written. `batch.at` then says how far the output is whole.
+/// Runs until the end of the input, an interrupt or an error. An error is thrown once the chunks in progress are
+/// written. `batch.at` then says how much of the output is complete.
 void run_pipeline(Batch& batch);
 
-/// The answer to one line, as `solve --json` prints it, but that it names the line of the file.
+/// Returns the answer to one line as `solve --json` prints it, except that errors name the line of the file.
 std::string answer_line(const Lines& lines, std::size_t i, const solve::SolveFlags& flags);
 
 }  // namespace bankshot::app::batch

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What came of a batch so far, and how it is told: a line that moves on a terminal, one at the end.
+// Counts of a batch's answers so far, and how they are shown: a progress line on a terminal and a summary at the end.
 #pragma once
 
 #include <chrono>
@@ -12,9 +12,9 @@ namespace bankshot::app::batch {
 
 struct Tally {
   long solved = 0, no_shot = 0, budget = 0, invalid = 0;
-  long first_invalid = 0;  ///< its line, from 1; 0 without
+  long first_invalid = 0;  ///< line of the first invalid answer, from 1; 0 if there is none
   long beside = 0;         ///< solved, but no shot reaches the target's centre
-  double worst_miss = 0;   ///< m, of those that do
+  double worst_miss = 0;   ///< m, of the shots that reach the centre
   long simulations = 0;
 
   long lines() const { return solved + no_shot + budget + invalid; }
@@ -23,22 +23,22 @@ struct Tally {
   void add(const Tally& later);
 };
 
-/// Where the time of a batch went: seconds of CPU, over all threads.
+/// CPU time of a batch by stage, in seconds over all threads.
 struct Cost {
   double read = 0;   ///< bytes to lines
   double parse = 0;  ///< lines to puzzles
   double search = 0;
-  double certify = 0;     ///< replays of what the search proposed
+  double certify = 0;     ///< replays of proposed launches
   double robustness = 0;  ///< margin and success
-  double format = 0;      ///< answers to lines; with gzip, compressing them
+  double format = 0;      ///< answers to lines, and their gzip compression
   double write = 0;       ///< to the file
   void add(const Cost& more);
 };
 
-/// The line that moves: done, share of the input, rate, what is left, share solved.
+/// The progress line: puzzles done, share of the input, rate, time left, share solved.
 class Progress {
  public:
-  /// `kept`: answers of an earlier run; `shown`: on a terminal, unless quiet.
+  /// `kept`: number of answers of an earlier run. `shown`: draw the line, which is for a terminal and not for --quiet.
   Progress(long kept, double share, bool shown);
   ~Progress() { clear(); }
   void show(const Tally& tally, double share);
@@ -54,10 +54,10 @@ class Progress {
   Clock::time_point begin_ = Clock::now(), next_ = begin_;
 };
 
-/// "1,000 puzzles in 0.1 s, 9,000 a second: 998 solved, ..."
+/// Returns "1,000 puzzles in 0.1 s, 9,000 a second: 998 solved, ...".
 std::string closing_line(const Tally& tally, long kept, const Progress& progress);
 std::string grouped(long n);  ///< 1,234,567
-/// A table of the costs, and of the most memory held, as CSV.
+/// Returns a CSV table of the costs and the peak memory.
 std::string cost_csv(const Cost& cost, const Tally& tally, long kept, const Progress& progress);
 
 }  // namespace bankshot::app::batch

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot book: puzzles on a page, questions in front, answers at the back.
+// bankshot book: a page of puzzles, with the questions in front and the answers at the back.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -62,7 +62,7 @@ std::string page_name(const std::string& path) {
 
 int run(const Arguments& a) {
   const std::vector<Puzzle> puzzles = read_all(a.file);
-  write_file(a.page, "");  // a name that cannot be written is told before the work
+  write_file(a.page, "");  // reports a name that cannot be written before the work begins
   std::vector<Entry> book(puzzles.size());
   tbb::parallel_for(std::size_t{0}, book.size(), [&](std::size_t i) { book[i] = entry(puzzles[i]); });
   write_file(a.page, unpacked_name(a.page).ends_with(".svg") ? svg(book) : html(book));

@@ -36,7 +36,7 @@ constexpr std::string_view style =
     "svg{width:100%;height:auto;max-height:15em}a{color:inherit;text-decoration:none}"
     "@media print{h2.back{break-before:page}}";
 
-/// One picture with its words; its number leads to the other end of the book.
+/// Returns one picture with its words; its number links to the other end of the book.
 std::string figure(std::size_t i, const Entry& e, bool told) {
   const char here = told ? 'a' : 'q', there = told ? 'q' : 'a';
   return fmt::format(

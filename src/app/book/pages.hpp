@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The pages of a book: questions in front, answers at the back. Its headings say what is in it.
+// The pages of a book: questions in front, answers at the back, and headings that say what each part holds.
 #pragma once
 
 #include <span>
@@ -12,19 +12,19 @@ namespace bankshot::app::book {
 
 struct Entry {
   bool solved = false, unique = false;
-  Difficulty difficulty{};  ///< of one that is solved
+  Difficulty difficulty{};  ///< meaningful only if solved
   std::string title, question, scene, answer;
   std::string asked, told;  ///< pictures
 };
 
-/// Entries that belong together, and what is true of all of them.
+/// A run of entries that belong together, and what is true of all of them.
 struct Part {
   std::string title, subtitle;
   std::size_t begin, end;
 };
 
-/// In the order of the book: of one difficulty, or with one answer each. What is shorter than `least` joins the part
-/// before it.
+/// Divides the book into parts, in its order: entries of one difficulty, or entries with one answer each. A part with
+/// fewer than `least` entries joins the one before it.
 std::vector<Part> parts(std::span<const Entry> book, std::size_t least);
 
 std::string svg(std::span<const Entry> book);

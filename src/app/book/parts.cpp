@@ -8,7 +8,7 @@
 namespace bankshot::app::book {
 namespace {
 
-/// "9 easy, 1 hard"
+/// Returns a text like "9 easy, 1 hard".
 std::string counts(std::span<const Entry> part) {
   std::string out;
   const auto add = [&](long n, const std::string& what) {
@@ -21,7 +21,7 @@ std::string counts(std::span<const Entry> part) {
   return out;
 }
 
-/// What `difficulty` says of all of them (plan/generate.hpp), for the default player.
+/// Returns what a difficulty means for the default player (plan/generate.hpp).
 std::string meaning(Difficulty d) {
   if (d == Difficulty::easy)
     return fmt::format("made in at least {:.0f} % of tries, and {:.2g}° of aim to both sides still make it",
@@ -37,7 +37,8 @@ std::size_t run_length(std::span<const Entry> rest, Same same) {
   return static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), same) - rest.begin());
 }
 
-/// How many of the first belong together: of one difficulty, or with one answer each, whichever are more.
+/// Counts the first entries that belong together: those of one difficulty or those with one answer each, whichever are
+/// more.
 std::size_t alike(std::span<const Entry> rest) {
   const Entry& first = rest.front();
   return std::max(run_length(rest, [](const Entry& e) { return e.unique; }), run_length(rest, [&](const Entry& e) {
@@ -45,7 +46,7 @@ std::size_t alike(std::span<const Entry> rest) {
                   }));
 }
 
-/// The heading says what is true of all of them.
+/// Returns a part whose heading says what is true of all its entries.
 Part heading(std::span<const Entry> book, std::size_t begin, std::size_t end) {
   const std::span<const Entry> part = book.subspan(begin, end - begin);
   const std::size_t n = part.size();

@@ -9,11 +9,11 @@
 
 namespace bankshot::app::book {
 
-/// "Two cushions into top-right"
+/// Returns a text like "Two cushions into top-right".
 std::string question(const Puzzle& puzzle);
-/// "pool-9ft, spin, side 0.5"
+/// Returns a text like "pool-9ft, spin, side 0.5".
 std::string scene(const Puzzle& puzzle);
-/// The title that its author wrote into `about`; empty without.
+/// Returns the title that the author wrote into `about`; empty if there is none.
 std::string title(const Puzzle& puzzle);
 
 }  // namespace bankshot::app::book

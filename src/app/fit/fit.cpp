@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot fit: the coefficients of a table from recorded shots.
+// bankshot fit: fits the coefficients of a table to recorded shots.
 #include "bankshot/learn/fit.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot generate: seeded puzzles that have a shot, one JSON a line.
+// bankshot generate: seeded puzzles that have a shot, one JSON per line.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -24,9 +24,9 @@ struct Arguments : Wishes {
 
 int run(const Arguments& a) {
   const Wish wish = read_wish(a);
-  batch::Output out(a.out);  // a name that cannot be written is told before the work
+  batch::Output out(a.out);  // reports a name that cannot be written before the work begins
   if (out.regular()) out.cut(0);
-  // The first alone: an impossible wish is told after one puzzle's tries.
+  // The first block is a single puzzle, so that an impossible wish is reported after the tries of one puzzle.
   constexpr long block = 64;
   for (long done_so_far = 0; done_so_far < a.count;) {
     std::vector<Made> made(static_cast<std::size_t>(std::min(done_so_far ? block : 1, a.count - done_so_far)));
@@ -41,7 +41,7 @@ int run(const Arguments& a) {
                              missing->tries.text());
     return nothing_solved;
   }
-  if (out.gzip() && out.written() == 0) out.write(gzipped(""));  // an empty file is no gzip file
+  if (out.gzip() && out.written() == 0) out.write(gzipped(""));  // an empty file is not a gzip file
   out.finish();
   return done;
 }

@@ -22,7 +22,7 @@ int whole(const std::string& text) {
   return n <= max_cushions ? n : -1;
 }
 
-/// "2", "1-3" or "top,left".
+/// Reads "2", "1-3" or "top,left".
 CushionRule read_rule(const std::string& text, const Table& table, std::string_view flag) {
   if (const int n = whole(text); n >= 0) return CushionRule::exactly(n);
   const auto dash = text.find('-');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What `generate` is asked for, in words, and a puzzle after it.
+// The flags of `generate` as text, and the puzzles made from them.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace bankshot::app::generate {
 
-/// In the order of Wish::Kind.
+/// Names in the order of Wish::Kind.
 inline constexpr const char* kinds[] = {"pocket", "stop", "pass", "kick", "pot", "carom"};
 
-/// As after the flags of the same names; empty: any.
+/// Values of the flags with the same names; an empty one means any.
 struct Wishes {
   std::uint64_t seed = 0;
   std::string table = "pool-9ft", physics = "spin", cushions = "1-3", then = "0", difficulty, target;
@@ -21,15 +21,15 @@ struct Wishes {
   bool unique = false;
 };
 
-/// Throws FileError, which names the flag.
+/// Turns the flags into a wish. Throws FileError, which names the flag.
 Wish read_wish(const Wishes& wishes);
 
-/// One puzzle as text, or why there is none.
+/// One puzzle as a line of text; an empty line if none was found, and `tries` says why.
 struct Made {
   std::string line;
   Tries tries;
 };
-/// Puzzle `number`, from 1, of these wishes.
+/// Makes puzzle `number`, counted from 1.
 Made make(const Wishes& wishes, const Wish& wish, long number);
 
 }  // namespace bankshot::app::generate

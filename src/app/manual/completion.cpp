@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot completion bash|zsh|fish: what a shell needs to complete a line.
+// bankshot completion bash|zsh|fish: the script that completes the program's command lines in a shell.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,7 +11,7 @@
 namespace bankshot::app::manual {
 namespace {
 
-/// In single quotes of a shell.
+/// Puts `text` into single quotes for a shell.
 std::string in_quotes(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
@@ -63,7 +63,7 @@ complete -o filenames -F _bankshot bankshot
                      cases, choices, all);
 }
 
-/// "[the words]" of an option, for _arguments.
+/// Escapes an option's description for the brackets of zsh's `_arguments`.
 std::string in_brackets(const std::string& text) {
   std::string out;
   for (const char c : text) {

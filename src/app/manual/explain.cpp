@@ -7,7 +7,7 @@ void explain(CLI::App& command, const std::string& text, const std::vector<Examp
              const std::string& exit_codes) {
   std::size_t width = 0;
   for (const Example& e : examples) width = std::max(width, e.line.size());
-  constexpr std::size_t widest = 62;  // longer lines put their words below
+  constexpr std::size_t widest = 62;  // after longer lines the words stand on a line of their own
   width = std::min(width, widest);
   std::string out = text + "\n\nExamples:\n";
   for (const Example& e : examples) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot help COMMAND: what COMMAND --help prints.
+// bankshot help COMMAND: prints what COMMAND --help prints.
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "json/reader.hpp"
@@ -16,7 +16,7 @@ Run add_help(CLI::App& app) {
   return [wanted, &app] {
     if (wanted->empty()) {
       print(app.get_formatter()->make_help(&app, app.get_name(),
-                                           CLI::AppFormatMode::Normal));  // app.help() is that of `help`
+                                           CLI::AppFormatMode::Normal));  // app.help() would print the help of `help`
       return done;
     }
     std::vector<std::string> names;

@@ -14,7 +14,7 @@
 namespace bankshot::app::manual {
 namespace {
 
-/// Text that roff leaves as it is.
+/// Escapes `text` so that roff prints it unchanged.
 std::string plain(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -36,12 +36,12 @@ std::string entry(const Option& o) {
   return ".TP\n" + head + "\n" + body + "\n";
 }
 
-/// What explain() wrote, heading by heading.
+/// Turns the text of explain() into the sections NOTES, EXAMPLES and EXIT STATUS.
 std::string told(std::string footer) {
   const auto examples = footer.find("\n\nExamples:\n"), codes = footer.find("\n\nExit codes: ");
   if (examples == std::string::npos || codes == std::string::npos) return "";
   const auto verbatim = [](const std::string& text) { return ".nf\n" + plain(text) + "\n.fi\n"; };
-  constexpr std::size_t examples_word = 12, codes_word = 14;  // the lengths of the words looked for
+  constexpr std::size_t examples_word = 12, codes_word = 14;  // lengths of the two headings searched for
   return ".SH NOTES\n" + verbatim(footer.substr(0, examples)) + ".SH EXAMPLES\n" +
          verbatim(footer.substr(examples + examples_word, codes - examples - examples_word)) + ".SH EXIT STATUS\n" +
          plain(footer.substr(codes + codes_word)) + "\n";

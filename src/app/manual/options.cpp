@@ -4,7 +4,7 @@
 namespace bankshot::app::manual {
 namespace {
 
-/// "TEXT:{pocket,stop,pass}": the words in the braces.
+/// Returns the words between the braces of a text like "TEXT:{pocket,stop,pass}".
 std::vector<std::string> choices_of(const std::string& type) {
   const auto open = type.find('{'), close = type.find('}');
   if (open == std::string::npos || close == std::string::npos) return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the command line knows of its options, for whoever writes about them.
+// What the command line knows of its options, for the manual pages and shell completions.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,14 +10,14 @@
 namespace bankshot::app::manual {
 
 struct Option {
-  std::vector<std::string> names{};    ///< with their dashes; empty for one that is told by its place
-  std::string place{};                 ///< the name of that place
-  std::string value{};                 ///< what follows the name, as --help says it; empty for a flag
-  std::vector<std::string> choices{};  ///< the values, where they are known
+  std::vector<std::string> names{};    ///< with their dashes; empty for a positional argument
+  std::string place{};                 ///< name of a positional argument
+  std::string value{};                 ///< the placeholder after the name in --help; empty for a flag
+  std::vector<std::string> choices{};  ///< the allowed values, if they are a fixed list
   std::string meaning{}, fallback{};
 };
 
-/// In the order of --help, without hidden ones.
+/// Returns the options in the order of --help, without hidden ones.
 std::vector<Option> options(const CLI::App& command);
 std::vector<const CLI::App*> commands(const CLI::App& app);
 

@@ -79,7 +79,7 @@ int run(const Arguments& a) {
 
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
-  constexpr int most = 10000;  // columns or rows: more is no map any more
+  constexpr int most = 10000;  // columns or rows
   CLI::App* command =
       app.add_subcommand("map", "Solve a puzzle from every start on a grid: where can this shot be made from?");
   command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")

@@ -6,7 +6,7 @@
 
 namespace bankshot::app::map {
 
-/// A puzzle from each start on a grid, on all cores.
+/// Solves the puzzle from each start on a grid, on all cores.
 StartMap map_of(const Puzzle& puzzle, int columns, int rows, const SolveOptions& options);
 
 }  // namespace bankshot::app::map

@@ -32,7 +32,7 @@ int find_pocket(const Table& table, const std::string& name) {
   return static_cast<int>(it - names.begin());
 }
 
-/// For each direction and speed, how wide a strip of parallel lines drops.
+/// Returns, for each direction and speed, the width of the strip of parallel lines on which a ball drops.
 std::string summary(const std::vector<Acceptance>& windows) {
   constexpr int each = 10;  // degrees
   std::string out = "mm of parallel lines that drop: clean, and with those off a jaw or a rail\n  angle";

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_cushions = 2, draws = 400;
 
-/// As people ask: a pocket, up to two cushions.
+/// Draws a puzzle as people ask it: a pocket, and up to two cushions.
 Puzzle draw_puzzle(const TablePreset& preset, Random& random) {
   const Scene scene = preset_scene(preset.name);
   const double R = scene.ball.body.radius;
@@ -34,7 +34,7 @@ bool is_made(const Puzzle& p, const Launch& launch, const LaunchSpin& spin) {
          t.events[t.events.size() - 2].contact.index == std::get<PocketTarget>(p.target).pocket;
 }
 
-/// The share of a player's launches that are made: aims and speeds are off by normal deviates (Box and Muller 1958).
+/// Returns the share of a player's launches that are made; aims and speeds have normal errors (Box and Muller 1958).
 double chance_of(const Puzzle& p, const Shot& shot, Random& random) {
   int made = 0;
   for (int i = 0; i < draws; ++i) {

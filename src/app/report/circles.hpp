@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How far off chances are on a table whose pockets are plain circles: part of section 2.
+// Error of success probabilities computed on tables whose pockets are plain circles: part of section 2.
 #pragma once
 
 #include "app/report/page.hpp"
@@ -13,9 +13,9 @@ struct CirclesForJaws {
   std::string csv, told;
 };
 
-/// Random pocket puzzles on tables with circles; their best shots played by a player with their noise on the same
-/// tables with jaws. Steps the progress `circle_steps` times.
-inline constexpr int circle_steps = 5;
+inline constexpr int circle_steps = 5;  ///< of the progress bar
+/// Solves random pocket puzzles on tables with circles. A player with the puzzle's noise then plays the best shots on
+/// the same tables with jaws.
 CirclesForJaws circles_for_jaws(int puzzles, Progress& progress);
 
 }  // namespace bankshot::app::report

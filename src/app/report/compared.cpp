@@ -11,7 +11,7 @@ namespace {
 
 constexpr double length = 2.54, width = 1.27;  // m, of a 9-foot table
 constexpr double radius = 0.028575;
-constexpr double longest = 8;  // s: a slow ball that rolls for long would only make the steppers slow
+constexpr double longest = 8;  // s; a slow ball that rolls for long would only cost the steppers time
 
 std::vector<double> decades(double from, double to, double a_decade) {
   std::vector<double> out;
@@ -20,7 +20,7 @@ std::vector<double> decades(double from, double to, double a_decade) {
   return out;
 }
 
-/// The moments of the bounces up to `cushions`, and of what follows; empty when there are fewer.
+/// Returns the moment half way between bounce number `cushions` and the next event; 0 if there are fewer bounces.
 template <class Sim>
 double moment(Sim sim, int cushions) {
   int met = 0;

@@ -21,23 +21,23 @@ struct Series {
 
 inline constexpr const char* event_driven = "event-driven (ours)";
 
-/// Everything but ours; fixed steps go down to `least` seconds.
+/// Returns every simulator but ours; fixed steps go down to `least` seconds.
 std::vector<Series> stepping_series(double least);
 
-/// The table of the comparison, with or without pockets, and the ball on it.
+/// Returns the table of the comparison with the ball on it, with or without pockets.
 const Boundary& comparison_table(bool pockets = false);
 
-/// A start and a moment, seconds later, at which the ball still moves.
+/// A start, and a later moment [s] at which the ball still moves.
 struct Timed {
   State<double> start;
   double until;
 };
 
-/// A ball with random place, aim, speed and spin; `until` is half way between the `cushions`-th bounce and what
-/// follows.
+/// Draws a shot with random place, aim, speed and spin. `until` is half way between bounce number `cushions` and the
+/// next event.
 Timed timed_shot(Random& draw, const Physics& physics, int cushions);
 
-/// Ours, in double.
+/// Returns the state at `until` from our simulator, in double.
 State<double> by_events(const Boundary& boundary, const Physics& physics, const Timed& shot);
 
 }  // namespace bankshot::app::report

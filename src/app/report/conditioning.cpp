@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Section 4: digits that a path loses with each cushion, and those that its condition κ says it may lose.
+// Section 4: digits that a path loses with each cushion, and digits that its condition κ says it may lose.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,8 +24,8 @@ struct Scene {
   double low, high;  ///< launch speed [m/s]
 };
 
-/// A rectangle whose bottom cushion is a row of pins nearer to each other than the ball is wide: it meets only
-/// their tips, which scatter what comes to them.
+/// Returns a rectangle whose bottom cushion is a row of pins, closer together than the ball is wide. The ball meets
+/// only their tips, which scatter it.
 Table with_pins() {
   constexpr double length = 2.54, width = 1.27, height = 0.04;
   constexpr int pins = 50;
@@ -40,7 +40,7 @@ Table with_pins() {
 
 std::vector<Scene> scenes() {
   const Table plain = rectangle_table(2.54, 1.27);
-  Physics lively = spin_physics();  // hardly any loss, so that twenty cushions are met
+  Physics lively = spin_physics();  // with hardly any loss the ball meets twenty cushions
   std::get<Han2005>(lively.cushion).restitution = Restitution{0.98};
   std::get<SlideRoll>(lively.motion).rolling_friction = 0.001;
   Physics mirrors = lively;
@@ -54,7 +54,7 @@ std::vector<Scene> scenes() {
 /// Digits lost, and digits that κ allows to be lost, after n cushions.
 struct Losses {
   std::vector<double> lost[most_cushions + 1], allowed[most_cushions + 1];
-  int parted[most_cushions + 1] = {};  ///< shots whose events are no longer those of 50 digits
+  int parted[most_cushions + 1] = {};  ///< shots whose events differ from those of 50 digits
   int worst_ratio_cushions = 0;
   double worst_ratio = 0;
 };
@@ -76,7 +76,7 @@ int cushions_met(const truth::Run& run) {
   return met;
 }
 
-/// The place of the n-th bounce against 50 digits, for every n.
+/// Compares the place of the n-th bounce with 50 digits, for every n.
 Losses measure(const Scene& scene, int shots, std::string& csv, Progress& progress) {
   const Boundary boundary(scene.table, {radius});
   Losses out;
@@ -102,7 +102,7 @@ Losses measure(const Scene& scene, int shots, std::string& csv, Progress& progre
   return out;
 }
 
-/// The first number of cushions from which the digits left are too few in the median, 0 for none.
+/// Returns the first number of cushions after which the median of the digits exceeds `most`; 0 for none.
 int too_many(const std::vector<double> (&digits)[most_cushions + 1], double most) {
   for (int n = 1; n <= most_cushions; ++n)
     if (!digits[n].empty() && spread(digits[n]).median > most) return n;

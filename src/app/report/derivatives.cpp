@@ -25,7 +25,8 @@ constexpr Way ways[] = {
 #endif
 };
 
-/// Median of the least miss after n simulations, over the puzzles; a run that has ended stays as it is.
+/// Medians over the puzzles after each step: simulations, time and the least miss so far. A run that has ended keeps
+/// its last values.
 struct Approach {
   const char* name;
   std::vector<double> simulations, seconds;
@@ -62,7 +63,7 @@ Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string
   return out;
 }
 
-/// The first step at which the median miss is exact; none when it never is.
+/// Returns the entry of `of` at the first step whose median miss is exact; null if there is none.
 const double* first_exact(const Approach& a, const std::vector<double>& of) {
   for (std::size_t k = 0; k < a.miss.size(); ++k)
     if (a.miss[k].median < tolerance::exact_miss) return &of[k];

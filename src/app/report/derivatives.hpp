@@ -10,7 +10,7 @@ namespace bankshot::app::report {
 
 inline constexpr std::size_t derivatives_steps = 4;  ///< of the progress bar
 
-/// Adds a row of panels and a CSV to the section of the planners; says what each way needs, for its conclusion.
+/// Adds a row of panels and a CSV to the section of the planners. Returns what each method needs, for its conclusion.
 std::string add_derivatives(const Settings& settings, Section& section, Progress& progress);
 
 }  // namespace bankshot::app::report

@@ -20,12 +20,13 @@ namespace {
 // Pixels.
 constexpr int width = 960, right = 14, top = 30, bottom = 52, legend_row = 22, legend_columns = 4;
 
-/// Told apart also by most who see fewer colours, dark enough for thin lines; ours, first, is black.
+/// Colours that most readers with reduced colour vision can tell apart, dark enough for thin lines. The first curve,
+/// ours, is black.
 constexpr const char* colours[] = {"#111111", "#0072b2", "#d55e00", "#009e73", "#b8489a",
                                    "#c58b00", "#3aa3dc", "#7a6fd0", "#8b5a2b", "#7f7f7f"};
 constexpr int marks[] = {7, 5, 9, 11, 13, 4, 6, 8, 10, 12};
 
-/// Text that gnuplot's enhanced mode shows as it is.
+/// Escapes `text` so that gnuplot's enhanced mode shows it unchanged.
 std::string plain(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -36,14 +37,14 @@ std::string plain(const std::string& text) {
   return out;
 }
 
-/// A file name that gnuplot takes as it is: between double quotes it would run what stands in back quotes.
+/// Quotes a file name for gnuplot; within double quotes it would run what stands in back quotes.
 std::string quoted(const std::string& file) {
   std::string out = "'";
   for (const char c : file) out += c == '\'' ? "''" : std::string(1, c);
   return out + "'";
 }
 
-/// What a logarithmic axis can show.
+/// Returns whether the axes can show the point; a logarithmic axis shows only positive numbers.
 bool shown(const Axis& x, const Axis& y, const Point& p) {
   const auto fits = [](const Axis& axis, double v) { return std::isfinite(v) && (!axis.logarithmic || v > 0); };
   return fits(x, p.x) && fits(y, p.y);
@@ -55,7 +56,7 @@ void widen(std::optional<Range>& r, double v) {
   r->high = std::max(r->high, v);
 }
 
-/// All points of the panels on one axis, with some room at both ends.
+/// Returns the range of all points of the panels on one axis, with some space at both ends.
 Range extent(std::span<const Panel> panels, Axis Panel::*axis, double Point::*number) {
   std::optional<Range> r;
   for (const Panel& panel : panels)
@@ -76,7 +77,7 @@ Range extent(std::span<const Panel> panels, Axis Panel::*axis, double Point::*nu
   return {r->low - by, r->high + by};
 }
 
-/// Range, ticks and label of an axis, for gnuplot.
+/// Returns the commands that set an axis's range, ticks and label.
 std::string set_axis(char name, const Axis& axis, const Range& range) {
   std::string out = axis.logarithmic ? fmt::format("set logscale {0}\nset format {0} \"10^{{%T}}\"\n", name)
                                      : fmt::format("unset logscale {0}\nset format {0} \"%g\"\n", name);
@@ -97,10 +98,10 @@ std::string set_axis(char name, const Axis& axis, const Range& range) {
   return out + fmt::format("set {}label \"{}\"\n", name, plain(axis.label));
 }
 
-/// The names of curves, each with the number of its colour and mark.
+/// The names of curves; the number of a name gives its colour and mark.
 struct Names {
   std::vector<std::string> common;
-  std::vector<std::string> apart;  ///< those of a panel that is a legend
+  std::vector<std::string> apart;  ///< names in panels that are legends
 
   explicit Names(const Figure& f) : common(f.names) {
     for (const Panel& p : f.panels) apart.insert(apart.end(), p.legend.begin(), p.legend.end());
@@ -127,12 +128,12 @@ std::string style(const Names& names, const std::string& name, Curve::Style kind
                      marks[i % std::size(marks)], size, colour);
 }
 
-/// Entries for a plot that shows nothing but its key.
+/// Returns the entries of a plot that shows nothing but its key.
 std::string key_of(const Figure& f, const Names& names, const std::vector<std::string>& shown_names) {
   std::string out;
   for (const std::string& name : shown_names) {
     Curve::Style kind = Curve::Style::line_points;
-    for (auto p = f.panels.rbegin(); p != f.panels.rend(); ++p)  // as where it is first seen
+    for (auto p = f.panels.rbegin(); p != f.panels.rend(); ++p)  // the style where the name first appears
       for (const Curve& c : p->curves)
         if (c.name == name) kind = c.style;
     out += fmt::format("{}NaN {} title \"{}\"", out.empty() ? "plot " : ", \\\n     ", style(names, name, kind),
@@ -185,7 +186,7 @@ std::string draw_panel(const Panel& p, const Names& names, int number) {
          set_axis('y', p.y, y) + plots + "\n";
 }
 
-/// A strip below all panels that holds their common legend.
+/// Draws a strip below all panels that holds their common legend.
 std::string draw_legend(const Figure& f, const Names& names, int height, int strip) {
   return without_axes +
          fmt::format(
@@ -240,7 +241,7 @@ std::string gnuplot_script(const Figure& f, const std::string& svg) {
 
 namespace {
 
-/// Runs gnuplot with one argument; its exit code. Without `loud` it says nothing.
+/// Runs gnuplot with one argument and returns its exit code. Without `loud` its output is discarded.
 int run_with(std::string argument, bool loud) {
   std::string program = "gnuplot";
   char* arguments[] = {program.data(), argument.data(), nullptr};

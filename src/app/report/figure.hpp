@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Figures as data, drawn by gnuplot: panels of curves with bands, one legend below them all.
+// Figures as data, drawn by gnuplot: panels of curves with bands, and one legend below them all.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace bankshot::app::report {
 
 struct Point {
   double x, y;
-  double low, high;  ///< of the band; equal to y without one
+  double low, high;  ///< ends of the band; equal to y if there is none
 };
 
 struct Curve {
@@ -29,42 +29,42 @@ struct Axis {
   std::string label;
   bool logarithmic = false;
   std::optional<Range> range{};
-  std::vector<std::string> names{};  ///< of 0, −1, −2 ... on an axis of names
+  std::vector<std::string> names{};  ///< labels of 0, −1, −2 ... on an axis of names
 };
 
 struct Panel {
   std::string title;
   Axis x, y;
   std::vector<Curve> curves;
-  /// Not empty: no axes, only a legend of these names, which the common one then leaves out; they begin anew with
-  /// the first colour.
+  /// If not empty, the panel has no axes and shows only a legend of these names. The common legend leaves them out, and
+  /// their colours begin again with the first.
   std::vector<std::string> legend{};
 };
 
 struct Figure {
   std::vector<Panel> panels;
   int columns = 1;
-  int row_height = 250;              ///< of 960 pixels across
+  int row_height = 250;              ///< pixels; a figure is 960 pixels wide
   int left = 72;                     ///< pixels for labels and ticks of y
-  std::vector<std::string> names{};  ///< of curves, in the legend's order; others follow
+  std::vector<std::string> names{};  ///< names of curves, in the legend's order; others follow
 };
 
-/// Gives these panels the same range of x, or of y: that of all their points.
+/// Gives these panels the same range of x, or of y, which covers all their points.
 void share_x(std::span<Panel> panels);
 void share_y(std::span<Panel> panels);
 
-/// The commands that make gnuplot draw the figure into `svg`.
+/// Returns the commands that make gnuplot draw the figure into `svg`.
 std::string gnuplot_script(const Figure& figure, const std::string& svg);
 
-/// gnuplot cannot be run, or fails.
+/// gnuplot cannot be run, or it fails.
 class DrawingError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws DrawingError, with one line that names the package, when there is no gnuplot.
+/// Throws DrawingError, with one line that names the package, if there is no gnuplot.
 void find_gnuplot();
-/// Runs gnuplot on a script; throws likewise.
+/// Runs gnuplot on a script; throws DrawingError if that fails.
 void run_gnuplot(const std::string& script);
 
 }  // namespace bankshot::app::report

@@ -33,7 +33,7 @@ struct Forces {
     const double turn = phase == Phase::slide ? turning : 0;
     return {y[2], y[3], -a * along.x, -a * along.y, -turn * along.y, turn * along.x};
   }
-  /// As Odeint calls it.
+  /// Has the signature that Odeint calls.
   void operator()(const Coordinates& y, Coordinates& rate, double) const { rate = (*this)(y); }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Section 5: the scenes that are hard by construction, each class against its bound.
+// Section 5: scenes that are hard by construction, each class against its bound.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ struct Tally {
   std::string name;
   int cases = 0, ties = 0, beyond = 0;
   double error = 0, kappa = 1;
-  std::vector<double> shares{};  ///< of the bound, that each case uses
+  std::vector<double> shares{};  ///< share of the bound that each case uses
   double worst() const { return shares.empty() ? 0 : *std::max_element(shares.begin(), shares.end()); }
 };
 

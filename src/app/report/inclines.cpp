@@ -7,8 +7,8 @@
 namespace bankshot::app::report {
 namespace {
 
-/// σ at that moment: what is left of w then, over what there was, is e^−Mσ across the slope; the boost of (|w|, w) has
-/// the rest.
+/// Returns the clock σ at the moment `until`. The component of w across the slope shrinks by e^−Mσ. The boost of (|w|,
+/// w) along the slope makes |w| + w·down shrink by e^−(M − pull)σ, which gives σ.
 double clock_at(const Incline<double>& law, const Vec2d& w, double until) {
   const Vec2d later = before_stop(law, w, stop_on(law, w).time - until);
   const auto sum = [&](const Vec2d& v) { return norm(v) + dot(law.down, v); };

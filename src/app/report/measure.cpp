@@ -15,7 +15,7 @@ Spread spread(std::vector<double> numbers) {
   const auto at = [&](double share) {
     const double place = share * static_cast<double>(numbers.size() - 1);
     const auto below = static_cast<std::size_t>(place), above = std::min(below + 1, numbers.size() - 1);
-    // Between equal numbers no arithmetic: they may be infinite.
+    // Equal numbers are not interpolated: they may be infinite.
     if (numbers[below] == numbers[above]) return numbers[below];
     return numbers[below] + (numbers[above] - numbers[below]) * (place - static_cast<double>(below));
   };
@@ -59,7 +59,7 @@ struct Unit {
   const char* name;
 };
 
-/// In the largest unit of which there is at least one.
+/// Formats x in the largest unit of which there is at least one.
 template <std::size_t n>
 std::string in_units(double x, const Unit (&units)[n]) {
   if (x == 0 || !std::isfinite(x)) return short_number(x);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How the report measures: processor time of the thread, so that other programs hardly count; the least of
-// some repeats, since a machine adds noise upwards only; medians with the 10 % and 90 % of the shots beside them.
+// Measurements of the report. A time is processor time of the thread, so that other programs hardly count, and the
+// least of some repeats, since a machine only adds to it. Medians come with the 10 % and 90 % quantiles.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace bankshot::app::report {
 
-/// Seconds that one call of f takes: the least of three repeats, each as many calls as fill `enough` seconds. One
-/// repeat does for what takes `long_enough`.
+/// Returns the seconds that one call of f takes: the least of three repeats, each with as many calls as fill `enough`
+/// seconds. A call that takes `long_enough` is measured once.
 template <class F>
 double seconds_of(F&& f) {
   constexpr double enough = 50e-6, long_enough = 5e-3;
@@ -34,16 +34,17 @@ double seconds_of(F&& f) {
   return least;
 }
 
-/// Middle and spread of some numbers.
+/// Median and spread of some numbers.
 struct Spread {
   double low = 0, median = 0, high = 0;  ///< 10 %, 50 %, 90 %
 };
 Spread spread(std::vector<double> numbers);
 
-/// "Processor, cores, compiler, commit".
+/// Returns "Processor, cores, compiler, commit".
 std::string machine();
 
-/// A number for a table: three digits, powers of ten written out; "0.34 µs" for times.
+/// Formats a number for a table: three digits, with a power of ten if it is very large or small. Times and lengths get
+/// a unit, such as "0.34 µs".
 std::string short_number(double x);
 std::string short_count(double x);  ///< two digits, "12,000"
 std::string short_power(double x);  ///< two decimals, without the sign of 0

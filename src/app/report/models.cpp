@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Section 2: what each level of physics costs, and how far its answers miss when the fullest one is the truth.
+// Section 2: cost of each level of physics, and how far its answers miss when the fullest one is the truth.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ struct Model {
   Physics physics;
 };
 
-/// Cheapest first; the last is the reference.
+/// Returns the models, cheapest first; the last is the reference.
 std::vector<Model> models_in_order() {
   Physics mirrors = spin_physics(), springs = spin_physics(), fullest = spin_physics();
   mirrors.cushion = Mirror{};
@@ -62,14 +62,15 @@ Puzzle puzzle_of(const Question& q, const Physics& physics) {
            .speed = {0.1, 10}};
   p.prefer = Prefer::soft;
   if (is_ideal(physics))
-    p.speed = {q.shot.launch.speed, q.shot.launch.speed};  // it knows no friction: the right speed is given
+    // This model knows no friction, so it is given the right speed.
+    p.speed = {q.shot.launch.speed, q.shot.launch.speed};
   else
     p.arrive = Range{0, 0};
   if (carries_spin(physics)) p.spin = q.shot.spin;
   return p;
 }
 
-/// Seconds to simulate the shot in a model, to its rest or its last cushion.
+/// Returns the seconds it takes to simulate the shot in a model, to its rest or its last cushion.
 double cost(const Question& q, const Physics& physics) {
   return with_physics(physics, [&](const auto& motion, const auto& cushion) {
     const State<double> start = start_state(q.shot);
@@ -110,8 +111,8 @@ Result measure(const Model& m, const std::vector<Question>& questions, int cushi
   return {spread(misses), spread(seconds), spread(solving), solved};
 }
 
-/// How much more or less steeply a ball that rolls leaves a cushion than it came, over the angle of incidence, finely;
-/// and in words, by how much at most from one angle to the next.
+/// Returns how much less steeply a rolling ball leaves a cushion than it came, over the angle of incidence in fine
+/// steps. `told` gets the largest change from one angle to the next, in words.
 Panel steepness(const std::vector<Model>& all, std::string& csv, std::string& told) {
   constexpr double step = 0.1, from = 0.5, to = 89.5, speed = 2;  // degrees, m/s
   Panel panel{"leaving less steeply than coming, every 0.1°", {"angle to the cushion [°]"}, {"angle lost [°]"}, {}};
@@ -191,7 +192,7 @@ Section models(const Settings& settings, Progress& progress) {
       costs.points.push_back({r.seconds.median, r.miss.median, r.miss.median, r.miss.median});
       progress.step();
     }
-    if (&m == &all.back()) continue;  // it misses by rounding
+    if (&m == &all.back()) continue;  // it misses only by rounding
     by_cushions.curves.push_back(misses);
     by_cost.curves.push_back(costs);
   }

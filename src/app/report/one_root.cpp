@@ -21,7 +21,8 @@ namespace {
 
 using namespace planning;
 
-/// Where the ball rests, less the target [m], as a function of aim and ln speed; counts and keeps the best.
+/// Position of rest less the target [m], as a function of aim and ln speed. Counts the simulations and keeps the least
+/// miss.
 struct Path {
   const LockedAim& aim;
   double (*clock)();
@@ -52,7 +53,8 @@ std::optional<Linear> by_dual_numbers(Path& p, double angle, double log_speed) {
   return linear<2>(both, 0);
 }
 
-/// Steps near the best compromise of rounding and curvature: the square root and the cube root of 2⁻⁵².
+/// Takes differences with steps near the best compromise of rounding and curvature: the square root and the cube root
+/// of 2⁻⁵².
 std::optional<Linear> by_differences(Path& p, double angle, double log_speed, bool central) {
   const double h = central ? 6e-6 : 1.5e-8;
   const auto r = p.off(angle, log_speed);
@@ -70,7 +72,7 @@ std::optional<Linear> by_differences(Path& p, double angle, double log_speed, bo
   return l;
 }
 
-/// Newton's method, no step longer than those of the planners.
+/// Runs Newton's method, with no step longer than those of the planners.
 void newton_from(Path& p, const Launch& seed, Derivatives d) {
   constexpr int most_steps = 15;
   constexpr double step_aim = 0.3, step_speed = 0.5, settled = 1e-16;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One root along one locked sequence, found with and without derivatives: what `report` compares. The
-// planners themselves use dual numbers.
+// One root along one locked sequence, found with and without derivatives, for `report` to compare. The planners
+// themselves use dual numbers.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace bankshot::app::report {
 
-/// dual: Newton's method, the Jacobian by dual numbers, one simulation a step. forward, central: by differences, three
-/// and five. none: BOBYQA on the squared distance.
+/// dual: Newton's method with a Jacobian by dual numbers, one simulation per step. forward, central: Newton's method
+/// with differences, three and five simulations per step. none: BOBYQA on the squared distance.
 enum class Derivatives { dual, forward, central, none };
 
 struct Iterate {
@@ -20,8 +20,8 @@ struct Iterate {
   double miss;     ///< m, the least so far
 };
 
-/// From the image of a puzzle that gives its sequence and asks the ball to rest at a point; empty where the image gives
-/// no seed. Ends when the miss no longer matters, or after enough steps. `clock` tells seconds.
+/// Starts from the image of a puzzle that gives its sequence and asks the ball to rest at a point. Empty if the image
+/// gives no seed. Ends when the miss no longer matters, or after enough steps. `clock` returns seconds.
 std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives derivatives, double (*clock)());
 
 }  // namespace bankshot::app::report

@@ -64,7 +64,7 @@ std::string escaped(std::string text) {
   return text;
 }
 
-/// The <svg> element alone, its identifiers made different from those of the other figures.
+/// Returns the <svg> element alone, with identifiers that differ from those of the other figures.
 std::string inlined(std::string svg, const Section& s) {
   const std::size_t begin = svg.find("<svg");
   if (begin == std::string::npos) return "";
@@ -87,7 +87,7 @@ std::string table_html(const Numbers& t) {
   out += "</tr></thead>\n<tbody>\n";
   std::string group;
   for (const auto& row : t.rows) {
-    // Where the first column changes and holds groups, a line.
+    // A line above a row begins a group: it stands where the first column changes.
     const bool begins = t.text_columns > 1 && row[0] != group;
     out += begins ? "<tr class=\"group\">" : "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The report as a page that opens offline, and as Markdown: each section a paragraph on what was
-// measured, one figure, one table, one sentence that follows from the numbers.
+// The report as a page that opens offline, and as Markdown. Each section has a paragraph on what was measured, one
+// figure, one table, and one sentence that follows from the numbers.
 #pragma once
 
 #include <string>
@@ -14,7 +14,8 @@ namespace bankshot::app::report {
 struct Numbers {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
-  std::size_t text_columns = 1;  ///< the first of them, set left; the others are numbers, set right
+  /// Number of leading columns with text, set left; the others are numbers, set right.
+  std::size_t text_columns = 1;
 };
 
 /// Raw numbers, written to NAME.csv.
@@ -23,7 +24,7 @@ struct Csv {
 };
 
 struct Section {
-  std::string name{};  ///< of its files
+  std::string name{};  ///< base name of its files
   std::string title{};
   std::string about{};  ///< what was measured, and how
   Figure figure{};
@@ -34,11 +35,11 @@ struct Section {
 };
 
 struct Page {
-  std::string caption;  ///< machine, compiler, commit, and how many shots
+  std::string caption;  ///< machine, compiler, commit, and number of shots
   std::vector<Section> sections;
 };
 
-/// `figures`: the SVG text of each section; empty where none could be drawn.
+/// `figures`: the SVG text of each section; empty if none could be drawn.
 std::string to_html(const Page& page, const std::vector<std::string>& figures);
 std::string to_markdown(const Page& page, const std::vector<std::string>& figures);
 

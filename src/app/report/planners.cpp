@@ -19,7 +19,7 @@ constexpr double floor_of_figure = 1e-17;  // m: a miss of 0 is drawn here
 struct Kind {
   const char* name;
   Physics physics;
-  int share;      ///< one of so many puzzles: this physics is slow
+  int share;      ///< only one in so many puzzles is used, if this physics is slow
   double budget;  ///< most simulations
 };
 
@@ -39,10 +39,10 @@ std::vector<long> budgets(double most) {
   return out;
 }
 
-/// What one planner made of one puzzle with one budget.
+/// The result of one planner on one puzzle with one budget.
 struct Outcome {
   double miss, simulations, seconds;
-  bool solved, cut;  ///< exactly; the budget ended it
+  bool solved, cut;  ///< solved: exactly; cut: the budget ended the search
 };
 
 Outcome attempt(Puzzle p, const std::string& planner, long budget) {
@@ -57,7 +57,8 @@ Outcome attempt(Puzzle p, const std::string& planner, long budget) {
   }
   const double diagonal = p.table.diagonal();
   double miss =
-      a.nearest ? std::min(a.nearest->shot.miss, diagonal) : diagonal;  // nothing at all counts as the whole table
+      // If there is nothing at all, the miss is the whole table.
+      a.nearest ? std::min(a.nearest->shot.miss, diagonal) : diagonal;
   for (const Shot& s : a.shots) miss = std::min(miss, s.miss);
   return {miss, static_cast<double>(a.simulations), least, miss <= tolerance::exact_miss * diagonal,
           a.status == Status::budget};
@@ -85,7 +86,7 @@ Setting summed(long budget, const std::vector<Outcome>& all) {
 struct Curves {
   std::string planner;
   std::vector<Setting> settings;            ///< over all levels
-  std::array<Setting, levels.size()> last;  ///< of each level, with the largest budget
+  std::array<Setting, levels.size()> last;  ///< for each level, with the largest budget
 };
 
 /// Raw numbers and their medians, as CSV.
@@ -112,7 +113,7 @@ Curves measure(const Kind& kind, const std::string& planner, const std::array<st
     for (std::size_t l = 0; l < levels.size(); ++l) {
       std::vector<Outcome> now;
       for (std::size_t i = 0; i < sets[l].size(); ++i) {
-        // A search that ended by itself is the same with a larger budget.
+        // A search that ended by itself gives the same result with a larger budget.
         now.push_back(!before[l].empty() && !before[l][i].cut ? before[l][i] : attempt(sets[l][i], planner, budget));
         const Outcome& o = now.back();
         csv.puzzles += fmt::format("\"{}\",{},{},{},{},{:.4g},{:.0f},{:.4g},{}\n", kind.name, planner, name(levels[l]),
@@ -129,7 +130,7 @@ Curves measure(const Kind& kind, const std::string& planner, const std::array<st
   return c;
 }
 
-/// Three panels: the miss against time and against simulations, and the share solved.
+/// Adds three panels: the miss against time and against simulations, and the share solved.
 void add_panels(const std::string& kind, const std::vector<Curves>& all, std::vector<Panel>& panels) {
   Panel time{kind, {"processor time per puzzle [s]", true}, {"miss [m]", true}, {}};
   Panel simulations{kind, {"simulations", true}, {"miss [m]", true}, {}};

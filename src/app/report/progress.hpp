@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A bar on standard error while a long command works; nothing when that is no terminal.
+// A bar on standard error while a long command works; nothing if that is not a terminal.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace bankshot::app::report {
 
 class Progress {
  public:
-  /// `parts`: how many parts the work has, each counted as long as the others.
+  /// `parts`: number of parts of the work, all assumed to take equally long.
   explicit Progress(int parts);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  ~Progress();  ///< takes the bar away
+  ~Progress();  ///< removes the bar
 
-  /// Begins the next part, of so many steps.
+  /// Begins the next part, which has so many steps.
   void begin(const std::string& name, std::size_t steps);
   void step();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Section 8: which law of the cushions explains recorded shots, and predicts those that it has not seen.
+// Section 8: which law of the cushions explains recorded shots, and predicts shots left out of the fit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using BySpeed = FitWish::BySpeed;
 struct Law {
   const char* name;
   const char* cushion;
-  BySpeed by_speed;  ///< restitution and rolling friction
+  BySpeed by_speed;  ///< how restitution and rolling friction depend on the speed
 };
 
 constexpr Law laws[] = {{"mirror", "mirror", BySpeed::constant},
@@ -64,7 +64,7 @@ Curve share_within(const char* name, const std::vector<Measured>& all) {
   return curve;
 }
 
-/// Those that are off by more than three times what half of the shots are.
+/// Names the shots whose prediction is off by more than three times the median.
 std::string failures(const Result& best) {
   constexpr double far = 3;
   std::string out;

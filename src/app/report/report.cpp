@@ -45,7 +45,7 @@ std::vector<Recording> read_recordings(const std::string& file) {
   return out;
 }
 
-/// In the page's order, but for that of recordings, which comes last.
+/// The sections in the page's order, except that of recordings, which comes last.
 constexpr std::pair<const char*, Section (*)(const Settings&, Progress&)> always[] = {
     {"simulators", simulators}, {"models", models},   {"planners", planners}, {"conditioning", conditioning},
     {"hard-cases", hard_cases}, {"scaling", scaling}, {"tilt", tilt}};
@@ -60,7 +60,7 @@ std::vector<std::string> part_names() {
   return out;
 }
 
-/// Those that were asked for; all where none was.
+/// Returns the sections asked for, or all if none was.
 std::vector<Part> parts_of(const Arguments& a, const std::vector<Recording>& recordings) {
   std::vector<Part> out;
   const auto asked = [&](const char* name) { return std::ranges::find(a.sections, name) != a.sections.end(); };
@@ -82,7 +82,7 @@ void make_folder(const std::filesystem::path& folder) {
   if (problem) throw FileError(fmt::format("{}: cannot be made a folder: {}", folder.string(), problem.message()));
 }
 
-/// The figure of each section, drawn by gnuplot if there is one; its script in any case.
+/// Writes the gnuplot script of each section, and returns the figures if gnuplot can draw them.
 std::vector<std::string> draw(const std::filesystem::path& folder, const std::vector<Section>& sections, bool gnuplot) {
   std::vector<std::string> out;
   for (const Section& s : sections) {
@@ -94,7 +94,7 @@ std::vector<std::string> draw(const std::filesystem::path& folder, const std::ve
   return out;
 }
 
-/// Says at once, not after minutes, that there will be no figures.
+/// Looks for gnuplot; reports at once, and not after minutes, that there will be no figures.
 bool has_gnuplot() {
   try {
     find_gnuplot();

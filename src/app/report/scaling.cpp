@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Section 6: what a shot costs as it grows: in cushions, in edges of the table, in length, in digits.
+// Section 6: the cost of a shot as it grows: in cushions, in edges of the table, in length, in digits.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double radius = 0.028575;
 
-/// Physics in which a ball hardly slows down, so that any number of cushions is met.
+/// Returns physics in which a ball hardly slows down, so that it meets any number of cushions.
 Physics lively_spin() {
   Physics p = spin_physics();
   std::get<SlideRoll>(p.motion).rolling_friction = 1e-5;
@@ -25,7 +25,7 @@ Physics lively_spin() {
   return p;
 }
 
-/// Simulates up to so many bounces; how many were met.
+/// Simulates up to `cushions` bounces and returns how many were met.
 int run(const Boundary& boundary, const Physics& physics, const State<double>& start, int cushions) {
   return with_physics(physics, [&](const auto& motion, const auto& cushion) {
     Simulator sim(boundary, motion, cushion, start);
@@ -48,7 +48,7 @@ State<double> start_in(Random& draw, const Boundary& boundary, double size, doub
   }
 }
 
-/// One curve: `seconds(draw, x)` for each x, over some shots; it ends where no shot gets so far.
+/// One curve: `seconds(draw, x)` for each x, over some shots. It ends at the first x that no shot reaches.
 struct Measured {
   std::string what, name;
   std::vector<double> x;
@@ -101,7 +101,7 @@ Measured by_edges(const char* name, const Physics& physics, int shots) {
   });
 }
 
-/// Five cushions on tables of many sizes: the path's length grows with the table.
+/// Measures five cushions on tables of many sizes; the path's length grows with the table.
 Measured by_length(const char* name, const Physics& physics, std::optional<Scheme> scheme, int shots) {
   constexpr int cushions = 5;
   constexpr double speed = 4, ball = 0.001;
@@ -113,7 +113,7 @@ Measured by_length(const char* name, const Physics& physics, std::optional<Schem
     if (scheme) return seconds_of([&] { step_through(table, physics, start, until, *scheme); });
     return seconds_of([&] { run(table, physics, start, cushions); });
   });
-  constexpr double sizes_a_path = 5;  // about: five cushions on a table of two to one
+  constexpr double sizes_a_path = 5;  // approximate: five cushions on a table of two to one
   for (double& x : m.x) x *= sizes_a_path;
   return m;
 }
@@ -128,7 +128,7 @@ Measured by_digits(const char* name, const Physics& physics, int shots) {
   });
 }
 
-/// The exponent p of seconds ~ x^p between the last two decades or so.
+/// Returns the exponent p of seconds ~ x^p over the upper half of the range.
 double growth(const Measured& m) {
   const std::size_t last = m.x.size() - 1, from = last / 2;
   return std::log(m.seconds[last].median / m.seconds[from].median) / std::log(m.x[last] / m.x[from]);

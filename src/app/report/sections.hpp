@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The sections of the report, a file each.
+// The sections of the report, one file per section.
 #pragma once
 
 #include <span>
@@ -16,17 +16,17 @@ namespace bankshot::app::report {
 
 struct Settings {
   bool quick = false;
-  int shots = 0;  ///< a point of a curve; what else grows with the effort follows from it
+  int shots = 0;  ///< shots per point of a curve; other quantities that grow with the effort follow from it
 };
 
 Section simulators(const Settings& settings, Progress& progress);  ///< simulators.cpp, with troubles.cpp
 Section models(const Settings& settings, Progress& progress);
-Section planners(const Settings& settings, Progress& progress);  ///< planners.cpp, with suite.cpp and derivatives
+Section planners(const Settings& settings, Progress& progress);  ///< planners.cpp, with suite.cpp and derivatives.cpp
 Section conditioning(const Settings& settings, Progress& progress);
 Section hard_cases(const Settings& settings, Progress& progress);
 Section scaling(const Settings& settings, Progress& progress);
 Section tilt(const Settings& settings, Progress& progress);
-/// Where the program learns from recordings; all have the same physics model, which has spin.
+/// Exists only if the program learns from recordings. All recordings have the same physics model, which has spin.
 Section recorded(std::span<const Recording> recordings, const Settings& settings, Progress& progress);
 
 }  // namespace bankshot::app::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Section 1: error of the position at a given moment against the time that a shot costs.
+// Section 1: error of the position at a given moment, against the time that a shot costs.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace bankshot::app::report {
 namespace {
 
 constexpr double asked_error = 1e-6;       // m, where times are compared
-constexpr double claim = 100;              // times faster, which the section confirms or denies
+constexpr double claim = 100;              // times faster; the section confirms or denies it
 constexpr double floor_of_figure = 1e-18;  // m: an error of 0 is drawn here
 
 struct Kind {
@@ -40,8 +40,8 @@ struct Measured {
   std::vector<Setting> settings;
 };
 
-/// The least time at which a method keeps the error asked, between settings by the straight line of the
-/// log-log figure; when even the finest does not, its time is a lower bound.
+/// The least time at which a method keeps the error asked, interpolated linearly between settings in the log-log
+/// figure. If even the finest setting does not keep it, its time is a lower bound.
 struct Cost {
   double seconds;
   bool reached;
@@ -63,7 +63,7 @@ struct Case {
   const Kind& kind;
   int cushions;
   std::vector<Timed> shots;
-  std::vector<Vec2d> truth, rest;  ///< their sum is the true position
+  std::vector<Vec2d> truth, rest;  ///< the true position is their sum
 };
 
 Case draw_case(const Kind& kind, int cushions, int count) {
@@ -90,7 +90,7 @@ struct Tables {
       "90\n";
 };
 
-/// `run(shot)` gives the position; one setting over all shots.
+/// Measures one setting over all shots; `run(shot)` returns the position.
 template <class Run>
 Setting measure(const Case& c, const std::string& name, double step, Tables& csv, const Run& run) {
   std::vector<double> errors, seconds;
@@ -144,11 +144,12 @@ Panel panel_of(const Case& c, const std::vector<Measured>& all) {
   return p;
 }
 
-/// How many times longer the methods take that do, or do not, locate events; collected case by case.
+/// Times of other methods as multiples of ours, collected case by case. There is one verdict on methods that locate
+/// events and one on those that do not.
 struct Verdict {
   int cases = 0, dominated = 0;
   double least = forever, most = 0;
-  std::string where;  ///< of the least
+  std::string where;  ///< the case of the least
 };
 
 void judge(const Case& c, const std::vector<Measured>& all, Numbers& table, Verdict (&verdicts)[2]) {

@@ -14,7 +14,7 @@
 namespace bankshot::app::report {
 namespace {
 
-/// Something that happens where its function of the state falls through 0.
+/// An event, which happens where its function of the state falls through 0.
 struct Crossing {
   enum class Kind { none, wall, pocket, phase } kind = Kind::none;
   std::size_t index = 0;
@@ -110,7 +110,7 @@ class Run {
     const Vec2d d = Vec2d{y[0], y[1]} - c.centre;
     return dot(d, d) - c.radius * c.radius;
   }
-  /// Positive until the phase is over.
+  /// Returns a number that is positive until the phase is over.
   double left(const Coordinates& y) const { return dot(phase_ == Phase::slide ? slip(y) : velocity_of(y), along_); }
 
   double value(const Crossing& c, const Coordinates& y) const {
@@ -150,7 +150,7 @@ class Run {
       if (gap(i, y_) < 0) bounce(i);
   }
 
-  /// Calls see(crossing) for whatever has happened by state y.
+  /// Calls see(crossing) for each event that has happened by state y.
   template <class See>
   void crossed(const Coordinates& y, See&& see) const {
     for (std::size_t i = 0; i < boundary_.pockets.size(); ++i)
@@ -160,12 +160,12 @@ class Run {
     if (!(left(y) > 0)) see(Crossing{Crossing::Kind::phase});
   }
 
-  /// When, in (from, to], a crossing happens that has happened by `to`. `at(h)`: the state.
+  /// Returns the moment in (from, to] of a crossing that has happened by `to`. `at(h)` returns the state.
   template <class At>
   static double located(const Run& run, const Crossing& c, double from, double to, const At& at) {
     constexpr int most_halvings = 60;
     const auto f = [&](double h) { return run.value(c, at(h)); };
-    // Where the ball leaves the cushion and comes back in one step, the function is 0 at `from` too.
+    // If the ball leaves the cushion and comes back within one step, the function is 0 at `from` too.
     double low = from, f_low = f(low);
     if (!(f_low > 0)) {
       double h = to;
@@ -189,7 +189,7 @@ class Run {
     Crossing crossing{};
   };
 
-  /// The first thing that happens between two moments of the trajectory `at`.
+  /// Returns the first event between two moments of the trajectory `at`.
   template <class At>
   First first_crossing(double from, double to, const At& at) const {
     First first{to};
@@ -209,7 +209,7 @@ class Run {
     happen(first.crossing);
   }
 
-  /// Dormand–Prince up to the next event.
+  /// Follows Dormand–Prince up to the next event.
   void smooth_piece() {
     namespace odeint = boost::numeric::odeint;
     const Forces f = forces();
@@ -236,8 +236,9 @@ class Run {
     }
   }
 
-  static constexpr double least_step = 1e-12;   ///< s: a ball pressed to a cushion bounces there again and again
-  static constexpr double default_step = 1e-2;  ///< s: the first that Dormand–Prince tries
+  /// Least advance [s], as a ball pressed to a cushion bounces there again and again.
+  static constexpr double least_step = 1e-12;
+  static constexpr double default_step = 1e-2;  ///< s; first step that Dormand–Prince tries
 
   const Boundary& boundary_;
   const Motion motion_;
@@ -252,7 +253,7 @@ class Run {
   Stepped out_;
 };
 
-/// Dry friction on an incline, in time: of w and its integral.
+/// State of a ball with dry friction on an incline: the integral of w, and w. Time is the variable.
 using Sliding = std::array<double, 4>;
 using DormandPrince = boost::numeric::odeint::runge_kutta_dopri5<Sliding>;
 
@@ -276,7 +277,7 @@ Slipped dormand_prince(const Incline<double>& law, const Vec2d& w, double until,
 Slipped dormand_prince_to_stop(const Incline<double>& law, const Vec2d& w, double tolerance) {
   auto stepper = boost::numeric::odeint::make_controlled(tolerance, tolerance, DormandPrince());
   Sliding y{0, 0, w.x, w.y};
-  // What is left then is a share of the whole way as small as the tolerance.
+  // Below this speed the remaining way is, as a share of the whole way, as small as the tolerance.
   const double slow = std::sqrt(tolerance) * norm(w);
   double t = 0, h = norm(w) / law.friction / 10;
   while (std::hypot(y[2], y[3]) > slow) stepper.try_step(rate_on(law), y, t, h);

@@ -16,7 +16,7 @@ int cushions_of(Level level, int i) {
   return (level == Level::easy ? 1 : 4) + i / 2 % 2;
 }
 
-/// A shot that ends after exactly so many cushions.
+/// Draws a shot that ends after exactly so many cushions.
 ShotRequest shot_with(Random& draw, const Physics& physics, int cushions) {
   for (;;) {
     ShotRequest shot{.table = rectangle_table(length, width), .physics = physics};

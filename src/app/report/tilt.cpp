@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Section 7: ways to follow a ball on a table that leans, by error and time, and how fast they converge.
+// Section 7: error and time of ways to follow a ball on a table that leans, and how fast they converge.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr const char* closed = "ours, closed form";
 constexpr const char* integrated = "Dormand–Prince";
 constexpr const char* first_order = "perturbed level path";
 
-/// No cushion is met.
+/// Returns a table so large that no ball meets a cushion.
 const Boundary& open_cloth() {
   static const Boundary boundary = [] {
     Table t = rectangle_table(2000, 2000);
@@ -34,13 +34,13 @@ const Boundary& open_cloth() {
   return boundary;
 }
 
-/// A ball that slides until it rolls, or rolls until it rests, and where it is then.
+/// A ball that slides until it rolls, or rolls until it rests, and its position at that moment.
 struct Shot {
   Tilted motion;
   State<double> start;
   Incline<double> law;
-  Vec2d w;       ///< its slip, or its velocity
-  double share;  ///< of what w does, in what the velocity does
+  Vec2d w;       ///< slip of a slide, velocity of a roll
+  double share;  ///< change of the velocity per change of w
   Vec2d truth, rest;
 
   Vec2d weight() const { return law.down * (share < 1 ? law.pull * (1 - share) : 0); }
@@ -115,7 +115,7 @@ Curve curve_of(const char* name, const std::vector<Setting>& settings) {
   return c;
 }
 
-/// Error against time; a row of the table for each method.
+/// Error against time; each method has a row in the table.
 struct Costs {
   Panel panel;
   double ours = 0, alone = 0, theirs = 0;  ///< s: simulated, closed form, Dormand–Prince at the error asked
@@ -153,7 +153,7 @@ Costs costs(const std::vector<Shot>& shots, const char* motion, Numbers& table, 
   return out;
 }
 
-/// The slope of log error over log x between the last two points whose error is more than rounding.
+/// Returns the slope of log error over log x between the last two points above rounding.
 double order(const Curve& c) {
   constexpr double rounding = 1e-12;  // m
   std::size_t last = c.points.size() - 1;
@@ -162,7 +162,7 @@ double order(const Curve& c) {
   return std::log(q.y / p.y) / std::log(q.x / p.x);
 }
 
-/// How far a chord, the parabola through both ends of a piece, is from the path in it.
+/// Returns the largest distance in a piece between the path and its chord, the parabola through both ends.
 double chord_error(const Shot& shot, double lasts) {
   const Slipped end = exactly(shot.law, shot.w, lasts);
   const Vec2d beyond = end.moved - shot.w * lasts;
@@ -174,7 +174,7 @@ double chord_error(const Shot& shot, double lasts) {
   return worst;
 }
 
-/// Error against the number of equal steps through the first half of a roll.
+/// Plots the error against the number of equal steps through the first half of a roll.
 Panel orders(const std::vector<Shot>& shots, Numbers& table, Tables& csv, Progress& progress) {
   Panel panel{"through the first half of a roll", {"steps", true}, {"error [m]", true}, {}};
   const auto add = [&](const char* name, const auto& error) {
@@ -208,7 +208,7 @@ Panel orders(const std::vector<Shot>& shots, Numbers& table, Tables& csv, Progre
   return panel;
 }
 
-/// Error against how much the table leans.
+/// Plots the error against the slope of the table.
 Panel slopes(int count, Numbers& table, Tables& csv, Progress& progress) {
   Panel panel{"a roll to its end", {"rise of the table [m/m]", true}, {"error [m]", true}, {}};
   Curve ours{whole, {}}, near{first_order, {}};

@@ -15,13 +15,13 @@
 namespace bankshot::app::report {
 namespace {
 
-/// What went wrong with one shot under one stepper, a number; the truth of an event is that of ours, whose
-/// events are those of 50 digits.
+/// Measures what went wrong with one shot under one stepper. The true events are those of our simulator, which agree
+/// with 50 digits.
 using Trouble = std::function<double(std::size_t shot, const Scheme& scheme)>;
 
 double energy_of(const State<double>& s) { return energy(Body{}, s); }
 
-/// Relative difference of the energy from the true one at the same moment.
+/// Returns the relative difference of the energy from the true one at the same moment.
 Trouble energy_drift(const std::vector<Timed>& shots, const Physics& physics) {
   return [&shots, physics](std::size_t i, const Scheme& scheme) {
     const Stepped s = step_through(comparison_table(), physics, shots[i].start, shots[i].until, scheme);
@@ -30,7 +30,7 @@ Trouble energy_drift(const std::vector<Timed>& shots, const Physics& physics) {
   };
 }
 
-/// Bounces met by a moment, or a negative number where the ball is pocketed.
+/// Counts the bounces up to the shot's moment; returns a negative number if the ball is pocketed.
 int bounces(const Boundary& table, const Physics& physics, const Timed& shot) {
   return with_physics(physics, [&](const auto& motion, const auto& cushion) {
     Simulator sim(table, motion, cushion, shot.start);
@@ -43,7 +43,7 @@ int bounces(const Boundary& table, const Physics& physics, const Timed& shot) {
   });
 }
 
-/// 1 where the ball meets more or fewer cushions than it should.
+/// Returns 1 if the ball meets more or fewer cushions than it should.
 Trouble corner(const std::vector<Timed>& shots, const Physics& physics) {
   return [&shots, physics](std::size_t i, const Scheme& scheme) {
     const Stepped s = step_through(comparison_table(), physics, shots[i].start, shots[i].until, scheme);
@@ -51,15 +51,15 @@ Trouble corner(const std::vector<Timed>& shots, const Physics& physics) {
   };
 }
 
-/// 1 where the ball passes over the pocket into which it falls.
+/// Returns 1 if the ball passes over the pocket into which it should fall.
 Trouble tunnel(const std::vector<Timed>& shots, const Physics& physics) {
   return [&shots, physics](std::size_t i, const Scheme& scheme) {
     return step_through(comparison_table(true), physics, shots[i].start, shots[i].until, scheme).pocketed ? 0.0 : 1.0;
   };
 }
 
-/// A ball sent from a random place to within `beside` metres of a point, with a moment `after` seconds later than
-/// it would be there if nothing slowed it.
+/// Draws a shot from a random place towards a point, beside which it passes by at most `beside` metres. It ends `after`
+/// seconds after a ball that does not slow down would arrive.
 Timed towards(Random& draw, const Vec2d& point, double beside, double after) {
   const Boundary& table = comparison_table();
   const Vec2d low = table.walls[0].from, high = table.walls[1].to;
@@ -100,7 +100,7 @@ struct Question {
   const char *name, *title, *axis;
   Trouble trouble;
   std::size_t shots;
-  bool share;  ///< of shots in trouble; else the size of it
+  bool share;  ///< true: share of shots in trouble; false: size of the trouble
 };
 
 Panel panel(const Question& q, std::string& csv) {
@@ -129,7 +129,7 @@ Panel panel(const Question& q, std::string& csv) {
   return p;
 }
 
-/// What the seed article's method suffers, in words, at the largest step and at 1 ms.
+/// Says how far the seed article's method is off, at the largest step and at 1 ms.
 std::string in_words(std::span<const Panel> panels) {
   const auto at = [&](std::size_t panel, double step) {
     const std::vector<Point>& points = panels[panel].curves.front().points;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The troubles that the seed article describes, as numbers against the length of a step: energy that
-// drifts, balls that stick in corners, balls that pass through what should stop them.
+// The troubles that the seed article describes, measured against the length of a step: energy that drifts, balls that
+// stick in corners, balls that pass through what should stop them.
 #pragma once
 
 #include "app/report/sections.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot schema: the format of files, from the table of keys that the readers ask.
+// bankshot schema: the format of files, from the same table of keys that the readers use.
 #include "format/schema.hpp"
 
 #include "app/commands.hpp"

@@ -24,7 +24,7 @@
 namespace bankshot::app::serve {
 namespace {
 
-/// As it would be typed: the definitions of the command line read it and say what is wrong with it.
+/// Parses the query as if it were typed, so that the command line's own definitions check it and say what is wrong.
 void parse(CLI::App& command, const Query& query) {
   std::vector<std::string> words;
   for (const auto& [name, value] : query) words.push_back("--" + name + (value.empty() ? "" : "=" + value));
@@ -33,7 +33,7 @@ void parse(CLI::App& command, const Query& query) {
   command.parse(words);
 }
 
-/// What `f` answers; what it throws is the asker's fault.
+/// Returns the reply of `f`; an exception that `f` throws for bad input becomes a refusal with status 400.
 template <class F>
 Reply answer(const F& f) {
   try {
@@ -84,7 +84,7 @@ void write_preset(JsonWriter& w, const TablePreset& preset) {
   w.close('}');
 }
 
-/// A small request may ask for gigabytes: a slow ball rolls for days.
+/// Limits on the size of an answer: a small request may ask for gigabytes, since a slow ball rolls for days.
 constexpr double most_rows = 1e6;
 constexpr std::size_t most_events = 100000;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the server answers, without a word of HTTP: the documents of the command line, asked by paths and flags. An
-// answer is the bytes that the command prints with the same flags.
+// The server's answers, independent of HTTP: the documents of the command line, selected by paths and flags. An answer
+// is the bytes that the command prints with the same flags.
 #pragma once
 
 #include <atomic>
@@ -12,9 +12,9 @@
 
 namespace bankshot::app::serve {
 
-/// `?all&budget=500`: names as after `--`, and their values.
+/// Flags such as `?all&budget=500`: names as after `--`, and their values.
 using Query = std::vector<std::pair<std::string, std::string>>;
-/// Of "all&budget=500", each flag apart from the next by `between`.
+/// Splits flags such as "all&budget=500" at `between`.
 Query query_of(std::string_view flags, char between);
 
 struct Reply {
@@ -22,24 +22,24 @@ struct Reply {
   std::string body, type = "application/json";
 };
 
-/// 400 and the like: `{"path": "/ball/at", "reason": "…"}`.
+/// Returns a refusal with a status such as 400: `{"path": "/ball/at", "reason": "…"}`.
 Reply refusal(int status, const std::string& path, const std::string& reason);
 
-/// What ends a search from outside.
+/// Lets another thread stop a search.
 struct Limit {
   const std::atomic<bool>& stop;
-  const std::atomic<const char*>& why;  ///< in words, once it stops
+  const std::atomic<const char*>& why;  ///< the reason in words, once stopped
 };
-/// The flags of `solve` that answer in JSON. Stopped, it answers with what it has.
+/// Takes the flags of `solve` and answers in JSON. A search that is stopped answers with what it has.
 Reply solve(const Query& query, const std::string& body, const Limit& limit);
 Reply simulate(const Query& query, const std::string& body);
-/// `?grid=40,20`: a table, or with `svg` a picture.
+/// Takes `?grid=40,20` and returns a table, or a picture with `svg`.
 Reply map(const Query& query, const std::string& body, const Limit& limit);
-/// `?angle=30,40&speed=1,3&grid=80,40`: which launches make it, and how surely (launch_map.hpp).
+/// Takes `?angle=30,40&speed=1,3&grid=80,40`; returns which launches make the shot, and how surely (launch_map.hpp).
 Reply launches(const Query& query, const std::string& body, const Limit& limit);
-/// The tables by name, as they are drawn.
+/// Returns the tables by name, with what is needed to draw them.
 Reply tables(const Query& query);
-/// `?document=shot`: as `bankshot schema` prints it.
+/// Takes `?document=shot` and returns what `bankshot schema` prints.
 Reply schema(const Query& query);
 
 }  // namespace bankshot::app::serve

@@ -11,11 +11,11 @@
 namespace bankshot::app::serve {
 namespace {
 
-/// Of a request, its headers with it: httplib bounds a header but not how many there are. Twice the largest body, so
-/// that one that is too large is mostly told so.
+/// Most bytes of one request, headers included: httplib limits the length of a header but not their number. It is twice
+/// the largest body, so that a client whose body is too large is usually told so.
 constexpr std::size_t most_bytes = 1 << 21;
 
-/// What came of the socket within `wait`; 0 where nothing did.
+/// Returns the events that occur on the socket within `wait`, or 0.
 int polled(int socket, short events, Waiting wait) {
   pollfd p{socket, events, 0};
   const int ms = static_cast<int>(std::ceil(1000 * std::max(wait.count(), 0.0)));

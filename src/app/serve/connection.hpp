@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A client's socket under httplib, which itself waits for every byte anew and does not tell that a client has gone.
-// Here a request has one time to arrive and its answer one to be taken, and whoever works for a client can ask whether
-// it is still there.
+// A client's socket under httplib. httplib itself restarts its timeout with every byte and does not tell that a client
+// has gone. Here each request has one time limit to arrive, each answer has one to be taken, and the code that works
+// for a client can ask whether it is still there.
 #pragma once
 
 #include <httplib.h>
@@ -18,15 +18,16 @@ class Connection final : public httplib::Stream {
  public:
   Connection(int socket, const Patience& patience) : socket_(socket), patience_(patience) {}
 
-  /// Waits until a request begins: false where none does while the server is `open`.
+  /// Waits until a request begins; returns false if none does while the server is `open`.
   bool begins(const std::function<bool()>& open);
-  /// Nobody waits for the answer. Who has closed its own side is taken to be gone, as other servers do.
+  /// Returns whether nobody waits for the answer. A client that closed its own side counts as gone, as with other
+  /// servers.
   bool gone() const;
-  /// Its request took too long, or was longer than any that is answered: nothing more is read from it.
+  /// Returns whether the request took too long or was too large; nothing more is read from it.
   bool cut() const { return cut_; }
   void cut_off() { cut_ = true; }
-  /// Nothing more is sent. What is still under way from a client that was cut off is taken first: a socket that is
-  /// closed over unread bytes takes back its last answer.
+  /// Closes the sending side. If the client was cut off, what it still sends is read first: closing a socket with
+  /// unread bytes would discard the last answer.
   void part();
 
   bool is_readable() const override;
@@ -38,7 +39,7 @@ class Connection final : public httplib::Stream {
   void get_local_ip_and_port(std::string&, int&) const override {}
 
  private:
-  /// Waits for it at the cost of `left`.
+  /// Waits for the event, and subtracts the time from `left`.
   bool ready(short event, Waiting& left) const;
 
   const int socket_;
@@ -47,7 +48,7 @@ class Connection final : public httplib::Stream {
   std::size_t bytes_left_ = 0;  ///< of the request
   bool cut_ = false;
   std::array<char, 4096> read_{};
-  std::size_t from_ = 0, to_ = 0;  ///< what was read and is not asked for yet
+  std::size_t from_ = 0, to_ = 0;  ///< range of `read_` that was received and not yet handed out
 };
 
 }  // namespace bankshot::app::serve

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which requests are worked on: at most one for each core, a few that wait, and no more; each has a time limit, makes
-// room for a newer one of the same page, and ends when nobody waits for it any longer.
+// Decides which requests are worked on: at most one for each core, while a limited number wait. Each has a time limit,
+// and is stopped when its page sends a newer one or nobody waits for it any longer.
 #pragma once
 
 #include <atomic>
@@ -21,10 +21,10 @@ class Desk {
   Desk(int at_once, int waiting, double seconds);
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
-  /// Ends all work, and waits until it is done.
+  /// Stops all work and waits until it has ended.
   ~Desk();
 
-  /// One request; done with its end.
+  /// One request; its destruction frees its place.
   class Work {
    public:
     explicit Work(Desk& desk) : desk_(desk) {}
@@ -33,7 +33,7 @@ class Desk {
     ~Work() { desk_.leave(*this); }
 
     std::atomic<bool> stop{false};
-    std::atomic<const char*> why{""};  ///< in words, once it stops
+    std::atomic<const char*> why{""};  ///< the reason in words, once stopped
 
    private:
     friend class Desk;
@@ -42,8 +42,9 @@ class Desk {
     std::string page_;
     std::chrono::steady_clock::time_point until_;
   };
-  /// Null where too many wait already; stopped at once where it ended before its turn. `page`: older work of the same
-  /// one is stopped; empty: of no page. `gone`: whether the asker has; called from another thread while the work lives.
+  /// Waits for a free place. Returns null if too many wait already, and work that is already stopped if it ended before
+  /// its turn. `page`: name of the client's page; older work of the same page is stopped. It may be empty. `gone`:
+  /// returns whether the client has gone; it is called from another thread while the work lives.
   std::unique_ptr<Work> begin(const std::string& page, std::function<bool()> gone);
   void stop_all();
 

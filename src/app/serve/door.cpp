@@ -21,7 +21,7 @@ Door::Door(const std::string& host, int port) {
 
 std::string Door::refuses(const std::string& host, const std::string& origin) const {
   const auto known = [&](const std::string& name) { return std::ranges::find(names_, name) != names_.end(); };
-  // Of all addresses of a machine that listens on each of them, none is known here.
+  // A server that listens at all addresses of its machine does not know them, so it accepts any name.
   const bool anywhere = names_.front().starts_with("0.0.0.0:") || names_.front().starts_with("[::]:");
   if (!anywhere && !known(host)) return "this server is not called \"" + host + "\"";
   if (!origin.empty() && origin != "http://" + host) return "pages of " + origin + " may not ask this server";

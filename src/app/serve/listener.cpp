@@ -9,7 +9,7 @@
 namespace bankshot::app::serve {
 namespace {
 
-/// How this thread meets whoever comes.
+/// The treatment of a connection by this thread.
 enum class Welcome { served, told_to_come_back, closed };
 thread_local Welcome welcome = Welcome::served;
 thread_local Connection* connection_here = nullptr;
@@ -50,7 +50,7 @@ class Workers : public httplib::TaskQueue {
 }  // namespace
 
 Listener::Listener(std::size_t connections, const Patience& patience) : patience_(patience) {
-  new_task_queue = [connections] { return new Workers(connections); };  // which httplib deletes
+  new_task_queue = [connections] { return new Workers(connections); };  // httplib deletes it
 }
 
 void Listener::let_many_wait() const { ::listen(svr_sock_, SOMAXCONN); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is served: as many connections as there are threads; one more thread tells others to come back, and those that
-// are too many even for that are closed.
+// Decides who is served: as many connections as there are threads. One more thread tells others to come back, and
+// connections beyond that are closed.
 #pragma once
 
 #include <httplib.h>
@@ -16,11 +16,12 @@ class Listener : public httplib::Server {
  public:
   Listener(std::size_t connections, const Patience& patience);
 
-  /// Once it is bound. httplib lets five clients wait to be let in; a sixth would come again after a second.
+  /// Lets many clients wait for a connection; to be called after binding. httplib lets only five wait, and a sixth
+  /// would retry after a second.
   void let_many_wait() const;
-  /// The connection that this thread handles a request of.
+  /// Returns the connection whose request this thread handles.
   static Connection& here();
-  /// It is only told to come back.
+  /// Returns whether this connection is only told to come back.
   static bool no_room();
 
  private:

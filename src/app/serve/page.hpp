@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The page's files, as the build put them into the program (cmake/embed.cmake).
+// The page's files, which the build puts into the program (cmake/embed.cmake).
 #pragma once
 
 #include <span>

@@ -27,16 +27,18 @@ void put(httplib::Response& response, const Reply& reply) {
   response.status = reply.status;
   if (reply.status == 503) response.set_header("Retry-After", "1");
   if (reply.status != 200) return response.set_content(reply.body, reply.type);
-  // Piece by piece: httplib packs a whole body for browsers with brotli's slowest level, 1.4 s a megabyte.
+  // The body is sent in pieces: httplib would compress a whole one with brotli's slowest level, over a second per
+  // megabyte.
   const auto piece = [body = reply.body](std::size_t from, std::size_t length, httplib::DataSink& sink) {
     return sink.write(body.data() + from, length);
   };
   response.set_content_provider(reply.body.size(), reply.type, piece);
 }
 
-/// What remains of it would be taken for the next request.
+/// Refuses a request whose body was not read to its end. The connection closes, since the rest would be taken for the
+/// next request.
 void unread(httplib::Response& response, Connection& client, std::size_t body) {
-  if (client.cut() && response.status != 413) response.status = 408;  // httplib refuses by Content-Length
+  if (client.cut() && response.status != 413) response.status = 408;  // 413: httplib refused it by its Content-Length
   if (body > largest_body) response.status = 413;
   client.cut_off();
   response.set_header("Connection", "close");
@@ -74,10 +76,10 @@ struct Server::Parts {
 
   void limits() {
     http.set_payload_max_length(largest_body);
-    http.set_keep_alive_timeout(static_cast<time_t>(options.patience.idle.count()));  // which clients are told
+    http.set_keep_alive_timeout(static_cast<time_t>(options.patience.idle.count()));  // clients are told this value
     http.set_keep_alive_max_count(most_of_a_connection);
     http.set_tcp_nodelay(true);
-    // Without SO_REUSEPORT, which lets two servers listen at one port.
+    // Sets SO_REUSEADDR only; httplib's default, SO_REUSEPORT, lets two servers listen at one port.
     http.set_socket_options([](int socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -116,16 +118,16 @@ struct Server::Parts {
         });
   }
 
-  /// What takes time: in its turn, for as long as it may.
+  /// Serves a path whose answers take time: a request waits for its turn and is stopped at the time limit.
   template <class Answer>
   void work(const char* path, const Answer& answer) {
-    // Read as it comes: what says that it is a form, as curl -d does, would be taken for flags.
+    // The body is read here: httplib would take a body declared as a form, which curl -d sends, for flags.
     http.Post(path, [this, answer](const httplib::Request& request, httplib::Response& response,
                                    const httplib::ContentReader& read) {
       std::string body;
       const auto more = [&](const char* bytes, std::size_t n) {
         body.append(bytes, n);
-        return body.size() <= largest_body;  // httplib counts neither pieces nor what was packed
+        return body.size() <= largest_body;  // httplib limits neither chunked nor compressed bodies
       };
       Connection& client = Listener::here();
       if (!read(more)) return unread(response, client, body.size());

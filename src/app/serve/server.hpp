@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The HTTP around the answers (api.hpp): limits, refusals and the page's files.
+// The HTTP server around the answers (api.hpp): limits, refusals and the page's files.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +14,16 @@ namespace bankshot::app::serve {
 struct ServerOptions {
   std::string host = "127.0.0.1";
   int port = 8080;         ///< 0: any that is free
-  double time_limit = 10;  ///< s, of one request
-  int at_once = 0;         ///< requests that are worked on; 0: one for each core
-  int waiting = 64;        ///< requests that wait for that; more are told to come back
+  double time_limit = 10;  ///< s, for one request
+  int at_once = 0;         ///< requests worked on at the same time; 0: one for each core
+  int waiting = 64;        ///< requests that may wait for their turn; more are told to come back
   std::size_t connections = 96;
-  Patience patience{};  ///< with each of them
+  Patience patience{};  ///< time limits of each connection
 };
 
 class Server {
  public:
-  /// Throws FileError where the port is taken or the host is none of this machine's.
+  /// Throws FileError if the port is taken or the host is not an address of this machine.
   explicit Server(const ServerOptions& options);
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -31,7 +31,7 @@ class Server {
 
   int port() const;
   std::string url() const;
-  /// Until `stop` is called, from another thread.
+  /// Serves until `stop` is called from another thread.
   void run();
   void stop();
 

@@ -33,7 +33,7 @@ std::string what_of(const ShotRequest& r, const Record& e) {
   return e.contact ? what + ' ' + contact_name(r.table, e.contact) : what;
 }
 
-/// Of a shot with other balls each line begins with the ball's name, in a column so wide.
+/// Formats one event. If there are other balls, the line begins with the ball's name, padded to `names` characters.
 std::string event_text(const ShotRequest& r, const Record& e, std::size_t names) {
   const std::string name = names > 0 ? fmt::format("{:<{}}  ", ball_of(r, e.ball).id, names) : "";
   return fmt::format("{:10.4f} s  {}{:<22} at ({:.4f}, {:.4f}) m, {:.4f} m/s\n", e.time, name, what_of(r, e),
@@ -46,7 +46,7 @@ std::size_t width_of_names(const ShotRequest& r) {
   return width;
 }
 
-/// Which other balls fell, and how many moved.
+/// Says which other balls fell, and how many moved.
 std::string others_text(const ShotRequest& r, const Trajectory& t) {
   std::string out;
   std::vector<bool> moved(r.others.size() + 1);
@@ -60,7 +60,7 @@ std::string others_text(const ShotRequest& r, const Trajectory& t) {
   return out + fmt::format("{} of {} other ball{} moved.\n", count, r.others.size(), r.others.size() == 1 ? "" : "s");
 }
 
-/// What the ball does in the end.
+/// Says how the cue ball's motion ended.
 std::string_view ending(EventKind end) {
   switch (end) {
     case EventKind::rest:
@@ -84,7 +84,8 @@ std::string text_of(const ShotRequest& r, const Trajectory& t) {
       out += fmt::format("  ... {} events not shown; --json has them all\n", skipped);
       i += skipped;
     }
-    if (r.others.empty() || t.events[i].kind != EventKind::start || t.events[i].ball == 0)  // the others only stand
+    // other balls do not move at the start
+    if (r.others.empty() || t.events[i].kind != EventKind::start || t.events[i].ball == 0)
       out += event_text(r, t.events[i], names);
   }
   return out +

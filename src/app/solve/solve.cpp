@@ -28,9 +28,9 @@ int invalid(const Arguments& a, const std::string& text, const InvalidInput& e) 
   return bad_input;
 }
 
-/// A line for the reader where leaving the exact line would help much.
+/// Returns a line for the reader if aiming off the exact line would raise success considerably; else an empty text.
 std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions& options) {
-  constexpr double much = 0.05;  // of chance
+  constexpr double much = 0.05;  // of success probability
   if (aim_of(puzzle) == Aim::safest || answer.shots.size() != 1) return "";
   const Shot& shot = answer.shots.front();
   if (!is_pocket(puzzle.target) || !shot.success || *shot.success > 1 - much) return "";

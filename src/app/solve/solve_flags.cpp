@@ -55,7 +55,7 @@ void add_solve_flags(CLI::App& command, SolveFlags& flags) {
 
 namespace {
 
-/// `what` as "planner"; the names as they stand.
+/// Throws unless `wanted` is one of `names`; `what` says in the message what it is not, such as "planner".
 void check_name(const std::string& flag, std::string_view what, const std::string& wanted,
                 const std::vector<std::string_view>& names) {
   if (std::find(names.begin(), names.end(), wanted) == names.end())

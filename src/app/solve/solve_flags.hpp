@@ -20,19 +20,20 @@ struct SolveFlags {
   bool no_timing = false, no_robustness = false, path = false;
 
   SolveOptions solve_options() const;
-  Puzzle read(std::string_view text) const;  ///< a puzzle with the budget and player of the flags; throws InvalidInput
-  /// What decides the answers, as one would type it: an output begun with other words is another one.
+  Puzzle read(std::string_view text) const;  ///< reads a puzzle, sets the flags' budget and player; throws InvalidInput
+  /// Returns the flags that decide the answers, as one would type them. An output begun with other words cannot be
+  /// resumed.
   std::string words() const;
 };
 
 void add_solve_flags(CLI::App& command, SolveFlags& flags);
 
-/// A mistyped planner or player is a usage error, told before any input is read.
+/// Throws a usage error if the planner or the player is mistyped, before any input is read.
 void check(const SolveFlags& flags);
 void check_player(const std::string& name);
-/// Gives a puzzle the errors of a player; none where `name` is empty.
+/// Gives the puzzle the errors of the player named; leaves it unchanged if `name` is empty.
 void set_player(Puzzle& puzzle, const std::string& name);
-/// What a flag that asks for a list prints instead of an answer; empty where none does.
+/// Returns the list that a flag such as --planner list prints instead of an answer; empty if none asks for one.
 std::string list_asked(const SolveFlags& flags);
 
 }  // namespace bankshot::app::solve

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// bankshot verify: answers against their puzzles, every claim held against a replay in 50 digits.
+// bankshot verify: checks answers against their puzzles, each claim against a replay in 50 digits.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
@@ -21,11 +21,11 @@ namespace {
 using truth::Check;
 using truth::Claim;
 
-/// One puzzle, its answer, and what came out.
+/// One puzzle, its answer, and the result of the check.
 struct Pair {
   std::string puzzle, answer;
   long line;
-  std::string id;  ///< JSON text, empty without
+  std::string id;  ///< JSON text; empty if there is no id
   Status status = Status::invalid;
   std::size_t shots = 0;
   bool beside = false;
@@ -34,14 +34,14 @@ struct Pair {
   std::string bad;  ///< why the answer cannot be read
 };
 
-/// `player`: whose errors the answers were asked for; empty: the puzzle's.
+/// Checks one pair. `player`: the player whose errors the answers were computed for; empty: the puzzle's own.
 void check(Pair& pair, const std::string& player) {
   std::optional<Puzzle> puzzle;
   try {
     puzzle = read_puzzle(pair.puzzle);
     solve::set_player(*puzzle, player);
   } catch (const InvalidInput&) {
-    // Its answer must say so.
+    // The answer must say so.
   }
   pair.id = read_id(pair.puzzle);
   try {
@@ -55,7 +55,7 @@ void check(Pair& pair, const std::string& player) {
   }
 }
 
-/// What all pairs come to.
+/// Totals over all pairs.
 class Tally {
  public:
   void add(const Pair& p) {
@@ -127,7 +127,8 @@ std::string failure_text(const Pair& p, const std::string& file) {
          "\n";
 }
 
-/// The next pairs of lines; fewer than `most` at the end. Throws where one file is longer.
+/// Returns the next pairs of lines; fewer than `most` at the end. If one file is longer, the last pair says so in
+/// `bad`.
 std::vector<Pair> next_pairs(LineFile& puzzles, LineFile& answers, std::size_t most) {
   std::vector<Pair> out;
   while (out.size() < most) {
@@ -147,7 +148,7 @@ int run(const std::string& puzzle_file, const std::string& answer_file, const st
   solve::check_player(player);
   if (puzzle_file == "-" && answer_file == "-") throw FileError("puzzles and answers cannot both be standard input");
   LineFile puzzles(puzzle_file), answers(answer_file);
-  constexpr std::size_t block = 2000;  // keeps both cores busy and memory flat
+  constexpr std::size_t block = 2000;  // keeps all cores busy and memory bounded
   Tally tally;
   for (;;) {
     std::vector<Pair> pairs = next_pairs(puzzles, answers, block);

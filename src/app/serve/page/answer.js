@@ -1,15 +1,15 @@
-// An answer in words: the list of shots by pattern, and the one that is looked at.
+// An answer in words: the list of shots by pattern, and the shot in view.
 
 const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
 
-/** By what the ball goes, or the one that it sends on. @param {any} shot */
+/** Names the route of the cue ball, or of the object ball that it pots. @param {any} shot */
 export function pattern(shot) {
   const sent = shot.then;
   const way = sent ? `${sent.ball} into ${sent.pocket}${by(sent.cushions)}` : shot.cushions.join(', ') || 'straight';
   return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', a scratch' : '');
 }
 
-/** Which of the shots is the one that was chosen while better ones were looked for. @param {any[]} shots @param {any} shot */
+/** Finds the shot most like the one chosen while the search went on. @param {any[]} shots @param {any} shot */
 export function likest(shots, shot) {
   const off = (other) => Math.abs(other.angle - shot.angle) + (pattern(other) === pattern(shot) ? 0 : 360);
   return shots.reduce((best, other, i) => (off(other) < off(shots[best]) ? i : best), 0);
@@ -63,7 +63,7 @@ export function words(shot, aim, length) {
   return rows;
 }
 
-/** Terms and what is said of them. @param {HTMLElement} list @param {[string, string][]} rows */
+/** Fills a description list with terms and their values. @param {HTMLElement} list @param {[string, string][]} rows */
 export function tell(list, rows) {
   const items = rows.flatMap(([name, text]) => {
     const [term, value] = [document.createElement('dt'), document.createElement('dd')];
@@ -75,7 +75,7 @@ export function tell(list, rows) {
 }
 
 /**
- * The list, best pattern first.
+ * Fills the list of shots, best pattern first.
  * @param {HTMLElement} list
  * @param {any[]} shots
  * @param {number} chosen
@@ -98,7 +98,7 @@ export function fill(list, shots, chosen, on) {
   list.replaceChildren(...items);
 }
 
-/** Another one is chosen. @param {HTMLElement} list @param {number} chosen */
+/** Marks the chosen shot in the list. @param {HTMLElement} list @param {number} chosen */
 export function mark(list, chosen) {
   for (const button of list.querySelectorAll('button'))
     button.setAttribute('aria-current', String(Number(button.dataset.shot) === chosen));

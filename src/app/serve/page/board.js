@@ -1,4 +1,4 @@
-// What stands on the table and is moved by hand.
+// The balls, the target and the aim, which are moved by hand.
 import { draggable } from './drag.js';
 import { metres, shape } from './table.js';
 
@@ -11,17 +11,21 @@ import { metres, shape } from './table.js';
  *   removed: (ball: number) => void,
  *   snaps: () => boolean,
  *   aim: {where: () => Point | null, move: (at: Point) => void},
- * }} Hands what a hand does: `moved` is told the scene before, once it is done
+ * }} Hands callbacks of a movement: `moved` gets the scene before it, once the movement ends
  */
 
-const reach = 11; // pixels: a grip's radius is no smaller
+const reach = 11; // pixels: least radius of a grip
 const letters = 11; // pixels
-const smallest = 9; // pixels: smaller ones are not read on a ball
+const smallest = 9; // pixels: smaller letters cannot be read on a ball
 
-/** Half a diamond either way. @param {import('./table.js').Table} table @returns {Point} */
+/** Returns the snap distances: half a diamond each way. @param {import('./table.js').Table} table @returns {Point} */
 const snaps = (table) => [table.length / 16, table.width / 8];
 
-/** On the table, a ball's radius from each cushion. @param {import('./table.js').Table} table @returns {Point} */
+/**
+ * Moves a point inside the table, at least a ball's radius from each cushion.
+ * @param {import('./table.js').Table} table
+ * @returns {Point}
+ */
 export function inside(table, [x, y], snap = false) {
   const r = table.radius;
   const to = (v, step) => (snap ? Math.round(v / step) * step : v);
@@ -30,23 +34,27 @@ export function inside(table, [x, y], snap = false) {
   return [clamp(to(x, dx), table.length), clamp(to(y, dy), table.width)];
 }
 
-/** A place that no ball stands on; none on a table that is full. @param {import('./table.js').Table} table @param {Point[]} balls */
+/**
+ * Finds a place without a ball; null if the table is full.
+ * @param {import('./table.js').Table} table
+ * @param {Point[]} balls
+ */
 export function free(table, balls) {
   const clear = (at) => balls.every(([x, y]) => Math.hypot(x - at[0], y - at[1]) > 2 * table.radius);
   for (let k = 1; k < 1000; ++k) {
-    // Two numbers that fill a square evenly.
+    // These two factors fill a square evenly.
     const at = inside(table, [table.length * ((0.7549 * k) % 1), table.width * ((0.5698 * k) % 1)]);
     if (clear(at)) return at;
   }
   return null;
 }
 
-/** Which pocket is meant. @param {import('./table.js').Table} table @param {Point} at */
+/** Finds the pocket at a point. @param {import('./table.js').Table} table @param {Point} at */
 function pocketNear(table, [x, y]) {
   return table.pockets.find(({ at, half }) => Math.hypot(x - at[0], y - at[1]) < 1.6 * half);
 }
 
-/** On the ball, or, where it were too small there, beside it. */
+/** Puts a digit on its ball, or beside it if it would be too small to read. */
 function writeDigit(digit, at, radius, pixel) {
   const on = 1.2 * radius;
   const beside = on < smallest * pixel;
@@ -79,7 +87,7 @@ export class Board {
     this.movable('cushion', 'First cushion point: the aim', 'cushion-point', 0.016, where, move, true);
   }
 
-  /** In metres, as the picture stands. */
+  /** Returns the least radius of a grip in metres, at the picture's present size. */
   reach() {
     return metres(this.svg, reach);
   }
@@ -103,7 +111,7 @@ export class Board {
       this.grips.get('target').dot.setAttribute('r', String(size()));
     };
     const grip = this.movable('target', 'Target: a place, or a pocket', 'target', size(), where, resized);
-    // From a pocket to the next.
+    // Arrow keys move the target from one pocket to the next.
     const next = (event) => {
       const turn = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
       if (!turn || !pocket()) return;
@@ -127,7 +135,7 @@ export class Board {
     });
   }
 
-  /** A dot, and a grip that is wider than it. */
+  /** Adds a dot, and a grip that is at least as wide. */
   movable(name, label, kind, radius, where, put, aims = false) {
     const { hands } = this;
     const dot = shape(
@@ -171,7 +179,11 @@ export class Board {
     return grip;
   }
 
-  /** Where it is now, or, without a place, not shown. @param {string} name @param {Point | null} [at] */
+  /**
+   * Draws a dot and its grip where they are now, or hides them if they have no place.
+   * @param {string} name
+   * @param {Point | null} [at]
+   */
   place(name, at = this.grips.get(name)?.where()) {
     if (!this.grips.has(name)) return;
     const { dot, grip, digit } = this.grips.get(name);

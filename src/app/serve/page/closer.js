@@ -1,5 +1,5 @@
-// A closer look at a shot: an aim of one's own, what the mirror image would do, the same in another physics, why it is
-// sure, and from where it can be played.
+// A closer look at a shot: an aim of the user's own, an aim at the mirror image, the same shot in another physics,
+// success around it, and the places from which it can be played.
 import { $ } from './controls.js';
 import { forget, latest } from './engine.js';
 import { follow, outcome } from './follow.js';
@@ -22,9 +22,9 @@ export class Closer {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
-    /** @type {[number, number] | null} where an aim of one's own meets the first cushion */
+    /** @type {[number, number] | null} where the user's own aim meets the first cushion */
     this.aimed = null;
-    /** @type {any} a launch of one's own */
+    /** @type {any} the user's own launch */
     this.tried = null;
   }
 
@@ -40,7 +40,7 @@ export class Closer {
     });
   }
 
-  /** The scene has changed: nothing of it holds. */
+  /** Drops all results, because the scene has changed. */
   clear() {
     for (const kind of ['map', 'launches', 'mirror', 'mirror-path', 'onward', 'onward-path']) forget(kind);
     forgetSides();
@@ -58,14 +58,14 @@ export class Closer {
     if (this.page.shot()) $('other').textContent = '';
   }
 
-  /** At the chosen shot, as far as is asked. */
+  /** Updates the views that are switched on, for the chosen shot. */
   look() {
     this.heat();
     this.mirror();
     this.sides();
   }
 
-  /** The aim that meets the first cushion there, at the chosen shot's speed. @param {[number, number]} at */
+  /** Aims at a point of the first cushion, with the chosen shot's speed. @param {[number, number]} at */
   aimAt(at) {
     const shot = this.page.shot();
     const table = this.page.table();
@@ -95,7 +95,7 @@ export class Closer {
     $('other').textContent = `Your aim, ${angle}° at ${launch.speed.toFixed(2)} m/s: it ${words}.`;
   });
 
-  /** What the mirror image would say, and where that really leads. */
+  /** Shows the aim at the mirror image, and where it really leads. */
   async mirror() {
     const shot = this.page.shot();
     const layer = this.page.layers().compare;
@@ -115,7 +115,7 @@ export class Closer {
     say(`Aimed at the mirror image, it ${outcome(scene, followed)}.`);
   }
 
-  /** The same in another physics, beside this one. */
+  /** Shows the shot in another physics beside this one. */
   async sides() {
     const [shot, physics, box] = [this.page.shot(), $('compare').value, $('sides')];
     if (physics && shot) await sides(box, this.page.table(), this.page.scene(), shot, physics);

@@ -1,4 +1,4 @@
-// The form: each control has the name of the key of the scene that it holds.
+// The form: each control is named after the key of the scene that it sets.
 
 /** @param {string} id @returns {any} */
 export const $ = (id) => document.getElementById(id);
@@ -6,8 +6,8 @@ export const $ = (id) => document.getElementById(id);
 /**
  * @param {HTMLFormElement} form
  * @param {() => any} scene
- * @param {(before: any) => void} remember called once for each change, or each slide
- * @param {(key: string) => void} changed while it slides, too
+ * @param {(before: any) => void} remember called once for each change, or once for a whole slide
+ * @param {(key: string) => void} changed also called while a control slides
  */
 export function bind(form, scene, remember, changed) {
   let before = null;
@@ -29,7 +29,7 @@ export function bind(form, scene, remember, changed) {
   });
 }
 
-/** Numbers are kept within what the control allows. @param {HTMLInputElement} control */
+/** Reads a control; numbers are kept within its limits. @param {HTMLInputElement} control */
 function read(control, was) {
   if (control.type === 'checkbox') return control.checked;
   if (typeof was !== 'number') return control.value;
@@ -37,7 +37,7 @@ function read(control, was) {
   return Math.min(Math.max(value, least), most);
 }
 
-/** What a slider stands at. @param {HTMLInputElement} control */
+/** Shows the value of a slider. @param {HTMLInputElement} control */
 function say(control) {
   const output = control.type === 'range' && control.parentElement.querySelector('output');
   if (output) output.textContent = control.value;

@@ -1,26 +1,30 @@
-// Moves what has a grip: with mouse, pen or finger, or with the arrow keys (1 mm, with Shift a tenth of it).
+// Moves things by their grips: with mouse, pen or finger, or with the arrow keys (1 mm; with Shift 0.1 mm).
 
-/** Where a pointer is in the units of a picture, y upwards. @param {SVGSVGElement} svg @returns {[number, number]} */
+/**
+ * Returns a pointer's place in the units of a picture, y upwards.
+ * @param {SVGSVGElement} svg
+ * @returns {[number, number]}
+ */
 export function pointIn(svg, event) {
   const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
   return [p.x, -p.y];
 }
 
-/** Which way an arrow key goes; undefined for any other key. @param {KeyboardEvent} event */
+/** Returns the direction of an arrow key; undefined for any other key. @param {KeyboardEvent} event */
 export function arrow(event) {
   return { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
 }
 
-let grips = 0; // that are held
+let grips = 0; // number of grips held
 
 export const holding = () => grips > 0;
 
 /**
  * @param {SVGElement} grip
  * @param {SVGSVGElement} svg
- * @param {() => [number, number]} where it is [m]
+ * @param {() => [number, number]} where returns its place [m]
  * @param {(at: [number, number], done: boolean) => void} move
- * @param {() => [number, number] | null} coarse how far a key moves, where it is not by millimetres
+ * @param {() => [number, number] | null} coarse returns the step of a key, or null for millimetres
  */
 export function draggable(grip, svg, where, move, coarse) {
   let held = null;

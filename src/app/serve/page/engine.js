@@ -1,7 +1,7 @@
-// Asks the engine, whichever is there: the server that gave this page, or the one inside its file.
-// The newest question of a kind is the only one that is answered.
+// Asks the engine: the server that gave this page, or the engine inside the page's own file.
+// Only the newest question of each kind is answered.
 
-/** One a page: at the server a newer request ends the older ones of its kind. */
+/** This page's name: at the server its newer requests end its older ones of the same kind. */
 const page = Math.random().toString(36).slice(2);
 
 /** @type {Map<string, AbortController>} */
@@ -18,7 +18,7 @@ async function atServer(path, body, kind, signal) {
 }
 
 let send = atServer;
-/** Another engine than the server's. @param {typeof atServer} engine */
+/** Replaces the server by another engine. @param {typeof atServer} engine */
 export const answerBy = (engine) => (send = engine);
 
 const invalid = (error) => ({ status: 'invalid', error, shots: [] });
@@ -26,8 +26,8 @@ const invalid = (error) => ({ status: 'invalid', error, shots: [] });
 /**
  * @param {string} path under /api, with flags: "solve?all&path"
  * @param {object} [body] posted as JSON
- * @param {string} [kind] of which only the newest counts
- * @returns {Promise<any>} what it says, text where it is no JSON; null where a newer question took its place
+ * @param {string} [kind] kind of question; only the newest of a kind counts
+ * @returns {Promise<any>} the answer, as text if it is not JSON; null if a newer question replaced it
  */
 export async function ask(path, body, kind = path) {
   asking.get(kind)?.abort();
@@ -49,9 +49,9 @@ export async function ask(path, body, kind = path) {
 }
 
 /**
- * Lets a search end before the next begins, as moves come faster than answers.
- * @param {() => Promise<void>} search reads what is asked when it begins
- * @returns {() => Promise<void>} calls it, or has it called once more when the running one ends
+ * Lets each search end before the next begins, since moves come faster than answers.
+ * @param {() => Promise<void>} search reads the question when it begins
+ * @returns {() => Promise<void>} calls `search`, or has it called once more when the running one ends
  */
 export function latest(search) {
   let [running, again] = [false, false];
@@ -64,7 +64,7 @@ export function latest(search) {
   };
 }
 
-/** Nobody waits for it any longer. @param {string} kind */
+/** Ends a question whose answer nobody needs any longer. @param {string} kind */
 export function forget(kind) {
   asking.get(kind)?.abort();
 }

@@ -1,4 +1,4 @@
-// Where a launch really leads: simulated, as a path for each ball.
+// Simulates a launch and returns a path for each ball.
 import { ask } from './engine.js';
 import * as state from './state.js';
 
@@ -6,7 +6,7 @@ import * as state from './state.js';
  * @param {state.Scene} scene
  * @param {{speed: number, angle: number, spin?: object}} launch
  * @param {string} kind of question
- * @returns {Promise<any>} null where a newer one took its place
+ * @returns {Promise<any>} null if a newer question replaced it
  */
 export async function follow(scene, launch, kind) {
   const shot = state.shot(scene, launch);
@@ -23,11 +23,11 @@ export async function follow(scene, launch, kind) {
 }
 
 /**
- * The cue ball's path on to where it rests or falls, where a shot's own ends earlier: when an object ball falls.
+ * Returns the cue ball's path to its rest or pocket, if the shot's own path ends earlier, when an object ball falls.
  * @param {state.Scene} scene
  * @param {any} shot
  * @param {string} kind of question
- * @returns {Promise<any[] | undefined>} samples; none where nothing is to be drawn
+ * @returns {Promise<any[] | undefined>} samples; undefined if there is nothing to draw
  */
 export async function finish(scene, shot, kind) {
   if (!shot?.cue_rests && !shot?.scratch) return undefined;
@@ -39,7 +39,7 @@ function still(path) {
   return path.every(([, x, y]) => x === path[0][1] && y === path[0][2]);
 }
 
-/** Velocity and spin of a ball between its events, for `play`. */
+/** Returns a ball's velocity and spin after each of its events, for `play`. */
 export function turns(events, ball) {
   const own = [];
   for (const event of events)
@@ -48,14 +48,14 @@ export function turns(events, ball) {
   return own;
 }
 
-/** What may be heard. */
+/** Returns the events that make a sound. */
 export function hits(events) {
   return events.filter(({ type }) => ['cushion', 'jaw', 'ball', 'pocket'].includes(type));
 }
 
 const counted = (n) => (n === 1 ? 'one cushion' : `${n || 'no'} cushions`);
 
-/** How it ended, in words. @param {state.Scene} scene */
+/** Says how a launch ended. @param {state.Scene} scene */
 export function outcome(scene, { events, path }) {
   const fallen = (one) => events.find(({ type, ball }) => type === 'pocket' && one(ball));
   if (scene.target === state.anyBall) {

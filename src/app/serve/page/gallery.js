@@ -1,4 +1,4 @@
-// Twenty scenes to begin with; the puzzles are of the book of examples. Each is an address as the page writes it.
+// Twenty scenes to begin with, from the book of examples. Each is an address as the page writes it.
 
 /** @type {[string, string][]} */
 export const gallery = [

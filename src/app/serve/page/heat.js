@@ -1,4 +1,4 @@
-// Chance over aim and speed, around a shot: why it is safe or not. All shots found there are marked.
+// Success over aim and speed around a shot, which shows why it is safe or not. All shots found there are marked.
 import { ask } from './engine.js';
 import { wrapped } from './units.js';
 
@@ -6,23 +6,24 @@ const columns = 160;
 const rows = 100;
 const beside = 3; // degrees shown on either side
 
-/** What is shown, in degrees and m/s. @param {any} shot in the middle */
+/** Returns the window shown, in degrees and m/s. @param {any} shot in the middle */
 function view(shot) {
   return { angle: [shot.angle - beside, shot.angle + beside], speed: [0.4 * shot.speed, 1.8 * shot.speed] };
 }
 
-/** With the shot's spin, where the planner chose it. */
+/** Gives the puzzle the shot's spin, if the planner chose it. */
 function withSpin(puzzle, { spin }) {
   return spin && puzzle.ball.spin ? { ...puzzle, ball: { ...puzzle.ball, spin } } : puzzle;
 }
 
-/** From the cloth's colour to the path's, by way of none: light where it is sure. */
+/** Returns a colour that gets lighter with the success. */
 function colour(chance) {
   const at = Math.sqrt(chance);
   return [255 * Math.min(1, 1.6 * at), 255 * Math.max(0, at * at * 0.95), 60 + 60 * Math.sin(Math.PI * at), 255];
 }
 
 /**
+ * Draws the map.
  * @param {HTMLCanvasElement} canvas
  * @param {any} puzzle @param {any[]} shots @param {any} shot the one in the middle
  * @returns {Promise<string>} what went wrong, or nothing
@@ -35,7 +36,7 @@ export async function heat(canvas, puzzle, shots, shot) {
   if (map.error) return map.error.reason;
   const picture = new ImageData(columns, rows);
   map.chance.forEach((chance, i) => {
-    const row = rows - 1 - Math.floor(i / columns); // slow at the bottom, and left of the aim on the left
+    const row = rows - 1 - Math.floor(i / columns); // slow at the bottom, larger angles on the left
     const at = row * columns + (columns - 1 - (i % columns));
     picture.data.set(colour(chance), 4 * at);
   });
@@ -60,7 +61,7 @@ function mark(pen, { angle, speed }, shot, chosen) {
   pen.stroke();
 }
 
-/** What the picture's sides are. @param {any} shot in the middle */
+/** Describes the picture's axes. @param {any} shot in the middle */
 export function scale(shot) {
   const { angle, speed } = view(shot);
   const [right, left] = angle.map((v) => wrapped(v).toFixed(1));
@@ -68,7 +69,12 @@ export function scale(shot) {
   return `Aim from ${left}° on the left to ${right}°, speed from ${slow} m/s up to ${fast}.`;
 }
 
-/** The launch at a place of the picture. @param {any} shot in the middle @param {number} x from 0 to 1 @param {number} y from below */
+/**
+ * Returns the launch at a place of the picture.
+ * @param {any} shot in the middle
+ * @param {number} x from 0 to 1
+ * @param {number} y from 0 to 1, upwards
+ */
 export function launchAt(shot, x, y) {
   const { angle: a, speed: s } = view(shot);
   return {

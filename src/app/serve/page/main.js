@@ -1,4 +1,4 @@
-// The page: what is asked, the picture of it, and the engine's answer while things are dragged.
+// The page: the scene, its picture, and the engine's answer while things are dragged.
 import { fill, heading, likest, mark, tell, words } from './answer.js';
 import { Board, free, inside } from './board.js';
 import { Closer } from './closer.js';
@@ -30,9 +30,9 @@ let layers;
 let board;
 let shots = [];
 let chosen = 0;
-let picked = ''; // what was asked when a person chose a shot
-let seen; // shot that is looked at
-let last = {}; // answer
+let picked = ''; // address of the scene for which the user chose a shot
+let seen; // shot in view
+let last = {}; // latest answer
 
 const closer = new Closer({
   scene: () => scene,
@@ -42,7 +42,7 @@ const closer = new Closer({
   layers: () => layers,
 });
 
-// ---- what is asked ----
+// ---- the scene ----
 
 const hands = {
   scene: () => scene,
@@ -60,7 +60,7 @@ const hands = {
   },
 };
 
-/** Where the ball first meets a cushion, if nothing turned it before. */
+/** Returns the cue ball's first point on a cushion, or null if it hits a ball. */
 function aimPoint(shot) {
   return shot?.path && !shot.hits?.length ? firstCushion(table, shot.path) : null;
 }
@@ -70,7 +70,7 @@ function targets() {
   return [...table.pockets.map(({ name }) => name), 'any', 'point', ...(scene.others.length ? [state.anyBall] : [])];
 }
 
-/** Everything anew, after what is not a movement. */
+/** Draws everything anew, after a change that is not a movement. */
 function rebuild() {
   const { grip, cushion } = svg.querySelector(':focus')?.dataset ?? {};
   table = tables.find(({ name }) => name === scene.table) ?? tables[0];
@@ -80,7 +80,7 @@ function rebuild() {
   scene.ball = inside(table, scene.ball);
   scene.others = scene.others.map((at) => inside(table, at));
   scene.point = inside(table, scene.point);
-  const ordered = scene.target !== state.anyBall; // there the planner chooses
+  const ordered = scene.target !== state.anyBall; // with any ball the planner chooses the cushions
   layers = draw(svg, table, (cushion) => ordered && change(() => scene.order.push(cushion)));
   layers.compare = shape('g', {}, layers.paths);
   layers.answer = shape('g', {}, layers.paths);
@@ -93,7 +93,7 @@ function rebuild() {
   solve();
 }
 
-/** The controls as the scene has it. */
+/** Sets the controls to the scene. */
 function show() {
   controls.options(
     $('tables'),
@@ -118,7 +118,7 @@ function canUndo() {
   for (const [id, can] of Object.entries(state.can())) $(id).disabled = !can;
 }
 
-/** Before it changes. @param {state.Scene} before */
+/** Saves the scene before a change. @param {state.Scene} before */
 function remember(before) {
   state.remember(before);
   canUndo();
@@ -133,7 +133,7 @@ function change(f) {
 // ---- the answer ----
 
 function solve() {
-  document.body.dataset.asked = state.address(scene); // for whoever waits until it is answered
+  document.body.dataset.asked = state.address(scene); // tests wait until `answered` equals it
   closer.clear();
   halt();
   searchFirst();
@@ -141,7 +141,7 @@ function solve() {
 
 let slow; // timer
 
-/** One shot. A move lets this search end, so that the picture follows what is dragged. */
+/** Searches for one shot. A move lets this search end, so that the picture follows the dragging. */
 const searchFirst = latest(async () => {
   const [asked, puzzle] = [document.body.dataset.asked, state.puzzle(scene)];
   clearTimeout(slow);
@@ -152,13 +152,13 @@ const searchFirst = latest(async () => {
   if (asked === document.body.dataset.asked) searchAll(puzzle, first);
 });
 
-/** All shots. A move ends this search, which may take seconds. The shot that is there stays where no other is found. */
+/** Searches for all shots, perhaps for seconds; a move ends it. If it finds none, the first shot stays. */
 async function searchAll(puzzle, first) {
   const all = await ask('solve?all&path', puzzle, 'solve');
   if (!all) return;
   clearTimeout(slow);
   $('busy').hidden = true;
-  state.write(scene); // not while it is dragged: browsers allow some hundred a minute
+  state.write(scene); // not while dragging: browsers allow only some hundred a minute
   document.body.dataset.answered = document.body.dataset.asked;
   const wider = all.error?.reason ?? 'the wider search ended at its budget';
   answered(first.shots.length && !all.shots.length ? { ...first, wider } : all, '');
@@ -177,7 +177,7 @@ function answered(answer, more) {
   if (!shots.length && !more) lacks(answer);
 }
 
-/** Why there is none, and what came nearest. */
+/** Says why there is no shot, and shows what came nearest. */
 async function lacks({ message = '', nearest, error }) {
   const asked = document.body.dataset.asked;
   const followed = nearest && (await follow(scene, nearest, 'nearest'));
@@ -189,7 +189,7 @@ async function lacks({ message = '', nearest, error }) {
   if (followed?.path) $('other').textContent = `What comes nearest ${outcome(scene, followed)}.`;
 }
 
-/** @param {number} [i] the shot that is looked at */
+/** Shows a shot. @param {number} [i] its number; the chosen one without it */
 function look(i = chosen) {
   const shot = (seen = shots[i]);
   $('shots').onmouseleave = () => i !== chosen && look();
@@ -203,7 +203,7 @@ function look(i = chosen) {
   if (document.body.dataset.asked === document.body.dataset.answered) lookOn(shot);
 }
 
-/** The cue ball's path as far as it goes. */
+/** Adds the rest of the cue ball's path. */
 async function lookOn(shot) {
   const onward = await finish(scene, shot, 'onward');
   if (onward && shot === seen) paint(layers.answer, table, shots, shot, onward);
@@ -219,9 +219,9 @@ function choose(i) {
   start(1);
 }
 
-// ---- played ----
+// ---- the animation ----
 
-/** The ball's dot on the board. */
+/** Returns the name of a ball's grip on the board. */
 const gripOf = (ball) => (ball === 'cue' ? 'ball' : `other${Number(ball) - 1}`);
 
 async function start(pace, launch = shots[chosen]) {
@@ -242,7 +242,7 @@ async function start(pace, launch = shots[chosen]) {
   setTimeout(() => document.body.dataset.playing || board.placeAll(), 700);
 }
 
-/** What is played ends, and the balls stand where they stood. */
+/** Ends the animation and puts the balls back. */
 function halt() {
   for (const kind of ['play', 'play-path']) forget(kind);
   if (!document.body.dataset.playing) return;
@@ -251,7 +251,7 @@ function halt() {
   board.placeAll();
 }
 
-// ---- what is pressed ----
+// ---- the controls ----
 
 let untouched = null;
 const drawTip = tip($('tip'), ({ side, top }, done) => {
@@ -262,7 +262,7 @@ const drawTip = tip($('tip'), ({ side, top }, done) => {
   solve();
 });
 
-/** Keys whose change alters more than the question. */
+/** Keys of the scene whose change requires a new drawing. */
 const shapes = ['table', 'target', 'physics', 'choose'];
 
 function listen() {

@@ -1,6 +1,7 @@
-// What people do: aim at the mirror image. Right where cushions are mirrors, and nowhere else.
+// The aim at the mirror image, as people take it. It is right only if cushions are mirrors.
 
 /**
+ * Returns the direction to the target's mirror image.
  * @param {{length: number, width: number, radius: number}} table
  * @param {[number, number]} from
  * @param {[number, number]} to
@@ -18,7 +19,7 @@ export function mirrorAim({ length, width, radius }, from, to, cushions) {
   return (Math.atan2(y - from[1], x - from[0]) * 180) / Math.PI;
 }
 
-/** The path that mirrors promise. @returns {[number, number][]} */
+/** Returns the path that mirror cushions would give. @returns {[number, number][]} */
 export function mirrorPath({ length, width, radius }, from, to, cushions) {
   const points = [from];
   let at = from;

@@ -1,4 +1,4 @@
-// Draws the answer on the table: paths, the line of aim, how far it may be off, and what others would do.
+// Draws the answer on the table: paths, the line of aim, its margin, and the other shots.
 import { metres, shape, sight } from './table.js';
 
 const points = (path) => path.map((p) => p.slice(-2).join()).join(' ');
@@ -8,7 +8,7 @@ function line(layer, path, kind, width) {
   return shape('polyline', { class: 'path ' + kind, points: points(path), 'stroke-width': width }, layer);
 }
 
-/** How far the aim may be off, as far as the first rail. */
+/** Draws the margin of the aim, as far as the first rail. */
 function fan(layer, table, from, shot) {
   const sides = shot.margin?.angle;
   if (!sides || sides.some((v) => v === null)) return;
@@ -19,7 +19,7 @@ function fan(layer, table, from, shot) {
 }
 
 /**
- * Where the cue ball rests or falls; null where neither is known.
+ * Returns the place where the cue ball rests or falls; null if it is unknown.
  * @param {import('./table.js').Table} table @returns {[number, number] | null}
  */
 function end(table, { path, arrival, hits, pocket, cue_rests }) {
@@ -32,7 +32,7 @@ function end(table, { path, arrival, hits, pocket, cue_rests }) {
  * @param {SVGGElement} layer emptied first
  * @param {import('./table.js').Table} table
  * @param {any[]} shots
- * @param {any} shot the one that is looked at
+ * @param {any} shot the one in view
  * @param {any[]} onward the cue ball's path after that of the shot
  */
 export function paint(layer, table, shots, shot, onward = []) {
@@ -41,7 +41,7 @@ export function paint(layer, table, shots, shot, onward = []) {
   const faint = shape('g', { opacity: Math.min(1, 3 / Math.sqrt(1 + rest.length)) }, layer);
   for (const other of rest) line(faint, other.path, '', 0.004);
   if (!shot?.path) return;
-  const from = shot.path[0].slice(1); // what is dragged may have left it
+  const from = shot.path[0].slice(1); // a ball being dragged may have left it
   fan(layer, table, from, shot);
   const [x1, y1] = from;
   const aim = sight(table, from, shot.angle);
@@ -54,7 +54,7 @@ export function paint(layer, table, shots, shot, onward = []) {
   if (at) ring(layer, at, table.radius, shot.scratch ? 'scratch' : '');
 }
 
-/** Where a ball ends. @param {Element} layer */
+/** Draws a ring at the place where a ball ends. @param {Element} layer */
 function ring(layer, [cx, cy], r, kind) {
   shape('circle', { class: `ghost ${kind}`, cx, cy, r, 'stroke-width': 0.004 }, layer);
 }
@@ -64,10 +64,10 @@ function write(layer, kind, [x, y], size) {
   return shape('text', { class: kind, 'font-size': size, transform: `translate(${x} ${y}) scale(1 -1)` }, layer);
 }
 
-const wide = 0.6; // of its size is a letter
+const wide = 0.6; // width of a letter, as a share of its size
 
 /**
- * Words on the table, where they cover no ball if there is such a place.
+ * Writes words on the table, where they cover no ball if possible.
  * @param {SVGGElement} layer @param {import('./table.js').Table} table @param {string} words @param {number[][]} balls
  */
 export function note(layer, table, words, balls) {
@@ -90,7 +90,7 @@ export function note(layer, table, words, balls) {
 }
 
 /**
- * What was promised, and where it really leads.
+ * Draws the promised path of a launch, and where it really leads.
  * @param {Element} layer @param {any[]} promised may be empty @param {any} followed @param {string} kind
  */
 export function lead(layer, promised, followed, kind) {
@@ -100,7 +100,11 @@ export function lead(layer, promised, followed, kind) {
   if (stops) ring(layer, followed.path[followed.path.length - 1].slice(1), 0.02, kind);
 }
 
-/** Where the ball first meets a cushion. @param {import('./table.js').Table} table @returns {[number, number] | null} */
+/**
+ * Finds the point where a path first meets a cushion.
+ * @param {import('./table.js').Table} table
+ * @returns {[number, number] | null}
+ */
 export function firstCushion(table, path) {
   const r = table.radius;
   const near = (v, wall) => Math.abs(v - wall) < 1e-6;

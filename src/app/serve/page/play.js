@@ -1,4 +1,4 @@
-// Plays a shot: balls along their paths, in real time or slower, turning as they turn; a ring shows where one slides.
+// Animates a shot: balls move along their paths, in real time or slower, and turn. A ring marks a ball that slides.
 import { shape } from './table.js';
 
 let running = 0;
@@ -9,7 +9,7 @@ let running = 0;
  * @typedef {{dot: SVGElement, digit?: SVGElement, path: Sample[], turns: Turn[], radius: number}} Moving
  */
 
-/** Where the ball is after t seconds. @param {Sample[]} path @returns {[number, number]} */
+/** Returns the ball's place after t seconds. @param {Sample[]} path @returns {[number, number]} */
 export function at(path, t) {
   const i = path.findIndex((p) => p[0] > t);
   if (i <= 0) {
@@ -24,7 +24,10 @@ export function at(path, t) {
 
 const step = 0.01; // s, over which a path's velocity is taken
 
-/** Velocity and spin at a time. They change evenly while it slides; while it rolls the path tells. @param {Moving} ball */
+/**
+ * Returns velocity and spin at a time: linear in time while sliding, taken from the path while rolling.
+ * @param {Moving} ball
+ */
 function turning({ turns, path, radius }, t) {
   const after = turns.findIndex((e) => e.time > t);
   const a = turns[(after < 0 ? turns.length : after) - 1];
@@ -44,7 +47,7 @@ function turning({ turns, path, radius }, t) {
   return { velocity: between('velocity'), spin: between('spin') };
 }
 
-/** A point of a ball's skin, turned by w for dt. */
+/** Turns a point of a ball's surface by the angular velocity w for a time dt. */
 function turned(p, w, dt) {
   const size = Math.hypot(...w);
   const angle = size * dt;
@@ -65,7 +68,7 @@ const skin = [
   [0, 0, -1],
 ];
 
-/** A ball that is shown turning. @param {Moving} ball */
+/** Adds the spots that show a ball turning. @param {Moving} ball */
 function shown(ball) {
   const spots = skin.map((p) => ({
     p,
@@ -98,9 +101,9 @@ function shown(ball) {
 /**
  * @param {Moving[]} balls
  * @param {number} pace 1 is real time
- * @param {{time: number}[]} sounds when something is hit
+ * @param {{time: number}[]} sounds times at which something is hit
  * @param {(time: number) => void} sound
- * @returns {Promise<boolean>} when all rest, or, false, another is played
+ * @returns {Promise<boolean>} true when all balls rest, false when stopped or replaced by another
  */
 export function play(balls, pace, sounds, sound) {
   const mine = ++running;
@@ -123,7 +126,7 @@ export function play(balls, pace, sounds, sound) {
   });
 }
 
-/** Ends what is played. */
+/** Ends the animation. */
 export function stop() {
   ++running;
 }

@@ -1,10 +1,10 @@
-// Takes things home: the puzzle and its answer as JSON, the picture as SVG and PNG.
+// Downloads: the puzzle and its answer as JSON, the picture as SVG and PNG.
 
 const colours = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity', 'paint-order'];
 const letters = ['text-anchor', 'dominant-baseline', 'font-size', 'font-weight', 'font-family'];
 const kept = [...colours, ...letters];
 
-/** The picture with its colours inside. @param {SVGSVGElement} svg */
+/** Returns the picture as a file of its own, with its styles as attributes. @param {SVGSVGElement} svg */
 function alone(svg) {
   const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
   const [from, to] = [svg, copy].map((root) => [...root.querySelectorAll('*')]);

@@ -1,4 +1,4 @@
-// The same scene in two physics, side by side: what each answers, and where that leads if the other one is right.
+// The same scene in two physics, side by side: the answer of each, and where it leads if the other one is right.
 import { heading } from './answer.js';
 import { ask, forget } from './engine.js';
 import { finish, follow, outcome } from './follow.js';
@@ -6,10 +6,10 @@ import { lead, paint } from './paint.js';
 import * as state from './state.js';
 import { draw, shape } from './table.js';
 
-/** The same way to the same target. @param {state.Scene} scene of the other physics @param {any} shot */
+/** Asks for the same route to the same target. @param {state.Scene} scene in the other physics @param {any} shot */
 function question(scene, { cushions, then, speed }) {
   const target = then ? { target: { ball: then.ball, then: { pocket: then.pocket, cushions: then.cushions } } } : {};
-  const fixed = scene.physics === 'ideal' ? { speed } : {}; // there any speed would do
+  const fixed = scene.physics === 'ideal' ? { speed } : {}; // without friction any speed would do
   return { ...state.puzzle(scene), cushions, ...target, ...fixed };
 }
 
@@ -18,7 +18,7 @@ const none = 'knows no such shot';
 const lower = (words) => words[0].toLowerCase() + words.slice(1);
 const launch = ({ angle, speed }) => `${angle.toFixed(2)}° at ${speed.toFixed(2)} m/s`;
 
-/** A line under a picture, in the colour of its path. */
+/** Returns a line of text under a picture, in the colour of its path. */
 function words(kind, text) {
   const line = document.createElement('p');
   line.className = 'key ' + kind;
@@ -26,7 +26,7 @@ function words(kind, text) {
   return line;
 }
 
-/** What stands on the table. */
+/** Draws the target and the balls. */
 function stand(layer, table, scene) {
   const pocket = table.pockets.find(({ name }) => name === scene.target);
   const put = (kind, [cx, cy], r, width = 0.004) =>
@@ -38,10 +38,10 @@ function stand(layer, table, scene) {
 }
 
 /**
- * One of the two.
+ * Returns one of the two pictures.
  * @param {import('./table.js').Table} table @param {state.Scene} scene
- * @param {any} own its answer @param {any[]} onward the end of its cue ball's path
- * @param {{physics: string, shot: any, followed: any}} other whose aim is tried here
+ * @param {any} own its answer @param {any[]} onward rest of the cue ball's path
+ * @param {{physics: string, shot: any, followed: any}} other the other physics, whose aim is tried here
  */
 function side(table, scene, own, onward, other) {
   const [figure, caption] = ['figure', 'figcaption'].map((tag) => document.createElement(tag));
@@ -66,8 +66,8 @@ function side(table, scene, own, onward, other) {
  * @param {HTMLElement} box
  * @param {import('./table.js').Table} table
  * @param {state.Scene} scene
- * @param {any} shot its answer
- * @param {string} physics the other one
+ * @param {any} shot answer in this physics
+ * @param {string} physics the other physics
  */
 export async function sides(box, table, scene, shot, physics) {
   const theirs = { ...scene, physics };
@@ -86,10 +86,10 @@ export async function sides(box, table, scene, shot, physics) {
     side(table, theirs, best, other, { physics: scene.physics, shot, followed: there }),
   ];
   box.replaceChildren(...both.map(({ figure }) => figure));
-  for (const { show } of both) show(); // letters are as large as the picture is wide
+  for (const { show } of both) show(); // only now, as letters scale with the picture's width
 }
 
-/** Nobody waits for them any longer. */
+/** Ends all questions of this comparison. */
 export function forgetSides() {
   for (const kind of [
     'side',

@@ -1,6 +1,6 @@
-// A click for each contact, made here: no file.
+// A click for each contact, synthesized instead of read from a file.
 
-/** @type {AudioContext} only after somebody asked for sound */
+/** @type {AudioContext} created at the first sound */
 let audio;
 
 export function click() {

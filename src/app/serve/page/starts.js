@@ -1,4 +1,4 @@
-// From where on the table the shot can be played: the planner asked from a grid of places.
+// A map of the places from which the shot can be played: the planner is asked at each place of a grid.
 import { ask } from './engine.js';
 import { shape } from './table.js';
 
@@ -17,7 +17,7 @@ export async function starts(layer, puzzle, table, say) {
   for (const grid of grids) {
     const answer = await ask(`map?grid=${grid}`, puzzle, 'map');
     if (!answer) return;
-    if (answer.error && grid !== grids[0]) return; // the rough one stays
+    if (answer.error && grid !== grids[0]) return; // the rough map stays
     say(answer.error ? answer.error.reason : show(layer, answer, grid, table));
     if (answer.error) return;
   }

@@ -1,4 +1,4 @@
-// What is asked, as one plain object; its history, and the address that holds it.
+// The scene as one plain object, its history, and the address that holds it.
 import { wrapped } from './units.js';
 
 /**
@@ -6,7 +6,7 @@ import { wrapped } from './units.js';
  * @typedef {typeof first} Scene
  */
 
-/** As at first. The kind of each value is that of its key for ever: addresses live longer than versions. */
+/** The first scene. The type of each value must never change, since addresses outlive versions. */
 export const first = {
   table: 'pool-9ft',
   physics: 'spin',
@@ -22,7 +22,7 @@ export const first = {
   within: 0.01,
   /** @type {Point[]} */
   others: [],
-  /** @type {string[]} cushions in order; empty: from `least` to `most` of any */
+  /** @type {string[]} cushions in order; empty: `least` to `most` of any */
   order: [],
   least: 1,
   most: 2,
@@ -36,7 +36,7 @@ export const first = {
   pacing: 0.075,
 };
 
-/** Another ball into a pocket, by up to the cushions that are asked. */
+/** The target: pot any object ball, by at most `most` cushions. */
 export const anyBall = 'another ball';
 
 /** @type {Scene[]} */
@@ -47,7 +47,7 @@ const future = [];
 /** @param {Scene} scene */
 const copy = (scene) => structuredClone(scene);
 
-/** @param {string} text of `key`, @returns {any} undefined where it is none */
+/** @param {string} text of `key`, @returns {any} undefined if it is no valid value */
 function parse(key, text) {
   const numbers = text === '' ? [] : text.split(',').map(Number);
   const good = numbers.every(Number.isFinite);
@@ -62,7 +62,7 @@ function pairs(numbers) {
   return Array.from({ length: numbers.length / 2 }, (_, i) => numbers.slice(2 * i, 2 * i + 2));
 }
 
-/** "ball=0.5,0.4&most=3": what it does not say is as at first, and what it says wrongly too. @returns {Scene} */
+/** Reads "ball=0.5,0.4&most=3"; keys that are missing or wrong keep their first values. @returns {Scene} */
 export function read(text = location.hash.slice(1)) {
   const scene = copy(first);
   for (const [key, value] of new URLSearchParams(text)) {
@@ -73,7 +73,7 @@ export function read(text = location.hash.slice(1)) {
   return scene;
 }
 
-/** Only what is not as at first, so that it is short. @param {Scene} scene */
+/** Returns the keys that differ from the first scene, to keep the address short. @param {Scene} scene */
 export function address(scene) {
   const said = Object.entries(scene).filter(([key, value]) => String(value) !== String(first[key]));
   return said.map(([key, value]) => `${key}=${encodeURIComponent(String(value)).replaceAll('%2C', ',')}`).join('&');
@@ -84,7 +84,7 @@ export function write(scene) {
   history.replaceState(null, '', '#' + address(scene));
 }
 
-/** Before it changes. @param {Scene} scene */
+/** Saves the scene before a change. @param {Scene} scene */
 export function remember(scene) {
   past.push(copy(scene));
   future.length = 0;
@@ -97,7 +97,7 @@ function back(from, to, scene) {
   return other;
 }
 
-/** Which of the two there is something for. */
+/** Says whether there is something to undo, and to redo. */
 export const can = () => ({ undo: past.length > 0, redo: future.length > 0 });
 
 /** @param {Scene} scene @returns {Scene} the one before */
@@ -150,7 +150,7 @@ function spin(scene) {
   return { top: scene.top, side: scene.side };
 }
 
-/** As the engine reads it. @param {Scene} scene */
+/** Returns the scene as the puzzle that the engine reads. @param {Scene} scene */
 export function puzzle(scene) {
   return {
     ...place(scene),
@@ -162,7 +162,7 @@ export function puzzle(scene) {
   };
 }
 
-/** The table and what stands on it. @param {Scene} scene */
+/** Returns the table, the physics and the balls. @param {Scene} scene */
 function place(scene) {
   return {
     table: scene.table,
@@ -175,7 +175,11 @@ function place(scene) {
   };
 }
 
-/** @param {Scene} scene @param {{speed: number, angle: number, spin?: object}} launch */
+/**
+ * Returns the scene with a launch, as the shot that the engine reads.
+ * @param {Scene} scene
+ * @param {{speed: number, angle: number, spin?: object}} launch
+ */
 export function shot(scene, { speed, angle, spin }) {
   const { ball, ...rest } = place(scene);
   const struck = scene.physics === 'spin' && spin ? { spin } : {};

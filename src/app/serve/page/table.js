@@ -3,7 +3,7 @@
 const space = 'http://www.w3.org/2000/svg';
 const wood = 0.15;
 const nose = 0.045;
-const leather = 0.012; // round a hole
+const leather = 0.012; // width around a hole
 export const diamondInset = 0.094;
 
 /**
@@ -26,7 +26,7 @@ export function shape(name, attributes, parent) {
  *   mouth?: [number, number][], tip?: number}} Pocket `mouth`: from a rail round a tip, along a facing, across and back
  */
 
-/** Along the nose of each cushion, as wide as the wood. @param {Table} table */
+/** Returns a strip along each cushion, as wide as the wood. @param {Table} table */
 function rails({ length, width }) {
   return {
     bottom: [0, -wood, length, wood],
@@ -36,18 +36,22 @@ function rails({ length, width }) {
   };
 }
 
-/** So many pixels in metres, as the picture stands. @param {SVGSVGElement} svg @param {number} pixels */
+/**
+ * Returns a number of pixels in metres, at the picture's present size.
+ * @param {SVGSVGElement} svg
+ * @param {number} pixels
+ */
 export function metres(svg, pixels) {
   return (pixels * svg.viewBox.baseVal.width) / svg.getBoundingClientRect().width;
 }
 
-/** The cloth between two jaws. @param {Pocket} pocket */
+/** Returns the outline of the cloth between two jaws. @param {Pocket} pocket */
 function mouth({ mouth, tip }) {
   const ways = ['M', `A${tip} ${tip} 0 0 0 `, 'L', 'L', 'L', `A${tip} ${tip} 0 0 0 `];
   return mouth.map(([x, y], i) => `${ways[i]}${x} ${y}`).join('') + 'z';
 }
 
-/** What is clicked for a cushion to be added to the order. */
+/** Adds the areas on which a click adds a cushion to the order. */
 function clickable(all, table, clicked) {
   for (const [name, [x, y, width, height]] of Object.entries(rails(table))) {
     const label = `${name} cushion: add it to the order`;
@@ -66,8 +70,8 @@ function clickable(all, table, clicked) {
  * Empties the picture and draws the table.
  * @param {SVGSVGElement} svg
  * @param {Table} table
- * @param {(cushion: string) => void} [clicked] without it nothing is to be clicked
- * @returns groups for what lies under paths, for paths, and for what may be dragged; from below
+ * @param {(cushion: string) => void} [clicked] without it nothing can be clicked
+ * @returns groups for marks under the paths, for paths, and for things that may be dragged, bottom first
  */
 export function draw(svg, table, clicked) {
   const { length, width } = table;
@@ -92,7 +96,7 @@ export function draw(svg, table, clicked) {
   };
 }
 
-/** None at a middle pocket. @param {Element} parent @param {Table} table */
+/** Draws the diamonds, but none at a middle pocket. @param {Element} parent @param {Table} table */
 function diamonds(parent, { length, width }, pockets) {
   const d = 0.012;
   const at = (x, y) =>
@@ -110,7 +114,7 @@ function diamonds(parent, { length, width }, pockets) {
 }
 
 /**
- * Where the line of aim crosses the line of diamonds.
+ * Finds the point where the line of aim crosses the line of diamonds.
  * @param {Table} table @param {[number, number]} from @param {number} degrees
  * @returns {{at: [number, number], count: string, words: string}}
  */

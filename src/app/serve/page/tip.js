@@ -1,8 +1,8 @@
-// Where the cue meets the ball: a picture of it, with a dot that is dragged or moved by arrow keys.
+// A picture of the point where the cue meets the ball: its dot is dragged or moved by arrow keys.
 import { arrow, pointIn } from './drag.js';
 import { shape } from './table.js';
 
-const widest = 1.25; // of spin, where the tip is half a radius off the centre: beyond, it slips
+const widest = 1.25; // spin with the tip half a radius off the centre; beyond that the tip slips
 const half = 0.5;
 
 /**

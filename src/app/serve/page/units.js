@@ -1,6 +1,6 @@
 // Places and lengths in words: millimetres or inches, and diamonds.
 
-/** Where storage is blocked, metres it is. */
+/** Returns the stored unit; null (metres) if storage is blocked. */
 function stored() {
   try {
     return localStorage.getItem('unit');
@@ -17,11 +17,11 @@ export function useInches(on) {
   try {
     localStorage.setItem('unit', on ? 'inches' : 'metres');
   } catch {
-    // then it holds for this visit
+    // The choice holds for this visit only.
   }
 }
 
-/** The same direction, from 0 to 360. @param {number} degrees */
+/** Returns the same direction, from 0 to 360. @param {number} degrees */
 export const wrapped = (degrees) => ((degrees % 360) + 360) % 360;
 
 /** @param {number} metres */

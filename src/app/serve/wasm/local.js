@@ -1,14 +1,14 @@
-// The engine inside the page's own file: WebAssembly in workers, so that the page never waits.
+// The engine inside the page's own file: WebAssembly in workers, so that the page never blocks.
 import { Desk } from '../../../../bindings/javascript/desk.js';
 import { answerBy } from '../page/engine.js';
 
-const longest = 10000; // ms for an answer, as the server has it
+const longest = 10000; // ms; the time limit of an answer, as at the server
 const code = document.getElementById('engine-worker').textContent;
 const bytes = document.getElementById('engine-bytes').textContent; // gzip, base64
 
 const url = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
 const module = compile();
-/** @type {Map<string, Desk>} one for each kind of work */
+/** @type {Map<string, Desk>} one desk for each kind of work */
 const desks = new Map();
 
 async function compile() {

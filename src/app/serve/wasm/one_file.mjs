@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The page and the engine as one file: node one_file.mjs PAGE_FOLDER SCRIPT.js PACKAGE_FOLDER > bankshot.html
-// SCRIPT is the page's modules joined, since modules do not load from a disk.
+// Writes the page and the engine as one file: node one_file.mjs PAGE_FOLDER SCRIPT.js PACKAGE_FOLDER > bankshot.html
+// SCRIPT is the page's modules joined into one, since browsers do not load modules from a disk.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
@@ -10,7 +10,7 @@ const [page, script, engine] = process.argv.slice(2);
 const text = (path) => readFileSync(path, 'utf8');
 const hash = (code) => `'sha256-${createHash('sha256').update(code).digest('base64')}'`;
 
-/** What stands once in the page gives way to something else. */
+/** Replaces a text that must occur exactly once in the page. */
 function put(html, old, now) {
   if (html.split(old).length !== 2) throw new Error(`the page has not one ${old}`);
   return html.replace(old, () => now);

@@ -1,3 +1,3 @@
-// The page with the engine inside: what one_file.mjs puts into the file.
+// The modules of the page with the engine inside, for one_file.mjs.
 import './local.js';
 import '../page/main.js';
