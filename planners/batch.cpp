@@ -9,7 +9,7 @@
 namespace bankshot {
 namespace {
 
-/// Puzzles taken at once: enough that the counter costs nothing, few enough to spread hard ones.
+/// Puzzles that a thread takes at once: enough that the counter costs nothing, few enough to spread hard ones.
 constexpr std::size_t block = 8;
 
 Answer solve_one(const Puzzle& puzzle, const SolveOptions& options) {
@@ -43,7 +43,7 @@ std::vector<Answer> solve_batch(std::span<const Puzzle> puzzles, const BatchOpti
   try {
     while (others.size() + 1 < threads) others.emplace_back(work);
   } catch (const std::system_error&) {
-    // The system has no more threads to give: those there are do the work.
+    // The system has no more threads to give; the others do the work.
   }
   work();
   others.clear();  // joins

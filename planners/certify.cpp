@@ -15,7 +15,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// Metres between two arrivals of one launch that are one: a bounce at the target lies between them.
+/// Returns the distance [m] below which two arrivals of one launch are one: a bounce at the target lies between them.
 double same_arrival(const Question& q) { return 10 * tolerance::exact_miss * q.boundary.diagonal; }
 
 bool same_launch(const Launch& a, const Launch& b) {
@@ -25,12 +25,12 @@ bool same_launch(const Launch& a, const Launch& b) {
 
 void count_failure(Findings& found, const Proof& proof, int bounces) {
   const Foul foul = proof.failure.foul;
-  // An aim outside its bounds is no near miss, but is better than none.
+  // An aim outside its bounds is no near miss, but better than none.
   const double miss = foul == Foul::outside_aim ? std::numeric_limits<double>::max() : proof.shot.miss;
   if (proof.replayed || foul == Foul::outside_aim) found.remember({proof.shot.launch, bounces, miss, proof.failure});
 }
 
-/// True unless the shot is known already, with no more bounces.
+/// Returns true unless the shot is known already with no more bounces; removes a known one that has more.
 bool make_room(const Question& q, std::vector<Shot>& shots, const Shot& shot) {
   for (Shot& known : shots) {
     if (!same_shot(q, known, shot)) continue;
@@ -42,7 +42,7 @@ bool make_room(const Question& q, std::vector<Shot>& shots, const Shot& shot) {
   return true;
 }
 
-/// m: what rounding can do to an arrival (simulate/simulator.hpp, property 6).
+/// Returns the error [m] that rounding can cause at an arrival (simulate/simulator.hpp, property 6).
 double rounding(const Question& q, const Shot& shot) {
   const bool integrated = std::holds_alternative<Mathavan2010>(q.puzzle.physics.cushion);
   const double pieces = is_level(q.puzzle.physics) ? 1 : tolerance::pieces_rounding;
@@ -50,7 +50,7 @@ double rounding(const Question& q, const Shot& shot) {
   return unit * (1 + static_cast<double>(shot.cushions.size())) * (q.boundary.extent + shot.condition);
 }
 
-/// How much a launch changes to move the arrival by so many metres: rad, and a share of the speed.
+/// The change of a launch that moves the arrival by some metres: rad, and a share of the speed.
 struct Turn {
   double aim, speed;
 };
@@ -63,8 +63,8 @@ Launch turned(const Launch& l, const Turn& t, int aim, int speed) {
   return {l.speed * (1 + speed * t.speed), wrap_angle(l.angle + aim * t.aim)};
 }
 
-/// Launches that rounding can tell from the shot's no better bounce as often as it does. `least`: rad, and of the
-/// speed, that they differ at least.
+/// Returns whether launches that rounding can hardly tell from the shot's bounce as often as it does. `least`: their
+/// least difference, in rad and as a share of the speed.
 bool is_firm(const Question& q, Ledger& ledger, const Shot& shot, double least = 0) {
   const Turn by = turn_by(settings::edge::surely * rounding(q, shot), shot);
   const Turn t{std::max(by.aim, least), std::max(by.speed, least)};
@@ -78,7 +78,7 @@ bool arrives_on_a_line(const Question& q, const Shot& shot) {
   return q.on_a_line(q.mark_of(shot).ball, shot.arrival.at);
 }
 
-/// A launch beside, as near as an exact answer must be, on the side that keeps the bounces.
+/// Finds a firm launch beside the shot's, as near as an exact answer must be, on the side that keeps the bounces.
 std::optional<Shot> firm_beside(const Question& q, Ledger& ledger, const Goal& goal, const Shot& shot) {
   for (const double metres : settings::edge::beside) {
     const Turn t = turn_by(metres * q.boundary.diagonal, shot);
@@ -92,7 +92,7 @@ std::optional<Shot> firm_beside(const Question& q, Ledger& ledger, const Goal& g
   return {};
 }
 
-/// False where rounding decides, and no launch beside is firm.
+/// Makes the shot firm. Returns false if rounding decides its bounces and no launch beside is firm.
 bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) {
   if (ledger.spent() || is_firm(q, ledger, shot)) return true;
   auto beside = firm_beside(q, ledger, goal, shot);
@@ -101,7 +101,8 @@ bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) 
   return true;
 }
 
-/// It was at its target, which is on a cushion's line, and by rounding bounced once more there: a launch beside.
+/// Replaces a launch whose ball was at its target, on a cushion's line, and by rounding bounced once more there:
+/// returns a launch beside it, if one is firm.
 Proof without_last_bounce(const Question& q, Ledger& ledger, const Goal& goal, Proof proof) {
   const bool at_target = proof.replayed && goal.demand == Demand::exact && q.centred(proof.shot.miss) &&
                          static_cast<int>(proof.shot.cushions.size()) == goal.max && arrives_on_a_line(q, proof.shot);
@@ -131,9 +132,9 @@ bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& l
   if (!proof.holds()) proof = without_last_bounce(q, ledger, goal, std::move(proof));
   if (!proof.holds()) return count_failure(found, proof, bounces), false;
   if (q.objects && proof.shot.off_centre) {
-    // Launches that are made by rounding alone are no shots: where a cushion ends at a pocket's circle, or after a
-    // contact that would leave the struck ball standing. What rolls along a rail arrives the same, but may not bounce
-    // so.
+    // A launch that is made only by rounding is no shot. Examples are a cushion that ends at a pocket's circle, and a
+    // contact that would leave the cue ball standing. A ball that rolls along a rail arrives alike, but may bounce
+    // differently.
     add_first_order(q, proof.shot);
     if (!is_firm(q, ledger, proof.shot, settings::edge::unmoved)) return false;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From a proof to the findings: a launch that proves to be a shot is kept, once, with its derivatives; any other is
-// counted under the reason why it failed.
+// Keeps verified launches in the search result: each shot once, with its derivatives. Other launches are counted under
+// their failure reasons.
 #pragma once
 
 #include <string_view>
@@ -11,18 +11,18 @@
 
 namespace bankshot::planning {
 
-/// True where the launch is a shot. Of shots that differ only by bounces at the target itself, the one with fewer is
-/// kept. `step` names what proposed it (planners/README.md).
+/// Verifies a launch and keeps its shot; returns whether it is one. Of shots that differ only by bounces at the target
+/// itself, the one with fewer is kept. `step` names the step that proposed it (planners/README.md).
 bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& launch, int bounces,
              std::string_view step, Demand demand = Demand::exact);
 
-/// One launch that arrives once.
+/// Returns whether two shots are one launch that arrives once.
 bool same_shot(const Question& q, const Shot& known, const Shot& shot);
 
-/// Keeps a shot that was proved, unless it is known.
+/// Keeps a verified shot, unless it is known.
 void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const Goal& goal, std::string_view step);
 
-/// The same of a root along a route; one that something blocks is kept as a lead.
+/// Verifies a root along a route likewise; a root that is no shot is kept as a candidate.
 bool certify_root(const LockedAim& aim, Ledger& ledger, Findings& found, const Launch& root, std::string_view step);
 
 /// See Shot::digits.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a search has found: shots, launches that came near, why others failed, and what is to be said about it.
+// The result of a search: shots, launches that came near, failure reasons of others, and remarks for the answer.
 #pragma once
 
 #include <limits>
@@ -14,23 +14,23 @@
 
 namespace bankshot::planning {
 
-/// Why a launch does not do what was asked.
+/// The failure reason of a launch.
 enum class Foul {
   none,
   missed,
   fell_short,
   wrong_cushion,
   extra_cushion,
-  in_place,  ///< it bounces where it stands: out of a vertex, or more often than between the two cushions of a corner
+  in_place,  ///< it bounces where it stands: out of a vertex, or more than twice in a corner between two cushions
   pocketed,
   hit_ball,
   other_cut,
   covered,      ///< a ball stands at the point that is asked
   inexact,      ///< it is made, but not on the exact line or point, or not at the speed asked
   too_fast,     ///< it needs more speed than a bound allows
-  too_slow,     ///< it needs less
+  too_slow,     ///< it needs less speed than a bound allows
   too_long,     ///< no launch rolls so far
-  outside_aim,  ///< these are refused without a replay
+  outside_aim,  ///< the aim is outside its bounds; refused without a replay
   other_bounces,
   scratched,  ///< the cue ball falls
   no_budget
@@ -38,8 +38,8 @@ enum class Foul {
 
 struct Failure {
   Foul foul = Foul::none;
-  Contact contact{};  ///< what stood in the way
-  double speed = 0;   ///< m/s, what a bound on the speed forbids (too_fast, too_slow)
+  Contact contact{};  ///< the obstacle
+  double speed = 0;   ///< m/s; the speed needed, which a bound forbids (too_fast, too_slow)
   bool like(const Failure& o) const { return foul == o.foul && contact == o.contact; }
 };
 
@@ -51,20 +51,21 @@ struct NearMiss {
   Failure failure{};
 };
 
-/// A launch that leads near a mark along a route but is no shot: what it aims at is blocked, or no aim reaches it.
-/// Parts of the target may be reached beside it.
+/// A candidate that leads near an aim point along a route but is no shot: an obstacle blocks it, or no aim reaches the
+/// point. Parts of the target may be reachable beside it.
 struct Lead {
   Launch launch;
   Route route;
   Mark mark;
   LaunchSpin spin{};
-  double half = 0;  ///< rad beside the aim to look at; 0: as far as the target is wide
-  double room = -std::numeric_limits<double>::infinity();  ///< m, the largest clearance that was found there
+  double half = 0;  ///< rad; how far beside the aim to look; 0: as far as the target is wide
+  double room = -std::numeric_limits<double>::infinity();  ///< m; the largest clearance that was found there
 };
 
 struct Findings {
   std::vector<Shot> shots{};
-  /// Shots at their safest launches, by where they were found; none: worth less than the shot then in hand.
+  /// A shot moved to its safest launch, by the launch where it was found. No shot: it is worth less than the best one
+  /// known.
   struct Moved {
     Launch from;
     LaunchSpin spin;
@@ -74,17 +75,17 @@ struct Findings {
   std::vector<Lead> leads{};
   NearMiss nearest{};
   struct Counted {
-    Failure failure;  ///< of several speeds, the one nearest to the bound
+    Failure failure;  ///< with the speed nearest to the bound, of several
     long times;
   };
-  std::vector<Counted> failures{};  ///< why candidates failed, with how often
-  std::string note{};               ///< what was skipped or cut, for the message
+  std::vector<Counted> failures{};  ///< failure reasons of candidates, with their numbers
+  std::string note{};               ///< for the message: what was skipped or cut
   bool complete = false;            ///< every candidate there can be was tried
-  bool proved = false;              ///< and nothing else can reach any part of the target
-  bool rounding_decided = false;    ///< some path through a corner or along a line failed by rounding, perhaps
-  bool rivals_sought = false;       ///< on a map of wide cells
-  int not_searched = -1;            ///< so many cushions, or more, were not all searched when the budget ended
-  bool plenty = false;              ///< with so many shots that no more were looked for
+  bool proved = false;              ///< certified: also, nothing else can reach any part of the target
+  bool rounding_decided = false;    ///< some path through a corner or along a line may have failed by rounding
+  bool rivals_sought = false;       ///< an improvement pass used a map of wide cells
+  int not_searched = -1;            ///< least number of cushions not fully searched when the budget ended; -1: none
+  bool plenty = false;              ///< the search stopped because there were shots enough
 
   /// Counts a failed candidate, and keeps it if it came nearest.
   void remember(const NearMiss& miss);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Method: draw a ball and a launch, simulate, ask where the ball got to (or draw a target for a wished
-// sequence), round the numbers, solve. Cost: a few simulations a draw, a search a try.
-// Guarantee: what is returned was solved as it will be read.
+// Method: draw a ball and a launch, simulate, ask where the ball got to (or draw a target for a wished sequence), round
+// the numbers, solve.
+// Cost: a few simulations per draw, one search per try.
+// Guarantee: a puzzle that is returned was solved as it will be read.
 #include "bankshot/plan/generate.hpp"
 
 #include <fmt/format.h>
@@ -21,12 +22,12 @@ constexpr long draws_a_try = 50;
 
 double rounded(double x, double unit) { return std::round(x / unit) / std::round(1 / unit); }
 
-/// A thousandth of the power of ten below the diagonal: millimetres on any table one can play on.
+/// Returns a thousandth of the power of ten below the diagonal: millimetres on any playable table.
 double unit_of(const Table& table) { return std::pow(10, std::floor(std::log10(table.diagonal())) - 3); }
 
 Vec2d rounded(const Vec2d& p, double unit) { return {rounded(p.x, unit), rounded(p.y, unit)}; }
 
-/// Clear of cushions and pockets.
+/// Returns whether a place is clear of cushions and pockets.
 bool is_free(const Boundary& b, const Vec2d& p) {
   if (b.clearance(p) < b.body.radius / 2) return false;
   return std::all_of(b.pockets.begin(), b.pockets.end(),
@@ -34,7 +35,7 @@ bool is_free(const Boundary& b, const Vec2d& p) {
 }
 
 std::optional<Vec2d> free_place(Random& r, const Boundary& b, const Table& table) {
-  constexpr int enough = 1000;  // a table without room for the ball must not hang
+  constexpr int enough = 1000;  // a table without space for the ball must not hang
   const Vec2d low = table.lowest(), high = table.highest();
   for (int i = 0; i < enough; ++i) {
     const Vec2d p = rounded({r.uniform(low.x, high.x), r.uniform(low.y, high.y)}, unit_of(table));
@@ -43,7 +44,7 @@ std::optional<Vec2d> free_place(Random& r, const Boundary& b, const Table& table
   return {};
 }
 
-/// Half of all shots are struck in the centre; tenths of natural roll else.
+/// Draws the spin: half of all shots are struck in the centre, others with tenths of natural roll.
 LaunchSpin draw_spin(Random& r, const Physics& physics) {
   if (!carries_spin(physics) || r.chance(0.5)) return {};
   LaunchSpin s{r.integer(-5, 10) / 10.0, r.integer(-5, 5) / 10.0, 0};
@@ -60,14 +61,13 @@ Wish::Kind kind_of(const Puzzle& p) {
   return asked && asked->high == 0 ? Wish::Kind::stop : Wish::Kind::pass;
 }
 
-/// Numbers as a person would write them, and defaults where they do.
+/// Rounds numbers as a person would write them, and uses defaults where possible.
 void tidy(Puzzle& p) {
   constexpr double tenth = 0.1;
   const bool stops = kind_of(p) == Wish::Kind::stop;
   if (auto* point = std::get_if<PointTarget>(&p.target)) {
     const double unit = unit_of(p.table);
-    *point = {rounded(point->at, unit),
-              std::min(point->within, 10 * unit)};  // the default on any table one can play on
+    *point = {rounded(point->at, unit), std::min(point->within, 10 * unit)};  // the default on any playable table
   }
   const auto in_tenths = [&](double v) { return std::max(tenth, rounded(v, tenth)); };
   const Puzzle plain;
@@ -75,7 +75,7 @@ void tidy(Puzzle& p) {
     p.speed = plain.speed;
   else
     p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
-  constexpr double dropping = 0.5;  // m/s: one speed, so that a pocket has one answer, too
+  constexpr double dropping = 0.5;  // m/s; one speed, so that a pocket has one answer too
   if (kind_of(p) == Wish::Kind::pocket && !is_ideal(p.physics) && !p.speed.fixed())
     p.arrive = Range{dropping, dropping};
   else if (p.arrive && !stops)
@@ -84,8 +84,8 @@ void tidy(Puzzle& p) {
     p.arrive.reset();
 }
 
-/// A question about a shot drawn at random; none when it has other bounces, or falls into another pocket:
-/// most drop into the middle ones.
+/// Makes a puzzle from a random shot; none if the shot has other bounces or falls into another pocket. Without the
+/// choice of a pocket most would drop into the middle ones.
 std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& boundary, int pocket) {
   const auto at = free_place(r, boundary, w.table);
   if (!at) return {};
@@ -105,7 +105,7 @@ std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& bounda
 
 bool touches_balls(const Wish& w) { return w.kind && *w.kind >= Wish::Kind::kick; }
 
-/// Balls at free places, none of which touches another; false where there is no room.
+/// Puts balls at free places, none touching another; returns false if there is no space.
 bool scatter(Random& r, const Wish& w, const Boundary& boundary, Puzzle& p) {
   constexpr int usual = 3, patience = 200;
   const bool carom = w.kind == Wish::Kind::carom;
@@ -134,7 +134,7 @@ Target draw_ball(Random& r, const Wish& w) {
   return target;
 }
 
-/// Balls and a target drawn at random, for what hardly any drawn shot would do.
+/// Draws balls and a target at random, for wishes that hardly any random shot meets.
 std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boundary) {
   const auto at = free_place(r, boundary, w.table), target = free_place(r, boundary, w.table);
   if (!at || !target) return {};
@@ -156,7 +156,7 @@ std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boun
   return p;
 }
 
-/// Valid as it is written, and worth asking: the target is a fifth of the diagonal away or more.
+/// Returns whether the puzzle is valid as written and worth asking: the target is a fifth of the diagonal away or more.
 bool is_sound(const Puzzle& p, const Boundary& boundary) {
   try {
     validate(p);
@@ -168,9 +168,10 @@ bool is_sound(const Puzzle& p, const Boundary& boundary) {
   return norm(mark.at - p.ball.at) >= near * boundary.diagonal;
 }
 
-/// A drawn target often has no shot, and to be sure of that costs far more than to find one.
+/// Returns whether a shot is found quickly. A random target often has none, and to be sure of that costs far more than
+/// to find one.
 bool has_quick_shot(Puzzle p) {
-  // Simulations: a carom is looked for among all aims across its first ball.
+  // In simulations; a carom is looked for among all aims across its first ball.
   const long quick = off_of(p.target) != 0 ? 50000 : 2000;
   p.budget = std::min(budget_of(p), quick);
   return solve(p, {.robustness = false, .suggest = false}).status == Status::solved;

@@ -10,11 +10,11 @@
 namespace bankshot {
 namespace {
 
-/// Simulated at most, around the window as well: some seconds.
+/// Most cells that are simulated, including those around the window: some seconds.
 constexpr int most_cells = 2000000;
 InvalidInput too_fine() { return {"/noise", "reaches over more cells than are simulated: ask for fewer, wider cells"}; }
 
-/// The chances that a normal error ends in each of the cells around, from -n to n.
+/// Returns the probabilities that a normal error ends in each of the cells from -n to n.
 std::vector<double> weights(double deviation, double cell) {
   const double reach = std::ceil(planning::settings::success::widest * deviation / cell);
   if (reach > most_cells) throw too_fine();
@@ -40,8 +40,8 @@ struct Rows {
   }
 };
 
-/// Each row summed with the weights: as many cells fewer on either side as the weights reach. Turned, so that twice
-/// does both directions.
+/// Sums each row with the weights, so that it loses as many cells on either side as they reach. The result is
+/// transposed, so that two calls do both directions.
 Rows blurred(Rows& from, const std::vector<double>& weights) {
   const auto reach = static_cast<int>(weights.size()) - 1;
   Rows to(from.rows, from.columns - reach);
@@ -69,7 +69,7 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
   const std::vector<double> by_aim = weights(puzzle.noise.angle, aim),
                             by_speed = weights(puzzle.noise.speed_at((grid.speed.low + grid.speed.high) / 2), faster);
   const int beside = static_cast<int>(by_aim.size()) / 2, above = static_cast<int>(by_speed.size()) / 2;
-  // As far around the window as the noise reaches.
+  // The grid extends around the window as far as the noise reaches.
   const LaunchGrid around{{grid.angle.low - beside * aim, grid.angle.high + beside * aim},
                           {grid.speed.low - above * faster, grid.speed.high + above * faster},
                           grid.angles + 2 * beside,

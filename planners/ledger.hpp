@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a search has spent, and whether it may spend more. Every path that is followed is charged here, by its bounces.
+// The evaluation budget of a search: simulations spent, and whether more may be. Every path that is followed counts, by
+// its bounces.
 #pragma once
 
 #include <algorithm>
@@ -14,46 +15,46 @@ inline constexpr std::size_t bounces_a_simulation = 32;
 
 class Ledger {
  public:
-  /// `cancelled`, if given, ends the search as soon as it is true; it must outlive this.
+  /// `cancelled`, if not null, ends the search as soon as it is true; it must outlive this.
   explicit Ledger(long budget, const std::atomic<bool>* cancelled = nullptr)
       : budget_(budget), limit_(budget), cancelled_(cancelled) {}
 
-  /// `times` paths with so many bounces each.
+  /// Counts `times` paths with so many bounces each.
   void charge(std::size_t bounces, long times = 1) {
     simulations_ += times * (1 + static_cast<long>(bounces / bounces_a_simulation));
   }
   long simulations() const { return simulations_; }
 
-  /// Nothing is left, or the search was cancelled. Remembers that this ended the search.
+  /// Returns whether nothing is left or the search was cancelled, and remembers that this ended the search.
   bool spent() {
     cut_ = cut_ || simulations_ >= limit_ || cancelled();
     return cut_;
   }
-  /// The search was ended so, and not because it was done.
+  /// Returns whether the search was ended so, and not because it was done.
   bool cut() const { return cut_; }
   bool cancelled() const { return cancelled_ && cancelled_->load(std::memory_order_relaxed); }
 
-  /// The next of `parts` searches, each with an even share of what is left.
+  /// Begins the next of `parts` searches, which gets an even share of the rest.
   void begin_part(std::size_t parts) {
     limit_ = simulations_ + (budget_ - simulations_) / static_cast<long>(parts);
     cut_ = false;
   }
-  /// Nothing of the whole budget is left.
+  /// Returns whether the whole budget is spent, or the search was cancelled.
   bool exhausted() const { return simulations_ >= budget_ || cancelled(); }
-  /// Simulations that may still be spent.
+  /// Returns the number of simulations that may still be spent.
   long left() const { return std::max(0L, limit_ - simulations_); }
-  /// Simulations at which this share of what is left to the part is used.
+  /// Returns the count of simulations at which this share of the part's rest is used.
   long share_of_rest(double share) const {
     return simulations_ + static_cast<long>(share * static_cast<double>(limit_ - simulations_));
   }
 
-  bool measures = false;  ///< clock the proofs, at the price of a clock beside each
+  bool measures = false;  ///< time the verification; this costs two readings of the clock each
   double proof_us = 0;
 
  private:
   long simulations_ = 0;
   long budget_;
-  long limit_;  ///< of the part that is searched now
+  long limit_;  ///< for the part that is searched now
   const std::atomic<bool>* cancelled_;
   bool cut_ = false;
 };

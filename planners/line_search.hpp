@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The searches in one dimension that planners use. None counts what it costs: whoever evaluates does.
-//   bisect   moves together two numbers, one where something holds and one where it does not
-//   climb    golden sections (Kiefer 1953): three numbers of which the middle one is best close in on a maximum
-//   false_position   (Illinois; Dowell & Jarratt 1971) two numbers between which a function changes its sign
+// The one-dimensional searches that planners use. None counts its evaluations; the function that evaluates does.
+//   bisect          moves two numbers together, one where something holds and one where it does not
+//   climb           golden sections (Kiefer 1953): three numbers, the middle one the best, close in on a maximum
+//   false_position  (Illinois; Dowell & Jarratt 1971) two numbers between which a function changes its sign
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace bankshot::planning {
 inline double arithmetic_mean(double a, double b) { return a + (b - a) / 2; }
 inline double geometric_mean(double a, double b) { return std::sqrt(a * b); }
 
-/// `holds` at `inside`, not at `outside`, which may lie on either side. Goes on while `wide(inside, outside)` and
-/// numbers are left between them.
+/// Moves `inside`, where `holds` is true, and `outside`, where it is not, together; either may be the larger. It
+/// continues while `wide(inside, outside)` and numbers are left between them.
 template <class Wide, class Holds>
 void bisect(double& inside, double& outside, Wide&& wide, Holds&& holds,
             double (*mean)(double, double) = arithmetic_mean) {
@@ -25,8 +25,8 @@ void bisect(double& inside, double& outside, Wide&& wide, Holds&& holds,
   }
 }
 
-/// Where `value` is within `enough` of 0 between a and b, or after so many evaluations, or where it has no value: it is
-/// an optional number. Where the same end stays twice it is weighed down by half.
+/// Returns a number between a and b where `value` is within `enough` of 0. It stops early after `most` evaluations, or
+/// where `value`, an optional number, has none. If the same end stays twice, its value is halved.
 template <class Value>
 double false_position(double a, double at_a, double b, double at_b, double enough, int most, Value&& value) {
   double middle = a;
@@ -43,8 +43,8 @@ double false_position(double a, double at_a, double b, double at_b, double enoug
   return middle;
 }
 
-/// `Point` has the members `x` and `value`; `low.x <= best.x <= high.x` and best.value is the largest.
-/// `attempt(x, best)` makes a Point. Ends when the ends are `finest` apart, or `settled(low, best, high)`.
+/// Finds a maximum. `Point` has the members `x` and `value`; `low.x <= best.x <= high.x` and best.value is the largest.
+/// `attempt(x, best)` makes a Point. The search ends when the ends are `finest` apart, or `settled(low, best, high)`.
 template <class Point, class Attempt, class Settled>
 Point climb(Point low, Point best, Point high, double finest, Attempt&& attempt, Settled&& settled) {
   constexpr double golden = 0.3819660112501051;  // (3 − √5) / 2

@@ -17,14 +17,14 @@
 namespace bankshot::planning {
 namespace {
 
-/// The aims that the puzzle allows, in words.
+/// Returns the aims that the puzzle allows, in words.
 std::string aims(const Question& q) {
   const Range aim = q.angle.value_or(Range{0, radians(360)});
   const double to = degrees(aim.high);
   return fmt::format("{:.4g}° to {:.4g}°", degrees(aim.low), to > 360 ? to - 360 : to);
 }
 
-/// What went wrong, as the end of a sentence that begins with "it".
+/// Says what went wrong, as the end of a sentence that begins with "it".
 std::string explain(const Question& q, const Failure& f) {
   const auto cushion = [&] { return contact_name(q.puzzle, f.contact); };
   const Range& v = q.speed;
@@ -59,14 +59,14 @@ std::string explain(const Question& q, const Failure& f) {
     case Foul::scratched:
       return "pockets the cue ball";
     case Foul::other_bounces:
-    case Foul::no_budget:  // nothing that is refused so is counted
+    case Foul::no_budget:  // launches refused for this are not counted
     case Foul::outside_aim:
       break;
   }
   return fmt::format("needs an aim outside the bounds of {}", aims(q));
 }
 
-/// What a launch does instead of what is asked, or the bound at which it is held.
+/// Says what a launch does instead of what is asked, or at which bound it is held.
 std::string why(const Question& q, const Proof& proof) {
   const Launch& l = proof.shot.launch;
   const auto at_end = [](double v, const Range& r) {
@@ -83,7 +83,7 @@ std::string why(const Question& q, const Proof& proof) {
   return explain(q, proof.failure);
 }
 
-/// The reasons that candidates failed for, the most frequent first.
+/// Returns the failure reasons of candidates, the most frequent first.
 std::string reasons(const Question& q, const Findings& found) {
   std::vector<Findings::Counted> by_count = found.failures;
   std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.times > b.times; });
@@ -104,7 +104,7 @@ std::string asked_cushions(const CushionRule& c) {
   return fmt::format("{} to {} cushions", c.min, c.max);
 }
 
-/// A warning where double precision is not enough for an exact answer: the replay's miss is then rounding, too.
+/// Returns a warning if double precision is not enough for an exact answer: the replay's miss is then rounding, too.
 std::string uncertain(const Question& q, const Shot& shot) {
   if (!shot.digits) return "";
   if (*shot.digits == 0) return "; how often it bounces at its target is up to rounding";
@@ -112,10 +112,10 @@ std::string uncertain(const Question& q, const Shot& shot) {
                      q.boundary.diagonal * std::pow(10, -*shot.digits));
 }
 
-/// Why a shot is not on the exact line or point: what its route meets there.
+/// Says why a shot is not on the exact line or point: what its route meets there.
 std::string why_beside(const Question& q, const Shot& shot) {
   const Route route = route_of(shot);
-  Ledger aside(settings::most_spent_on_words);  // what an answer says is no part of the search
+  Ledger aside(settings::most_spent_on_words);  // the words of an answer do not count against the budget
   const Question own = q.pinned || q.one_unknown() ? q : q.asking(shot.arrival.speed);
   const auto root = newton({own, route, q.mark_of(shot)}, aside, shot.launch, settings::wide);
   const auto& cuts = q.mark_of(shot).cuts;
@@ -176,7 +176,7 @@ std::string no_shot(const Question& q, const Findings& found) {
                      reasons(q, found));
 }
 
-/// What may have kept a shot from being found, or made the question odd.
+/// Returns remarks on an odd puzzle that may explain why no shot was found.
 std::string caveats(const Question& q) {
   std::string text;
   const Mark& mark = q.nearest_mark(q.puzzle.ball.at);
@@ -205,7 +205,7 @@ std::string message(const Question& q, const Ledger& ledger, const Findings& fou
 void add_nearest(const Question& q, const Findings& found, bool scan, Answer& a) {
   const auto launch = a.status == Status::no_shot ? nearest_launch(q, found, scan) : std::nullopt;
   if (!launch) return;
-  Ledger aside(2);  // what an answer shows is no part of the search
+  Ledger aside(2);  // the nearest miss does not count against the budget
   Proof proof = prove(q, aside, *launch, Goal::of(q));
   add_first_order(q, proof.shot);
   proof.shot.planner = "none";

@@ -14,10 +14,10 @@ namespace {
 
 using namespace settings::nearest;
 
-/// A launch and how it misses.
+/// A launch and its miss.
 struct Miss {
   Launch launch{};
-  bool bounces = false;  ///< it makes those that are asked
+  bool bounces = false;  ///< it makes the bounces asked
   double miss = std::numeric_limits<double>::infinity();
 
   bool nearer(const Miss& o) const { return bounces != o.bounces ? bounces : miss < o.miss; }
@@ -31,7 +31,7 @@ class Scan {
     if (q.one_unknown() || is_ideal(q.puzzle.physics)) speeds_.low = speeds_.high = q.fixed_speed();
   }
 
-  /// Brought inside the bounds, and followed.
+  /// Brings a launch inside the bounds, follows it, and keeps it if it is among the nearest.
   void look(Launch l) {
     l.speed = std::clamp(l.speed, speeds_.low, speeds_.high);
     if (q_.puzzle.angle) l.angle = nearest_aim(l.angle);
@@ -52,7 +52,7 @@ class Scan {
     }
   }
 
-  /// Steps that halve, from each of the best.
+  /// Runs a compass search with steps that halve, from each of the best.
   void climb() {
     const auto from = best_;
     for (const Miss& start : from) {
@@ -94,7 +94,7 @@ class Scan {
     return other.nearer(m) ? other : m;
   }
 
-  /// Of the aims that are allowed.
+  /// Returns the nearest aim that is allowed.
   double nearest_aim(double angle) const {
     const double middle = (aims_.low + aims_.high) / 2;
     return std::clamp(middle + angle_difference(middle, angle), aims_.low, aims_.high);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The closest miss where there is no shot: of launches inside all bounds the one that makes the bounces asked and
-// passes, or rests, nearest to a mark; where none makes them, the one that ends nearest.
+// The closest miss if there is no shot. Of launches inside all bounds it is the one that makes the bounces asked and
+// passes, or rests, nearest to an aim point. If none makes them, it is the one that ends nearest.
 // Method: a grid of aims and speeds and what the search remembers, then a compass search from the best few.
-// Cost: settings::nearest, some 3,500 simulations; what an answer shows is no part of the search.
+// Cost: settings::nearest, some 3,500 simulations, which do not count against the budget.
 #pragma once
 
 #include "planners/findings.hpp"
@@ -11,7 +11,7 @@
 
 namespace bankshot::planning {
 
-/// None where no launch is allowed; without `scan` of what the search remembers alone.
+/// Returns none if no launch is allowed; without `scan` only what the search remembers is tried.
 std::optional<Launch> nearest_launch(const Question& q, const Findings& found, bool scan);
 
 }  // namespace bankshot::planning

@@ -17,13 +17,13 @@ Physics roughly(Physics p) {
   return p;
 }
 
-/// The spin of a range that is nearest to none.
+/// Returns the spin of a range that is nearest to none.
 LaunchSpin least_of(const SpinRange& r) {
   const auto least = [](const Range& v) { return std::clamp(0.0, v.low, v.high); };
   return {least(r.top), least(r.side), least(r.masse)};
 }
 
-/// The cushions and vertices that a ball touches.
+/// Returns the cushions and vertices that a ball touches.
 std::vector<Contact> touched_by(const Boundary& boundary, const Vec2d& at) {
   const double slack = boundary.touch;
   std::vector<Contact> out;
@@ -42,7 +42,7 @@ std::vector<Contact> touched_by(const Boundary& boundary, const Vec2d& at) {
 
 namespace {
 
-/// With any launch.
+/// Returns the scene without a launch.
 ShotRequest scene_of(const Puzzle& p) {
   return {.table = p.table, .physics = p.physics, .ball = p.ball, .others = p.others};
 }

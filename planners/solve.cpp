@@ -39,7 +39,7 @@ std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shot
   return out;
 }
 
-/// One spin, or those of the puzzle's ranges on a grid, least first.
+/// Returns one spin, or those of the puzzle's ranges on a grid, least first.
 std::vector<LaunchSpin> spins_to_try(const Puzzle& p) {
   if (!p.spin_range) return {p.spin};
   constexpr int steps = planning::settings::steps_of_spin;
@@ -64,7 +64,7 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Margins and words of what a search found.
+/// Makes the answer from the result of a search: success, margins and words.
 Answer finish(const Question& q, const Ledger& ledger, Findings& found, const SolveOptions& options, double time_us) {
   Answer a{.id = q.puzzle.id, .about = q.puzzle.about};
   a.simulations = ledger.simulations();
@@ -72,7 +72,7 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   a.cost.certify_us = ledger.proof_us;
   a.status = !found.shots.empty() ? Status::solved : ledger.cut() ? Status::budget : Status::no_shot;
   planning::add_nearest(q, found, options.suggest, a);
-  Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
+  Ledger aside(std::numeric_limits<long>::max());  // rating the shots does not count against the budget
   if ((options.robustness || q.safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
     if (q.puzzle.prefer == Prefer::robust && !q.all() && !q.safest()) planning::best_first(q, aside, found.shots);
@@ -95,7 +95,7 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
   return a;
 }
 
-/// The puzzle with one spin of its ranges.
+/// Returns the puzzle with one spin of its ranges.
 Puzzle with_spin(Puzzle p, const LaunchSpin& spin) {
   p.spin = spin;
   p.spin_range.reset();
@@ -106,7 +106,7 @@ Wanted wanted(const SolveOptions& options) {
   return options.all ? Wanted::all : options.first ? Wanted::first : Wanted::best;
 }
 
-/// True where the launch of a shot of a looser puzzle is one as asked: then it is kept.
+/// Verifies the launch of a shot of a looser puzzle as asked; keeps the shot and returns true if it is one.
 bool keep_as_asked(const Question& q, Ledger& ledger, Findings& found, const Shot& shot) {
   return planning::as_struck(q, shot, [&](const Question& own) {
     const int bounces = bounces_of(planning::route_of(shot));
@@ -117,7 +117,8 @@ bool keep_as_asked(const Question& q, Ledger& ledger, Findings& found, const Sho
   });
 }
 
-/// Words for what would open a puzzle that has no shot; or a shot as asked, where a looser search comes upon one.
+/// Returns words on what would open a puzzle without a shot, or none if a looser search finds a shot as asked, which is
+/// kept.
 std::string hint(const Puzzle& puzzle, const Question& q, Ledger& ledger, Findings& found,
                  const SolveOptions& options) {
   const SolveOptions plain{.robustness = false, .suggest = false, .cancelled = options.cancelled};

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of the struck ball right after the launch: the one place where a launch becomes motion.
+// The state of the cue ball right after the launch: the one place where a launch becomes motion.
 #pragma once
 
 #include "planners/question.hpp"
 
 namespace bankshot::planning {
 
-/// At an angle [rad] and a speed [m/s] with or without derivatives.
+/// Returns the state for an angle [rad] and a speed [m/s], with or without derivatives.
 template <class T>
 State<T> start_of(const Question& q, const T& angle, const T& speed) {
   using std::cos, std::sin;
   return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, Vec2<T>{cos(angle), sin(angle)} * speed, q.spin);
 }
 
-/// At an exact direction, as the simulator launches it.
+/// Returns the state for an exact direction, as the simulator launches it.
 inline State<double> start_of(const Question& q, const Launch& launch) {
   return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, direction(launch.angle) * launch.speed, q.spin);
 }
 
-/// The same with its derivatives by the first N unknowns: the aim, and ln speed. `Dual<N>`: a dual number.
+/// Returns the state with its derivatives by the first N unknowns: the aim, and ln speed. `Dual<N>`: a dual number.
 template <class Dual, int N>
 State<Dual> dual_start(const Question& q, const Launch& launch) {
   const Vec2d v = direction(launch.angle) * launch.speed, turned = perpendicular(v);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// When a search stops: the one place that says so. A step asks before each thing it tries.
-//   satisfied     a shot was found, and no other is wanted
-//   over          nothing more may be tried: satisfied, or the budget is spent
-//   enough_seeds  a step that proposes seed after seed may stop: there are shots enough to choose from
-//   enough_images the same for images that are exact: where they come shortest first, the first-order margin only falls
-//                 with the length, so later ones are worse unless a bound or a pocket makes the difference
-//   route_settled of a route that is given one root is all there is, but where every shot is wanted
-//   nothing_yet   there is no shot, and the budget is not spent: the next step of `auto` has its turn
+// When a search stops: this is the one place that says so. A step asks before each thing it tries.
+//   satisfied      a shot was found, and no other is wanted
+//   over           nothing more may be tried: satisfied, or the budget is spent
+//   enough_seeds   a step that proposes seed after seed may stop: there are shots enough to choose from
+//   enough_images  a step that proposes exact images may stop. If they come shortest first, the first-order margin only
+//                  falls with the length, so later ones are worse unless a bound or a pocket makes the difference
+//   route_settled  one root of a given route is all there is to find, unless every shot is wanted
+//   nothing_yet    there is no shot, and the budget is not spent: the next step of `auto` has its turn
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ inline bool enough_seeds(const Question& q, Ledger& ledger, Findings& found) {
 inline bool enough_images(const Question& q, const Findings& found, bool shortest_first) {
   if (satisfied(q, found)) return true;
   if (q.all() || !shortest_first) return false;
-  // Those into a cushion that the ball touches come last.
+  // Shots into a cushion that the ball touches come last.
   const auto counts = [&](const Shot& s) { return !q.into_touched_cushion(s.launch.angle); };
   const auto seen = static_cast<std::size_t>(std::ranges::count_if(found.shots, counts));
   return seen >= (q.puzzle.prefer == Prefer::robust ? settings::enough_to_compare : 1);
@@ -47,7 +47,7 @@ inline bool route_settled(const Question& q, const Findings& found) {
 
 inline bool nothing_yet(const Ledger& ledger, const Findings& found) { return found.shots.empty() && !ledger.cut(); }
 
-/// Whether a step that finds more shots, and not just one, has its turn.
+/// Returns whether a step that finds more shots, and not just one, has its turn.
 inline bool more_wanted(const Question& q, const Ledger& ledger, const Findings& found) {
   return (q.all() && !ledger.cut()) || nothing_yet(ledger, found);
 }

@@ -17,7 +17,7 @@ class Search {
  public:
   Search(const Solve& solve, const IsAsked& is_asked) : solve_(solve), is_asked_(is_asked) {}
 
-  /// The softest shot of a changed puzzle.
+  /// Returns the softest shot of a changed puzzle.
   std::optional<Shot> opened(Puzzle p) {
     if (over_) return {};
     p.prefer = Prefer::soft;
@@ -35,7 +35,7 @@ class Search {
   bool over_ = false;
 };
 
-/// With launches as fast as a strong break, or as slow as any.
+/// Tries launches as fast as a strong break, or as slow as any.
 std::string of_speed(const Puzzle& puzzle, Search& search) {
   const Range& v = puzzle.speed;
   const double fastest = std::max(v.high, settings::hints::strong_break), slowest = std::min(v.low, Puzzle{}.speed.low);
@@ -44,7 +44,7 @@ std::string of_speed(const Puzzle& puzzle, Search& search) {
     if (wider.low == v.low && wider.high == v.high) continue;
     Puzzle p = puzzle;
     p.speed = wider;
-    if (v.fixed()) p.arrive = Range{0, fastest};  // as it may arrive now
+    if (v.fixed()) p.arrive = Range{0, fastest};  // the launch speed is no longer fixed, so the arrival may be anything
     const auto shot = search.opened(p);
     if (!shot || v.contains(shot->launch.speed)) continue;
     const double speed = shot->launch.speed;
@@ -54,7 +54,7 @@ std::string of_speed(const Puzzle& puzzle, Search& search) {
   return "";
 }
 
-/// The numbers of balls that a target speaks of.
+/// Returns the numbers of balls that a target names.
 std::vector<int*> named_by(Target& target) {
   std::vector<int*> out;
   auto* const balls = std::get_if<BallTarget>(&target);
@@ -66,7 +66,7 @@ std::vector<int*> named_by(Target& target) {
   return out;
 }
 
-/// Without one ball, or all, but for those that the target names.
+/// Returns the puzzle without one ball, or without all; balls that the target names stay.
 Puzzle without(const Puzzle& puzzle, std::optional<std::size_t> taken) {
   Puzzle p = puzzle;
   const std::vector<int*> targets = named_by(p.target);
@@ -82,7 +82,7 @@ Puzzle without(const Puzzle& puzzle, std::optional<std::size_t> taken) {
   return p;
 }
 
-/// One of the balls in the way, or all of them.
+/// Tries without each of the other balls, if there is a shot without all of them.
 std::string of_balls(const Puzzle& puzzle, Search& search) {
   const Puzzle none = without(puzzle, {});
   if (none.others.size() == puzzle.others.size() || !search.opened(none)) return "";

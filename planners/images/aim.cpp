@@ -10,14 +10,14 @@
 namespace bankshot::planning {
 namespace {
 
-/// Rounding, not geometry, may have decided: the path meets a corner, or ends on a cushion line.
+/// Returns whether rounding, not geometry, may have decided: the path meets a corner, or ends on a cushion line.
 bool rounding_may_matter(const Replay& r) {
   const Foul f = r.failure.foul;
   return f == Foul::in_place || f == Foul::wrong_cushion || f == Foul::extra_cushion || f == Foul::fell_short ||
          f == Foul::missed;
 }
 
-/// One aim, and those beside it that rounding may tell from it.
+/// One aim, and the aims beside it that rounding may take for it.
 class AimTried {
  public:
   AimTried(const Question& q, Ledger& ledger, Findings& found, int bounces, std::string_view step, Demand demand)
@@ -32,7 +32,7 @@ class AimTried {
   bool run(double angle) {
     if (attempt(angle, 0)) return true;
     if (demand_ == Demand::off_centre || !(last_.made || rounding_may_matter(last_))) return false;
-    // The trace runs at unit speed, so its time bounds the metres that a radian moves the target by.
+    // The trace runs at unit speed, so its time bounds the metres by which a radian of aim moves the arrival.
     const double path = std::max(last_.arrival.time, 1e-3 * q_.boundary.diagonal);
     const double step = tolerance::nudge * q_.boundary.diagonal / path;
     if (round_angle(angle, step) || beside(angle, step)) return true;
@@ -41,7 +41,7 @@ class AimTried {
   }
 
  private:
-  /// `shorter`: the share by which the launch is slower than the trace says.
+  /// Tries one aim. `shorter`: share by which the launch is slower than the trace says.
   bool attempt(double angle, double shorter) {
     const Trace t = trace(q_, ledger_, angle, goal_);
     last_ = t.replay;
@@ -59,12 +59,12 @@ class AimTried {
     return !ledger_.spent() && certify(q_, ledger_, found_, launch, bounces_, step_, demand_);
   }
 
-  /// A path through corners was likely asked at a round angle, which the image has to rounding only.
+  /// Tries a rounded angle: a path through corners was likely asked at one, and the image has it only to rounding.
   bool round_angle(double angle, double step) {
     const double rounded = radians(std::round(degrees(angle) * 1e9) / 1e9);
     if (!(std::abs(rounded - angle) < step)) return false;
     if (!ledger_.spent() && attempt(rounded, 0)) return true;
-    // Two cushions met in one instant at the speed that is given need not be at the trace's.
+    // Two cushions that are met in one instant at the given speed need not be so at the trace's.
     return q_.one_unknown() && certified({q_.fixed_speed(), rounded});
   }
 
@@ -87,7 +87,7 @@ class AimTried {
   Goal goal_;
   Replay last_{};
   std::optional<Failure> first_{};
-  bool alike_ = true;  ///< on both sides of the aim a path fails for one reason, unless it runs through a corner
+  bool alike_ = true;  ///< all aims failed for one reason; at a corner the two sides of the aim fail for different ones
 };
 
 }  // namespace
@@ -104,15 +104,15 @@ std::optional<double> launch_speed(const Question& q, Findings& found, double an
       found.remember({{bound, angle}, t.replay.bounces, t.replay.miss, {foul, {}, needed}});
       return std::nullopt;
     };
-    // Resting beside the target's centre may still be resting within it.
+    // A ball that rests beside the target's centre may still rest within the target.
     if (demand == Demand::off_centre && q.stop) return std::clamp(low, bounds.low, bounds.high);
     if (!bring_inside(low, bounds) && low > bounds.high) return refuse(Foul::too_fast, low, bounds.high);
     if (!bring_inside(high, bounds) && high < bounds.low) return refuse(Foul::too_slow, high, bounds.low);
     low = std::max(low, bounds.low);
     high = std::min(high, bounds.high);
   }
-  // On a path that does not depend on the speed, more speed only carries the ball on, so it is
-  // the most robust and the quickest.
+  // On a path that does not depend on the speed, more speed only carries the ball farther, so it is the most robust and
+  // the quickest.
   return q.puzzle.prefer == Prefer::soft ? low : high;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From an aim to a shot where the shape of a path does not depend on its speed (`ideal`, `rolling`): a trace at unit
-// speed tells what the path costs, the launch speed follows in closed form, and the launch is certified.
+// Makes a shot from an aim if the shape of a path does not depend on its speed (`ideal`, `rolling`). A trace at unit
+// speed gives the cost of the path, the launch speed follows in closed form, and the launch is verified.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,13 @@
 
 namespace bankshot::planning {
 
-/// The launch speed for this path: fixed, or chosen by `prefer` inside what the puzzle leaves free. None when a bound
-/// forbids it; then that is counted. To rest beside the target's centre the bound itself is tried, too.
+/// Returns the launch speed for this path: fixed, or chosen by `prefer` within the puzzle's bounds. If a bound forbids
+/// it, the failure is counted and there is none. To rest beside the target's centre, the bound itself is tried too.
 std::optional<double> launch_speed(const Question& q, Findings& found, double angle, const Trace& t,
                                    Demand demand = Demand::exact);
 
-/// Where rounding decides at a corner or on a cushion line, aims `tolerance::nudge` away are tried as well.
+/// Verifies an aim and keeps its shot. If rounding decides at a corner or on a cushion line, aims `tolerance::nudge`
+/// away are tried too.
 bool certify_aim(const Question& q, Ledger& ledger, Findings& found, double angle, int bounces, std::string_view step,
                  Demand demand = Demand::exact);
 

@@ -11,7 +11,7 @@ namespace bankshot::planning {
 Vec2d on_exact_line(const Mark& mark, const Affine& image, const Vec2d& from) {
   using namespace settings::exact_line;
   if (!mark.captures()) return mark.at;
-  // On the table all rays from the ball come from one place.
+  // Seen on the table, all rays from the ball come from one place.
   const Vec2d way = image.back(image.apply(mark.at) - from), middle = way / norm(way);
   const double distance = norm(way) / std::abs(image.xx * image.yy - image.xy * image.yx);
   Vec2d u = middle;

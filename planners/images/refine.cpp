@@ -23,7 +23,8 @@ bool refine_aim(const LockedAim& aim, Ledger& ledger, Findings& found, double an
 
 void refine_images(const Question& q, Ledger& ledger, Findings& found, std::string_view step, const RootFinder& find) {
   const bool straight = is_straight(q.puzzle.physics);
-  std::set<std::pair<Route, std::size_t>> settled;  // a route with a root to a mark hardly ever has another
+  // A route with a root at one aim point hardly ever has another there.
+  std::set<std::pair<Route, std::size_t>> settled;
   for (const Lead& lead : found.leads)
     if (q.starts())
       settled.insert({lead.route, static_cast<std::size_t>(std::ranges::find(q.marks, lead.mark) - q.marks.begin())});
@@ -35,7 +36,7 @@ void refine_images(const Question& q, Ledger& ledger, Findings& found, std::stri
       if (double aim = image->angle; q.starts() && !inside_aims(aim, q.angle)) continue;
       std::pair key{images.route(*image), image->mark};
       if (!straight && settled.contains(key)) continue;
-      if (key.first.empty() && share != settings::restitution_shares.front()) continue;  // no cushion bends it
+      if (key.first.empty() && share != settings::restitution_shares.front()) continue;  // no cushion bends the path
       const LockedAim aim{q, key.first, q.marks[image->mark]};
       if (refine_aim(aim, ledger, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));
     }

@@ -14,17 +14,17 @@ using namespace settings::unfolding;
 
 namespace {
 
-/// Sums of coordinates stand for lengths: no root is worth while here.
+/// Returns a tolerance of cross products. Sums of coordinates stand for lengths, since a root would cost too much here.
 double slack(const Vec2d& a, const Vec2d& b) {
   return ray_slack * (std::abs(a.x) + std::abs(a.y)) * (std::abs(b.x) + std::abs(b.y));
 }
 
-/// `ray` lies in the beam from `a` anticlockwise to `b` (less than half a turn wide).
+/// Returns whether `ray` lies in the beam from `a` anticlockwise to `b` (less than half a turn wide).
 bool in_beam(const Vec2d& a, const Vec2d& b, const Vec2d& ray) {
   return cross(a, ray) >= -slack(a, ray) && cross(ray, b) >= -slack(b, ray) && (dot(a, ray) > 0 || dot(b, ray) > 0);
 }
 
-/// Anticlockwise from `a` to `b`, in (−π, π].
+/// Returns the angle anticlockwise from `a` to `b`, in (−π, π].
 double angle_between(const Vec2d& a, const Vec2d& b) { return std::atan2(cross(a, b), dot(a, b)); }
 
 double walls_apart(const Boundary& b, int i, int j) {
@@ -127,17 +127,18 @@ std::optional<Candidate> Unfolding::candidate(const Node& node, std::size_t i) c
   return passes || only_part || q_.route ? std::optional(c) : std::nullopt;
 }
 
-/// A pocket that captures before a cushion through it is met: no path to it ends in a bounce there.
+/// Returns whether a pocket captures before a cushion through it is met, so that no path to it ends in a bounce there.
 bool Unfolding::is_point(const Mark& mark) const {
   return mark.drops() && mark.reach <= tolerance::point_pocket * q_.boundary.diagonal;
 }
 
-/// From a place on the table, a little way on.
+/// Returns whether a little step from a place leads over the table.
 bool Unfolding::leads_over_table(const Vec2d& from, const Vec2d& way) const {
   return q_.boundary.clearance(from + way * (little_way * q_.boundary.diagonal / norm(way))) >= -q_.boundary.touch;
 }
 
-/// No ray of the beam reaches any part of the target, nor an exact line of it. Sums of coordinates stand for lengths.
+/// Returns whether no ray of the beam reaches any part of the target, nor an exact line of it. Sums of coordinates
+/// stand for lengths.
 bool Unfolding::is_beside(const Node& node, const Mark& mark) const {
   if (node.open) return false;
   const Vec2d middle = node.image.apply(mark.at) - q_.puzzle.ball.at;
@@ -148,11 +149,11 @@ bool Unfolding::is_beside(const Node& node, const Mark& mark) const {
   return outside(node.from, cross(node.from, middle)) || outside(node.to, cross(middle, node.to));
 }
 
-/// The aims beside a candidate's that are in the beam and may reach some part of the target.
+/// Finds the aims beside a candidate's that are in the beam and may reach some part of the target.
 void Unfolding::find_window(const Node& node, const Mark& mark, Candidate& c) const {
   const Vec2d middle = node.image.apply(mark.at) - q_.puzzle.ball.at;
   const double distance = norm(middle);
-  // Twice the mean stretch bounds the largest one, so the image of the target lies within this.
+  // Twice the mean stretch bounds the largest one, so this bounds the image of the target.
   const double covers = mark.reach * (mirrors_ ? 1 : 2 * node.image.stretch()) / distance;
   const double half = covers < 1 ? std::asin(covers) : radians(180),
                turned = c.ray == middle ? 0 : angle_between(c.ray, middle);
@@ -202,9 +203,9 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   if (wall == node.last) return {};
   const Wall& w = q_.boundary.walls[static_cast<std::size_t>(wall)];
   if (node.open && q_.touches(w.contact)) return q_.in_vertex() ? std::nullopt : at_start(node, wall);
-  if (dot(w.to - w.from, w.along) < 0) return {};  // no ball fits there
+  if (dot(w.to - w.from, w.along) < 0) return {};  // the ball does not fit there
   if (node.last >= 0) {
-    // Beyond the line of the cushion just left there is no path.
+    // There is no path beyond the line of the cushion just left.
     const Wall& left = q_.boundary.walls[static_cast<std::size_t>(node.last)];
     const double behind = q_.boundary.touch;
     if (dot(left.normal, w.from) - left.offset < behind && dot(left.normal, w.to) - left.offset < behind) return {};
@@ -222,7 +223,7 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   Node next{through(node.image, wall), from, to};
   next.open = false;
   next.distance = std::max(node.distance, distance_to(a, b));
-  // Neighbouring cushions meet in a corner, so look two back as well.
+  // Neighbouring cushions meet in a corner, so the cushion two back counts as well.
   next.before = node.last;
   next.length_before = node.length;
   next.length = std::max(node.length + apart(node.last, wall), node.length_before + apart(node.before, wall));
@@ -234,8 +235,8 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   return next;
 }
 
-/// A cushion that the ball touches: it bounces before it moves, so all aims are left. Between two cushions the ball
-/// comes back to the first only where they meet in an acute angle.
+/// Returns the node after a cushion that the ball touches at the start. It bounces before it moves, so all aims are
+/// left. Between two cushions the ball comes back to the first only if they meet in an acute angle.
 std::optional<Unfolding::Node> Unfolding::at_start(const Node& node, int wall) const {
   const auto normal = [&](int i) { return q_.boundary.walls[static_cast<std::size_t>(i)].normal; };
   if (wall == node.before && dot(normal(wall), normal(node.last)) >= 0) return {};
@@ -253,7 +254,7 @@ void Unfolding::follow_route() {
   Node node;
   for (const Meeting& meeting : *q_.route) {
     const Wall* const line = q_.boundary.line(meeting.with);
-    if (!line) return;  // no line is reflected at a vertex
+    if (!line) return;  // a vertex has no line of reflection
     const auto wall = static_cast<int>(line - q_.boundary.walls.data());
     if (restitution_of(wall) == 0) return;
     std::optional<Node> next;
@@ -275,7 +276,7 @@ void Unfolding::lattice() {
   const auto& walls = q_.boundary.walls;
   const double x0 = walls[3].from.x, y0 = walls[0].from.y;
   const double width = walls[1].from.x - x0, height = walls[2].from.y - y0;
-  // Along one side: even images are moved, odd ones mirrored.
+  // Along one side even images are shifted and odd ones mirrored.
   const auto sign = [](int i) { return i % 2 == 0 ? 1.0 : -1.0; };
   const auto shift = [](int i, double size, double x) { return i % 2 == 0 ? i * size : (i + 1) * size + 2 * x; };
   std::vector<Candidate> found;

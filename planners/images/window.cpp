@@ -56,7 +56,7 @@ class Windows {
     return between(middle, b);
   }
 
-  /// The end of the made window that begins at `made`, towards `limit`: steps grow while they stay inside.
+  /// Finds the end of the made window that begins at `made`, towards `limit`: steps grow while they stay inside.
   double edge(double made, double limit) {
     double step = (limit - made) * first_step;
     while (std::abs(made - limit) > narrowest && std::abs(step) > narrowest && !ledger_.spent()) {

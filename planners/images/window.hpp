@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Windows of aims that are made: where no line reaches the target's centre, aims that still reach some of it.
-// Method: follow a row of aims; between two neighbours that fail for different reasons may lie a window that is made,
-// so bisect there; certify the middle of each window. Cost: some 30 simulations for each change of reason.
-// Guarantee: none; a window between two aims that fail alike, or between two of the row, is not seen.
+// Windows of made aims: if no line reaches the target's centre, some aims may still reach part of it.
+// Method: follow a series of aims. Between two neighbours that fail for different reasons there may be a made window,
+// so bisect there; verify the middle of each window.
+// Cost: some 30 simulations for each change of reason.
+// Guarantee: none. A window between two neighbours that fail alike is not seen.
 #pragma once
 
 #include <functional>
@@ -14,7 +15,7 @@
 
 namespace bankshot::planning {
 
-/// How a row of aims is followed, and what makes a shot of one of them.
+/// Functions that follow an aim of a series, and that verify it and keep its shot.
 struct AimRow {
   std::function<Replay(double aim)> follow;
   std::function<bool(double aim, int bounces)> certify;
@@ -23,7 +24,7 @@ struct AimRow {
 /// Makes a shot of one window inside `aims` [rad], the one nearest to `centre` first; `samples` aims are followed.
 bool find_window(const AimRow& row, Ledger& ledger, const Range& aims, double centre, int samples);
 
-/// The same for paths whose shape does not depend on the speed.
+/// Makes a shot likewise for paths whose shape does not depend on the speed.
 bool reach_part(const Question& q, Ledger& ledger, Findings& found, const Range& aims, double centre, int samples,
                 const Goal& goal, std::string_view step);
 

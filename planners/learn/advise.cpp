@@ -25,7 +25,7 @@ Noise noise_by(const std::vector<PlayerError>& errors) {
   return out;
 }
 
-/// The chance of a shot that was chosen by other errors.
+/// Returns the success, with these errors, of a shot that was chosen for other errors.
 double success_of(Shot shot, const Puzzle& puzzle) {
   Ledger ledger(std::numeric_limits<long>::max());
   find_success(Question(puzzle), ledger, shot);

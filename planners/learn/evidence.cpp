@@ -27,7 +27,7 @@ using namespace settings::learn;
 constexpr std::array<LaunchIndex, error_size> own{angle, speed, side, top};
 constexpr std::array<LaunchIndex, error_size> others{start_time, x, y, masse};
 
-/// The puzzle's likeliest shot where none is given; none where it has none.
+/// Returns the intended launch: the one given, else that of the puzzle's best shot; none if it has no shot.
 std::optional<LaunchUnknowns> meant(const Attempt& attempt) {
   if (attempt.seen.launch_given) return unknowns_of(attempt.seen.scene, 0);
   const Answer answer = solve(*attempt.puzzle);
@@ -38,7 +38,7 @@ std::optional<LaunchUnknowns> meant(const Attempt& attempt) {
   return unknowns_of(shot, 0);
 }
 
-/// A launch that fits what was seen.
+/// A launch that fits the observations.
 struct Fitted {
   LaunchUnknowns launch;
   std::vector<Told> told;
@@ -47,14 +47,13 @@ struct Fitted {
   Eigen::Matrix<double, launch_size, launch_size> information;
 };
 
-/// Launches that fit, the likeliest first. A side that dies before the next cushion leaves room for any that does, one
-/// that just lives hardly for another: by distance alone this one, which is nearer by what the noise can make it, would
-/// always be taken.
+/// Launches that fit, the likeliest first. If side spin dies before the next cushion, many values of side fit. If it
+/// just survives, hardly another value does; that one can follow the noise and would always win by distance alone.
 class Fits {
  public:
   Fits(Seen& seen, const Common& common) : seen_(seen), common_(common) {}
 
-  /// The launch that the shot has.
+  /// Adds the shot's present launch, which is off by so many sigmas.
   void add(double off) {
     if (!(off < forever)) return;
     const Fitted fitted{seen_.launch, seen_.told, off, unlikelihood(seen_, common_),
@@ -62,7 +61,7 @@ class Fits {
     if (!std::isfinite(fitted.unlikely)) return;
     all_.insert(std::ranges::upper_bound(all_, fitted.unlikely, {}, &Fitted::unlikely), fitted);
   }
-  /// Leaves the shot with the likeliest. Returns how far it is off.
+  /// Gives the shot the likeliest launch. Returns how far it is off.
   double take() {
     if (all_.empty()) return forever;
     seen_.launch = all_.front().launch;
@@ -78,8 +77,8 @@ class Fits {
   std::vector<Fitted> all_;
 };
 
-/// From what was meant bounce by bounce, with more and with less side too: where it dies before a cushion it leaves no
-/// trace, so that a fit that is led there stays.
+/// Fits bounce by bounce from the intended launch, and with more and with less side. Side spin that dies before a
+/// cushion leaves no trace, so a fit that is led there stays there.
 void fit_from_meant(Seen& seen, const Common& common, Fits& fits, Work& work) {
   for (const double aside : {0.0, much_aside, -much_aside}) {
     if (aside != 0 && !carries_spin(common.base)) break;
@@ -89,8 +88,8 @@ void fit_from_meant(Seen& seen, const Common& common, Fits& fits, Work& work) {
   }
 }
 
-/// From the launch that was found, and with more and with less side: by now all of the track says which way to go. And
-/// with none, which stays where it dies: what was meant would draw it up to where it just lives.
+/// Fits from the launch found, with more and with less side, since the whole track now decides. Fits also from no side
+/// and a prior around none, because the intended side would draw it up to where it just survives.
 void fit_around(Seen& seen, const Common& common, Fits& fits, Work& work) {
   const LaunchUnknowns found = seen.launch;
   for (const double aside : {0.0, little_aside, -little_aside, much_aside, -much_aside}) {
@@ -107,7 +106,7 @@ void fit_around(Seen& seen, const Common& common, Fits& fits, Work& work) {
   fits.add(off);
 }
 
-/// The launch fitted to what was seen, and others that fit too; what was meant says little of them.
+/// Fits launches to the observations; the intended launch is only a weak prior.
 Fits measure(Seen& seen, const Common& common, const LaunchUnknowns& aim, Work& work) {
   for (const LaunchIndex k : {angle, speed, top, side, masse}) seen.expected[k] = aim[k];
   for (Eigen::Index i = 0; i < error_size; ++i)
@@ -130,7 +129,7 @@ Fits measure(Seen& seen, const Common& common, const LaunchUnknowns& aim, Work& 
   return last;
 }
 
-/// The directions in which something is told, and what.
+/// Information in the directions that the samples determine, and the projection onto these.
 struct Kept {
   Eigen::Matrix4d information, directions;
 };
@@ -142,7 +141,7 @@ Kept kept_of(const Eigen::Matrix4d& information, double expected) {
           v * kept.asDiagonal() * v.transpose()};
 }
 
-/// Where the player's own errors are by one fit, what is expected of them included, all else unknown; in usual errors.
+/// Estimate of the player's own errors by one fit, prior included, all other unknowns being free; in usual errors.
 struct Mode {
   LaunchError off;
   Eigen::Matrix4d told;  ///< the inverse of their covariance
@@ -169,7 +168,7 @@ Mode mode_of(const Seen& seen, const Fitted& fitted) {
   return {off, told - across.transpose() * rest.ldlt().solve(across), fitted.unlikely};
 }
 
-/// Those that differ by more than each may be off; the likeliest first.
+/// Returns the estimates that differ by more than their uncertainty, the likeliest first.
 std::vector<Mode> modes_of(const Seen& seen, std::span<const Fitted> fits) {
   std::vector<Mode> out;
   for (const Fitted& f : fits) {
@@ -183,11 +182,11 @@ std::vector<Mode> modes_of(const Seen& seen, std::span<const Fitted> fits) {
   return out;
 }
 
-/// What the samples alone say. Where several launches fit, each counts by its likelihood, and together they say what
-/// one with their mean and covariance would: less than any of them alone.
+/// Writes what the samples alone say of the errors. If several launches fit, each counts by its likelihood. Together
+/// they say what a normal distribution with their mean and covariance would, which is less than any of them alone says.
 void tell_errors(const Seen& seen, const Common& common, std::span<const Fitted> fits, Evidence& out) {
   const std::vector<Mode> modes = modes_of(seen, fits);
-  // Where the laws follow the shot less well than samples err, it tells less.
+  // If the residuals exceed the samples' errors, the shot says less.
   const double off_by = std::max(1.0, excess(seen, common));
   double weights = 0;
   LaunchError mean = LaunchError::Zero();
@@ -218,7 +217,7 @@ void tell_errors(const Seen& seen, const Common& common, std::span<const Fitted>
   out.error.angle = off(0), out.error.speed = off(1), out.error.side = off(2), out.error.top = off(3);
 }
 
-/// Launches around what was meant, three widths of them, and which are made.
+/// Draws launches around the intended one, with three widths, and replays each.
 std::vector<Draw> draw(const Puzzle& puzzle, const LaunchUnknowns& aim, Work& work) {
   constexpr double widths[] = {1, 2, 4};  // usual errors
   constexpr int each = 400;

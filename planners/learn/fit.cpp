@@ -16,10 +16,10 @@ namespace bankshot {
 namespace planning {
 namespace {
 
-/// Tilt and camera are none of its physics.
+/// Returns whether a coefficient counts as physics; tilt and camera do not.
 bool is_of_physics(const std::string& name) { return !name.starts_with("tilt") && !name.starts_with("camera"); }
 
-/// Of what this physics has, by the names that were asked.
+/// Returns the known coefficients that match the names asked for; without any, all of the physics.
 std::vector<std::string> names_asked(const std::vector<Fittable>& known, const std::vector<std::string>& free) {
   const auto is_part = [](const std::string& name, const std::string& of) {
     return name == of || name.starts_with(of + ".");
@@ -54,7 +54,7 @@ std::vector<FittedShot> fitted_shots(const Learnt& l, Work& work) {
   return out;
 }
 
-/// Mean square of what is left over where the launch is known, in sigmas: errors are in its units.
+/// Returns the mean square residual per degree of freedom, in sigmas; errors of the coefficients are scaled by it.
 double left_over(const Learnt& l, const std::vector<FittedShot>& shots) {
   double sum = 0;
   auto rows = -static_cast<double>(l.common.names.size());
@@ -69,7 +69,7 @@ double left_over(const Learnt& l, const std::vector<FittedShot>& shots) {
   return rows > 0 ? sum / rows : 1;
 }
 
-/// The coefficients with their errors.
+/// Writes the coefficients with their errors and correlations.
 void tell_coefficients(const Common& common, const Eigen::MatrixXd& covariance, Fit& out) {
   const auto m = static_cast<Eigen::Index>(common.names.size());
   std::vector<Eigen::Index> of_physics;
@@ -97,7 +97,7 @@ void tell_coefficients(const Common& common, const Eigen::MatrixXd& covariance, 
   }
 }
 
-/// What the recordings have in common before anything is learnt.
+/// Properties that the recordings share before anything is learnt.
 struct Given {
   Physics physics;
   Body body;
@@ -121,14 +121,14 @@ Asked asked(const Given& given, const FitWish& wish) {
           std::max(1, wish.threads)};
 }
 
-/// What the shots taught, and how well that predicts those that were left out meanwhile.
+/// The table learnt from all shots, and how well others predict the shots that were left out.
 struct Tried {
   Learnt learnt;
-  double seconds = 0;  ///< that learning from all of them took
+  double seconds = 0;  ///< time that learning from all of them took
   std::vector<Prediction> predictions{};
 };
 
-/// `group` 0: none is left out.
+/// Learns from all shots; `group` 0: no shots are left out and predicted.
 Tried try_out(const Recordings& all, const Asked& asked, int group, Work& work,
               const std::function<void(double)>& progress) {
   const double fits = 1 + (group > 0 ? std::ceil(static_cast<double>(all.size()) / group) : 0);
@@ -141,14 +141,14 @@ Tried try_out(const Recordings& all, const Asked& asked, int group, Work& work,
   return out;
 }
 
-/// m; how well a law predicts, or follows where there was nothing to predict.
+/// Returns how well a law predicts [m], or how well it follows the shots if there was nothing to predict.
 double score(const ModelScore& law, const std::vector<Prediction>& predictions) {
   const bool any = std::ranges::any_of(predictions, [](const Prediction& p) { return p.samples > 0; });
   return any ? law.predicted : law.fitted;
 }
 
-/// With the law that predicts best what it has not seen. mathavan2010, whose impacts are integrated, would take
-/// about ten times as long as another law.
+/// Returns the law that best predicts shots left out. mathavan2010 is not tried: its impacts are integrated, which
+/// would take about ten times as long.
 Tried best_model(const Recordings& all, const Given& given, const FitWish& wish, Fit& out, Work& work,
                  const std::function<void(double)>& progress) {
   constexpr const char* models[] = {"han2005", "stronge"};

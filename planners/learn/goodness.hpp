@@ -1,37 +1,38 @@
 // SPDX-License-Identifier: MIT
 //
-// How well a shot's launch and the coefficients agree with what was seen of it.
+// Measures of how well a shot's launch and the coefficients agree with the observations.
 #pragma once
 
 #include "planners/learn/seen.hpp"
 
 namespace bankshot::planning {
 
-/// The upper one of two in the middle; 0 of none.
+/// Returns the median, the upper one of two in the middle; 0 for no values.
 double median(std::vector<double> values);
 
-/// The standard deviation of normal errors is so many times the median of their sizes.
+/// Standard deviation of normal errors over the median of their absolute values.
 inline constexpr double of_median = 1.4826;
 
-/// How far seven samples of ten are off at most, over what normal errors of sigma would be; of those in the window, in
-/// that quarter of each track where this is largest.
+/// Returns the 70 % quantile of coordinate errors, divided by that of normal errors of sigma. It is the largest over
+/// the quarters of each track, within the window.
 double spread(const Seen& seen, const Common& common);
 
-/// How far the samples lie from where the ball is said to be.
+/// Distances of the samples from the computed path.
 struct Distances {
   std::vector<double> each{};   ///< m, of every sample of each track in order
-  std::vector<char> counted{};  ///< whether it does: neither an outlier nor unexplained
-  int samples = 0;              ///< that count
-  int unexplained = 0;          ///< after a contact that fits do not follow
+  std::vector<char> counted{};  ///< whether the sample counts: it is neither an outlier nor unexplained
+  int samples = 0;              ///< number of samples that count
+  int unexplained = 0;          ///< samples after a contact that fits do not follow
   int outliers = 0;
   double rms = 0;  ///< m, of those that count
 };
 Distances distances(const Seen& seen, const Common& common);
 
-/// Standard deviation of a coordinate of what counts, in sigmas; 0 where there are no more coordinates than unknowns.
+/// Returns the standard deviation of a coordinate of samples that count, in sigmas; 0 if there are no more coordinates
+/// than unknowns.
 double excess(const Seen& seen, const Common& common);
 
-/// Whether this launch cannot be the one.
+/// Returns whether the launch fits too badly to be the right one.
 bool is_off(const Seen& seen, const Common& common);
 
 }  // namespace bankshot::planning

@@ -13,7 +13,7 @@ namespace {
 
 using namespace settings::learn;
 
-/// The times at which the struck ball bounces, by the recording's clock.
+/// Returns the times at which the cue ball meets a cushion, a jaw or a ball, by the recording's clock.
 std::vector<double> bounces(const Seen& seen, const Common& common, Work& work) {
   std::vector<double> times;
   const auto shot = play(seen, common, seen.last - seen.launch[start_time] + after_bounce, work);
@@ -29,14 +29,15 @@ bool same(const std::vector<Told>& a, const std::vector<Told>& b) {
                             [](const Told& s, const Told& t) { return s.before == t.before && s.route == t.route; });
 }
 
-/// Up to after the first bounce later than this; all there is where there is none.
+/// Returns the end of the window after the first bounce later than `later_than`; forever if that is all there is.
 double next_window(const Seen& seen, const Common& common, double later_than, Work& work) {
   const auto times = bounces(seen, common, work);
   const auto next = std::ranges::upper_bound(times, later_than);
   return next == times.end() || *next + after_bounce >= seen.last ? forever : *next + after_bounce;
 }
 
-/// Of the track where that shows a bounce: the same for all launches, so that these compare.
+/// Returns the end of the first window. If the track shows a bounce, it is the same for all launches, so that they
+/// compare.
 double first_window(const Seen& seen, const Common& common, Work& work) {
   if (seen.bounced == forever) return next_window(seen, common, -forever, work);
   return seen.bounced + after_bounce < seen.last ? seen.bounced + after_bounce : forever;
@@ -44,11 +45,11 @@ double first_window(const Seen& seen, const Common& common, Work& work) {
 
 struct Begin {
   LaunchUnknowns launch;
-  bool before_bounce = false;  ///< that lies before the first samples
+  bool before_bounce = false;  ///< velocity before a bounce that precedes the first samples
 };
 
-/// Launches that a track may begin with. The velocity is the median of those between its first samples that moved;
-/// where these may lie beyond a bounce, also as it was before.
+/// Returns launches with which a track may begin. The velocity is the median of those between its first samples that
+/// moved. If these may lie beyond a bounce, the velocity before it is added.
 std::vector<Begin> launches_of_track(const Seen& seen) {
   std::vector<Begin> out;
   const auto& tracks = seen.recording.tracks;
@@ -92,10 +93,10 @@ std::vector<Begin> launches_of_track(const Seen& seen) {
 struct Candidate {
   double off;
   LaunchUnknowns launch;
-  double rank;  ///< by which it is tried sooner
+  double rank;  ///< candidates of lower rank are tried first
 };
 
-/// Launches that fit the first part, best first.
+/// Returns the launches that fit the first part, best first.
 std::vector<Candidate> candidates(Seen& seen, const Common& common, Work& work) {
   std::vector<Candidate> found;
   const Recording& r = seen.recording;
@@ -126,7 +127,7 @@ bool alike(const LaunchUnknowns& a, const LaunchUnknowns& b) {
   return std::abs(a[speed] - b[speed]) < 1e-3 && std::abs(a[top] - b[top]) < 0.01 && std::abs(a[side] - b[side]) < 0.01;
 }
 
-/// Whether it meets a cushion before the ball is first seen to have moved.
+/// Returns whether the ball bounces before its first sample.
 bool bounces_unseen(const Seen& seen, const Common& common, Work& work) {
   const auto& tracks = seen.recording.tracks;
   if (tracks.empty() || tracks.front().ball != 0 || tracks.front().samples.empty()) return false;
@@ -134,7 +135,7 @@ bool bounces_unseen(const Seen& seen, const Common& common, Work& work) {
   return !times.empty() && times.front() < tracks.front().samples.front().time;
 }
 
-/// Looks for the launch anew; what it was stays unless `better(distance)`.
+/// Fits the launch anew; the former one stays unless `better(distance)`. Returns whether it was replaced.
 template <class Better>
 bool replaced(Seen& seen, const Common& common, Work& work, const Better& better) {
   const double until = seen.window;
@@ -154,13 +155,13 @@ std::optional<Trajectory> play(const Seen& seen, const Common& common, std::opti
   if (seconds) shot.until.time = std::max(0.0, *seconds);
   try {
     return simulate(shot);
-  } catch (const InvalidInput&) {  // on its way a launch may stand beside the table
+  } catch (const InvalidInput&) {  // during a fit a launch may begin beside the table
     return {};
   }
 }
 
 bool tell(Seen& seen, const Common& common, Work& work) {
-  constexpr double beyond = 0.1;  // s: what is met a little later may be met a little earlier as the fit moves
+  constexpr double beyond = 0.1;  // s; a contact just after the window may move into it during the fit
   const double until = std::max(0.0, std::min(seen.window, seen.last) - seen.launch[start_time]) + beyond;
   const bool to_rest = seen.window >= seen.last &&
                        std::ranges::any_of(seen.recording.tracks, [](const Track& t) { return t.rest.has_value(); });

@@ -19,7 +19,7 @@ namespace {
 
 using namespace settings::learn;
 
-/// Of `f(seen, work)`, how many returned true.
+/// Calls `f(seen, work)` for all shots; returns how many calls returned true.
 int count_shots(Shots& shots, int threads, const std::function<bool(Seen&, Work&)>& f, Work& work) {
   std::vector<Seen*> list;
   for (Seen& seen : shots) list.push_back(&seen);
@@ -30,8 +30,8 @@ int count_shots(Shots& shots, int threads, const std::function<bool(Seen&, Work&
   return count;
 }
 
-/// Where the laws cannot follow the shots, samples err by what half of them are off; all alike, for a shot that is hard
-/// to follow tells the most of the laws.
+/// Sets the sigma of each shot. If the laws cannot follow the shots, it is the typical error of all samples, the same
+/// for all shots: a shot that is hard to follow says the most about the laws.
 void weigh(Learnt& l) {
   std::vector<double> sizes;
   for (const Seen& seen : l.shots)
@@ -43,7 +43,8 @@ void weigh(Learnt& l) {
   l.astray = l.off > clearly * l.noise;
 }
 
-/// The direction that the shots tell least of, while that is less than a guess would: its largest part is held.
+/// Finds the direction that the shots determine least. If a guess says more, the coefficient with the largest part in
+/// it is held. Returns whether one was.
 bool hold_one(Learnt& l) {
   Common& c = l.common;
   if (c.names.empty()) return false;
@@ -68,7 +69,7 @@ bool hold_one(Learnt& l) {
   return true;
 }
 
-/// Those that are far worse than the others would lead the coefficients astray.
+/// Leaves out shots that fit far worse than the others, since they would lead the coefficients astray.
 void leave_out_lost(Learnt& l) {
   std::vector<double> spreads;
   for (const Seen& seen : l.shots) spreads.push_back(spread(seen, l.common));
@@ -77,7 +78,7 @@ void leave_out_lost(Learnt& l) {
   std::size_t out = 0;
   for (Seen& seen : l.shots) out += seen.left_out = *own++ > most || (seen.robust == 0 && is_off(seen, l.common));
   if (2 * out <= l.shots.size()) return;
-  for (Seen& seen : l.shots) seen.left_out = false;  // no half of the shots is wrong: the coefficients are
+  for (Seen& seen : l.shots) seen.left_out = false;  // if most shots seem wrong, the coefficients are wrong
 }
 
 void solve(Learnt& l, Work& work) {
@@ -85,7 +86,7 @@ void solve(Learnt& l, Work& work) {
   solve_all(l.shots, l.common, work);
 }
 
-/// Launches and coefficients together, until no launch that does not fit well is replaced by a better one.
+/// Fits launches and coefficients in turn, until no badly fitting launch is replaced by a better one.
 void settle(Learnt& l, int threads, Work& work) {
   constexpr int rounds = 3;
   for (int round = 0, changed = 1; round < rounds && changed > 0; ++round) {
@@ -100,8 +101,8 @@ void settle(Learnt& l, int threads, Work& work) {
   }
 }
 
-/// Sum of squares in sigmas. Where the laws can follow the shots, all that are lost count alike: how far they are off
-/// says nothing. Where they cannot, those that are hard to follow tell the most.
+/// Returns the sum of squares in sigmas. If the laws can follow the shots, all lost shots count alike, since their
+/// distance says nothing. Otherwise shots that are hard to follow say the most.
 double cost_of(const Learnt& l) {
   double sum = 0;
   for (const Seen& seen : l.shots) {
@@ -111,11 +112,11 @@ double cost_of(const Learnt& l) {
   return sum;
 }
 
-/// How the coefficients are moved when all set off again: each by itself, which leads far off where they are hard to
-/// tell apart, or as they are correlated, to where paths change little.
+/// Ways to move the coefficients before a new start. Each by itself leads far away where coefficients are hard to tell
+/// apart. Together, as they are correlated, they lead to where paths change little.
 enum class Shaken { each, together };
 
-/// What a fit may come back to.
+/// The state of a fit, to which it may return.
 class Kept {
  public:
   explicit Kept(const Learnt& l) : common_(l.common) {
@@ -132,7 +133,7 @@ class Kept {
   std::vector<std::pair<LaunchUnknowns, std::vector<Told>>> launches_;
 };
 
-/// False where the coefficients have no errors.
+/// Moves the coefficients at random; returns false if they have no covariance.
 bool move_coefficients(Learnt& l, Shaken how, Random& random) {
   constexpr double way = 6;  // standard errors
   const Eigen::MatrixXd errors = covariance(l.shots, l.common);
@@ -151,8 +152,8 @@ bool move_coefficients(Learnt& l, Shaken how, Random& random) {
   return true;
 }
 
-/// Paths have kinks, at which all may stop on the way: set off again from near by, and keep what is better, until that
-/// was so often in vain.
+/// Starts the fit again from near by and keeps what is better, because paths have kinks at which a fit may stop. It
+/// ends after `most_in_vain` tries without gain.
 void shake(Learnt& l, Shaken how, int most_in_vain, int threads, Work& work) {
   const int tries = 4 * most_in_vain;
   Random random(1);
@@ -177,16 +178,15 @@ void shake(Learnt& l, Shaken how, int most_in_vain, int threads, Work& work) {
   leave_out_lost(l);
 }
 
-/// First widely, for what may be far off, then many small ways, which take little. Of 200 fits to thirty shots seven
-/// stopped at a kink three standard errors off or more without the small ones.
+/// Moves the coefficients widely first, for those that may be far off, then by many small steps, which cost little.
+/// Without the small ones some fits stop at a kink, three standard errors off or more.
 void shake(Learnt& l, int threads, Work& work) {
   constexpr int wide_in_vain = 2, small_in_vain = 6;
   shake(l, Shaken::each, wide_in_vain, threads, work);
   if (!l.astray) shake(l, Shaken::together, small_in_vain, threads, work);
 }
 
-/// From bounce to bounce: the coefficients are learnt where launches are sure before they are asked where a long path
-/// leads.
+/// Fits from bounce to bounce: the coefficients are learnt from launches that are certain before long paths are used.
 void follow(Learnt& l, int threads, Work& work) {
   const auto begin = [&](Seen& seen, Work& its) { return fit_first_part(seen, l.common, its) < forever; };
   const auto farther = [&](Seen& seen, Work& its) {
@@ -200,11 +200,11 @@ void follow(Learnt& l, int threads, Work& work) {
   while (count_shots(l.shots, threads, farther, work) > 0);
 }
 
-/// How a coefficient depends on speed is asked when the rest is nearly known.
+/// Returns whether a coefficient gives the dependence on speed, which is fitted once the others are nearly known.
 bool is_fine(const std::string& name) { return name.ends_with(".per_speed") || name.ends_with(".per_speed2"); }
 
-/// Outliers not yet known. Coefficients start where the physics has them; by another `attempt`, as far off as tables
-/// differ.
+/// Fits while outliers are not yet known. Coefficients start at the values of the physics, and in a further `attempt`
+/// as far off as tables differ.
 Learnt first_fit(const Recordings& recordings, const Asked& asked, int attempt, Work& work) {
   const bool balls = std::ranges::any_of(recordings, [](const Recording* r) { return !r->scene.others.empty(); });
   Learnt l{.common = {asked.base, coefficients_of(asked.base, recordings.front()->scene.ball.body, balls)},
@@ -250,7 +250,7 @@ void finish(Learnt& l, int threads, Work& work) {
   }
   settle(l, threads, work);
   if (!l.astray) shake(l, threads, work);
-  while (hold_one(l)) settle(l, threads, work);  // elsewhere the shots may tell less
+  while (hold_one(l)) settle(l, threads, work);  // at these values the shots may determine less
 }
 
 }  // namespace
@@ -259,7 +259,7 @@ Learnt learn(const Recordings& recordings, const Asked& asked, Work& work,
              const std::function<void(double)>& progress) {
   Learnt best = first_fit(recordings, asked, 0, work);
   progress(0.5);
-  // Laws that cannot follow the shots may be the right ones with coefficients that were led astray.
+  // If the laws cannot follow the shots, they may still be the right ones, with coefficients that were led astray.
   constexpr int attempts = 4;
   constexpr double clearly = 0.7;
   for (int i = 1; i < attempts && best.astray; ++i)

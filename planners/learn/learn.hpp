@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What all shots say of the table together, one physics model given.
+// Learns from all shots together what they say of the table, for a given physics model.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace bankshot::planning {
 
 struct Asked {
   Physics base;
-  std::vector<std::string> names;  ///< of the coefficients
+  std::vector<std::string> names;  ///< names of the coefficients
   int threads = 1;
 };
 
@@ -20,11 +20,11 @@ struct Learnt {
   Shots shots{};
   std::vector<HeldCoefficient> held{};
   double noise = 0;     ///< m, of one coordinate of a sample
-  double off = 0;       ///< m, standard deviation of what is left over, as half of the samples have it
-  bool astray = false;  ///< that is clearly more than the noise: the laws cannot follow the shots
+  double off = 0;       ///< m; standard deviation of the residuals, from their median
+  bool astray = false;  ///< `off` is clearly more than the noise: the laws cannot follow the shots
 };
 
-/// `progress` is told the share that is done.
+/// `progress` gets the share that is done.
 Learnt learn(const Recordings& recordings, const Asked& asked, Work& work, const std::function<void(double)>& progress);
 
 }  // namespace bankshot::planning

@@ -11,7 +11,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// Keeps a launch what a cue can do.
+/// Bounds a launch by what a cue can do.
 void bound_launch(ceres::Problem& problem, const Seen& seen, double* block) {
   const auto keep = [&](LaunchIndex k, double low, double high) {
     block[k] = std::min(std::max(block[k], low), high);
@@ -19,7 +19,7 @@ void bound_launch(ceres::Problem& problem, const Seen& seen, double* block) {
     problem.SetParameterUpperBound(block, static_cast<int>(k), high);
   };
   constexpr double fastest = 20, most_spin = 2, most_masse = 1;
-  // The ball stands where its centre can be.
+  // The ball's centre stays on the table.
   const Boundary& boundary = seen.stand.struck();
   double left = -forever, right = forever, bottom = -forever, above = forever;
   for (const Wall& w : boundary.walls) {
@@ -38,8 +38,8 @@ void bound_launch(ceres::Problem& problem, const Seen& seen, double* block) {
   keep(masse, -most_masse, most_masse);
 }
 
-/// Shots and coefficients as Ceres sees them: in one array, for it goes by addresses, and where these change from run
-/// to run so does the rounding.
+/// Shots and coefficients as Ceres sees them. They are in one array, because Ceres sorts blocks by address: addresses
+/// that change from run to run would change the rounding.
 class LeastSquares {
  public:
   LeastSquares(const std::vector<Seen*>& shots, const Common& common)
@@ -59,7 +59,7 @@ class LeastSquares {
   double* launch(std::size_t i) { return unknowns_.data() + i * launch_size; }
   double* values() { return launch(shots_.size()); }
 
-  /// Leaves the launches with their shots.
+  /// Solves the problem and stores the launches with their shots.
   ceres::Solver::Summary solve(Work& work) {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
@@ -96,7 +96,7 @@ struct Linearised {
   Eigen::Matrix<double, Eigen::Dynamic, launch_size, Eigen::RowMajor> by_launch;
 };
 
-/// What is seen, around the launch that the shot has.
+/// Returns the residuals and their derivatives at the shot's launch.
 Linearised linear(const Seen& seen, const Common& common) {
   const SeenCost cost(seen, common.names, common.base);
   Linearised out{Eigen::VectorXd(cost.num_residuals()), {cost.num_residuals(), launch_size}};
@@ -132,9 +132,9 @@ void solve_all(Shots& shots, Common& common, Work& work) {
   for (std::size_t i = 0; i < teachers.size(); ++i) order->AddElementToGroup(squares.launch(i), 0);
   order->AddElementToGroup(squares.values(), 1);
   options.linear_solver_ordering.reset(order);
-  options.num_threads = 1;  // sums of several threads round as these come to an end: the bytes would differ
+  options.num_threads = 1;  // threads would sum in a varying order, and the last bits would differ
   options.max_num_iterations = 100;
-  // Paths have kinks, where a spin has just died or a contact just sticks: one shot at one must not stop all.
+  // Paths have kinks, where a spin has just died or a contact just sticks. One shot at a kink must not stop all.
   options.use_nonmonotonic_steps = true;
   options.max_consecutive_nonmonotonic_steps = 10;
   options.function_tolerance = 1e-9;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What Ceres solves: one launch, or all launches and the coefficients that they share.
+// The least-squares problems that Ceres solves: one launch, or all launches and the coefficients that they share.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,25 +9,25 @@
 
 namespace bankshot::planning {
 
-/// The launch alone, up to the window, as the shot is told. Returns the root mean square distance in sigmas.
+/// Fits the launch alone, up to the window, along the stored contacts. Returns the root mean square distance in sigmas.
 double solve_launch(Seen& seen, const Common& common, Work& work);
 
-/// All shots that are not left out, with the coefficients.
+/// Fits the coefficients together with the launches of all shots that are not left out.
 void solve_all(Shots& shots, Common& common, Work& work);
 
-/// -2 log of how likely what was seen is of the launches around this one together (Laplace's approximation), up to what
-/// all launches of the shot share. A sample that is not followed, as after a ball fell, counts as one that is off as
-/// far as an outlier is: else a launch that follows none would be likeliest.
+/// Returns −2 log of the likelihood of the observations, integrated over the launches around this one (Laplace's
+/// approximation), up to a constant that all launches of the shot share. A sample that is not followed, as after a ball
+/// fell, counts as far off as an outlier. Otherwise a launch that follows no samples would be likeliest.
 double unlikelihood(const Seen& seen, const Common& common);
 
-/// What is told of the launch, in units of sigmas, what is expected of it included (JᵀJ).
+/// Returns the information on the launch, prior included, in units of sigmas (JᵀJ).
 Eigen::Matrix<double, launch_size, launch_size> launch_information(const Seen& seen, const Common& common);
 
-/// What the shots tell of the coefficients, the launches being unknown too: the inverse of their covariance, in units
-/// of sigmas. (The Schur complement of the launches in JᵀJ.)
+/// Returns the information of the shots on the coefficients, with the launches unknown too: the inverse of their
+/// covariance, in units of sigmas. (The Schur complement of the launches in JᵀJ.)
 Eigen::MatrixXd information(const Shots& shots, const Common& common);
 
-/// The covariance of the coefficients (ceres::Covariance), in units of sigmas; empty where it has none.
+/// Returns the covariance of the coefficients (ceres::Covariance), in units of sigmas; empty if it does not exist.
 Eigen::MatrixXd covariance(Shots& shots, const Common& common);
 
 }  // namespace bankshot::planning

@@ -10,7 +10,7 @@ namespace {
 
 using BySpeed = FitWish::BySpeed;
 
-/// A slope of exactly 0 would be none.
+/// Starting value of a slope in the speed; a slope of exactly 0 would count as none.
 constexpr double slope = 1e-4;
 
 Restitution by_speed(Restitution e, BySpeed wish) {

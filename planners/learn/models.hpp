@@ -7,10 +7,11 @@
 
 namespace bankshot::planning {
 
-/// With cushions after `wish.model`, restitution and rolling friction depending on speed as wished; what the given
-/// cushions do not have is usual for such a ball. Impacts that are integrated are so as exactly as a fit asks.
+/// Returns the physics with cushions of `wish.model`, and with restitution and rolling friction that depend on speed as
+/// wished. Coefficients that the given cushions lack get their usual values for such a ball. Integrated impacts get the
+/// tolerance of a fit.
 Physics with_laws(Physics physics, const FitWish& wish, const Body& body);
-/// Back to that of a simulation.
+/// Restores the tolerance of a simulation.
 void restore_tolerance(Physics& physics);
 
 std::string model_name(const Physics& physics);

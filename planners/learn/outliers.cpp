@@ -13,9 +13,9 @@ using settings::learn::outlier;
 
 namespace {
 
-/// Of each sample, whether neither those before it, nor those after it, nor both lead to it.
+/// Returns for each sample whether it lies apart: samples before it, after it and around it all fail to lead to it.
 std::vector<char> apart(const std::vector<Sample>& s, double noise) {
-  constexpr double bends = 20;  // m/s², more than any cloth does
+  constexpr double bends = 20;  // m/s², more than on any cloth
   const auto leads = [&](std::size_t a, std::size_t b, std::size_t to) {
     const double share = (s[to].time - s[a].time) / (s[b].time - s[a].time), far = s[to].time - s[b].time;
     const Vec2d at = s[a].at + (s[b].at - s[a].at) * share;
@@ -31,7 +31,7 @@ std::vector<char> apart(const std::vector<Sample>& s, double noise) {
   return out;
 }
 
-/// Third differences of four samples at even times, of which none is left out; their variance is 20 sigma squared.
+/// Adds third differences of four samples at even times, none of them an outlier; their variance is 20 sigma squared.
 void add_thirds(const std::vector<Sample>& samples, const std::vector<char>& out, std::vector<double>& thirds) {
   for (std::size_t i = 3; i < samples.size(); ++i) {
     const Sample* s = &samples[i - 3];
@@ -44,7 +44,8 @@ void add_thirds(const std::vector<Sample>& samples, const std::vector<char>& out
   }
 }
 
-/// When the struck ball first turns back at a straight cushion: between two samples that come and two that leave.
+/// Returns when the cue ball first turns back at a straight cushion, between two samples that approach and two that
+/// leave.
 double first_bounce(const Seen& seen) {
   const auto& tracks = seen.recording.tracks;
   if (tracks.empty() || tracks.front().ball != 0 || !seen.recording.scene.others.empty()) return forever;
@@ -67,7 +68,7 @@ double first_bounce(const Seen& seen) {
 
 double noise_of(const Recordings& recordings) {
   constexpr double least = 1e-5, usual = 1e-3;
-  double noise = forever;  // outliers are known when it is nearly known
+  double noise = forever;  // outliers are found once the noise is nearly known
   for (int round = 0; round < 3; ++round) {
     std::vector<double> thirds;
     for (const Recording* r : recordings)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How much a camera errs, and the samples that it saw wrong.
+// The noise of a camera, and the samples that it saw wrong.
 #pragma once
 
 #include "planners/learn/seen.hpp"
@@ -9,14 +9,14 @@ namespace bankshot::planning {
 
 using Recordings = std::vector<const Recording*>;
 
-/// m: how much one coordinate of a sample errs, from what neighbours do not share.
+/// Returns the standard error [m] of one coordinate of a sample, from differences between neighbours.
 double noise_of(const Recordings& recordings);
 
-/// Before anything is fitted: samples that neither those before them, nor those after them, nor both lead to.
+/// Marks samples before anything is fitted: those to which the samples before, after and around them do not lead.
 void mark_apart(Seen& seen);
 
-/// Samples that lie apart from their neighbours, and farther than these from each other: what a camera sees wrong for a
-/// moment, not what a law gets wrong.
+/// Marks samples that lie apart from their neighbours, and farther than these from each other. A camera errs so for a
+/// moment, but a law does not.
 void mark_outliers(Seen& seen, const Common& common);
 
 }  // namespace bankshot::planning

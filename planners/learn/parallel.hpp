@@ -7,7 +7,7 @@
 
 namespace bankshot::planning {
 
-/// `f(i)` of all i below `count`, each once, on so many threads.
+/// Calls `f(i)` once for each i below `count`, on `threads` threads.
 template <class F>
 void for_each_index(std::size_t count, int threads, const F& f) {
   std::atomic<std::size_t> next = 0;

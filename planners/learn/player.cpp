@@ -13,11 +13,11 @@
 namespace bankshot::planning {
 namespace {
 
-/// Of M numbers first log sigma of each, then its bias, in usual errors; of the speed the bias is a share in `share`s
-/// of what was meant.
+/// Unknowns of M errors: first the logarithm of each sigma, then each bias, in usual errors. The bias of the speed is a
+/// share of the intended speed, in units of `share`.
 template <int M>
 using Unknowns = std::array<double, static_cast<std::size_t>(M) * 2>;
-/// Where they stand in it.
+/// Positions in the unknowns.
 constexpr std::size_t sigma_of(int k) { return static_cast<std::size_t>(k); }
 template <int M>
 constexpr std::size_t bias_of(int k) {
@@ -25,20 +25,20 @@ constexpr std::size_t bias_of(int k) {
 }
 constexpr double share = 0.02;
 
-/// How the bias of a speed counts for one attempt.
+/// Returns the factor from the bias of the speed to one attempt's error in usual errors.
 double by_speed(const Evidence& e) { return e.meant_speed * share / usual_error()(1); }
 
-/// Known of any player beforehand: a standard deviation of the logarithm of each sigma around that of the usual one.
-/// Against what ten measured attempts say it is nothing.
+/// Prior for any player: standard deviation of the logarithm of each sigma around the usual one. Ten measured attempts
+/// outweigh it by far.
 const double spread_of_players = std::log(4.0);
-/// And of each bias, in usual errors (of a speed in `share`s).
+/// Prior of each bias, in usual errors (for the speed in `share`s).
 constexpr double spread_of_bias = 20;
 
-/// In e-folds: a sigma so far above the usual one is no player's, and rounding makes its likelihood anything. A search
-/// that steps there steps back.
+/// Largest logarithm of a sigma, in e-folds above the usual one. No player has so large a sigma, and rounding would
+/// spoil its likelihood; a search that steps there steps back.
 constexpr double widest = 10;
 
-/// A player's mark in a thousand is wrong.
+/// Probability that a player marks an attempt wrongly.
 constexpr double wrong_mark = 1e-3;
 
 bool is_finite(double x) { return std::isfinite(x); }
@@ -47,13 +47,13 @@ bool is_finite(const ceres::Jet<double, N>& x) {
   return std::isfinite(x.a) && x.v.allFinite();
 }
 
-/// − log of the restricted likelihood, of M errors.
+/// − log of the restricted likelihood of M errors.
 template <int M>
 struct Unlikelihood {
   std::span<const Evidence> evidence;
-  bool biased;              ///< else the bias is 0
-  std::optional<int> held;  ///< this sigma does not move
-  double value = 0;         ///< its logarithm
+  bool biased;              ///< if not, the bias is 0
+  std::optional<int> held;  ///< a sigma that does not move
+  double value = 0;         ///< logarithm of the sigma held
 
   template <class T>
   bool operator()(const T* x, T* out) const {
@@ -100,7 +100,7 @@ struct Unlikelihood {
     return is_finite(sum);
   }
 
-  /// Of what came of it: made or missed.
+  /// Returns the probability of the outcome, made or missed.
   template <class T>
   static T chance_of(const Evidence& e, const Eigen::Matrix<T, M, 1>& variance, const Eigen::Matrix<T, M, 1>& bias,
                      double counts) {
@@ -123,15 +123,14 @@ double lowest(const Unlikelihood<M>& f, Unknowns<M>& x) {
   ceres::GradientProblemSolver::Options options;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 200;
-  options.line_search_interpolation_type =
-      ceres::BISECTION;  // the others tell the world of polynomials they do not like
+  options.line_search_interpolation_type = ceres::BISECTION;  // other types print complaints about their polynomials
   options.function_tolerance = 1e-12;
   ceres::GradientProblemSolver::Summary summary;
   ceres::Solve(options, problem, x.data(), &summary);
   return summary.final_cost;
 }
 
-/// Where the profile of one sigma rises by half of χ²₁'s 95 % quantile.
+/// Returns the value at which the profile of one sigma has risen by half of χ²₁'s 95 % quantile.
 template <int M>
 double end_of(Unlikelihood<M> f, const Unknowns<M>& best, int k, double least, double way) {
   constexpr double quantile = 3.841459;
@@ -155,14 +154,14 @@ double end_of(Unlikelihood<M> f, const Unknowns<M>& best, int k, double least, d
   return in;
 }
 
-/// Of Student's t, 97.5 %, by its expansion in 1/ν (Abramowitz & Stegun 26.7.5).
+/// Returns the 97.5 % quantile of Student's t, by its expansion in 1/ν (Abramowitz & Stegun 26.7.5).
 double student(double degrees) {
   constexpr double z = 1.959964, g1 = (z * z * z + z) / 4;
   const double g2 = (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / 96;
   return z + g1 / degrees + g2 / (degrees * degrees);
 }
 
-/// Standard errors of the biases at these sigmas.
+/// Returns the standard errors of the biases at these sigmas.
 template <int M>
 std::array<double, M> bias_errors(const Unlikelihood<M>& f, const Unknowns<M>& best) {
   constexpr double step = 1e-3;
@@ -190,10 +189,11 @@ std::array<double, M> bias_errors(const Unlikelihood<M>& f, const Unknowns<M>& b
   return out;
 }
 
-/// Whether some lie too far from the others to be of them; if many seem to, none does.
+/// Leaves out attempts that lie too far from the others to belong to them; if many seem to, leaves out none. Returns
+/// whether any was left out.
 template <int M>
 bool leave_out(std::span<Evidence> evidence, const Unknowns<M>& x) {
-  constexpr double too_far = 30;  // χ² of so much with four degrees happens once in 200 000
+  constexpr double too_far = 30;  // χ² with four degrees of freedom exceeds this once in 200 000
   std::vector<Evidence*> far;
   for (Evidence& e : evidence) {
     if (!e.error.measured || e.error.left_out) continue;
@@ -209,7 +209,7 @@ bool leave_out(std::span<Evidence> evidence, const Unknowns<M>& x) {
     const Eigen::Matrix<double, M, 1> off = told.completeOrthogonalDecomposition().solve(left);
     if (left.dot(with.inverse() * off) > too_far) far.push_back(&e);
   }
-  constexpr std::size_t few = 10;  // one in so many
+  constexpr std::size_t few = 10;  // at most one in so many
   if (far.size() * few > evidence.size()) return false;
   for (Evidence* const e : far) e->error.left_out = true;
   return !far.empty();

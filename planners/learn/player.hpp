@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The player whose attempts these were.
+// Estimates a player's errors from attempts.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace bankshot::planning {
 
-/// Marks those attempts as left out that lie too far from the others.
+/// Estimates the errors, and marks attempts that lie too far from the others as left out.
 std::vector<PlayerError> errors_of(std::span<Evidence> evidence);
 
 }  // namespace bankshot::planning

@@ -9,7 +9,7 @@
 namespace bankshot::planning {
 
 Prediction predict(const Recording& recording, const Common& common, double noise, Work& work) {
-  Recording unseen = recording;  // what it met later is not known beforehand
+  Recording unseen = recording;  // a prediction must not know what the ball met later
   unseen.cushions.reset();
   Seen seen(unseen, noise);
   seen.robust = settings::learn::robust;

@@ -10,7 +10,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// The state right after the launch; unknowns vary as the numbers 0 to 7.
+/// Returns the state right after the launch; its unknowns vary as the numbers 0 to 7.
 template <int N>
 State<Dual<N>> start_of(const LaunchUnknowns& u, const Physics& physics, double radius) {
   using T = Dual<N>;
@@ -32,7 +32,7 @@ Way<Dual<N>> way_of(const Seen& seen, const Told& told, const Varying<N>& varyin
   });
 }
 
-/// `see(track, sample, way's time, its place)` of each sample up to the window.
+/// Calls `see(track, sample)` for each sample up to the window that is no outlier.
 template <class See>
 void each_used(const Seen& seen, See&& see) {
   for (std::size_t k = 0; k < seen.recording.tracks.size(); ++k) {
@@ -46,7 +46,8 @@ bool uses_rest(const Seen& seen, std::size_t track) {
   return seen.recording.tracks[track].rest && !(seen.window < seen.last) && seen.told[track].until == forever;
 }
 
-/// Weighs as a square up to k, then linearly (Huber 1964): times this, the distance has that as its square.
+/// Returns the factor that turns a distance into one whose square is Huber's loss: a square up to k, linear beyond
+/// (Huber 1964).
 template <class T>
 T huber(const T& square, double k) {
   if (!(square.a > k * k)) return T(1);
@@ -70,7 +71,7 @@ Seen::Seen(const Recording& r, double usual)
   expected = {timed ? r.tracks.front().samples[0].time : 0, stood.x, stood.y, 0, 0, middle_of_top, 0, 0};
   spread = {spread_of_start, noise, noise, forever, forever, spread_of_spin, spread_of_spin, spread_of_masse};
   const bool sampled = std::ranges::any_of(r.tracks, [](const Track& track) { return !track.samples.empty(); });
-  if (sampled || !r.launch_given) return;  // places of rest alone tell nothing of a launch: it is as it was given
+  if (sampled || !r.launch_given) return;  // places of rest alone do not determine a launch: it stays as given
   launch = expected = unknowns_of(r.scene, 0);
   spread[speed] = known_speed * expected[speed], spread[angle] = known_angle;
   spread[top] = spread[side] = known_spin;

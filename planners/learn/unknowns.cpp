@@ -22,7 +22,7 @@ ShotRequest with_launch(ShotRequest s, const LaunchUnknowns& u) {
 
 std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, bool meets_balls) {
   const double R = body.radius;
-  // Bounds are wider than any table; guesses are how much tables differ.
+  // Bounds are wider than the range of real tables; a guess is how much tables differ.
   const Fittable known[] = {
       {"sliding_friction", 0.02, 1, 0.1, 0},
       {"rolling_friction", 1e-4, 0.1, 0.005, 0},
@@ -53,7 +53,7 @@ std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, 
     if (found == std::end(known)) continue;
     out.push_back(*found);
     out.back().start = std::clamp(named.at.front()->a, found->low, found->high);
-    // A slope without a direction has no derivatives.
+    // A slope of 0 has no direction, so it has no derivatives.
     constexpr double hardly = 1e-6;
     if (named.name == "tilt.x") out.back().start = physics.tilt.x == 0 ? hardly : physics.tilt.x;
   }

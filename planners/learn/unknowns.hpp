@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a fit moves: of each shot how it was launched, and of all together the coefficients of the physics and the
-// camera.
+// The unknowns of a fit: the launch of each shot, and the coefficients of physics and camera that all shots share.
 #pragma once
 
 #include <array>
@@ -19,21 +18,21 @@ using LaunchUnknowns = std::array<double, launch_size>;
 enum LaunchIndex : std::size_t { start_time, x, y, speed, angle, top, side, masse };
 
 LaunchUnknowns unknowns_of(const ShotRequest& shot, double start);
-/// The scene with this launch.
+/// Returns the scene with this launch.
 ShotRequest with_launch(ShotRequest scene, const LaunchUnknowns& launch);
 
 /// One coefficient, or part of the camera, that may be fitted.
 struct Fittable {
   std::string name;
-  double low, high;  ///< where it may be
-  double guess;      ///< what is known of it anyhow: a standard error above this says nothing
+  double low, high;  ///< bounds
+  double guess;      ///< prior standard deviation: a standard error above this says nothing
   double start;
 };
 
-/// Names, bounds and starts of all that this physics has, tilt and camera at the end.
+/// Returns names, bounds and starts of all coefficients of this physics, with tilt and camera at the end.
 std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, bool meets_balls);
 
-/// What all shots have in common: coefficients by name, in the physics they belong to.
+/// The part that all shots share: coefficients by name, in the physics they belong to.
 struct Common {
   Physics base;
   std::vector<Fittable> known{};  ///< all that may be fitted
@@ -42,7 +41,7 @@ struct Common {
 
   const Fittable& fittable(const std::string& name) const;
   void add(const std::string& name);
-  /// The laws with these values.
+  /// Returns the physics with these values.
   Physics physics() const;
 };
 
@@ -50,12 +49,12 @@ struct Work {
   long simulations = 0, restarts = 0;
 };
 
-/// Camera: seen = offset + scale · true.
+/// Physics and camera with varying coefficients. Camera: seen = offset + scale · true.
 template <int N>
 struct Varying {
   explicit Varying(const Physics& physics, bool meets_balls);
 
-  /// Sets the coefficients of these names; the k-th varies as the number `first + k`, none where `first` is negative.
+  /// Sets the coefficients of these names. The k-th varies as the number `first + k`; none does if `first` is negative.
   void set(const std::vector<std::string>& names, const double* values, int first);
 
   VariedPhysics<N> physics;
@@ -66,7 +65,7 @@ struct Varying {
  private:
   std::vector<Dual<N>*> places(const std::string& name);
   std::vector<typename VariedPhysics<N>::Named> named_;
-  std::vector<std::string> names_;  ///< of the last `set`
+  std::vector<std::string> names_;  ///< names of the last `set`
   std::vector<std::vector<Dual<N>*>> at_;
 };
 

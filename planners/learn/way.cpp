@@ -4,7 +4,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// The struck ball's, also of what it touches: each other ball as it stood.
+/// Returns the contacts of the cue ball; other balls that it touches must stand where they stood.
 Told of_struck(const Trajectory& shot, double until) {
   Told told;
   std::vector<int> moved;
@@ -34,7 +34,7 @@ Told of_other(const Trajectory& shot, int ball, double until) {
     if (e.time > until) break;
     if (e.kind == EventKind::ball) {
       const bool its = e.ball == ball || e.contact.index == ball;
-      // Only the struck ball's first contact is followed on.
+      // Only the cue ball's first contact is followed on.
       if (sent ? its : e.ball != 0 || e.contact.index != ball) return told.until = e.time, told;
       if (!sent) told.before.push_back({0, e.contact});
       sent = true;

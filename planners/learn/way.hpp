@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a ball of a recorded shot was at any time: its locked path, kept. The contacts it meets are told, so that a
-// change of launch or of coefficients moves every place smoothly.
+// The place of a ball of a recorded shot at any time: its locked path, stored. The contacts it meets are given, so that
+// a change of launch or of coefficients moves every place smoothly.
 #pragma once
 
 #include <list>
@@ -13,15 +13,15 @@
 
 namespace bankshot::planning {
 
-/// What is told of one ball's way.
+/// The contacts given for one ball.
 struct Told {
   int ball = 0;
-  Route before{};          ///< of a ball that is struck by another: up to that contact, which is the last
-  Route route{};           ///< what it then meets itself
-  double until = forever;  ///< s since the launch: from here on fits do not follow it
+  Route before{};          ///< for a ball struck by the cue ball: the cue ball's route up to that contact
+  Route route{};           ///< contacts of the ball itself
+  double until = forever;  ///< s since the launch: beyond it fits do not follow the ball
 };
 
-/// Of one ball of a simulated shot, up to what happens `until` [s since the launch].
+/// Returns the contacts of one ball of a simulated shot, up to `until` [s since the launch].
 Told told_of(const Trajectory& shot, int ball, double until);
 
 /// The balls of a scene as they stand.
@@ -45,13 +45,13 @@ class Way {
  public:
   explicit Way(const Vec2<T>& from) : stood_(from) {}
 
-  void operator()(const Arc<T>& arc, const T& on) {  // as `watch` of follow_locked
+  void operator()(const Arc<T>& arc, const T& on) {  // called by follow_locked as its `watch`
     legs_.push_back({end_, arc, on});
     end_ += arc.seconds(on);
   }
   void begin(const T& time, const Vec2<T>& at) { end_ = time, stood_ = at; }
 
-  /// At a time since the launch.
+  /// Returns the place at a time since the launch.
   Vec2<T> at(const T& time) const {
     std::size_t i = legs_.size();
     while (i > 0 && value(time) < value(legs_[i - 1].begin)) --i;
@@ -60,7 +60,7 @@ class Way {
     const T since = time - leg.begin, p = leg.arc.parameter(since);
     return leg.arc.position(value(p) < value(leg.on) ? p : leg.on);
   }
-  const T& time() const { return end_; }  ///< up to which it is known
+  const T& time() const { return end_; }  ///< time up to which the path is known
   Vec2<T> end() const { return legs_.empty() ? stood_ : legs_.back().arc.position(legs_.back().on); }
 
  private:
@@ -74,7 +74,7 @@ class Way {
   std::vector<Leg> legs_;
 };
 
-/// After its last contact: until it rests, or `lasts` [s since the launch].
+/// Follows the ball after its last contact until it rests, or until `lasts` [s since the launch].
 template <class T, class Motion>
 void go_on(const Boundary& boundary, const Motion& motion, State<T> state, double lasts, Way<T>& way) {
   const Vec2<Real<T>> from = value(state.at);
@@ -88,7 +88,7 @@ void go_on(const Boundary& boundary, const Motion& motion, State<T> state, doubl
   }
 }
 
-/// Up to where the ball rests, or to `lasts` [s since the launch].
+/// Returns the path up to where the ball rests, or to `lasts` [s since the launch].
 template <class T, class Motion, class Cushion>
 Way<T> way_of(const Stand& stand, const BallBallOf<T>& law, const Motion& motion, const Cushion& cushion,
               const Told& told, const State<T>& start, double lasts) {

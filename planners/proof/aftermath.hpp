@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole shot, with all balls, until every ball rests. A replay stops where the target is reached.
+// The whole shot, with all balls, until every ball rests. A replay stops when the target is reached.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ struct Aftermath {
   std::optional<Vec2d> cue_rests{};     ///< m, where it comes to rest
 };
 
-/// Nothing of a shot whose target is no ball. In `ideal`, where no ball rests, only whether the cue ball falls before
-/// `ideal_cushions` more events. Cost: one simulation of all balls.
+/// Returns nothing for a shot whose target is no ball. In `ideal`, where no ball rests, it tells only whether the cue
+/// ball falls within `ideal_cushions` events. Cost: one simulation of all balls.
 Aftermath aftermath(const Question& q, Ledger& ledger, const Launch& launch);
 
-/// Notes it in a shot.
+/// Stores the aftermath in a shot.
 void add_aftermath(const Question& q, Ledger& ledger, Shot& shot);
 
 }  // namespace bankshot::planning

@@ -10,7 +10,7 @@
 
 namespace bankshot::planning {
 
-/// Brings a number that rounding carried just outside its bounds back in; false where it lies farther out.
+/// Brings a number that rounding carried just outside its bounds back in; returns false if it lies farther out.
 inline bool bring_inside(double& v, const Range& r) {
   const double slack = tolerance::bound * std::max(1.0, std::abs(r.high));
   if (v < r.low - slack || v > r.high + slack) return false;
@@ -18,7 +18,7 @@ inline bool bring_inside(double& v, const Range& r) {
   return true;
 }
 
-/// The same of an aim, whichever turn the bounds are of.
+/// Brings an aim inside its bounds likewise, whichever full turn the bounds are in.
 inline bool inside_aims(double& angle, const std::optional<Range>& bounds) {
   if (!bounds) return true;
   constexpr double turn = radians(360);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a replay is held against: after which bounces the ball must reach a mark, and how exactly.
+// The goal of a replay: after which bounces the ball must reach an aim point, and how exactly.
 #pragma once
 
 #include <vector>
@@ -16,19 +16,19 @@ enum class Demand {
 };
 
 struct Goal {
-  int min, max;                                    ///< bounces before the mark
-  const std::vector<Contact>* sequence = nullptr;  ///< those, in order; must outlive this
+  int min, max;                                    ///< bounces before the aim point
+  const std::vector<Contact>* sequence = nullptr;  ///< these bounces, in order; must outlive this
   Demand demand = Demand::exact;
-  const std::vector<Onward>* then = nullptr;  ///< these go on, by these cushions; null: as the puzzle asks
-  /// As `success` and `margin` count a shot: its own ball and pocket, the cue ball must not fall, and a pot without a
-  /// rule of cushions counts every fall.
+  const std::vector<Onward>* then = nullptr;  ///< object balls and their cushions; null: as the puzzle asks
+  /// The shot, if it is judged as `success` and `margin` count it: by its own ball and pocket, without a scratch. A pot
+  /// without a rule of cushions then counts however the ball falls.
   const Shot* counts = nullptr;
 
   struct Bounces {
     int min, max;
     const std::vector<Contact>* sequence;  ///< null: any
   };
-  /// Of the ball that is sent on as the n-th, from 0.
+  /// Returns the rule for the n-th object ball, counted from 0.
   Bounces of_sent(const Question& q, std::size_t n) const {
     if (counts && n == q.then()->links.size() && q.then()->counts_any_fall()) return {0, max_cushions, nullptr};
     if (!then) {
@@ -39,17 +39,17 @@ struct Goal {
     const int count = static_cast<int>(cushions.size());
     return {count, count, &cushions};
   }
-  /// The first ball may be this one.
+  /// Returns whether the first ball may be this one.
   bool allows(int first) const {
     if (counts && !counts->hits.empty()) return counts->hits.front().ball == first;
     return !then || then->front().ball == first;
   }
-  /// The shot may arrive at this mark.
+  /// Returns whether the shot may arrive at this aim point.
   bool allows(const Question& q, const Mark& mark) const {
     return !counts || counts->hits.empty() || mark.taken_by == q.mark_of(*counts).taken_by;
   }
 
-  /// As the puzzle asks.
+  /// Returns the goal as the puzzle asks.
   static Goal of(const Question& q, Demand demand = Demand::exact) {
     const CushionRule& c = q.cushions();
     return {c.min, c.max, c.sequence ? &*c.sequence : nullptr, demand};
@@ -63,19 +63,19 @@ struct Goal {
     const int n = static_cast<int>(contacts.size());
     return {n, n, &contacts, demand};
   }
-  /// As a shot does, which must outlive it.
+  /// Returns the goal to do as a shot does; the shot must outlive it.
   static Goal along(const Shot& shot, Demand demand = Demand::made) {
     Goal goal = along(shot.cushions, demand);
     if (!shot.then.empty()) goal.then = &shot.then;
     return goal;
   }
-  /// As its success counts it: by any cushions that the puzzle allows. The shot must outlive it.
+  /// Returns the goal by which success counts a shot: by any cushions that the puzzle allows. The shot must outlive it.
   static Goal counted(const Question& q, const Shot& shot) {
     Goal goal = of(q, Demand::made);
     goal.counts = &shot;
     return goal;
   }
-  /// As its margin counts it: by its own cushions.
+  /// Returns the goal by which the margin counts a shot: by its own cushions. The shot must outlive it.
   static Goal counted_along(const Shot& shot) {
     Goal goal = along(shot);
     goal.counts = &shot;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How a replayed line of travel leads into a pocket, or onto a ball.
+// Measures how a replayed line of travel leads into a pocket, or onto a ball.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace bankshot::planning {
 
-/// Of a ball.
+/// A ball's line of travel.
 struct Line {
   Vec2d at, heading;
 };
 
-/// How a line leads into a pocket: miss and offset of the replay.
+/// Measures how a line leads into a pocket: sets miss and offset of the replay.
 inline void measure(const Question& q, const Mark& mark, const Line& line, Replay& replay) {
   const Vec2d u = line.heading / norm(line.heading);
   const double offset = cross(u, line.at - mark.at), exact = mark.exact_offset(u, offset);
@@ -23,13 +23,13 @@ inline void measure(const Question& q, const Mark& mark, const Line& line, Repla
   replay.offset = q.centred(replay.miss) && !replay.rattles ? exact : offset;
 }
 
-/// A ball that moves along the line, as fast, touches another at its mark or where it stands.
+/// Returns the contact of a ball that moves along the line, at this speed, with a ball at `other`.
 inline Hit hit_by(const Line& line, double speed, int ball, const Vec2d& other, double reach, int after) {
   const double size = norm(line.heading), offset = size > 0 ? cross(line.heading, line.at - other) / size : 0;
   return {ball, std::asin(std::clamp(-offset / reach, -1.0, 1.0)), speed, line.at, after};
 }
 
-/// The ball that is asked for is touched at some cut.
+/// Judges the contact with the ball that is the target: how far the cut is off, and whether it is allowed.
 inline void touched(const Mark& mark, const Line& line, Replay& replay) {
   const double offset = cross(line.heading, line.at - mark.at) / norm(line.heading);
   replay.miss = std::abs(offset - mark.cuts->exact);

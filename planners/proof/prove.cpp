@@ -17,7 +17,7 @@ bool fast_as_asked(const Question& q, double arrival_speed) {
   return arrival_speed >= q.arrival->low - slack && arrival_speed <= q.arrival->high + slack;
 }
 
-/// It counts on the jaws of its pocket.
+/// Returns whether the shot counts on the jaws of its pocket.
 bool rattles_in(const Question& q, const Replay& r) { return r.rattles && q.drops(); }
 
 bool good_enough(const Question& q, const Replay& r, Demand demand) {

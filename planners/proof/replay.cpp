@@ -14,7 +14,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// A simulation against a goal, leg by leg.
+/// A simulation checked against a goal, leg by leg.
 template <class Motion, class Cushion>
 class Follower {
  public:
@@ -76,7 +76,8 @@ class Follower {
 
  private:
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
-  /// Legs have a length, but for that between the two cushions of a corner.
+  /// Returns whether the ball bounces where it stands. Legs have a length, except that between the two cushions of a
+  /// corner.
   bool bounces_in_place() {
     constexpr int of_a_corner = 2;
     at_start_ = at_start_ && norm(sim_.state().at - q_.puzzle.ball.at) <= q_.boundary.touch;
@@ -84,7 +85,8 @@ class Follower {
   }
   bool may_set_going(Contact ball) const { return q_.carom() || (counts() && goal_.allows(ball.index)); }
 
-  /// Closest approach to each mark on the arc just travelled; true when one that does not capture is made there.
+  /// Finds the closest approach to each aim point on the arc just travelled; returns whether the target is made in
+  /// passing.
   bool look_along_arc(EventKind end) {
     if (stop_ || q_.objects || !counts()) return false;
     for (const Mark& mark : q_.marks) {
@@ -124,7 +126,7 @@ class Follower {
       return fail(by.kind == ContactKind::pocket ? Foul::pocketed : Foul::hit_ball, by);
     out_.replay.made = true;
     out_.replay.bounces = k_;
-    // A ball that stops on the circle still has the line of its last arc.
+    // A ball that stops on the pocket's circle keeps the direction of its last arc.
     const Vec2d heading = norm(now.velocity) > 0 ? now.velocity : sim_.arc().velocity;
     out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
     if (mark->cuts) {
@@ -136,7 +138,7 @@ class Follower {
     return out_;
   }
 
-  /// The struck ball has touched the first of these, and they do the rest.
+  /// Continues after the cue ball has touched the first ball of a chain; those balls do the rest.
   Trace set_going(const Objects::Chain& chain, std::vector<Contact>* contacts) {
     out_.replay.bounces = k_;
     out_.replay.miss = std::numeric_limits<double>::infinity();
@@ -144,7 +146,7 @@ class Follower {
     return out_;
   }
 
-  /// What it touches first of the jaws of the pocket it may fall into tells the line of travel there.
+  /// Counts a jaw contact. The first jaw met at a target pocket defines the line of travel there.
   void rattle(Contact jaw) {
     const auto of_jaws = [&](const Mark& mark) { return mark.taken_by.index == jaw.jaw_pocket(); };
     if (!first_jaw_ && std::ranges::any_of(q_.marks, of_jaws))
@@ -164,7 +166,8 @@ class Follower {
     return out_;
   }
 
-  /// m, of the ball from the mark; where another is to be sent there, both ways.
+  /// Returns the distance [m] of the cue ball from the aim point; if an object ball is to go there, the way through
+  /// that ball.
   double apart(const Mark& m) const {
     if (m.ball == 0) return norm(sim_.state().at - m.at);
     const Vec2d at = q_.objects->find(m.ball).at_rest.at;
@@ -172,8 +175,8 @@ class Follower {
   }
 
   Trace fail(Foul foul, Contact contact = {}) {
-    // Where the target was passed with the bounces asked, that is the miss; else how near the
-    // ball was when it went wrong.
+    // If the ball passed the target after the bounces asked, the miss is known; otherwise it is the distance when the
+    // shot failed.
     if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
       for (const Mark& m : q_.marks) out_.replay.miss = std::min(out_.replay.miss, apart(m));
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
@@ -190,9 +193,9 @@ class Follower {
   const Motion& motion_;
   const Cushion& cushion_;
   const Goal& goal_;
-  bool tracing_;  ///< only the shape matters: pass the target, and keep account of the speed
+  bool tracing_;  ///< only the shape matters: the ball passes the target, and an account is kept of the speed
   bool stop_;
-  bool at_start_;  ///< it has touched what it touches since the start, and nothing else
+  bool at_start_;  ///< so far the ball has touched only what it touches at the start
   SequenceCheck check_;
   Simulator<double, Motion, Cushion> sim_;
   int k_ = 0;
@@ -217,7 +220,7 @@ Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goa
     return Follower(q, motion, cushion, launch, goal, false).run(contacts).replay;
   });
   ledger.charge(static_cast<std::size_t>(r.bounces));
-  // In `ideal` no ball comes to rest, so that every cue ball would fall in the end.
+  // In `ideal` no ball comes to rest, so every cue ball would fall in the end.
   if (r.made && goal.counts && !is_ideal(q.puzzle.physics) && aftermath(q, ledger, launch).scratch_pocket) {
     r.made = false;
     r.failure = {Foul::scratched};

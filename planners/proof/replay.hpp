@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A launch simulated against a goal. Cost: one simulation, which the ledger is charged.
+// The simulation of a launch against a goal. Cost: one simulation, which counts against the budget.
 #pragma once
 
 #include <limits>
@@ -18,28 +18,28 @@ struct Replay {
   double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
   double offset = 0;                                      ///< m, see Shot::offset
   Arrival arrival;
-  Failure failure;             ///< when it is not made
-  std::vector<Hit> hits{};     ///< of balls, in order, up to the target
-  std::vector<Onward> then{};  ///< those that were sent on
+  Failure failure;             ///< if it is not made
+  std::vector<Hit> hits{};     ///< contacts with balls, in order, up to the target
+  std::vector<Onward> then{};  ///< object balls and their cushions
   bool rattles = false;        ///< it touched the jaws of a pocket
-  std::vector<Contact> met{};  ///< if so, and bounces were asked for: all that it bounced off
-  int bounces = 0;             ///< at arrival or at the foul
+  std::vector<Contact> met{};  ///< after a jaw contact, if `contacts` is given: all that it bounced off
+  int bounces = 0;             ///< at arrival, or at the failure
   bool cushion_stick = false;  ///< see Shot::cushion_stick
   int jaws = 0;                ///< see Shot::jaws
 };
 
-/// `contacts`, if given, receives the bounces.
+/// Replays a launch. `contacts` receives the bounces, if it is not null.
 Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goal& goal,
               std::vector<Contact>* contacts = nullptr);
 
-/// What a path costs in speed, where its shape does not depend on the speed: after the arcs added so
-/// far, v² = gain·v0² − loss. The arcs are those of a launch at unit speed without friction.
+/// The speed that a path costs, if its shape does not depend on the speed: after the arcs added so far, v² = gain·v0² −
+/// loss. The arcs are those of a launch at unit speed without friction.
 class SpeedAccount {
  public:
   explicit SpeedAccount(double deceleration) : deceleration_(deceleration) {}
   void add(const Arc<double>& arc, double t);
   double gain = 1, loss = 0;  ///< –, m²/s²
-  /// No launch at `speed` or slower gets here.
+  /// Returns whether no launch at `speed` or slower gets here.
   bool beyond(double speed) const { return loss > gain * speed * speed; }
 
  private:

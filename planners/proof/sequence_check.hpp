@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a ball meets the cushions that are asked, in turn.
+// Checks that a ball meets the cushions asked, in order.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,7 @@
 
 namespace bankshot::planning {
 
-/// Follows the bounces against a requested sequence; two at one instant match in either order.
+/// Compares the bounces with a requested sequence; two at one instant match in either order.
 class SequenceCheck {
  public:
   explicit SequenceCheck(const std::vector<Contact>* wanted) : wanted_(wanted) {}
@@ -26,7 +26,7 @@ class SequenceCheck {
     }
     return false;
   }
-  /// A swap still waits for its second bounce.
+  /// Returns whether a swap still waits for its second bounce.
   bool open() const { return bool(swapped_); }
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// From the first contact on: the balls of a chain set each other going, in turn, and the last of them is on its way to
-// the target; in a carom the struck ball itself is. No other contact may be made. Only these balls move; whatever else
-// stands is an obstacle to all.
+// The shot after the first contact. The balls of a combination set each other going in turn, and the last of them is on
+// its way to the target; in a carom the cue ball itself is. No other contact may happen. Only these balls move; all
+// others are obstacles.
 #pragma once
 
 #include <limits>
@@ -16,7 +16,7 @@
 
 namespace bankshot::planning {
 
-/// What of its cushions the struck ball had met before.
+/// The cue ball's bounces before the contact, and their check.
 struct Counted {
   int bounces;
   SequenceCheck check;
@@ -25,7 +25,7 @@ struct Counted {
 template <class Motion, class Cushion>
 class SetGoing {
  public:
-  /// `out` gets what it comes to, and `contacts`, where it is given, the further cushions of the struck ball.
+  /// `out` gets the result, and `contacts`, if it is not null, the further cushions of the cue ball.
   SetGoing(const Question& q, const Motion& motion, const Cushion& cushion, const Objects::Chain& chain,
            const Goal& goal, const Counted& before, std::vector<Contact>* contacts, Replay& out)
       : q_(q),
@@ -41,7 +41,8 @@ class SetGoing {
         out_(out),
         last_(chain.balls.front()->at_rest.at) {}
 
-  /// `struck` touches the first ball, `begin` seconds after the launch.
+  /// Follows the shot from the moment when `struck`, the cue ball, touches the first ball, `begin` seconds after the
+  /// launch.
   void run(const State<double>& struck, double begin) {
     std::vector<BallStart<double>> balls{{&chain_.moving.front(), struck, 0}};
     for (std::size_t i = 0; i < chain_.balls.size(); ++i)
@@ -56,17 +57,17 @@ class SetGoing {
         if (ball == on_its_way() && set_ > 0) arrived = arrived || passes(began, from, arc, travelled);
       };
       const BallEvent e = sim.step(forever, look);
-      // One that still comes nearer when its slide, or a piece of it, ends is closest on the next arc.
+      // A ball that still comes nearer when its slide, or a piece of it, ends is closest on the next arc.
       const bool its = e.ball == on_its_way() || e.event.contact == Contact::ball(number());
       const bool others_meet = !its && e.event.kind == EventKind::ball;
-      if (others_meet && !arrived) sim.stop(look);  // the end, so what has been passed until now counts
+      if (others_meet && !arrived) sim.stop(look);  // the shot ends here, so the path up to now counts
       if (near_end_ && (others_meet || (its && e.event.kind != EventKind::slide_to_roll))) arrived = out_.made = true;
       if (arrived || over(e, sim)) return;
     }
   }
 
  private:
-  /// Of the balls that move, 0 the struck one: that which is to touch the next, or to reach the target.
+  /// Returns the moving ball that is to touch the next one, or to reach the target; 0 is the cue ball.
   int on_its_way() const { return carom_ ? 0 : static_cast<int>(set_); }
   int number() const { return on_its_way() == 0 ? 0 : chain_.balls[set_ - 1]->ball; }
   bool all_set() const { return set_ == chain_.balls.size(); }
@@ -108,7 +109,7 @@ class SetGoing {
     return true;
   }
 
-  /// The next ball is touched, by that which was on its way to it.
+  /// Notes that the next ball is touched, by the ball that was on its way to it.
   template <class Sim>
   bool sets_going(const Sim& sim) {
     const Objects::Object& next = *chain_.balls[set_];
@@ -136,7 +137,8 @@ class SetGoing {
   template <class Sim>
   bool bounces(const Event& e, const Sim& sim) {
     last_ = sim.state(on_its_way()).at;
-    if (!carom_ && sim.time() == began_) return false;  // against what it touches, in the instant in which it is hit
+    // Off a cushion that it touches, in the instant in which it is hit.
+    if (!carom_ && sim.time() == began_) return false;
     if (bounces_ == asked_.max) return fail(Foul::extra_cushion, e.contact);
     if (!check_.accepts(bounces_, e)) return fail(Foul::wrong_cushion, e.contact);
     ++bounces_;
@@ -146,7 +148,7 @@ class SetGoing {
     return false;
   }
 
-  /// An arc of the ball that is on its way: closest to a point, and whether it is made there.
+  /// Looks along an arc of the ball on its way for the closest approach to a target point; returns whether it is made.
   bool passes(double began, const State<double>& from, const Arc<double>& arc, double travelled) {
     const auto on_path = [&](double t) { return advance(motion_, q_.boundary_of(number()).body, from, arc, t); };
     const State<double> end = on_path(travelled);
@@ -219,10 +221,10 @@ class SetGoing {
   SequenceCheck check_;
   std::vector<Contact>* contacts_;
   Replay& out_;
-  std::size_t set_ = 0;    ///< so many of the chain were touched
-  double begin_ = 0;       ///< s after the launch: the simulation's 0
-  double began_ = 0;       ///< s, of the ball that is on its way
-  bool near_end_ = false;  ///< a point was near where an arc ended
+  std::size_t set_ = 0;    ///< number of balls in the chain that were touched
+  double begin_ = 0;       ///< s after the launch: time 0 of the simulation
+  double began_ = 0;       ///< s, when the ball on its way was set going
+  bool near_end_ = false;  ///< a target point was within reach at the end of an arc
   Vec2d last_;
   Line incoming_{};
   std::optional<Line> jaw_{};
