@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs what a page of docs/ says to type in a checkout (its blocks of sh) as it is written, in a home of its own; then a
-# command there, which looks whether it works.
+# Runs the commands that a page of docs/ tells a user to type in a checkout (its blocks of sh), in a temporary home.
+# Then runs a command there that checks the result.
 #   bash tests/checkout.sh docs/python.md '~/bankshot/bin/python .../installed.py'
 set -euo pipefail
 cd "$(dirname "$0")/.."
-# A home of its own, but for the compiler's cache.
+# A temporary home, except for the compiler's cache.
 export XDG_CACHE_HOME=${XDG_CACHE_HOME:-$HOME/.cache} XDG_CONFIG_HOME=${XDG_CONFIG_HOME:-$HOME/.config}
 HOME=$(mktemp -d)
 export HOME

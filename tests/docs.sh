@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs the commands of a page of docs/ as they are written, in order: blocks of bash, python and javascript; indented ones
-# are for machines that are not here. A block of text behind one of them is what it must print.
-#   tests/docs.sh docs/cluster.md            in a folder of its own, with the repository's files beside it
+# Runs the commands of a page of docs/ in order: its blocks of bash, python and javascript. Indented blocks are for
+# other machines and are skipped. A block of text after a command is its expected output.
+#   tests/docs.sh docs/cluster.md            in a temporary folder, with the repository's files beside it
 set -euo pipefail
 page=$(readlink -f "$1")
 root=$(dirname "$(dirname "$page")")

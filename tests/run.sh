@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what is missing, builds, and runs all tests, or those of some folders of tests/ alone.
+# Installs missing packages, builds, and runs all tests or those of some folders of tests/.
 #   bash tests/run.sh [PRESET [FOLDER...]]     release (the default), debug, asan-ubsan, lto ...
 set -euo pipefail
 cd "$(dirname "$0")/.."

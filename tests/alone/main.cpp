@@ -10,7 +10,7 @@ int main() {
     if (std::string(p.name).find("nlopt") != std::string::npos ||
         std::string(p.summary).find("nlopt") != std::string::npos)
       return std::printf("%s is listed\n", std::string(p.name).c_str()), 1;
-  // The second has no shot: `auto` comes to its end.
+  // The second puzzle has no shot, so `auto` tries all its steps.
   const Answer
       bank = solve(read_puzzle(
           R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "target": {"point": [1.9, 0.9]}, "cushions": 2})")),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `advise` as typed in a shell.
+// Tests `advise` as typed in a shell.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ using bankshot::test::ScratchFile;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-/// Meant at 2 m/s, struck 3 % harder.
+/// Returns a recorded attempt that was meant at 2 m/s and struck 3 % harder.
 std::string attempt(int i) {
   Json shot{{"id", i},
             {"table", "pool-9ft"},

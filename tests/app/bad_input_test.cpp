@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bad input as a user meets it: exit code 2, one line that names the place and the rule, and an
-// `invalid` answer for a program that asked for JSON.
+// Bad input as a user meets it: exit code 2, one line that names the place and the rule, and an `invalid` answer for a
+// program that asked for JSON.
 #include <nlohmann/json.hpp>
 
 #include "support/catch.hpp"
@@ -16,12 +16,12 @@ using Json = nlohmann::json;
 struct Case {
   const char* name;
   std::string document;
-  std::string path;    ///< JSON path of the offender; empty for text that is no JSON
-  std::string reason;  ///< words the reason must hold
-  Json id = 7;         ///< echoed; null where the document has none to tell
+  std::string path;    ///< JSON path of the error; empty for text that is not JSON
+  std::string reason;  ///< words that the reason must contain
+  Json id = 7;         ///< the id that the answer repeats; null where the document has none
 };
 
-/// A sound puzzle with one member of the document replaced, added or (null) left out.
+/// Returns a valid puzzle with one member of the document replaced, added or (null) left out.
 std::string puzzle(const Json& change) {
   Json p = Json::parse(R"({"id": 7, "table": "pool-9ft", "physics": "rolling", "ball": {"at": [0.6, 0.4]},
                            "target": {"pocket": "top-right"}})");
@@ -138,7 +138,7 @@ void check_complaint(const Run& run, const std::string& place, const std::string
 TEST_CASE("bad puzzles are refused with their place and the rule") {
   for (const Case& c : cases()) {
     INFO(c.name);
-    // Text that is no JSON has a line instead of a path.
+    // Text that is not JSON has a line instead of a path.
     const bool has_line = c.reason.starts_with("line ");
     const auto words = c.reason.substr(has_line ? c.reason.find(": ") + 2 : 0);
     const auto line = has_line ? c.reason.substr(5, c.reason.find(':') - 5) : "";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `bankshot batch` as a user meets it: one line out for each line in, whatever the lines, the
-// threads, the files; and what it says.
+// `bankshot batch` as a user meets it: it writes one line for each line it reads, whatever the lines, the threads and
+// the files. Its messages are tested too.
 #include <nlohmann/json.hpp>
 
 #include "app/scratch_file.hpp"
@@ -16,7 +16,7 @@ using bankshot::test::ScratchFile;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-/// A puzzle that has one shot, and that a program would write.
+/// Returns a puzzle that has one shot, as a program would write it.
 std::string line(int i) {
   return R"({"id": )" + std::to_string(i) + R"(, "table": "seed", "physics": "rolling", "ball": {"at": [)" +
          std::to_string(0.5 + 0.003 * i) +
@@ -125,7 +125,7 @@ TEST_CASE("the output has the same bytes for any number of threads, packed or no
     CHECK(packed.text().size() < whole.size() / 2);
   }
   CHECK(!std::filesystem::exists(out.path + ".progress"));
-  // Its answers as puzzles: each line of the packed file is read, and is no puzzle.
+  // The packed answers serve as input: each line is read, and none is a puzzle.
   CHECK(split(run_program(batch + packed.quoted()).out).size() == 300);
   std::ofstream(packed_in.path, std::ios::binary) << packed_bytes.substr(0, packed_bytes.size() / 2);
   const auto cut = run_program(batch + packed_in.quoted());
@@ -150,7 +150,7 @@ TEST_CASE("a batch ends with a line that sums it up, and says nothing when quiet
   const auto run = run_program("batch -", text);
   CHECK_THAT(run.err, Contains("7 puzzles in ") &&
                           Contains(" a second: 6 solved, 0 no-shot, 1 invalid (the first on line 6); worst miss "));
-  CHECK(split(run.err).size() == 1);  // no progress where no terminal is
+  CHECK(split(run.err).size() == 1);  // no progress is shown without a terminal
   CHECK(run_program("batch --quiet -", text).err.empty());
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("a closed pipe ends a batch with an error, not silently") {
 TEST_CASE("a full disk loses nothing: a later --resume completes the output") {
   const File in("batch-full.jsonl", lines(0, 300)), out("batch-full-out.jsonl");
   const std::string whole = run_program(batch + in.quoted()).out;
-  // Files may grow to 200 blocks, of 512 bytes in most shells.
+  // Files may grow to 200 blocks, which are 512 bytes each in most shells.
   const auto stopped = run_shell("ulimit -f 200; PROGRAM " + batch + in.quoted() + " -o " + out.quoted());
   CHECK(stopped.exit == 2);
   CHECK_THAT(stopped.err,
@@ -246,7 +246,7 @@ TEST_CASE("resume knows an output that is whole, begins where there is none, and
 }
 
 TEST_CASE("a stream is answered as it comes") {
-  // The second puzzle is only sent once the first was answered.
+  // The second puzzle is sent only after the first was answered.
   const File first("batch-first.jsonl", line(1) + "\n"), second("batch-second.jsonl", line(2) + "\n"),
       answers("batch-answers.jsonl");
   const auto run =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `book` as typed in a shell: questions in front, answers at the back, headings that say what is in it.
+// `book` as typed in a shell: puzzles in front, answers at the back, headings that name the contents.
 #include <algorithm>
 
 #include "app/scratch_file.hpp"
@@ -12,7 +12,7 @@ namespace {
 using namespace bankshot::test;
 using Catch::Contains;
 
-/// Any pocket, a range of cushions, more of them than have a word, a title, one without an answer.
+/// Returns puzzles with a range of cushions, seven cushions, a title, any pocket, and no solution.
 std::string puzzles(int more) {
   std::string out;
   const std::string scene =

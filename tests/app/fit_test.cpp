@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `fit` and `simulate --record` as typed in a shell.
+// Tests `fit` and `simulate --record` as typed in a shell.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of keys: the schema and docs/format.md are made from it, and it says what the readers do.
+// Tests the table of keys: it is the source of the schema and of docs/format.md, and it agrees with the readers.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `generate` as typed in a shell.
+// Tests `generate` as typed in a shell.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>

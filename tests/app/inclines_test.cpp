@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The ways to follow a ball on a slope that `report` compares: all lead where the closed form does, each with the order
-// of its method.
+// The methods that `report` compares for a ball on a slope: all agree with the closed form, each with its order of
+// convergence.
 #include "app/report/inclines.hpp"
 
 #include <cmath>
@@ -28,7 +28,7 @@ Roll draw(Random& r, double share) {
           direction(r.uniform(0, 6.28)) * r.uniform(0.5, 2)};
 }
 
-/// The mean power of the step with which the error falls when steps are halved, half way to the stop.
+/// Returns the mean order of convergence at half the time to the stop, from halving the step.
 template <class Way>
 double order(int steps, const Way& way) {
   Random r(seed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the program and its documents say, tried: every line that they tell a user to type.
+// Tries every command line that the program and its documents tell a user to type.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -19,8 +19,8 @@ using Catch::Contains;
 const std::vector<std::string> commands{"solve", "simulate", "batch",  "verify", "generate", "map",       "pocket",
                                         "book",  "report",   "schema", "help",   "man",      "completion"};
 
-/// Runs lines in a folder of their own that holds the files they speak of, and `bankshot` as a command.
-/// `puzzle.json` is the one of three lines in docs/format.md.
+/// Runs lines in a temporary folder that holds the files they use, with `bankshot` as a command. There `puzzle.json` is
+/// the three-line puzzle of docs/format.md.
 Run type(const std::string& lines) {
   const std::string text = read_repository_file("docs/format.md"), begin = "```json\n";
   const std::size_t at = text.find(begin) + begin.size();
@@ -47,7 +47,7 @@ std::vector<std::string> examples(const std::string& help) {
   return out;
 }
 
-/// A report for a test: a few shots a point.
+/// Makes a report quick for a test: two shots per point.
 std::string quick(const std::string& line) { return line.starts_with("bankshot report") ? line + " --shots 2" : line; }
 
 }  // namespace
@@ -65,7 +65,7 @@ TEST_CASE("every --help has examples that work, and its exit codes", "[heavy]") 
       CHECK(run.exit == 0);
       CHECK_THAT(run.err, !Contains("bankshot: "));
     }
-    // A short option has a long one beside it.
+    // Each short option has a long one beside it.
     const std::regex alone("\n  -[a-z] ");
     CHECK(!std::regex_search(help, alone));
   }
@@ -117,7 +117,7 @@ for table in report/*.csv; do head -n 1 "$table"; done)");
     for (std::string name; std::getline(names, name, ',');)
       columns.insert(std::regex_replace(name, std::regex("\""), ""));
   }
-  columns.erase("events");  // Google Benchmark's counters are named where they are counted
+  columns.erase("events");  // Google Benchmark's counters are documented where they are counted
   for (const std::string& column : columns) {
     INFO(column);
     CHECK(text.find("`" + column + "`") != std::string::npos);

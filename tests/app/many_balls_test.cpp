@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `simulate` with other balls on the table, as typed in a shell.
+// Tests `simulate` with other balls on the table, as typed in a shell.
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -17,7 +17,7 @@ using bankshot::test::ScratchFile;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-/// The 8 is sent into the corner, the 3 looks on; "a,b" is a name that CSV must quote.
+/// Ball 8 is sent into the corner and the other ball does not move; "a,b" is a name that CSV must quote.
 const std::string potted = R"({"table": "pool-9ft", "physics": "spin", "ball": {"at": [2.0, 0.8], "spin": {"top": 0.2}},
   "others": [{"id": "8", "at": [2.3, 1.05]}, {"id": "a,b", "at": [0.5, 0.5], "radius": 0.03, "mass": 0.2}],
   "shot": {"speed": 1.5, "angle": 39.5}, "until": {"time": 30}})";
@@ -62,7 +62,7 @@ TEST_CASE("simulate tells of every ball: text, events, rows and a picture") {
   }
   CHECK(quoted > 20);
   CHECK(of_8 > 5);
-  CHECK(of_8 < of_cue);  // it fell
+  CHECK(of_8 < of_cue);  // ball 8 fell
 }
 
 TEST_CASE("simulate: until is the struck ball's, and stops all") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `map` as typed in a shell: its rows are what `solve` says from there, its picture has a cell each.
+// `map` as typed in a shell: its rows are the answers of `solve` from those places, and its picture has a cell for
+// each.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,7 @@ using bankshot::test::ScratchFile;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-// Between jaws a rattle drops from everywhere.
+// Without jaws, because jaw shots drop from everywhere.
 const char* const bank =
     R"({"table": {"preset": "pool-9ft", "jaws": false}, "physics": "rolling", "ball": {"at": [0.635, 0.4]},
   "target": {"pocket": "bottom-middle"}, "cushions": ["top", "right"]})";
@@ -72,7 +73,7 @@ TEST_CASE("map: each row is the answer of solve from there") {
   CHECK((solved > 8 && solved < 18));
   CHECK_THAT(run.out, Contains(fmt::format("18 starts: {} with a shot, {} without", solved, 18 - solved)) &&
                           Contains("slowest: ") && Contains("most robust: "));
-  // Two tables, a rectangle for each cell, an arrowhead where it is aimed.
+  // Two tables, a rectangle for each cell, and an arrowhead where a cell has an aim.
   CHECK(count(svg.text(), "<svg ") == 3);
   CHECK(count(svg.text(), "class=\"aim\"") == 2 * static_cast<std::size_t>(solved));
   CHECK_THAT(svg.text(), Contains("no shot") && Contains("100 %") && Contains(" m/s") && !Contains("no start"));

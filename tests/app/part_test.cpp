@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A batch in parts, each its own process, and `merge`: the same bytes as in one go, whatever the lines, the number of
-// parts and the packing; and what is missing, damaged or of another batch is told.
+// A batch in parts, each its own process, and `merge`. The bytes are those of one run, whatever the lines, the number
+// of parts and the packing. Parts that are missing, damaged or of another batch are reported.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using bankshot::test::run_program;
 using bankshot::test::run_shell;
 using Catch::Contains;
 
-/// A folder of its own, gone afterwards.
+/// A temporary folder that is removed with the object.
 struct Folder {
   std::string path =
       (std::filesystem::temp_directory_path() / ("bankshot part " + std::to_string(::getpid()))).string();
@@ -30,7 +30,7 @@ struct Folder {
   bool has(const std::string& name) const { return std::filesystem::exists(path + "/" + name); }
 };
 
-/// Puzzles of very different lengths, among them lines that are none; the last has no line break.
+/// Returns puzzles of very different lengths and lines that are not puzzles; the last line has no line break.
 std::string puzzles(int count) {
   std::string out;
   for (int i = 0; i < count; ++i) {
@@ -133,13 +133,13 @@ TEST_CASE("a part that is there is not made again, and one that was cut off goes
   REQUIRE(run_program(command).exit == 0);
   const std::string whole = in.read("b");
   CHECK_THAT(run_program(command + " --resume").err, Contains("is whole already"));
-  // Of another input it is not, also where nothing before it differs.
+  // The output of another input is not accepted as whole, even if the other input only has one more line.
   std::ofstream(in.path + "/other.jsonl", std::ios::binary) << puzzles(899);
   const std::string first = "batch --no-timing --no-robustness -o " + in("first") + " --part 0/1 --resume ";
   REQUIRE(run_program(first + in("other.jsonl")).exit == 0);
   CHECK_THAT(run_program(first + in("p.jsonl")).err, Contains("900 puzzles"));
   CHECK_THAT(run_program(first + in("p.jsonl")).err, Contains("is whole already"));
-  // As after a kill: some answers, and a mark that says how far they are right.
+  // The state after a kill: some answers, and a journal that says how many of them are valid.
   std::filesystem::remove(in.path + "/b");
   const auto killed = run_shell("(ulimit -f 30; PROGRAM " + command + " --quiet) 2>/dev/null; ls " + in(""));
   CHECK_THAT(killed.out, Contains("b.partial.progress"));
@@ -154,8 +154,8 @@ TEST_CASE("a part that runs is not run a second time and, where no lock tells, n
   const std::string timing = GENERATE("--no-timing ", "");
   const std::string command = "batch --no-robustness --quiet " + timing + in("p.jsonl") + " --part 0/1 -o " + in("b");
   const std::string journal = in("b.partial.progress");
-  // The first run stands still once it has written something, as on a node that hangs; meanwhile there is a second.
-  // On a machine that has much else to do the first may have written all before it is told to stand still: then again.
+  // The first run is stopped once it has written something, like a run on a node that hangs; then a second run begins.
+  // On a busy machine the first run may finish before it is stopped; then it is tried again.
   const auto both = [&](const std::string& between) {
     return run_shell(fmt::format(
         R"(for try in 1 2 3 4 5 6 7 8 9; do
@@ -177,7 +177,7 @@ TEST_CASE("a part that runs is not run a second time and, where no lock tells, n
   const std::string whole = in.read("b");
   CHECK((std::ranges::count(whole, '\n') == 3000));
   std::filesystem::remove(in.path + "/b");
-  // A lock of the old file does not hold the new one: so do two machines without locks between them.
+  // The lock of the old journal does not protect the new one. This simulates two machines that share no locks.
   const auto unlocked = both("cp " + journal + " " + in("j") + "; mv " + in("j") + " " + journal);
   INFO(unlocked.out << unlocked.err);
   CHECK_THAT(unlocked.out, Contains("second 0"));
@@ -208,7 +208,7 @@ TEST_CASE("answers that a machine took with it when it died are made again") {
   const int blocks = static_cast<int>(whole.size() / 2 / 512);
   run_shell("ulimit -f " + std::to_string(blocks) + "; PROGRAM " + command);
   REQUIRE(in.has(grows + ".progress"));
-  // The file has its length, but a block in it never came to the disk; the journal did.
+  // The file has its full length, but one of its blocks never reached the disk; the journal did.
   run_shell("dd if=/dev/zero of=" + in(grows) + " bs=512 count=1 seek=" + std::to_string(blocks / 2) + " conv=notrunc");
   CHECK(run_program(command + " --resume").exit == 0);
   CHECK((in.read(name) == whole));

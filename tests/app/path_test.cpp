@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What goes in and out beside a puzzle and its shots: points of the path, `about`, packed files.
+// Input and output beside a puzzle and its shots: points of the path, `about`, packed files.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

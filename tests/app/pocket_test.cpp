@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `pocket` as typed in a shell.
+// Tests `pocket` as typed in a shell.
 #include "app/scratch_file.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `report` as typed in a shell, with as few shots as there can be: what it writes, and how its page looks to a browser
-// without a network.
+// Tests `report` as typed in a shell, with as few shots as possible: its files, and how a browser without a network
+// shows its page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using Catch::Contains;
 constexpr const char* sections[] = {"1-simulators", "2-models",  "3-planners", "4-conditioning",
                                     "5-hard-cases", "6-scaling", "7-tilt"};
 
-/// A folder in the temporary folder that goes with its contents.
+/// A temporary folder that is removed with its contents.
 struct ScratchFolder : ScratchFile {
   using ScratchFile::ScratchFile;
   ~ScratchFolder() { std::filesystem::remove_all(path); }
@@ -42,7 +42,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-/// Every line has as many fields as the first; commas inside quotes do not count.
+/// Checks that every line has as many fields as the first; commas inside quotes do not count.
 void check_csv(const std::string& text) {
   std::istringstream in(text);
   const auto fields = [](const std::string& line) {
@@ -67,10 +67,10 @@ void check_files(const ScratchFolder& folder, bool figures) {
     CHECK((markdown.find("(figures/" + name + ".svg)") != std::string::npos) == figures);
     CHECK_THAT(markdown, Contains(name + ".csv"));
   }
-  CHECK(count(markdown, "\n**") == std::size(sections));  // a conclusion each
+  CHECK(count(markdown, "\n**") == std::size(sections));  // each section has a conclusion
 }
 
-/// The page, which measures its own figures.
+/// Returns the page with a script that measures its figures.
 std::string that_measures_itself(const ScratchFolder& folder) {
   std::string page = folder.read("index.html");
   const std::string script =
@@ -90,7 +90,7 @@ TEST_CASE("report writes a page that opens offline and shows every figure", "[he
   const ScratchFolder folder("it's-a-report");
   const auto run = run_program("report --quick --shots 1 -o \"" + folder.path + "\"");
   CHECK(run.exit == 0);
-  CHECK(run.err.empty());  // no bar where there is no terminal
+  CHECK(run.err.empty());  // no progress bar without a terminal
   for (const char* title :
        {"Simulators: ", "Models: ", "Planners: ", "Conditioning: ", "Hard cases: ", "Scaling: ", "Tilt: "})
     CHECK_THAT(run.out, Contains(title));

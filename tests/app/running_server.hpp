@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A server at a port of its own, for a test, and puzzles for it.
+// A server on its own port for a test, and puzzles for it.
 #pragma once
 
 #include <httplib.h>
@@ -15,12 +15,12 @@ namespace bankshot::test {
 
 inline constexpr const char* easy = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]},
   "target": {"pocket": "top-right"}, "cushions": {"max": 2}})";
-/// Takes far longer than any test.
+/// This search takes far longer than any test.
 inline constexpr const char* endless = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]},
   "physics": {"model": "spin", "cushion": {"model": "mathavan2010"}}, "target": {"pocket": "any"},
   "cushions": {"min": 5, "max": 9}, "budget": {"simulations": 1000000000}})";
 
-/// A server of its own, until the test ends.
+/// A server that runs until the test ends.
 class Running {
  public:
   explicit Running(const app::serve::ServerOptions& options = {})
@@ -54,13 +54,13 @@ class Running {
   std::thread thread_;
 };
 
-/// Asked again for as long as there is no room; 20 s at most.
+/// Repeats a request while the server is busy, for 20 s at most; returns the last status.
 inline int status_at_last(const Running& server, const std::string& body) {
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   int status = 503;
   while (status == 503 && std::chrono::steady_clock::now() < until) {
     const auto reply = server.post("/api/solve", body);
-    status = reply ? reply->status : 503;  // closed at once: more than are told so
+    status = reply ? reply->status : 503;  // too many clients, so the server closed the connection at once
   }
   return status;
 }

@@ -10,7 +10,7 @@
 
 namespace bankshot::test {
 
-/// A file name of our own in the temporary folder; the file goes with it.
+/// A unique file name in the temporary folder; the file is removed with the object.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& name)

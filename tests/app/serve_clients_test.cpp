@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Clients that the server has to be patient with, and for how long: who is slow, goes away, comes too often or says too
-// much.
+// Clients that need patience from the server, and its limits: clients that are slow, go away, come too often or send
+// too much.
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -40,7 +40,7 @@ TEST_CASE("a search ends when its client goes away") {
   for (const char* path : {"/api/solve?all&no-robustness", "/api/map?grid=9,9&no-robustness"}) {
     CAPTURE(path);
     std::unique_ptr<Caller> caller;
-    for (bool works = false; !works;) {  // or it was refused, for whoever asks that had the one place
+    for (bool works = false; !works;) {  // repeated if a status request below had taken the one place
       caller = std::make_unique<Caller>(server.port());
       REQUIRE(caller->says(test::post(server.port(), path, endless)));
       for (int i = 0; i < 100 && !works; ++i) works = server.post("/api/solve", "{}")->status == 503;
@@ -76,7 +76,7 @@ TEST_CASE("a client that is slow loses its connection, not the server") {
   }
   SECTION("a byte now and then: of the body") {
     std::string heard = " 503 ";
-    while (heard.find(" 503 ") != std::string::npos) {  // the connection of another test client may not be over yet
+    while (heard.find(" 503 ") != std::string::npos) {  // the connection of another test client may still be open
       const Caller caller(server.port());
       std::size_t sent = 500;
       bool open = caller.says(request.substr(0, sent));
@@ -112,9 +112,9 @@ TEST_CASE("a newer request of the same page ends the older one, and who finds no
     older = reply->body;
   });
   httplib::Result busy = server.post("/api/solve", "{}");
-  while (busy->status != 503) busy = server.post("/api/solve", "{}");  // until the first is worked on
+  while (busy->status != 503) busy = server.post("/api/solve", "{}");  // until the first request is being worked on
   CHECK(busy->get_header_value("Retry-After") == "1");
-  CHECK(server.post("/api/solve", easy, {{"Bankshot-Page", "a"}})->status == 503);  // no room for it, either
+  CHECK(server.post("/api/solve", easy, {{"Bankshot-Page", "a"}})->status == 503);  // there is no place for it either
   first.join();
   CHECK(older.find("a newer request took its place") != std::string::npos);
 }

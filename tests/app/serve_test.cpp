@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The server: what it answers and whom it refuses.
+// Tests the server's answers and refusals.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -188,7 +188,7 @@ TEST_CASE("the page comes with its files and lets nothing else in") {
 TEST_CASE("the page solves its first puzzle, and one of its address, without a complaint") {
   const Running server;
   const std::string url = "http://127.0.0.1:" + std::to_string(server.port()) + "/";
-  // The first, and one that has no shot.
+  // The first page, and a puzzle without a shot.
   for (const auto& [hash, title, shots] : {std::tuple{"", "Into top-right by bottom", 4},
                                            {"#target=point&least=0&most=0&others=1.2,0.623", "No shot", 0}}) {
     const auto browsed = test::browse(url + hash, 5);

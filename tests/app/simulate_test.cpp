@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `simulate` as typed in a shell, and what the program says about itself.
+// Tests `simulate` as typed in a shell, and the program's messages about itself.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -16,11 +16,11 @@ using bankshot::test::ScratchFile;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-/// Along a table of 2 × 1 m at 1 m/s: meets the right cushion after 1.5 s.
+/// The ball goes along a table of 2 × 1 m at 1 m/s and meets the right cushion after 1.5 s.
 const char* const along = R"({"id": 3, "table": {"length": 2, "width": 1}, "physics": "ideal",
   "ball": {"at": [0.5, 0.1], "radius": 0}, "shot": {"speed": 1, "angle": 0}, "until": {"time": 2}})";
 
-/// Rolls to rest: 0.5 · 1² / (0.01 · 9.81) is longer than the table, so it bounces.
+/// The ball rolls to rest: 0.5 · 1² / (0.01 · 9.81) is longer than the table, so it bounces.
 const char* const rolling = R"({"table": {"length": 2, "width": 1}, "physics": "rolling",
   "ball": {"at": [0.5, 0.5]}, "shot": {"speed": 1, "angle": 0}})";
 

@@ -234,7 +234,7 @@ TEST_CASE("option --noise sets the player, and lists who they are") {
   };
   CHECK(success("--noise pro") > success("--noise league"));
   CHECK(success("--noise league") > success("--noise beginner"));
-  // As the puzzle itself may say it.
+  // The puzzle itself may name the player.
   Json puzzle = Json::parse(bank);
   puzzle["noise"] = "league";
   CHECK(run_program("solve --json --no-timing", puzzle.dump()).out ==

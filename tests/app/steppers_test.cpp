@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The stepping simulators that `report` compares with, on motion that none of them integrates exactly: spin, and
-// rolling friction that grows with the speed. With events located their errors fall with the first, first, fourth and
-// fifth power of the step, and all of them come to the place of the event-driven simulator; without, with the first.
+// rolling friction that grows with the speed. With events located, their errors fall with the first, first, fourth and
+// fifth power of the step. All then converge to the result of the event-driven simulator. Without events located, they
+// converge with the first power.
 #include "app/report/steppers.hpp"
 
 #include <cmath>
@@ -29,7 +30,7 @@ double error(const Timed& shot, const Scheme& scheme) {
               by_events(table, dragging(), shot).at);
 }
 
-/// Shots that roll for a while: a slide alone is a parabola, which the higher orders integrate exactly.
+/// Draws shots that roll for a while. A slide alone is a parabola, which the higher orders integrate exactly.
 std::vector<Timed> rolling_shots() {
   constexpr std::size_t enough = 40;
   Random draw(11);
@@ -41,14 +42,14 @@ std::vector<Timed> rolling_shots() {
   return out;
 }
 
-/// The slope of the mean log error over log step, from `largest` down by a factor of 1.3 a time.
+/// Returns the slope of the mean log error over the log step; the step starts at `largest` and shrinks by 1.3.
 double order(Scheme scheme, double largest, int steps) {
   const std::vector<Timed> shots = rolling_shots();
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
   const bool adaptive = scheme.method == Scheme::Method::dormand_prince;
   for (int k = 0; k < steps; ++k) {
     const double step = largest * std::pow(1.3, -k), x = std::log(step);
-    // Dormand-Prince with a tolerance that never shortens a step takes steps of the longest size.
+    // With a tolerance that never shortens a step, Dormand-Prince takes steps of the longest size.
     (adaptive ? scheme.longest : scheme.step) = step;
     if (adaptive) scheme.step = 1e3;
     double y = 0;

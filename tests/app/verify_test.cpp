@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `verify` as typed in a shell: honest answers pass, and each claim altered by a little is named.
+// `verify` as typed in a shell: correct answers pass, and each claim that is slightly altered is named.
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -40,7 +40,7 @@ const std::string bank =
     R"({"pocket":"bottom-middle"},"cushions":["top","right"],"angle":[0,90],"speed":[0.1,9],"arrive":{"speed":0.5}})";
 const std::string stop =
     R"({"id":7,"table":"carom-10ft","ball":{"at":[0.7,0.5]},"target":{"point":[2.1,0.9]},"cushions":2})";
-/// Made by every draw: what is allowed is the tolerance and little more.
+/// This shot is made by every draw, so the tolerance is nearly all that is allowed.
 const std::string sure =
     R"({"id":"sure","table":"seed","physics":"rolling","ball":{"at":[1.2,0.5]},"target":{"point":[1.5,0.6],)"
     R"("within":0.1},"cushions":0,"arrive":{"speed":2}})";
@@ -110,7 +110,7 @@ TEST_CASE("verify: jaws that are touched after the target was passed do not coun
     const Run run = verify(p + "\n", to_json(puzzle, answer, false) + "\n");
     INFO(run.out);
     CHECK(run.exit == 0);
-    // A shot that says so without having touched any is refused.
+    // An answer that claims a jaw shot for a shot without jaws is refused.
     Json lies = Json::parse(to_json(puzzle, answer, false));
     lies["shots"][0]["rattles"] = true;
     CHECK_THAT(verify(p + "\n", lies.dump() + "\n").out, Contains("form: says that it rattles"));
@@ -132,7 +132,7 @@ TEST_CASE("verify: each claim that is altered by a little is named") {
   struct Lie {
     const std::string& puzzle;
     const char* where;
-    Json value;  ///< a number is added to what stands there, anything else replaces it
+    Json value;  ///< a number is added to the old value, anything else replaces it
     const char* named;
   };
   const std::vector<Lie> lies{
@@ -251,7 +251,7 @@ TEST_CASE("verify: files that cannot be read") {
 }
 
 TEST_CASE("verify: a play in which the cue ball falls is not made") {
-  // Straight in, and the cue ball rolls after the 8.
+  // Straight into the pocket, and the cue ball follows the 8.
   const std::string p =
       R"({"table":"pool-9ft","ball":{"at":[1.27,0.6],"spin":{"top":1}},"others":[{"id":"8","at":[1.27,0.3]}],)"
       R"("target":{"ball":"8","then":{"pocket":"bottom-middle"}},"cushions":0,"aim":"centre","arrive":{"speed":1.5}})";

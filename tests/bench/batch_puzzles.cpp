@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Puzzles for measuring `batch`, one a line, each with a shot, written as a program would write them
-// (presets by name, defaults left out).
-//   batch_puzzles --count 1000000 --seed 1 --set rolling     the sequence of 1 to 3 cushions given
-//   batch_puzzles --count 1000000 --seed 1 --set spin        exactly 3 cushions, any sequence, han2005
+// Puzzles for measuring `batch`, one per line, each with a shot, written as a program would write them (presets by
+// name, defaults left out).
+//   batch_puzzles --count 1000000 --seed 1 --set rolling     the route of 1 to 3 cushions given
+//   batch_puzzles --count 1000000 --seed 1 --set spin        exactly 3 cushions, any route, han2005
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace bankshot;
 
-/// A random shot on a preset table that stops after `bounces` cushions without dropping.
+/// Draws a shot on a preset table that stops after `bounces` cushions without dropping.
 ShotRequest shot_that_stops(test::Random& r, bool spin, int bounces, Vec2d& end, std::vector<Contact>& sequence) {
   const TablePreset& preset = *find_table_preset(spin ? "carom-10ft" : "seed");
   for (;;) {
@@ -26,7 +26,7 @@ ShotRequest shot_that_stops(test::Random& r, bool spin, int bounces, Vec2d& end,
     s.ball.body = preset.body;
     const Vec2d size = s.table.highest();
     const double R = s.ball.body.radius;
-    // Grid positions of a tenth of a millimetre, as people and programs give them.
+    // Positions on a grid of a tenth of a millimetre, as people and programs write them.
     const auto place = [&](double to) { return std::round(1e4 * r.uniform(R, to - R)) / 1e4; };
     s.ball.at = {place(size.x), place(size.y)};
     s.physics = spin ? spin_physics(s.ball.body, preset.nose()) : rolling_physics();

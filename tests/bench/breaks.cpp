@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Breaks of fifteen balls: how many events, how long they take, and whether anything is wrong. A row for each gap
+// Breaks of fifteen balls: counts their events, measures their time, and checks them. Prints one row for each gap
 // between the balls of the rack.
 //   breaks --count 2000
 #include <fmt/format.h>

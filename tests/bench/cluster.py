@@ -22,8 +22,8 @@ import tempfile
 PUZZLES = (10**6, 10**8)
 CORES = (1, 10, 100, 1000)
 PARTS_A_CORE = (1, 2, 4, 8, 16, 32)
-LONG = 300 * 10**6  # bytes, of a file by which the time of reading is measured
-MOST_DRAWS = 400  # a part; the mean of more is as good as certain
+LONG = 300 * 10**6  # bytes of the file that measures the time of reading
+MOST_DRAWS = 400  # draws per part; the mean of more draws is practically exact
 
 
 def cpu(words):
@@ -50,7 +50,7 @@ class Measured:
         merge = cpu([program, "merge", *names, "-o", f"{folder}/merged", "--quiet"])  # also reads them once before
         size = os.path.getsize(puzzles)
         self.lines, self.bytes_each, self.merge_each = lines, size / lines, merge / lines
-        # The last of a million parts reads nearly all of a file and solves a line or none; the first reads nothing.
+        # The last of a million parts reads nearly all of a file and solves at most one line; the first reads nothing.
         again = 1 + LONG // size
         with open(f"{folder}/long", "w") as file:
             for _ in range(again):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cost of one cushion impact: mathavan2010 at three tolerances (given as minus the exponent of ten),
-// and the closed form of han2005. Balls drawn at random: rolling, sliding, and with any spin.
+// Cost of one cushion impact: mathavan2010 at three tolerances (given as minus the exponent of ten), and the closed
+// form of han2005. The balls are drawn at random: rolling, sliding, and with any spin.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What one call costs in C++ and in C, to compare calls from other languages with.
+// Cost of one call in C++ and in C, for comparison with calls from other languages.
 //   one_call solve puzzle.json 2000      microseconds of CPU: the call alone, and from text to text in C++ and in C
 //   one_call simulate shot.json 2000
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ using namespace bankshot;
 
 namespace {
 
-/// Median of nine rounds.
+/// Returns the median of nine rounds.
 template <class F>
 double microseconds(long count, const F& call) {
   std::vector<double> rounds;
@@ -34,7 +34,7 @@ double microseconds(long count, const F& call) {
   return rounds[4];
 }
 
-volatile std::size_t used = 0;  // so that no call is left out
+volatile std::size_t used = 0;  // keeps the compiler from removing a call
 
 using InC = bankshot_status (*)(const char* document, size_t length, const char* flags, bankshot_text* out);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Every planner on the same random puzzles with spin: a ball that must rest at a point after exactly so
-// many cushions, on rectangles without pockets. One line of CSV a planner; "mirror" only aims at the
-// mirror image, at the speed that carries the ball abreast of its target.
-// `--pocket`: as people write them, a ball on a 9-foot table, a pocket and so many cushions, those that have a shot.
+// Every planner on the same random puzzles with spin: a ball must rest at a point after an exact number of cushions, on
+// rectangles without pockets. Prints one line of CSV per planner. The method "mirror" only aims at the mirror image, at
+// the speed that carries the ball abreast of its target. With `--pocket` the puzzles are those people write: a ball on
+// a 9-foot table, a pocket and a number of cushions; only puzzles with a shot are kept.
 //   planners --count 300 --seed 4 --cushions 3 [--sequence | --pocket]
 #include <fmt/format.h>
 
@@ -54,7 +54,7 @@ std::vector<Puzzle> into_pockets(int count, std::uint64_t seed, int cushions) {
   return out;
 }
 
-/// Time: the least of three runs, where they are short.
+/// Measures one solve; a short one is repeated up to three times and the least time counts.
 Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
   constexpr double is_long = 1000;  // us
   Answer a;
@@ -70,7 +70,7 @@ Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
           static_cast<double>(a.simulations), least};
 }
 
-/// The best of the mirror's aims, each replayed once.
+/// Returns the best of the mirror's aims, each replayed once.
 Outcome by_mirror(const Puzzle& p) {
   using namespace planning;
   const auto begin = std::chrono::steady_clock::now();

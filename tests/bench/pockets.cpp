@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Random shots that drop, each asked as a puzzle: the pocket, the number of cushions or their sequence, and the speed
-// at which it fell. Every one has a shot. A row for the kind of pockets: how many are solved, on the exact line or how
-// else, and at what cost. Puzzles that are not solved go to standard error.
+// Random shots that drop, each turned into a puzzle that therefore has a shot. The puzzle gives the pocket, the number
+// of cushions or their route, and the speed at which the ball fell. Prints a row for the kind of pockets: how many
+// puzzles are solved, on the exact line or otherwise, and at what cost. Unsolved puzzles go to standard error.
 //   pockets --count 100000 --jaws --physics spin
 #include <fmt/format.h>
 

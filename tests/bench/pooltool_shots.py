@@ -53,7 +53,7 @@ def of_pooltool(engine, speed, angle, spin):
     table = pt.Table.from_table_specs(pt.objects.BilliardTableSpecs(l=length, w=width, cushion_height=height))
     ball = pt.Ball.create("cue", xy=(width - scene["ball"]["at"][1], scene["ball"]["at"][0]), m=mass, R=radius,
                           u_s=sliding, u_r=rolling, u_sp_proportionality=spinning, e_c=restitution, f_c=friction, g=g)
-    # Its tables stand upright: a quarter turn.
+    # pooltool's tables stand upright, a quarter turn from ours.
     aim = np.radians(angle + 90)
     forward, left = np.array([np.cos(aim), np.sin(aim), 0]), np.array([-np.sin(aim), np.cos(aim), 0])
     ball.state.rvw[1] = speed * forward

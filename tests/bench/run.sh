@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Measures again what README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv: all of it,
-# which takes hours, or the parts that are named, each a file of that name (`report` writes the files with numbers).
+# Repeats the measurements that README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv:
+# all of them, which takes hours, or the named ones, each a file of that name (`report` writes the files with numbers).
 #   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -17,27 +17,27 @@ google() {  # FILTER
   "$bin/bench/bench" --benchmark_filter="$1" --benchmark_format=csv --benchmark_repetitions=5 \
     --benchmark_report_aggregates_only=true 2>/dev/null
 }
-# Every puzzle has a shot. A failure is shown (on standard error) and counted; it does not stop the measuring, but
+# Every puzzle has a shot. A failure is shown on standard error and counted. It does not stop the measurement, but
 # the script ends with 1.
 measure() {
   "$bin/stress" --csv "$@" >"$scratch/measured.csv" || failed=1
   if [ $header = yes ]; then cat "$scratch/measured.csv"; else tail -n +2 "$scratch/measured.csv"; fi
   header=no
 }
-# What is missed is the measurement: it fails nothing.
+# Here the misses are the measurement, so they are no failures.
 look() {  # LOG ...
   local before=$failed
   measure "${@:2}" 2>"build/$1.log"
   failed=$before
 }
-# With the seed before each row.
+# Prints the rows of a program with the seed before each.
 seeded() {  # SEED PROGRAM ...
   "$bin/$2" --seed "$1" "${@:3}" 2>"build/$2-$1.log" >"$scratch/seeded.csv" || failed=1
   [ $header = no ] || sed '1s/^/seed,/;q' "$scratch/seeded.csv"
   header=no
   sed "1d;s/^/$1,/" "$scratch/seeded.csv"
 }
-# From file to file. CPU times are sums over the threads, in microseconds a puzzle.
+# Measures `batch` from file to file. CPU times are sums over the threads, in microseconds per puzzle.
 answer() {  # SET COUNT THREADS FLAGS
   "$bin/bench/batch_puzzles" --set "$1" --count "$2" >"$scratch/puzzles.jsonl"
   # shellcheck disable=SC2086  # several flags
@@ -47,7 +47,7 @@ answer() {  # SET COUNT THREADS FLAGS
   echo "$1,$3,${4:-},$(tail -n 1 "$scratch/cost.csv")"
 }
 
-# With the interpreter that the module was built for.
+# Runs a script with the interpreter that the module was built for.
 python_module() {  # SCRIPT ARG...
   need $python
   build release -DBANKSHOT_PYTHON=ON -- bankshot_python
@@ -79,25 +79,25 @@ part() {
       for physics in ideal rolling spin mathavan; do
         n=10000
         [ $physics = mathavan ] && n=100
-        # One ball and three cushions, to compare with.
+        # One ball and three cushions, for comparison.
         look "balls-$physics-uniform" --count $n --physics $physics --family uniform --cushions 3
         for family in obstacles kicks pots banks kick-pots kick-banks sent-to-rest sent-past combinations caroms; do
           [ $physics/$family = ideal/sent-to-rest ] || look "balls-$physics-$family" --count $n --physics $physics --family "$family"
         done
       done
       ;;
-    best)  # The brute force takes 0.1 to 1 s a puzzle.
+    best)  # The brute force takes 0.1 to 1 s per puzzle.
       "$bin/best" --count 20000 --physics spin --free nothing --no-force --worst 0
       "$bin/best" --count 20000 --physics rolling --free nothing --no-force --worst 0 --no-header
       for free in nothing window arrive spin both; do "$bin/best" --count 1000 --seed 2 --free $free --worst 0 --no-header; done
       for free in nothing window arrive; do "$bin/best" --count 1000 --seed 2 --physics rolling --free $free --worst 0 --no-header; done
       ;;
-    advise)  # The players of seed 1 were used to mend it, those of seed 2 were not.
+    advise)  # The players of seed 1 served to tune `advise`, those of seed 2 did not.
       seeded 1 advise --repeats 200 --attempts 50 --threads 1 --csv
       seeded 1 advise --repeats 60 --attempts 200 --threads 1 --csv
       seeded 2 advise --repeats 60 --attempts 200 --threads 1 --csv
       ;;
-    learn)  # 1,000 s and more of one core. Some tables of seed 1 were used to mend fits, those of seed 3 were not.
+    learn)  # Over 1,000 s of one core. Some tables of seed 1 served to tune `fit`, those of seed 3 did not.
       seeded 1 learn --repeats 53 --shots 30 --threads 1 --csv
       seeded 1 learn --from 100 --repeats 49 --shots 30 --threads 1 --csv
       seeded 3 learn --repeats 50 --shots 30 --threads 1 --csv
@@ -151,7 +151,7 @@ part() {
       bash bindings/javascript/package.sh build/wasm/npm
       (cd tests/page && npm ci --silent --no-audit --no-fund && node engine_timing.mjs)
       ;;
-    planners-rolling)  # Not every planner looks for parts of pockets.
+    planners-rolling)  # Not every planner looks for partial targets.
       for planner in auto image sweep ceres nlopt-bobyqa nlopt-direct; do
         look "planners-rolling-$planner" --count 2000 --seed 2 --physics rolling --family uniform --planner $planner
       done
@@ -176,7 +176,7 @@ part() {
       answer spin 100000 2 --no-robustness
       answer spin 100000 2
       ;;
-    cluster)  # In both orders: as they come, and the easy ones before the hard ones.
+    cluster)  # In both orders: mixed, and the easy puzzles before the hard ones.
       bash tests/cluster/puzzles.sh 100000 "$bankshot" >"$scratch/mixed.jsonl"
       { grep '"rolling"' "$scratch/mixed.jsonl"; grep -v '"rolling"' "$scratch/mixed.jsonl"; } >"$scratch/grouped.jsonl"
       python3 tests/bench/cluster.py "$bankshot" "$scratch/mixed.jsonl"
@@ -186,7 +186,7 @@ part() {
   esac
 }
 
-# The report's medians, figures and text; its raw numbers, a few megabytes, stay in build/report.
+# Copies the report's medians, figures and text; its raw numbers, a few megabytes, stay in build/report.
 report() {
   "$bankshot" report -o build/report
   cp build/report/figures/*.svg examples/figures/

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Cost of one forward simulation, shots drawn at random and stopped at the n-th bounce.
+// Cost of one simulation of random shots that stop at the n-th bounce.
 //   bash tests/bench/run.sh, which writes tests/bench/results/simulate.csv
 #include <benchmark/benchmark.h>
 
@@ -48,7 +48,7 @@ BENCHMARK(simulate_ideal)->Arg(1)->Arg(3)->Arg(5)->Arg(100);
 BENCHMARK(simulate_rolling)->Arg(1)->Arg(3)->Arg(5);
 BENCHMARK(simulate_rolling_pockets)->Arg(1)->Arg(3)->Arg(5);
 
-// What pockets cost a shot that meets none: the same shots with spin, up to their third cushion.
+// Cost of pockets to a shot that meets none: the shots are equal, with spin, up to their third cushion.
 
 enum class Pockets { none, circles, jaws };
 
@@ -59,7 +59,7 @@ Table pool(Pockets pockets) {
   return table;
 }
 
-/// Up to the third cushion; how many there were, -1 if a jaw or a pocket was met.
+/// Simulates up to the third cushion; returns the number of cushions, or -1 if a jaw or a pocket was met.
 int three_cushions(const Boundary& boundary, const State<double>& start) {
   Simulator sim(boundary, SlideRoll{}, Han2005{}, start);
   int bounces = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cost of one answer without margin and success, over random puzzles that have a shot; simulations
-// (traces, locked paths and replays) are counted beside the time.
+// Cost of one answer without margin and success, over random puzzles that have a shot. Simulations (traces, locked
+// paths and replays) are counted beside the time.
 #include <benchmark/benchmark.h>
 
 #include <vector>
@@ -15,7 +15,7 @@ using namespace bankshot;
 
 constexpr std::size_t puzzles = 512;
 
-/// Puzzles with `bounces` cushions on rectangles without pockets, the sequence given or the count.
+/// Draws puzzles with `bounces` cushions on rectangles without pockets; the route is given or only the count.
 std::vector<Puzzle> draw(int bounces, bool ideal, bool sequence) {
   test::Random random(1);
   std::vector<Puzzle> out;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cost of a shot with spin up to its n-th cushion, plain and with the derivatives by two parameters:
-// in the simulator and along a locked path. Quote the ratio of minima; the machine adds noise upwards.
+// Cost of a shot with spin up to its n-th cushion, plain and with the derivatives by two parameters, in the simulator
+// and along a locked path. Quote the ratio of minima, because the machine's noise only adds time.
 #include <benchmark/benchmark.h>
 #include <array>
 #include <vector>
@@ -28,7 +28,7 @@ const Boundary& boundary() {
   return made;
 }
 
-/// Directions and speeds whose derivatives are by aim [rad] and by ln speed.
+/// Returns a start with its derivatives by aim [rad] and by ln speed.
 template <class T>
 State<T> start_of(const Case& c) {
   const Vec2d v = direction(c.angle) * c.speed;
@@ -57,7 +57,7 @@ int run(const Case& c, int cushions, long& events, State<T>* end = nullptr) {
   return bounces;
 }
 
-/// Shots that do reach three cushions, so that plain and locked runs do the same work.
+/// Returns shots that reach three cushions, so that plain and locked runs do the same work.
 const std::vector<Case>& cases() {
   static const std::vector<Case> made = [] {
     std::vector<Case> out;
@@ -95,7 +95,7 @@ void locked(benchmark::State& state) {
   }
 }
 
-/// The first leg, up to where it is abreast of the place where the next case starts, or within 6 cm of it.
+/// Follows the first leg until it is abreast of the start of the next case, or within 6 cm of it.
 template <class T>
 void arrive(benchmark::State& state) {
   std::size_t n = 0;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The ways of docs/cluster.md that need neither Slurm nor other machines: GNU parallel (here instead of over ssh), MPI as
-# a launcher where there is one, Dask. What each merges must be the bytes of a batch in one go.
+# Tests the launchers of docs/cluster.md that need neither Slurm nor other machines: GNU parallel (here instead of over
+# ssh), MPI as a launcher where installed, Dask. The merged output of each must be the bytes of a batch in one run.
 #   bash tests/cluster/launchers.sh          BANKSHOT=PATH names another program than build/release/bankshot
 set -euo pipefail
 cd "$(dirname "$0")/../.."

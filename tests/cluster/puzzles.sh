@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Puzzles of mixed difficulty for trying batches in parts, one a line, each with a number of its own. Nine in ten have
-# their cushions given and take a tenth of a millisecond or two; of the tenth, into pockets by 0 to 3 cushions, some take
-# a hundred times as long. 20,000 are different; then they come again.
+# Puzzles of mixed difficulty for trying batches in parts, one per line, each with a number of its own. Nine in ten have
+# their cushions given and take a tenth of a millisecond or two. The tenth asks for a pocket by 0 to 3 cushions; some of
+# these take a hundred times as long. There are 20,000 different puzzles; then they repeat.
 #   bash tests/cluster/puzzles.sh COUNT PROGRAM >puzzles.jsonl
 set -euo pipefail
 count=$1 program=$2

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A Slurm of two nodes on this machine loses one of them while it works on a batch in parts; what `merge` makes of the
-# parts must be the bytes of a batch in one go. Needs no systemd and leaves nothing behind.
+# Runs a batch in parts on a Slurm of two nodes on this machine, and kills one of the nodes meanwhile. `merge` of the
+# parts must give the bytes of a batch in one run. Needs no systemd and leaves nothing behind.
 #   bash tests/cluster/slurm.sh                                       a minute or two
 #   bash tests/cluster/slurm.sh --puzzles 1000000 --parts 64 --patient
-#   --input      a file of puzzles instead of so many of puzzles.sh
-#   --whole      its answers in one go, where they are there already
-#   --patient    waits until Slurm itself starts the lost part again, two minutes later; else it is told to do so at once
-#   --frozen     the node's processes stand still instead of dying: the part is refused on the other node, as it is still
-#                being written, and then the node comes back
+#   --input      a file of puzzles instead of puzzles from puzzles.sh
+#   --whole      the answers of a batch in one run, if they exist already
+#   --patient    waits until Slurm itself restarts the lost part, two minutes later; otherwise the script tells it to
+#   --frozen     the node's processes are stopped instead of killed: the other node refuses the part, because it is
+#                still being written, and then the node comes back
 # BANKSHOT=PATH names another program than build/release/bankshot.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -30,8 +30,8 @@ need slurm-wlm munge
 export PATH=$PATH:/usr/sbin
 root=$PWD
 folder=$(mktemp -d)
-chmod 755 "$folder"  # munge wants its socket within everybody's reach
-cp "${BANKSHOT:-build/release/bankshot}" "$folder/bankshot"  # which may be built anew meanwhile
+chmod 755 "$folder"  # munge needs a socket that everybody can reach
+cp "${BANKSHOT:-build/release/bankshot}" "$folder/bankshot"  # a copy, because the program may be rebuilt meanwhile
 BANKSHOT=$folder/bankshot
 cd "$folder"
 export SLURM_CONF=$folder/slurm.conf
@@ -39,7 +39,7 @@ export SLURM_CONF=$folder/slurm.conf
 say() { echo "$(date +%T) $*"; }
 give_up() { say "$*" >&2; exit 1; }
 
-# The processes of a node's jobs: each is in a session of its own, led by the daemon that watches over it.
+# Lists the processes of a node's jobs. Each job is in a session of its own, led by the daemon that watches over it.
 jobs_of() {  # NODE
   local pid
   for pid in $(grep -lzxs "SLURMD_NODENAME=$1" /proc/[0-9]*/environ | cut -d/ -f3); do
@@ -69,7 +69,7 @@ finish() {
 trap finish EXIT
 trap 'exit 130' INT TERM
 
-start() {  # COMMAND... : in the background, ended with this script
+start() {  # COMMAND... : runs in the background and ends with this script
   "$@" >>"$folder/$(basename "$1").log" 2>&1 &
   daemons="$daemons $!"
 }
@@ -117,8 +117,8 @@ until_true() {  # SECONDS WHAT COMMAND...
 
 both_are_up() { [ "$(sinfo -h -N -t idle -o %N 2>/dev/null | wc -l)" = 2 ]; }
 
-# What the jobs run: the program; but after a third of the parts the first on n2 stands still in the middle, some of its
-# answers written and not all, and says which it is. However busy the machine, its node is lost then and not later.
+# Writes the script that the jobs run in place of the program. After a third of the parts, the first part on n2 stops in
+# the middle, with some but not all of its answers written, and names itself. So the node is always lost at that moment.
 write_shim() {
   cat >shim <<END
 #!/bin/bash
@@ -138,7 +138,7 @@ END
   chmod 755 shim
 }
 
-# Only what ran on n2 waits for its beginning in the future.
+# Only the jobs that ran on n2 wait for a start time in the future.
 all_are_done() {
   local waiting
   [ -n "$patient" ] || for waiting in $(squeue -h -r -t PENDING -o '%i %r' | awk '$2 == "BeginTime" { print $1 }'); do
@@ -176,7 +176,7 @@ BANKSHOT=./shim sbatch --parsable --array=0-$((parts - 1)) --export="ALL,PARTS=$
   "$root/examples/cluster/batch.slurm" >/dev/null
 until_true 7200 "a part in the middle of its lines" test -e middle
 lost=$(cat middle)
-disown "$n2"  # else the shell tells that it was killed
+disown "$n2"  # otherwise the shell reports that it was killed
 kill -KILL "$n2"
 [ -n "$frozen" ] || signal_jobs KILL n2
 say "node n2 is gone; part $lost has $(wc -l <"shots-$lost.jsonl.partial") answers"

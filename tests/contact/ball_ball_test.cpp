@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a contact of two balls owes: momentum, the spin about the line of centres, restitution and energy kept to
-// rounding, the same from either ball, in a mirror and turned; throw by its formula.
+// Requirements on a contact of two balls. It keeps momentum, the spin about the line of centres, restitution and energy
+// to rounding. It is the same seen from either ball, in a mirror and turned. Throw follows its formula.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +30,7 @@ State<double> draw_state(Random& r, double radius) {
   return {{0, 0}, {v * std::cos(way), v * std::sin(way)}, {spin(), spin(), spin()}};
 }
 
-/// Two balls in contact that approach, faster than what lasts.
+/// Draws two balls in contact that approach each other faster than in a persistent contact.
 Two draw(Random& r) {
   for (;;) {
     Two two{{r.uniform(0.02, 0.04), r.log_uniform(0.02, 1)}, {r.uniform(0.02, 0.04), r.log_uniform(0.02, 1)}, {}, {}};
@@ -121,7 +121,7 @@ TEST_CASE("a contact is the same seen from the other ball, in a mirror, turned, 
     const Two other = collided(law, {t.body2, t.body1, t.second, t.first});
     REQUIRE(difference({u.body2, u.body1, u.second, u.first}, other) <= most);
     REQUIRE(difference(of(mirror), collided(law, each(mirror))) <= most);
-    REQUIRE(difference(of(turn), collided(law, each(turn))) <= 30 * most);  // the centres are rounded where they go
+    REQUIRE(difference(of(turn), collided(law, each(turn))) <= 30 * most);  // turning rounds the centres
     REQUIRE(difference(of(twice), collided(law, each(twice))) == 0);
   }
 }
@@ -144,7 +144,7 @@ TEST_CASE("throw is that of Alciatore's TP A.14 with constant friction") {
   const Body body{0.028575, 0.17};
   const double R = body.radius;
   for (int i = 0; i < 2000; ++i) {
-    // The cue ball moves along x; the struck ball's centre lies at the cut φ.
+    // The cue ball moves along x; the object ball's centre lies at the cut angle φ.
     const double v = r.uniform(0.5, 5), phi = r.uniform(-1.4, 1.4), mu = r.uniform(0.01, 0.2);
     const double roll = r.uniform(-1, 1) * v / R, side = r.uniform(-1, 1) * v / R;
     Two t{body, body, {{0, 0}, {v, 0}, {0, roll, side}}, {{2 * R * std::cos(phi), 2 * R * std::sin(phi)}, {}, {}}};
@@ -159,7 +159,7 @@ TEST_CASE("throw is that of Alciatore's TP A.14 with constant friction") {
 }
 
 TEST_CASE("the largest throw of a stun shot with Alciatore's friction by slip speed") {
-  // TP A.14 with μ = 9.951e-3 + 0.108 exp(−1.088 s), equal balls, e 1: worked from the formula on a fine grid.
+  // TP A.14 with μ = 9.951e-3 + 0.108 exp(−1.088 s), equal balls and e = 1, evaluated on a fine grid.
   const Body body{0.028575, 0.17};
   const double R = body.radius;
   const BallBall law{1, {9.951e-3, 0.108, 1.088}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every cushion owes: no energy gained, no ball driven on into it, the same in a mirror and turned,
-// twice as much from twice as much, the place untouched, derivatives, and the limits of restitution.
+// Requirements on every cushion: no energy gained, no ball driven further into it, the same result in a mirror and
+// turned, twice as much from twice as much, the place unchanged, derivatives, and the limits of restitution.
 #include "bankshot/numbers/dual.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -14,7 +14,7 @@ namespace {
 constexpr int draws = 5000;
 constexpr std::uint64_t seed = 23;
 
-/// A state that moves into the cushion whose normal is (0, 1), now and then nearly along it or straight.
+/// Draws a state that moves into the cushion whose normal is (0, 1), sometimes nearly along it or straight into it.
 State<double> approaching(Random& r) {
   State<double> s = draw_state(r);
   const double v = norm(s.velocity);
@@ -40,7 +40,7 @@ TEMPLATE_LIST_TEST_CASE("a bounce gains no energy, does not go on into the cushi
     REQUIRE(e.at == s.at);
     most = std::max(most, energy_of(e) / energy_of(s));
   }
-  CHECK(most > 0.9);  // the draws reach the lossless end
+  CHECK(most > 0.9);  // the draws reach the lossless limit
 }
 
 TEMPLATE_LIST_TEST_CASE("a bounce is the same in a mirror, turned, and twice as fast", "", Cushions) {
@@ -117,7 +117,7 @@ TEMPLATE_TEST_CASE("restitution 0 leaves the least, 1 the most", "", Mirror, Han
 }
 
 TEST_CASE("han2005 without friction is a mirror of its own: e cos^2 - sin^2 of the speed comes back") {
-  // Worked from eqs 17-23 with f = 0: vn' = vn (1 − (1 + e) cos²θ), tangential speed and spin kept.
+  // From eqs 17-23 with f = 0: vn' = vn (1 − (1 + e) cos²θ), with tangential speed and spin unchanged.
   Random r(seed);
   for (int i = 0; i < draws; ++i) {
     Han2005 h = draw<Han2005>(r);
@@ -132,7 +132,7 @@ TEST_CASE("han2005 without friction is a mirror of its own: e cos^2 - sin^2 of t
 }
 
 TEST_CASE("han2005 with a sticking contact and a nose at the centre: 2/7 of the slip is taken") {
-  // θ → 0, all friction: the contact point of the cushion comes to rest along it, s = vt + R ωz → vt' = vt − 2/7 s.
+  // For θ → 0 with full friction, the contact point comes to rest along the cushion: s = vt + R ωz → vt' = vt − 2/7 s.
   const Han2005 h{.height = ball_radius * (1 + 1e-12), .restitution = Restitution{1}, .friction = 1e6};
   Random r(seed);
   for (int i = 0; i < draws; ++i) {
@@ -140,8 +140,7 @@ TEST_CASE("han2005 with a sticking contact and a nose at the centre: 2/7 of the 
     State<double> in = s;
     in.velocity.y = -std::abs(s.velocity.y) - 1e-3 * scale_of(s);
     const State<double> e = bounced(h, body, in);
-    // The cushion lies at y = 0 below the ball: its contact point moves along +x with vx + R ωz... seen from the ball,
-    // −R ŷ.
+    // The cushion lies below the ball, so the contact point at −R ŷ moves along +x with vx + R ωz.
     const double slip = in.velocity.x + ball_radius * in.spin.z;
     CHECK(e.velocity.x == Approx(in.velocity.x - 2.0 / 7 * slip).margin(1e-9 * scale_of(in)));
     CHECK(e.velocity.x + ball_radius * e.spin.z == Approx(0).margin(1e-9 * scale_of(in)));
@@ -178,7 +177,7 @@ TEST_CASE("a custom cushion keeps the ball on the table, and its law finite") {
   CustomCushion{&goes_on}.bounce(body, s, Vec2d{0, 1});
   CHECK(s.velocity == Vec2d{1, 0});
   s.velocity = {1, 2};
-  CustomCushion{&nonsense}.bounce(body, s, Vec2d{0, 1});  // it moves away: no impact
+  CustomCushion{&nonsense}.bounce(body, s, Vec2d{0, 1});  // it moves away, so there is no impact
   CHECK(s.velocity == Vec2d{1, 2});
   s.velocity = {1, -2};
   CHECK_THROWS_AS(CustomCushion{&nonsense}.bounce(body, s, Vec2d{0, 1}), std::domain_error);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What every cushion owes at the facings and tips of jaws: the rebound of a rail that lies as the rubber does there,
-// the same in a mirror, no energy gained, and derivatives, at a tip also by the place, which turns the rubber.
+// Requirements on every cushion at the facings and tips of jaws. The rebound equals that of a rail with the direction
+// of the rubber there, also in a mirror; no energy is gained; derivatives agree. At a tip these include derivatives by
+// the place, which turns the rubber.
 #include "bankshot/detail/bounce.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "support/catch.hpp"
@@ -74,7 +75,7 @@ TEMPLATE_LIST_TEST_CASE("jaws bounce a ball as those across the table do in a mi
     const State<double> out = bounced_at(in.on.boundary, cushion, in.jaw, in.state),
                         there = bounced_at(in.on.boundary, cushion, in.on.mirrored(in.jaw), other);
     INFO("draw " << i << " of seed " << seed);
-    // The two tips lie alike to rounding of the table's places, over the little circle of the tip.
+    // The places of the table round the positions of the two tips, and the small radius of a tip magnifies that error.
     REQUIRE(bankshot::difference(there, mirrored(out), R) <=
             (1e-12 + integration_error<TestType>)*bankshot::scale_of(in.state, R));
   }

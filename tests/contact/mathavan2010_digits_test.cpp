@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mathavan2010 in double against itself in 50 digits with a far smaller tolerance.
+// Compares mathavan2010 in double with mathavan2010 in 50 digits at a far smaller tolerance.
 #include <boost/multiprecision/cpp_dec_float.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ using Digits = boost::multiprecision::number<boost::multiprecision::cpp_dec_floa
 
 namespace {
 
-/// After the impact: v and Rω.
+/// Returns v and Rω after the impact.
 template <class T>
 std::array<T, 5> bounced(const test::Arrival& a, double tolerance, mathavan::Course* course = nullptr) {
   Mathavan2010 cushion = a.cushion;

@@ -18,13 +18,13 @@ namespace {
 
 constexpr int families = static_cast<int>(std::size(test::impact_families));
 
-/// ½ v² + ⅕ (Rω)², for mass 1.
+/// Returns ½ v² + ⅕ (Rω)², for mass 1.
 double energy(const State<double>& s, double R) {
   const Vec3<double>& w = s.spin;
   return dot(s.velocity, s.velocity) / 2 + R * R * (w.x * w.x + w.y * w.y + w.z * w.z) / 5;
 }
 
-/// Largest difference of v and Rω [m/s].
+/// Returns the largest difference of v and Rω [m/s].
 double distance(const State<double>& a, const State<double>& b, double R) {
   const auto off = [](double x, double y) { return std::abs(x - y); };
   return std::max({off(a.velocity.x, b.velocity.x), off(a.velocity.y, b.velocity.y), R * off(a.spin.x, b.spin.x),
@@ -67,7 +67,7 @@ TEST_CASE("mathavan2010: impacts integrated with small steps in extended precisi
     const double allowed = std::max(2e-5, 20 * j["err"].get<double>());
     INFO(line);
     CHECK(off <= allowed);
-    // The reference states its own error; where that is small it is a sharper test.
+    // The reference states its own error; a small one makes this check sharper.
     CHECK(off <= 20 * j["err"].get<double>() + 1e-12);
     worst = std::max(worst, off);
     worst_of_allowed = std::max(worst_of_allowed, off / allowed);
@@ -189,7 +189,7 @@ namespace {
 
 using Five = Dual<5>;
 
-/// Impact of a ball whose vx, vy, top, side and masse are the variables x.
+/// Computes the impact of a ball whose vx, vy, top, side and masse are the variables x.
 template <class T>
 State<T> impact(const Mathavan2010& cushion, const Body& body, const T (&x)[5], mathavan::Course& course) {
   const Vec2<T> v{x[0], x[1]}, rolled = perpendicular(v) / T(body.radius), along = v / T(body.radius);
@@ -205,10 +205,10 @@ std::array<T, 5> list(const State<T>& s, double R) {
 
 struct Slope {
   std::array<double, 5> value{}, error{};
-  bool smooth = true;  ///< no other switches at any point
+  bool smooth = true;  ///< the switches are the same at all points
 };
 
-/// Ridders: central differences of shrinking step, extrapolated.
+/// Ridders' method: extrapolated central differences with shrinking steps.
 Slope ridders(const Mathavan2010& cushion, const Body& body, const double (&x)[5], int variable,
               const std::string& switches) {
   constexpr int levels = 7;
@@ -257,7 +257,7 @@ TEST_CASE("mathavan2010: dual numbers agree with differences where the switches 
     for (const Five& d : derivative)
       REQUIRE((std::isfinite(d.a) && std::ranges::all_of(d.v, [](double slope_k) { return std::isfinite(slope_k); })));
     if (x[1] < 0.05) return;  // differences would reach the cushion's line
-    // At no slip on the cloth only the two velocities keep it so.
+    // Without slip on the cloth, only changes of the two velocities keep the slip 0.
     const bool rolls = x[2] == 1 && x[4] == 0;
     for (int k = 0; k < (rolls ? 2 : 5); ++k) {
       const Slope slope = ridders(a.cushion, a.body, x, k, test::sequence(course));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// stronge against what the theory says of single impacts, against its two springs followed in small steps, and against
-// itself in 50 digits.
+// Compares stronge with the theory of single impacts, with its two springs followed in small steps, and with itself in
+// 50 digits.
 #include "bankshot/contact/stronge.hpp"
 
 #include <algorithm>
@@ -19,12 +19,12 @@ namespace {
 
 constexpr double beta = 3.5;
 
-/// The slip that is left, over the approach.
+/// Returns the final slip over the approach speed.
 double slip_left(double mu, double e, double omega, double rho) {
   return rho * (1 - beta * stronge::Across<double>(mu, e, omega).share(rho));
 }
 
-/// The same by following spring and slider in `steps` steps: no case is told from another.
+/// Computes the same ratio by following spring and slider in `steps` steps, without distinguishing cases.
 double slip_by_steps(double mu, double e, double omega, double rho, int steps) {
   const double quarter = std::acos(0.0), end = (1 + e) * quarter, dx = end / steps, eta2 = beta / (omega * omega);
   double extension = 0, slip = rho;
@@ -40,7 +40,7 @@ double slip_by_steps(double mu, double e, double omega, double rho, int steps) {
 }  // namespace
 
 TEST_CASE("stronge: slip that is left at e 0.85, friction 0.2, frequency ratio 1.8") {
-  // Stronge's closed forms, by hand.
+  // Stronge's closed forms, evaluated by hand.
   for (const auto& [before, after] :
        {std::pair{0.1, 0.0320240}, {0.2, 0.0239063}, {0.5, -0.2313953}, {1.0, -0.2897244}, {2.0, 0.705}})
     CHECK(slip_left(0.2, 0.85, 1.8, before) == Approx(after).margin(5e-8));

@@ -84,7 +84,7 @@ for physics in "ideal", "rolling", "spin":
     puzzles += jsonl(run("generate", "--count", "20", "--seed", "1", "--physics", physics))
 shots = [d for d in documents if "shot" in d and "table" in d]
 for document in shots:
-    document.pop("expect", None)  # a test's own
+    document.pop("expect", None)  # for the test alone
 if len(puzzles) < 100 or not shots:
     fail("too few documents were found", [len(puzzles), len(shots)])
 check(puzzle, puzzles, "puzzles")
@@ -93,7 +93,7 @@ program_refuses = [a for a in jsonl(run("batch", "-", "--quiet", "--budget", "0"
 for refused in program_refuses:
     fail("the program refuses a puzzle of the repository", refused)
 
-# Their answers.
+# Answers to these puzzles.
 quick = ["--quiet", "--budget", "3000"]
 told = jsonl(run("batch", "-", *quick, "--all", "--path", text=lines_of(puzzles)))
 check(answer, told, "answers with all shots and their paths")
@@ -109,7 +109,7 @@ for document in played:
         fail("simulate refuses it", document)
 
 
-# One place changed.
+# Puzzles with one place changed.
 def places(value, path=()):
     yield path
     if isinstance(value, (dict, list)):

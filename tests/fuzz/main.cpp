@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs a fuzz target where there is no libFuzzer: every file of the corpus, and then seeded changes
-// of them (bytes, pieces moved and doubled, words of the format).
+// Runs a fuzz target without libFuzzer: it tries every file of the corpus, and then seeded changes of these files
+// (bytes, pieces moved and doubled, words of the format).
 //   fuzz_read_puzzle [--runs N] [--seed S] FILE|FOLDER...
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -71,7 +71,7 @@ std::string changed(Random& r, std::string text, const std::string& other) {
         text.insert(at, 1, static_cast<char>(r.integer(0, 255)));
         break;
       case 4: {
-        // A number by another: most of a puzzle is numbers.
+        // Replaces one number by another, because most of a puzzle is numbers.
         const std::size_t begin = text.find_first_of("0123456789", at);
         if (begin == std::string::npos) break;
         const std::size_t end = std::min(text.size(), text.find_first_not_of("0123456789.e-", begin));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Any text at all, read as a puzzle and as a shot: it is either understood, and then written and read
-// back to the same, or refused with an answer that is one line of JSON.
+// Reads any text as a puzzle and as a shot. The reader must either understand it, so that it is written and read back
+// to the same, or refuse it with an answer that is one line of JSON.
 //
 // With clang this is a libFuzzer target (CMake option BANKSHOT_FUZZ):
 //   build/fuzz/tests/fuzz_read_puzzle -max_total_time=600 found tests/fuzz/corpus
-// Else main.cpp runs the corpus and seeded changes of it.
+// Otherwise main.cpp runs the corpus and seeded changes of it.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The end states of 12,000 shots, hashed (FNV-1a over their bits): the same at every optimisation level, by every
-// compiler, on every machine. Built three times, at -O0, -O2 and -O3 -march=native. Shots start from vectors, no sine
-// or other function of the C library enters but the square root, which is exact. mathavan2010 and friction by speed
-// take logarithms, so their hash is printed beside: the same at every level, not on every machine.
-//   golden         prints both hashes; fails where the first is not the one below
+// The end states of 12,000 shots, hashed (FNV-1a over their bits). The hash is the same at every optimization level,
+// with every compiler, on every machine. The program is built three times, at -O0, -O2 and -O3 -march=native. Shots
+// start from vectors, and the only function of the C library in use is the square root, which is exact. mathavan2010
+// and friction by speed take logarithms. Their hash is printed beside: it is the same at every level, but not on every
+// machine.
+//   golden         prints both hashes; fails if the first differs from the one below
 #include <bit>
 #include <cstdint>
 #include <cstdio>
@@ -23,7 +24,7 @@ namespace {
 
 using namespace bankshot;
 
-constexpr std::uint64_t expected = 0x020a37d6337189fc;  // of own arithmetic
+constexpr std::uint64_t expected = 0x020a37d6337189fc;  // hash of the shots without logarithms
 
 class Hash {
  public:
@@ -37,7 +38,7 @@ class Hash {
   std::uint64_t state_ = 0xcbf29ce484222325;
 };
 
-/// A rectangle with pockets and a table with corners that point inwards.
+/// Returns a rectangle with or without pockets, or a table with a reflex vertex.
 Table table(int i) {
   if (i % 2) return polygon_table({{0, 0}, {2.4, 0}, {2.4, 0.7}, {1.3, 0.9}, {1.1, 1.4}, {0, 1.2}});
   Table t = rectangle_table(2.54, 1.27);
@@ -81,7 +82,7 @@ int main() {
   shoot(own, SlideRoll{}, Han2005{});
   shoot(own, SlideRoll{.rolling_friction = 0.02}, Han2005{.restitution = {0.9, -0.03}, .friction = 0.14});
   shoot(own, SlideRoll{}, CustomCushion{&soft});
-  constexpr int few = 200;  // they cost a hundred times as much
+  constexpr int few = 200;  // these shots take a hundred times as long
   shoot(with_library, SlideRoll{}, Mathavan2010{}, few);
   shoot(with_library, SlideRoll{.rolling_friction = {0.008, 0.01}}, Han2005{});
   std::printf("own arithmetic 0x%016llx, with the C library's logarithm 0x%016llx\n",

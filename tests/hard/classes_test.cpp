@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The tests of this folder loop over classes of cases: each class holds as many as its test speaks of, none is without
-// a test, and none is empty.
+// The tests of this folder loop over classes of cases. Each class must hold the number of cases that its test expects,
+// and every class must have a test.
 #include <map>
 
 #include "support/catch.hpp"

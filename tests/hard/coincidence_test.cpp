@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A phase that ends in the instant of a bounce. Why hard: slide-to-roll and bounce, or rest and bounce, in an order
-// that rounding decides. Conditioning: both orders lead to one path (the states agree where the times do),
-// so κ is small; at rest against a cushion the speed is 0 and nothing can differ but a bounce of no size.
-// Asserted: for wall distances within ±20 units in the last place of the coincidence, one path, as far as the moved
-// start says, and the bound where the order agrees with that of 50 digits.
+// A phase that ends at the instant of a bounce.
+// Why hard: Rounding decides the order of the end of the slide and the bounce, or of rest and bounce.
+// Conditioning: Both orders lead to one path (the states agree where the times do), so κ is small. At rest against a
+// cushion the speed is 0, and only a bounce of no size can differ.
+// Asserted: One path for wall distances within ±20 units in the last place of the coincidence, up to the shift of the
+// start. The bound holds where the order agrees with that of 50 digits.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 
@@ -40,7 +41,8 @@ TEST_CASE("a ball that comes to rest at a cushion is inside and at rest") {
     const Trajectory t = simulate(shot);
     CHECK(t.end == EventKind::rest);
     CHECK(t.events.size() < 60);
-    // A distance δ short of the wall the ball still has √(2 a δ): at most 20 units and their rounding here.
+    // At a distance δ short of the wall the ball still has the speed √(2 a δ); here δ is at most 20 units and their
+    // rounding.
     CHECK(std::abs(t.events.back().state.at.x - (2 - R)) <= 1e-14);
     CHECK(t.events.back().state.at.x <= 2 - R + 1e-15);
   }

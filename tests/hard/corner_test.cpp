@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Corners. Why hard: two cushions in one instant, and which comes first is up to rounding. Conditioning: with
-// mirrors either order gives the same path, so κ stays small; with spin the orders differ and the
-// path jumps: no bound exists across the jump, only on either side of it. Asserted: never a wrong order
-// outside the bound (ties are counted), the bound where the order agrees, and with mirrors the same
-// path on both sides to the bound of each.
+// Corners.
+// Why hard: The ball meets two cushions at one instant, and rounding decides which comes first.
+// Conditioning: With mirrors either order gives the same path, so κ stays small. With spin the orders differ and the
+// path jumps; a bound exists on either side of the jump but not across it.
+// Asserted: No wrong order outside the bound (ties are counted), the bound where the order agrees, and with mirrors the
+// same path on both sides to the bound of each.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 
@@ -26,7 +27,7 @@ ShotRequest at_corner(const Table& table, double off, Physics physics) {
 }  // namespace
 
 TEST_CASE("a ball aimed at a corner with spin is true on either side") {
-  Worst worst("corners", 6);  // 2 of 39 were seen
+  Worst worst("corners", 6);  // a few ties are normal
   for (const HardCase& c : hard_cases("corners")) {
     INFO(c.what);
     CHECK(worst.within_bound(compare_with_truth(c)));
@@ -51,7 +52,7 @@ TEST_CASE("a ball driven into a corner it touches stays there until its spin is 
                      .ball = {{1.2, 0.05}, 0.0285, 0.17},
                      .launch = {1, 0}};
     const Boundary b(shot.table, {0.0285});
-    // Frozen to two cushions, topspin into the vertex at the origin.
+    // The ball is frozen to two cushions, with topspin into the vertex at the origin.
     const Wall& w = b.walls[0];
     shot.ball.at = w.from;
     shot.launch = {1e-3, wrap_angle(std::atan2(-b.walls[0].from.y, -b.walls[0].from.x))};

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Rolling friction that grows with the speed, μr = a + b v. Why hard: the closed forms have b in their denominators and
-// cancel as b → 0, and the place on the line is a root of Newton's method; where b is large the ball stops within
-// centimetres. Conditioning: none of its own. Asserted: by hand, the length of a roll, (v − (a/b) ln(1 + b v/a))/(b g);
-// the limit of constant friction; the bound for b from 1e-18 to 10 s/m.
+// Rolling friction that grows with the speed, μr = a + b v.
+// Why hard: The closed forms have b in their denominators and cancel as b → 0, and the place on the line is a root of
+// Newton's method. With a large b the ball stops within centimetres.
+// Conditioning: None of its own.
+// Asserted: By hand, the length of a roll, (v − (a/b) ln(1 + b v/a))/(b g). The limit of constant friction. The bound
+// for b from 1e-18 to 10 s/m.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 
@@ -31,7 +33,7 @@ TEST_CASE("a ball slowed by friction that grows with the speed rests where the f
   }
   const Vec2d constant = simulate(rolling(v, a)).events.back().state.at;
   for (const double b : {1e-18, 1e-12, 1e-8}) {
-    // To first order the length v²/(2 a g) shrinks by the share 2 b v/(3 a).
+    // To first order the length v²/(2 a g) shrinks by the fraction 2 b v/(3 a).
     const double length = v * v / (2 * a * g);
     CHECK(norm(simulate(rolling(v, {a, b})).events.back().state.at - constant) <= length * b * v / a + 1e-15);
   }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Frozen to a cushion at the start. Why hard: a gap of 1e-16 … 1e-9 m is above or below what the centre's
-// coordinates resolve, and a ball shot along the cushion must not bounce on noise. Law: a centre within
-// Boundary::touch (1e-12 of the diagonal) is on the line; while a cushion holds a ball its slip turns
-// (detail/held.hpp). Conditioning: benign, but for aims nearly along the cushion (grazing). Asserted: at once a bounce
-// when driven in, none when sent along or away, the bound for all gaps, spins and aims.
+// Frozen to a cushion at the start.
+// Why hard: A gap of 1e-16 … 1e-9 m is above or below what the centre's coordinates resolve, and a ball shot along the
+// cushion must not bounce on noise.
+// Law: A centre within Boundary::touch (1e-12 of the diagonal) is on the line. While a cushion holds a ball, its slip
+// turns (detail/held.hpp).
+// Conditioning: Benign, except for aims nearly along the cushion (grazing).
+// Asserted: A ball driven in bounces at once, and a ball sent along or away does not. The bound holds for all gaps,
+// spins and aims.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 
@@ -41,21 +44,21 @@ TEST_CASE("a frozen ball bounces at once when driven in, and not when sent along
 }
 
 TEST_CASE("a ball frozen to a cushion and driven along it by masse stays on it and does not bounce") {
-  // Sent along the bottom cushion with spin about its line of travel: friction presses it to the cushion
-  // (spin that curves right, aim 0) until it rolls. On the cushion the whole time, by the law of resting.
+  // The ball is sent along the bottom cushion with spin about its line of travel. Friction presses it to the cushion
+  // until it rolls (the spin curves right, aim 0), so by the law of resting it stays on the cushion.
   const Trajectory t = simulate(spin_shot({0.7, R}, 0.4, 0, {.masse = 2}));
   REQUIRE(t.events.size() > 2);
   CHECK(t.events[1].kind == EventKind::slide_to_roll);
   CHECK(t.events[1].state.at.y == R);
   CHECK(t.events[1].state.velocity.y == 0);
   CHECK(t.cushions == 0);
-  // The other way round it leaves the cushion.
+  // With the opposite spin it leaves the cushion.
   CHECK(simulate(spin_shot({0.7, R}, 0.4, 0, {.masse = -2})).events[1].state.at.y > R + 1e-3);
 }
 
 TEST_CASE("the slip of a ball on a cushion turns across it, as its equations say") {
-  // u_t' = -7/2 c û_t, u_n' = -5/2 c û_n with c = μs g: so u_t = k u_n^(7/5), v - 2/7 u_t stays, and it takes
-  // 2/(5c) ∫ sqrt(1 + (u_t/u_n)²) du_n until it rolls, c ∫ û_t dt = 2/5 ∫ u_t/u_n du_n slower.
+  // u_t' = -7/2 c û_t and u_n' = -5/2 c û_n with c = μs g, so u_t = k u_n^(7/5) and v - 2/7 u_t is constant. The slide
+  // takes 2/(5c) ∫ sqrt(1 + (u_t/u_n)²) du_n, and the ball loses the speed c ∫ û_t dt = 2/5 ∫ u_t/u_n du_n.
   constexpr double c = 0.2 * 9.81, v = 0.4;
   for (const double masse : {0.5, 1.0, 2.0, 5.0})
     for (const double top : {-1.0, 0.0, 0.5}) {

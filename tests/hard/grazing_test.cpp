@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Grazing cushions. Why hard: at angle ε to the cushion the place of the bounce is gap/ε, so an error δ of
-// the gap becomes δ/ε along the cushion. Conditioning: κ about 1/ε. Achievable error: 2⁻⁵³ size/ε.
-// Asserted: the bound C · 2⁻⁵³ · size · κ of simulator.hpp for ε = 1e-1 ... 1e-10, and by hand a point that
-// reaches the line after exactly gap/ε.
+// Grazing cushions.
+// Why hard: At angle ε to the cushion the place of the bounce is gap/ε, so an error δ of the gap becomes δ/ε along the
+// cushion.
+// Conditioning: κ is about 1/ε, and the achievable error is 2⁻⁵³ size/ε.
+// Asserted: The bound C · 2⁻⁵³ · size · κ of simulator.hpp for ε = 1e-1 ... 1e-10. By hand, a point that reaches the
+// line after exactly gap/ε.
 #include "bankshot/simulate/locked.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
@@ -26,7 +28,7 @@ TEST_CASE("a ball with spin that grazes a cushion stays within the bound") {
 TEST_CASE("a point meets the line after gap over normal speed, to rounding") {
   for (const double slope : {1e-3, 1e-9, 1e-15, 1e-100, 1e-200}) {
     const Boundary boundary(rectangle_table(2, 1), {0});
-    // Straight on between left and right for ever; the bottom comes after 0.25/slope seconds, if that is first.
+    // The point moves straight on between left and right; it meets the bottom after 0.25/slope seconds.
     const Arc<double> arc{{1, 0.25}, {1, -slope}, {0, 0}, forever};
     CHECK(time_to_line(arc, boundary.walls[0]) == 0.25 / slope);
   }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Paths by cushions of mathavan2010. Why hard: the impact is an equation that is integrated; at natural roll, straight
-// at the cushion and where spin is used up, slips reach 0, at times two in one instant, and each is a switch that must
-// not be stepped across. Conditioning: at a switch derivatives are one-sided, the map itself is continuous.
-// Asserted: the bound of the simulator with the impact's tolerance in place of 2⁻⁵³, against impacts integrated
-// 1e7 times finer in 50 digits.
+// Paths with cushions of mathavan2010.
+// Why hard: The impact is an equation that is integrated. Slips reach 0 at natural roll, straight at the cushion and
+// where spin is used up, sometimes two at one instant. Each is a switch that a step must not cross.
+// Conditioning: At a switch the derivatives are one-sided, but the map itself is continuous.
+// Asserted: The bound of the simulator with the impact's tolerance in place of 2⁻⁵³, against impacts integrated 1e7
+// times finer in 50 digits.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Many bounces, 20 … 20000. Why hard: each bounce rounds anew and the path multiplies what came before. In a rectangle
-// with mirrors the path unfolds to a straight line: after n bounces an error δ of the aim has grown to δ times
-// the length, so κ, a sum over the bounces, grows as n². Achievable: n 2⁻⁵³ of the length when errors add up,
-// √n of it when they do not. Asserted: the bound, and by hand the unfolded place in 50 digits through it;
-// with spin and loss the path contracts and 200 bounces cost no digits.
+// Many bounces, 20 … 20000.
+// Why hard: Each bounce rounds anew and the path multiplies earlier errors. In a rectangle with mirrors the path
+// unfolds to a straight line. After n bounces an error δ of the aim has grown to δ times the length, so κ, a sum over
+// the bounces, grows as n².
+// Achievable: n 2⁻⁵³ of the length when errors add up, √n 2⁻⁵³ when they do not.
+// Asserted: The bound, and by hand the unfolded place in 50 digits. With spin and loss the path contracts, and 200
+// bounces cost no digits.
 #include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
@@ -24,7 +26,8 @@ TEST_CASE("20 to 20000 bounces between mirrors keep the bound") {
 }
 
 TEST_CASE("the unfolded path of a point, by hand") {
-  // Speed (3, 4)/5 in a 1 × 1 square from (0.5, 0.5): after t = 5k it has moved (3k, 4k): back at the start for even k.
+  // With speed (3, 4)/5 in a 1 × 1 square from (0.5, 0.5), the point has moved (3k, 4k) after t = 5k; it is back at the
+  // start for even k.
   const Boundary boundary(rectangle_table(1, 1), {0});
   Simulator sim(boundary, Ideal{}, Mirror{1}, State<double>{{0.5, 0.5}, {0.6, 0.8}});
   int bounces = 0;

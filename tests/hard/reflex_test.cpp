@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Reflex vertices. Why hard: the ball meets a point, as an arc of radius R around it: roots of a quartic on a curved
-// path, edges that end where the arc begins, and dispersion: each such bounce multiplies errors by up to
-// 2 · distance/R. Grazing the arc is a double root. Conditioning: κ grows by that factor a bounce. Asserted: the
-// bound for aims across a vertex and its neighbourhood, through grazing on both sides; never outside.
+// Reflex vertices.
+// Why hard: The ball meets a point, as an arc of radius R around it. On a curved path that is a root of a quartic, and
+// edges end where the arc begins. Each such bounce multiplies errors by up to 2 · distance/R. Grazing the arc is a
+// double root.
+// Conditioning: κ grows by that factor at each bounce.
+// Asserted: The bound for aims across a vertex and its neighbourhood, through grazing on both sides; the ball is never
+// outside.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 
@@ -40,7 +43,7 @@ TEST_CASE("aims across a reflex vertex keep the bound and the table") {
 
 TEST_CASE("grazing the arc of a vertex is a hit or a miss, and true") {
   Worst worst("grazing a reflex vertex");
-  bool hits = false;  // every other case
+  bool hits = false;  // every other case hits
   for (const HardCase& c : hard_cases("grazing a reflex vertex")) {
     INFO(c.what);
     const Boundary boundary(c.table, {c.radius});
@@ -52,7 +55,7 @@ TEST_CASE("grazing the arc of a vertex is a hit or a miss, and true") {
 }
 
 TEST_CASE("a slow ball pressed against a vertex comes to rest") {
-  // Topspin drives it at the vertex again and again, e = 0.2.
+  // Topspin drives the ball at the vertex again and again, e = 0.2.
   ShotRequest shot = towards({1.1, 0.9}, {1, 1}, 0, {SlideRoll{}, Mirror{0.2}});
   shot.launch.speed = 0.5;
   shot.spin = {.top = 1.3};

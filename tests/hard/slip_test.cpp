@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Slip → 0. Why hard: the direction of a slip that is rounding noise is noise, and so is whether there is a
-// slide at all. Conditioning: benign: the slide lasts 2u/(7 μs g) and changes the velocity by 2u/7, so a slip
-// of δ v moves the place of rest by about 4/7 δ of the length of the path. Asserted: that, for δ = 1e-16 … 1e-3, and
-// the bound.
+// Slip → 0.
+// Why hard: The direction of a slip that is rounding noise is noise, and so is the decision whether there is a slide at
+// all.
+// Conditioning: Benign. The slide lasts 2u/(7 μs g) and changes the velocity by 2u/7, so a slip of δ v moves the place
+// of rest by about 4/7 δ of the length of the path.
+// Asserted: That shift, for δ = 1e-16 … 1e-3, and the bound.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Very slow and very fast. Why hard: tolerances in metres or metres a second would swallow a ball of 1e-6 m/s or
-// miss at 30 m/s. Conditioning: none of its own, but a fast ball meets many cushions. Asserted: by hand, the places
-// of rest of a ball struck in the centre, 12 v²/(49 μs g) + (5v/7)²/(2 μr g), to 4 units in the last place of
-// the coordinates; the bound from 1e-6 to 30 m/s.
+// Very slow and very fast balls.
+// Why hard: Tolerances in metres or metres per second would swallow a ball of 1e-6 m/s or fail at 30 m/s.
+// Conditioning: None of its own, but a fast ball meets many cushions.
+// Asserted: By hand, the places of rest of a ball struck in the centre, 12 v²/(49 μs g) + (5v/7)²/(2 μr g), to 4 units
+// in the last place of the coordinates. The bound from 1e-6 to 30 m/s.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Tiny, huge and shifted tables. Why hard: any absolute length in the code shows. Scaling: with lengths times s and
-// speeds times √s the friction is the same and times go with √s. For s = 4ᵏ every number is multiplied by a
-// power of two, so not a bit may differ. A shift by d rounds coordinates to 2⁻⁵³ d: κ times d/diagonal.
-// Asserted: bits for 4⁻⁵ … 4⁵ (1e-3 … 1e3), the bound for other sizes and for shifts up to 1e4 m.
+// Tiny, huge and shifted tables.
+// Why hard: Any absolute length in the code shows.
+// Scaling: With lengths times s and speeds times √s the friction is the same and times scale with √s. For s = 4ᵏ every
+// number is multiplied by a power of two, so not a bit may differ. A shift by d rounds coordinates to 2⁻⁵³ d, which
+// multiplies the error by d/diagonal.
+// Asserted: Equal bits for 4⁻⁵ … 4⁵ (1e-3 … 1e3), the bound for other sizes and for shifts up to 1e4 m.
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Targets on a cushion line, in a corner, at the start point. Why hard: the target lies on the edge of what a centre
-// can reach, so half of the aims around the root bounce first, and rounding may put the root behind the line; at the
-// start point a shot of length 0 must not count. Conditioning: benign, but one-sided. Asserted: an answer whose
-// replay by a separate check passes (miss ≤ 1e-9 of the diagonal).
+// Targets on a cushion line, in a corner, at the start point.
+// Why hard: The target lies on the edge of what a centre can reach. Half of the aims around the root bounce first, and
+// rounding may put the root behind the line. At the start point a shot of length 0 must not count.
+// Conditioning: Benign, but one-sided.
+// Asserted: An answer that passes a replay by a separate check (miss ≤ 1e-9 of the diagonal).
 #include "bankshot/plan/planner.hpp"
 #include "support/catch.hpp"
 #include "support/replay_check.hpp"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Endless bouncing. Why hard: a rolling ball keeps its topspin through a mirror cushion and is driven back, slower
-// each time: infinitely many bounces in finite time. Law: below tolerance::resting of the launch it stays on the
-// cushion. By hand: if it rolls before it is back (1/6 ≤ e < 2/5) it returns with (2 − 5e)/7 of its speed,
-// else with e of it. Conditioning: contracting, κ of the place along the cushion is that of the slow tangential motion.
-// Asserted: those ratios, a bounded number of events, the bound.
+// Endless bouncing.
+// Why hard: A rolling ball keeps its topspin through a mirror cushion and is driven back, slower each time: infinitely
+// many bounces in finite time.
+// Law: Below tolerance::resting of the launch speed it stays on the cushion.
+// By hand: If it rolls before it is back (1/6 ≤ e < 2/5), it returns with (2 − 5e)/7 of its speed; otherwise it returns
+// with e of it.
+// Conditioning: Contracting; κ of the place along the cushion is that of the slow tangential motion.
+// Asserted: Those ratios, a bounded number of events, the bound.
 #include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"
 #include "support/catch.hpp"
@@ -25,7 +28,7 @@ ShotRequest rolling_into(double e, double degrees_ = 270) {
 TEST_CASE("the speeds of return fall by (2 - 5e)/7, or by e") {
   for (const double e : {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35}) {
     ShotRequest shot = rolling_into(e);
-    std::get<SlideRoll>(shot.physics.motion).rolling_friction = 1e-9;  // nothing to speak of on the way back
+    std::get<SlideRoll>(shot.physics.motion).rolling_friction = 1e-9;  // negligible on the way back
     const Trajectory t = simulate(shot);
     REQUIRE(t.end == EventKind::rest);
     REQUIRE(t.cushions > 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Players whose noise is known. How often it lies within the intervals is counted by stress/advise.cpp.
+// Players whose noise is known. The program stress/advise.cpp counts how often the noise lies within the intervals.
 #include "bankshot/learn/advise.hpp"
 
 #include <Eigen/Dense>
@@ -46,7 +46,7 @@ TEST_CASE("noise and bias of a player are within what a hundred tracked attempts
   }
   CHECK(advice.noise.angle == of(advice, "angle").sigma);
   CHECK(advice.noise.top == of(advice, "top").sigma);
-  CHECK(of(advice, "speed").bias_interval.low > 0);  // too hard, as far as one can say
+  CHECK(of(advice, "speed").bias_interval.low > 0);  // too hard, with confidence
   CHECK_THAT(message_of(advice), Catch::Contains("% too hard on average"));
 }
 
@@ -60,14 +60,14 @@ TEST_CASE("what an inexact track errs is not the player's") {
   CHECK(advice.noise.speed < 0.004);
 }
 
-// Side that dies before the next cushion leaves no trace, and a fit that is led there stays: the aim then takes what
-// the side did at the cushion, and claims to be known to a tenth of that. Such attempts made a player's aim seem too
-// wild.
+// Side spin that dies before the next cushion leaves no trace, and a fit that is led there stays there. The aim then
+// absorbs the effect of the side spin at the cushion and claims a tenth of that error. Such attempts would make a
+// player's aim seem too wild.
 TEST_CASE("an attempt claims no more of its launch than its track tells") {
   constexpr std::uint64_t seed = 36;
   constexpr int attempts = 200;
   Random random(seed);
-  test::Player same = steady;  // errs by the same in every attempt, so that each one's error is known
+  test::Player same = steady;  // has the same error in every attempt, so that each error is known
   for (auto& [name, habit] : same.habits) habit.sigma = 1e-9;
   same.habits["side"].bias = 0.06;
   planning::Work work;
@@ -80,16 +80,16 @@ TEST_CASE("an attempt claims no more of its launch than its track tells") {
         planning::LaunchError{bias("angle"), bias("speed") * e.meant_speed, bias("side"), bias("top")}.cwiseQuotient(
             planning::usual_error());
     const planning::LaunchError left = e.gradient - e.information * truth;
-    constexpr double quantile = 18.47;  // 99.9 % of χ² with four degrees
+    constexpr double quantile = 18.47;  // 99.9 % of χ² with four degrees of freedom
     ++told, too_far += left.dot(e.information.completeOrthogonalDecomposition().solve(left)) > quantile;
   }
   INFO("seed " << seed << ": " << too_far << " of " << told);
   CHECK(told > attempts * 9 / 10);
-  constexpr int few = 25;  // one in so many: the likelihood has other kinks, and some claims stand at one
+  constexpr int few = 25;  // one in 25, because the likelihood has other kinks, and some estimates stop at one
   CHECK(too_far * few <= told);
 }
 
-// Attempts that told nothing of the side but a slope made it err by 1e78.
+// These attempts constrain the side spin only by a slope, which must not make its estimated error enormous.
 TEST_CASE("attempts that hardly tell a number make it no larger") {
   constexpr std::uint64_t seed = 1, number = 191;
   Random random(seed, number);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fits of tables whose truth is known. How often it lies within the errors is counted by stress/learn.cpp.
+// Fits of tables whose truth is known. The program stress/learn.cpp counts how often the truth lies within the errors.
 #include "bankshot/learn/fit.hpp"
 
 #include <algorithm>
@@ -265,8 +265,8 @@ TEST_CASE("a camera that sees the table too large and shifted is learnt") {
   CHECK(norm(fit.camera_offset - shift) < 1e-3);
 }
 
-/// Derivatives of distances with the laws of `fitted` against differences of those with the laws of `exact`, within a
-/// share of the largest.
+/// Compares derivatives of distances with the laws of `fitted` with differences with the laws of `exact_laws`, within a
+/// fraction of the largest.
 void compare_derivatives(const Physics& fitted, const Physics& exact_laws, double share) {
   using namespace bankshot::planning;
   Random random(18);
@@ -279,7 +279,7 @@ void compare_derivatives(const Physics& fitted, const Physics& exact_laws, doubl
   for (std::size_t k = 0; k < f.shots.size(); ++k) {
     INFO("shot " << k);
     Seen seen(f.recordings[k], 1e-3);
-    constexpr double early = 1e-3;  // s: no sample lies at the launch, where paths have a kink
+    constexpr double early = 1e-3;  // s; no sample lies at the launch, where paths have a kink
     seen.launch = unknowns_of(f.shots[k], -early);
     Work work;
     REQUIRE(tell(seen, {.base = truth, .names = names, .values = values}, work));
@@ -319,7 +319,7 @@ TEST_CASE("distances have exact derivatives") {
   const Physics truth = random_table(random, carom_ball);
   constexpr double share = 1e-3;
   compare_derivatives(truth, truth, share);
-  // Impacts that are integrated less exactly, as fits do, have the derivatives of exact ones.
+  // Impacts that are integrated less exactly, as in fits, have the derivatives of exact ones.
   const Physics fitted = planning::with_laws(truth, {.model = "mathavan2010"}, carom_ball);
   Physics exact = fitted;
   planning::restore_tolerance(exact);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every motion owes: no energy gained, the same in a mirror, turned and moved, phases that follow
-// each other without a jump, derivatives. Then the closed forms of a ball that slides and rolls.
+// Requirements on every motion: no energy gained, the same path in a mirror, turned and moved, phases that follow each
+// other without a jump, derivatives. Also tests the closed forms of a ball that slides and rolls.
 #include <limits>
 
 #include "bankshot/numbers/dual.hpp"
@@ -15,19 +15,20 @@ namespace {
 
 constexpr int draws = 2000;
 
-/// Arcs of every motion but this one end by themselves.
+/// True for the motion whose arcs do not end by themselves.
 template <class Motion>
 constexpr bool never_ends = std::is_same_v<Motion, Ideal>;
 
-/// Whether two states on an arc are alike to so many roundings of |v| + R|ω|. An arc with a drag knows the place; near
-/// its rest speed and time are square roots of what is left, so there the square of the speed is held to it.
+/// Returns true when two states on an arc agree to a multiple of the rounding of |v| + R|ω|. An arc with drag is a
+/// function of the place. Near its rest, speed and time are square roots of the remaining length, so the square of the
+/// speed is compared there.
 bool alike(const State<double>& a, const State<double>& b, double roundings, double scale, const Arc<double>& arc) {
   if (arc.drag.linear == 0) return difference(a, b) <= roundings * scale;
   const double squares = std::abs(dot(a.velocity, a.velocity) - dot(b.velocity, b.velocity));
   return squares <= roundings * scale * scale && difference(a, b) <= std::sqrt(roundings) * scale;
 }
 
-/// The motion whose forces at twice the speed are those of this one.
+/// Returns the motion whose forces at twice the speed are those of this one.
 template <class Motion>
 Motion at_twice_the_speed(Motion motion) {
   if constexpr (std::is_same_v<Motion, Dragging>) motion.rolling_friction.per_speed /= 2;
@@ -35,12 +36,12 @@ Motion at_twice_the_speed(Motion motion) {
 }
 constexpr std::uint64_t seed = 17;
 
-/// A time within the arc, now and then its end; within one second of an arc without end.
+/// Draws a time within the arc, sometimes its end; an arc without end counts as one second.
 double some_time(Random& r, const Arc<double>& arc) {
   return (arc.duration < forever ? arc.duration : 1) * (r.chance(0.2) ? 1 : r.uniform(0, 1));
 }
 
-/// With the spin of natural roll where the motion does not carry spin.
+/// Returns the state with the spin of natural roll if the motion does not carry spin.
 template <class Motion>
 State<double> whole(const Motion& motion, State<double> s) {
   s.spin = motion.spin(body, s);
@@ -132,7 +133,7 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Mo
     for (int k = 0; k < 7; ++k) number_of(dual, k).v[k] = 1;
     State<Dual> end = advance(motion, body, dual, motion.arc(body, dual), Dual(t));
     const double V = scale_of(s), unit[] = {1, 1, V, V, V / ball_radius, V / ball_radius, V / ball_radius};
-    // A ball that rolls goes on rolling when it is moved: its spin follows.
+    // A rolling ball that is moved rolls on, so its spin changes with its velocity.
     const bool rolls = !TestType::straight && arc.end == PhaseEnd::rest;
     for (int in = 0; in < (TestType::straight || rolls ? 4 : 6); ++in)
       for (int out = 0; out < 4; ++out) {
@@ -148,7 +149,7 @@ TEMPLATE_LIST_TEST_CASE("derivatives of a motion agree with differences", "", Mo
         INFO("draw " << i << " of seed " << seed << ", d" << out << "/d" << in);
         REQUIRE(std::abs(slope.value - dual_slope) <= 1e-9 * (1 + std::abs(dual_slope)) + 10 * slope.error);
         ++all;
-        if (!(slope.error < 1e-10)) continue;  // the differences have too few digits to tell
+        if (!(slope.error < 1e-10)) continue;  // the differences have too few digits
         ++sharp;
         worst = std::max(worst, std::abs(slope.value - dual_slope));
       }

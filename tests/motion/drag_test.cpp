@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Rolling friction that grows with speed: the closed forms against a fine Runge-Kutta run, 50 digits and
-// their limit of constant friction.
+// Rolling friction that grows with speed: compares the closed forms with a fine Runge-Kutta run, with 50 digits and
+// with their limit of constant friction.
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
 #include "bankshot/motion/slide_roll.hpp"
@@ -19,7 +19,7 @@ struct Rolled {
   double speed, length;
 };
 
-/// Classical Runge-Kutta of v' = -(A + B v), s' = v.
+/// Integrates v' = -(A + B v), s' = v by the classical Runge-Kutta method.
 Rolled integrate(const Drag<double>& d, double v, double seconds, int steps) {
   double s = 0;
   const double h = seconds / steps;

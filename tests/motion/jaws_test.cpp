@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every motion owes where it leads a ball to a facing or a tip: it meets the rubber at its own radius, on the part
-// that is there, no faster than it came; the same in a mirror; and the place has derivatives.
+// Requirements on every motion that leads a ball to a facing or a tip. The ball meets the rubber at its own radius, on
+// a part that exists, and no faster than it started. The result is the same in a mirror, and the place has derivatives.
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr int draws = 1000;
 constexpr std::uint64_t seed = 43;
 
-/// Up to the first thing it meets: what that is, and where, before a bounce changes how it moves.
+/// The first thing that a path meets, the state there, and the velocity before the bounce.
 template <class T>
 struct Met {
   Event event{};
@@ -54,7 +54,7 @@ struct Approach {
       if (out.met.event.kind == EventKind::jaw) return out;
     }
   }
-  /// Steeply enough that differences have digits.
+  /// Returns true when the ball comes steeply enough for accurate differences.
   bool squarely() const {
     return -dot(on.boundary.normal(met.event.contact, met.state.at), met.came) > 0.2 * norm(met.came);
   }

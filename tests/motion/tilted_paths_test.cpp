@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole shots on tables that lean, off up to six cushions, against another way in 50 digits: closed forms with
-// exponentials (support/incline_forms.hpp) where the simulator sums series in pieces, and cushions found by sampling
-// the path itself where the simulator solves its chords. They share the laws of the cushions, which have tests of their
-// own. The bound is that of simulate/simulator.hpp, property 6.
+// Compares whole shots on tilted tables, off up to six cushions, with an independent computation in 50 digits. It uses
+// closed forms with exponentials (support/incline_forms.hpp) where the simulator sums series in pieces. It finds
+// cushions by sampling the path itself where the simulator solves its chords. Both share the laws of the cushions,
+// which have tests of their own. The bound is that of simulate/simulator.hpp, property 6.
 #include <algorithm>
 #include <cstdio>
 #include <utility>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int most_cushions = 6;
 
-/// A slide, or a roll, from a state on.
+/// A slide or a roll that starts from a state.
 template <class T>
 struct Phase {
   bool slides;
@@ -62,15 +62,15 @@ State<double> rounded(const State<Long>& s) {
   return {{d(s.at.x), d(s.at.y)}, {d(s.velocity.x), d(s.velocity.y)}, {d(s.spin.x), d(s.spin.y), d(s.spin.z)}};
 }
 
-/// What ends a phase: the first of some walls, between two samples, or its own end, where there is none.
+/// The end of a phase: the first of some walls, between two samples, or without a wall its own end.
 struct Meets {
   std::vector<const Wall*> walls{};
   double before = 0, after = 0;  ///< σ
   bool decided = true;
 };
 
-/// By samples in double, between which w changes by a hundredth or less, and the ball moves by no more of the table.
-/// `left`: the wall that the path begins on.
+/// Finds the end of a phase by samples in double. Between two samples w changes by at most a hundredth, and the ball
+/// moves by at most a hundredth of the table. `left` is the wall on which the path begins.
 Meets first_met(const Phase<double>& p, const Tilted& m, const Boundary& b, const Wall* left) {
   constexpr double part = 0.01;
   const auto gap = [&](std::size_t i, const State<double>& s) {
@@ -88,7 +88,7 @@ Meets first_met(const Phase<double>& p, const Tilted& m, const Boundary& b, cons
     s = p.at(sigma += step, m, time);
     for (std::size_t i = 0; i < b.walls.size(); ++i) {
       const double now = gap(i, s);
-      // A least gap that may be less than 0 between the samples.
+      // The least gap may be below 0 between the samples.
       const double falls = before[i] - previous[i], rises = now - previous[i];
       if (k > 2 && falls > 0 && rises > 0 && previous[i] < falls + rises) return {.decided = false};
       if (now < 0 && !(left == &b.walls[i] && k < 3)) met.walls.push_back(&b.walls[i]);
@@ -101,7 +101,7 @@ Meets first_met(const Phase<double>& p, const Tilted& m, const Boundary& b, cons
   return {.decided = false};
 }
 
-/// The σ at which the gap to that wall is 0, in 50 digits: bisection, then Newton's method by secants.
+/// Returns the σ at which the gap to that wall is 0, in 50 digits, by bisection and then by secants.
 Long root(const Phase<Long>& p, const Tilted& m, const Meets& met, const Wall& w) {
   Long time;
   const Vec2<Long> n{Long(w.normal.x), Long(w.normal.y)};
@@ -163,7 +163,7 @@ Found follow(const ShotRequest& shot, const Boundary& b) {
     left = &w;
     rolls = false;
     const double leaves = static_cast<double>(dot(to<Long>(w.normal), s.velocity));
-    // Slower, and soon a cushion holds the ball, which is another law (detail/held.hpp).
+    // A slower ball is soon held by a cushion, which follows another law (detail/held.hpp).
     if (++out.cushions == most_cushions || leaves < 0.01) break;
   }
   out.end = s;

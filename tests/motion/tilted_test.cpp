@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A table that leans: the path against another way to it (the closed forms of friction on an incline, with exponentials
-// in 50 digits, where the simulator sums power series in pieces), its energy with the height, what it does at
-// standstill and along cushions, and that a table that hardly leans is a level one.
+// A tilted table: compares the path with an independent solution, the closed forms of friction on an incline with
+// exponentials in 50 digits. The simulator sums power series in pieces instead. Also tests the energy with the height,
+// the motion near standstill and along cushions, and that a slightly tilted table gives almost the path of a level one.
 #include <cmath>
 #include <vector>
 
@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t seed = 23;
 constexpr double g = 9.81;
 
-/// Slides and rolls to rest without meeting anything: where it begins to roll, and where and when it rests.
+/// A slide and a roll to rest without any contact: where the roll begins, and where and when the ball rests.
 struct Whole {
   Long slid, rested;
   Vec2<Long> rolls_at, rests_at;
@@ -58,7 +58,7 @@ State<double> struck(Random& r) {
           {r.uniform(-1, 1) * v / body.radius, r.uniform(-1, 1) * v / body.radius, r.uniform(-1, 1) * v / body.radius}};
 }
 
-/// A table too large to meet its cushions.
+/// A table so large that no ball meets its cushions.
 const Table plain = [] {
   Table t = rectangle_table(20000, 20000);
   for (Vec2d& v : t.vertices) v = v - Vec2d{10000, 10000};
@@ -93,7 +93,7 @@ double off(const Vec2d& at, const Vec2<Long>& truth) {
 TEST_CASE("a ball on a slope slides, curves and rests where the closed forms say") {
   Random r(seed);
   for (int i = 0; i < 1000; ++i) {
-    const Tilted m = leaning(r, 1.3);  // 7/5 of the friction would let nothing rest
+    const Tilted m = leaning(r, 1.3);  // at 7/5 of the friction nothing would rest
     const State<double> s = struck(r);
     INFO("draw " << i << " of seed " << seed << ", rise " << m.rise.x << " " << m.rise.y);
     const Rest found = run(m, s);
@@ -101,7 +101,7 @@ TEST_CASE("a ball on a slope slides, curves and rests where the closed forms say
     const double length = static_cast<double>(norm(truth.rests_at)) + 1e-3, lasts = static_cast<double>(truth.rested);
     CHECK(off(found.rolls_at, truth.rolls_at) < 1e-13 * length);
     CHECK(std::abs(static_cast<double>(truth.slid - found.rolls)) < 1e-13 * lasts);
-    // Where friction hardly holds the ball, what it does in the end is a small difference.
+    // If friction barely holds the ball, its final motion is a small difference.
     const double slow = m.rolling_friction.at_rest, steep = slow / (slow - norm(m.rise) * 5 / 7);
     CHECK(off(found.rests_at, truth.rests_at) < 1e-12 * steep * length);
     CHECK(std::abs(static_cast<double>(truth.rested - found.rests)) < 1e-12 * steep * lasts);
@@ -165,7 +165,7 @@ TEST_CASE("energy with height: what rolling friction takes is seven fifths of it
     State<double> s{{0, 0}, {v * std::cos(way), v * std::sin(way)}, {}};
     s.spin = natural_roll(s.velocity, body.radius);
     Simulator sim(boundary, m, AnyCushion{Mirror{}}, s);
-    // The length of the way by Gauss's rule on each piece.
+    // Sums the length of the path by Gauss's rule on each piece.
     double length = 0, before = energy(p, body, s), worst = 0;
     const auto add = [&](const Arc<double>& arc, double t) {
       constexpr double node[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};

@@ -1,4 +1,4 @@
-// What the tests look at: the page as the server gives it, and as one file from a disk, in Debian's Chromium.
+// Opens the page for the tests in Debian's Chromium, from the server and as one file from the disk.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -18,7 +18,7 @@ const quiet = [
   '--disable-sync',
 ];
 
-/** `bankshot serve` at a port of its own. @returns {Promise<{url: string, end: () => void}>} */
+/** Starts `bankshot serve` on a free port. @returns {Promise<{url: string, end: () => void}>} */
 export function serve() {
   const server = spawn(program, ['serve', '--port', '0'], { stdio: ['ignore', 'pipe', 'pipe'] });
   const end = () => server.kill('SIGTERM');
@@ -36,7 +36,7 @@ export function serve() {
   });
 }
 
-/** Both ways to the page. @returns {Promise<{name: string, url: string}[]>} */
+/** Returns both ways to the page. @returns {Promise<{name: string, url: string}[]>} */
 export async function ways(server) {
   const all = [{ name: 'the server', url: server.url }];
   if (existsSync(file)) all.push({ name: 'the file', url: `file://${file}` });
@@ -50,7 +50,7 @@ export async function launch() {
 }
 
 /**
- * A page that has answered; whatever it complains of is kept.
+ * Opens the page, waits for its first answer, and collects its errors and warnings.
  * @param {import('playwright-core').Browser} browser
  * @param {string} url
  * @param {object} [options] of the page
@@ -68,20 +68,20 @@ export async function open(browser, url, options = {}) {
   return { page, complaints };
 }
 
-/** Waits until all shots of what was asked last are there. */
+/** Waits until all shots of the last puzzle are there. */
 export async function answered(page) {
   const done = () =>
     document.body.dataset.answered !== undefined && document.body.dataset.answered === document.body.dataset.asked;
   await page.waitForFunction(done, null, { timeout: 20000 });
 }
 
-/** The middle of a thing on the table, in pixels. */
+/** Returns the middle of an element on the table, in pixels. */
 export async function middle(page, selector) {
   const box = await page.locator(selector).boundingBox();
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-/** Drags a grip by so many metres, in steps as a hand does. */
+/** Drags a grip by a distance in metres, in steps as a hand does. */
 export async function drag(page, grip, right, up, steps = 12) {
   const { x, y } = await middle(page, `[data-grip="${grip}"].grip`);
   const metre = await page.evaluate(() => {

@@ -1,4 +1,5 @@
-// What the page shows of an answer: where the cue ball ends, and the shot that is there when a wider search finds none.
+// Tests what the page shows of an answer: where the cue ball ends, and the shot that stays when a wider search finds
+// none.
 import assert from 'node:assert/strict';
 import { after, describe, test } from 'node:test';
 import { answered, drag, launch, open, serve } from './browser.mjs';
@@ -15,7 +16,7 @@ const every = '**/api/solve?all*';
 
 const text = (page, id) => page.locator('#' + id).textContent();
 
-/** The next answer with all shots, after a change of its own. */
+/** Moves the ball, and returns the answer with all shots after `change` was applied to it. */
 async function changed(page, change = (answer) => answer) {
   let told;
   await page.route(every, async (route) => {

@@ -1,4 +1,4 @@
-// Things are dragged as people do it: by a finger, and without a pause while the engine searches.
+// Tests dragging as people do it: by a finger, and without a pause while the engine searches.
 import assert from 'node:assert/strict';
 import { after, describe, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
@@ -26,7 +26,7 @@ const metre = (page) =>
 describe('a finger', () => {
   const phone = { viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true };
 
-  /** Moves by so many pixels in many steps, and lifts. */
+  /** Moves a finger by a distance in pixels in many steps, and lifts it. */
   async function swipe(page, { x, y }, right, down) {
     const client = await page.context().newCDPSession(page);
     const touch = (type, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
@@ -83,7 +83,7 @@ describe('a finger', () => {
 });
 
 describe('the picture follows what is dragged without a pause', () => {
-  /** Counts the paths that are drawn, each with another course. */
+  /** Counts the paths that are drawn and differ from the last one. */
   async function count(page, kind) {
     await page.evaluate((kind) => {
       const counts = { drawn: 0 };
@@ -99,7 +99,7 @@ describe('the picture follows what is dragged without a pause', () => {
     return () => page.evaluate(() => globalThis.counts.drawn);
   }
 
-  /** Moves a grip round and round. @returns the redraws while it moves */
+  /** Moves a grip in circles. @returns the redraws while it moves */
   async function round(page, grip, kind, radius) {
     const { x, y } = await middle(page, `[data-grip="${grip}"].grip`);
     const r = radius * (await metre(page));
@@ -115,7 +115,7 @@ describe('the picture follows what is dragged without a pause', () => {
     return redraws;
   }
 
-  /** How many questions are under way at most, and how many of them are given up. */
+  /** Counts the requests, the most that are open at a time, and those that are cancelled. */
   function watch(page) {
     const seen = { most: 0, open: 0, ended: 0, asked: 0 };
     const is = (request) => request.url().includes('/api/solve?first');
@@ -138,7 +138,7 @@ describe('the picture follows what is dragged without a pause', () => {
       const { page, complaints } = await open(browser, `${server.url}#${scene}`);
       const late = async (route) => {
         await wait(latency);
-        await route.continue().catch(() => {}); // its page may have given it up
+        await route.continue().catch(() => {}); // its page may have cancelled it
       };
       if (latency) await page.route('**/api/**', late);
       const seen = watch(page);

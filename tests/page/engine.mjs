@@ -1,4 +1,4 @@
-// What the tests of the npm package share: where it is, what the program says, and when two answers are one.
+// Shared by the tests of the npm package: its place, the output of the program, and the comparison of two answers.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
@@ -23,14 +23,14 @@ export const examples = Object.fromEntries(
     .map((name) => [name, JSON.parse(readFileSync(new URL(`examples/puzzles/${name}`, root), 'utf8'))]),
 );
 
-/** Whose map takes hours: a test that waits for it fails. */
+/** The map of this puzzle takes hours: a test that waits for it fails. */
 export const endless = {
   ...examples['two-cushion-bank.json'],
   physics: { model: 'spin', cushion: { model: 'mathavan2010' } },
   cushions: { min: 4, max: 5 },
 };
 
-/** What the program prints; that a puzzle has no shot is exit 1. */
+/** Returns the output of the program; exit 1 only means that a puzzle has no shot. */
 export function run(args, document) {
   const input = typeof document === 'object' ? JSON.stringify(document) : document;
   try {
@@ -41,16 +41,16 @@ export function run(args, document) {
   }
 }
 
-/** Two safest shots, launched otherwise. */
+/** Returns true for two `safest` shots with different launches. */
 function differ(a, b) {
   if (a?.aim !== 'safest' || b?.aim !== 'safest') return false;
   return Math.abs(a.speed - b.speed) > 1e-7 || Math.abs(a.angle - b.angle) > 1e-7;
 }
 
 /**
- * Numbers but for rounding (the C libraries' sines differ in the last digit), all else as it is. How many simulations
- * it took hangs on the last digit, and on NLopt, which the engine has not. So does the choice between safest launches
- * that are worth as much: of such shots the value is compared.
+ * Compares numbers up to rounding (the C libraries' sines differ in the last digit), and everything else exactly. The
+ * number of simulations is ignored: it depends on the last digit, and on NLopt, which the engine lacks. So does the
+ * choice between `safest` launches of equal value, so only the value of such shots is compared.
  */
 export function same(a, b, path = '') {
   if (path.endsWith('simulations')) return;

@@ -1,5 +1,6 @@
-// The npm package's size, and its times in Node beside the program's: node engine_timing.mjs > javascript.csv
-// Medians. `search` is `time_us`, what `solve` takes in C++; `call` is all of one call: text in, search, text out, parsed.
+// Measures the npm package's size, and its times in Node beside the program's: node engine_timing.mjs > javascript.csv
+// All times are medians. The column `search` is `time_us`, the time of `solve` in C++. The column `call` is a whole
+// call: text in, search, text out, parsed.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
@@ -13,7 +14,7 @@ const flags = { noRobustness: true };
 const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
 const row = (figure, puzzle, unit, value) => console.log([figure, puzzle, unit, value].join());
 
-/** ms in a Node of its own. @param {string} script which says how many */
+/** Times a script in a Node process of its own [ms]. @param {string} script prints the time */
 const started = (script) =>
   median(
     Array.from({ length: starts }, () =>

@@ -1,4 +1,4 @@
-// The npm package in Node: it says what the program says, in this thread and in a worker.
+// Tests the npm package in Node: it answers like the program, in this thread and in a worker.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -16,7 +16,7 @@ const kinds = [
 const bank = examples['two-cushion-bank.json'];
 const plain = { noTiming: true };
 
-/** The rows of a CSV file, by column; numbers where they are. */
+/** Returns the rows of a CSV file as objects, with numbers converted. */
 function rows(csv) {
   const [head, ...lines] = csv.trim().split('\n');
   const value = (cell) => (cell === '' || isNaN(+cell) ? cell : +cell);
@@ -48,7 +48,7 @@ describe('the npm package in Node', { skip: !isBuilt, timeout: 600000 }, () => {
       const best = here.solve(puzzle, plain);
       same(JSON.parse(run(['solve', '--json', '--no-timing'], puzzle)), best, name);
       assert.deepEqual(await worker.solve(puzzle, plain), best);
-      // Launches that were chosen by their value stand in another order where the last digit of a sine differs.
+      // Launches chosen by their value are in another order where the last digit of a sine differs.
       const all = await worker.solveAll(puzzle, { ...plain, noRobustness: true });
       const native = run(['solve', '--json', '--no-timing', '--no-robustness', '--all'], puzzle);
       same(JSON.parse(native), all, `${name}, all`);
@@ -113,7 +113,7 @@ describe('the npm package in Node', { skip: !isBuilt, timeout: 600000 }, () => {
     const answer = worker.solve(bank, plain);
     second.abort(); // before its turn
     await assert.rejects(maps[1], { name: 'AbortError' });
-    first.abort(new Error('enough')); // while its worker is at it
+    first.abort(new Error('enough')); // while its worker is busy with it
     await assert.rejects(maps[0], { message: 'enough' });
     assert.equal((await answer).status, 'solved');
     const ended = [map(), map()];
@@ -146,7 +146,7 @@ describe('the npm package in Node', { skip: !isBuilt, timeout: 600000 }, () => {
     const engine = await load();
     const { exports } = await instantiate.mock.calls[0].result;
     const memory = Object.values(exports).find((one) => one instanceof WebAssembly.Memory);
-    // 20 kB of words go in and come out: forgotten once each time, they would be more than is there.
+    // Each call passes 20 kB of text in and out; if every call leaked them once, the memory would overflow.
     const puzzle = { ...bank, about: 'x'.repeat(20000) };
     const ask = () => assert.equal(engine.solve(puzzle, { path: true, budget: 2000 }).status, 'solved');
     for (let i = 0; i < 20; ++i) ask();

@@ -4,7 +4,7 @@ export default [
     languageOptions: { ecmaVersion: 2024, sourceType: 'module' },
     rules: {
       'no-unused-vars': ['error', { ignoreRestSiblings: true }],
-      'no-undef': 'off', // tsc says it
+      'no-undef': 'off', // tsc checks it
       'prefer-const': 'error',
       eqeqeq: 'error',
       'no-var': 'error',

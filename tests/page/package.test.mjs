@@ -1,4 +1,5 @@
-// The npm package as its users have it: packed and installed in a project, checked by TypeScript, and in Chromium.
+// Tests the npm package as its users have it: packed and installed in a project, checked by TypeScript, and in
+// Chromium.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// The page as a person uses it, from the server and from a file.
+// Tests the page as a person uses it, from the server and from a file.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -227,7 +227,7 @@ for (const { name, url } of await ways(server))
       await own.page.locator('[data-cushion="left"]').focus();
       await own.page.keyboard.press('Enter');
       await answered(own.page);
-      await own.page.keyboard.press('Enter'); // still there
+      await own.page.keyboard.press('Enter'); // still focused
       await answered(own.page);
       assert.equal((await scene(own.page)).order, 'left,left');
       await own.page.locator('#tip [role="button"]').focus();

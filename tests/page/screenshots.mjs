@@ -1,4 +1,4 @@
-// The page's pictures in the README: node screenshots.mjs FOLDER
+// Makes the page's pictures for the README: node screenshots.mjs FOLDER
 import { answered, launch, open, serve } from './browser.mjs';
 
 const folder = process.argv[2];

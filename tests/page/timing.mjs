@@ -1,6 +1,7 @@
-// From a move of the pointer to the drawn answer, in milliseconds: node timing.mjs > page.csv
-// `first` until the first shot is in the picture, `frame` until the browser's next frame, `all` the same of all shots.
-// The ball is dragged across the table; each move waits for all shots of the one before.
+// Measures the time from a move of the pointer to the drawn answer, in milliseconds (node timing.mjs > page.csv).
+// The time `first` ends when the first shot is in the picture, `frame` at the browser's next frame, and `all` at the
+// frame after all shots.
+// The ball is dragged across the table; each move waits for all shots of the move before.
 import { answered, launch, middle, open, serve, ways } from './browser.mjs';
 
 const moves = 100;
@@ -10,7 +11,7 @@ const scenes = [
   ['any pocket', 'table=pool-9ft&target=any&ball=0.6,0.5'],
 ];
 
-/** Runs in the page: when the next answers are drawn, counted from the next move of the pointer. */
+/** Runs in the page: times the drawing of the next answers from the next move of the pointer. */
 function watch() {
   const drawn = (begin, done) => requestAnimationFrame(() => done(performance.now() - begin));
   globalThis.next = () =>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What an answer says beside the launch: why not, how robust, which of several.
+// Tests what an answer says beyond the launch: why there is no shot, how robust a shot is, which of several is best.
 #include <algorithm>
 #include <utility>
 
@@ -27,7 +27,7 @@ Puzzle plain(Physics physics) {
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Whether a stop at the point is made: rests within reach after the same cushions.
+/// Returns true when the launch makes a stop at the point: it rests within reach after the same cushions.
 bool made(const Puzzle& p, const Shot& shot, double speed, double angle) {
   const auto& target = std::get<PointTarget>(p.target);
   const Trajectory t = simulate(
@@ -87,7 +87,7 @@ TEST_CASE("where the line through a pocket's centre has no room the shot is on t
   CHECK(a.shots[0].miss < 1e-9);
   CHECK(std::abs(a.shots[0].offset) > 1e-3);
   CHECK_FALSE(says(a.message, "beside"));
-  // Turned into the rail beside the pocket, only a part of it is left.
+  // With aims bounded towards the rail, only a part of the opening is left.
   p.angle = Range{a.shots[0].launch.angle + radians(0.05), radians(90)};
   const Answer beside = solve(p);
   REQUIRE(beside.status == Status::solved);
@@ -122,11 +122,12 @@ TEST_CASE("into a pocket any arrival speed will do, and the shot of the largest 
       if (speed == 0.5) gained += *best.success - *a.shots[0].success;
     }
   }
-  CHECK(gained > 0.1);  // else nothing was chosen
+  CHECK(gained > 0.1);  // otherwise nothing was chosen
 }
 
 TEST_CASE("a ball that passes the point on its way is as likely as it is") {
-  // The first shot by its margin arrives at a crawl; the likeliest one has passed the point before.
+  // The shot with the largest margin arrives at a crawl; the shot with the largest success has passed the point
+  // earlier.
   const Puzzle p = read_puzzle(R"({"table": {"length": 2.54, "width": 1.27, "pockets": "none"},
     "ball": {"at": [0.6800484348540151, 1.2328861295438833],
              "spin": {"top": 0.04016349286834631, "side": 0.5501743267156756}},
@@ -137,7 +138,7 @@ TEST_CASE("a ball that passes the point on its way is as likely as it is") {
 }
 
 TEST_CASE("where jaws may turn a ball in, nothing is proved by straight lines") {
-  // A shot by these cushions drops off the jaws; no line leads straight in.
+  // A shot by these cushions drops off the jaws; no line leads straight into the pocket.
   const Puzzle p = read_puzzle(R"({"table": "pool-8ft", "physics": "rolling",
     "ball": {"at": [0.5226075263862454, 0.09239981811862226]}, "target": {"pocket": "top-middle"},
     "cushions": ["bottom", "left", "bottom"], "arrive": {"speed": 2.0900407724829204}})");
@@ -147,7 +148,7 @@ TEST_CASE("where jaws may turn a ball in, nothing is proved by straight lines") 
 }
 
 TEST_CASE("a margin ends before a narrow band that is not made") {
-  // Between 2.967 and 2.995 m/s, 4 % of the way to the end that comes after, the ball misses the pocket.
+  // Between 2.967 and 2.995 m/s, 4 % of the way to the next end, the ball misses the pocket.
   const Puzzle p = read_puzzle(R"({"table": {"preset": "pool-8ft", "jaws": false}, "ball": {"at": [1.978, 0.073]},
     "target": {"pocket": "top-middle"}, "cushions": 3, "arrive": {"speed": 0.5}, "aim": "centre"})");
   const Answer a = solve(p);

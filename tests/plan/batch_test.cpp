@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The C++ call for many puzzles: the answers of `solve`, in order, whatever the number of threads.
+// The C++ call for many puzzles gives the answers of `solve`, in order, for any number of threads.
 #include "bankshot/plan/batch.hpp"
 
 #include "support/catch.hpp"

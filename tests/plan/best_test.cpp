@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The softest and the quickest shot of `--all` against brute force that shares only the simulator with the planners
-// (support/by_force.hpp), where nothing is left free: each must find what the other finds; and what plain `solve`
-// answers against the first of `--all`. At length: stress/best.cpp.
+// Compares the softest and the quickest shot of `--all` with brute force that shares only the simulator with the
+// planners (support/by_force.hpp), where nothing is left free; each must find what the other finds. Also compares plain
+// `solve` with the first shot of `--all`. The longer runs are in stress/best.cpp.
 #include <fmt/format.h>
 
 #include <array>
@@ -17,7 +17,7 @@ using namespace bankshot;
 
 namespace {
 
-/// Smaller is better.
+/// Returns what `prefer` minimizes.
 double cost(Prefer prefer, double speed, double time) { return prefer == Prefer::soft ? speed : time; }
 
 }  // namespace
@@ -25,7 +25,7 @@ double cost(Prefer prefer, double speed, double time) { return prefer == Prefer:
 TEST_CASE("the best of all shots is that of brute force") {
   constexpr int puzzles = 12;
   constexpr std::uint64_t seed = 3;
-  constexpr double little = 0.005;  // as much worse counts as the same
+  constexpr double little = 0.005;  // a relative difference up to this counts as equal
   int compared = 0;
   for (int i = 0; i < puzzles; ++i) {
     test::Random random(seed, static_cast<std::uint64_t>(i));
@@ -56,7 +56,7 @@ TEST_CASE("the best of all shots is that of brute force") {
 TEST_CASE("plain solve is hardly ever worse than the first of all, in a few hundred simulations") {
   constexpr int puzzles = 50;
   constexpr std::uint64_t seed = 4;
-  constexpr double little = 0.005;  // of speed, of time, or of chance
+  constexpr double little = 0.005;  // of speed, of time, or of success
   for (const Prefer prefer : {Prefer::robust, Prefer::soft, Prefer::quick}) {
     int compared = 0, worse = 0;
     long simulations = 0;
@@ -89,7 +89,7 @@ TEST_CASE("plain solve is hardly ever worse than the first of all, in a few hund
 }
 
 TEST_CASE("a shot that may pass its point on the way is not passed over for what its last leg alone promises") {
-  // Aims near by, and not the shot's own, pass the point a leg sooner.
+  // Nearby aims pass the point one leg earlier; the shot's own aim does not.
   const char* const puzzle = R"({{"table": {{"length": 2.54, "width": 1.27, "pockets": "none"}}, "physics": "rolling",
       "ball": {{"at": [{}, {}]}}, "target": {{"point": [{}, {}]}}, "cushions": {{"max": 3}}, "arrive": {{"speed": {}}}}})";
   constexpr std::array<std::array<double, 5>, 3> cases{{{1.1325, 0.8980, 1.8462, 0.7437, 0.1042},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds on aim and speed, and targets whose centre they put out of reach.
+// Bounds on aim and speed, and targets whose centre these bounds put out of reach.
 #include "bankshot/plan/planner.hpp"
 #include "support/catch.hpp"
 #include "support/replay_check.hpp"
@@ -64,7 +64,7 @@ TEST_CASE("an arrival speed of 0 at a pocket has a miss, and it is a number") {
 }
 
 TEST_CASE("a beside-the-centre shot keeps the arrival speed that was asked") {
-  // The corner's centre line is blocked by the bound; at capture the ball must still have 0.8 m/s.
+  // The bound excludes the exact line of the corner pocket; at capture the ball must still have 0.8 m/s.
   Puzzle p{.table = make_table(*find_table_preset("pool-9ft")),
            .physics = rolling_physics(),
            .ball = {.at = {1, 0.5}},

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// All shots that stop at a point against brute force that shares only the simulator with the planners. At each
-// aim a sweep of the speed finds where the ball rests abreast of the point, every change of cushions bisected;
-// where the side on which it then lies changes from one aim to the next is a shot, found by bisection; aims
-// between which other cushions are met are bisected too. By hand, at length: test_plan "[long]"
+// Compares all shots that stop at a point with brute force that shares only the simulator with the planners. At each
+// aim, steps of the speed find where the ball rests abreast of the point, and every change of cushions is bisected. A
+// shot lies between two aims that leave the point on different sides of the ball; bisection finds it. Aims between
+// which the cushions differ are bisected too. A longer run by hand: test_plan "[long]"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -22,15 +22,15 @@ namespace {
 
 constexpr std::size_t most_cushions = 3;
 
-/// Where a launch comes to rest; seen from there the point lies so far ahead and to the left [m].
+/// The rest of a launch; the point lies `ahead` and to the `left` of the line of travel there [m].
 struct Rest {
   double speed;
   std::vector<Contact> contacts;
-  bool rests = false;  ///< after no more cushions than are allowed
+  bool rests = false;  ///< true when it met no more cushions than allowed
   double ahead = 0, left = 0;
 };
 
-/// One aim: the speeds at which the ball rests abreast of the point.
+/// One aim, and the speeds at which the ball rests abreast of the point.
 struct Aimed {
   double angle;
   std::vector<Rest> abreast;
@@ -48,11 +48,11 @@ struct Found {
   double angle, speed;
 };
 
-/// How finely to look.
+/// Steps of the search.
 struct Fineness {
-  int aims;           ///< around the circle
-  double speed_step;  ///< of ln speed
-  double root;        ///< rad; where the bisection of a root ends
+  int aims;           ///< number of aims around the circle
+  double speed_step;  ///< step of ln speed
+  double root;        ///< width at which the bisection of a root ends [rad]
 };
 
 class BruteForce {
@@ -98,15 +98,15 @@ class BruteForce {
     for (int i = 1; i <= steps; ++i) {
       Rest fast = launch(angle, p_.speed.low * std::pow(p_.speed.high / p_.speed.low, static_cast<double>(i) / steps));
       speeds(angle, slow, fast, out);
-      if (!slow.rests && !fast.rests) break;  // ever more cushions
+      if (!slow.rests && !fast.rests) break;  // too many cushions at all higher speeds
       slow = std::move(fast);
     }
     return out;
   }
 
-  /// Finds a speed between two where the ball rests abreast of the point.
+  /// Finds a speed between two others at which the ball rests abreast of the point.
   void speeds(double angle, const Rest& slow, const Rest& fast, Aimed& out) const {
-    const double finest = fine_.root;  // of the speed
+    const double finest = fine_.root;  // fraction of the speed
     if (slow.contacts == fast.contacts) {
       if (!slow.rests || !fast.rests || (slow.ahead > 0) == (fast.ahead > 0)) return;
       Rest a = slow, b = fast;
@@ -147,7 +147,7 @@ class BruteForce {
   }
 
   void root(const Aimed& a, const Aimed& b, const std::vector<Contact>& contacts, std::size_t k) {
-    constexpr double jump = 1e3;  // m/rad: nothing moves faster with the aim
+    constexpr double jump = 1e3;  // m/rad; the place of rest never moves faster with the aim
     double low = a.angle, high = b.angle;
     const bool left = a.along(contacts)[k].left > 0;
     Rest last = a.along(contacts)[k];
@@ -158,7 +158,7 @@ class BruteForce {
       last = now[k];
       ((last.left > 0) == left ? low : high) = m.angle;
     }
-    if (std::abs(last.left) < jump * fine_.root) found_.push_back({contacts, low, last.speed});  // else a jump, no root
+    if (std::abs(last.left) < jump * fine_.root) found_.push_back({contacts, low, last.speed});  // else a jump
   }
 
   const Puzzle& p_;
@@ -168,7 +168,7 @@ class BruteForce {
   std::vector<Found> found_;
 };
 
-/// A rectangle, a launch with spin, and where it shall stop.
+/// Draws a rectangle, a spin, and a point where the ball is to stop.
 Puzzle anywhere(test::Random& random) {
   const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1);
   const auto place = [&] { return Vec2d{random.uniform(0.05, length - 0.05), random.uniform(0.05, width - 0.05)}; };
@@ -180,7 +180,7 @@ Puzzle anywhere(test::Random& random) {
   return p;
 }
 
-/// The same with a point that hugs a rail.
+/// Draws such a puzzle with a point very close to a rail.
 Puzzle hugging(test::Random& random) {
   Puzzle p = anywhere(random);
   const Boundary boundary(p.table, p.ball.body);
@@ -190,7 +190,7 @@ Puzzle hugging(test::Random& random) {
   return p;
 }
 
-/// A convex polygon of three to eight cushions.
+/// Draws such a puzzle on a convex polygon of three to eight cushions.
 Puzzle on_polygon(test::Random& random) {
   for (;;) {
     Puzzle p{.table = test::random_polygon(random, true), .physics = spin_physics()};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// All shots at a fixed speed against brute force that shares only the simulator with the planners: aims in
-// steps of 0.02 degrees, every change of cushions bisected, every change of side of the target a shot.
-// By hand, at length: test_plan "[long]"
+// Compares all shots at a fixed speed with brute force that shares only the simulator with the planners. The aim goes
+// in steps of 0.02 degrees, every change of cushions is bisected, and every change of the target's side is a shot. A
+// longer run by hand: test_plan "[long]"
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int most_cushions = 3;
 
-/// On which side of the target each leg passes it, where it does pass.
+/// The legs of one aim, and for each leg on which side the target lies, if the leg passes it.
 struct Aimed {
   double angle;
   std::vector<Contact> contacts;
@@ -66,7 +66,7 @@ class BruteForce {
         if (e.kind == EventKind::slide_to_roll) continue;
         if (e.final() || out.contacts.size() == most_cushions) return out;
         in_place = in_place && norm(sim.state().at - p_.ball.at) <= boundary_.touch;
-        if (in_place && (in_vertex_ || out.contacts.size() == 2)) return out;  // no leg of the length zero counts
+        if (in_place && (in_vertex_ || out.contacts.size() == 2)) return out;  // a leg of length zero does not count
         out.contacts.push_back(e.contact);
         nearest = 1e300;
       }
@@ -86,12 +86,12 @@ class BruteForce {
       if (a.side[k] && b.side[k] && (*a.side[k] > 0) != (*b.side[k] > 0)) root(a, b, k);
     if (a.contacts == b.contacts || b.angle - a.angle < finest) return;
     const Aimed middle = aim((a.angle + b.angle) / 2);
-    // Roots of the legs that agree were counted from the ends.
+    // The roots of the legs that agree were already found between the ends.
     if (a.contacts != middle.contacts) later(a, middle, same);
     if (middle.contacts != b.contacts) later(middle, b, same);
   }
 
-  /// Only the legs after the first `same`.
+  /// Searches only the legs after the first `same`.
   void later(const Aimed& a, const Aimed& b, std::size_t same) {
     constexpr double finest = 1e-9;
     const std::size_t now = agree(a, b);
@@ -123,7 +123,7 @@ class BruteForce {
   std::vector<Found> found_;
 };
 
-/// A rectangle, a launch with spin.
+/// Draws a rectangle and a launch with spin.
 Puzzle anywhere(test::Random& random) {
   const double length = random.log_uniform(1, 4), width = length * random.uniform(0.4, 1),
                speed = random.uniform(1, 3) * std::sqrt(length);
@@ -136,7 +136,7 @@ Puzzle anywhere(test::Random& random) {
   return p;
 }
 
-/// The same, past a point that hugs a rail.
+/// Draws such a puzzle with a point very close to a rail.
 Puzzle hugging(test::Random& random) {
   Puzzle p = anywhere(random);
   const Boundary boundary(p.table, p.ball.body);
@@ -146,7 +146,7 @@ Puzzle hugging(test::Random& random) {
   return p;
 }
 
-/// Frozen to a cushion, or in a corner, without spin: on rectangles and convex polygons.
+/// Draws a ball without spin frozen to a cushion or in a corner, on a rectangle or a convex polygon.
 Puzzle frozen(test::Random& random) {
   Puzzle p{.table = rectangle_table(random.uniform(1, 3), random.uniform(1, 3)), .physics = ideal_physics()};
   if (random.chance(0.5)) p.table = test::random_polygon(random, true);
@@ -165,11 +165,11 @@ Puzzle frozen(test::Random& random) {
     }
   };
   p.target = PointTarget{inside()};
-  p.speed = {8, 8};  // far enough for three cushions
+  p.speed = {8, 8};  // fast enough for three cushions
   return p;
 }
 
-/// A convex polygon of three to eight cushions, a launch with spin.
+/// Draws a convex polygon of three to eight cushions and a launch with spin.
 Puzzle on_polygon(test::Random& random) {
   for (;;) {
     Puzzle p{.table = test::random_polygon(random, true), .physics = spin_physics()};
@@ -209,7 +209,7 @@ void compare(int puzzles, std::uint64_t seed, Puzzle (*draw)(test::Random&)) {
     }
   }
   INFO(missed << " of " << by_force << " shots missed");
-  CHECK(missed == 0);  // first: the next assertion takes what was noted of each
+  CHECK(missed == 0);  // comes first, because the next assertion discards the notes on each shot
   CHECK(by_force > 5 * static_cast<std::size_t>(puzzles));
   if (puzzles >= 200) WARN(missed << " of " << by_force << " shots missed");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Off one ball onto another.
+// Caroms: the cue ball goes off one ball onto another.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the planner may choose: spin inside a range, a launch inside what is made; and what it says where
-// there is nothing to choose.
+// Choices of the planner: a spin inside a range, a launch inside what counts as made. Also tests what an answer says
+// when there is nothing to choose.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
@@ -70,7 +70,7 @@ TEST_CASE("margin and chance of a free spin are the shot's own") {
 }
 
 TEST_CASE("spin is used where nothing works without") {
-  // Straight at the cushion and back: to come off it at an angle takes side spin.
+  // Straight at the cushion and back: only side spin makes it leave at an angle.
   Puzzle p =
       read(R"(, "spin": {"side": [-1, 1]}}, "target": {"point": [0.75, 0.635], "within": 0.001}, "cushions": ["top"],
                   "arrive": {"speed": [0.2, 5]}, "angle": [89.9, 90.1]})");
@@ -82,7 +82,7 @@ TEST_CASE("spin is used where nothing works without") {
 }
 
 TEST_CASE("of a range of arrival speeds one that can be reached is found") {
-  // No launch up to 3 m/s arrives at 6 m/s, nor any that gets there at 5.
+  // No launch up to 3 m/s arrives at 6 m/s, and none with that bound arrives at 5 m/s.
   for (const char* prefer : {"robust", "soft", "quick"}) {
     const Puzzle p = read(
         std::string(

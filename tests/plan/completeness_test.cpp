@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All answers: counts that are known, and two methods that share nothing but the simulator.
+// Tests that all shots are found, by known counts and by two methods that share nothing but the simulator.
 #include <algorithm>
 
 #include "bankshot/geometry/boundary.hpp"
@@ -25,13 +25,13 @@ TEST_CASE("an ideal rectangle has exactly 4n shots with n cushions") {
 }
 
 TEST_CASE("images find every shot that a sweep of the aim finds, and the sweep almost every image") {
-  std::size_t images = 0, missed = 0;  // a sweep may miss a sequence narrower than its fan
+  std::size_t images = 0, missed = 0;  // a sweep may miss a route that is narrower than its fan
   for (const test::Family family : {test::Family::uniform, test::Family::convex})
     for (const bool ideal : {true, false}) {
       test::Random random(4);
       for (int i = 0; i < 60; ++i) {
         Puzzle p = test::random_puzzle(random, family, ideal ? test::Model::ideal : test::Model::rolling).puzzle;
-        // A target on a cushion is passed at the end of one leg and the start of the next: leave it out.
+        // A target on a cushion is passed at the end of one leg and at the start of the next, so it is left out.
         if (!std::holds_alternative<PointTarget>(p.target)) continue;
         if (Boundary(p.table, p.ball.body).clearance(std::get<PointTarget>(p.target).at) < 1e-3) continue;
         p.cushions = {.min = 0, .max = 3};
@@ -64,7 +64,7 @@ TEST_CASE("among reflex vertices a finer sweep finds next to nothing more") {
     for (int part = 0; part < 12; ++part) {
       p.angle = Range{radians(30 * part), radians(30 * (part + 1))};
       for (const Shot& shot : solve(p, {.all = true, .robustness = false}).shots) {
-        if (shot.miss > 1e-9 * p.table.diagonal()) continue;  // only these bounds keep it from the centre
+        if (shot.miss > 1e-9 * p.table.diagonal()) continue;  // only these bounds keep the shot from the centre
         const auto same = [&](const Shot& x) {
           return x.cushions == shot.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-7;
         };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every planner must keep, whatever its method.
+// Requirements on every planner, whatever its method.
 #include <algorithm>
 
 #include "bankshot/plan/planner.hpp"
@@ -14,7 +14,7 @@ using namespace bankshot;
 
 namespace {
 
-/// Puzzles that no planner may miss.
+/// Returns puzzles that every planner must solve.
 std::vector<Puzzle> easy_set() {
   const Table plain = rectangle_table(2, 1);
   const Ball ball{.at = {0.4, 0.3}};
@@ -126,7 +126,7 @@ TEST_CASE("what a planner returns survives a replay in 50 digits") {
   int replayed = 0;
   for (const Puzzle& p : set) {
     const auto* point = std::get_if<PointTarget>(&p.target);
-    if (!point || p.arrive || is_ideal(p.physics)) continue;  // those that come to rest at a point
+    if (!point || p.arrive || is_ideal(p.physics)) continue;  // only puzzles with a stop at a point
     const Answer a = solve(p, {.planner = planner, .robustness = false});
     REQUIRE(a.status == Status::solved);
     const Boundary boundary(p.table, p.ball.body);
@@ -155,7 +155,7 @@ TEST_CASE("a budget of nothing or almost nothing is kept") {
   for (Puzzle p : easy_set())
     for (const long budget : {0L, 10L}) {
       p.budget = budget;
-      p.angle = Range{radians(1), radians(2)};  // where no shot is, so that it has to search
+      p.angle = Range{radians(1), radians(2)};  // no shot is there, so the planner has to search
       const Answer a = solve(p, {.planner = planner});
       CHECK((a.status == Status::budget || a.status == Status::no_shot));
       if (budget == 0) CHECK(a.status == Status::budget);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A custom cushion that follows Han's law is planned with as Han's is, and what cannot be done with it is said.
+// A custom cushion that follows Han's law gives the same plans as Han's cushion, and impossible uses are refused with a
+// message.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Targets exactly on a cushion's line, and in corners. Why hard: whether the ball bounces there is up to the last bit.
-// Asserted: what an answer claims holds in 50 digits, or the answer says that it cannot be promised.
+// Targets exactly on a cushion line, and in corners. This is hard because the last bit decides whether the ball bounces
+// there. An answer's claims must hold in 50 digits, or the answer must say that it promises nothing.
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What holds for every question, on a few of them; tests/stress/properties.cpp draws as many as you like.
+// Tests the properties that hold for every puzzle on a few puzzles; tests/stress/properties.cpp draws any number.
 #include "support/properties.hpp"
 
 #include "bankshot/scene/scene.hpp"
@@ -11,7 +11,7 @@ using namespace bankshot::test;
 
 namespace {
 
-/// `allowed`: what a case may be off all the same.
+/// Checks a property on random cases; a case may violate it by `allowed`.
 void holds(char property, int cases, std::uint64_t seed, double allowed = 0) {
   int judged = 0;
   for (int i = 0; i < cases; ++i) {
@@ -48,7 +48,7 @@ Answer play(Json question, const Json& cushions_of_object) {
 
 }  // namespace
 
-// Where the cue ball may fall, success is sampled: so much may lie between two answers.
+// Success is sampled where the cue ball may fall, so two answers may differ by this much.
 constexpr double sampled = 0.015;
 
 TEST_CASE("the safest aim is worth at least what the centre is") { holds('b', 24, 1, sampled); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Generated puzzles are what was wished: solved, of the kind, the cushions and the difficulty asked.
+// Generated puzzles fulfil the wish: they have a shot, and the kind, the cushions and the difficulty asked for.
 #include "bankshot/plan/generate.hpp"
 
 #include "bankshot/plan/planner.hpp"
@@ -100,7 +100,7 @@ TEST_CASE("generate: difficulty follows the smaller side of the margin and the c
 
 TEST_CASE("generate: an impossible wish ends, and says what became of it") {
   Wish w = wish("\"seed\"", "\"ideal\"");
-  w.kind = Wish::Kind::stop;  // without friction nothing stops
+  w.kind = Wish::Kind::stop;  // nothing stops without friction
   w.tries = 20;
   Random random(1);
   Tries tries;
@@ -110,7 +110,7 @@ TEST_CASE("generate: an impossible wish ends, and says what became of it") {
   CHECK(tries.text().starts_with("1000 shots drawn, 0 with"));
   w = wish("\"seed\"", "\"rolling\"", {1, 1, {}});
   w.difficulty = Difficulty::easy;
-  w.kind = Wish::Kind::stop;  // no stop within a centimetre is made nine times of ten
+  w.kind = Wish::Kind::stop;  // no stop within a centimetre succeeds nine times out of ten
   w.tries = 20;
   CHECK(!generate(w, random, &(tries = {})));
   CHECK(tries.other_difficulty + tries.no_shot == 20);

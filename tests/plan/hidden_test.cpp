@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From where a pocket's opening is hidden: where it has no gap, and by the turn that would give it one.
+// Tests from which directions a pocket's opening is hidden: it is where the opening has no gap, and a turn by the given
+// angle opens one.
 #include <cmath>
 
 #include "bankshot/geometry/opening.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What would open a puzzle that has no shot, by a search that says what it is told to.
+// Tests the suggestions for a puzzle without a shot, with a mock search.
 #include "planners/what_would_open.hpp"
 
 #include "bankshot/plan/planner.hpp"

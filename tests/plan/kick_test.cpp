@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Another ball as target: the struck ball touches it first of all, at the cut and speed that are asked.
+// An object ball as the target: the cue ball touches it first, at the cut angle and speed asked for.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
@@ -40,7 +40,7 @@ TEST_CASE("a full hit leads through both centres, a cut ball leaves to the side 
   const Hit& hit = left.shots.front().hits.at(0);
   CHECK(hit.ball == 1);
   CHECK(degrees(hit.cut) == Approx(30));
-  CHECK(left.shots.front().launch.angle < to_8);  // it passes on the right of the middle
+  CHECK(left.shots.front().launch.angle < to_8);  // it passes to the right of the ball's middle
 }
 
 TEST_CASE("a ball of another size is met where spheres touch, at the cut that is asked") {

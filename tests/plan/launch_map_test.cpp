@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The map of launches against what the planner says of each shot: its chance, found by other means, and that it is
-// made.
+// Compares the map of launches with what the planner says of each shot: its success, computed by other means, and that
+// it is made.
 #include "bankshot/plan/launch_map.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using namespace bankshot;
 
 namespace {
 
-/// Around a launch, as far as `wide` standard deviations, with the launch in the middle of a cell.
+/// Returns a grid around a launch that reaches `wide` standard deviations, with the launch in the middle of a cell.
 LaunchGrid around(const Puzzle& p, const Launch& l, double wide, int cells) {
   const double angle = wide * p.noise.angle, speed = wide * p.noise.speed;
   return {{l.angle - angle, l.angle + angle}, {l.speed - speed, l.speed + speed}, cells, cells};
@@ -38,7 +38,7 @@ TEST_CASE("the chance in the middle of a map is the success of its shot") {
       INFO("puzzle " << i << " of model " << static_cast<int>(model) << ", seed " << seed);
       REQUIRE(map.made.size() == 25);
       CHECK(map.made[12]);
-      CHECK(map.chance[12] == Approx(*a.shots[0].success).margin(0.08));  // cells a fifth of a deviation wide
+      CHECK(map.chance[12] == Approx(*a.shots[0].success).margin(0.08));  // cells are a fifth of a deviation wide
       ++shots;
     }
   CHECK(shots > 40);
@@ -55,7 +55,7 @@ TEST_CASE("without noise a chance is 1 where it is made, and 0 elsewhere") {
     made += map.made[i];
     CHECK(map.chance[i] == (map.made[i] ? 1 : 0));
   }
-  // To rest within 0.05 m: v² = 2 μ g d, and about 5.7 degrees wide.
+  // A rest within 0.05 m needs v² = 2 μ g d, and an aim in a range of about 5.7 degrees.
   const double slow = std::sqrt(2 * 0.01 * 9.81 * 0.95), fast = std::sqrt(2 * 0.01 * 9.81 * 1.05);
   const double share = (fast - slow) / 0.1 * (2 * std::asin(0.05) / radians(8)) * std::acos(-1) / 4;
   CHECK(made / 1200.0 == Approx(share).epsilon(0.05));

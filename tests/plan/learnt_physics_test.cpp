@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The chance of a shot on a table that is not known exactly.
+// The success of a shot on a table whose coefficients are uncertain.
 #include <cmath>
 
 #include "bankshot/bankshot.hpp"
@@ -19,7 +19,7 @@ Puzzle bank() {
 
 TEST_CASE("what is not known of the table lowers the chance") {
   Puzzle known = bank();
-  known.noise.side = 1e-9;  // all errors are drawn, also where those of the table are none
+  known.noise.side = 1e-9;  // makes all errors sampled, also without errors of the table
   Puzzle vague = known, exact = known;
   vague.physics.errors = {{"cushion.restitution"}, {0.03 * 0.03}};
   exact.physics.errors = {{"cushion.restitution"}, {0}};
@@ -27,7 +27,7 @@ TEST_CASE("what is not known of the table lowers the chance") {
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].launch.angle == b.shots[0].launch.angle);
   CHECK(b.shots[0].success.value() < a.shots[0].success.value() - 0.05);
-  CHECK(std::abs(c.shots[0].success.value() - a.shots[0].success.value()) < 0.02);  // other draws
+  CHECK(std::abs(c.shots[0].success.value() - a.shots[0].success.value()) < 0.02);  // the draws differ
 }
 
 TEST_CASE("draws have the covariance that they are drawn from, and stay what a table can have") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the struck ball rests afterwards, and shots chosen by it.
+// The place where the cue ball rests after the shot, and shots chosen by it.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
@@ -39,7 +39,7 @@ TEST_CASE("of shots that are as likely the one is chosen that leaves the struck 
   const Puzzle p = pot(keys);
   const Answer all = solve(p, {.all = true}), robust = solve(pot(R"("robust")"), {.all = true});
   REQUIRE(all.shots.size() == robust.shots.size());
-  constexpr double as_likely = 0.02 + 1e-12;  // said in docs/format.md
+  constexpr double as_likely = 0.02 + 1e-12;  // stated in docs/format.md
   const Shot& best = all.shots.front();
   CHECK(*best.value >= *robust.shots.front().value - as_likely);
   for (const Shot& s : all.shots)

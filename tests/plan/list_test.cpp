@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// "What should I play?": shots that lists once left out. Each layout is named by its shot.
-// More, against brute force: tests/stress/play.
+// "What should I play?": shots that the list must not leave out. Each layout is named by its shot. A longer comparison
+// with brute force is tests/stress/play.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,7 +11,7 @@ using namespace bankshot;
 
 namespace {
 
-/// As ids are kept: in JSON.
+/// Returns the name of a shot as ids are stored: in JSON.
 std::string name_of(const Puzzle& p, const Shot& shot) {
   std::vector<std::string> by;
   for (const Contact c : shot.then.back().cushions) by.push_back(contact_name(p.table, c));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Does the forward map find every shot? Against a map with finer cells. By hand, at length: test_plan "[long]"
+// Checks by a map with finer cells that the forward map finds every shot. A longer run by hand: test_plan "[long]"
 #include <algorithm>
 #include <cstdio>
 
@@ -59,7 +59,7 @@ void compare(int puzzles, int cushions, std::uint64_t seed, double most_missed) 
 
 TEST_CASE("the map of aim and speed finds every shot that a finer one finds") { compare(6, 3, 17, 0); }
 
-// The lines it prints are tests/bench/results/all-shots.csv.
+// Prints the lines of tests/bench/results/all-shots.csv.
 TEST_CASE("the map misses hardly a shot with three to five cushions", "[.][long]") {
   std::printf("cushions,seed,puzzles,shots,missed\n");
   compare(100, 3, test::seed_or_fresh(17), 0);
@@ -68,8 +68,8 @@ TEST_CASE("the map misses hardly a shot with three to five cushions", "[.][long]
   for (const std::uint64_t seed : {17, 8, 108, 208}) compare(100, 5, test::seed_or_fresh(seed), 0.001);
 }
 
-// Shots that rest soon after their last bounce, or just before a fold: sequences that nodes meet without leading to a
-// root.
+// These shots rest soon after their last bounce, or just before a fold. Nodes of the map meet their routes, but the
+// search from those nodes does not reach the root.
 TEST_CASE("all shots include those of sequences whose nodes lead nowhere") {
   struct Case {
     double length, width;

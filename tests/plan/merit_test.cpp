@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How good a shot is, and how bad a miss: first-order chances against success, the winner against all that compete,
-// margins inside and out, the nearest miss against a scan.
+// Tests the quality of shots and misses: first-order success against success, the winner against all competitors,
+// margins on both sides of their ends, the nearest miss against a scan.
 #include <algorithm>
 #include <cmath>
 
@@ -24,14 +24,15 @@ std::vector<Shot> all_shots(const Puzzle& p) {
   return solve(p, {.all = true, .robustness = false, .suggest = false}).shots;
 }
 
-/// Whether a launch beside a shot is made by the same cushions.
+/// Returns true when the changed launch makes the shot by the same cushions.
 bool made(const planning::Question& q, const Shot& shot, double turned, double pushed) {
   planning::Ledger ledger(plenty);
   const Launch l{shot.launch.speed + pushed, wrap_angle(shot.launch.angle + turned)};
   return l.speed > 0 && planning::replay(q, ledger, l, planning::Goal::along(shot.cushions)).made;
 }
 
-/// Places between a shot and an end of its margin, and just beyond, that are not as the margin says.
+/// Counts the launches inside an end of the margin that are not made, plus one if the launch just beyond the end is
+/// made.
 int wrong_places(const planning::Question& q, const Shot& shot, std::optional<double> end, const Vec2d& towards) {
   constexpr int places = 50;
   if (!end) return 0;
@@ -67,11 +68,11 @@ TEST_CASE("a first-order chance is near success where a ball must rest") {
       ++compared;
     }
   }
-  CHECK(far <= compared / 10);  // 12 of 200 was measured
+  CHECK(far <= compared / 10);  // some 6 in 100 are normal
 }
 
 TEST_CASE("a first-order chance where it is known") {
-  // A ball that may pass its point, 1 m ahead, by 30 mm, and is fast enough in nearly all cases.
+  // The ball may pass its point, 1 m ahead, at up to 30 mm, and is fast enough in nearly all cases.
   Puzzle p{.table = rectangle_table(3, 2),
            .physics = rolling_physics(),
            .ball = {.at = {0.5, 1}},
@@ -165,7 +166,7 @@ TEST_CASE("a nearest miss is no farther than a scan of 1,000 launches, and has a
     }
     if (least < 1e300) {
       CHECK(a.nearest->shot.miss <= least);
-      // Where it is nearest at its start, no error moves that.
+      // A path that is nearest at its start is not moved by any error.
       if (a.nearest->shot.arrival.time > 0) CHECK(a.nearest->shot.condition > 0);
     }
   }

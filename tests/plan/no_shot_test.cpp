@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a pocket is said to have no shot at a launch speed, brute force over the aims that shares only the simulator
-// with the planners finds none.
-// By hand, at length: test_plan "[long]"
+// Where the planner says that a pocket has no shot at a launch speed, brute force over the aims must find none. It
+// shares only the simulator with the planners. A longer run by hand: test_plan "[long]"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
@@ -34,9 +33,9 @@ Puzzle random_pocket(test::Random& r, bool jaws) {
   return p;
 }
 
-/// How many that are said to have no shot have one.
+/// Counts the puzzles that have a shot although the answer says that there is none.
 int missed_of(int count, bool jaws) {
-  constexpr int aims = 18000;  // 0.02 degrees
+  constexpr int aims = 18000;  // steps of 0.02 degrees
   const std::uint64_t seed = test::seed_or_fresh(21);
   int missed = 0;
   for (std::uint64_t i = 0; count > 0; ++i) {

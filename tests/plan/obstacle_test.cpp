@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Other balls in the way: shots past them are found and true, and why there is none is said.
+// Other balls as obstacles: shots past them are found and are correct, and the message says why there is none.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"

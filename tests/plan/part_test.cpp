@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts of targets: the clearance that leads to them, and puzzles that have little more than a sliver.
+// Partial targets: the clearance that leads to them, and puzzles in which little more than a sliver is reachable.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "planners/locked/clearance.hpp"
@@ -19,7 +19,7 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
   test::Random random(seed);
   long made = 0, missed = 0, inside = 0, outside = 0;
   for (int i = 0; i < 1500; ++i) {
-    const test::Family family = test::families[i % 3];  // no reflex vertices: they may hide a cushion
+    const test::Family family = test::families[i % 3];  // no reflex vertices, because they may hide a cushion
     const test::Made m = test::random_puzzle(random, family, test::Model::spin);
     const Question q(m.puzzle);
     Ledger ledger(budget_of(m.puzzle));
@@ -39,7 +39,7 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
         ++inside;
       }
       if (aim.mark.captures() && room.value_or(-1) < -rounding) {
-        CHECK_FALSE(makes);  // near a point may also be just before a cushion
+        CHECK_FALSE(makes);  // a point just before a cushion may still be reached
         ++outside;
       }
       (makes ? made : missed) += 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The one door out: whatever proposes a launch, each bound of the puzzle is kept, and the safest shot and the nearest
-// miss pass through the same door.
+// Verification is the only way to a shot: whatever proposes a launch, each bound of the puzzle is checked. The safest
+// shot and the nearest miss go the same way.
 #include <atomic>
 
 #include "bankshot/plan/planner.hpp"
@@ -14,7 +14,7 @@ using namespace bankshot::planning;
 
 namespace {
 
-/// A ball that rolls 1 m to a point, straight.
+/// Returns a puzzle with a ball that rolls 1 m straight to a point.
 Puzzle straight() {
   Puzzle p{.table = rectangle_table(2, 1), .physics = rolling_physics(), .ball = {.at = {0.5, 0.5}}};
   p.target = PointTarget{{1.5, 0.5}, 0.01};
@@ -29,7 +29,7 @@ Proof tried(const Puzzle& p, const Launch& launch, Demand demand = Demand::exact
   return prove(q, ledger, launch, Goal::of(q, demand));
 }
 
-/// The launch speed that passes 1 m on at 0.5 m/s.
+/// Returns the launch speed that passes the point, 1 m ahead, at 0.5 m/s.
 double fitting() { return std::sqrt(0.25 + 2 * 0.01 * 9.81); }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shots that drop by jaws, asked for where none enters cleanly.
+// Jaw shots, for puzzles in which no shot enters the pocket cleanly.
 #include <algorithm>
 
 #include "bankshot/plan/planner.hpp"
@@ -13,8 +13,8 @@ namespace bankshot {
 namespace {
 
 struct Counted {
-  int rattling = 0;  ///< answered by a shot that touches jaws
-  int winding = 0;   ///< and by one that comes off other jaws, or back to a cushion
+  int rattling = 0;  ///< answers with a shot that touches jaws
+  int winding = 0;   ///< of these, shots off other jaws, or back to a cushion
   int missed = 0;
 };
 
@@ -26,7 +26,8 @@ bool winds(const Shot& shot, const Puzzle& puzzle) {
   return std::any_of(first, shot.met.end(), [&](Contact c) { return !at_jaw(c) || c.jaw_pocket() != pocket; });
 }
 
-/// Of so many random drops by jaws, of those of their own pocket alone, after the last cushion, or of the others.
+/// Solves `count` random drops by jaws. With `at_the_end`, they touch only the jaws of their own pocket, after the last
+/// cushion; otherwise they also touch other jaws or a later cushion.
 Counted ask(int count, bool spin, bool at_the_end) {
   Counted out;
   for (std::uint64_t i = 0, seen = 0; seen < static_cast<std::uint64_t>(count); ++i) {
@@ -62,7 +63,7 @@ TEST_CASE("shots that only rattle in are found, at the speed asked", "[heavy]") 
 TEST_CASE("shots off the jaws of other pockets, and back to a cushion, are found at the speed asked", "[heavy]") {
   const Counted spin = ask(40, true, false), rolling = ask(100, false, false);
   CHECK(spin.winding >= 5);
-  CHECK(spin.missed <= 1);  // one in some hundred
+  CHECK(spin.missed <= 1);  // about one in a hundred is missed
   CHECK(rolling.winding >= 10);
   CHECK(rolling.missed == 0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tables as they are: leaning ones and rails with cushions of their own are planned on like any other.
+// Real tables: tilted tables and rails with cushions of their own are planned like any other.
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
@@ -75,12 +75,12 @@ TEST_CASE("a rail with a cushion of its own bounces by it, the others by the phy
     p.table.own[2].restitution = Restitution{0.6};
     const Shot dead = solve(p).shots.at(0);
     CHECK(dead.launch.speed > 1.02 * usual.launch.speed);
-    // The same shot where all cushions are like that one.
+    // The shot must be the one on a table whose cushions are all like that one.
     std::visit([](auto& c) { c.restitution = Restitution{0.6}; }, physics.cushion);
     const Shot all = solve(bank(physics)).shots.at(0);
     CHECK(dead.launch.angle == Approx(all.launch.angle).epsilon(1e-10));
     CHECK(dead.launch.speed == Approx(all.launch.speed).epsilon(1e-10));
-    // One that is not met changes nothing.
+    // A cushion that is not met changes nothing.
     p.table.own[2] = {};
     p.table.own[0].restitution = Restitution{0.3};
     CHECK(solve(p).shots.at(0).launch.angle == Approx(usual.launch.angle).epsilon(1e-12));
@@ -96,7 +96,7 @@ TEST_CASE("rails of their own are solved by every route they allow, like those o
     p.cushions = CushionRule::exactly(1 + i % 3);
     p.table.own.resize(4);
     for (RailCushion& rail : p.table.own) rail.restitution = Restitution{r.uniform(0.6, 0.95)};
-    // A shot that is there: where a random launch rests after so many cushions.
+    // The target is reachable: a random launch rests there after this number of cushions.
     ShotRequest shot{
         .table = p.table, .physics = p.physics, .ball = p.ball, .launch = {r.uniform(1.5, 3), r.uniform(0, 6.2)}};
     const Trajectory t = simulate(shot);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The parts of a search: what is charged, what a target's marks say, the searches in one dimension, Newton's method.
+// The parts of a search: evaluations, the targets of a puzzle, searches in one dimension, Newton's method.
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
@@ -23,7 +23,7 @@ TEST_CASE("a ledger charges paths by their bounces, and shares a budget evenly")
   CHECK(ledger.simulations() == 5);
   ledger.charge(32, 5);
   CHECK(ledger.simulations() == 15);
-  ledger.begin_part(5);  // 85 are left, so 17
+  ledger.begin_part(5);  // 85 are left, so the part has 17
   ledger.charge(0, 16);
   CHECK_FALSE(ledger.spent());
   ledger.charge(0);
@@ -129,7 +129,7 @@ TEST_CASE("residuals have the derivatives that differences show") {
     for (std::size_t k = 0; k < (q.one_unknown() ? 1u : 2u); ++k) {
       const double by_aim = (turned->r[k] - at->r[k]) / h;
       CAPTURE(i, k, made.launch.angle);
-      // A kink within the step spoils a difference, not the derivative: so most must agree, not each.
+      // A kink within the step spoils the difference but not the derivative, so most must agree, not all.
       checked += std::abs(by_aim - at->by_aim(k)) < 1e-3 * (1 + std::abs(by_aim));
       if (q.one_unknown()) continue;
       const double by_speed = (pushed->r[k] - at->r[k]) / h;

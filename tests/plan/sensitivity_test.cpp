@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a wrong coefficient costs, against shots simulated again with that coefficient changed. At length: test_plan
-// "[long]"
+// Compares the sensitivity to each coefficient with shots simulated again with that coefficient changed. A longer run
+// by hand: test_plan "[long]"
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
@@ -47,7 +47,7 @@ struct End {
   std::vector<Contact> cushions;
 };
 
-/// The ball that arrives, where it is at the time of arrival, or at rest.
+/// Returns the state of the arriving ball at the time of arrival, or at rest.
 End end_of_shot(const Puzzle& p, const Shot& shot, bool rests) {
   ShotRequest r = as_request(p, shot);
   if (rests) r.until = {};
@@ -58,7 +58,7 @@ End end_of_shot(const Puzzle& p, const Shot& shot, bool rests) {
   return {e.state.at, norm(e.state.velocity) > 0 ? e.state.velocity : before.state.velocity, t.sequence()};
 }
 
-/// m per unit, by central differences; none where the change alters which cushions are met.
+/// Returns the shift per unit of the coefficient by central differences [m]; none when the change alters the cushions.
 std::optional<double> by_differences(const Puzzle& p, const Shot& shot, const std::string& name, double step) {
   const bool rests = shot.arrival.speed == 0;
   Puzzle low = p, high = p;
@@ -87,7 +87,7 @@ void compare(const Puzzle& p, Seen& seen) {
     const auto found = by_differences(p, shot, s.coefficient, step);
     const auto finer = by_differences(p, shot, s.coefficient, step / 2);
     if (!found || !finer) continue;
-    const double noise = std::abs(*found - *finer);  // of the differences themselves
+    const double noise = std::abs(*found - *finer);  // error of the differences themselves
     ++seen.compared;
     const double error = std::abs(*found - s.by), scale = 1e-4 + std::abs(s.by);
     INFO(s.coefficient << ": " << s.by << ", by differences " << *found << " and " << *finer);

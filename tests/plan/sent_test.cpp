@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The struck ball sends another on: pots, banks, kicks that pot, balls sent to rest.
+// Shots that move an object ball: pots, banks, kicks that pot, balls sent to rest.
 #include <algorithm>
 
 #include "bankshot/plan/planner.hpp"
@@ -27,10 +27,10 @@ TEST_CASE("what shots did with another ball is found again, nearly always, and n
       GENERATE("pots", "banks", "kick-pots", "kick-banks", "sent-to-rest", "sent-past", "combinations");
   const auto [model, count] = GENERATE(table<test::Model, int>(
       {{test::Model::ideal, 40}, {test::Model::rolling, 60}, {test::Model::spin, 60}, {test::Model::mathavan, 3}}));
-  if (family == "sent-to-rest" && model == test::Model::ideal) return;  // where no ball rests
+  if (family == "sent-to-rest" && model == test::Model::ideal) return;  // no ball rests there
   const test::FoundAgain found = test::find_again(family, model, count, 43, 20);
   CAPTURE(found.unsolved);
-  CHECK(std::ssize(found.unsolved) <= 1 + count / 15);  // of 500 a family with spin 1 to 3 in a hundred
+  CHECK(std::ssize(found.unsolved) <= 1 + count / 15);  // one to three in a hundred are missed with spin
 }
 
 TEST_CASE("a pot sends the ball into the pocket that is asked, at the speed that is asked") {
@@ -84,7 +84,7 @@ TEST_CASE("two shots between which all launches are made are listed once") {
   CHECK(std::ranges::count_if(all.shots, by_bottom) == 1);
   const auto kept = std::ranges::find_if(all.shots, by_bottom);
   REQUIRE(kept != all.shots.end());
-  CHECK(*kept->success > 0.97);  // the other: 0.95
+  CHECK(*kept->success > 0.97);  // the other shot has 0.95
 }
 
 TEST_CASE("an answer with a ball that is sent on reads back") {
@@ -120,9 +120,9 @@ TEST_CASE("chains and caroms that no seed leads to are found band by band, also 
   CHECK(test::solve_lost_puzzles("tests/plan/bands.jsonl", test::check_claims) == 10);
 }
 
-// Where it arrives at a bounce, the arcs before and after are as near; where the cushion holds it, no locked path
-// leads; where it is held on one side of the shot alone, its condition has a kink; where it creeps up to the cushion,
-// rounding has a say.
+// The arcs before and after a bounce are equally near to a point on the cushion line. Where the cushion holds the ball,
+// no locked path leads there. Where it holds the ball on one side of the shot alone, the condition has a kink. Where
+// the ball creeps up to the cushion, rounding matters.
 TEST_CASE("a ball that is sent onto a cushion's line and is held there arrives with the condition that it says") {
   CHECK(test::solve_lost_puzzles("tests/plan/held.jsonl", test::check_claims) == 9);
 }

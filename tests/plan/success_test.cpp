@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The chance of success against a long run of plain draws. By hand, at length: test_plan "[long]"
+// Compares success with a large number of plain draws. A longer run by hand: test_plan "[long]"
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
@@ -19,7 +19,7 @@ double normal(test::Random& random) {
   return std::sqrt(-2 * std::log(1 - random.uniform(0, 1))) * std::cos(random.uniform(0, radians(360)));
 }
 
-/// The same where the player errs in spin and in places, too.
+/// Returns the share of draws that are made when the player also errs in spin and in the places of balls.
 double by_all_draws(const Puzzle& p, const Shot& shot, test::Random& random, int draws) {
   int made = 0;
   for (int i = 0; i < draws; ++i) {
@@ -39,7 +39,7 @@ double by_all_draws(const Puzzle& p, const Shot& shot, test::Random& random, int
   return static_cast<double>(made) / draws;
 }
 
-/// The share of `draws` normal errors that is made.
+/// Returns the share of `draws` normal errors of aim and speed with which the shot is made.
 double by_draws(const Puzzle& p, const Shot& shot, test::Random& random, int draws) {
   const planning::Question q(p);
   planning::Ledger ledger(draws + 1);
@@ -54,7 +54,7 @@ double by_draws(const Puzzle& p, const Shot& shot, test::Random& random, int dra
   return static_cast<double>(made) / draws;
 }
 
-/// The largest difference over so many random puzzles of every physics.
+/// Compares the success of random puzzles of three physics with plain draws.
 void compare(int puzzles, int draws, double bound, std::uint64_t seed) {
   double worst = 0, sum = 0;
   int n = 0;
@@ -77,7 +77,7 @@ void compare(int puzzles, int draws, double bound, std::uint64_t seed) {
   WARN("success: worst error " << worst << ", root mean square " << std::sqrt(sum / n) << ", of " << n << " shots");
 }
 
-/// A shot straight at a point that it may pass by 30 mm: the speed hardly matters.
+/// Returns a straight shot at a point that it may pass at up to 30 mm; the speed hardly matters.
 Puzzle straight(double angle_noise, double speed_noise) {
   return {.table = rectangle_table(3, 2),
           .physics = rolling_physics(),
@@ -97,11 +97,11 @@ TEST_CASE("the chance of success is near a long run of draws") {
 }
 
 TEST_CASE("the chance of success where it is known") {
-  const double noise = radians(1), edge = std::asin(0.03) / noise;  // of the aim, in deviations
+  const double noise = radians(1), edge = std::asin(0.03) / noise;  // in deviations of the aim
   CHECK(chance(straight(noise, 0)) == Approx(std::erf(edge / std::sqrt(2.0))).margin(2e-3));
   CHECK(chance(straight(noise, 0.1)) == Approx(std::erf(edge / std::sqrt(2.0))).margin(2e-3));
   CHECK(chance(straight(0, 0)) == Approx(1).margin(1e-12));
-  // Half of all speeds are below 0, and those above that are too slow to arrive at all are few.
+  // Half of all speeds are below 0, and few of the others are too slow to arrive.
   CHECK(chance(straight(0, 1000)) == Approx(0.5).margin(2e-3));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The book of puzzles is what it says: 100 puzzles of rising difficulty, all solved exactly, the last ten
-// with one shot each.
+// Checks the book of puzzles: 100 puzzles of rising difficulty, all solved exactly, the last ten with one shot each.
 #include <set>
 #include <sstream>
 
@@ -23,7 +22,7 @@ TEST_CASE("the book: 30 easy, 30 medium, 30 hard and 10 unique puzzles, each par
   for (std::string line; std::getline(lines, line); ++number) {
     INFO(line);
     Puzzle p = read_puzzle(line);
-    p.aim = Aim::centre;  // a puzzle is as hard as its exact shot
+    p.aim = Aim::centre;  // the exact shot defines the difficulty of a puzzle
     CHECK(p.id == "\"book-" +
                       std::string(number < 9    ? "00"
                                   : number < 99 ? "0"
@@ -39,7 +38,7 @@ TEST_CASE("the book: 30 easy, 30 medium, 30 hard and 10 unique puzzles, each par
     else
       CHECK(difficulty(a.shots[0]) == static_cast<Difficulty>(number / part));
     if (number % part == 0) before = 1;
-    CHECK(*a.shots[0].success <= before + tolerance::success);  // no chance is promised nearer
+    CHECK(*a.shots[0].success <= before + tolerance::success);  // success has this tolerance
     before = *a.shots[0].success;
   }
   CHECK(number == 100);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Published puzzles with known answers, through the command line. One case a line of external.jsonl:
-// a puzzle or a simulation, what is expected of it, and where it was published.
+// Published puzzles with known answers, through the command line. Each line of external.jsonl is a case: a puzzle or a
+// simulation, the expected result, and the publication.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -49,7 +49,7 @@ void every_one(const json& c) {
   json puzzle = c["puzzle"];
   puzzle["aim"] = "centre";  // as the published answers do
   const json &all = c["expect"]["all"], shots = run("solve --all", puzzle)["shots"];
-  // The published pockets are points: others go in beside the middle of a circle that stands for one.
+  // The published pockets are points; here circles stand for them, which other shots may enter beside the middle.
   const auto centred = [](const json& s) { return !s.contains("offset"); };
   CHECK(std::count_if(shots.begin(), shots.end(), centred) == static_cast<long>(all.size()));
   for (const json& e : all) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Points on tables with point pockets, counted by number theory: the laser in a triangle of mirrors (Project Euler,
-// problem 202), and the shortest path with so many cushions (Code Golf 66817). All start in a vertex: no leg has the
-// length zero, and none leads out of the table.
+// problem 202), and the shortest path with a given number of cushions (Code Golf 66817). All paths start in a vertex;
+// no leg has length zero, and none leaves the table.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,8 @@ using namespace bankshot;
 
 namespace {
 
-/// Ways from a vertex back to it with n bounces, past the other two: to the lattice point (a, b), a + b = (n + 3) / 2.
+/// Counts the ways from a vertex back to it with n bounces, past the other two: to the lattice point (a, b), a + b = (n
+/// + 3) / 2.
 std::size_t ways_in_triangle(int n) {
   std::size_t ways = 0;
   if (n % 2 == 0) return 0;
@@ -36,7 +37,7 @@ Puzzle in_triangle(int n) {
   return p;
 }
 
-/// Six pockets, the ball in that at the lower left.
+/// Returns a puzzle with six pockets, the ball in the one at the lower left.
 Puzzle on_rectangle(double length, double width, int n) {
   Puzzle p{.table = rectangle_table(length, width), .physics = ideal_physics()};
   for (const double x : {0.0, length / 2, length})
@@ -51,7 +52,8 @@ Puzzle on_rectangle(double length, double width, int n) {
   return p;
 }
 
-/// To the pocket (a, b) of the unfolded table it crosses so many cushions: over half lengths and whole widths.
+/// Returns the length of the shortest path to a pocket (a, b) of the unfolded table that crosses n cushions, in half
+/// lengths and whole widths.
 double shortest(double length, double width, int n) {
   double least = 1e300;
   for (int b = 1; b <= n + 1; ++b)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Single-ball shots computed with pooltool 0.6.0 (github.com/ekiefl/pooltool). It puts the ball 1e-6 m
-// off a cushion at each bounce without changing the event's time, so events agree to about 1e-5 m and
-// places of rest to 2e-5 m, not better.
+// Single-ball shots computed with pooltool 0.6.0 (github.com/ekiefl/pooltool). It puts the ball 1e-6 m off a cushion at
+// each bounce without changing the event's time. Events therefore agree only to about 1e-5 m, and places of rest to
+// 2e-5 m.
 #include <nlohmann/json.hpp>
 #include <sstream>
 

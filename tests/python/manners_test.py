@@ -21,7 +21,7 @@ import bankshot
 import program
 
 bank = json.loads((program.puzzles / "two-cushion-bank.json").read_text())
-# The cushions' law of this one is integrated: an answer takes minutes.
+# The cushion impacts of this puzzle are integrated, so an answer takes minutes.
 slow = {**bank, "physics": {"model": "spin", "cushion": {"model": "mathavan2010"}}, "cushions": {"max": 6},
         "budget": {"simulations": 100000000}}
 
@@ -110,7 +110,7 @@ class Interrupted(unittest.TestCase):
             call()
         timer.join()
         self.assertEqual(signal.getsignal(signal.SIGINT), signal.default_int_handler)
-        self.assertEqual(bankshot.solve(bank).status, "solved")  # and all is as before
+        self.assertEqual(bankshot.solve(bank).status, "solved")  # the module works as before
 
     def test_solve(self):
         self.interrupted(lambda: bankshot.solve(slow))
@@ -186,7 +186,7 @@ class Progress(unittest.TestCase):
         self.assertEqual(self.told(progress=False), "")
         self.assertIn("20", self.told(progress=True))
         hidden = {name: sys.modules.pop(name) for name in list(sys.modules) if name.split(".")[0] == "tqdm"}
-        sys.modules["tqdm"] = None  # as where it is not installed
+        sys.modules["tqdm"] = None  # as if it were not installed
         try:
             self.assertIn("20 of 20\n", self.told(progress=True))
         finally:

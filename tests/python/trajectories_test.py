@@ -117,7 +117,7 @@ class Many(unittest.TestCase):
         ends = bankshot.simulate_many(scene, [1, 0, -1, math.nan, math.inf, 1], [1, 1, 1, 1, 1, math.nan])
         invalid = bankshot.End.INVALID
         self.assertEqual(list(ends["kind"]), [bankshot.End.REST, *[invalid] * 5])
-        # Spin is of the physics "spin" alone.
+        # Only the physics "spin" has spin.
         ends = bankshot.simulate_many({**scene, "physics": "rolling"}, 1, 1, [[0, 0, 0], [0, 0.5, 0]])
         self.assertEqual(list(ends["kind"]), [bankshot.End.REST, invalid])
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What pockets take, against published widths and against the openings that planners aim at.
+// Compares what pockets accept with published widths and with the openings that planners aim at.
 #include "bankshot/simulate/acceptance.hpp"
 
 #include <algorithm>
@@ -27,11 +27,11 @@ double drops(const Scene& scene, int pocket, int degrees, double speed) {
 }  // namespace
 
 TEST_CASE("as many parallel lines drop as published", "[heavy]") {
-  constexpr double grid = 0.6;  // mm: a line more or less
+  constexpr double grid = 0.6;  // one line of the grid [mm]
   const Scene jaws = pool("true");
   const struct {
     int pocket, degrees;
-    double slow, fast;  // mm at 1 and 3 m/s
+    double slow, fast;  // width at 1 and at 3 m/s [mm]
   } published[] = {{corner, 0, 78.5, 70.5},
                    {corner, 20, 92.5, 62.5},
                    {corner, 35, 95, 57.5},
@@ -72,7 +72,7 @@ TEST_CASE("the lines that drop cleanly are those of the opening, at every speed"
             if (std::abs(inside) < rounding) continue;
             INFO(preset << ", jaws " << jaws << ", pocket " << pocket << ", " << degree << " degrees, " << offset
                         << " m");
-            // Nearly along a rail a ball may meet it on the way; that is not the opening's.
+            // Almost parallel to a rail, a ball may touch the rail before the pocket, which the opening does not count.
             const bool along_rail = slow.steepest - std::abs(degree) < 10;
             if (inside < 0 || !along_rail) {
               CHECK((slow.at(degree, k) == Entry::clean) == (inside > 0));

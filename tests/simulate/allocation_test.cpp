@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// No allocation while a shot is simulated (simulator.hpp, property 1): the global operator new is counted here.
+// Checks that nothing is allocated while a shot is simulated (simulator.hpp, property 1), by counting the calls of the
+// global operator new.
 #include <array>
 #include <cstdlib>
 #include <new>
@@ -41,7 +42,8 @@ using namespace bankshot;
 
 namespace {
 
-/// A law as a user would write it: loses a fifth of the normal speed, and side spin throws the ball.
+/// A law as a user would write it: the ball loses a fifth of its normal speed, and side spin changes its tangential
+/// speed.
 const CushionLawOf user_law([](const Body&, InCushionFrame<double>& f) {
   f.vt -= 0.003 * f.wz;
   f.vn *= -0.8;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Coefficients as dual numbers: where a shot ends, derived by what the cloth and the cushions are like, against
-// central differences of the plain simulator.
+// Coefficients as dual numbers: derivatives of the place of rest by the coefficients of cloth and cushions, compared
+// with central differences of the plain simulator.
 #include <cstdio>
 #include <optional>
 #include <vector>
@@ -40,7 +40,7 @@ State<C> start_of(const Start& s, const Body& body) {
   return launched(s.at, body.radius, to<C>(s.velocity), s.spin);
 }
 
-/// Where the ball rests after its third cushion or later; none where it meets other cushions than `met`.
+/// Returns where the ball rests after three cushions or more; none when its cushions differ from a non-empty `met`.
 template <class C>
 std::optional<Vec2<C>> rest_of(const Boundary& boundary, const Start& s, const C (&c)[coefficients],
                                std::vector<Contact>& met) {
@@ -94,7 +94,7 @@ TEST_CASE("derivatives by the coefficients of cloth and cushions agree with diff
     }
     if (!smooth) continue;  // the cushions change within the differences
     INFO("shot " << i << " of seed 41");
-    CHECK(off <= 1e-7);  // m, for a coefficient changed by all of itself
+    CHECK(off <= 1e-7);  // error of the derivative times the coefficient [m]
     worst = std::max(worst, off);
     ++compared;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Many launches of one scene: each is what it is alone, to the bit, whatever was launched before it.
+// Checks that each of many launches of one scene runs as if it were alone, to the bit, whatever was launched before it.
 #include <cmath>
 #include <limits>
 
@@ -30,7 +30,7 @@ bool same(const Trajectory& a, const Trajectory& b) {
   return true;
 }
 
-/// How many of some launches of this scene were simulated; each as if it were alone.
+/// Simulates some launches of the scene, checks each against its own run, and returns their number.
 long each_as_alone(const ShotRequest& scene, Random& random) {
   std::vector<Stroke> strokes{{scene.launch, scene.spin}};
   for (int i = 0; i < 4; ++i)

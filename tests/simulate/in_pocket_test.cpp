@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A ball lies in no pocket: beyond the fall line it is refused, the cue ball too, in a puzzle as in a shot. In a mouth,
-// before the capture circle, it may stand.
+// Checks that no ball may start inside a pocket: a ball beyond the fall line is refused, in a puzzle and in a shot. In
+// a mouth, before the capture circle, a ball may stand.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ struct Refusal {
   std::string path, reason;
 };
 
-/// None where it is accepted.
+/// Returns none when the text is accepted.
 template <class Read>
 std::optional<Refusal> refusal(Read&& read, const std::string& text) {
   try {
@@ -62,7 +62,8 @@ TEST_CASE("a ball beyond the fall line of a pocket is refused, in a puzzle as in
     const Vec2d middle = (open.table.lowest() + open.table.highest()) / 2.0;
     for (const Circle& pocket : boundary.pockets)
       for (const double beyond : {-0.9, -0.5, 0.0, 0.5, 0.99, 1.01, 1.5, 3.0}) {
-        // The fall line is where the circle comes nearest to the table; these lie behind it.
+        // The fall line touches the capture circle where the circle is nearest to the table; these places lie behind
+        // it.
         const Vec2d out = (pocket.centre - middle) / norm(pocket.centre - middle);
         const Vec2d at = pocket.centre + out * (beyond * pocket.radius);
         const std::string named = contact_name(open.table, pocket.contact);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Random shots on random tables: never outside, never faster, and the same shot on a moved table.
+// Checks random shots on random tables: the ball never leaves the table and never gains energy, and a moved table gives
+// the same shot.
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/catch.hpp"

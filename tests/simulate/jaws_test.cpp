@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pockets with jaws: where their pieces lie, and what no ball does between them.
+// Pockets with jaws: where their pieces lie, and what a ball between them must never do.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -23,7 +23,7 @@ ShotRequest request(const TablePreset& p, const Vec2d& at, const Launch& launch)
   return r;
 }
 
-/// Launched from anywhere on the table into some mouth.
+/// Draws a shot from anywhere on the table into a mouth.
 ShotRequest into_a_mouth(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   const char* names[] = {"pool-7ft", "pool-8ft", "pool-9ft", "snooker-12ft"};
@@ -90,7 +90,7 @@ TEST_CASE("the pieces of a pool table's pockets are where the published numbers 
 TEST_CASE("a ball between jaws stays inside them, gains no energy and comes to an end") { check_into_mouths(3000); }
 TEST_CASE("a million balls between jaws", "[.][long]") { check_into_mouths(1'000'000); }
 
-/// Up to the second cushion, of shots that touch a jaw on the way.
+/// Compares shots that touch a jaw with 50 digits, up to the second cushion.
 void check_against_truth(int count) {
   std::mt19937_64 random(test::seed_or_fresh(8));
   test::Worst worst("between jaws", 1 + count / 100);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Many balls on a table that leans: nothing overlaps, energy with the height never rises, every shot ends, and the same
-// shot gives the same bytes.
+// Checks many balls on a tilted table: no balls overlap, the energy with the height never rises, every shot ends, and
+// the same shot gives the same bytes.
 #include <cmath>
 #include <cstdio>
 
@@ -20,8 +20,8 @@ namespace {
 constexpr long endless = 40000;  // steps
 
 struct Watched {
-  double overlap = -1;  ///< m, the worst
-  double gained = 0;    ///< the worst rise from one event to the next, of all the energy that there may be
+  double overlap = -1;  ///< the worst [m]
+  double gained = 0;    ///< the worst rise between two events, as a fraction of the largest possible energy
   long events = 0, meetings = 0;
   bool ended = false;
 };
@@ -53,7 +53,7 @@ Watched watched(const ShotRequest& shot) {
   for (; w.events < endless && !w.ended; ++w.events) {
     const BallEvent e = sim.step(0.05);  // also between events
     const double now = look();
-    // What falls takes its height along, which may be below 0.
+    // A ball that falls takes its potential energy with it, which may be below 0.
     if (e.event.kind != EventKind::pocket) w.gained = std::max(w.gained, (now - before) / all);
     before = now;
     w.meetings += e.event.kind == EventKind::ball;
@@ -65,7 +65,7 @@ Watched watched(const ShotRequest& shot) {
 
 void try_leaning(int each, double steepest, std::uint64_t seed) {
   for (const BallFamily family : ball_families) {
-    if (family == BallFamily::ideal) continue;  // it knows no weight
+    if (family == BallFamily::ideal) continue;  // ideal physics have no gravity
     Random r(seed);
     long events = 0, meetings = 0, most = 0;
     double overlap = -1, gained = 0;
@@ -76,7 +76,7 @@ void try_leaning(int each, double steepest, std::uint64_t seed) {
       INFO(name(family) << " number " << i << " of seed " << seed << ": " << write_shot(shot));
       const Watched w = watched(shot);
       CHECK(w.ended);
-      // Where balls may meet is found on chords: each within tolerance::chord of its path.
+      // Meetings are found on chords, each within tolerance::chord of its path.
       CHECK(w.overlap <= (w.meetings == 0 ? tolerance::overlap : 2 * tolerance::chord * 0.036));
       CHECK(w.gained <= 1e-12);
       if (i % 4 == 0) CHECK(to_json(shot, simulate(shot)) == to_json(shot, simulate(shot)));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Many balls on one table: nothing overlaps, is lost, gains energy or goes on for ever, and the same shot gives the
-// same bytes. What two balls do is held against formulas, and one ball among others against the simulator of one.
+// Checks many balls on one table: no ball overlaps another, is lost, gains energy or moves for ever, and the same shot
+// gives the same bytes. Collisions of two balls are compared with formulas, and one ball among others with the
+// simulator of one ball.
 #include "bankshot/simulate/many_balls.hpp"
 #include "bankshot/scene/json.hpp"
 
@@ -22,11 +23,11 @@ using namespace bankshot::test;
 
 namespace {
 
-/// What a shot with others came to, looked at from event to event.
+/// Statistics of a shot with other balls, updated at each event.
 struct Watched {
-  double overlap = -1;  ///< m, the worst
-  double gained = 0;    ///< of the energy at launch, the worst rise from one event to the next
-  double outside = 0;   ///< m, how far a centre was out of the table
+  double overlap = -1;  ///< the worst [m]
+  double gained = 0;    ///< the worst rise between two events, as a fraction of the energy at launch
+  double outside = 0;   ///< the farthest that a centre was outside the table [m]
   long events = 0, meetings = 0;
   double time = 0;  ///< s
   bool ended = false;
@@ -62,7 +63,7 @@ Watched watched(const ShotRequest& shot) {
     const double launch = before;
     for (; w.events < 20000; ++w.events) {
       const double left = shot.until.time.value_or(forever) - sim.time();
-      // Also between events.
+      // A step may end between events.
       const BallEvent e = sim.step(std::min(left, 0.05));
       look(sim, shot, w, before);
       if (e.event.kind == EventKind::ball) ++w.meetings;
@@ -88,7 +89,7 @@ ShotRequest two_balls(double cut_offset, double speed, double top) {
   return shot;
 }
 
-/// The direction of the struck ball once it rolls again after the contact [degrees].
+/// Returns the direction of the cue ball once it rolls again after the contact [degrees].
 double deflection(const Trajectory& t) {
   bool met = false;
   for (const Record& e : t.events) {
@@ -109,7 +110,7 @@ TEST_CASE("a rolling ball leaves a quarter, half and three quarter hit at the an
 }
 
 TEST_CASE("a rolling ball meets another as it was measured") {
-  // Mathavan, Jackson & Parkin 2014, snooker balls; speeds and directions when both roll again.
+  // Mathavan, Jackson & Parkin 2014, snooker balls: speeds and directions when both balls roll again.
   struct Measured {
     double speed, cut, cue_speed, cue_turned, speed_sent, sent;
   };
@@ -144,7 +145,7 @@ TEST_CASE("a rolling ball meets another as it was measured") {
 TEST_CASE("after a stun shot without friction two equal balls part at right angles") {
   for (const double offset : {0.1, 0.5, 0.9}) {
     ShotRequest shot = two_balls(offset, 2, 0);
-    shot.others[0].at.x = 10 + 0.0572;  // so near that it has not begun to roll
+    shot.others[0].at.x = 10 + 0.0572;  // so near that the cue ball has not begun to roll
     shot.physics.motion = SlideRoll{.sliding_friction = 0};
     shot.until.time = 1;
     const Trajectory t = simulate(shot);
@@ -306,22 +307,22 @@ TEST_CASE("balls that crowd together after a break neither come to rest nor boun
     for (const Record& e : t.events)
       if (e.kind == EventKind::rest) ++rests[e.ball];
     INFO("number " << i << " of seed " << seed);
-    for (const auto& [ball, times] : rests) CHECK(times < 30);  // at most 10 in 600 breaks
+    for (const auto& [ball, times] : rests) CHECK(times < 30);  // far above the usual count
   }
-  CHECK(events / breaks < 200);  // 250 and more where they do
+  CHECK(events / breaks < 200);  // balls that crowd and bounce again and again exceed this
 }
 
 TEST_CASE("two balls that stay in touch while one goes round the other do not bounce off each other") {
   const Body ball{};
   const Boundary boundary(rectangle_table(40, 20), ball);
-  // The first has topspin, which drives it into the second.
+  // The first ball has topspin, which drives it into the second.
   const std::array balls{
       BallStart<double>{&boundary, {{10, 10}, {0.1, 0.02}, {-0.02 / ball.radius, 1 / ball.radius, 0}}},
       BallStart<double>{&boundary, {{10 + 2 * ball.radius, 10}, {0.1, 0}, {0, 0.1 / ball.radius, 0}}}};
   ManyBalls sim(std::span<const BallStart<double>>(balls), SlideRoll{}, Han2005{}, BallBall{});
   int meetings = 0;
   double apart = 0;
-  while (sim.time() < 0.15) {  // later it rolls
+  while (sim.time() < 0.15) {  // later the first ball rolls
     const BallEvent e = sim.step(std::min(1e-3, 0.15 - sim.time()));
     meetings += e.event.kind == EventKind::ball;
     apart = std::max(apart, std::abs(norm(sim.state_now(1).at - sim.state_now(0).at) - 2 * ball.radius));
@@ -331,7 +332,7 @@ TEST_CASE("two balls that stay in touch while one goes round the other do not bo
 }
 
 TEST_CASE("of many balls the first events are those of 50 digits") {
-  // An error of rounding grows as a launch that is turned by as much does.
+  // A rounding error grows as the effect of turning the launch by an angle of that size.
   constexpr std::uint64_t seed = 59;
   constexpr double turn = 1e-16, grain = 1e-15, most = 100;
   int compared = 0, ties = 0, by_touching = 0;
@@ -344,13 +345,13 @@ TEST_CASE("of many balls the first events are those of 50 digits") {
       const auto plain = truth::run_many_double(shot, 25);
       for (std::size_t k = 0; k < std::min({exact.size(), turned.size(), plain.size()}); ++k) {
         if (plain[k].event.ball != exact[k].event.ball || plain[k].event.event.kind != exact[k].event.event.kind) {
-          ++ties;  // two events so near each other that rounding orders them
+          ++ties;  // rounding orders two events that are so near each other
           break;
         }
         INFO(name(family) << " number " << i << " of seed " << seed << ", event " << k << ": " << write_shot(shot));
         const double grown = norm(turned[k].at - exact[k].at) + grain, off = norm(plain[k].at - exact[k].at);
         ++compared;
-        // What touches within the tolerance meets at once, on either side of which rounding may put a gap.
+        // Balls within the touching tolerance meet at once, and rounding may put a gap on either side of it.
         const double touch = Boundary(shot.table, shot.ball.body).touch;
         const bool snapped = off > most * grown;
         by_touching += snapped;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// When two balls meet, against the same quartic in 50 digits, in six families: no meeting is lost or made up, and its
-// time is right to the rounding of a gap over the speed of approach.
+// Compares the times at which two balls meet with the roots of the same quartic in 50 digits, in seven families. No
+// meeting is lost or invented, and its time is exact to the rounding of the gap over the speed of approach.
 #include "bankshot/detail/roots/meeting.hpp"
 
 #include <algorithm>
@@ -19,10 +19,15 @@ namespace {
 
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 
-/// wide: anything. close: almost touching. clustered: slow passes, where all four roots crowd. graze: the least gap is
-/// 1e-16 to 1e-6 m of either sign. bent: no speed of approach and hardly any acceleration at the nearest place.
-/// scales: tables and speeds of any size. equal: accelerations that are equal or nearly.
-enum class Family { wide, close, clustered, graze, bent, scales, equal };
+enum class Family {
+  wide,       ///< anything
+  close,      ///< almost touching
+  clustered,  ///< slow passes, where all four roots crowd together
+  graze,      ///< the least gap is 1e-16 to 1e-6 m of either sign
+  bent,       ///< no speed of approach and almost no acceleration at the nearest place
+  scales,     ///< tables and speeds of any size
+  equal       ///< accelerations that are equal or nearly equal
+};
 constexpr Family families[] = {Family::wide, Family::close,  Family::clustered, Family::graze,
                                Family::bent, Family::scales, Family::equal};
 constexpr const char* names[] = {"wide", "close", "clustered", "graze", "bent", "scales", "equal"};
@@ -54,7 +59,7 @@ Case draw(Random& r, Family family) {
   c.d = any(r, c.reach + gap);
   if (r.chance(0.6)) c.v = c.d * (-norm(c.v) / norm(c.d)) + any(r, 0.2 * norm(c.v));
   if (family == Family::graze || family == Family::bent) {
-    // Backwards from the nearest place, where the gap is hardly anything.
+    // Backwards from the nearest place, where the gap is almost 0.
     const double after = r.log_uniform(1e-2, 2), least = (r.chance(0.5) ? 1 : -1) * r.log_uniform(1e-16, 1e-6);
     const Vec2d n = any(r, 1);
     c.v = perpendicular(n) * r.log_uniform(1e-2, 5);
@@ -81,7 +86,7 @@ struct Quartic {
     for (std::size_t i = c.size(); i-- > 0;) sum = sum * t + c[i];
     return sum;
   }
-  /// Where it changes sign in [0, limit], in order: bisected between those of its derivative.
+  /// Returns the sign changes in [0, limit], in order; bisects between the sign changes of the derivative.
   std::vector<Exact> changes(const Exact& limit) const {
     std::vector<Exact> ends{0};
     if (c.size() > 2) {
@@ -129,7 +134,7 @@ TEST_CASE("meetings of two balls are those of 50 digits: none lost, none made up
       const Quartic f(c);
       if (!(f(0) > 0)) continue;
       INFO(names[static_cast<int>(family)] << " number " << i << " of seed " << seed);
-      // How deep the gap falls, or how near it comes to 0 without.
+      // The least gap: how far it falls below 0, or how near it comes to 0.
       const std::vector<Exact> roots = f.changes(c.limit);
       const auto gap = [&](const Exact& t) { return (f(t) / (2 * Exact(c.reach))).convert_to<double>(); };
       const double size = norm(c.d) + norm(c.v) * c.limit + norm(c.a) * c.limit * c.limit,
@@ -149,7 +154,7 @@ TEST_CASE("meetings of two balls are those of 50 digits: none lost, none made up
         continue;
       }
       ++met;
-      // A gap that is off by its rounding moves the time so far: as long as the gap takes to fall by it.
+      // A rounding error of the gap moves the time by as long as the gap takes to fall by that error.
       const double off = std::abs(gap(t));
       const bool first = Exact(t) < roots.front() || roots.size() < 2 || Exact(t) < (roots[0] + roots[1]) / 2;
       REQUIRE(first);
@@ -180,7 +185,7 @@ TEST_CASE("no pair that the bound excludes is found to meet") {
     for (int i = 0; i < 20000; ++i) {
       const Case c = draw(r, family);
       INFO(names[static_cast<int>(family)] << " number " << i << " of seed " << seed);
-      // Also a limit just before the meeting, where the bound must not say too much, and far beyond.
+      // Also tests limits at the meeting and just after it, where the bound must not exclude it, and a short limit.
       const double t = found_by(c);
       for (const double limit : {c.limit, t, t * (1 + 1e-7), c.limit / 10}) {
         if (!(limit < forever) || !excluded_until(c, limit)) continue;

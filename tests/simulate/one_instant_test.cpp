@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What happens when two things happen at once, and where a ball starts that touches something.
+// Tests events that coincide, and balls that start in contact with something.
 #include <array>
 
 #include "bankshot/geometry/boundary.hpp"
@@ -29,7 +29,7 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-/// The first two events of a point with an exact velocity: no angle is exactly 45 degrees.
+/// Returns the first two events of a point with an exact velocity, because no angle is exactly 45 degrees.
 std::array<Event, 2> first_two(const Table& table, const State<double>& start, State<double>* end = nullptr) {
   const Boundary boundary(table, {0});
   Simulator sim(boundary, Ideal{}, Mirror{1}, start);
@@ -59,7 +59,7 @@ TEST_CASE("in a corner the larger approach speed bounces first") {
 }
 
 TEST_CASE("a pocket captures before a cushion bounces") {
-  // The ball touches the right cushion and meets the capture circle at x = 1.875, in one instant.
+  // The ball touches the right cushion and meets the capture circle at x = 1.875, at one instant.
   Table table = rectangle_table(2, 1);
   table.pockets = {{"p", {2.25, 0.5}, 0.375}};
   const Boundary boundary(table, {0.125});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A motion that hands its arcs over in pieces runs the same path as the whole arcs: the same events, at the same
-// times and places but for the rounding of each piece. Hard because each piece starts where the one before was rounded
-// to, a cushion may be met where a piece ends, and a horizon may fall between pieces.
+// A motion that is handed over in pieces runs the same path as whole arcs: the same events at the same times and
+// places, but for the rounding of each piece. This is hard because each piece starts at a rounded place, a cushion may
+// be met where a piece ends, and a horizon may fall between pieces.
 #include <cstdio>
 
 #include "bankshot/simulate/locked.hpp"
@@ -17,7 +17,7 @@ using namespace bankshot::test;
 
 namespace {
 
-/// SlideRoll, whose rolling arcs are cut to `longest` seconds.
+/// SlideRoll with rolling arcs cut into pieces of `longest` seconds.
 struct InPieces {
   SlideRoll whole{};
   double longest = 0.1;
@@ -41,7 +41,7 @@ struct InPieces {
   }
 };
 
-/// How far apart two runs may be: each piece rounds the state anew.
+/// Returns how far apart two runs may end, because each piece rounds the state anew [m].
 double allowed(const ShotRequest& shot, const Boundary& boundary, int pieces) {
   const Condition c = condition({boundary, shot.physics, start_state(shot), 6, 100});
   return tolerance::simulation_error * 0x1p-53 * boundary.extent * c.kappa * (1 + pieces);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Balls that press on each other: the pieces of their path against the equations, integrated in tiny steps, and the
-// forces of clusters. Hard because friction turns with the slip, the line of centres with the balls, and a slip ends.
+// Persistent contacts of balls: compares the pieces of their paths with a fine integration of the equations, and checks
+// the contact forces in clusters. This is hard because friction turns with the slip, the line of centres turns with the
+// balls, and a slip may end.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +21,8 @@ namespace {
 using std::numbers::pi;
 constexpr double g = 9.81, sliding = 0.2, rolling = 0.01;
 
-/// Two equal balls that touch: where, how fast, and the velocity at which each would roll with the spin that it has.
+/// Two equal balls that touch: their places, velocities, and the velocities at which their present spin would be
+/// rolling.
 struct Pair {
   std::array<Vec2d, 2> at, velocity, rolls;
 };
@@ -29,7 +31,7 @@ State<double> state_of(const Pair& p, std::size_t i, double radius) {
   return {p.at[i], p.velocity[i], {-p.rolls[i].y / radius, p.rolls[i].x / radius, 0}};
 }
 
-/// Neither approaches the other; each slides, or rolls.
+/// Draws a pair in which neither ball approaches the other; each slides or rolls.
 Pair random_pair(Random& r, double radius) {
   const Vec2d n = direction(r.uniform(0, 2 * pi));
   const double speed = std::exp(r.uniform(std::log(0.01), std::log(0.3)));
@@ -44,8 +46,8 @@ Pair random_pair(Random& r, double radius) {
   return p;
 }
 
-/// Euler's method on the equations of motion: sliding, rolling, and a force along the line of centres as long as that
-/// is needed to keep them apart.
+/// Integrates the equations of motion by Euler's method: sliding, rolling, and a force along the line of centres while
+/// it is needed to keep the balls apart.
 void follow(Pair& p, double radius, double seconds) {
   constexpr double dt = 2e-6;
   const long steps = std::lround(seconds / dt);
@@ -98,7 +100,7 @@ TEST_CASE("two balls that press on each other move as the equations say") {
     bool met = false;
     while (sim.time() < seconds)
       met |= sim.step(seconds - sim.time(), [&](auto&&...) { ++arcs; }).event.kind == EventKind::ball;
-    if (met) continue;  // with restitution, which the equations here have not
+    if (met) continue;  // a collision with restitution, which these equations lack
     ++compared;
     follow(p, ball.radius, seconds);
     INFO("number " << i << " of seed " << seed);
@@ -110,14 +112,14 @@ TEST_CASE("two balls that press on each other move as the equations say") {
   }
   std::printf("%d pairs, at most %.1g m off, %.1f arcs each\n", compared, worst, arcs / 100.0);
   CHECK(compared > 80);
-  CHECK(arcs < 100 * 20);  // 35 each where no piece is longer than 2 ms
+  CHECK(arcs < 100 * 20);  // pieces that are too short exceed this
 }
 
 TEST_CASE("the forces on two contacts settle in a few sweeps, those on many in some more") {
   constexpr std::uint64_t seed = 72;
   Random r(seed);
   for (int i = 0; i < 1000; ++i) {
-    // A row, bent at random; each ball is driven along it.
+    // A row, bent at random, in which each ball is driven along the row.
     const int balls = i % 2 ? 3 : r.integer(4, 8);
     std::vector<Pressed<double>> contacts;
     std::vector<Vec2d> rates(1, {r.uniform(0, 1), 0});
@@ -149,7 +151,7 @@ TEST_CASE("the forces on two contacts settle in a few sweeps, those on many in s
 TEST_CASE("a ball that another pushes off the cushion which held it is at that cushion no longer") {
   const Body ball{};
   const Boundary boundary(rectangle_table(2, 1), ball);
-  // Its spin drives it into the bottom cushion.
+  // The spin drives the ball into the bottom cushion.
   const State<double> start{{1, ball.radius}, {0.1, 0}, {1 / ball.radius, 0.1 / ball.radius, 0}};
   for (const double off : {-0.1, 0.0, 0.1}) {
     BallTrack<double> track(boundary, start);

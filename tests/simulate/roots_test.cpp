@@ -42,7 +42,7 @@ TEST_CASE("on a slowing arc the circle is entered later, or not at all") {
 }
 
 TEST_CASE("an arc that hardly leaves a circle and bends back meets it in time") {
-  // Just left, it is 0.4 nm outside, and back after 2 · 6e-7/1.5 s.
+  // Just after it left, the arc is 0.4 nm outside the circle; it is back after 2 · 6e-7/1.5 s.
   const Arc<double> back{.at = {0, 0.115 + 4e-10},
                          .velocity = {7e-3, 6e-7},
                          .acceleration = {0, -1.5},

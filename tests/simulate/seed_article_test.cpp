@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The seed article's shot against a table of events derived by hand. At 45 degrees without loss the
-// path is a straight line in the unfolded table: the ball is abreast of a cushion after (gap + k·room)·√2
-// metres, and has travelled s metres after t = (v0 − √(v0² − 2 a s)) / a seconds, a = 0.05 · 9.81.
+// Compares the seed article's shot with a table of events derived by hand. At 45 degrees without loss the path is a
+// straight line in the unfolded table. The ball meets a cushion after (gap + k·span)·√2 metres, where span is the side
+// of the table less 2 R. It has travelled s metres after t = (v0 − √(v0² − 2 a s)) / a seconds, with a = 0.05 · 9.81.
 #include <algorithm>
 
 #include "bankshot/geometry/boundary.hpp"
@@ -64,7 +64,7 @@ TEST_CASE("the seed article's example agrees with the events derived by hand") {
 
 TEST_CASE("its first events, as numbers") {
   const Trajectory t = simulate(article());
-  // Top after 1.0215·√2 = 1.44462 m, at x = 0.2 + 1.0215.
+  // Meets the top cushion after 1.0215·√2 = 1.44462 m, at x = 0.2 + 1.0215.
   CHECK(t.events[1].time == Approx(0.293139).margin(1e-6));
   CHECK(t.events[1].state.at.x == Approx(1.2215).epsilon(1e-13));
   CHECK(t.events[1].state.at.y == 1.25 - R);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// "settle": balls that overlap by up to 1e-4 m are moved apart before anything is checked, and their moves are told.
+// Tests "settle": balls that overlap by up to 1e-4 m are moved apart before anything is checked, and the moves are
+// reported.
 #include "bankshot/scene/settle.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ double worst_overlap(const ShotRequest& s) {
   return worst;
 }
 
-/// Ball 8 overlaps the cue ball by so much.
+/// Returns a scene in which ball 8 overlaps the cue ball by `by` metres.
 std::string overlapping(double by, const char* settle) {
   return fmt::format(
       R"({{"table": "pool-9ft", "ball": {{"at": [0.6, 0.5]}}, "others": [{{"id": "8", "at": [{}, 0.5]}},
@@ -108,7 +109,7 @@ TEST_CASE("a rack measured a tenth of a millimetre too tight is settled, as are 
 }
 
 TEST_CASE("balls without room stay where they are, and are refused") {
-  // Three abreast on a table that is a hundredth of a millimetre too narrow for them.
+  // Three balls abreast on a table that is a hundredth of a millimetre too narrow for them.
   const double R = Body{}.radius, width = 6 * R - 1e-5;
   ShotRequest shot{.table = rectangle_table(2, width)};
   shot.ball.at = {1, R};
@@ -116,7 +117,7 @@ TEST_CASE("balls without room stay where they are, and are refused") {
   const std::vector<Vec2d> moves = settle(shot.table, shot.ball, shot.others);
   CHECK(std::ranges::all_of(moves, [](const Vec2d& by) { return by == Vec2d{}; }));
   CHECK_THROWS_AS(validate(shot), InvalidInput);
-  // One of them a little beside the others: there is room to that side.
+  // With one ball slightly beside the others, there is space on that side.
   shot.others[0].at.x += 1e-3;
   settle(shot.table, shot.ball, shot.others);
   CHECK_NOTHROW(validate(shot));
@@ -138,7 +139,7 @@ TEST_CASE("an answer says how balls were moved, and is read against the puzzle")
   json wrong = told;
   wrong["settled"]["9"][0] = 0;
   CHECK_THROWS_AS(read_answer(wrong.dump(), &p), InvalidInput);
-  // Written, the puzzle still asks, and nothing is left to move.
+  // The written puzzle still asks for "settle", and nothing is left to move.
   const Puzzle again = read_puzzle(write_puzzle(p));
   CHECK(again.settled == std::vector<Vec2d>(3));
   CHECK(again.others[1].at == p.others[1].at);

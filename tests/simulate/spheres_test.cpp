@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Balls are spheres on one cloth: two of radii a and b touch when their centres are 2 √(ab) apart in plan.
+// Balls are spheres on one cloth: two balls of radii a and b touch when their centres are 2 √(ab) apart in plan.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ using namespace bankshot;
 
 namespace {
 
-/// A cue ball of radius a, and a ball of radius b at this distance in plan.
+/// Returns a shot with a cue ball of radius a and a ball of radius b at this distance in plan.
 ShotRequest two_balls(double a, double b, double apart) {
   const Scene scene = preset_scene("pool-9ft", "rolling");
   ShotRequest shot{.table = scene.table, .physics = scene.physics, .ball = scene.ball};

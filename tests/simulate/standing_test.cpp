@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The simulator of one ball meets balls at rest where and when that of many does.
+// Checks that the simulator of one ball meets resting balls where and when the simulator of many balls does.
 #include "bankshot/simulate/many_balls.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/catch.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A start on a cushion or at a vertex: what the ball does not approach it does not bounce off.
+// Tests starts on a cushion or at a vertex: a ball does not bounce off what it does not approach.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ using namespace bankshot;
 
 namespace {
 
-/// Bounces before the ball has gone anywhere.
+/// Counts the bounces at the start, before the ball has moved.
 long in_place(const Trajectory& t) {
   const Vec2d start = t.events.front().state.at;
   return std::ranges::count_if(
@@ -29,7 +29,8 @@ ShotRequest point_at(Table table, const Vec2d& at, double degrees_of_aim, Physic
 }  // namespace
 
 TEST_CASE("a point at a vertex that points into the table leaves over the table without a bounce") {
-  // 2 × 2 with the upper right quarter cut away: vertex 3 at (1, 1) is reflex; aims from 0 to 90 degrees lead out.
+  // A square of side 2 without its upper right quarter: vertex 3 at (1, 1) is reflex, and aims from 0 to 90 degrees
+  // leave the table.
   const Table table = polygon_table({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
   int over = 0, out = 0;
   for (const Physics& physics : {ideal_physics(), rolling_physics()})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The simulator's property 6 and its derivatives, held against 50 digits on random shots of every family.
-// The worst ratio is printed; `shots --truth N` does the same for any number of shots.
+// Compares the simulator's error (property 6) and its derivatives with 50 digits, on random shots of every family.
+// Prints the worst ratio; `shots --truth N` does the same for any number of shots.
 #include <cstdio>
 
 #include "bankshot/numbers/dual.hpp"
@@ -14,11 +14,11 @@ using namespace bankshot;
 using namespace bankshot::test;
 
 TEST_CASE("the error of a run in double is within C 2^-53 size kappa", "[heavy]") {
-  Worst worst("random shots", 10);  // 3 of 555 were seen, all of the family `corners`
+  Worst worst("random shots", 10);  // a few ties in the family `corners` are normal
   constexpr std::uint64_t seed = 31;
   for (const ShotFamily family : shot_families) {
     Random random(seed);
-    const int shots = family == ShotFamily::mathavan ? 10 : 40;  // each impact takes some milliseconds in 50 digits
+    const int shots = family == ShotFamily::mathavan ? 10 : 40;  // an impact takes milliseconds in 50 digits
     for (int i = 0; i < shots; ++i) {
       const ShotRequest shot = random_shot(random, family);
       const Compared c = against_truth(shot, 8);
@@ -27,7 +27,7 @@ TEST_CASE("the error of a run in double is within C 2^-53 size kappa", "[heavy]"
     }
   }
   CHECK(worst.cases > 420);   // κ above 1e6 is rare
-  CHECK(worst.ratio > 0.01);  // the bound is not so wide that it says nothing
+  CHECK(worst.ratio > 0.01);  // the bound is not too wide to be useful
 }
 
 TEST_CASE("derivatives through every event agree with differences in 50 digits", "[heavy]") {
@@ -42,10 +42,10 @@ TEST_CASE("derivatives through every event agree with differences in 50 digits",
       const Run run{boundary, shot.physics, start_state(shot), 6};
       const Compared c = compare_with_truth(run);
       if (c.order != Compared::Order::same || c.kappa > 1e5) continue;
-      bool at_cushion = false;  // there derivatives are one-sided
+      bool at_cushion = false;  // derivatives are one-sided there
       for (const Wall& w : boundary.walls) at_cushion = at_cushion || dot(w.normal, run.start.at) - w.offset < 1e-9;
       if (at_cushion) continue;
-      // A slip that is nearly 0 has a direction with few digits, and derivatives that change within them.
+      // The direction of a slip near 0 has few correct digits, and the derivatives change within that error.
       const Vec2d slip{run.start.velocity.x - boundary.body.radius * run.start.spin.y,
                        run.start.velocity.y + boundary.body.radius * run.start.spin.x};
       if (const double part = norm(slip) / norm(run.start.velocity); part > 2e-16 && part < 1e-5) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Players whose noise and bias are known, on a table that is known: how often these lie within the intervals that
-// `advise` gives.
+// Measures how often the known noise and bias of players lie within the intervals that `advise` gives, on a known
+// table.
 #include "bankshot/learn/advise.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < repeats; ++i) {
     Random random(seed, static_cast<std::uint64_t>(i));
     test::Player player = test::random_player(random);
-    if (wish.made_only) {  // of which nothing else can be told: it would count as error of aim and speed
+    if (wish.made_only) {  // errors of spin and biases are not identifiable then
       player.habits["side"] = player.habits["top"] = {0, 0};
       player.habits["angle"].bias = player.habits["speed"].bias = 0;
     }

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Is it the best shot? `solve`, the first of `solve --all` and brute force (support/by_force.hpp) on random puzzles,
-// by what `prefer` asks and by what is left free: nothing, the arrival speed, that within an aim window, the spin,
-// or spin and arrival speed.
+// Compares `solve`, the first shot of `solve --all` and brute force (support/by_force.hpp) on random puzzles. The cases
+// differ in what `prefer` asks and in what is left free: nothing, the arrival speed, that speed within an aim window,
+// the spin, or spin and arrival speed.
 //   best --count 1000 --seed 1 --physics spin --free arrive --prefer soft [--aim-step 0.02] [--no-force] [--worst 5]
-// Tables of 2.54 m x 1.27 m without pockets, or 9-foot ones with them; a count of 0 to 3 cushions, or exactly 1 to 3;
-// puzzles are made from a forward shot, so each has one. Prints CSV, tests/bench/results/best.csv:
-//   unsolved_*    no shot; beside_* only beside the centre, where brute force has one at it
-//   solve_worse   than --all: more than 0.5 % of speed or time, or 0.005 of chance (by 20,000 draws); far: 10 %, 0.1
-//   silent        of solve_worse: the message does not say that there may be better
-//   *_below_force the same against brute force; force_worse: brute force is worse than --all, so that was missed by it
-//   all_climbs    a pattern search in what is free, begun at the first of --all, gets better by as much: it is no local
-//   best us_*          of the processor, a puzzle; robust: with the chances that its order needs
-// The worst cases print on standard error as JSON that `bankshot solve` replays. Exit 0: it measures.
+// Tables are 2.54 m x 1.27 m without pockets, or 9-foot ones with them. A puzzle asks for 0 to 3 cushions, or for
+// exactly 1 to 3; it is made from a simulated shot, so each has one. Prints CSV, tests/bench/results/best.csv:
+//   unsolved_*    no shot; beside_*: only a shot beside the centre, where brute force has one at the centre
+//   solve_worse   solve is worse than --all by more than 0.5 % of speed or time, or 0.005 of success (20,000 draws)
+//   *_far_*       worse by more than 10 %, or 0.1 of success
+//   silent        cases of solve_worse in which the message does not say that there may be a better shot
+//   *_below_force the same against brute force
+//   force_worse   brute force is worse than --all, so it missed that shot
+//   all_climbs    a pattern search that begins at the first shot of --all gets better by as much: no local optimum
+//   us_*          CPU time per puzzle; with robust, the time for the success of the candidates is included
+// The worst cases are printed on standard error as JSON that `bankshot solve` replays. Exit 0, as it only measures.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -69,14 +71,14 @@ test::Made random_case(test::Random& r, test::Model model, const std::string& fr
   });
 }
 
-/// A shot of one of the three.
+/// The shot of one of the three methods.
 struct Rival {
   Launch launch;
   LaunchSpin spin;
   double time, chance = 0;
 };
 
-/// By how much `a` is worse than `b`: of speed or time, or of chance.
+/// Returns by how much `a` is worse than `b`, in speed or time (relative), or in success.
 double worse(Prefer prefer, const Rival& a, const Rival& b) {
   if (prefer == Prefer::soft) return a.launch.speed / b.launch.speed - 1;
   if (prefer == Prefer::quick) return a.time / b.time - 1;
@@ -98,7 +100,7 @@ struct Tally {
   Count solve, solve_below_force, all_below_force, force, climbs;
   double simulations_solve = 0, simulations_all = 0, simulations_force = 0;
   double us_solve = 0, us_all = 0, us_force = 0;
-  std::vector<std::pair<double, std::string>> cases{};  ///< the worst ones, by how much
+  std::vector<std::pair<double, std::string>> cases{};  ///< the worst ones, with the amount
 };
 
 struct Way {
@@ -117,7 +119,7 @@ Answer timed_solve(const Puzzle& p, bool all, double& us, double& simulations) {
   return a;
 }
 
-/// At the centre; the two kinds of shots are not compared.
+/// Returns the first shot, if it is at the centre; shots beside the centre are not compared.
 std::optional<Rival> rival(const Answer& a) {
   if (a.shots.empty() || a.shots.front().off_centre) return {};
   const Shot& s = a.shots.front();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Ends `bankshot batch` at seeded moments, resumes it until it is done, and compares the output with that of a run
-// nobody disturbed. A run is ended up to three times when its output has grown to a drawn size: by SIGKILL, by SIGINT,
-// by a limit on the size of files (a full disk), or by SIGKILL with the end of the output lost or zero, as after a
-// machine that died. With --parts the batch is cut into so many, each is ended so, `merge` once as well; and a part may
-// be started a second time while it runs, as by a scheduler that lost sight of a node, with and without a lock that
-// keeps the two apart.
+// Ends `bankshot batch` at seeded moments, resumes it until it is done, and compares the output with that of an
+// undisturbed run. A run is ended up to three times, when its output has grown to a drawn size. It is ended by SIGKILL,
+// by SIGINT, by a limit on the size of files (a full disk), or by SIGKILL with the end of the output lost or zero, as
+// after a power failure. With --parts the batch is cut into parts, each of which is ended in this way, and `merge` once
+// as well. A part may also be started a second time while it runs, as by a scheduler that lost a node, with and without
+// a lock that keeps the two apart.
 //   kills --rounds 200 --seed 1 build/release/bankshot
 //   kills --rounds 50 --parts 4 --seed 1 build/release/bankshot
 #include <fcntl.h>
@@ -32,14 +32,14 @@ namespace fs = std::filesystem;
 using bankshot::test::Random;
 using Words = std::vector<std::string>;
 
-/// `lost`: killed, and what was written last is not there; `twice`: started again while it runs.
+/// `lost`: killed, and the last writes are lost; `twice`: started again while it runs.
 enum class End { kill, interrupt, full, lost, twice };
 
 struct Tally {
   int kills = 0, interrupts = 0, full = 0, lost = 0, refused = 0, doubled = 0, in_time = 0, different = 0;
 };
 
-/// What is typed, and the file that grows meanwhile.
+/// A command line, and the file that grows while it runs.
 struct Command {
   Words words;
   fs::path grows;
@@ -56,7 +56,7 @@ long size_of(const fs::path& path) {
   return none ? -1 : static_cast<long>(size);
 }
 
-/// Puzzles, among them lines that are none.
+/// Returns puzzles, and some lines that are not puzzles.
 std::string puzzles(Random& r, int count) {
   std::string out;
   for (int i = 0; i < count; ++i) {
@@ -85,11 +85,12 @@ pid_t start(const Words& words, const fs::path& complaints, long most_bytes = 0)
   _exit(127);
 }
 
-/// The last writes of a machine that died: cut off, or zero where a file system had only made room.
+/// Loses the last writes, as when a machine dies: cuts them off, or sets them to zero as in a file system that had only
+/// allocated space.
 void lose_writes(const fs::path& path, Random& r) {
   constexpr double at_most = 1 << 16;
   const long size = size_of(path);
-  if (size <= 0 || !fs::exists(path.string() + ".progress")) return;  // all was on disk before the journal went
+  if (size <= 0 || !fs::exists(path.string() + ".progress")) return;  // all was on disk before the journal was removed
   const long from = size - static_cast<long>(r.uniform(0, std::min(at_most, static_cast<double>(size))));
   if (r.integer(0, 1) == 0) return fs::resize_file(path, static_cast<std::uintmax_t>(from));
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -108,10 +109,11 @@ class Disturbance {
  public:
   Disturbance(const fs::path& folder, std::uint64_t seed) : random(seed), complaints_(folder / "stderr") {}
 
-  /// To its end, undisturbed.
+  /// Runs the command to its end, undisturbed.
   void finish(const Command& c) { run(c, {}, 0); }
 
-  /// Ends it up to three times, then lets it finish. One in four is ended when all is written, for what it does last.
+  /// Ends it up to three times, then lets it finish. One time in four the size drawn is that of the whole output, to
+  /// test the last steps.
   void disturb(const Command& c, long size, const std::vector<End>& ends) {
     bool done = false;
     for (int times = random.integer(1, 3), i = 0; i < times && !done; ++i) {
@@ -130,7 +132,7 @@ class Disturbance {
   Tally tally;
 
  private:
-  /// False once it ended before it had written so much.
+  /// Returns false when the process ended before it had written so much.
   bool wait_for(pid_t child, const fs::path& grows, long bytes) const {
     siginfo_t info{};
     while (size_of(grows) < bytes) {
@@ -142,7 +144,7 @@ class Disturbance {
     return true;
   }
 
-  /// Runs until it ends by itself or the output has so many bytes; true when it was done.
+  /// Runs until it ends by itself or the output has so many bytes; returns true when it is done.
   bool run(const Command& c, std::optional<End> end, long bytes) {
     const pid_t child = start(c.words, complaints_, end == End::full ? bytes : 0);
     const bool by_signal = end && end != End::full;
@@ -158,8 +160,8 @@ class Disturbance {
     throw std::runtime_error(fmt::format("the program ended with status {:#x}: {}", status, text_of(complaints_)));
   }
 
-  /// The same part a second time while it runs. Where the lock reaches both, the second is refused; a journal that is
-  /// another file of the same name stands for a file system that has no locks between machines.
+  /// Starts the same part a second time while it runs. With a shared lock the second run is refused. A journal that is
+  /// replaced by another file of the same name simulates a file system without locks between machines.
   bool twice(const Command& c, long bytes) {
     const pid_t first = start(c.words, complaints_);
     const bool runs = wait_for(first, c.grows, bytes), locked = random.integer(0, 1) == 0;
@@ -182,13 +184,13 @@ class Disturbance {
   fs::path complaints_;
 };
 
-/// A batch in one go.
+/// Returns the command of a batch in one run.
 Command batch(const std::string& program, const fs::path& input, const fs::path& output, int threads) {
   return {{program, "batch", input, "-o", output, "-j", std::to_string(threads), "--no-timing", "--quiet", "--resume"},
           output};
 }
 
-/// One of n parts, and what it grows until it is whole.
+/// Returns the command of one of n parts, and the file that grows until the part is whole.
 Command part(const std::string& program, const fs::path& input, const fs::path& output, int k, int n, int threads) {
   Command c = batch(program, input, output, threads);
   for (const std::string& word : {std::string("--part"), fmt::format("{}/{}", k, n)}) c.words.push_back(word);
@@ -204,7 +206,7 @@ Command merge(const std::string& program, const Words& parts, const fs::path& ou
   return c;
 }
 
-/// Whether the output is what it should be, and nothing else is left beside it that is not whole.
+/// Returns true when the output is as expected and no unfinished file is left beside it.
 bool same(const fs::path& output, const std::string& expected) {
   for (const auto& entry : fs::directory_iterator(output.parent_path())) {
     const std::string name = entry.path().filename().string();
@@ -213,7 +215,7 @@ bool same(const fs::path& output, const std::string& expected) {
   return text_of(output) == expected;
 }
 
-/// Rounds on a plain or a packed output.
+/// Plays rounds on a plain or a compressed output.
 void play(Disturbance& d, const std::string& program, const fs::path& input, const std::string& suffix, int parts,
           int rounds) {
   const fs::path folder = input.parent_path() / "round", whole = input.parent_path() / ("whole" + suffix);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Many clients at one server: does each get its answer, and how soon?
+// Measures whether each of many clients of one server gets its answer, and how soon.
 //   knock --requests 10000 --clients 16
 // Prints the rate, the median and the 99 % time; exit 1 if any request was not answered with 200.
 #include <fmt/format.h>

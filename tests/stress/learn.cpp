@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fits tables whose truth is known, and counts how often it lies within what `fit` says it may be off.
+// Fits tables whose truth is known, and counts how often the truth lies within the errors that `fit` states.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// "What should I play?" on random layouts of a pool table: every shot that brute force over the struck ball's aims and
-// ten speeds finds must be in the list by ball, pocket and cushions; and how long the list, and the best shot, take.
+// "What should I play?" on random layouts of a pool table. Brute force tries all aims of the cue ball at ten speeds,
+// and each shot it finds must be in the list with its ball, pocket and cushions. Also measures how long the list and
+// the best shot take.
 //   play --layouts 20 --seed 1 [--balls 7] [--step 0.02] [--csv]
 // Prints each missing shot with the launch that brute force found, and the medians. Exit 1 if any is missing.
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ using namespace bankshot;
 constexpr int most_cushions = 2, speeds = 10;
 constexpr double slowest = 0.5, fastest = 9;  // m/s
 
-/// Which ball falls where, by what.
+/// The ball that falls, its pocket and its cushions.
 using Key = std::tuple<int, int, std::vector<Contact>>;
 
 Puzzle layout(Random& r, int balls) {
@@ -54,7 +55,7 @@ Puzzle layout(Random& r, int balls) {
   return p;
 }
 
-/// What a launch makes: by the simulation of all balls alone, off no jaw.
+/// Returns what a launch makes by a simulation of all balls; jaw shots do not count.
 std::optional<Key> made(const Puzzle& p, const Launch& launch) {
   const Range arrives = arrival_range(p).value();
   const Starts starts({{}, p.table, p.physics, p.ball, p.others, launch, p.spin, {}});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Properties of answers that must always hold (support/properties.hpp says which), over random questions as wide as the
-// format. Each counterexample is made smaller and printed as a line of JSON, which `bankshot solve` takes apart.
+// Checks properties that answers must always have (listed in support/properties.hpp) on random puzzles as wide as the
+// format. Each counterexample is made smaller and printed as a line of JSON with puzzles for `bankshot solve`.
 //   properties --count 100 --seed 1 [--property a,b] [--max-balls 3] [--csv FILE] [-j 2] [--allow a=0.2,c=1]
-// Exit 1 where more than the allowed percentage of the judged cases of a property fails.
+// Exit 1 if more than the allowed percentage of the judged cases of a property fails.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -37,7 +37,7 @@ struct Tally {
   double worst = 0, seconds = 0;
 };
 
-/// One line for a counterexample.
+/// Returns a counterexample as one line.
 Json told(const Case& c, const Outcome& o, std::uint64_t seed, int number) {
   return {{"property", std::string(1, c.property)},
           {"seed", seed},
@@ -50,7 +50,7 @@ Json told(const Case& c, const Outcome& o, std::uint64_t seed, int number) {
           {"what", o.what}};
 }
 
-/// Draws the case of a number, over and over until one lends itself to the property.
+/// Draws the case of a number, again and again until one suits the property.
 Case drawn(char property, std::uint64_t seed, int number, const QuestionWish& wish) {
   constexpr std::uint64_t apart = 1'000'003;
   Random r(seed * apart + static_cast<std::uint64_t>(property), static_cast<std::uint64_t>(number));
@@ -66,7 +66,7 @@ Outcome checked(const Case& c) {
   }
 }
 
-/// Tells of the cases that take longer than so many seconds, while they run.
+/// Reports cases that run longer than a given time, while they run.
 class Watch {
  public:
   explicit Watch(double seconds) : seconds_(seconds), thread_([this] { look(); }) {}
@@ -151,7 +151,7 @@ Tally run(char property, const Options& options) {
   return tally;
 }
 
-/// "a=0.2,c=1": percentages by property.
+/// Reads percentages by property, such as "a=0.2,c=1".
 std::map<char, double> read_allowed(const std::vector<std::string>& words) {
   std::map<char, double> out;
   for (const std::string& word : words) {

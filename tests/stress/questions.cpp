@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The questions that players ask, put to any build of the program, and how often it answers one worse than a narrower
-// question of the same layout.
+// Gives typical puzzles of players to any build of the program, and counts how often it answers one worse than a
+// narrower puzzle of the same layout.
 //   questions --program build/release/bankshot [--seed 1] [--share 1] [-j 2] [--csv FILE] [--list FILE]
 // Table:
 //   1 "What should I play?" by up to two cushions: unsolved, and worse than the best direct pot
@@ -9,8 +9,9 @@
 //   3 the same layouts: `safest` below `centre`
 //   4 a ball that hangs in a corner, or a cue ball straight at an open one: played by a cushion or at more than 3 m/s
 //     although a soft direct shot has a success within 0.02
-// Worse is by 0.02 of value (success less what the shot costs, worked out here, so that every build is judged alike);
-// beside it stands the same of success alone. Each question runs as a process of its own; times are those of the clock.
+// Worse means by 0.02 of value, which is success less the cost of the shot. It is computed here, so that every build is
+// judged alike; a second column judges by success alone. Each puzzle runs in a process of its own; times are wall-clock
+// times.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,7 +33,7 @@ namespace {
 using namespace bankshot;
 using namespace bankshot::test;
 
-constexpr double worse_by = 0.02, hard = 3;  // of value; m/s
+constexpr double worse_by = 0.02, hard = 3;  // value; m/s
 
 struct Options {
   std::string program, list;
@@ -47,7 +48,7 @@ struct Reply {
   std::size_t cushions = 0;
 };
 
-/// What the shot of an answer is worth.
+/// Reads the value of the best shot of an answer.
 Reply read_reply(const std::string& text) {
   Reply reply;
   const Json answer = Json::parse(text, nullptr, false);
@@ -97,7 +98,7 @@ std::vector<Reply> ask_all(const Options& options, const std::vector<Json>& ques
   return replies;
 }
 
-/// Balls anywhere on a 9-foot pool table.
+/// Draws balls anywhere on a 9-foot pool table.
 Json layout(Random& r, int balls) {
   const Scene scene = preset_scene("pool-9ft");
   std::vector<Ball> all;
@@ -113,7 +114,7 @@ Json layout(Random& r, int balls) {
   return question;
 }
 
-/// A copy with other keys.
+/// Returns a copy of the puzzle with other keys.
 Json with(Json question, const Json& keys) {
   question.update(keys);
   return question;
@@ -125,7 +126,7 @@ Json pot(int cushions) {
             {"then", {{"pocket", "any"}, {"cushions", cushions > 0 ? Json{{"max", cushions}} : Json(0)}}}}}};
 }
 
-/// Answers by rows of a table, one question a column.
+/// Answers in the rows of a table, one puzzle per column.
 class Questions {
  public:
   Questions(const Options& options, std::string title) : options_(options), title_(std::move(title)) {}
@@ -137,7 +138,7 @@ class Questions {
   std::size_t rows() const { return all_.size() / width_; }
   const Reply& at(std::size_t row, std::size_t column) const { return replies_[row * width_ + column]; }
 
-  /// Counts the rows that are bad, and notes them in the list. `column`: of the question that is told.
+  /// Counts the bad rows and notes them in the list. `column` selects the puzzle that is noted.
   int count(const std::string& what, std::size_t column, const std::function<bool(std::size_t)>& is_bad) {
     int n = 0;
     for (std::size_t row = 0; row < rows(); ++row) {
@@ -157,7 +158,7 @@ class Questions {
     return n;
   }
 
-  /// Of the first column.
+  /// Returns a quantile of the times of the first column.
   double seconds(double quantile) const {
     std::vector<double> all;
     for (std::size_t row = 0; row < rows(); ++row) all.push_back(at(row, 0).seconds);
@@ -193,7 +194,7 @@ class Counts {
   std::ofstream file_;
 };
 
-/// Answered, but worse than it can be.
+/// Returns true when `a` is solved but worse than `b`.
 bool worse(const Reply& a, const Reply& b, double Reply::*by) { return a.solved && a.*by < b.*by - worse_by; }
 
 int as_many(const Options& o, int usual) { return std::max(1, static_cast<int>(std::lround(o.share * usual))); }
@@ -243,7 +244,8 @@ void one_ball(const Options& o, Counts& table, Random& r) {
                     [&](auto i) { return q.at(i, 4).success < q.at(i, 5).success - nothing; }));
 }
 
-/// Near a corner: a ball that hangs, the cue ball anywhere; or a cue ball alone, straight at it.
+/// Draws a ball that hangs in a corner with the cue ball anywhere, or a cue ball alone that lies straight in front of a
+/// corner.
 Json at_corner(Random& r, bool hangs) {
   const Scene scene = preset_scene("pool-9ft");
   constexpr int corners[] = {0, 2, 3, 5};

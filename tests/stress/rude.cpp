@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Clients as none should be at one server: does each get an answer or a clean close, is everyone else served, and does
-// the memory stay as it was?
+// Misbehaving clients at one server: each must get an answer or a clean close, other clients must be served, and the
+// memory must not grow.
 //   rude --requests 4000 --clients 8 --seed 1
-// Prints how many of each kind were answered, closed, or left hanging; exit 1 where one was left hanging, an honest
-// request between them was not answered with 200, or the memory grew by more than --grows MB in the second half: each
-// of the server's hundred threads keeps some of what it freed.
+// Prints how many clients of each kind were answered, closed or left hanging. Exit 1 if one was left hanging, if an
+// honest request in between was not answered with 200, or if the memory grew by more than --grows MB in the second
+// half. Some growth is normal, because each of the server's hundred threads keeps some of the memory it freed.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ using test::Caller;
 namespace {
 
 const std::string honest = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "target": {"pocket": "top-right"}})";
-/// Takes far longer than its limit.
+/// This search takes far longer than its time limit.
 const std::string endless = R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "target": {"pocket": "any"},
   "cushions": {"min": 5, "max": 9}, "budget": {"simulations": 1000000000}})";
 const std::string close_after = "Connection: close\r\n";
@@ -37,7 +37,7 @@ std::string random_bytes(Random& random, int most) {
   return bytes;
 }
 
-/// With some of its letters changed.
+/// Changes some letters of the text.
 std::string misspelt(Random& random, std::string text) {
   for (int k = random.integer(1, 5); k > 0; --k)
     text[static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()) - 1))] =
@@ -45,7 +45,7 @@ std::string misspelt(Random& random, std::string text) {
   return text;
 }
 
-/// What each kind sends; `leaves`: it does not wait for an answer.
+/// A kind of client, and the bytes it sends; `leaves`: it does not wait for an answer.
 struct Kind {
   const char* name;
   bool leaves;
@@ -84,7 +84,7 @@ struct Count {
   std::atomic<int> answered{0}, closed{0}, left{0}, hanging{0};
 };
 
-/// How it ended: with a status, or with nothing but a close.
+/// Visits the server once and counts how it ended: with a status, or only with a close.
 void visit(const Kind& kind, Random& random, int port, Count& count) {
   const Caller caller(port);
   caller.says(kind.bytes(random, port));
@@ -94,7 +94,7 @@ void visit(const Kind& kind, Random& random, int port, Count& count) {
   ++(!heard ? count.hanging : heard->starts_with("HTTP/1.1 ") ? count.answered : count.closed);
 }
 
-/// Asked again for as long as there is no room.
+/// Repeats an honest request while the server is busy.
 bool served(int port) {
   for (int k = 0; k < 1000; ++k) {
     const Caller caller(port);

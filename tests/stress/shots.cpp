@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Simulates random shots of one ball and checks each: the centre never outside the table, energy never
-// gained, nothing endless, every number finite. The first of each family are held against 50 digits; at a tie, and
-// where κ is above 1e6, nothing is compared, so both are counted and bounded.
+// Simulates random shots of one ball and checks each. The centre must never be outside the table, energy must never be
+// gained, the shot must end, and every number must be finite. The first shots of each family are compared with 50
+// digits. At a tie, and where κ is above 1e6, nothing is compared, so both are counted and bounded.
 //   shots --count 1000000 --seed 1 [--family masse] [--truth 10000]
-// Prints a line a family; each failure prints as JSON that `bankshot simulate` replays. Exit 1 if any, or if a family
-// was compared too seldom.
+// Prints one line per family; each failure is printed as JSON that `bankshot simulate` replays. Exit 1 if there is a
+// failure, or if a family was compared too rarely.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -23,18 +23,18 @@ namespace {
 using namespace bankshot;
 
 constexpr long endless = 20000;            // events; 200 cushions and their phases are far fewer
-constexpr double energy_rounding = 1e-13;  // relative, a step
+constexpr double energy_rounding = 1e-13;  // relative, per step
 constexpr double hard = 1e6;               // κ above which a shot is counted, not judged
 
 struct Tally {
   long shots = 0, events = 0, failed = 0;
-  double outside = 0;  // worst, of Boundary::touch
-  double gain = 0;     // worst, relative, a step
+  double outside = 0;  // worst, in units of Boundary::touch
+  double gain = 0;     // worst, relative, per step
   long truth = 0, ties = 0, wrong = 0, conditioned = 0, beyond = 0;
   double ratio = 0, kappa = 0, miss = 0;
 
-  /// Why the comparison says too little, empty if it does not. Of 834 shots a family (seed 1) 8 ended at a tie in the
-  /// family `corners` and none in the others; at most 17 had κ above 1e6, of the family `grazing`.
+  /// Returns why the comparison says too little; empty if it suffices. Only the family `corners` has many ties, and
+  /// only `grazing` has many shots with κ above 1e6.
   std::string too_little(test::ShotFamily f) const {
     const long most_ties = 2 + (f == test::ShotFamily::corners ? truth / 25 : truth / 300), most_steep = 2 + truth / 12;
     if (ties > most_ties) return fmt::format("{} of {} ended at a tie, and {} may", ties, truth, most_ties);
@@ -44,7 +44,8 @@ struct Tally {
   }
 };
 
-/// How far outside the table a place is, over Boundary::touch. Walls bound a convex table as lines.
+/// Returns how far a place is outside the table, in units of Boundary::touch. The lines of the walls bound a convex
+/// table.
 double outside(const Boundary& b, const Vec2d& at) {
   double worst = 0;
   if (!b.strictly_convex) return std::max(0.0, -b.clearance(at) / b.touch);
@@ -52,7 +53,7 @@ double outside(const Boundary& b, const Vec2d& at) {
   return worst;
 }
 
-/// The same along an arc: where it turns back from a wall, and between.
+/// Returns the same along an arc: where it turns back from a wall, and at three places between.
 double outside_along(const Boundary& b, const Arc<double>& arc, double travelled) {
   double worst = 0;
   for (const Wall& w : b.walls) {
@@ -67,11 +68,11 @@ bool finite(const State<double>& s) {
   return std::isfinite(s.at.x + s.at.y + s.velocity.x + s.velocity.y + s.spin.x + s.spin.y + s.spin.z);
 }
 
-/// What is wrong with the shot, empty if nothing.
+/// Returns what is wrong with the shot; empty if nothing.
 std::string check(const ShotRequest& shot, const Boundary& boundary, Tally& t) {
   return with_physics(shot.physics, [&](const auto& motion, const auto& cushion) -> std::string {
     Simulator sim(boundary, motion, cushion, start_state(shot));
-    double lowest = 0;  // J, so that none is negative where the table leans
+    double lowest = 0;  // J, so that no energy is negative on a tilted table
     for (const Vec2d& v : shot.table.vertices)
       lowest = std::max(lowest, -shot.ball.body.mass * gravity(shot.physics) * dot(shot.physics.tilt, v));
     const auto energy_now = [&] {
@@ -80,7 +81,7 @@ std::string check(const ShotRequest& shot, const Boundary& boundary, Tally& t) {
       return energy(shot.physics, shot.ball.body, s) + lowest;
     };
     double before = energy_now();
-    const double most = is_level(shot.physics) ? 0 : before;  // height and motion are rounded as what they were
+    const double most = is_level(shot.physics) ? 0 : before;  // rounded relative to the initial energy
     int cushions = 0;
     for (long i = 0; i < endless; ++i) {
       const Event e = sim.step();
@@ -102,7 +103,7 @@ std::string check(const ShotRequest& shot, const Boundary& boundary, Tally& t) {
   });
 }
 
-/// The shot's first dozen cushions against 50 digits.
+/// Compares up to a dozen cushions of the shot with 50 digits.
 std::string check_truth(const ShotRequest& shot, const Boundary& boundary, int cushions, Tally& t) {
   const test::Compared c = test::compare_with_truth({boundary, shot.physics, start_state(shot), cushions});
   ++t.truth;
@@ -145,7 +146,7 @@ std::string row(test::ShotFamily f, std::uint64_t seed, const Tally& t, bool csv
                      t.conditioned, t.beyond);
 }
 
-/// All shots of a family; each failure prints as JSON that `bankshot simulate` replays.
+/// Simulates all shots of a family; each failure is printed as JSON that `bankshot simulate` replays.
 Tally run(test::ShotFamily f, std::uint64_t seed, long count, long truth, std::ostream& failures) {
   constexpr long most_printed = 20;
   test::Random random(seed);

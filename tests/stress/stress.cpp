@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Solves random puzzles that have a shot and checks every answer with a replay of its own.
+// Solves random puzzles that have a shot and checks every answer by an independent replay.
 //   stress --count 100000 --seed 1 --physics rolling --family all [--planner auto] [--all] [--csv] [--progress]
 //   stress --family list
-// Prints a line a family (--csv: comma-separated, with the failures on standard error); each failure prints as JSON
-// that `bankshot solve` replays. Puzzles are plain or hard: plain where the shot it was made from has κ < 1e6
-// (simulate/simulator.hpp, property 6) and keeps its cushions when the aim turns by 1e-9 rad. Exit 1 if a plain one is
-// not solved, more than one in a thousand of the hard ones, if the answer to a plain one that has a shot at the centre
-// is off centre, or any answer is wrong or spends more than its budget and one path. With --all also if the shot that a
-// plain one was made from is not among them, where nothing is left free, or, with --force, one that brute force finds
-// (support/root_map.hpp). --verify holds each answer against 50 digits.
+// Prints one line per family (--csv: comma-separated, with the failures on standard error). Each failure is printed as
+// JSON that `bankshot solve` replays. A puzzle is plain if the shot it was made from has κ < 1e6
+// (simulate/simulator.hpp, property 6) and keeps its cushions when the aim turns by 1e-9 rad; otherwise it is hard.
+// Exit 1 if a plain puzzle is not solved or more than one in a thousand of the hard ones is not. Exit 1 also if a plain
+// puzzle that has a shot at the centre is answered beside it, if an answer is wrong, or if one spends more than its
+// budget and one path. With --all and nothing left free, the shot that a plain puzzle was made from must be among all.
+// With --force, every shot that brute force finds must be, too (support/root_map.hpp). --verify checks each answer in
+// 50 digits.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -33,13 +34,13 @@ using namespace bankshot;
 struct Tally {
   long puzzles = 0, solved = 0, hard = 0, unsolved = 0, hard_unsolved = 0, off_centre = 0, wrong = 0, corners = 0,
        simulations = 0;
-  long point_off = 0, hard_point_off = 0;  ///< solved, but beside the centre; of the plain ones, of the hard ones
+  long point_off = 0, hard_point_off = 0;  ///< solved, but beside the centre: plain ones, hard ones
   long over_budget = 0, lost = 0, hard_lost = 0;
-  long forced = 0, missing = 0;  ///< shots that brute force finds, and those of them that --all lacks
-  double worst_miss = 0;         // of the diagonal
+  long forced = 0, missing = 0;  ///< shots that brute force finds, and those that --all lacks
+  double worst_miss = 0;         // fraction of the diagonal
   double worst_speed = 0;
   std::vector<double> us{};  ///< of each solve
-  /// The least that so large a share of the solves stays within [us].
+  /// Returns the time within which this share of the solves stays [us].
   double us_within(double share) {
     if (us.empty()) return 0;
     const auto nth = us.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(us.size() - 1));
@@ -60,10 +61,10 @@ struct Tally {
   }
 };
 
-/// Rad: what counts as a path through a corner, twice the margin of is_hard.
+/// Turn of the aim that reveals a path through a corner, twice the margin of is_hard [rad].
 constexpr double beside_corner = 2e-9;
 
-/// What a solve is asked to do, and how its answer is checked.
+/// The kind of puzzles, the options of the solve, and the checks of its answer.
 struct Way {
   const test::NamedFamily& family;
   test::Model model;
@@ -72,7 +73,7 @@ struct Way {
   bool verify = false, force = false;
 };
 
-/// One puzzle, its answer and what is wrong with it.
+/// One puzzle, and the checks of its answer.
 class Case {
  public:
   Case(const Way& way, test::Random& random, std::ostream& failures, Tally& tally)
@@ -207,7 +208,7 @@ bool run(const Way& way, long count, std::uint64_t seed, bool progress, std::ost
   return t.clean();
 }
 
-/// "all" are the four families of random_puzzle.hpp, a quarter of the puzzles each.
+/// Returns the families of a name; "all" are the four families of random_puzzle.hpp, a quarter of the puzzles each.
 std::vector<const test::NamedFamily*> families(const std::string& name) {
   std::vector<const test::NamedFamily*> out;
   if (name == "all")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// For the hard cases: a shot against 50 digits, and the worst seen of a class, printed once. At a tie nothing can be
-// compared, so a class says how many it has at most: 0, or a few times what was measured.
+// Compares the shots of the hard cases with 50-digit arithmetic and prints the worst error of each class once. A tie
+// cannot be compared, so each class states how many ties it may have: 0, or a few times the usual count.
 #pragma once
 
 #include <cstdio>
@@ -19,7 +19,7 @@ inline Compared against_truth(const ShotRequest& shot, int cushions = 1000000, l
   return compare_with_truth({boundary, shot.physics, start_state(shot), cushions, events});
 }
 
-/// The worst of a class of cases; says so when it goes out of scope.
+/// The worst error seen in a class of cases; the destructor prints it.
 struct Worst {
   std::string what;
   double ratio = 0, kappa = 1, error = 0;
@@ -34,7 +34,8 @@ struct Worst {
         "%.2g\n",
         what.c_str(), cases, ties, most_ties, error, ratio, tolerance::simulation_error, kappa);
   }
-  /// True when the events agree and the error is within the bound, or when they part at one of the ties allowed.
+  /// Returns true when the events agree and the error is within the bound, or when the runs part at one of the allowed
+  /// ties.
   bool within_bound(const Compared& c) {
     ++cases;
     if (c.order == Compared::Order::tie) return ++ties <= most_ties;

@@ -19,7 +19,7 @@ double normal(Random& random) {
   return std::sqrt(-2 * std::log(1 - random.uniform(0, 1))) * std::cos(2 * std::numbers::pi * random.uniform(0, 1));
 }
 
-/// As the player strikes what was meant.
+/// Returns the shot as the player strikes it when `shot` is meant.
 ShotRequest struck(ShotRequest shot, const Player& player, Random& random) {
   const auto error = [&](const char* name) {
     const Habit& h = player.habits.at(name);
@@ -48,7 +48,7 @@ ShotRequest random_shot(Random& random) {
   return s;
 }
 
-/// By what the simulator says of it: a ball in the pocket that was asked for, after so many cushions.
+/// Returns true when the simulator drops a ball into the pocket asked for, after an allowed number of cushions.
 bool made(const Puzzle& puzzle, const ShotRequest& played) {
   const Trajectory t = simulate(played);
   const auto wanted = std::get<PocketTarget>(puzzle.target).pocket;

@@ -17,7 +17,7 @@ struct Habit {
 };
 
 struct Player {
-  std::map<std::string, Habit> habits;  ///< of angle, speed, side, top
+  std::map<std::string, Habit> habits;  ///< keys: angle, speed, side, top
 };
 
 Player random_player(Random& random);
@@ -29,7 +29,8 @@ struct AttemptWish {
   bool rests_only = false, made_only = false;
 };
 
-/// On a pool table, at random shots or, where only is seen whether they were made, at random puzzles.
+/// Draws attempts on a pool table. They are random shots or, with `made_only`, random puzzles of which only the outcome
+/// is recorded.
 std::vector<Attempt> attempts_of(const Player& player, const AttemptWish& wish, Random& random);
 
 }  // namespace bankshot::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A page in a real browser.
+// Opens a page in a real browser.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 namespace bankshot::test {
 
 struct Browsed {
-  std::string dom;  ///< after the page's own scripts have run for `seconds` of its time
-  std::string log;  ///< a line with CONSOLE is a complaint of the page
+  std::string dom;  ///< the page after its own scripts have run for `seconds` of virtual time
+  std::string log;  ///< the browser's messages; a line with CONSOLE is an error or warning of the page
 };
 
-/// None where no browser is installed; that is a failure where BANKSHOT_BROWSER is set, as CI does. The page may load
-/// nothing but what lies at 127.0.0.1.
+/// Returns none when no browser is installed; with BANKSHOT_BROWSER set, as in CI, that is a failed check. The page can
+/// load only what 127.0.0.1 serves.
 std::optional<Browsed> browse(const std::string& url, double seconds = 0);
 
 }  // namespace bankshot::test

@@ -11,9 +11,9 @@ namespace bankshot::test {
 namespace {
 
 constexpr int few_draws = 100, more_draws = 400;
-constexpr double farthest_tip = 2.5;  // of spin: R from the centre
+constexpr double farthest_tip = 2.5;  // spin at which the tip is R from the centre
 
-/// All that may be chosen beside the root: spin and arrival speed.
+/// All free quantities of a root: spin and arrival speed.
 using Choice = std::array<double, 4>;  // top, side, masse, m/s
 LaunchSpin spin_of(const Choice& c) { return {c[0], c[1], c[2]}; }
 
@@ -68,7 +68,7 @@ class Search {
     return roots;
   }
 
-  /// The ends and the middle first, then at random.
+  /// Tries the ends and the middle of each range first, then random spins.
   std::vector<Root> over_spins() {
     const Grid coarse{25 * fine_.grid.aim, 2 * fine_.grid.speed};
     constexpr int few_arrivals = 5;
@@ -93,7 +93,7 @@ class Search {
     roots.resize(n);
   }
 
-  /// Pattern search along each free axis and in random directions, by steps that halve.
+  /// Searches along each free axis and in random directions, by steps that halve.
   Root climb(Root best) {
     constexpr double first = 0.1, last = 1e-4;
     best.merit = merit(best, more_draws);
@@ -149,7 +149,7 @@ double drawn_chance(const Aimed& a, const Launch& launch, const LaunchSpin& spin
   Random random(seed);
   int made = 0;
   for (int i = 0; i < draws; ++i) {
-    // Box and Muller's two normal numbers.
+    // Two normal numbers, after Box and Muller.
     const double size = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))), turn = radians(random.uniform(0, 360));
     const Noise& noise = a.puzzle.noise;
     made += makes(a,

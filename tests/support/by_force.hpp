@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The best shot of a puzzle by brute force, which shares nothing with the planners but the simulator and the words of
-// the format: all roots on a fine grid (root_map.hpp), a range of arrival speeds cut into equal steps, a range of spins
-// drawn from; from the best of those a pattern search climbs in all that is free. What it returns was replayed and
-// keeps every bound, so it is a lower bound of the best there is.
+// Finds the best shot of a puzzle by brute force. The search shares only the simulator and the types of the format with
+// the planners. It takes all roots on a fine grid (root_map.hpp), for equal steps of the arrival speed and for spins
+// drawn from their ranges. A pattern search then climbs from the best of these in all free quantities. The shot it
+// returns was replayed and keeps every bound, so its value is a lower bound of the best value.
 #pragma once
 
 #include "support/root_map.hpp"
@@ -12,8 +12,8 @@ namespace bankshot::test {
 
 struct Fineness {
   Grid grid{};
-  int arrivals = 40;  ///< values of a range of arrival speeds, its ends included
-  int spins = 40;     ///< restarts in a range of spins, each on a coarse grid
+  int arrivals = 40;  ///< number of arrival speeds tried in a range, its ends included
+  int spins = 40;     ///< number of spins tried in a range, each on a coarse grid
   std::uint64_t seed = 1;
 };
 
@@ -24,11 +24,12 @@ struct ByForce {
 };
 ByForce best_by_force(const Puzzle& puzzle, const Fineness& fineness);
 
-/// Where the pattern search leads from a shot of somebody else; none where brute force does not see that it is exact.
+/// Climbs by the pattern search from a given launch; returns none when brute force does not find that the launch is
+/// exact.
 std::optional<Root> climb_from(const Puzzle& puzzle, const Fineness& fineness, const Launch& launch,
                                const LaunchSpin& spin);
 
-/// The chance that a launch makes the target under the puzzle's noise, by so many draws of a seed.
+/// Returns the success of a launch under the puzzle's noise in aim and speed, estimated from `draws` draws.
 double drawn_chance(const Aimed& aimed, const Launch& launch, const LaunchSpin& spin, int draws, std::uint64_t seed);
 
 }  // namespace bankshot::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A client of `serve` that does as it likes: it sends any bytes, or stops in the midst of them, and hears all that
-// comes.
+// A client of `serve` for misuse: it sends any bytes, may stop in the middle of a request, and returns all that it
+// receives.
 #pragma once
 
 #include <arpa/inet.h>
@@ -17,7 +17,7 @@ namespace bankshot::test {
 
 class Caller {
  public:
-  /// Takes no more than `room` bytes before it reads, where that is given.
+  /// Connects to `port`. A positive `room` sets the size of the receive buffer [bytes].
   explicit Caller(int port, int room = 0) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
     if (room > 0) setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
     const timeval limit{20, 0};
@@ -33,17 +33,17 @@ class Caller {
   Caller& operator=(const Caller&) = delete;
   ~Caller() { close(socket_); }
 
-  /// False once the server has closed.
+  /// Sends the bytes; returns false once the server has closed the connection.
   bool says(const std::string& bytes) const {
     return send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
   }
-  /// Something has come.
+  /// Returns true when a byte has arrived that is not read yet.
   bool is_told() const {
     char one = 0;
     return recv(socket_, &one, 1, MSG_PEEK | MSG_DONTWAIT) > 0;
   }
   void says_no_more() const { shutdown(socket_, SHUT_WR); }
-  /// All that comes until the server closes; none where it has not after 20 s.
+  /// Reads until the server closes the connection; returns none when it has not done so 20 s after the last byte.
   std::optional<std::string> hears() const {
     std::string back;
     char part[4096];
@@ -57,7 +57,7 @@ class Caller {
   const int socket_;
 };
 
-/// A request as it is sent; `more`: headers, each with its end of line.
+/// Builds a request; `more` holds further headers, each with its end of line.
 inline std::string post(int port, const std::string& path, const std::string& body, const std::string& more = {}) {
   const std::string host =
       more.find("Host:") == std::string::npos ? "Host: localhost:" + std::to_string(port) + "\r\n" : "";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The one place that knows which Catch2 this is: version 2 has one header, version 3 another.
+// The only file that depends on the version of Catch2: versions 2 and 3 have different headers.
 #pragma once
 
 #if __has_include(<catch2/catch_all.hpp>)

@@ -16,7 +16,7 @@ double hundredths(double v) { return std::round(v * 100) / 100; }
 
 Json bounds(int min, int max) { return {{"min", min}, {"max", max}}; }
 
-/// A rule for at most two cushions, and a wider one.
+/// Draws a rule for at most two cushions, and a wider rule.
 std::pair<Json, Json> narrow_and_wide_rule(Random& r, const Table& table) {
   Json narrow = random_cushion_rule(r, table, 2);
   int min = 0, max = 0;
@@ -26,7 +26,7 @@ std::pair<Json, Json> narrow_and_wide_rule(Random& r, const Table& table) {
     min = max = narrow.get<int>();
   else
     min = narrow["min"], max = narrow["max"];
-  const bool same = narrow.is_array() && !narrow.empty() && r.chance(0.3);  // any cushions, as many
+  const bool same = narrow.is_array() && !narrow.empty() && r.chance(0.3);  // any cushions, but as many
   if (same) return {narrow, bounds(min, max)};
   const int low = r.integer(0, min);
   return {narrow, bounds(low, r.integer(low < min ? max : max + 1, 3))};
@@ -54,7 +54,7 @@ class Narrower {
 
  private:
   bool speed() {
-    if (is_ideal(p_.physics)) return false;  // the speed is no more than a cost there
+    if (is_ideal(p_.physics)) return false;  // the speed only affects the cost there
     const double low = hundredths(r_.log_uniform(0.3, 5)), high = hundredths(std::min(10.0, low * r_.uniform(1.05, 3)));
     const bool fixed = aim_of(p_) == Aim::safest && r_.chance(0.15);
     if (fixed) out_.narrow.erase("arrive");
@@ -110,7 +110,7 @@ class Narrower {
   bool then_cushions() {
     Json& target = out_.narrow["target"];
     if (!target.contains("then")) return false;
-    // Beside a pocket an absent rule counts every fall: nothing is wider.
+    // Without a rule, every fall into a pocket counts, and nothing is wider; so the wide puzzle has a rule too.
     auto [narrow, wide] = narrow_and_wide_rule(r_, p_.table);
     target["then"]["cushions"] = narrow;
     out_.patch["target"]["then"]["cushions"] = wide;
@@ -152,10 +152,10 @@ class Narrower {
 constexpr std::string_view ways[] = {"speed",         "angle", "spin",   "arrive", "cushions",
                                      "then_cushions", "ball",  "pocket", "budget"};
 
-/// Of a mirror.
+/// A mirror of a scene.
 struct Mirror {
   Mirrored how;
-  Vec2d sum;  ///< m, of the coordinates of a place and of its image
+  Vec2d sum;  ///< coordinates of a place plus those of its image [m]
 
   bool swaps_x() const { return how != Mirrored::y; }
   bool swaps_y() const { return how != Mirrored::x; }
@@ -165,7 +165,7 @@ struct Mirror {
     const double x = at[0], y = at[1];
     return {swaps_x() ? sum.x - x : x, swaps_y() ? sum.y - y : y};
   }
-  /// Of a cushion or a pocket of a rectangle: bottom and top, left and right in it.
+  /// Mirrors the name of a cushion or pocket of a rectangle: swaps bottom and top, left and right.
   std::string name(std::string name) const {
     const auto swap = [&](const std::string& a, const std::string& b) {
       const auto at = name.find(a), other = name.find(b);
@@ -208,12 +208,12 @@ struct Mirror {
     if (t.contains("pockets") && t["pockets"].is_array())
       for (Json& pocket : t["pockets"]) pocket["at"] = place(pocket["at"]);
   }
-  /// Names of a polygon stay with what they name.
+  /// Mirrors a polygon; each name stays with the edge it names.
   void polygon(Json& t) const {
     for (Json& v : t["vertices"]) v = place(v);
     if (!flips()) return;
     std::reverse(t["vertices"].begin(), t["vertices"].end());
-    // Edge i ran from vertex i to i + 1; of the reversed ones that is edge n − 2 − i.
+    // Edge i ran from vertex i to i + 1; after the reversal it is edge n − 2 − i.
     auto& names = t["names"];
     std::reverse(names.begin(), names.end());
     std::rotate(names.begin(), names.begin() + 1, names.end());
@@ -238,7 +238,7 @@ std::optional<Widening> random_widening(Random& r, const Json& question, std::st
 
 Json mirrored(const Json& question, Mirrored how) {
   const Puzzle p = *valid_puzzle(question);
-  // A rectangle onto itself; a polygon on the other side of the origin.
+  // A rectangle is mirrored onto itself, a polygon to the other side of the origin.
   const bool polygon = question["table"].contains("vertices");
   const Mirror m{how, polygon ? Vec2d{} : p.table.highest()};
   Json out = question;

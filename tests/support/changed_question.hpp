@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions changed in ways of which it is known what they do to the answer.
+// Changes puzzles in ways whose effect on the answer is known.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,27 @@
 
 namespace bankshot::test {
 
-/// A question, and what widens it in one way: a merge patch (RFC 7396).
+/// A puzzle, and a merge patch (RFC 7396) that widens it in one respect.
 struct Widening {
-  std::string way;  ///< speed, angle, spin, arrive, cushions, then_cushions, ball, pocket, budget
+  std::string way;  ///< what is widened: speed, angle, spin, arrive, cushions, then_cushions, ball, pocket or budget
   Json narrow, patch;
 };
 
-/// Narrows a question and says how to widen it again; none where the way drawn does not fit it. `way`: only that.
+/// Narrows a puzzle and returns the patch that widens it again; returns none when that widening does not fit the
+/// puzzle. An empty `way` draws one.
 std::optional<Widening> random_widening(Random& random, const Json& question, std::string_view way = "");
 
-/// The question as patched.
+/// Returns the puzzle with the patch applied.
 Json patched(Json question, const Json& patch);
 
-/// x: left and right swap; y: bottom and top; both: half a turn. The answer is the mirrored one.
+/// x swaps left and right, y swaps bottom and top, and both is half a turn. The answer of a mirrored puzzle is the
+/// mirrored answer.
 enum class Mirrored { x, y, both };
 Json mirrored(const Json& question, Mirrored how);
-/// The aim of the mirrored shot [rad].
+/// Returns the aim of the mirrored shot [rad].
 double mirrored_aim(double aim, Mirrored how);
 
-/// The same with `others` in the opposite order.
+/// Returns the puzzle with `others` in reverse order.
 Json reordered(Json question);
 
 }  // namespace bankshot::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Everything that an answer claims holds in 50 digits.
+// Checks every claim of an answer in 50-digit arithmetic.
 #pragma once
 
 #include "bankshot/plan/planner.hpp"

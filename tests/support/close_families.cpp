@@ -10,7 +10,7 @@
 namespace bankshot::test::make {
 namespace {
 
-/// Where a rolling ball has slowed down to `speed` on the last leg of a trajectory.
+/// Returns the parameter at which a rolling ball has slowed down to `speed` on a leg.
 std::optional<double> when_slowed_to(const Leg& leg, double speed) {
   double fast = 0, slow = leg.duration;
   if (norm(leg.arc.velocity_at(fast)) <= speed) return {};
@@ -22,14 +22,14 @@ std::optional<double> when_slowed_to(const Leg& leg, double speed) {
   return fast;
 }
 
-/// On a random cushion line, now and then in the corner at its end.
+/// Draws a place on a random cushion line, sometimes in the corner at its end.
 Vec2d on_cushion(Random& r, const Boundary& b, Vec2d& along) {
   const Wall& w = b.walls[static_cast<std::size_t>(r.integer(0, static_cast<int>(b.walls.size()) - 1))];
   along = w.along;
   return w.from + (w.to - w.from) * (r.chance(0.2) ? 0 : r.uniform(0, 1));
 }
 
-/// Where a leg is `gap` from the cushion that it leaves or meets.
+/// Returns the parameter at which a leg is `gap` from the cushion that it leaves or meets.
 std::optional<double> beside_cushion(Random& r, const Boundary& b, const Leg& leg, double gap) {
   double near = r.chance(0.5) ? 0 : leg.duration, far = leg.duration / 2;
   const auto off = [&](double p) { return b.clearance(leg.arc.position(p)); };
@@ -42,16 +42,16 @@ std::optional<double> beside_cushion(Random& r, const Boundary& b, const Leg& le
   return near;
 }
 
-/// A straight shot from `at` to a place on a cushion line, which it passes or rests on.
+/// Draws a straight shot to a place on a cushion line, which it passes or rests on.
 std::optional<Made> straight_to_line(Random& r, ShotRequest shot) {
   const Boundary boundary(shot.table, shot.ball.body);
   Vec2d along{};
   const Vec2d target = on_cushion(r, boundary, along), way = target - shot.ball.at;
   const double length = norm(way);
   if (!(length > 0.1) || is_ideal(shot.physics)) return {};
-  shot.spin.side = shot.spin.masse = 0;  // it may not curve
+  shot.spin.side = shot.spin.masse = 0;  // so that the path does not curve
   shot.launch = {1, wrap_angle(std::atan2(way.y, way.x))};
-  // A way is proportional to the square of the launch speed: one on a table without end tells all.
+  // The path to rest is proportional to the square of the launch speed, so one shot on a huge table gives all of them.
   ShotRequest open = shot;
   open.table = rectangle_table(1e3, 1e3);
   open.ball.at = {500, 500};
@@ -119,7 +119,7 @@ Made rail_hugging(Random& r, Model model, int bounces) {
   const int most = bounces < 0 ? 3 : bounces;
   return first_valid([&]() -> std::optional<Made> {
     ShotRequest shot = usual_shot(r, model);
-    if (r.chance(0.5)) {  // nearly along a cushion, so that the last leg is as well
+    if (r.chance(0.5)) {  // nearly along a cushion, so that the last leg is too
       const double off = r.log_uniform(1e-3, 0.3);
       shot.launch.angle = wrap_angle(radians(90) * r.integer(0, 3) + (r.chance(0.5) ? off : -off));
     }
@@ -167,7 +167,7 @@ Made on_line(Random& r, Model model, int bounces) {
     shot.until.cushions = most + 1;
     const Trajectory t = simulate(shot);
     if (t.cushions == 0) return {};
-    // The end of a leg at a cushion: passed before the bounce, or after it.
+    // The point is the end of a leg at a cushion, passed before or after the bounce.
     const int k = r.integer(1, t.cushions);
     int seen = 0;
     for (const Record& e : t.events) {

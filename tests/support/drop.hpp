@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a ball drops, seen from the pocket's exact line.
+// The lateral offset of a drop from the pocket's exact line.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 
 namespace bankshot::test {
 
-/// How far the exact line is on the left of that of a ball that enters a pocket here [m]; v need not be a unit vector.
-/// The gap is the library's, which tests/unit/opening_test.cpp holds against its definition.
+/// Returns how far the exact line lies to the left of the line of travel of a ball that enters a pocket at `at` [m]; v
+/// need not be a unit vector. The opening comes from the library; tests/unit/opening_test.cpp checks it against its
+/// definition.
 inline double left_of_drop(const Boundary& boundary, Contact pocket, const Vec2d& at, const Vec2d& v) {
   const Circle& rim = *boundary.rim(pocket);
   const Vec2d from_centre = at - rim.centre, u = v / norm(v);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Recordings of shots whose truth is known: random launches on a table of random coefficients, as a camera sees them.
+// Recordings of shots whose truth is known: a camera sees random launches on a table with random coefficients.
 #pragma once
 
 #include <cstdint>
@@ -21,19 +21,20 @@ struct FilmWish {
   double seconds = 5;
   Camera camera{.rate = 60, .noise = 2e-3, .outliers = 0.05};
   double slowest = 1.5, fastest = 5;  ///< m/s
-  bool bounces = true;                ///< else slow shots along the table that meet no cushion
+  bool bounces = true;                ///< false: slow shots along the table that meet no cushion
 };
 
-/// Coefficients as tables have them, cushions after han2005.
+/// Draws coefficients in the range of real tables, with han2005 cushions.
 Physics random_table(Random& random, const Body& body);
 
-/// What shots that meet no cushion cannot tell: what cushions do, and side, which on the cloth alone moves nothing.
+/// Coefficients that shots without a cushion cannot identify: those of the cushions, and spinning friction, because
+/// side spin moves nothing on the cloth alone.
 inline constexpr const char* told_by_bounces[] = {"cushion.restitution", "cushion.friction", "cushion.height",
                                                   "spinning_friction"};
 
 Filmed filmed(const Physics& truth, const FilmWish& wish, Random& random);
 
-/// Of a coefficient, by its name in a fit.
+/// Returns a coefficient by its name in a fit.
 double coefficient(Physics physics, const std::string& name);
 
 }  // namespace bankshot::test

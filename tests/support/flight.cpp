@@ -16,9 +16,9 @@ std::uint64_t add(std::uint64_t route, Contact c) {
   return (route ^ (static_cast<std::uint64_t>(c.kind) * 64 + static_cast<std::uint64_t>(c.index + 1))) * prime;
 }
 
-/// The parameter at which an arc comes abreast of a point; negative where it does not.
+/// Returns the parameter at which an arc comes abreast of a point; negative when it does not.
 double abreast(const Arc<double>& arc, double end, const Vec2d& at) {
-  // A straight arc keeps its direction to its very end, where the tangent of a ball that stops is rounding.
+  // A straight arc keeps its direction to its end, where the computed tangent of a ball that stops is only rounding.
   const auto ahead = [&](double p) { return dot(arc.bends ? arc.tangent(p) : arc.velocity, at - arc.position(p)); };
   double low = 0, high = end, f_low = ahead(low), f_high = ahead(high);
   if (!(f_low > 0) || f_high > 0) return -1;
@@ -34,7 +34,7 @@ double abreast(const Arc<double>& arc, double end, const Vec2d& at) {
   return (low + high) / 2;
 }
 
-/// Whether the first bounces are those that the puzzle asks.
+/// Returns true when the rule allows this cushion as the next bounce.
 bool in_order(const CushionRule& rule, int bounces, Contact c) {
   return !rule.sequence || (*rule.sequence)[static_cast<std::size_t>(bounces)] == c;
 }
@@ -45,8 +45,8 @@ double side_of(const Boundary& boundary, const Sim& sim, Contact pocket) {
   return left_of_drop(boundary, pocket, sim.state().at, norm(v) > 0 ? v : sim.arc().velocity);
 }
 
-/// What a flight is watched for: `on_leg` after each arc, `on_end` at a rest or in a pocket; either may end it, and so
-/// does a jaw where those are not `passed`.
+/// Follows a flight. `on_leg` is called after each arc, `on_end` at rest or in a pocket; `on_leg` may end the flight. A
+/// jaw ends it too, unless jaws are `passed`.
 enum class AtJaws { end, passed };
 template <class OnLeg, class OnEnd>
 void follow(const Aimed& a, const Launch& launch, const LaunchSpin& spin, OnLeg&& on_leg, OnEnd&& on_end, AtJaws jaws,
@@ -114,7 +114,7 @@ Flight fly(const Aimed& a, const Launch& launch, const LaunchSpin& spin, double 
     }
   };
   follow(a, launch, spin, on_leg, on_end, AtJaws::end, contacts);
-  constexpr double spare = 1.5;  // topspin may make it faster once more
+  constexpr double spare = 1.5;  // topspin may speed the ball up once more
   out.too_fast = !ended && last_speed > spare * arrival;
   return out;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a launch does near a target, for by_force.hpp: one simulation, nothing of the planners.
+// Simulates one launch and reports how it comes by a target, for by_force.hpp; uses nothing of the planners.
 #pragma once
 
 #include <array>
@@ -11,21 +11,22 @@
 
 namespace bankshot::test {
 
-/// The target as a replay sees it.
+/// The target of a puzzle, prepared for simulations.
 struct Aimed {
   explicit Aimed(const Puzzle& puzzle);
-  const Puzzle& puzzle;  ///< must outlive this
+  const Puzzle& puzzle;  ///< must outlive this object
   Boundary boundary;
-  bool falls, stops;  ///< into a pocket; to rest at a point
-  Vec2d at{};         ///< the point
-  int pocket = -1;    ///< -1: any
+  bool falls, stops;  ///< the target is a pocket; the ball is to rest at a point
+  Vec2d at{};         ///< the point of the target [m]
+  int pocket = -1;    ///< the pocket asked for; -1: any
 };
 
-/// How the ball comes by the target after its `bounces`-th bounce. `beside` is how far left of the line of travel the
-/// target lies; `fast` the speed there, or for a stop how far beyond the target it rests [m/s, m].
+/// A passage of the ball by the target after its `bounces`-th bounce. The target lies `beside` metres to the left of
+/// the line of travel. The speed there is `fast` [m/s]; for a stop, `fast` is how far beyond the target the ball rests
+/// [m].
 struct Pass {
   int bounces;
-  std::uint64_t route;  ///< a number for what it met in order, the pocket included
+  std::uint64_t route;  ///< a hash of the route, the pocket included
   double fast, beside, time;
 };
 
@@ -33,14 +34,15 @@ struct Flight {
   static constexpr int most = 16;
   std::array<Pass, most> passes;
   int count = 0;
-  bool too_fast = false;  ///< it bounced too often, and was faster than `arrival` when it last came by
+  bool too_fast = false;  ///< did not end within the allowed bounces, and was too fast on the last leg
 };
 
-/// The passes after each number of bounces that the puzzle's rule allows. `arrival`: the largest that matters [m/s].
+/// Returns the passes after each number of bounces that the puzzle allows. `arrival` is the largest arrival speed of
+/// interest [m/s].
 Flight fly(const Aimed& aimed, const Launch& launch, const LaunchSpin& spin, double arrival,
            std::vector<Contact>* contacts = nullptr);
 
-/// Whether it is made in the format's sense, by the jaws of pockets too.
+/// Returns true when the launch makes the target in the format's sense; jaw shots count too.
 bool makes(const Aimed& aimed, const Launch& launch, const LaunchSpin& spin);
 
 }  // namespace bankshot::test

@@ -20,7 +20,7 @@ int bounces_before(const Trajectory& t, const Leg& leg) {
 
 struct Drop {
   int pocket;
-  double left;  ///< m, how far the exact line is on the left of the line of travel
+  double left;  ///< how far the exact line lies to the left of the line of travel [m]
 };
 
 std::optional<Drop> drop_of(const Boundary& boundary, const Trajectory& t) {
@@ -29,7 +29,7 @@ std::optional<Drop> drop_of(const Boundary& boundary, const Trajectory& t) {
   return Drop{e.contact.index, left_of_drop(boundary, e.contact, e.state.at, e.state.velocity)};
 }
 
-/// No puzzle is asked by a shot that rattles: planners look for those that do without.
+/// Returns true for a jaw shot. No puzzle is made from one, because planners look for shots without jaws first.
 bool rattles(const Trajectory& t) {
   return std::ranges::any_of(t.events, [](const Record& e) { return e.kind == EventKind::jaw; });
 }
@@ -86,7 +86,7 @@ Made asked(Random& r, const ShotRequest& shot, const Trajectory& t, const Deed& 
 
 ShotRequest on_exact_line(const ShotRequest& shot) {
   constexpr int steps = 30;
-  constexpr double first = 1e-6, exact = 1e-13;  // rad; of the diagonal
+  constexpr double first = 1e-6, exact = 1e-13;  // rad; fraction of the diagonal
   const Trajectory made = simulate(shot);
   const Boundary boundary(shot.table, shot.ball.body);
   const auto start = drop_of(boundary, made);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// From a forward shot to a puzzle, for families.hpp: what did the ball do, and how is it asked for?
+// Turns a simulated shot into a puzzle, for families.hpp.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace bankshot::test {
 
-/// Something that a shot did and that a puzzle can ask for.
+/// A result of a shot that a puzzle can ask for.
 struct Deed {
   Target target{};
   double arrival = 0;  ///< m/s
@@ -19,41 +19,43 @@ struct Deed {
   bool stops = false;
 };
 
-/// The drop into a pocket; or else a rest or a place that was passed, half of the time each. None when the bounces are
-/// outside `least` to `most`.
+/// Returns the drop into a pocket, if there is one; otherwise the place of rest or a place that was passed, each half
+/// of the time. Returns none when the number of bounces is outside `least` to `most`.
 std::optional<Deed> some_deed(Random& random, const ShotRequest& shot, const Trajectory& t, int least, int most);
-/// Where it came to rest.
+/// Returns the place where the ball came to rest.
 std::optional<Deed> its_rest(const Trajectory& t);
-/// The place that was passed at parameter `p` of a leg.
+/// Returns the place that was passed at parameter `p` of a leg.
 std::optional<Deed> passed(const ShotRequest& shot, const Trajectory& t, const Leg& leg, double p);
 
-/// The puzzle that asks for a deed: the arrival speed that was seen, a launch speed between half and twice that of the
-/// shot, or exactly that one and any arrival; the number of its bounces, or their sequence.
+/// Returns the puzzle that asks for a deed. It asks for the arrival speed of the shot with a launch speed between half
+/// and twice the shot's, or for exactly the shot's launch speed with any arrival. It asks for the number of the shot's
+/// bounces, or for their route.
 Made asked(Random& random, const ShotRequest& shot, const Trajectory& t, const Deed& deed);
 
-/// The shot turned until it drops on the pocket's exact line; itself where that changes its cushions or fails.
+/// Turns the shot until it drops on the pocket's exact line; returns it unchanged when that changes its cushions or
+/// fails.
 ShotRequest on_exact_line(const ShotRequest& shot);
 
-/// Draws shots until one does something within so many bounces, and asks for that. `shot` may give none; a scene that
-/// breaks a rule of the format is drawn again. `bounces`: exactly so many, -1 for up to `most`.
+/// Draws shots until one does something within the allowed bounces, and asks for that. The function `shot` may return
+/// none; a scene that breaks a rule of the format is drawn again. The exact number of bounces is `bounces`, or -1 for
+/// up to `most`.
 using DrawShot = std::function<std::optional<ShotRequest>()>;
 Made ask_for_some(Random& random, int bounces, int most, const DrawShot& shot);
 inline Made ask_for_some(Random& random, int bounces, const DrawShot& shot) {
   return ask_for_some(random, bounces, most_bounces, shot);
 }
 
-/// Calls `draw` until it gives a puzzle that keeps the rules of the format.
+/// Calls `draw` until it returns a puzzle that keeps the rules of the format.
 Made first_valid(const std::function<std::optional<Made>()>& draw);
 
-/// A place on the table that is clear of the cushions, drawn evenly; none in a thousand draws.
+/// Draws a place on the table that is clear of the cushions, evenly; returns none after a thousand failed draws.
 std::optional<Vec2d> random_place(Random& random, const Boundary& boundary, const Table& table);
 
-/// Coefficients as the presets have them; `mathavan` has that cushion.
+/// Returns coefficients like those of the presets; `mathavan`, `stronge` and `tilted` add that cushion or tilt.
 Physics usual_physics(Model model, const Body& body);
 bool has_spin(Model model);
 
-/// A ball struck at random on a common table: 2.54 m x 1.27 m without pockets, a 9-foot table with them, or a rectangle
-/// of any size.
+/// Draws a shot on a common table: 2.54 m x 1.27 m without pockets, a 9-foot pool table, or a rectangle of any size.
 ShotRequest usual_shot(Random& random, Model model);
 
 }  // namespace bankshot::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Of a family, whose puzzles were each made from a shot: that each is solved, and that no answer is wrong.
+// Solves puzzles of a family, each made from a shot, and checks that each is solved and that no answer is wrong.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,11 @@
 namespace bankshot::test {
 
 struct FoundAgain {
-  std::vector<std::string> unsolved;  ///< puzzles
+  std::vector<std::string> unsolved;  ///< the puzzles that were not solved
   int off_centre = 0;
 };
-/// Solves `count` puzzles, checks each shot by a replay of its own and every `each_truth`th in 50 digits.
+/// Solves `count` puzzles, verifies the first shot of each by an independent replay, and checks every `each_truth`-th
+/// answer in 50 digits.
 FoundAgain find_again(const std::string& family, Model model, int count, std::uint64_t seed, int each_truth);
 
 }  // namespace bankshot::test

@@ -9,7 +9,7 @@
 namespace bankshot::test::make {
 namespace {
 
-/// A range around `v`, up to so far down and up, never below `least`.
+/// Draws a range around `v` that reaches at most `down` below and `up` above it, and never below `least`.
 Range around(Random& r, double v, double down, double up, double least) {
   return {std::max(least, v - down * r.uniform(0, 1)), v + up * r.uniform(0, 1)};
 }
@@ -29,7 +29,7 @@ Made usual(Random& r, Model model, int bounces) {
   return ask_for_some(r, bounces, 3, [&] { return usual_shot(r, model); });
 }
 
-/// A tip lies on the ball: 2/5 of the spin, up to 1.
+/// Returns true when the tip meets the ball: its offset, 2/5 of the spin in units of R, is below 1.
 bool on_ball(double top, double side) { return std::hypot(top, side) < 2.5; }
 
 }  // namespace

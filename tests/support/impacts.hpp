@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cushion impacts for the tests of mathavan2010: the published ones, and families of random ones. The
-// cushion lies along x and the ball arrives towards +y.
+// Cushion impacts for the tests of mathavan2010: the published ones, and families of random ones. The cushion lies
+// along x and the ball arrives towards +y.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace bankshot::test {
 
 inline constexpr Vec2d away_from_cushion{0, -1};
 
-/// A launch at a cushion; `incidence` in radians from the cushion's line.
+/// A launch at a cushion.
 struct Arrival {
   Body body;
   Mathavan2010 cushion;
@@ -22,7 +22,7 @@ struct Arrival {
   LaunchSpin spin;
   std::string name;
 
-  /// The spin is computed in T, so natural roll has no slip in any scalar.
+  /// Returns the state at impact. The spin is computed in T, so natural roll has no slip in any scalar type.
   template <class T>
   State<T> state() const {
     return launched({0, 0}, body.radius, to<T>(velocity), spin);
@@ -76,8 +76,8 @@ inline Arrival random_arrival(Random& r, int family) {
   return a;
 }
 
-/// Which contacts slid one after the other: I the cushion, C the cloth, small letters where the contact
-/// sticks, 0 where the cloth carries nothing; | stands between compression and restitution.
+/// Returns the contacts that slid, in order. I is the cushion and C the cloth; a lower-case letter means that the
+/// contact sticks, 0 that the cloth carries no force. The bar | stands between compression and restitution.
 inline std::string sequence(const mathavan::Course& c) {
   std::string out;
   bool back = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Another way to what a ball does on a table that leans: the closed forms of dry friction on an incline, with
-// exponentials, where the simulator sums power series in pieces (detail/incline.hpp).
+// An independent solution of the motion on a tilted table: the closed forms of dry friction on an incline, with
+// exponentials. The simulator sums power series in pieces instead (detail/incline.hpp).
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -16,11 +16,11 @@ using Long = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<
 template <class T>
 struct Carried {
   T time;
-  Vec2<T> moved, w;  ///< the integral of w, and w
+  Vec2<T> moved, w;  ///< the integral of w, and w at the end
 };
 
-/// Friction M on an incline of pull a, not M, e downhill, from w on, to σ; σ < 0, where M > a: to the end. The boost of
-/// (|w|, w).
+/// Carries w along an incline with friction M and downhill pull a != M in the direction e, up to σ. A negative σ, where
+/// M > a, means to the end. (|w|, w) is carried by a boost.
 template <class T>
 Carried<T> carried(const T& M, const T& a, const Vec2<T>& e, const Vec2<T>& w, const T& sigma) {
   using std::exp;

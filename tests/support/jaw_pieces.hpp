@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Places where a ball touches the jaws of a preset's pockets, and the pieces that face them in a mirror.
+// Places where a ball touches the jaws of a preset's pockets, and the pieces opposite them in a mirror.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace bankshot::test {
 
-/// A preset with jaws, and how its ball sees it.
+/// A preset with jaws, and the boundary for the centre of its ball.
 struct JawTable {
   explicit JawTable(const TablePreset& of) : preset(of), table(make_table(of, true)), boundary(table, of.body) {}
   static JawTable draw(Random& r) {
@@ -24,7 +24,7 @@ struct JawTable {
   Table table;
   Boundary boundary;
 
-  /// A facing or tip that is there.
+  /// Draws a facing or tip that exists on this table.
   Contact draw_jaw(Random& r) const {
     for (;;) {
       const Contact jaw = Contact::jaw(r.integer(0, 5), r.integer(0, 3));
@@ -32,7 +32,7 @@ struct JawTable {
       if (faced || !boundary.line(jaw)) return jaw;
     }
   }
-  /// A centre that touches it.
+  /// Draws a centre of a ball that touches the jaw.
   Vec2d touching(Contact jaw, Random& r) const {
     if (const Wall* const facing = boundary.line(jaw))
       return facing->from + (facing->to - facing->from) * r.uniform(0, 1);
@@ -40,7 +40,7 @@ struct JawTable {
     const double half = std::acos(tip.extent), middle = std::atan2(tip.middle.y, tip.middle.x);
     return tip.centre + direction(middle + half * r.uniform(-1, 1)) * tip.radius;
   }
-  /// Left and right changed.
+  /// Returns the place with left and right swapped.
   Vec2d mirrored(const Vec2d& at) const { return {preset.length - at.x, at.y}; }
   Contact mirrored(Contact jaw) const {
     const auto nearest = [&](const Vec2d& at) {

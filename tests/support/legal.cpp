@@ -18,7 +18,7 @@ namespace {
 class Bounces {
  public:
   explicit Bounces(const CushionRule* rule) : rule_(rule) {}
-  /// False where the rule is broken for good.
+  /// Returns false when the rule is broken for good.
   bool add(Contact cushion) {
     const bool known =
         !rule_ || !rule_->sequence || (count_ < rule_->sequence->size() && (*rule_->sequence)[count_] == cushion);
@@ -32,7 +32,7 @@ class Bounces {
   std::size_t count_ = 0;
 };
 
-/// Walks through the events of one play.
+/// Goes through the events of one play.
 class Referee {
  public:
   Referee(const Puzzle& p, const Shot& own, const ShotRequest& played)
@@ -52,7 +52,7 @@ class Referee {
  private:
   enum class Verdict { open, made, foul };
 
-  /// Which contacts of balls there must be, in order.
+  /// Lists the ball contacts that must happen, in order.
   void plan(const BallTarget& asked) {
     if (asked.off) {
       contacts_ = {{0, *asked.off}, {0, own_.hits.back().ball}};
@@ -65,7 +65,7 @@ class Referee {
   }
 
   bool ends_at_contact() const { return !contacts_.empty() && !then_of(p_.target); }
-  /// The ball that is on its way to the next ball or to the target.
+  /// Returns the ball that is on its way to the next ball or to the target.
   int mover() const {
     if (contacts_.empty() || done_ == 0) return 0;
     if (done_ < contacts_.size()) return contacts_[done_].first;
@@ -74,7 +74,7 @@ class Referee {
   bool all_touched() const { return done_ == contacts_.size(); }
 
   bool reaches() {
-    double from = 0;  // s, since when what counts is unchanged
+    double from = 0;  // start of the span in which the verdict so far holds [s]
     for (const Record& e : t_.events) {
       if (e.time > from && passes(from, e.time)) return true;
       from = std::max(from, e.time);
@@ -89,7 +89,7 @@ class Referee {
       case EventKind::ball:
         return meets(e);
       case EventKind::cushion:
-        // Against what a ball touches in the instant in which it is hit, it has no bounce.
+        // A ball that touches a cushion at the instant when it is hit does not bounce there.
         if (e.ball != mover() || (e.ball != 0 && e.time == set_)) return Verdict::open;
         return bounces_.add(e.contact) ? Verdict::open : Verdict::foul;
       case EventKind::pocket:
@@ -143,7 +143,7 @@ class Referee {
     return there ? Verdict::made : Verdict::foul;
   }
 
-  /// Over a point that need not hold the ball, between two times.
+  /// Returns true when the ball passes over the point between two times; the point need not stop the ball.
   bool passes(double from, double to) const {
     if (!point_ || rests_ || !all_touched() || !bounces_.enough()) return false;
     for (const Leg& leg : t_.legs) {
@@ -157,7 +157,7 @@ class Referee {
     return false;
   }
 
-  /// m from the point, by a search on each of a few pieces.
+  /// Returns the least distance from the point [m], by a search on each of a few pieces.
   double nearest(const Leg& leg, double first, double last) const {
     constexpr int pieces = 4, steps = 40;
     const auto off = [&](double at) { return norm(state_on(played_, leg, at).at - point_->at); };
@@ -179,8 +179,8 @@ class Referee {
   Trajectory t_;
   Bounces bounces_;  ///< of the mover
   std::vector<std::pair<int, int>> contacts_{};
-  std::size_t done_ = 0;  ///< so many of these were made
-  double set_ = -1;       ///< s, when the last of them was
+  std::size_t done_ = 0;  ///< number of these contacts already made
+  double set_ = -1;       ///< time of the last contact made [s]
   bool rests_ = false;
   std::optional<PointTarget> point_{};
 };
@@ -189,7 +189,7 @@ double normal(Random& random) {
   return std::sqrt(-2 * std::log(1 - random.uniform(0, 1))) * std::cos(2 * std::numbers::pi * random.uniform(0, 1));
 }
 
-/// Balls where a player takes them to be, drawn anew where they would overlap or leave the table.
+/// Moves the balls by the player's errors of position; draws again when balls overlap or leave the table.
 bool move_balls(ShotRequest& shot, double by, Random& random) {
   constexpr int patience = 100;
   const auto moved = [&](const Ball& ball) {

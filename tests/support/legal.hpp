@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a play of a shot counts, by the public simulator alone: all balls, until they rest. It shares no code with
-// the planners, and says what the contract says of "made" and of a legal shot.
+// Decides by the public simulator alone whether a play of a shot counts: it follows all balls until they rest. It
+// shares no code with the planners and follows the contract's definitions of "made" and of a legal shot.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace bankshot::test {
 
-/// `played` makes the target of the puzzle as `success` counts it: the shot's own ball and pocket, by any cushions that
-/// are allowed, and where a ball is the target the cue ball stays on the table.
+/// Returns true when `played` makes the target of the puzzle as `success` counts it: with the shot's own ball and
+/// pocket, by any allowed cushions. When the target is a ball, the cue ball must stay on the table.
 bool is_legal(const Puzzle& puzzle, const Shot& shot, const ShotRequest& played);
 
-/// One play of the shot with the errors of the puzzle's player; none where the ball would not be struck.
+/// Returns one play of the shot with the errors of the puzzle's player; none when the cue ball would not be struck.
 std::optional<ShotRequest> noisy_play(const Puzzle& puzzle, const Shot& shot, Random& random);
 
-/// The share of so many noisy plays that is legal.
+/// Returns the share of `plays` noisy plays that are legal.
 double share_of_plays(const Puzzle& puzzle, const Shot& shot, int plays, std::uint64_t seed);
 
 }  // namespace bankshot::test

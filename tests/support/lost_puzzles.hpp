@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Puzzles that were lost once, a line each of a file of the repository: they are solved, and their shots hold.
+// Solves puzzles that planners once failed to solve, one per line of a file of the repository, and verifies their
+// shots.
 #pragma once
 
 #include <sstream>
@@ -14,7 +15,7 @@
 
 namespace bankshot::test {
 
-/// `also(puzzle, answer)` checks more of each. How many there are.
+/// Returns the number of puzzles. `also(puzzle, answer)` makes further checks on each.
 template <class Also>
 int solve_lost_puzzles(const std::string& file, Also&& also) {
   std::istringstream lines(read_repository_file(file));

@@ -45,15 +45,15 @@ bool is_hard(const Made& made) {
 
 bool is_exact(const Made& made) {
   const auto* ball = std::get_if<BallTarget>(&made.puzzle.target);
-  if (ball && ball->within >= any_touch) return false;  // any touch is made
+  if (ball && ball->within >= any_touch) return false;  // any touch makes it
   if (!is_pocket(made.puzzle.target)) return true;
-  if (then_of(made.puzzle.target)) return false;  // as it fell, which is hardly ever on the exact line
+  if (then_of(made.puzzle.target)) return false;  // the last drop is as it fell, rarely on the exact line
   const Puzzle& p = made.puzzle;
   const Trajectory t =
       simulate({.table = p.table, .physics = p.physics, .ball = p.ball, .launch = made.launch, .spin = p.spin});
   if (t.end != EventKind::pocket) return false;
   const Record& drop = t.events[t.events.size() - 2];
-  constexpr double exact = 1e-11;  // of the diagonal
+  constexpr double exact = 1e-11;  // fraction of the diagonal
   return std::abs(left_of_drop(Boundary(p.table, p.ball.body), drop.contact, drop.state.at, drop.state.velocity)) <
          exact * p.table.diagonal();
 }
@@ -64,7 +64,7 @@ bool nothing_free(const Made& made) {
 }
 
 bool is_among(const Launch& launch, const std::vector<Shot>& shots) {
-  constexpr double same = 1e-5;  // rad, and of the speed; two roots that are closer are one here
+  constexpr double same = 1e-5;  // rad, and fraction of the speed; closer roots count as one here
   return std::any_of(shots.begin(), shots.end(), [&](const Shot& s) {
     const double turned = wrap_angle(s.launch.angle - launch.angle + radians(180)) - radians(180);
     return std::abs(turned) < same && std::abs(s.launch.speed / launch.speed - 1) < same;

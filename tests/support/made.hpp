@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is known of the shot that a puzzle was made from, and so of the puzzle.
+// Facts about a puzzle that follow from the shot that it was made from.
 #pragma once
 
 #include <vector>
@@ -10,17 +10,17 @@
 
 namespace bankshot::test {
 
-/// The shot meets other cushions so many rad beside its aim: it runs through a corner or exactly along a cushion, and
-/// rounding decides.
+/// Returns true when the shot meets other cushions if its aim is turned by `beside` rad either way. Such a shot runs
+/// through a corner or exactly along a cushion, and rounding decides.
 bool through_corner(const Made& made, double beside);
-/// κ (simulate/simulator.hpp, property 6) up to the event after its target is 1e6 or more, or 1e-9 rad beside its aim
-/// it meets other cushions.
+/// Returns true when κ (simulate/simulator.hpp, property 6) up to the event after the target is 1e6 or more, or when
+/// the shot meets other cushions 1e-9 rad beside its aim.
 bool is_hard(const Made& made);
-/// Some root is on the point or on the pocket's exact line: that of the shot.
+/// Returns true when the shot itself is exact: it meets the point, or the pocket's exact line.
 bool is_exact(const Made& made);
-/// Only single launches are asked for, not families of them, and the shot is one.
+/// Returns true when the puzzle asks for isolated launches, not for curves of them, and the shot is one of them.
 bool nothing_free(const Made& made);
-/// A launch as one of a list, to 1e-5 rad and 1e-5 of its speed.
+/// Returns true when `shots` contain the launch, to 1e-5 rad and 1e-5 of its speed.
 bool is_among(const Launch& launch, const std::vector<Shot>& shots);
 
 }  // namespace bankshot::test

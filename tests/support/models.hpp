@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every motion and every cushion, with the ranges of their parameters: what the conformance suites run
-// over. A new model is one more overload of `draw` and one more name in the list.
+// Every motion and every cushion, with the ranges of their parameters, for the conformance suites. A new model needs
+// one more overload of `draw` and one more name in the list.
 #pragma once
 
 #include <tuple>
@@ -22,13 +22,14 @@ namespace bankshot::test {
 inline constexpr double ball_radius = 0.028575;
 inline constexpr Body body{ball_radius};
 
-/// SlideRoll with rolling friction that grows with the speed; every other state rolls.
+/// SlideRoll with rolling friction that grows with the speed. States that do not slide roll.
 struct Dragging : SlideRoll {};
 
 using Motions = std::tuple<Ideal, Rolling, SlideRoll, Dragging>;
 using Cushions = std::tuple<Mirror, Han2005, Mathavan2010, Stronge, CustomCushion>;
 
-/// Of |v| + R|ω|: what the integration of an impact may be off by (mathavan2010_digits_test.cpp); 0 for a formula.
+/// Allowed error of the integration of an impact, as a fraction of |v| + R|ω| (mathavan2010_digits_test.cpp); 0 for a
+/// formula.
 template <class Cushion>
 inline constexpr double integration_error = 0;
 template <>
@@ -94,7 +95,7 @@ struct HanLaw final : CushionLaw {
     f = into_frame(s, Vec2d{0, 1});
   }
 };
-/// Good until the next draw.
+/// The result is valid until the next draw.
 template <>
 inline CustomCushion draw<CustomCushion>(Random& r) {
   static HanLaw law;
@@ -102,7 +103,7 @@ inline CustomCushion draw<CustomCushion>(Random& r) {
   return {&law, law.han.restitution};
 }
 
-/// A moving ball with any spin, over many decades of speed.
+/// Draws a moving ball with any spin, over many decades of speed.
 inline State<double> draw_state(Random& r) {
   const double v = r.log_uniform(1e-3, 20), w = v / ball_radius;
   return {{r.uniform(-2, 2), r.uniform(-2, 2)},
@@ -110,8 +111,8 @@ inline State<double> draw_state(Random& r) {
           {w * r.uniform(-2, 2), w * r.uniform(-2, 2), w * r.uniform(-2, 2)}};
 }
 
-/// A state of the motion: of one whose friction grows with the speed, which only a rolling ball feels, every other one
-/// rolls.
+/// Draws a state that the motion can have. With Dragging, half of the states roll, because only a rolling ball feels
+/// friction that grows with the speed.
 template <class Motion>
 State<double> draw_state_of(const Motion& motion, Random& r) {
   State<double> s = draw_state(r);
@@ -131,15 +132,15 @@ inline State<double> times(const State<double>& s, double k) {
   return {s.at, s.velocity * k, {s.spin.x * k, s.spin.y * k, s.spin.z * k}};
 }
 
-/// The seven numbers of a state, for derivatives.
+/// Returns one of the seven numbers of a state, for derivatives.
 template <class T>
 T& number_of(State<T>& s, int k) {
   T* const all[] = {&s.at.x, &s.at.y, &s.velocity.x, &s.velocity.y, &s.spin.x, &s.spin.y, &s.spin.z};
   return *all[k];
 }
 
-/// f'(0) by Ridders' extrapolation of central differences: steps that shrink by 1.4, powers of h² removed.
-/// Returns the estimate and its error estimate (Ridders 1982; Press et al., dfridr).
+/// Estimates f'(0) by Ridders' extrapolation of central differences: the steps shrink by 1.4 and powers of h² are
+/// removed. Returns the estimate and its error estimate (Ridders 1982; Press et al., dfridr).
 struct Slope {
   double value, error;
 };

@@ -7,7 +7,7 @@
 namespace bankshot::test {
 namespace {
 
-/// Ternary search on each of a few pieces of an arc.
+/// Searches each of a few pieces of an arc by ternary search.
 double nearest_on(const Arc<double>& arc, double end, const Vec2d& place) {
   constexpr int pieces = 8, steps = 60;
   const auto off = [&](double s) { return norm(arc.position(s) - place); };

@@ -19,7 +19,7 @@ std::string slurp(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A folder of our own that goes when we go.
+/// A folder that is removed with its owner.
 class Scratch {
  public:
   Scratch() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs the bankshot program as a user would: arguments, standard input, exit code, both outputs.
+// Runs the bankshot program as a user would: with arguments, standard input, exit code and both outputs.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ struct Run {
   std::string out, err;
 };
 
-/// `arguments` as typed in a shell.
+/// Runs the program with `arguments` as typed in a shell.
 Run run_program(const std::string& arguments, const std::string& input = "");
 
-/// Several commands of a shell; the word PROGRAM stands for the program.
+/// Runs shell commands; the word PROGRAM stands for the program.
 Run run_shell(std::string commands, const std::string& input = "");
 
-/// A file below the repository.
+/// Returns the text of a file of the repository.
 std::string read_repository_file(const std::string& path);
 
 }  // namespace bankshot::test

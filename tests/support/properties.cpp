@@ -17,12 +17,12 @@
 namespace bankshot::test {
 namespace {
 
-constexpr double lost = 0.01;          // of value, that a wider question may lose
-constexpr double same_value = 1e-6;    // of the mirrored question
-constexpr double exactly = 1e-9;       // of value, rad, m/s
-constexpr double same_of_all = 1e-3;   // of value, of the best and the first of all
+constexpr double lost = 0.01;          // value that a wider puzzle may lose
+constexpr double same_value = 1e-6;    // value difference allowed in the mirrored puzzle
+constexpr double exactly = 1e-9;       // value, rad, m/s
+constexpr double same_of_all = 1e-3;   // difference allowed between the best and the first of all
 constexpr double same_launch = 1e-6;   // rad, m/s
-constexpr double nothing_near = 1e-3;  // of value, that another launch beside a far ball may lose
+constexpr double nothing_near = 1e-3;  // value that another launch may lose beside a far ball
 constexpr double far_in_radii = 4;
 constexpr int noisy_plays = 300, counted_plays = 2000, draws = 4096;
 
@@ -36,7 +36,7 @@ struct Answered {
   bool budget_ended() const {
     return answer.status == Status::budget || answer.message.find("budget") != std::string::npos;
   }
-  /// Success is an integral; else it is counted over draws.
+  /// Returns true when success is an integral; otherwise it is counted over draws.
   bool integrated() const { return !puzzle.errs_in_more(); }
 };
 
@@ -46,7 +46,7 @@ Answered answered(const Json& question, bool all = false) {
   return {std::move(p), std::move(a)};
 }
 
-/// Three standard errors of a difference of two successes that are counted over draws.
+/// Returns three standard errors of the difference of two successes that are counted over draws.
 double three_errors(const Answered& a, const Answered& b) {
   const auto variance = [](double p) { return std::max(p * (1 - p), 1.0 / draws) / draws; };
   return 3 * std::sqrt(variance(a.success()) + variance(b.success()));
@@ -67,9 +67,9 @@ std::string words(const Answered& a) {
                      s.launch.speed, degrees(s.launch.angle), s.contacts(), a.success(), s.planner);
 }
 
-/// `worse` is to be no worse than `better`, but for what is allowed.
+/// Records by how much `worse` is worse than `better`; fails beyond `allowed`.
 void compare(Outcome& o, const Answered& better, const Answered& worse, double allowed) {
-  // A shot that is hardly ever made may cost more than it is worth: it is a shot all the same.
+  // A shot that is hardly ever made may have a negative value, but it is still a shot.
   o.off = !better.solved()  ? 0
           : !worse.solved() ? std::max({better.value(), better.success(), 2 * allowed})
                             : better.value() - worse.value();
@@ -112,7 +112,7 @@ Outcome first_of_all(const Case& c) {
   return o;
 }
 
-/// Two questions that are one, seen otherwise.
+/// Compares two forms of one puzzle.
 Outcome same(const Case& c, const Json& other, double allowed) {
   const Answered one = answered(c.question), two = answered(other);
   if (!one.solved() && !two.solved()) return {};
@@ -147,7 +147,7 @@ Outcome other_order(const Case& c) {
   return o;
 }
 
-/// Pieces of the paths of all balls.
+/// Straight pieces of the paths of all balls.
 using Pieces = std::vector<std::pair<Vec2d, Vec2d>>;
 
 void add_paths(const ShotRequest& played, Pieces& pieces) {
@@ -167,7 +167,7 @@ double distance(const Vec2d& at, const std::pair<Vec2d, Vec2d>& piece) {
   return norm(at - piece.first - along * share);
 }
 
-/// No path of the shot and of its noisy plays comes near.
+/// Returns the paths of all balls in the shot and in its noisy plays.
 Pieces paths_of(const Answered& a) {
   Pieces pieces;
   const Puzzle& p = a.puzzle;
@@ -228,7 +228,7 @@ Outcome plays(const Case& c) {
   return o;
 }
 
-/// A question of a kind that `generate` knows.
+/// Draws a puzzle of a kind that `generate` knows.
 std::optional<Json> generated(Random& r, const QuestionWish& wish) {
   constexpr const char* tables[] = {"pool-9ft", "pool-7ft", "snooker-12ft", "carom-10ft"};
   constexpr const char* physics[] = {"spin", "spin", "spin", "rolling", "ideal"};
@@ -255,7 +255,7 @@ bool names_its_ball(const Json& question) {
 }
 
 std::optional<Case> far_case(Random& r, const Json& question) {
-  if (!names_its_ball(question) || is_ideal(valid_puzzle(question)->physics)) return {};  // there no ball rests
+  if (!names_its_ball(question) || is_ideal(valid_puzzle(question)->physics)) return {};  // no ball rests there
   const Answered a = answered(question);
   if (!a.solved() || a.budget_ended()) return {};
   const Pieces pieces = paths_of(a);
@@ -332,7 +332,7 @@ std::optional<Case> random_case(char property, Random& r, const QuestionWish& us
     case 'f':
       return far_case(r, question);
     case 'h':
-      // No ball rests in ideal physics, so nobody can say when the cue ball can no longer fall.
+      // No ball rests in ideal physics, so no time is known after which the cue ball cannot fall.
       if (!is_whole(question)) return {};
       break;
     default:

@@ -19,7 +19,7 @@ bool fits(const ShotRequest& shot, const Ball& ball) {
   return apart(shot.ball) && std::ranges::all_of(shot.others, apart);
 }
 
-/// Beside another ball, touching it up to rounding, or at a cushion.
+/// Draws a place at a cushion, or beside another ball with a gap of at most 1e-9 m.
 Vec2d touching(Random& r, const ShotRequest& shot, const Body& body) {
   const Vec2d size = shot.table.highest();
   if (r.chance(0.25))

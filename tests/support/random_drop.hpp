@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Random shots that drop, each asked as a puzzle that therefore has a shot.
+// Random shots that drop, each turned into a puzzle that therefore has a shot.
 #pragma once
 
 #include "bankshot/scene/puzzle.hpp"
@@ -14,12 +14,13 @@ struct Drop {
   Puzzle puzzle;
   Trajectory path;
 
-  /// Off the jaws of some pocket.
+  /// Returns true for a jaw shot, by the jaws of any pocket.
   bool rattles() const;
-  /// Off no jaws but those of its pocket, and no cushion after them.
+  /// Returns true when the ball touches no jaws but those of its own pocket, and no cushion after them.
   bool only_at_the_end() const;
 };
-/// On a preset with pockets, with or without jaws; `spin` physics with their usual laws, else `rolling`.
+/// Draws a shot on a preset with pockets, with or without jaws. `spin` selects the preset's spin physics, otherwise the
+/// physics are `rolling`.
 Drop random_drop(Random& r, bool jaws, bool spin, int most_cushions);
 
 }  // namespace bankshot::test

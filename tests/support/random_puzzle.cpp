@@ -24,7 +24,7 @@ Vec2d random_place(Random& r, const Boundary& b, const Table& t, Family family) 
   for (;;) {
     Vec2d p{r.uniform(low.x, high.x), r.uniform(low.y, high.y)};
     if (family == Family::discrete) {
-      // Eighths of the room the centre has, its corners and edges included.
+      // Eighths of the range of the centre, its corners and edges included.
       const double R = b.body.radius;
       p = {low.x + R + (high.x - low.x - 2 * R) * r.integer(0, 8) / 8,
            low.y + R + (high.y - low.y - 2 * R) * r.integer(0, 8) / 8};
@@ -78,7 +78,7 @@ Made random_puzzle(Random& r, Family family, Model model, int bounces) {
     if (family != Family::convex && family != Family::reflex && r.chance(0.5) && shot.ball.body.radius > 0)
       shot.table.pockets = six_pockets(shot.table, {4.4 * shot.ball.body.radius, 4.8 * shot.ball.body.radius});
     const Boundary boundary(shot.table, shot.ball.body);
-    // Narrow polygons may have no room for the ball.
+    // A narrow polygon may have no place for the ball.
     const Vec2d middle = (shot.table.lowest() + shot.table.highest()) / 2.0;
     if (boundary.clearance(middle) < 0) continue;
     shot.ball.at = random_place(r, boundary, shot.table, family);
@@ -88,7 +88,7 @@ Made random_puzzle(Random& r, Family family, Model model, int bounces) {
     if (family == Family::discrete) shot.launch = {1.0 * r.integer(1, 4), wrap_angle(radians(15.0 * r.integer(0, 23)))};
     shot.until.cushions = std::max(bounces, most_bounces) + 1;
     const Trajectory t = simulate(shot);
-    // No shot of a point bounces where it starts, in a vertex.
+    // A ball without radius that starts in a vertex must not bounce there.
     const bool in_vertex = std::ranges::find(shot.table.vertices, shot.ball.at) != shot.table.vertices.end();
     const auto at_start = [](const Record& e) { return e.kind == EventKind::cushion && e.time == 0; };
     if (shot.ball.body.radius == 0 && in_vertex && std::ranges::any_of(t.events, at_start)) continue;

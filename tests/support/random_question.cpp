@@ -34,7 +34,7 @@ Json rectangle(Random& r) {
   return table;
 }
 
-/// With names for its cushions, so that it can be mirrored, and round pockets at some of its corners.
+/// Draws a polygon whose cushions have names, so that it can be mirrored, and round pockets at some of its corners.
 Json polygon(Random& r) {
   const Table drawn = random_polygon(r, r.chance(0.6));
   Json table{{"vertices", Json::array()}, {"names", Json::array()}};
@@ -93,7 +93,7 @@ bool stands(const Table& table, std::span<const Ball> others, const Body& body, 
   return boundary.clearance(at) >= 0 && !boundary.pocket_around(at) && std::ranges::all_of(others, apart);
 }
 
-/// Beside another ball or at a cushion, touching it.
+/// Draws a place beside another ball or at a cushion, touching it.
 Vec2d touching(Random& r, const Table& table, std::span<const Ball> others, const Body& body) {
   const Vec2d low = table.lowest(), high = table.highest();
   if (others.empty() || r.chance(0.7))
@@ -101,7 +101,7 @@ Vec2d touching(Random& r, const Table& table, std::span<const Ball> others, cons
   return others.back().at + Vec2d{r.chance(0.5) ? 1.0 : -1.0, 0.0} * touching_distance(others.back().body, body);
 }
 
-/// The cue ball and the others, in the question and in the scene; false where there is no room.
+/// Places the cue ball and the others in the puzzle and in the scene; returns false when there is no space.
 bool place_balls(Random& r, const QuestionWish& wish, Puzzle& scene, Json& question) {
   const int count = wish.quick                              ? r.integer(1, 2)
                     : wish.most_balls > 3 && r.chance(0.05) ? r.integer(4, wish.most_balls)
@@ -154,7 +154,7 @@ Json random_ball(Random& r, int count) {
   return std::to_string(r.integer(1, count));
 }
 
-/// Into a pocket or to a point, of a ball that was touched.
+/// Draws what an object ball is to do: fall into a pocket or reach a point.
 Json random_then(Random& r, const Puzzle& scene) {
   const bool pot = !scene.table.pockets.empty() && r.chance(0.85);
   Json then = pot ? Json{{"pocket", random_pocket(r, scene.table)}} : random_point(r, scene);
@@ -192,7 +192,7 @@ Json random_noise(Random& r, const Puzzle& scene, bool quick) {
   return noise;
 }
 
-/// A spin whose tip is on the ball, or some of it free.
+/// Draws a spin whose tip is on the ball; some of it may be a range.
 Json random_spin(Random& r) {
   Json spin{{"top", rounded(r.uniform(-1, 1.2), 0.1)}, {"side", rounded(r.uniform(-1, 1), 0.1)}};
   if (r.chance(0.1)) spin["masse"] = rounded(r.uniform(-0.5, 0.5), 0.1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Random questions as a user would type them: JSON, as wide as the format allows, whether there is a shot or not.
-// Seeded; nothing of the planners.
+// Random puzzles as a user would type them: JSON, as wide as the format allows, with or without a shot. The draws are
+// seeded and use nothing of the planners.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,24 +16,25 @@ namespace bankshot::test {
 using Json = nlohmann::json;
 
 struct QuestionWish {
-  int most_balls = 15;       ///< object balls; one question in twenty has more than three
+  int most_balls = 15;       ///< number of object balls; one puzzle in twenty has more than three
   bool quick = false;        ///< presets and rectangles, one or two balls, noise of aim and speed alone, small budgets
   bool robust_only = false;  ///< no other `prefer`
 };
 
-/// Always valid: draws until the reader and `validate` take it.
+/// Draws until the reader and `validate` accept the puzzle.
 Json random_question(Random& random, const QuestionWish& wish = {});
 
-/// As `solve` would read it; none where that is invalid.
+/// Reads the puzzle as `solve` would; returns none when it is invalid.
 std::optional<Puzzle> valid_puzzle(const Json& question);
 
-/// m, to a millimetre.
+/// Rounds to a millimetre [m].
 double in_millimetres(double metres);
 
-/// Some rule for up to `most` cushions: a number, bounds or names.
+/// Draws a rule for up to `most` cushions: a number, bounds or names.
 Json random_cushion_rule(Random& random, const Table& table, int most);
 
-/// A ball at rest on a free place of the table, to a millimetre; none in a hundred draws.
+/// Draws a free place on the table for a ball at rest, rounded to a millimetre; returns none after a hundred failed
+/// draws.
 std::optional<Vec2d> free_place(Random& random, const Table& table, std::span<const Ball> others, const Body& body);
 
 }  // namespace bankshot::test

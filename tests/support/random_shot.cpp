@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_cushions = 200;
 
-/// 0 now and then, else log-uniform, of either sign.
+/// Returns 0 sometimes, otherwise a log-uniform number of either sign.
 double near_zero(Random& r, double least, double most) {
   if (r.chance(0.2)) return 0;
   const double size = r.log_uniform(least, most);
@@ -79,7 +79,7 @@ LaunchSpin random_spin(Random& r, ShotFamily f) {
 
 double angle_of(const Vec2d& d) { return std::atan2(d.y, d.x); }
 
-/// A place and an aim [rad] of the family.
+/// Draws a place and an aim [rad] of the family.
 bool place(Random& r, ShotFamily f, const Boundary& b, const Table& t, Vec2d& at, double& aim) {
   const Vec2d low = t.lowest(), high = t.highest();
   at = {r.uniform(low.x, high.x), r.uniform(low.y, high.y)};
@@ -128,7 +128,7 @@ ShotRequest random_shot(Random& r, ShotFamily f) {
     const Boundary boundary(shot.table, shot.ball.body);
     double aim = 0;
     if (!place(r, f, boundary, shot.table, shot.ball.at, aim)) continue;
-    // Through degrees, as a document says it, so that the document replays the same bits.
+    // The angle goes through degrees, as in a document, so that the document replays the same bits.
     shot.launch = {f == ShotFamily::speeds  ? r.log_uniform(1e-6, 30)
                    : f == ShotFamily::masse ? r.log_uniform(0.05, 4)
                                             : r.log_uniform(0.1, 10),

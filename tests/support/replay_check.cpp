@@ -13,7 +13,7 @@
 namespace bankshot::test {
 namespace {
 
-/// The first of these are those cushions, where two met in one instant may have swapped.
+/// Returns true when the first `bounces` hits are those asked for; two hits at one instant may be swapped.
 bool same_sequence(const std::vector<Contact>& asked, const std::vector<const Record*>& hits, std::size_t bounces) {
   if (hits.size() < bounces || asked.size() < bounces) return false;
   for (std::size_t i = 0; i < bounces; ++i) {
@@ -42,7 +42,7 @@ double distance_to_path(const ShotRequest& shot, const Trajectory& t, const Vec2
   for (const Leg& l : t.legs) {
     const auto before = std::count_if(hits.begin(), hits.end(), [&](double h) { return h <= l.begin; });
     if (static_cast<std::size_t>(before) != bounces) continue;
-    // Ternary search on each of a few pieces: slow, and nothing of the planners' own geometry.
+    // Ternary search on each of a few pieces: slow, but independent of the planners' geometry.
     const double end = std::min(l.duration, 1e4);
     constexpr int pieces = 8;
     for (int i = 0; i < pieces; ++i) {
@@ -52,14 +52,14 @@ double distance_to_path(const ShotRequest& shot, const Trajectory& t, const Vec2
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
         (off(a) < off(b) ? high : low) = off(a) < off(b) ? b : a;
       }
-      // The search ends where rounding hides the minimum, at half the digits, or at the end of its piece; steps of
-      // Newton's method find the rest.
+      // Rounding hides the minimum from the search at half the digits, or the search ends at the end of its piece.
+      // Steps of Newton's method recover the other half.
       for (int k = 0; k < 5; ++k) {
         const Vec2d d = l.arc.position(low) - target, v = l.arc.tangent(low);
         const double better = low - dot(d, v) / (dot(v, v) + dot(d, l.arc.acceleration));
         if (better > 0 && better < end && off(better) <= off(low) * (1 + 1e-9)) low = better;
       }
-      State<double> there = state_on(shot, l, low);  // the arc may be but a chord of the path
+      State<double> there = state_on(shot, l, low);  // the arc may be only a chord of the path
       Vec2d d = target - there.at;
       const double late = dot(d, there.velocity) / dot(there.velocity, there.velocity);
       const bool within = l.arc.chord && low + late > 0 && low + late < end;
@@ -73,7 +73,7 @@ double distance_to_path(const ShotRequest& shot, const Trajectory& t, const Vec2
       speed = norm(there.velocity);
     }
   }
-  // A leg between two cushions met in one instant has no length, only its end.
+  // A leg between two cushions met at one instant has no length, only its end.
   std::size_t k = 0;
   for (const Record& e : t.events)
     if (e.kind == EventKind::cushion && ++k == bounces && norm(e.state.at - target) < best) {
@@ -83,7 +83,7 @@ double distance_to_path(const ShotRequest& shot, const Trajectory& t, const Vec2
   return best;
 }
 
-/// What the puzzle bounds of a launch; empty when it keeps all.
+/// Returns the bound of the puzzle that a launch breaks; empty when it keeps them all.
 std::string bound_broken(const Puzzle& p, const Shot& shot) {
   constexpr double slack = 1e-9;  // rad; an aim is written in degrees
   const int n = static_cast<int>(shot.cushions.size());
@@ -99,7 +99,7 @@ std::string bound_broken(const Puzzle& p, const Shot& shot) {
   return {};
 }
 
-/// Balls that are sent on, in the simulation of many.
+/// Checks the object balls by a simulation of all balls.
 Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   const Then& then = *asked.then;
   ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
@@ -113,11 +113,11 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
     if (shot.then[i + 1].ball != then.links[i].ball) return {"sends another ball than asked", 0};
   const int ball = shot.arriving();
   const bool is_point = std::holds_alternative<PointTarget>(then.target);
-  std::vector<std::vector<const Record*>> met(1);  // by the struck ball, and by each that is sent on
+  std::vector<std::vector<const Record*>> met(1);  // by the cue ball, and by each object ball
   int on_its_way = 0;
   double hit = -1;
   const Record* fell = nullptr;
-  std::vector<const Record*> in_doubt;  // a point on a cushion's line is reached before a bounce or after it
+  std::vector<const Record*> in_doubt;  // a point on a cushion line is reached before or after the bounce
   for (const Record& e : t.events) {
     const bool later = e.time > shot.arrival.time - 1e-12;
     if (e.kind == EventKind::ball && !later) {
@@ -144,7 +144,7 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   if (const auto* point = std::get_if<PointTarget>(&then.target)) {
     const Record& end = end_of(t, ball);
     miss = rests ? norm(end.state.at - point->at) : 1e300;
-    // In the disc already, it may touch another ball before it is nearest: then its path ends there.
+    // Inside the disc, the ball may touch another ball before it is nearest; its path ends there.
     const auto ends = [&](const Record& e) {
       return e.kind == EventKind::ball && (e.ball == ball || e.contact.index == ball) && e.time > hit &&
              std::abs(e.time - shot.arrival.time) < 1e-9;
@@ -196,7 +196,7 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   return c;
 }
 
-/// The first contact of the struck ball, or the second of a carom, from the simulation of many.
+/// Checks the first contact of the cue ball, or the second of a carom, by a simulation of all balls.
 Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
   request.until.time = shot.arrival.time * (1 + 1e-6) + 1e-6;
@@ -252,7 +252,7 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   const std::size_t n = shot.cushions.size();
   const double allowed = 1e-9 * p.table.diagonal() + shot.miss;
   double miss = 0, speed = 0;
-  // Of a range that includes 0 a shot that arrives at 0 rests, any other passes.
+  // With a range that includes 0, a shot with arrival speed 0 rests, and any other passes.
   const auto asked = arrival_range(p);
   const bool rests = asked && asked->low == 0 && (asked->high == 0 || shot.arrival.speed == 0);
   if (const auto* point = std::get_if<PointTarget>(&p.target)) {
@@ -282,7 +282,7 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
   if (!same_sequence(shot.cushions, t, n)) c.problem = "does not meet the cushions it names";
   if (p.cushions.sequence && !same_sequence(*p.cushions.sequence, t, n)) c.problem = "does not meet the cushions asked";
   if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
-  if (asked && !rests && !shot.moved) {  // which may leave the root inside what counts as made
+  if (asked && !rests && !shot.moved) {  // a moved shot may leave the root within what counts as made
     const double off = std::max(asked->low - speed, speed - asked->high);
     c.speed_error = std::max(0.0, off) / std::max(1.0, asked->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);

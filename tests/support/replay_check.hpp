@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks a shot against its puzzle from a plain recorded simulation: shares no code with the
-// planners' own verification.
+// Checks a shot against its puzzle by a plain recorded simulation, which shares no code with the planners' own
+// verification.
 #pragma once
 
 #include <string>

@@ -7,11 +7,12 @@
 namespace bankshot::test {
 namespace {
 
-/// A crossing of the speed asked, on one aim: between two launch speeds, or beyond the last of them that has its route.
+/// A crossing of the arrival speed asked, at one aim: between two launch speeds, or beyond the first or last of its
+/// route.
 struct Crossing {
   std::uint64_t route;
-  int bounces, arrival, nth;              ///< how many of the same came before it on this aim
-  double angle, speed, flown_at, beside;  ///< rad, m/s, m/s of a launch that was flown, m
+  int bounces, arrival, nth;              ///< arrival: index of the speed; nth: like crossings before it at this aim
+  double angle, speed, flown_at, beside;  ///< rad, m/s, m/s of a simulated launch, m
   bool like(const Crossing& o) const { return route == o.route && arrival == o.arrival && nth == o.nth; }
 };
 using Column = std::vector<Crossing>;
@@ -21,7 +22,7 @@ const Crossing* find(const Column& column, const Crossing& c) {
   return found == column.end() ? nullptr : &*found;
 }
 
-/// One spin and one list of arrival speeds.
+/// The map of one spin and one list of arrival speeds.
 class Map {
  public:
   Map(const Aimed& aimed, const LaunchSpin& spin, std::vector<double> arrivals, long& simulations)
@@ -44,7 +45,7 @@ class Map {
     return std::move(found_);
   }
 
-  /// The root at an arrival speed near a launch, with its route; none where that has none.
+  /// Returns the root near a launch, by its route and at an arrival speed; none when there is none.
   std::optional<Root> refine(Launch launch, std::uint64_t route, double arrival) const {
     constexpr int steps = 25;
     constexpr double h = 1e-7, farthest = 0.05;
@@ -79,7 +80,8 @@ class Map {
   }
 
  private:
-  /// What is left to do, in diagonals and in m²/s² (a stop: diagonals), and in m/s.
+  /// Distance of a pass from the target. `beside` is in diagonals, `fast` in m²/s² and `off` in m/s; for a stop both
+  /// are in diagonals.
   struct Residual {
     double beside, fast, off, time, arrival;
     double size() const { return std::abs(beside) + std::abs(fast); }
@@ -130,7 +132,7 @@ class Map {
   }
 
   Column column(double angle) const {
-    constexpr int enough = 3;  // too fast so often
+    constexpr int enough = 3;  // so many launches in a row were too fast
     std::vector<Flight> flights;
     int too_fast = 0;
     for (const double v : speeds_) {
@@ -153,16 +155,17 @@ class Map {
     return nullptr;
   }
 
-  /// What grows evenly with the square of the launch speed: that of the speed, or how far it rolls beyond.
+  /// Returns a quantity that is about linear in the square of the launch speed: the squared speed, or the distance
+  /// rolled beyond the target.
   double level(double fast) const { return a_.stops ? fast : fast * fast; }
 
-  /// A pass as far as it decides, and the launch speed.
+  /// The launch speed of a pass, and the numbers that decide about a root.
   struct Point {
     double speed, level, beside;
   };
 
-  /// Those between a pass and the one of the next faster launch; before the first of a route and after its last
-  /// between it and where the slope leads.
+  /// Adds the crossings between a pass and the pass of the next faster launch. Before the first pass of a route and
+  /// after its last, the pass is extrapolated.
   void crossings(double angle, const std::vector<Flight>& flights, std::size_t i, int k, Column& out) const {
     const Pass& p = flights[i].passes[static_cast<std::size_t>(k)];
     if (fixed()) return add(out, {p.route, p.bounces, 0, 0, angle, speeds_[i], speeds_[i], p.beside});
@@ -196,7 +199,7 @@ class Map {
     out.push_back(c);
   }
 
-  /// Roots between `here` and `after`, and beside `here` where a route begins or ends.
+  /// Finds roots between `here` and `after`, and beside `here` where a route begins or ends.
   void between(const Column& before, const Column& here, const Column& after) {
     constexpr double steepest = 20;  // m/rad
     for (const Crossing& c : here) {
@@ -232,7 +235,7 @@ class Map {
 
   const Aimed& a_;
   LaunchSpin spin_;
-  std::vector<double> arrivals_;  ///< ascending; a stop: 0
+  std::vector<double> arrivals_;  ///< ascending; 0 for a stop
   long& simulations_;
   double step_ = 0;
   std::vector<double> speeds_{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Seeds of the tests tagged [long]: the usual ones, or others when .ci/nightly sets BANKSHOT_SEED. Every failure names
-// the seed that was used.
+// its seed.
 #pragma once
 
 #include <cstdint>

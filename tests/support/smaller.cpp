@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Counterexamples made smaller, change by change, as long as they fail.
+// Makes a counterexample smaller, change by change, as long as it still fails.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,7 +14,7 @@ namespace {
 
 using Change = std::function<void(Json& question)>;
 
-/// The target speaks of this ball by its name.
+/// Returns true when the target names this ball.
 bool names(const Json& target, const Json& id) {
   if (target.is_array() || target.is_object())
     return std::ranges::any_of(target, [&](const Json& inner) { return names(inner, id); });
@@ -72,7 +72,7 @@ std::vector<Change> changes(const Json& question) {
   return out;
 }
 
-/// Nearly as badly.
+/// Returns true when the case still fails, at least half as badly.
 bool fails(const Case& c, double off) {
   constexpr double share = 0.5;
   try {

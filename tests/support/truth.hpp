@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The 50 digits of the program, under the name the tests know them by.
+// The program's 50-digit arithmetic, under the namespace that the tests use.
 #pragma once
 
 #include "truth/condition.hpp"

@@ -11,7 +11,7 @@
 namespace bankshot::test::make {
 namespace {
 
-/// The shot on another table, from a random place there.
+/// Moves the shot to another table, to a random place there.
 std::optional<ShotRequest> moved_to(Random& r, ShotRequest shot, Table table) {
   shot.table = std::move(table);
   const auto at = random_place(r, Boundary(shot.table, shot.ball.body), shot.table);
@@ -50,7 +50,7 @@ Table star(Random& r) {
   return polygon_table(std::move(v));
 }
 
-/// Froude's law: on a table n times as long the same shot is played at √n times the speed.
+/// Draws a speed after Froude's law: on a table n times as long the same shot is played at √n times the speed.
 double usual_speed(Random& r, double length) { return std::sqrt(length) * r.log_uniform(0.2, 5); }
 
 }  // namespace

@@ -10,12 +10,12 @@
 namespace bankshot::test::make {
 namespace {
 
-/// A centre can be there, and in no pocket.
+/// Returns true when a ball can stand there, outside every pocket.
 bool stands(const Boundary& boundary, const Vec2d& at) {
   return !(boundary.clearance(at) < 0) && !boundary.pocket_around(at);
 }
 
-/// A ball that the path does not touch: anywhere, or beside a place on the path with as little as a nanometre left.
+/// Draws a ball that the path does not touch: anywhere, or beside the path with a gap of as little as a nanometre.
 std::optional<Ball> beside_path(Random& r, const Puzzle& p, const Trajectory& t) {
   Ball ball{{}, p.ball.body, std::to_string(p.others.size() + 1)};
   if (r.chance(0.2)) ball.body.radius *= r.uniform(0.7, 1.25);
@@ -36,7 +36,7 @@ std::optional<Ball> beside_path(Random& r, const Puzzle& p, const Trajectory& t)
   return ball;
 }
 
-/// Balls anywhere.
+/// Scatters balls over the table.
 void scatter(Random& r, Puzzle& p) {
   const Vec2d low = p.table.lowest(), high = p.table.highest();
   const int count = r.integer(1, 7);
@@ -90,11 +90,11 @@ Made kicks(Random& r, Model model, int bounces) {
 
 namespace {
 
-/// What balls that are sent on do, one after the other, while nothing else is touched.
+/// The result of a chain of object balls that touches nothing else.
 struct Sent {
-  int ball = 0;  ///< the first
+  int ball = 0;  ///< the first object ball
   int before = 0;
-  std::vector<Contact> cushions{};  ///< of the struck ball
+  std::vector<Contact> cushions{};  ///< of the cue ball
   Then then{};
   double arrival = 0;
 };
@@ -103,7 +103,7 @@ CushionRule some_rule(Random& r, const std::vector<Contact>& cushions) {
   return r.chance(0.5) ? CushionRule::in_order(cushions) : CushionRule::exactly(static_cast<int>(cushions.size()));
 }
 
-/// `links`: balls that are touched by others than the struck one.
+/// Reads the chain from a trajectory. `links` is the number of contacts between object balls.
 std::optional<Sent> sent_by(Random& r, const Trajectory& t, std::size_t links, std::size_t most) {
   Sent s;
   std::vector<Contact> its;
@@ -180,7 +180,8 @@ std::optional<Sent> sent_by(Random& r, const Trajectory& t, std::size_t links, s
 
 enum class Wanted { any, pocket, rest };
 
-/// `before`, `after`: bounces of the struck ball and of the last, -1 for any up to three.
+/// Draws a shot that sends object balls on. `before` and `after` are the bounces of the cue ball and of the last ball,
+/// -1 for any up to three.
 Made sends(Random& r, Model model, int before, int after, Wanted wanted, std::size_t links = 0) {
   for (;;) {
     Made made = random_puzzle(r, families[r.integer(0, 1)], model);
@@ -218,7 +219,7 @@ Made sends(Random& r, Model model, int before, int after, Wanted wanted, std::si
   }
 }
 
-/// The struck ball touches two, the first two contacts that there are.
+/// Returns the first two ball contacts when the cue ball touches two different balls.
 std::optional<std::pair<const Record*, const Record*>> two_contacts(const Trajectory& t) {
   const Record* first = nullptr;
   for (const Record& e : t.events) {

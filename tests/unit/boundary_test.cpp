@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a centre can be, as the simulator sees it; and directions that a double angle cannot hold.
+// Places of a ball's centre as the simulator sees them, and directions that an angle in double precision cannot hold.
 #include "bankshot/geometry/boundary.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ using namespace bankshot;
 
 namespace {
 
-/// 2 × 2 with the upper right quarter cut away: vertex 3 at (1, 1) is reflex.
+/// A square of side 2 without its upper right quarter: vertex 3 at (1, 1) is reflex.
 Table l_shape() { return polygon_table({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}); }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -75,7 +75,7 @@ TEST_CASE("obstacles are where the table's cushions are, a reflex vertex is a be
   CHECK(b.half == Approx(radians(45)));
   CHECK(b.before == Contact::rail(2));
   CHECK(b.after == Contact::rail(3));
-  // However sharp the corner is, or flat, its extent is half the turn to either side.
+  // The corner may be sharp or flat: its extent is half the turn on either side.
   for (const double turn : {1e-9, 0.3, 2.0, 3.1}) {
     const Vec2d on = direction(radians(90) - turn);
     const auto bends = obstacles(polygon_table({{0, 0}, {0, 1}, Vec2d{0, 1} + on, {-5, 1}})).bends;
@@ -91,7 +91,7 @@ TEST_CASE("the extent of a tip holds all places where a ball can touch it, and e
   for (const double at : {180.0, 225.0, 270.0, 180.0 - 60, 270.0 + 60}) CHECK(covers(at));
   for (const double at : {0.0, 45.0, 90.0}) CHECK(!covers(at));
   const Circle tiny = Boundary(l_shape(), {1e-12}).tips.at(0);
-  CHECK(tiny.covers(tiny.centre + Vec2d{1e-12, 1e-12}));  // rounding may carry a centre round a ball this small
+  CHECK(tiny.covers(tiny.centre + Vec2d{1e-12, 1e-12}));  // rounding may carry so small a ball round the tip
 }
 
 TEST_CASE("a collinear vertex is no tip, and its table is not strictly convex") {
@@ -155,7 +155,7 @@ TEST_CASE("wrap_angle brings every angle between 0 and 2 pi, without the latter"
   CHECK(wrap_angle(1) == 1);
   CHECK(wrap_angle(std::nextafter(turn, 0)) == std::nextafter(turn, 0));
   CHECK(wrap_angle(-1) == Approx(turn - 1));
-  CHECK(wrap_angle(-1e-300) == 0);  // 2 pi less nothing would be 2 pi
+  CHECK(wrap_angle(-1e-300) == 0);  // 2 pi less a tiny amount would round to 2 pi
   for (const double a : {-1e9, -7.0, 6.3, 1e300, std::nextafter(-turn, -infinity)}) {
     CHECK(wrap_angle(a) >= 0);
     CHECK(wrap_angle(a) < turn);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pictures made from C++: a question alone, pictures without words, tables that are tiny, huge or crossed often.
+// Pictures made from C++: a puzzle alone, pictures without words, tables that are tiny, huge or crossed often.
 #include "bankshot/draw/svg.hpp"
 
 #include <algorithm>

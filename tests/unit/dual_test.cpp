@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Our dual numbers against those of Ceres: the same bits from every operation.
+// Compares our dual numbers with those of Ceres: every operation gives the same bits.
 #include "bankshot/numbers/dual.hpp"
 
 #include <ceres/jet.h>

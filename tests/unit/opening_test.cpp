@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The opening of a pocket, against its definition: a line leads straight in when it enters the circle where a ball's
-// centre can be.
+// Compares the opening of a pocket with its definition: a line leads straight in when it enters the capture circle
+// where a ball's centre can be.
 #include "bankshot/geometry/opening.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Vec2d entry(const Circle& pocket, const Vec2d& u, double offset) {
   return pocket.centre + perpendicular(u) * offset - u * ahead;
 }
 
-/// Counts lines in random directions and at random offsets on which gap and definition differ, and those inside.
+/// Counts the random lines, those inside the gap, and those on which gap and definition differ.
 struct Counted {
   long lines = 0, inside = 0, wrong = 0;
 };
@@ -91,13 +91,13 @@ TEST_CASE("with jaws the gap holds the lines that touch none of them", "[heavy]"
       const Vec2d in =
           pocket.centre - make_table(preset, false).pockets[static_cast<std::size_t>(pocket.contact.index)].at;
       for (int i = 0; i < 1500; ++i) {
-        // Out of the table: no other direction leads in.
+        // Directions out of the table; no other direction leads in.
         const bool corner = std::abs(in.x) > 1e-6;
         const Vec2d u = direction(std::atan2(in.y, in.x) + radians(corner ? 44.9 : 89) * uniform(random));
         const double offset = pocket.radius * uniform(random);
         const Gap<double> gap = arc.gap(u, offset);
         const auto clear = truth::room_of_line(boundary, pocket, u, offset);
-        if (clear && std::abs(*clear) < 1e-7) continue;  // within what its samples miss
+        if (clear && std::abs(*clear) < 1e-7) continue;  // within the error of the sampled clearance
         const bool leads_in = clear && *clear > 0, says = gap.low < offset && offset < gap.high;
         CAPTURE(preset.name, pocket.contact.index, u.x, u.y, offset, gap.low, gap.high, clear.value_or(-1));
         CHECK(says == leads_in);
@@ -118,7 +118,7 @@ TEST_CASE("the exact line of a corner keeps an eighth of the gap from its ends")
   CHECK(norm(corner.last - corner.first) == Approx(0.0310).epsilon(1e-2));
   const Vec2d u = direction(radians(225));
   CHECK(corner.gap(u, 0).exact() == 0);
-  // Centred lines go in within 15.5° of the bisector; the clamp begins a little before.
+  // Lines through the centre go in within 15.5° of the bisector; the clamp begins slightly before that.
   for (const double beside : {-40.0, -20.0, -16.0, 16.0, 20.0, 40.0}) {
     const Vec2d v = direction(radians(225 + beside));
     const Gap<double> gap = corner.gap(v, 0);

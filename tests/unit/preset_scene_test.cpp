@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A preset means the same in C++ and in a file: every coefficient of every table and physics, to the last bit.
+// A preset is the same in C++ and in a file: every coefficient of every table and physics, to the last bit.
 #include "bankshot/scene/scene.hpp"
 
 #include "bankshot/scene/json.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// From JSON text to a Puzzle and back: every field, the defaults, and the rules behind them.
+// Reads JSON text into a Puzzle and writes it back: every field, the defaults, and the rules behind them.
 #include <nlohmann/json.hpp>
 
 #include "bankshot/scene/json.hpp"
@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// The least a puzzle needs, with changes merged in.
+/// Returns the smallest valid puzzle, with changes merged in.
 std::string minimal(const Json& change = Json::object()) {
   Json p{
       {"table", "pool-9ft"}, {"physics", "rolling"}, {"ball", {{"at", {0.6, 0.4}}}}, {"target", {{"point", {1, 0.6}}}}};
@@ -72,7 +72,7 @@ TEST_CASE("what is left out takes its default") {
   CHECK(p.cushions.max == 3);
   CHECK(!p.cushions.sequence);
   CHECK(!p.arrive);
-  CHECK(arrival_range(p)->high == 0);  // a point: comes to rest
+  CHECK(arrival_range(p)->high == 0);  // at a point the ball comes to rest
   CHECK(p.speed.low == 0.1);
   CHECK(p.speed.high == 10);
   CHECK(!p.angle);
@@ -192,7 +192,7 @@ TEST_CASE("without a preset of their own cushions are as high as suits the large
   CHECK(height(own, 0.028, 0.028) == 1.28 * 0.028);
   CHECK(height(R"("pool-9ft")", 0.028575, 0.031) == 1.28 * 0.028575);
   CHECK(height(R"("snooker-12ft")", 0.02625, 0.03) == 0.03675);
-  // It must suit the smallest, too.
+  // The height must suit the smallest ball too.
   try {
     height(own, 0.031, 0.018);
     FAIL("that nose is over the smaller ball");

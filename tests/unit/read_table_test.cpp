@@ -124,6 +124,6 @@ TEST_CASE("a mouth belongs to six pockets") {
 TEST_CASE("a level table may say so") {
   CHECK_NOTHROW(with_table({{"length", 2}, {"width", 1}, {"tilt", {0, 0.0}}}));
   for (const Json& tilt :
-       {Json{0, 0.001}, Json{0, 1.5}, Json{0}, Json("level"), Json{0, "a"}})  // `ideal` has no weight
+       {Json{0, 0.001}, Json{0, 1.5}, Json{0}, Json("level"), Json{0, "a"}})  // `ideal` has no gravity
     CHECK_THROWS_AS(with_table({{"length", 2}, {"width", 1}, {"tilt", tilt}}), InvalidInput);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Recordings as they are read: what cannot be is told, with the sample.
+// Reading recordings: an impossible sample is reported by its number.
 #include "bankshot/scene/recording.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace bankshot;
 
-/// 40 samples of a ball that rolls along x at 1 m/s, one of them changed.
+/// Returns 40 samples of a ball that rolls along x at 1 m/s, one of them changed.
 std::string line(int which = -1, const std::string& sample = "", const std::string& more = "") {
   std::string track;
   for (int i = 0; i < 40; ++i)
@@ -51,7 +51,7 @@ TEST_CASE("what no camera sees of one shot is told with its sample") {
              StartsWith("/track/cue/7 [0.1,0.62,0.5] must be later than the sample before it"));
   CHECK_THAT(complaint(line(7, "[0.14, 0.64]")), StartsWith("/track/cue/7 [0.14,0.64] must be [t, x, y]"));
   CHECK_THAT(complaint(line(7, "[0.14, \"a\", 0.5]")), StartsWith("/track/cue/7/1"));
-  CHECK(complaint(line(7, "[0.14, 1.9, 1.2]")) == "read");  // one alone is an outlier
+  CHECK(complaint(line(7, "[0.14, 1.9, 1.2]")) == "read");  // a single one is an outlier
   CHECK(complaint(line(7, "[0.14, 5, 0.5]")) == "read");
   CHECK_THAT(complaint(R"({"table": "carom-10ft", "ball": {"at": [0.5, 0.5]}, "track": {"red": []}})"),
              StartsWith("/track/red [] is of no ball of this scene"));

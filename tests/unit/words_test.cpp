@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a player is told: the diamond to aim at, names of speeds, distances, the tip, how full a hit is, where the cue
-// ball stops, warnings, margins, players.
+// The words of an answer: the diamond to aim at, names of speeds, distances, the tip, the fullness of a hit, where the
+// cue ball stops, warnings, margins, players.
 #include "answer/words.hpp"
 
 #include <cmath>
@@ -28,7 +28,7 @@ ShotRequest shot(double speed, double angle, const LaunchSpin& spin = {}) {
           .spin = spin};
 }
 
-/// The 8 as target, from `gap` metres in front of it.
+/// Returns a puzzle with ball 8 as the target, `gap` metres in front of the cue ball.
 Puzzle touching(double gap = 0.9) {
   const Scene scene = preset_scene("pool-9ft");
   const double R = scene.ball.body.radius;
@@ -39,7 +39,7 @@ Puzzle touching(double gap = 0.9) {
           .target = BallTarget{.balls = {1}}};
 }
 
-/// A shot that touches it at this cut [degrees].
+/// Returns a shot that touches ball 8 at this cut angle [degrees].
 Shot touch(const Puzzle& p, double cut) {
   const double a = radians(cut);
   const Vec2d at = p.others[0].at - Vec2d{std::cos(a), std::sin(a)} * (2 * p.ball.body.radius);
@@ -50,7 +50,7 @@ Shot touch(const Puzzle& p, double cut) {
   return s;
 }
 
-/// The rows of this name, one below the other.
+/// Returns the rows of this name, one per line.
 std::string row(const Puzzle& p, const Shot& s, std::string_view name) {
   std::string out;
   for (const Row& r : rows_of(p, s))
@@ -77,7 +77,7 @@ TEST_CASE("who aims over the ball at the diamond that is named aims at the angle
     REQUIRE(s);
     const Vec2d to = s->at - from;
     CHECK(wrap_angle(std::atan2(to.y, to.x)) == Approx(angle).margin(1e-12));
-    // Bottom, right, top, left: the diamonds' own coordinate, and how far they are behind the nose.
+    // Bottom, right, top, left: the diamond's coordinate along the rail, and its distance behind the nose.
     const bool level = s->cushion % 2 == 0;
     long_rails += level;
     const double along = (level ? s->at.x / size.x : s->at.y / size.y) * (level ? 8 : 4);
@@ -91,7 +91,8 @@ TEST_CASE("who aims over the ball at the diamond that is named aims at the angle
 }
 
 TEST_CASE("the line of aim is named by rail, diamond and corner, on a polygon by its part") {
-  // From (0.635, 0.4) at 45 degrees it crosses the diamonds behind the top at x = 0.635 + (1.27 + 0.0936625 - 0.4).
+  // From (0.635, 0.4) at 45 degrees, the line crosses the diamonds behind the top rail at x = 0.635 + (1.27 + 0.0936625
+  // - 0.4).
   CHECK(aim_words(shot(1, 45)) == "diamond 5.04 of 8 on the top rail, counted from the left (45.00 degrees)");
   CHECK_THAT(aim_words(shot(1, 180)), Contains("diamond 1.26 of 4 on the left rail, counted from the bottom"));
   CHECK_THAT(aim_words(shot(1, 215.8)), Contains(" diamonds beyond the left end of the bottom rail"));
@@ -118,7 +119,7 @@ TEST_CASE("speeds have names, miles an hour, and the lag for a unit") {
   CHECK_THAT(speed_words(shot(12, 0)), Catch::StartsWith("powerful break: 12.00 m/s, 26.8 mph, "));
   ShotRequest lag = shot(1, 0);
   lag.physics = rolling_physics();
-  // Up from a quarter of the table and back, at 0.85 of the speed, with R to spare at each end.
+  // The lag goes up from a quarter of the table and back at 0.85 of the speed, with R to spare at each end.
   const double a = deceleration(lag.physics), R = lag.ball.body.radius, up = 0.75 * 2.54 - R, back = 2.54 - 2 * R;
   lag.launch.speed = 3 * std::sqrt(2 * a * (back / (0.85 * 0.85) + up));
   CHECK_THAT(speed_words(lag), Contains("3.0 times lag speed"));
@@ -149,7 +150,7 @@ TEST_CASE("a raised cue gives the spin that its words tell") {
   const LaunchSpin wanted{.top = 0.6, .side = 0.4, .masse = 0.4};  // 45 degrees
   CHECK(tip_words(shot(1, 0, wanted)) ==
         "4.8 mm above the centre, 4.6 mm to the right, the cue raised by 45 degrees and seen along it");
-  // The spin of a blow of J along the cue through (right, up) off the centre, in units of v / R.
+  // The spin of a blow J along the cue through the point (right, up) off the centre, in units of v / R.
   const double cue = radians(45), right = 0.4 * wanted.side, up = 0.4 * wanted.top * std::cos(cue), v = std::cos(cue);
   CHECK(2.5 * right * std::cos(cue) / v == Approx(wanted.side));
   CHECK(2.5 * up / v == Approx(wanted.top));
