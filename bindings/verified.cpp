@@ -5,7 +5,7 @@
 
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/json.hpp"
-#include "json/writer.hpp"
+#include "io/json/writer.hpp"
 #include "truth/claims.hpp"
 
 namespace bankshot::bindings {

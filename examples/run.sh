@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs missing packages, builds, solves the example puzzles, prints the answers and writes the
-# pictures to examples/figures/.
+# Installs missing packages, builds the program and answers README's puzzle. Then builds and runs the examples, and
+# writes their pictures to examples/figures/.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/packages.sh
 need $toolchain
-build release -DBANKSHOT_TESTS=OFF -DBANKSHOT_BENCH=OFF
 bin=build/release
+build release -DBANKSHOT_TESTS=OFF -DBANKSHOT_BENCH=OFF -- bankshot
+"$bin/bankshot" solve examples/puzzles/first-shot.json --svg examples/figures/first-shot.svg
+echo "The picture is examples/figures/first-shot.svg. Now the other examples:"
+build release -DBANKSHOT_TESTS=OFF -DBANKSHOT_BENCH=OFF
 for puzzle in examples/puzzles/*.json; do
   name=$(basename "$puzzle" .json)
   echo "== $name"

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <list>
 #include <memory>
 #include <optional>
@@ -18,6 +19,8 @@
 #include "bankshot/simulate/starts.hpp"
 
 namespace bankshot::planning {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The shots that are wanted: the best one, the first that is verified, or every distinct one. `starts`: no shot, but
 /// roots of locked paths, kept as candidates.

@@ -19,8 +19,6 @@ using namespace settings::family;
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// The turn of an aim that brings it nearest to the middle of its bounds.
 double near_window(double angle, const std::optional<Range>& window) {
   if (!window) return angle;

@@ -13,12 +13,6 @@ namespace bankshot::planning::family {
 
 using namespace settings::family;
 
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 Family::Curve Family::walk(const Point& from) {
   Curve curve;
   walk_way(from, -1, curve);

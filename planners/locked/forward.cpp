@@ -9,7 +9,7 @@
 namespace bankshot::planning {
 namespace {
 
-using Dual = bankshot::Dual<2>;
+using Dual2 = Dual<2>;
 
 /// One path, and what it passes.
 class Follower {
@@ -17,7 +17,7 @@ class Follower {
   Follower(const Question& q, std::span<const Mark> marks, Forward& out) : q_(q), marks_(marks), out_(out) {}
 
   template <class Motion, class Cushion>
-  void along_route(const Motion& motion, const Cushion& cushion, const State<Dual>& start) {
+  void along_route(const Motion& motion, const Cushion& cushion, const State<Dual2>& start) {
     out_.route = *q_.route;
     const auto path = follow_locked(q_.boundary, motion, cushion, std::span<const Meeting>(out_.route), start);
     if (path.end == LockedEnd::complete) look(motion, path.state, path.time.a);
@@ -25,7 +25,7 @@ class Follower {
   }
 
   template <class Motion, class Cushion>
-  void freely(const Motion& motion, const Cushion& cushion, const State<Dual>& start) {
+  void freely(const Motion& motion, const Cushion& cushion, const State<Dual2>& start) {
     const CushionRule& rule = q_.cushions();
     Simulator sim(q_.alone(), motion, cushion, start);
     for (;;) {
@@ -39,7 +39,7 @@ class Follower {
       if (e.kind != EventKind::cushion || sim.time().a > q_.latest) return;
       out_.route.push_back({0, e.contact});
       const Wall* const line = q_.boundary.line(e.contact);
-      const Dual along = line ? dot(line->along, sim.state().at) : Dual(0);
+      const Dual2 along = line ? dot(line->along, sim.state().at) : Dual2(0);
       out_.places.push_back({along.a, along.v[0]});
       if (q_.route && out_.route.back() != (*q_.route)[bounces]) return;
     }
@@ -47,7 +47,7 @@ class Follower {
 
   /// Past aims so near [rad].
   template <class Motion, class Cushion>
-  void through_jaws(const Motion& motion, const Cushion& cushion, const State<Dual>& start, double near) {
+  void through_jaws(const Motion& motion, const Cushion& cushion, const State<Dual2>& start, double near) {
     near_ = near;
     Simulator sim(q_.alone(), motion, cushion, start);
     for (int bounces = 0;;) {
@@ -65,16 +65,16 @@ class Follower {
  private:
   /// Adds how a free leg that begins so misses each mark.
   template <class Motion>
-  void look(const Motion& motion, const State<Dual>& state, double begin) {
+  void look(const Motion& motion, const State<Dual2>& state, double begin) {
     if (!(dot(state.velocity, state.velocity).a > 0)) return;
     for (std::size_t i = 0; i < marks_.size(); ++i) {
       const LockedAim aim{q_, out_.route, marks_[i]};
       if (near_ && !leads_near(aim.mark, state)) continue;
-      const LockedArrival<Dual> arrival =
+      const LockedArrival<Dual2> arrival =
           arrive_locked(motion, q_.boundary.body, state, aim.mark.at, aim.mark.capture(), q_.stop);
-      Dual r[2] = {Dual(0), Dual(0)};
+      Dual2 r[2] = {Dual2(0), Dual2(0)};
       if (!(q_.one_unknown() ? residuals_of<1>(aim, arrival, r) : residuals_of<2>(aim, arrival, r))) continue;
-      const Vec2<Dual> off = to<Dual>(aim.mark.at) - arrival.state.at;
+      const Vec2<Dual2> off = to<Dual2>(aim.mark.at) - arrival.state.at;
       const double ahead = dot(arrival.heading, off).a / norm(arrival.heading).a;
       if (!q_.stop && !arrival.at_rest && ahead < -settings::forward::behind * q_.boundary.diagonal) continue;
       const Vec2d heading = value(arrival.heading);
@@ -85,9 +85,9 @@ class Follower {
   }
 
   /// The line of travel does, of some aim that is as near as asked.
-  bool leads_near(const Mark& mark, const State<Dual>& state) const {
-    const Vec2<Dual> off = to<Dual>(mark.at) - state.at, u = state.velocity / norm(state.velocity);
-    const Dual lateral = cross(u, off);
+  bool leads_near(const Mark& mark, const State<Dual2>& state) const {
+    const Vec2<Dual2> off = to<Dual2>(mark.at) - state.at, u = state.velocity / norm(state.velocity);
+    const Dual2 lateral = cross(u, off);
     const double room = 2 * mark.reach + settings::forward::bends * norm(off).a + *near_ * std::abs(lateral.v[0]);
     return std::abs(lateral.a) < room && dot(u, off).a > -room;
   }
@@ -108,7 +108,7 @@ void follow(const Question& q, Ledger& ledger, const Launch& launch, std::span<c
   if (ledger.spent()) return;
   with_physics(q.rough, [&](const auto& motion, const auto& cushion) {
     Follower follower(q, marks, out);
-    f(follower, motion, cushion, dual_start<Dual, 2>(q, launch));
+    f(follower, motion, cushion, dual_start<Dual2, 2>(q, launch));
   });
   ledger.charge(out.route.size());
 }
@@ -117,7 +117,7 @@ void follow(const Question& q, Ledger& ledger, const Launch& launch, std::span<c
 
 void forward(const Question& q, Ledger& ledger, const Launch& launch, bool locked, Forward& out) {
   follow(q, ledger, launch, q.marks, out,
-         [&](auto& follower, const auto& motion, const auto& cushion, const State<Dual>& start) {
+         [&](auto& follower, const auto& motion, const auto& cushion, const State<Dual2>& start) {
            if (q.route && locked)
              follower.along_route(motion, cushion, start);
            else
@@ -128,7 +128,7 @@ void forward(const Question& q, Ledger& ledger, const Launch& launch, bool locke
 void forward_through_jaws(const Question& q, Ledger& ledger, const Launch& launch, double near,
                           std::span<const Mark> mouths, Forward& out) {
   follow(q, ledger, launch, mouths, out,
-         [near](auto& follower, const auto& motion, const auto& cushion, const State<Dual>& start) {
+         [near](auto& follower, const auto& motion, const auto& cushion, const State<Dual2>& start) {
            follower.through_jaws(motion, cushion, start, near);
          });
 }

@@ -11,9 +11,9 @@ namespace {
 
 template <int N>
 std::optional<Linear> linearise(const LockedAim& aim, const Launch& launch, const Physics& physics) {
-  using Dual = bankshot::Dual<N>;
-  const auto arrival = arrival_of(aim, dual_start<Dual, N>(aim.q, launch), physics);
-  Dual r[N];
+  using DualN = Dual<N>;
+  const auto arrival = arrival_of(aim, dual_start<DualN, N>(aim.q, launch), physics);
+  DualN r[N];
   if (!arrival || !residuals_of<N>(aim, *arrival, r)) return {};
   return linear<N>(r, arrival->time.a);
 }

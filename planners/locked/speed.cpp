@@ -24,7 +24,6 @@ double step_of_speed(const Linear& l, bool stop) {
 std::optional<double> speed_near(const LockedAim& aim, Ledger& ledger, double angle, double guess) {
   if (aim.q.one_unknown()) return guess;
   using namespace settings::speed_near;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   double speed = guess, low = 0, high = infinite;
   for (int i = 0; i < most_steps; ++i) {
     const auto l = linearise(aim, ledger, {speed, angle});

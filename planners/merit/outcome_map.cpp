@@ -20,8 +20,6 @@ using namespace settings::outcome_map;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// The largest step that divides a half turn by a power of two and is at most `most` [rad].
 double lattice_step(double most) {
   return std::ldexp(std::numbers::pi, -static_cast<int>(std::ceil(std::log2(std::numbers::pi / most))));
@@ -249,7 +247,7 @@ double largest(double low, double high, double enough, const F& f) {
 /// The best aim between the middles of the rows around, inside the bounds of the aim.
 double OutcomeMap::safest_aim(double speed) const {
   const double near = 2 * deviation(speed);
-  double low = infinity, high = -low;
+  double low = infinite, high = -low;
   for (const Row& row : rows_)
     if (rows_.size() == 1 || std::abs(row.speed - speed) < near)
       for (const Band& band : row.bands) low = std::min(low, band.middle()), high = std::max(high, band.middle());
@@ -264,7 +262,7 @@ double OutcomeMap::safest_aim(double speed) const {
 
 /// The best launch of a speed: the likeliest, or that nearest to it among those that meet the least.
 OutcomeMap::Best OutcomeMap::best_at(double speed) const {
-  const auto apart = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinity; };
+  const auto apart = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinite; };
   const Row& row = *std::ranges::min_element(rows_, {}, apart);
   const double aim = safest_aim(speed);
   Best best = at(aim, speed, row);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -30,7 +31,7 @@ bool last_choice(const Question& q, const Shot& shot) {
 
 /// m from where the struck ball should rest.
 double apart_from_leave(const Puzzle& p, const Shot& shot) {
-  return shot.cue_rests ? norm(*shot.cue_rests - *p.leave) : std::numeric_limits<double>::infinity();
+  return shot.cue_rests ? norm(*shot.cue_rests - *p.leave) : infinite;
 }
 
 /// Of the shots that are as likely as the best, to what nobody notices, the one that leaves the struck ball best; then
@@ -145,9 +146,13 @@ void order_by_value(std::span<Shot> shots) {
   std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.value.value_or(-1); });
 }
 
-void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
+namespace {
+
+/// Returns the number of the shot with the largest value, if that exceeds `value`. Computes the values of shots that
+/// may have it.
+std::optional<std::size_t> best_above(const Question& q, Ledger& ledger, std::span<Shot> shots, double value) {
   struct Candidate {
-    double at_most;  ///< its value
+    double at_most;  ///< largest value that first order leaves possible
     std::size_t shot;
   };
   std::vector<Candidate> candidates;
@@ -157,17 +162,23 @@ void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
     candidates.push_back({success - cost_of(shot), candidates.size()});
   }
   // The shots are in the order of their margins, which decides between equals.
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.at_most > b.at_most; });
-  std::size_t best = candidates.front().shot;
+  std::ranges::stable_sort(candidates, std::greater(), &Candidate::at_most);
+  std::optional<std::size_t> best;
+  const double tie = q.puzzle.leave ? settings::rank::as_likely : 0;
   for (const Candidate& c : candidates) {
-    const double tie = q.puzzle.leave ? settings::rank::as_likely : 0;
-    if (shots[best].value && c.at_most <= *shots[best].value - tie) break;
+    if (c.at_most <= value - tie) break;
     Shot& shot = shots[c.shot];  // the value of some is known since their stage
     if (!shot.value) as_struck(q, shot, [&](const Question& own) { find_success(own, ledger, shot); });
-    if (*shot.value > *shots[best].value) best = c.shot;
+    if (*shot.value > value) value = *shot.value, best = c.shot;
   }
-  std::swap(shots.front(), shots[best]);
+  return best;
+}
+
+}  // namespace
+
+void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
+  const auto best = best_above(q, ledger, shots, -infinite);
+  std::swap(shots.front(), shots[best.value_or(0)]);
   // Those behind it are tuned as well, or leave the cue ball better.
   if (q.carom() || q.puzzle.leave) order_by_value(shots);
 }
@@ -194,10 +205,10 @@ auto moved_from(Findings& found, const Shot& shot) {
   });
 }
 
-/// Of a shot that was moved; less than any where it was not.
+/// Returns the value of a shot that was moved, and less than any if it was not.
 double moved_value(Findings& found, const Shot& shot) {
   const auto known = moved_from(found, shot);
-  return known == found.moved.end() || !known->shot ? -1 : *known->shot->value;
+  return known == found.moved.end() || !known->shot ? -infinite : *known->shot->value;
 }
 
 /// Moves shots that may be worth more than all others are, `most` of them, those first that seem best.
@@ -264,12 +275,13 @@ void move_best(const Question& q, Ledger& ledger, Findings& found) {
   if (q.all()) return std::ranges::for_each(found.shots, move), void();
   if (q.puzzle.prefer != Prefer::robust) return move(found.shots.front());
   move_some(q, ledger, found, settings::rank::most_moved);
-  Shot& best = *std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return moved_value(found, s); });
-  if (const auto known = moved_from(found, best); known != found.moved.end() && known->shot)
-    best = *known->shot;
+  Shot* best = &*std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return moved_value(found, s); });
+  // The map is an estimate, so an exact launch may be worth more.
+  if (const auto exact = best_above(q, ledger, found.shots, moved_value(found, *best)))
+    best = &found.shots[*exact];
   else
-    move(best);  // what was worth more has been dropped since
-  std::swap(best, found.shots.front());
+    *best = *moved_from(found, *best)->shot;
+  std::swap(*best, found.shots.front());
 }
 
 void add_robustness(const Question& q, Ledger& ledger, Findings& found) {

@@ -33,12 +33,12 @@ namespace bankshot::planning::steps {
 namespace {
 
 /// A leg of the struck ball after it has touched the first, and how it passes the second.
-struct Pass {
+struct SidePass {
   Launch launch;
   double distance;  ///< m, from centre to centre at the closest
   bool left;        ///< the second is on the left of the line of travel
 };
-using Passes = std::map<Route, Pass>;
+using Passes = std::map<Route, SidePass>;
 
 class Caroms {
  public:
@@ -89,7 +89,7 @@ class Caroms {
 
   void look_across(const Approach& approach) {
     std::map<int, Passes> before;
-    std::map<Route, std::vector<Pass>> touching;
+    std::map<Route, std::vector<SidePass>> touching;
     each_launch(q_, approach.across, grid_, [&](const Launch& launch, int speed) {
       if (stop::over(q_, ledger_, found_)) return true;
       Passes now = follow(launch);
@@ -106,7 +106,9 @@ class Caroms {
       if (!rooted_.contains(route)) touch(route, passes);
   }
 
-  static const Launch& closer(const Pass& a, const Pass& b) { return a.distance < b.distance ? a.launch : b.launch; }
+  static const Launch& closer(const SidePass& a, const SidePass& b) {
+    return a.distance < b.distance ? a.launch : b.launch;
+  }
 
   /// Its legs after the first ball, by their routes.
   Passes follow(const Launch& launch) {
@@ -130,7 +132,7 @@ class Caroms {
               Route& route, Passes& out) {
     Simulator sim(q_.alone(), motion, cushion, struck);
     for (;;) {
-      Pass pass{launch, forever, false};
+      SidePass pass{launch, forever, false};
       const auto look = [&](const Arc<double>& arc, double travelled) {
         const double t = closest_time(arc, travelled, mark_.at);
         const Vec2d off = mark_.at - arc.position(t);
@@ -184,11 +186,11 @@ class Caroms {
   }
 
   /// Where no two aims are on either side: from the closest, or beside the exact line as one of them is.
-  void touch(const Route& route, std::vector<Pass>& passes) {
-    std::ranges::sort(passes, {}, &Pass::distance);
+  void touch(const Route& route, std::vector<SidePass>& passes) {
+    std::ranges::sort(passes, {}, &SidePass::distance);
     if (root(route, passes.front().launch)) return void(rooted_.insert(route));
     if (q_.starts()) return;
-    for (const Pass& pass : passes) {
+    for (const SidePass& pass : passes) {
       if (one_is_enough() || stop::over(q_, ledger_, found_)) return;
       const auto made = made_as_asked(q_, ledger_, pass.launch);
       if (made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, word::caroms, Demand::off_centre))

@@ -110,7 +110,9 @@ bool Widest::across_jump(const Tried& low, const Tried& best, const Tried& high)
   const Range aims{low.x - (high.x - low.x) / 2, high.x + (high.x - low.x) / 2};
   std::optional<Roomy> last;
   for (int i = 0; i <= rows && !ledger_.spent(); ++i) {
-    const double speed = slow / beyond * std::pow(fast / slow * beyond * beyond, static_cast<double>(i) / rows);
+    const double speed =
+        slow / settings::widest::beyond *
+        std::pow(fast / slow * settings::widest::beyond * settings::widest::beyond, static_cast<double>(i) / rows);
     const auto now = roomy(aims, speed);
     if (now && along(*now)) return true;
     if (now && last && (now->excess > 0) != (last->excess > 0) && between(aims, *last, *now)) return true;

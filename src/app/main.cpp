@@ -9,7 +9,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "bankshot/plan/answer.hpp"
-#include "json/reader.hpp"
+#include "io/json/reader.hpp"
 
 namespace bankshot::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/files.hpp"
 #include "bankshot/scene/json.hpp"
-#include "json/document.hpp"
+#include "io/json/document.hpp"
 
 namespace bankshot::app {
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bankshot/scene/table.hpp"
-#include "format/objects.hpp"
-#include "format/scene_keys.hpp"
-#include "format/schema.hpp"
+#include "io/format/objects.hpp"
+#include "io/format/scene_keys.hpp"
+#include "io/format/schema.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
 

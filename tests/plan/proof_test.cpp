@@ -83,7 +83,7 @@ TEST_CASE("a proof brings back what rounding carried out of a bound, and no more
 TEST_CASE("the safest shot keeps the bounds of the aim, and the budget to one path") {
   test::Random random(31);
   int moved = 0;
-  for (int i = 0; i < 90; ++i) {
+  for (int i = 0; i < 120; ++i) {
     Puzzle p = test::random_puzzle(random, test::Family::uniform, test::Model::rolling).puzzle;
     p.aim = Aim::safest;
     p.angle.reset();

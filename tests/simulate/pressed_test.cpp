@@ -23,19 +23,19 @@ constexpr double g = 9.81, sliding = 0.2, rolling = 0.01;
 
 /// Two equal balls that touch: their places, velocities, and the velocities at which their present spin would be
 /// rolling.
-struct Pair {
+struct TwoBalls {
   std::array<Vec2d, 2> at, velocity, rolls;
 };
 
-State<double> state_of(const Pair& p, std::size_t i, double radius) {
+State<double> state_of(const TwoBalls& p, std::size_t i, double radius) {
   return {p.at[i], p.velocity[i], {-p.rolls[i].y / radius, p.rolls[i].x / radius, 0}};
 }
 
 /// Draws a pair in which neither ball approaches the other; each slides or rolls.
-Pair random_pair(Random& r, double radius) {
+TwoBalls random_pair(Random& r, double radius) {
   const Vec2d n = direction(r.uniform(0, 2 * pi));
   const double speed = std::exp(r.uniform(std::log(0.01), std::log(0.3)));
-  Pair p;
+  TwoBalls p;
   p.at = {Vec2d{10, 5}, Vec2d{10, 5} + n * (2 * radius)};
   p.velocity[0] = direction(r.uniform(0, 2 * pi)) * speed;
   p.velocity[1] = p.velocity[0] + perpendicular(n) * (r.uniform(-0.5, 0.5) * speed);
@@ -48,7 +48,7 @@ Pair random_pair(Random& r, double radius) {
 
 /// Integrates the equations of motion by Euler's method: sliding, rolling, and a force along the line of centres while
 /// it is needed to keep the balls apart.
-void follow(Pair& p, double radius, double seconds) {
+void follow(TwoBalls& p, double radius, double seconds) {
   constexpr double dt = 2e-6;
   const long steps = std::lround(seconds / dt);
   for (long step = 0; step < steps; ++step) {
@@ -93,7 +93,7 @@ TEST_CASE("two balls that press on each other move as the equations say") {
   double worst = 0;
   int arcs = 0, compared = 0;
   for (int i = 0; i < 100; ++i) {
-    Pair p = random_pair(r, ball.radius);
+    TwoBalls p = random_pair(r, ball.radius);
     const std::array starts{BallStart<double>{&boundary, state_of(p, 0, ball.radius)},
                             BallStart<double>{&boundary, state_of(p, 1, ball.radius)}};
     ManyBalls sim(std::span<const BallStart<double>>(starts), SlideRoll{}, Han2005{}, BallBall{});

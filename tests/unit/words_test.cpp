@@ -2,16 +2,16 @@
 //
 // The words of an answer: the diamond to aim at, names of speeds, distances, the tip, the fullness of a hit, where the
 // cue ball stops, warnings, margins, players.
-#include "answer/words.hpp"
+#include "io/answer/words.hpp"
 
 #include <cmath>
 #include <string>
 
-#include "answer/sights.hpp"
 #include "bankshot/numbers/random.hpp"
 #include "bankshot/scene/scene.hpp"
 #include "bankshot/scene/tip.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "io/answer/sights.hpp"
 #include "support/catch.hpp"
 
 namespace {

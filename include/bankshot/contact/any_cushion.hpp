@@ -12,6 +12,7 @@
 #include "bankshot/contact/mirror.hpp"
 #include "bankshot/contact/rail_cushion.hpp"
 #include "bankshot/contact/stronge.hpp"
+#include "bankshot/numbers/dual.hpp"
 
 namespace bankshot {
 
@@ -21,10 +22,18 @@ struct AnyCushion {
   CushionVariant law;
 
   template <class T, class N>
-  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
-    std::visit([&](const auto& cushion) { cushion.bounce(body, s, away); }, law);
-  }
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const;
 };
+
+template <class T, class N>
+void AnyCushion::bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
+  std::visit([&](const auto& cushion) { cushion.bounce(body, s, away); }, law);
+}
+
+// All laws together are long to compile: the common scalars are compiled once, in the library.
+extern template void AnyCushion::bounce(const Body&, State<double>&, const Vec2<double>&) const;
+extern template void AnyCushion::bounce(const Body&, State<Dual<2>>&, const Vec2<double>&) const;
+extern template void AnyCushion::bounce(const Body&, State<Dual<2>>&, const Vec2<Dual<2>>&) const;
 
 /// Returns the law of a rail with its own coefficients.
 inline AnyCushion of_rail(const RailCushion& rail, const AnyCushion& cushion) {

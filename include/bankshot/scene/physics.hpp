@@ -57,17 +57,20 @@ decltype(auto) with_motion(const Physics& p, F&& f) {
   return std::visit([&](const auto& motion) -> decltype(auto) { return f(motion); }, p.motion);
 }
 
-/// Calls `f(motion, cushion)` with the concrete types. Cushions that act on spin require a motion that carries spin;
-/// with other motions every cushion is a mirror.
+/// Calls `f(motion, cushion)` with the concrete type of the motion. Cushions that act on spin require a motion that
+/// carries spin; with other motions every cushion is a mirror. The default law of spinning balls is passed as it is,
+/// every other law as `AnyCushion`: each further type would compile all callers once more.
 template <class F>
 decltype(auto) with_physics(const Physics& p, F&& f) {
   if (!is_level(p)) return f(tilted(p), AnyCushion{p.cushion});
   return std::visit(
       [&](const auto& motion) -> decltype(auto) {
-        if constexpr (std::decay_t<decltype(motion)>::straight)
+        if constexpr (std::decay_t<decltype(motion)>::straight) {
           return f(motion, std::get<Mirror>(p.cushion));
-        else
-          return std::visit([&](const auto& cushion) -> decltype(auto) { return f(motion, cushion); }, p.cushion);
+        } else {
+          if (const auto* han = std::get_if<Han2005>(&p.cushion)) return f(motion, *han);
+          return f(motion, AnyCushion{p.cushion});
+        }
       },
       p.motion);
 }

@@ -15,8 +15,8 @@
 
 #include "app/files.hpp"
 #include "app/gzip.hpp"
-#include "json/document.hpp"
-#include "json/reader.hpp"
+#include "io/json/document.hpp"
+#include "io/json/reader.hpp"
 
 namespace bankshot::app::batch {
 namespace {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "answer/words.hpp"
 #include "app/book/pages.hpp"
 #include "app/book/words.hpp"
 #include "app/commands.hpp"
@@ -16,6 +15,7 @@
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
+#include "io/answer/words.hpp"
 
 namespace bankshot::app::book {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "bankshot/draw/page.hpp"
-#include "draw/escape.hpp"
+#include "io/draw/escape.hpp"
 
 namespace bankshot::app::book {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "bankshot/geometry/boundary.hpp"
-#include "json/document.hpp"
+#include "io/json/document.hpp"
 
 namespace bankshot::app::book {
 namespace {

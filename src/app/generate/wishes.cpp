@@ -9,7 +9,7 @@
 #include "app/files.hpp"
 #include "app/scene_flags.hpp"
 #include "bankshot/scene/json.hpp"
-#include "json/reader.hpp"
+#include "io/json/reader.hpp"
 
 namespace bankshot::app::generate {
 namespace {

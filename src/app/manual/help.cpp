@@ -3,7 +3,7 @@
 // bankshot help COMMAND: prints what COMMAND --help prints.
 #include "app/commands.hpp"
 #include "app/files.hpp"
-#include "json/reader.hpp"
+#include "io/json/reader.hpp"
 
 namespace bankshot::app::manual {
 

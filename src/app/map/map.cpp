@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iostream>
 
-#include "answer/words.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
@@ -17,6 +16,7 @@
 #include "app/picture.hpp"
 #include "bankshot/draw/map.hpp"
 #include "bankshot/scene/json.hpp"
+#include "io/answer/words.hpp"
 
 namespace bankshot::app::map {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/scene_flags.hpp"
 #include "bankshot/draw/acceptance.hpp"
 #include "bankshot/simulate/acceptance.hpp"
-#include "json/reader.hpp"
+#include "io/json/reader.hpp"
 
 namespace bankshot::app::pocket {
 namespace {

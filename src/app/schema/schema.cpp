@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // bankshot schema: the format of files, from the same table of keys that the readers use.
-#include "format/schema.hpp"
+#include "io/format/schema.hpp"
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
-#include "json/reader.hpp"
+#include "io/json/reader.hpp"
 
 namespace bankshot::app::schema {
 namespace {

@@ -16,10 +16,10 @@
 #include "bankshot/plan/launch_map.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/trajectory.hpp"
-#include "format/schema.hpp"
-#include "geometry/mouth.hpp"
-#include "json/reader.hpp"
-#include "json/writer.hpp"
+#include "io/format/schema.hpp"
+#include "io/json/reader.hpp"
+#include "io/json/writer.hpp"
+#include "sim/geometry/mouth.hpp"
 
 namespace bankshot::app::serve {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <iostream>
 
-#include "answer/words.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/option_checks.hpp"
@@ -11,6 +10,7 @@
 #include "app/solve/solve_flags.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/scene/json.hpp"
+#include "io/answer/words.hpp"
 
 namespace bankshot::app::solve {
 namespace {

@@ -6,10 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "answer/words.hpp"
 #include "app/option_checks.hpp"
 #include "bankshot/scene/json.hpp"
-#include "json/reader.hpp"
+#include "io/answer/words.hpp"
+#include "io/json/reader.hpp"
 
 namespace bankshot::app::solve {
 

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: MIT
+#include "io/answer/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/tip.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+#include "io/answer/sights.hpp"
+
+namespace bankshot {
+namespace {
+
+/// Returns D. Alciatore's name of a speed (billiards.colostate.edu/faq/speed/typical) in miles per hour. He has no name
+/// between the power shot, up to 10, and the powerful break, from 25.
+std::string_view pace(double mph) {
+  if (mph < 1) return "soft touch";
+  if (mph < 2) return "slow";
+  if (mph < 4) return "medium";
+  if (mph < 7) return "fast";
+  if (mph < 10) return "power shot";
+  return mph < 25 ? "harder than a power shot" : "powerful break";
+}
+
+/// Returns the lag speed of this table, cloth and ball [m/s]; none if no ball comes back.
+std::optional<double> lag_speed(const ShotRequest& shot) {
+  if (!shot.table.is_rectangle() || deceleration(shot.physics) == 0) return {};
+  ShotRequest lag = shot;
+  const Vec2d low = shot.table.lowest(), size = shot.table.highest() - low;
+  const bool wide = size.x >= size.y;
+  lag.table.pockets.clear();
+  lag.others.clear();
+  lag.spin = {};
+  lag.ball.at = low + (wide ? Vec2d{size.x / 4, size.y / 2} : Vec2d{size.x / 2, size.y / 4});
+  lag.launch.angle = wide ? 0 : radians(90);
+  lag.until = {.time = {}, .cushions = 2, .length = {}};
+  const auto comes_back = [&](double speed) {
+    lag.launch.speed = speed;
+    return simulate(lag).cushions == 2;
+  };
+  constexpr double fastest = 20;  // m/s; faster than any break
+  double slow = 0, fast = fastest;
+  if (!comes_back(fast)) return {};
+  for (int i = 0; i < 20; ++i) (comes_back((slow + fast) / 2) ? fast : slow) = (slow + fast) / 2;
+  return fast;
+}
+
+std::string side_words(double v, std::string_view more, std::string_view less) {
+  return fmt::format("{:.1f} mm {}", 1e3 * std::abs(v), v > 0 ? more : less);
+}
+
+/// Says how far a line passes from a point; "through its middle" if the distance is not visible.
+std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
+  constexpr double seen = 5e-4;  // m
+  const double right = cross(aim, centre - at) / norm(aim);
+  return std::abs(right) < seen ? "through its middle"
+                                : fmt::format("{:.0f} mm {} of its middle as the ball rolls", 1e3 * std::abs(right),
+                                              right > 0 ? "right" : "left");
+}
+
+/// Returns the nearest of D. Alciatore's names for the fullness of a hit.
+std::string_view fullness_words(double full) {
+  constexpr std::string_view names[] = {"thin hit", "1/4-ball hit", "half-ball hit", "3/4-ball hit", "full hit"};
+  return names[static_cast<std::size_t>(std::lround(4 * std::clamp(full, 0.0, 1.0)))];
+}
+
+/// Describes a hit. `by` is the number of the hitting ball; 0 is the cue ball.
+std::string hit_words(const Puzzle& p, const Hit& hit, int by = 0) {
+  const double cut = degrees(hit.cut), full = std::clamp(fullness(p, hit, by), 0.0, 1.0);
+  constexpr double none = 0.05;  // degrees; not visible to a player
+  return fmt::format("{}, {} ({:.0f} %)", contact_name(p, Contact::ball(hit.ball)), fullness_words(full), 100 * full) +
+         (std::abs(cut) < none
+              ? ""
+              : fmt::format(", cutting it {:.1f} degrees to the {}", std::abs(cut), cut > 0 ? "left" : "right"));
+}
+
+std::string arrival_words(const Puzzle& p, const Shot& s) {
+  const auto [time, speed, at] = s.arrival;
+  const std::string who = s.then.empty() ? "" : contact_name(p, Contact::ball(s.arriving())) + " ";
+  if (const Pocket* pocket = pocket_reached(p, s)) {
+    const State<double> end = end_of(simulate(as_request(p, s)), s.arriving()).state;
+    return fmt::format("{}falls into {} after {:.2f} s at {:.2f} m/s, {}", who, pocket->name, time, speed,
+                       speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim");
+  }
+  if (!s.hits.empty() && s.then.empty())
+    return fmt::format("meets {}, after {:.2f} s at {:.2f} m/s", hit_words(p, s.hits.back()), time, speed);
+  const std::string off = distance_words(s.miss, p.table);
+  const std::string where = off == "exact" ? (speed == 0 ? "exactly on" : "exactly over") : off + " off";
+  return speed == 0 ? fmt::format("{}rests {} the point after {:.2f} s", who, where, time)
+                    : fmt::format("{}passes {} the point after {:.2f} s at {:.2f} m/s", who, where, time, speed);
+}
+
+/// Describes one side of a margin: "up to 0.4 m/s slower", "any amount faster", "not slower".
+std::string side_of_margin(const std::optional<double>& by, double unit, std::string_view unit_words,
+                           std::string_view way) {
+  constexpr double least = 1e-6;  // degrees or m/s; finer than any player
+  if (!by) return fmt::format("any amount {}", way);
+  const double most = std::abs(*by) * unit;
+  return most < least ? fmt::format("not {}", way) : fmt::format("up to {:.3g} {} {}", most, unit_words, way);
+}
+
+std::vector<Row> margin_rows(const Margin& m) {
+  const auto none = [](const auto& ends) { return !ends[0] && !ends[1]; };
+  const auto both = [](const auto& ends, double unit, std::string_view words, std::string_view less,
+                       std::string_view more) {
+    return side_of_margin(ends[0], unit, words, less) + ", " + side_of_margin(ends[1], unit, words, more);
+  };
+  return {{"margin",
+           none(m.angle) ? "any aim makes it" : both(m.angle, degrees(1), "degrees", "to the right", "to the left")},
+          {"", none(m.speed) ? "any speed makes it" : both(m.speed, 1, "m/s", "slower", "faster")}};
+}
+
+std::string cushion_names(const Table& table, const std::vector<Contact>& cushions) {
+  constexpr std::size_t most_named = 12;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most_named, cushions.size()); ++i)
+    names += (i ? ", " : "") + contact_name(table, cushions[i]);
+  if (cushions.size() > most_named) names += fmt::format(" and {} more", cushions.size() - most_named);
+  return names;
+}
+
+}  // namespace
+
+std::string distance_words(double metres, const Table& table) {
+  constexpr double exact = 1e-6, mm = 1e-3;
+  if (metres <= exact * table.diagonal()) return "exact";
+  if (metres >= 1) return fmt::format("{:.2f} m", metres);
+  return metres < 10 * mm ? fmt::format("{:.2g} mm", metres / mm) : fmt::format("{:.0f} mm", metres / mm);
+}
+
+std::string success_words(const Shot& shot) {
+  constexpr double nearly = 0.995, hardly = 0.005;
+  const double success = *shot.success;
+  const auto fails = [](const auto& sides) { return sides[0] || sides[1]; };
+  const bool may_fail = success < 1 || (shot.margin && (fails(shot.margin->angle) || fails(shot.margin->speed)));
+  if (success >= nearly && may_fail) return "over 99 %";
+  if (success <= hardly && success > 0) return "under 1 %";
+  return fmt::format("{:.0f} %", 100 * success);
+}
+
+std::string place_words(const Table& table, const Vec2d& at) {
+  const Vec2d low = table.lowest(), high = table.highest();
+  if (!table.is_rectangle()) return fmt::format("at x = {:.2f} m, y = {:.2f} m", at.x, at.y);
+  const auto from = [](double down, double up, std::string_view first, std::string_view last) {
+    return fmt::format("{:.2f} m from the {} rail", std::min(down, up), down <= up ? first : last);
+  };
+  return from(at.x - low.x, high.x - at.x, "left", "right") + ", " + from(at.y - low.y, high.y - at.y, "bottom", "top");
+}
+
+std::string nearest_words(const Answer::Nearest& nearest, const Table& table) {
+  const Launch& l = nearest.shot.launch;
+  const std::string off = distance_words(nearest.shot.miss, table);
+  return fmt::format("{:.2f} degrees at {:.2f} m/s: {}; it {}", degrees(l.angle), l.speed,
+                     off == "exact" ? "right on the target" : off + " off", nearest.why);
+}
+
+bool aims_into(const ShotRequest& r, const Pocket& pocket) {
+  const Vec2d aim = direction(r.launch.angle), to = pocket.place() - r.ball.at;
+  return dot(aim, to) > 0 && std::abs(cross(aim, to)) < pocket.half();
+}
+
+std::string aim_words(const ShotRequest& r, const Pocket* straight_into) {
+  const Vec2d aim = direction(r.launch.angle);
+  const std::string angle = fmt::format(" ({:.2f} degrees)", degrees(r.launch.angle));
+  if (straight_into && aims_into(r, *straight_into))
+    return "straight at " + straight_into->name + ", " + beside(r.ball.at, aim, straight_into->place()) + angle;
+  const auto s = sight(r.table, r.ball.at, aim);
+  if (!s) return fmt::format("{:.2f} degrees", degrees(r.launch.angle));
+  const auto i = static_cast<std::size_t>(s->cushion);
+  const std::string& cushion = r.table.cushions[i];
+  if (!r.table.is_rectangle())
+    return fmt::format("{:.0f} % of the way along cushion {} from vertex v{}", 100 * s->part, cushion, i) + angle;
+  const bool level = r.table.vertices[i].y == r.table.vertices[(i + 1) % 4].y;
+  const char *first = level ? "left" : "bottom", *last = level ? "right" : "top";
+  const int all = diamonds_along(r.table, s->cushion);
+  const double beyond = std::max(-s->diamonds, s->diamonds - all);
+  if (beyond > 0)
+    return fmt::format("{:.2f} diamonds beyond the {} end of the {} rail", beyond, s->diamonds < 0 ? first : last,
+                       cushion) +
+           angle;
+  return fmt::format("diamond {:.2f} of {} on the {} rail, counted from the {}", s->diamonds, all, cushion, first) +
+         angle;
+}
+
+std::string speed_words(const ShotRequest& r) {
+  constexpr double mile_an_hour = 0.44704;  // m/s
+  const double v = r.launch.speed, mph = v / mile_an_hour;
+  const auto lag = lag_speed(r);
+  return fmt::format("{}: {:.2f} m/s, {:.1f} mph", pace(mph), v, mph) +
+         (lag ? fmt::format(", {:.1f} times lag speed", v / *lag) : "");
+}
+
+std::string tip_words(const ShotRequest& r) {
+  const LaunchSpin& s = r.spin;
+  Tip tip = tip_of(!carries_spin(r.physics) ? LaunchSpin{.top = 1} : s, r.ball.body.radius);
+  std::string raised;
+  if (s.masse != 0) {
+    if (!(s.masse * s.side > 0)) return "no cue gives this spin: a ball curves towards the side that it is struck on";
+    const double cue = std::atan(s.masse / s.side);
+    raised = fmt::format(", the cue raised by {:.0f} degrees and seen along it", degrees(cue));
+    tip.up *= std::cos(cue);
+  }
+  std::string text;
+  if (tip.up != 0) text = side_words(tip.up, "above", "below") + " the centre";
+  if (tip.right != 0) text += (text.empty() ? "" : ", ") + side_words(tip.right, "to the right", "to the left");
+  if (text.empty()) text = "in the centre";
+  if (!carries_spin(r.physics)) return text + ", so that it rolls from the start";
+  if (may_miscue(s))
+    raised += fmt::format("; it may slip off, {:.0f} % of the radius from the centre, where half is the limit",
+                          100 * tip_of(s, 1).from_centre());
+  return text + raised;
+}
+
+std::string noise_words(const Noise& n) {
+  std::vector<std::string> parts{fmt::format("{:.3g} degrees of aim", degrees(n.angle))};
+  std::string speed = n.speed > 0 || n.speed_share == 0 ? fmt::format("{:.3g} m/s", n.speed) : "";
+  if (n.speed_share > 0)
+    speed += fmt::format("{}{:.3g} %", speed.empty() ? "" : " together with ", 100 * n.speed_share);
+  parts.push_back(speed + " of speed");
+  if (n.tip > 0) parts.push_back(fmt::format("{:.3g} mm of where the tip meets the ball", n.tip * 1000));
+  if (n.side > 0) parts.push_back(fmt::format("{:.3g} of side spin", n.side));
+  if (n.top > 0) parts.push_back(fmt::format("{:.3g} of topspin", n.top));
+  if (n.at > 0) parts.push_back(fmt::format("{:.3g} mm of where the balls are", n.at * 1000));
+  std::string out;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return out;
+}
+
+std::string player_words(const Noise& n) {
+  const auto all = players();
+  // Without the physics `spin`, the tip has no error.
+  const auto is_same = [&](const Player& player) {
+    Noise noise = player.noise;
+    if (n.tip == 0) noise.tip = 0;
+    return noise == n;
+  };
+  const auto known = std::ranges::find_if(all, is_same);
+  if (n.none()) return "a player without errors";
+  return (known == all.end() ? "a player" : std::string(known->about)) + " whose standard errors are " + noise_words(n);
+}
+
+namespace {
+
+bool is_carom(const Shot& shot) { return shot.then.empty() && shot.hits.size() > 1; }
+
+/// Returns the cue ball's cushions before and after the first ball of a carom. For other shots, the first list holds
+/// all cushions and the second is empty.
+std::array<std::vector<Contact>, 2> around_first_ball(const Shot& shot) {
+  const auto& all = shot.cushions;
+  const auto split = is_carom(shot) ? all.begin() + shot.hits.front().after : all.end();
+  return {std::vector<Contact>{all.begin(), split}, {split, all.end()}};
+}
+
+std::string cushion_words(const Puzzle& p, const Shot& shot) {
+  const auto named = [&](const std::vector<Contact>& cushions) {
+    return cushions.empty() ? "none" : cushion_names(p.table, cushions);
+  };
+  const auto [first, then] = around_first_ball(shot);
+  if (!is_carom(shot)) return named(first);
+  return fmt::format("{}; off {}: {}", named(first), contact_name(p, Contact::ball(shot.hits.front().ball)),
+                     named(then));
+}
+
+/// Returns what the shot does to other balls, followed by `aim`.
+std::string target_of(const Puzzle& p, const Shot& shot, const std::string& aim) {
+  const auto name = [&](int ball) { return contact_name(p, Contact::ball(ball)); };
+  if (shot.hits.empty()) return aim;
+  if (shot.then.empty()) return "onto " + name(shot.hits.back().ball);
+  std::string to;
+  for (const Onward& sent : shot.then)
+    to += (to.empty() ? "to send " : "onto ") + name(sent.ball) + " " +
+          (sent.cushions.empty() ? "" : "by " + cushion_names(p.table, sent.cushions) + " ");
+  return to + aim;
+}
+
+/// Lists the coefficients whose plausible error moves the arrival visibly, the largest effect first.
+std::vector<std::string> sensitivity_words(const Puzzle& p, const Shot& shot) {
+  struct Step {
+    std::string_view in_name;
+    double by;
+    std::string_view words;
+  };
+  constexpr Step steps[] = {{"height", 0.001, "1 mm of nose height"},
+                            {"tilt.x", 0.001, "1 mm a metre of rise along x"},
+                            {"tilt.y", 0.001, "1 mm a metre of rise along y"},
+                            {"rolling_friction", 0.001, "0.001 of"},
+                            {"frequency_ratio", 0.1, "0.1 of"},
+                            {"", 0.01, "0.01 of"}};
+  std::vector<std::pair<double, std::string>> lines;
+  for (const Sensitivity& s : shot.sensitivity) {
+    const Step& step = *std::ranges::find_if(
+        steps, [&](const Step& one) { return s.coefficient.find(one.in_name) != std::string::npos; });
+    const std::string off = distance_words(s.by * step.by, p.table);
+    if (off == "exact") continue;
+    const std::string what =
+        step.words.ends_with(" of") ? fmt::format("{} {}", step.words, s.coefficient) : std::string(step.words);
+    lines.emplace_back(s.by * step.by, fmt::format("{} moves it by {}", what, off));
+  }
+  std::ranges::stable_sort(lines, std::greater(), [](const auto& line) { return line.first; });
+  std::vector<std::string> out;
+  for (auto& [by, line] : lines) out.push_back(std::move(line));
+  return out;
+}
+
+}  // namespace
+
+std::string title_words(const Puzzle& p, const Shot& shot) {
+  const Pocket* pocket = pocket_reached(p, shot);
+  const std::string aim = pocket                   ? "into " + pocket->name
+                          : shot.arrival.speed > 0 ? "through the ring"
+                                                   : "to rest in the ring";
+  const std::string to = target_of(p, shot, aim);
+  constexpr std::size_t most_named = 5;
+  if (shot.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.cushions.size(), to);
+  const auto [first, then] = around_first_ball(shot);
+  const std::string start = first.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
+                                          : "By " + cushion_names(p.table, first) + " ";
+  if (!is_carom(shot)) return start + to;
+  return start + "off " + contact_name(p, Contact::ball(shot.hits.front().ball)) + " " +
+         (then.empty() ? "" : "by " + cushion_names(p.table, then) + " ") + to;
+}
+
+namespace {
+
+/// Adds the touched balls with their fullness, and the ghost ball of the first hit.
+void add_hits(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
+  if (is_carom(shot)) rows.push_back({"touches", hit_words(p, shot.hits.front())});
+  for (std::size_t i = 0; i < shot.then.size(); ++i) {
+    rows.push_back({i == 0 ? "touches" : "onto", hit_words(p, shot.hits[i], i == 0 ? 0 : shot.then[i - 1].ball)});
+    if (!shot.then[i].cushions.empty())
+      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.then[i].cushions)});
+  }
+  if (!shot.hits.empty()) rows.push_back({"ghost", "ball " + place_words(p.table, shot.hits.front().at)});
+}
+
+/// Adds the leave of the cue ball, or its scratch.
+void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
+  if (shot.scratch)
+    rows.push_back(
+        {scratch_row, "the cue ball falls into " +
+                          (shot.scratch_pocket ? p.table.pockets[static_cast<std::size_t>(*shot.scratch_pocket)].name
+                                               : std::string("a pocket"))});
+  if (!shot.cue_rests) return;
+  std::string stops = "stops " + place_words(p.table, *shot.cue_rests);
+  if (p.leave) stops += ", " + distance_words(norm(*shot.cue_rests - *p.leave), p.table) + " from where it should be";
+  rows.push_back({"cue ball", stops});
+}
+
+}  // namespace
+
+std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
+  const ShotRequest r = as_request(p, shot);
+  std::vector<Row> rows{{"aim", aim_words(r, shot.cushions.empty() ? pocket_reached(p, shot) : nullptr)},
+                        {"speed", speed_words(r)}};
+  if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
+  for (std::string& warning : warnings(p, shot)) rows.push_back({"warning", std::move(warning)});
+  rows.push_back({"cushions", cushion_words(p, shot) + (shot.rattles ? "; and off the jaws of a pocket" : "")});
+  add_hits(p, shot, rows);
+  rows.push_back({"arrives", arrival_words(p, shot)});
+  add_leave(p, shot, rows);
+  if (shot.success) rows.push_back({"success", success_words(shot) + " for " + player_words(p.noise)});
+  if (shot.margin && shot.scratch && !is_ideal(p.physics))
+    rows.push_back({"margin", "none, for the cue ball falls"});
+  else if (shot.margin)
+    for (Row& row : margin_rows(*shot.margin)) rows.push_back(std::move(row));
+  rows.push_back({"note", "0.1 degrees of aim moves the arrival by " +
+                              distance_words(norm(shot.by_angle) * radians(0.1), p.table)});
+  for (const std::string& line : sensitivity_words(p, shot)) rows.push_back({"", line});
+  return rows;
+}
+
+}  // namespace bankshot

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+//
+// The objects of an answer, key by key (format/key.hpp explains the rows). A key that is always present is `required`.
+#pragma once
+
+#include "io/format/key.hpp"
+
+namespace bankshot::format {
+
+inline constexpr std::string_view statuses[] = {"solved", "no-shot", "budget", "invalid"};
+
+inline constexpr Key answer_spin_keys[] = {
+    {"top", "number", "natural roll", required, "0.5",
+     "1 in `ideal` and `rolling`, where the ball rolls from the start"},
+    {"side", "number", "natural roll", required, "-0.3", "positive is right-hand"},
+    {"masse", "number", "natural roll", "0", "0.2", "positive curves to the right"},
+};
+inline constexpr Object answer_spin{"answer_spin", "Spin at launch, each ω R / v.", answer_spin_keys};
+
+inline constexpr Key tip_keys[] = {
+    {"right", "number", "m", required, "-0.0034", "of the ball's centre, as the player sees it"},
+    {"up", "number", "m", required, "0.0057", "over the centre; 2/5 R for natural roll"},
+};
+inline constexpr Object tip{"tip", "Where the cue meets the ball.", tip_keys};
+
+inline constexpr Key arrival_keys[] = {
+    {"time", "number", "s", required, "2.31", "since the launch", at_least(0)},
+    {"speed", "number", "m/s", required, "0.5", "0 where it rests", at_least(0)},
+    {"at", "point", "m", required, "[2.5, 1.24]", "the centre of the ball"},
+};
+inline constexpr Object arrival{"arrival", "When, how fast and where the ball is at its target.", arrival_keys};
+
+inline constexpr Key margin_keys[] = {
+    {"angle", "sides", "degrees", required, "[-0.41, 0.38]", "less and more; null where nothing breaks it within 180"},
+    {"speed", "sides", "m/s", required, "[-0.22, null]", "less and more; null where nothing breaks it within 30"},
+};
+inline constexpr Object margin{"margin", "How far one number may move, the other held, with the shot still made.",
+                               margin_keys};
+
+inline constexpr Key hit_keys[] = {
+    {"ball", "string", "", required, R"("8")", "the ball that is hit"},
+    {"cut", "number", "degrees", required, "30", "from the line of travel to the line of centres, anticlockwise",
+     between(-90, 90)},
+    {"speed", "number", "m/s", required, "0.5", "of the ball that hits, just before", at_least(0)},
+    {"at", "point", "m", required, "[1.85, 0.61]", "the centre of the ball that hits"},
+};
+inline constexpr Object hit{"hit", "A contact of two balls.", hit_keys};
+
+inline constexpr Key contact_keys[] = {
+    {"fullness", "number", "", required, "0.5",
+     "how much of the object ball is covered: 1 is full, 0.5 a half-ball hit"},
+    {"ghost", "point", "m", required, "[1.85, 0.61]", "the centre of the cue ball as they touch: the ghost ball"},
+};
+inline constexpr Object contact{"contact", "How the cue ball hits the object ball.", contact_keys};
+
+inline constexpr std::string_view answer_aims[] = {"safest"};
+
+inline constexpr Key sent_keys[] = {
+    {"ball", "string", "", required, R"("8")", "which"},
+    {"cushions", "[string]", "", required, R"(["bottom"])", "its bounces in order"},
+    {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that takes it"},
+    {"then", "{sent}", "", "of a combination", R"({"ball": "5", "cushions": [], "pocket": "top-right"})",
+     "the ball that it touches, and sends on"},
+};
+inline constexpr Object sent{"sent", "What a ball does that was touched.", sent_keys};
+
+inline constexpr Key answer_shot_keys[] = {
+    {"speed", "number", "m/s", required, "2.1", "of the launch", at_least(0)},
+    {"angle", "number", "degrees", required, "312.4", "of the aim, anticlockwise from +x", between(0, 360)},
+    {"spin", "{answer_spin}", "", required, R"({"top": 0, "side": 0})", "at launch"},
+    {"tip", "{tip}", "", required, R"({"right": 0, "up": 0})", "where the cue meets the ball"},
+    {"cushions", "[string]", "", required, R"(["bottom", "right"])", "the bounces in order"},
+    {"miss", "number", "m", required, "3.1e-13", "how far a replay is off", at_least(0)},
+    {"arrival", "{arrival}", "", required, R"({"time": 2.31, "speed": 0.5, "at": [2.5, 1.24]})", "at the target"},
+    {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that it reaches"},
+    {"offset", "number", "m", "0", "-0.0124",
+     "how far the line of travel passes beside the pocket's centre, positive on its left"},
+    {"hits", "[{hit}]", "", "none", R"([{"ball": "8", "cut": 30, "speed": 0.5, "at": [1.85, 0.61]}])",
+     "contacts with other balls in order, up to the target"},
+    {"then", "{sent}", "", "none", R"({"ball": "8", "cushions": ["bottom"], "pocket": "top-right"})",
+     "the ball that the cue ball sends on"},
+    {"contact", "{contact}", "", "of a shot that hits a ball", R"({"fullness": 0.5, "ghost": [1.85, 0.61]})",
+     "the first contact with a ball"},
+    {"scratch", "boolean", "", "false", "true", "the cue ball falls into a pocket afterwards"},
+    {"cue_rests", "point | string", "m", "without other balls, or where it never rests", "[1.12, 0.4]",
+     "where the cue ball comes to rest after the shot, or the name of the pocket that it falls into"},
+    {"rattles", "boolean", "", "false", "true", "it touches the jaws of a pocket on its way"},
+    {"aim",
+     "word",
+     "",
+     "of a shot that was moved",
+     R"("safest")",
+     "it was moved off the exact line or point, to a larger value",
+     {},
+     answer_aims},
+    {"off_centre", "boolean", "", "false", "true", "it is made, but beside the exact line or point"},
+    {"condition", "number", "m/rad", required, "41",
+     "how far the arrival moves for a radian of aim, or for a relative change of speed", at_least(0)},
+    {"digits", "whole", "", "9 or more", "6",
+     "decimal digits of `at`, of the table's diagonal, and of the speed there, that can be promised", between(0, 9)},
+    {"margin", "{margin}", "", "left out with --no-robustness", R"({"angle": [-0.41, 0.38], "speed": [-0.22, null]})",
+     "how much may be wrong"},
+    {"success", "number", "", "left out with --no-robustness", "0.87",
+     "probability that the target is made, and the cue ball does not fall, under `noise`", between(0, 1)},
+    {"value", "number", "", "left out with --no-robustness", "0.85",
+     "success - 0.005 contacts with cushions and jaws - 0.004 speed - 0.02 tip's distance from the centre / radius"},
+    {"sensitivity", "<number>", "m per unit", "with --sensitivity", R"({"cushion.height": 14.1})",
+     "how far the arrival moves for each coefficient of the table, by its path in `physics`; `tilt.x` and `tilt.y` are "
+     "the table's"},
+    {"path", "[place]", "s, m, m", "with --path", "[[0, 0.635, 0.4], [0.0167, 0.66, 0.37]]",
+     "[t, x, y] 60 times a second and at every event"},
+    {"paths", "<[place]>", "s, m, m", "with --path, where other balls move",
+     R"({"8": [[0.71, 1.6, 0.7], [0.73, 1.62, 0.71]]})", "the same of the other balls that move"},
+    {"planner", "string", "", required, R"("images")", "the step that found it"},
+    {"simulations", "whole", "", required, "9", "spent until it was proved", at_least(0)},
+    {"why", "string", "", "of `nearest` alone", R"("ends 0.2 m short")", "what is wrong with a miss"},
+};
+inline constexpr Object answer_shot{"answer_shot", "What to do, and the proof.", answer_shot_keys};
+
+inline constexpr Key error_keys[] = {
+    {"path", "string", "", required, R"("/ball/at/0")",
+     "the place in the puzzle, a JSON pointer; empty for the whole text"},
+    {"reason", "string", "", required, R"("\"a\" must be a number")", "the rule, in words"},
+};
+inline constexpr Object error{"error", "What is wrong with a puzzle.", error_keys};
+
+inline constexpr Key answer_keys[] = {
+    {"id", "string | number", "", "none", R"("two-rail-1")", "the puzzle's"},
+    {"status",
+     "word",
+     "",
+     required,
+     R"("solved")",
+     "`no-shot`: proved, or searched as `message` says; `budget`: ran out of it",
+     {},
+     statuses},
+    {"shots", "[{answer_shot}]", "", required, "[]", "best first; all of them with --all"},
+    {"nearest", "{answer_shot} | null", "", required, "null", "the closest miss of a `no-shot`"},
+    {"modelled", "[string]", "", "not of `invalid`", R"(["sliding", "rolling", "han2005", "pockets"])",
+     "what the simulation holds"},
+    {"simulations", "whole", "", "not of `invalid`", "31", "spent, search and proof", at_least(0)},
+    {"time_us", "number", "µs", "left out with --no-timing", "14.2", "of the search, without margin and success",
+     at_least(0)},
+    {"settled", "<point>", "m", "without `settle`", R"({"8": [-1.2e-5, 0]})",
+     "by how much balls were moved apart before the search"},
+    {"error", "{error}", "", "of `invalid` alone", R"({"path": "/table", "reason": "this key is required"})",
+     "what is wrong with the puzzle"},
+    {"message", "string", "", required, R"("made by bottom, right")", "one sentence for a person"},
+    {"about", "any", "", "none", R"({"title": "The long bank"})", "the puzzle's"},
+};
+inline constexpr Object answer{"answer", "What `solve --json` prints, and `batch` a line.", answer_keys};
+
+}  // namespace bankshot::format

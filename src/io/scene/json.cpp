@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "bankshot/scene/json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "io/format/shot_keys.hpp"
+#include "io/json/reader.hpp"
+#include "io/scene/read_physics.hpp"
+#include "io/scene/read_shot.hpp"
+#include "io/scene/read_table.hpp"
+
+namespace bankshot {
+namespace {
+
+/// Reads the ranges of spin; returns none if every spin is one number.
+std::optional<SpinRange> read_spin_range(const Reader& r) {
+  r.only(format::spins);
+  SpinRange range;
+  bool any = false;
+  const auto read = [&](const char* key, Range& value) {
+    const auto v = r.find(key);
+    if (!v) return;
+    value = v->range();
+    any = any || v->is_array();
+  };
+  read("top", range.top);
+  read("side", range.side);
+  read("masse", range.masse);
+  return any ? std::optional(range) : std::nullopt;
+}
+
+CushionRule read_cushions(const Reader& r, const Table& table) {
+  if (r.is_number()) return CushionRule::exactly(r.integer(format::puzzle["cushions"].bounds));
+  if (r.is_object()) {
+    r.only(format::count);
+    CushionRule rule;
+    if (const auto v = r.find("min")) rule.min = v->integer(format::count["min"].bounds);
+    rule.max = std::max(rule.max, rule.min);
+    if (const auto v = r.find("max")) rule.max = v->integer(rule.min, max_cushions);
+    return rule;
+  }
+  if (!r.is_array()) r.fail("must be a number, a list of cushions or {\"min\":, \"max\":}");
+  return CushionRule::in_order(read_sequence(r, table));
+}
+
+std::vector<std::string_view> names_of(const Reader& r, const std::vector<Ball>& others) {
+  if (others.empty()) r.fail("cannot be touched: there are no \"others\"");
+  std::vector<std::string_view> names;
+  for (const Ball& other : others) names.push_back(other.id);
+  return names;
+}
+
+/// Reads the name of a ball and returns its number.
+int read_ball(const Reader& r, const std::vector<Ball>& others) {
+  return 1 + static_cast<int>(r.word("ball", names_of(r, others)));
+}
+
+/// Reads one ball, a list of balls, or "any", and returns their numbers.
+std::vector<int> read_balls(const Reader& r, const std::vector<Ball>& others) {
+  std::vector<std::string_view> names = names_of(r, others);
+  std::vector<int> balls;
+  if (r.is_array()) {
+    for (const Reader& item : r.items()) balls.push_back(1 + static_cast<int>(item.word("ball", names)));
+    return balls;
+  }
+  names.push_back("any");
+  const std::size_t which = r.word("ball", names);
+  if (which < others.size()) return {1 + static_cast<int>(which)};
+  for (std::size_t i = 0; i < others.size(); ++i) balls.push_back(1 + static_cast<int>(i));
+  return balls;
+}
+
+PointTarget read_point(const Reader& r) {
+  PointTarget t{r.need("point").point()};
+  r.read(format::to_point["within"], t.within);
+  return t;
+}
+
+PocketTarget read_pocket(const Reader& r, const Table& table) {
+  const Reader pocket = r.need("pocket");
+  if (table.pockets.empty()) pocket.fail("cannot be reached: this table has no pockets");
+  std::vector<std::string_view> names{"any"};
+  for (const Pocket& p : table.pockets) names.push_back(p.name);
+  const std::size_t which = pocket.word("pocket", names);
+  if (which == 0) return {};
+  return {static_cast<int>(which) - 1};
+}
+
+/// Adds the path of the ball that was touched last, recursively for combination links.
+void read_then(const Reader& r, const Table& table, const std::vector<Ball>& others, Then& then) {
+  std::optional<CushionRule> cushions;
+  if (const auto v = r.find("cushions")) cushions = read_cushions(*v, table);
+  if (const auto ball = r.find("ball")) {
+    r.only(format::then_ball);
+    then.links.push_back({cushions.value_or(CushionRule::exactly(0)), read_ball(*ball, others)});
+    return read_then(r.need("then"), table, others, then);
+  }
+  then.cushions = std::move(cushions);
+  if (r.find("point")) {
+    r.only(format::then_point);
+    then.target = read_point(r);
+    return;
+  }
+  r.only(format::then_pocket);
+  if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\"");
+  then.target = read_pocket(r, table);
+}
+
+BallTarget read_ball_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
+  r.only(format::to_ball);
+  BallTarget t{.balls = read_balls(r.need("ball"), others)};
+  if (const auto v = r.find("cut")) t.cut = radians(v->number());
+  if (const auto v = r.find("within")) t.within = radians(v->number(format::to_ball["within"].bounds));
+  const auto then = r.find("then"), pocket = r.find("pocket");
+  if (then && pocket) pocket->fail("is short for \"then\" with that pocket, which stands beside it");
+  if (then || pocket)
+    for (const char* key : {"cut", "within"})
+      if (const auto other = r.find(key))
+        other->fail(fmt::format("stands beside \"{}\", which says where the ball is to go", then ? "then" : "pocket"));
+  if (pocket) t.then.emplace().target = read_pocket(r, table);
+  if (then) {
+    read_then(*then, table, others, t.then.emplace());
+    // "any" excludes the balls of later combination links.
+    if (const Reader ball = r.need("ball"); ball.is_string() && ball.text() == "any")
+      for (const Link& link : t.then->links) std::erase(t.balls, link.ball);
+  }
+  return t;
+}
+
+BallTarget read_carom(const Reader& r, const std::vector<Ball>& others) {
+  r.only(format::carom);
+  const Reader pair = r.need("carom");
+  if (!pair.is_array() || pair.size() != 2) pair.fail("must be a pair of balls");
+  if (others.empty()) pair.fail("cannot be touched: there are no \"others\"");
+  const auto balls = pair.items();
+  BallTarget t{.balls = {read_ball(balls[1], others)}, .off = read_ball(balls[0], others)};
+  if (const auto v = r.find("cut")) t.cut = radians(v->number());
+  if (const auto v = r.find("within")) t.within = radians(v->number(format::carom["within"].bounds));
+  return t;
+}
+
+Target read_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
+  if (r.find("ball")) return read_ball_target(r, table, others);
+  if (r.find("carom")) return read_carom(r, others);
+  if (r.find("point")) {
+    if (r.find("pocket")) r.fail("has a point and a pocket: one of them is the target");
+    r.only(format::to_point);
+    return read_point(r);
+  }
+  r.only(format::to_pocket);
+  if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\", \"carom\"");
+  return read_pocket(r, table);
+}
+
+Range read_angle(const Reader& r) {
+  if (!r.is_array() || r.size() != 2) r.fail("must be a pair of degrees [from, to]");
+  constexpr format::Bounds bounds = format::puzzle["angle"].bounds;
+  double from = r.items()[0].number(bounds), to = r.items()[1].number(bounds);
+  constexpr double turn = 360, rounding = 1e-9;
+  if (to - from > turn + rounding) r.fail("must span at most 360 degrees");
+  const auto rotate = [&](double by) { from += by, to += by; };
+  while (from < 0) rotate(turn);
+  while (from >= turn) rotate(-turn);  // also for -1e-20, which becomes a full turn by adding one
+  while (to < from) to += turn;
+  return {radians(from), radians(std::min(to, from + turn))};
+}
+
+Noise read_player(const Reader& r) {
+  std::vector<std::string_view> names;
+  for (const Player& player : players()) names.push_back(player.name);
+  return players()[r.word("player", names)].noise;
+}
+
+Noise read_noise(const Reader& r) {
+  if (!r.is_object()) return read_player(r);
+  r.only(format::noise);
+  const auto player = r.find("player");
+  Noise n = player ? read_player(*player) : Puzzle{}.noise;
+  if (r.find("speed")) n.speed_share = 0;
+  if (const auto v = r.find("angle")) n.angle = radians(v->number(format::noise["angle"].bounds));
+  r.read(format::noise["speed"], n.speed);
+  r.read(format::noise["speed_share"], n.speed_share);
+  r.read(format::noise["tip"], n.tip);
+  r.read(format::noise["side"], n.side);
+  r.read(format::noise["top"], n.top);
+  r.read(format::noise["at"], n.at);
+  return n;
+}
+
+void read_choices(const Reader& doc, Puzzle& p) {
+  if (const auto v = doc.find("prefer")) {
+    if (v->is_object()) {
+      v->only(format::leave);
+      p.leave = v->need("leave").point();
+    } else {
+      p.prefer = static_cast<Prefer>(v->word("preference", format::preferences));
+    }
+  }
+  if (const auto v = doc.find("aim")) p.aim = static_cast<Aim>(v->word("aim", format::aims));
+  if (const auto v = doc.find("noise")) {
+    p.noise = read_noise(*v);
+    // A player's tip error applies only in physics with spin.
+    const bool own_tip = v->is_object() && v->find("tip");
+    if (!own_tip && !carries_spin(p.physics)) p.noise.tip = 0;
+  }
+  if (const auto v = doc.find("budget")) {
+    v->only(format::budget);
+    p.budget = v->need("simulations").count();
+  }
+}
+
+ShotRequest::Until read_until(const Reader& r) {
+  r.only(format::until);
+  ShotRequest::Until until;
+  if (const auto v = r.find("time")) until.time = v->number(format::until["time"].bounds);
+  if (const auto v = r.find("cushions")) until.cushions = v->integer(format::until["cushions"].bounds);
+  if (const auto v = r.find("length")) until.length = v->number(format::until["length"].bounds);
+  return until;
+}
+
+std::string about_of(const Json& doc) {
+  const auto about = doc.find("about");
+  return about == doc.end() ? "" : write_json(*about);
+}
+
+}  // namespace
+
+Puzzle read_puzzle(std::string_view text) {
+  std::string id;
+  const Json json = parse_document(text, &id);
+  const Reader doc(json);
+  doc.only(format::puzzle);
+  Puzzle p;
+  p.id = read_id(doc, std::move(id));
+  p.about = about_of(json);
+  read_setting(doc, p);
+  if (const auto v = doc.need("ball").find("spin")) {
+    if (carries_spin(p.physics)) p.spin_range = read_spin_range(*v);
+    if (!p.spin_range) p.spin = read_spin(*v, p.physics, false);
+  }
+  p.target = read_target(doc.need("target"), p.table, p.others);
+  if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);
+  if (const auto v = doc.find("speed")) p.speed = v->range();
+  if (const auto v = doc.find("arrive")) {
+    v->only(format::arrive);
+    p.arrive = v->need("speed").range();
+  }
+  if (const auto v = doc.find("angle")) p.angle = read_angle(*v);
+  read_choices(doc, p);
+  validate(p);
+  return p;
+}
+
+ShotRequest read_shot(std::string_view text) {
+  std::string id;
+  const Json json = parse_document(text, &id);
+  const Reader doc(json);
+  doc.only(format::shot);
+  ShotRequest s;
+  s.id = read_id(doc, std::move(id));
+  read_setting(doc, s);
+  doc.need("shot");
+  read_launch(doc, s);
+  if (const auto until = doc.find("until")) s.until = read_until(*until);
+  validate(s);
+  return s;
+}
+
+Scene read_scene(std::string_view table, std::string_view physics) {
+  const Json json{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
+  const Reader doc(json);
+  Scene s;
+  s.ball = default_ball(doc.need("table"));
+  s.table = read_table(doc.need("table"), s.ball.body.radius);
+  s.physics = read_physics(doc, s.ball);
+  return s;
+}
+
+std::string read_id(std::string_view text) { return find_id(text); }
+
+std::string read_about(std::string_view text) {
+  if (text.find("\"about\"") == std::string_view::npos) return "";
+  try {
+    const Json json = parse_document(text);
+    return json.is_object() ? about_of(json) : "";
+  } catch (const InvalidInput&) {
+    return "";
+  }
+}
+
+}  // namespace bankshot

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "io/scene/read_shot.hpp"
+
+#include "bankshot/scene/settle.hpp"
+#include "io/format/shot_keys.hpp"
+#include "io/scene/read_physics.hpp"
+#include "io/scene/read_table.hpp"
+
+namespace bankshot {
+namespace {
+
+/// Reads the cue ball; `ball` holds the defaults.
+Ball read_ball(const Reader& scene, Ball ball) {
+  const Reader r = scene.need("ball");
+  r.only(format::ball);
+  ball.at = r.need("at").point();
+  r.read(format::ball["radius"], ball.body.radius);
+  r.read(format::ball["mass"], ball.body.mass);
+  return ball;
+}
+
+/// Reads the other balls; the cue ball's body gives the defaults.
+std::vector<Ball> read_others(const Reader& scene, const Body& struck) {
+  std::vector<Ball> others;
+  const auto list = scene.find("others");
+  if (!list) return others;
+  for (const Reader& r : list->items()) {
+    r.only(format::other);
+    Ball& ball = others.emplace_back(Ball{r.need("at").point(), struck, std::string(r.need("id").text())});
+    r.read(format::other["radius"], ball.body.radius);
+    r.read(format::other["mass"], ball.body.mass);
+  }
+  return others;
+}
+
+LaunchSpin read_spin(const Reader& r) {
+  r.only(format::launch_spin);
+  LaunchSpin spin;
+  r.read(format::launch_spin["top"], spin.top);
+  r.read(format::launch_spin["side"], spin.side);
+  r.read(format::launch_spin["masse"], spin.masse);
+  return spin;
+}
+
+}  // namespace
+
+LaunchSpin read_spin(const Reader& r, const Physics& physics, bool printed) {
+  if (carries_spin(physics)) return read_spin(r);
+  if (printed && r.is_object()) {
+    const LaunchSpin spin = read_spin(r);
+    if (spin.top == 1 && spin.side == 0 && spin.masse == 0) return {};
+  }
+  r.fail("needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
+}
+
+std::string read_id(const Reader& doc, std::string written) {
+  if (const auto r = doc.find("id"); r && !r->is_string() && !r->is_number()) r->fail("must be a string or a number");
+  return written;
+}
+
+template <class Scene>
+void read_setting(const Reader& doc, Scene& s) {
+  const Reader table = doc.need("table");
+  s.ball = read_ball(doc, default_ball(table));
+  s.table = read_table(table, s.ball.body.radius);
+  s.others = read_others(doc, s.ball.body);
+  s.physics = read_physics(doc, s.ball, s.others);
+  const auto asked = doc.find("settle");
+  // A table with too few vertices is refused later.
+  if (asked && asked->boolean() && s.table.vertices.size() >= 3) s.settled = settle(s.table, s.ball, s.others);
+}
+template void read_setting(const Reader& doc, Puzzle& scene);
+template void read_setting(const Reader& doc, ShotRequest& scene);
+
+bool read_launch(const Reader& doc, ShotRequest& s) {
+  const auto shot = doc.find("shot");
+  if (shot) shot->only(format::launch);
+  if (const auto own = shot ? shot->find("spin") : std::nullopt)
+    s.spin = read_spin(*own, s.physics, true);
+  else if (const auto of_ball = doc.need("ball").find("spin"))
+    s.spin = read_spin(*of_ball, s.physics, false);
+  if (shot) s.launch = {shot->need(format::launch["speed"]), wrap_angle(radians(shot->need("angle").number()))};
+  return shot.has_value();
+}
+
+std::vector<Contact> read_sequence(const Reader& list, const Table& table) {
+  if (list.size() > static_cast<std::size_t>(max_cushions)) list.fail("must have at most 20000 cushions");
+  const std::vector<std::string_view> names(table.cushions.begin(), table.cushions.end());
+  std::vector<Contact> out;
+  for (const Reader& item : list.items()) {
+    const auto found = find_cushion(table, item.text());
+    out.push_back(found ? *found : Contact::rail(static_cast<int>(item.word("cushion", names))));
+  }
+  return out;
+}
+
+}  // namespace bankshot

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/json.hpp"
+#include "io/scene/write_scene.hpp"
+
+namespace bankshot {
+namespace {
+
+Json both(const Range& r) { return pair_json({r.low, r.high}); }
+Json range(const Range& r) { return r.fixed() ? Json(r.low) : both(r); }
+
+Json cushions_json(const CushionRule& c, const Table& table) {
+  if (!c.sequence) return c.min == c.max ? Json(c.min) : Json{{"min", c.min}, {"max", c.max}};
+  Json names = Json::array();
+  for (const Contact contact : *c.sequence) names.push_back(contact_name(table, contact));
+  return names;
+}
+
+Json json_of(const PointTarget& target, const Puzzle&) {
+  return {{"point", pair_json(target.at)}, {"within", target.within}};
+}
+
+Json json_of(const PocketTarget& target, const Puzzle& p) {
+  return {{"pocket", target.pocket ? p.table.pockets[static_cast<std::size_t>(*target.pocket)].name : "any"}};
+}
+
+const std::string& id_of(const Puzzle& p, int ball) { return p.others[static_cast<std::size_t>(ball) - 1].id; }
+
+/// Returns the path of the n-th object ball as JSON.
+Json then_json(const Then& then, const Puzzle& p, std::size_t n = 0) {
+  Json j = n < then.links.size() ? Json{{"ball", id_of(p, then.links[n].ball)}}
+                                 : std::visit([&](const auto& t) { return json_of(t, p); }, then.target);
+  if (n < then.links.size() || then.cushions) j["cushions"] = cushions_json(then.cushions_of(n), p.table);
+  if (n < then.links.size()) j["then"] = then_json(then, p, n + 1);
+  return j;
+}
+
+Json json_of(const BallTarget& target, const Puzzle& p) {
+  Json names = Json::array();
+  if (target.off) names.push_back(id_of(p, *target.off));
+  for (const int k : target.balls) names.push_back(id_of(p, k));
+  Json j{{target.off ? "carom" : "ball", names.size() == 1 ? names.front() : names}};
+  if (target.then) {
+    j["then"] = then_json(*target.then, p);
+  } else {
+    if (target.cut) j["cut"] = exact_degrees(*target.cut);
+    if (target.within) j["within"] = exact_degrees(*target.within);
+  }
+  return j;
+}
+
+Json target_json(const Puzzle& p) {
+  return std::visit([&](const auto& target) { return json_of(target, p); }, p.target);
+}
+
+Json noise_json(const Noise& n) {
+  Json j{{"angle", exact_degrees(n.angle)}, {"speed", n.speed}};
+  const auto put = [&](const char* key, double value) {
+    if (value > 0) j[key] = value;
+  };
+  put("speed_share", n.speed_share);
+  put("tip", n.tip);
+  put("side", n.side);
+  put("top", n.top);
+  put("at", n.at);
+  return j;
+}
+
+/// Returns everything except table and physics as JSON.
+Json question_json(const Puzzle& p) {
+  constexpr const char* preferences[] = {"robust", "soft", "quick"};
+  Json j = Json::object();
+  if (!p.about.empty()) j["about"] = parse_document(p.about);
+  j["ball"] = ball_json(p.ball);
+  if (!p.others.empty()) j["others"] = others_json(p.others, p.ball.body);
+  if (!p.settled.empty()) j["settle"] = true;
+  if (p.spin_range)
+    j["ball"]["spin"] = {
+        {"top", both(p.spin_range->top)}, {"side", both(p.spin_range->side)}, {"masse", both(p.spin_range->masse)}};
+  else if (carries_spin(p.physics))
+    j["ball"]["spin"] = spin_json(p.spin);
+  j["target"] = target_json(p);
+  j["cushions"] = cushions_json(p.cushions, p.table);
+  if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};
+  j["speed"] = range(p.speed);
+  if (p.angle) j["angle"] = pair_json({exact_degrees(p.angle->low), exact_degrees(p.angle->high)});
+  j["prefer"] = p.leave ? Json{{"leave", pair_json(*p.leave)}} : Json(preferences[static_cast<int>(p.prefer)]);
+  if (p.aim) j["aim"] = *p.aim == Aim::safest ? "safest" : "centre";
+  j["noise"] = noise_json(p.noise);
+  if (p.budget) j["budget"] = {{"simulations", *p.budget}};
+  return j;
+}
+
+}  // namespace
+
+std::string write_puzzle(const Puzzle& p) {
+  Json j = Json::object();
+  j["table"] = table_json(p.table, p.physics.tilt);
+  j["physics"] = physics_json(p.physics);
+  j.update(question_json(p));
+  return write_json(p.id, j);
+}
+
+std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_view physics) {
+  const Scene scene = read_scene(table, physics);
+  Puzzle plain{.table = scene.table,
+               .physics = scene.physics,
+               .ball = scene.ball,
+               .others = p.others,
+               .target = p.target,
+               .cushions = p.cushions};
+  plain.ball.at = p.ball.at;
+  if (auto* point = std::get_if<PointTarget>(&plain.target)) point->within = PointTarget{}.within;
+  if (auto* ball = std::get_if<BallTarget>(&plain.target)) ball->within.reset(), ball->cut.reset();
+  const Json said = question_json(p), untold = question_json(plain);
+  Json j{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
+  const auto same = [](const Json& said_so, const Json& otherwise, const std::string& key) {
+    return otherwise.contains(key) && otherwise.at(key) == said_so.at(key);
+  };
+  for (const auto& [key, value] : said.items())
+    if (key == "ball" || key == "others" || key == "target" || key == "cushions" || !same(said, untold, key))
+      j[key] = value;
+  constexpr std::string_view always[] = {"at", "point", "pocket", "ball", "carom", "then"};
+  for (const char* key : {"ball", "target"})
+    for (const auto& [inner, value] : said.at(key).items())
+      if (std::ranges::find(always, inner) == std::end(always) && same(said.at(key), untold.at(key), inner))
+        j[key].erase(inner);
+  if (j["ball"].contains("spin"))
+    for (const char* key : {"top", "side", "masse"})
+      if (j["ball"]["spin"][key] == 0) j["ball"]["spin"].erase(key);
+  return write_json(p.id, j);
+}
+
+}  // namespace bankshot

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+//
+// Checks the rules for puzzles and shots, whether they come from a file or from a C++ program.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/scene/puzzle.hpp"
+#include "bankshot/scene/tip.hpp"
+#include "sim/scene/validate_launch.hpp"
+#include "sim/scene/validate_scene.hpp"
+
+namespace bankshot {
+namespace {
+
+using namespace validation;
+
+void check_speed(double v, const std::string& path) {
+  if (!(v >= 0)) fail(path, fmt::format("{} must be at least 0", v));
+  if (v > tolerance::fastest)
+    fail(path, fmt::format("{} m/s is too fast to compute with; at most {:g}", v, tolerance::fastest));
+  if (v > 0 && v < tolerance::slowest)
+    fail(path, fmt::format("{} m/s is too slow to compute with; at least {:g}, or 0", v, tolerance::slowest));
+}
+
+void check_range(const Range& r, const std::string& path) {
+  const bool one = r.fixed();
+  check_speed(r.low, one ? path : path + "/0");
+  check_speed(r.high, one ? path : path + "/1");
+  if (!(r.low <= r.high)) fail(path, fmt::format("[{}, {}] must have its lower end first", r.low, r.high));
+}
+
+/// Checks that the spin of a puzzle needs a tip position on the ball.
+void check_tip(const LaunchSpin& spin, const Body& body) {
+  const double R = body.radius, from_centre = tip_of(spin, R).from_centre();
+  if (from_centre > R)
+    fail("/ball/spin",
+         fmt::format("top {}, side {} would need a tip {:.3g} mm from the ball's centre, and the ball ends "
+                     "at {:.3g} mm",
+                     spin.top, spin.side, 1e3 * from_centre, 1e3 * R));
+}
+
+void check_number(const Puzzle& p, int k, const std::string& path) {
+  if (k < 1 || k > static_cast<int>(p.others.size())) fail(path, fmt::format("there is no ball number {}", k));
+}
+
+/// Checks that every combination link touches a different ball.
+void check_links(const Puzzle& p, const BallTarget& asked) {
+  std::vector<int> before = asked.balls;
+  std::string path = "/target/then";
+  for (const Link& link : asked.then->links) {
+    check_number(p, link.ball, path + "/ball");
+    if (std::ranges::count(before, link.ball) > 0)
+      fail(path + "/ball", contact_name(p, Contact::ball(link.ball)) + " is touched before");
+    before.push_back(link.ball);
+    path += "/then";
+  }
+}
+
+void check_balls(const Puzzle& p, const BallTarget& asked) {
+  if (asked.off) {
+    check_number(p, *asked.off, "/target/carom/0");
+    if (asked.balls.size() != 1) fail("/target/carom", "must be a pair of balls");
+    if (asked.balls.front() == *asked.off)
+      fail("/target/carom/1", contact_name(p, Contact::ball(*asked.off)) + " is the first, too");
+    if (asked.then) fail("/target/then", "a carom ends at its second ball");
+  }
+  if (asked.balls.empty()) fail("/target/ball", "there must be a ball to touch");
+  for (std::size_t i = 0; i < asked.balls.size(); ++i) {
+    const int k = asked.balls[i];
+    check_number(p, k, asked.off ? "/target/carom/1" : "/target/ball");
+    if (std::ranges::count(asked.balls, k) > 1)
+      fail(at("/target/ball", i), contact_name(p, Contact::ball(k)) + " is listed twice");
+  }
+  if (!(std::abs(asked.exact_cut()) < radians(90.0)))
+    fail("/target/cut", fmt::format("{:g}° must be inside -90° and 90°", degrees(*asked.cut)));
+  if (!(asked.cut_within() > 0)) fail("/target/within", "must be greater than 0");
+  if (asked.then) check_links(p, asked);
+}
+
+void check_cushions(const CushionRule& c, const Boundary& boundary, const std::string& path) {
+  if (c.min < 0 || c.max < c.min || c.max > max_cushions)
+    fail(path, fmt::format("{} to {} must be within 0 and {}", c.min, c.max, max_cushions));
+  if (!c.sequence) return;
+  for (std::size_t i = 0; i < c.sequence->size(); ++i) {
+    const auto [kind, number] = (*c.sequence)[i];
+    const bool bounces = kind == ContactKind::rail || kind == ContactKind::vertex;
+    if (!bounces || number < 0 || number >= static_cast<int>(boundary.walls.size()))
+      fail(at(path, i), fmt::format("there is no cushion number {}", number));
+  }
+}
+
+void check_target(const Puzzle& p, const Boundary& boundary) {
+  if (const auto* asked = std::get_if<BallTarget>(&p.target)) check_balls(p, *asked);
+  std::string path = "/target";
+  if (const Then* const then = then_of(p.target))
+    for (std::size_t n = 0; n <= then->links.size(); ++n) {
+      path += "/then";
+      check_cushions(then->cushions_of(n), boundary, path + "/cushions");
+    }
+  const std::vector<Mark> marks = p.others.empty() ? marks_of(p.target, boundary) : marks_of(p);
+  if (marks.empty())
+    fail(path + "/pocket", p.table.pockets.empty() ? "this table has no pockets" : "there is no pocket of that number");
+  for (const Mark& mark : marks) {
+    if (mark.captures()) continue;
+    const std::optional<Boundary> own =
+        mark.ball == 0 ? std::nullopt
+                       : std::optional(Boundary(p.table, p.others[static_cast<std::size_t>(mark.ball) - 1].body));
+    check_inside(own ? *own : boundary, mark.at, path + "/point", "the centre of a ball at the target");
+    if (!(mark.reach > 0)) fail(path + "/within", "must be greater than 0");
+  }
+}
+
+/// Returns the speeds allowed at launch and, if required, at arrival.
+Range ideal_speeds(const Puzzle& p) {
+  const Range& asked = p.arrive ? *p.arrive : p.speed;
+  return {std::max(p.speed.low, asked.low), std::min(p.speed.high, asked.high)};
+}
+
+}  // namespace
+
+void validate(const Puzzle& p) {
+  const Boundary boundary = check_scene(p.table, p.ball, p.physics);
+  check_others(p.table, boundary, p.ball, p.others, p.physics);
+  if (carries_spin(p.physics) && !p.spin_range) check_tip(p.spin, p.ball.body);
+  check_target(p, boundary);
+  check_cushions(p.cushions, boundary, "/cushions");
+  check_range(p.speed, "/speed");
+  if (!(p.speed.high > 0)) fail("/speed", "0 must be greater than 0");
+  if (p.arrive) {
+    check_range(*p.arrive, "/arrive/speed");
+    if (p.speed.fixed())
+      fail("/arrive", "the launch speed is fixed, so the speed at the target cannot be asked as well");
+    const Range speeds = ideal_speeds(p);
+    if (is_ideal(p.physics) && !(speeds.low <= speeds.high && speeds.high > 0))
+      fail("/arrive/speed", speeds.high > 0
+                                ? "in ideal physics a ball keeps its speed, and none asked here is within \"speed\""
+                                : "in ideal physics no ball comes to rest");
+  }
+  if (p.leave) {
+    if (!std::holds_alternative<BallTarget>(p.target))
+      fail("/prefer/leave", "is where the struck ball rests after it has touched another, and no ball is the target");
+    if (is_ideal(p.physics)) fail("/prefer/leave", "in ideal physics no ball comes to rest");
+    check_inside(boundary, *p.leave, "/prefer/leave", "the centre of the struck ball");
+  }
+  if ((p.noise.side > 0 || p.noise.top > 0 || p.noise.tip > 0) && !carries_spin(p.physics))
+    fail(p.noise.side > 0  ? "/noise/side"
+         : p.noise.top > 0 ? "/noise/top"
+                           : "/noise/tip",
+         "needs the physics \"spin\": in \"ideal\" and \"rolling\" the ball rolls from the start");
+  if (p.angle && !(p.angle->low <= p.angle->high && std::isfinite(p.angle->high)))
+    fail("/angle", "must be a finite range");
+}
+
+void validate(const Launch& launch, const LaunchSpin& spins) {
+  check_speed(launch.speed, "/shot/speed");
+  need_finite(launch.angle, "/shot/angle");
+  for (const double spin : {spins.top, spins.side, spins.masse})
+    if (!(std::abs(spin) * launch.speed <= tolerance::fastest))
+      fail("/shot/spin", fmt::format("{} times {} m/s is too fast to compute with; at most {:g} m/s", spin,
+                                     launch.speed, tolerance::fastest));
+}
+
+void validate(const ShotRequest& s) {
+  const Boundary boundary = check_scene(s.table, s.ball, s.physics);
+  check_others(s.table, boundary, s.ball, s.others, s.physics);
+  validate(s.launch, s.spin);
+}
+
+std::string contact_name(const Puzzle& p, Contact contact) {
+  if (contact.kind != ContactKind::ball) return contact_name(p.table, contact);
+  return "ball \"" + (contact.index == 0 ? p.ball : p.others[static_cast<std::size_t>(contact.index) - 1]).id + '"';
+}
+
+std::optional<Range> arrival_range(const Puzzle& p) {
+  if (is_ideal(p.physics) || p.speed.fixed()) return {};
+  if (p.arrive) return p.arrive;
+  constexpr Range rests{0, 0}, touches{0.5, 0.5}, any_contact{0.1, 5}, caroms{0.2, 5}, drops{0.2, 3};
+  if (off_of(p.target)) return caroms;
+  if (const auto* ball = std::get_if<BallTarget>(&p.target); ball && !ball->then)
+    return ball->cut ? touches : any_contact;
+  return is_pocket(p.target) ? drops : rests;
+}
+
+Aim aim_of(const Puzzle& p) {
+  if (p.aim) return *p.aim;
+  const auto* ball = std::get_if<BallTarget>(&p.target);
+  const bool contact = ball && !ball->then && !ball->cut;
+  return p.prefer == Prefer::robust && (contact || is_pocket(p.target)) ? Aim::safest : Aim::centre;
+}
+
+long budget_of(const Puzzle& p) {
+  if (p.budget) return *p.budget;
+  constexpr long usual = 100'000, most = 2'000'000, usual_pairs = 6;
+  const auto* ball = std::get_if<BallTarget>(&p.target);
+  const PocketTarget* const pocket = pocket_of(p.target);
+  const std::size_t balls = ball && !ball->off ? ball->balls.size() : 1,
+                    pockets = pocket && !pocket->pocket ? p.table.pockets.size() : 1;
+  return std::min(most, usual * std::max(usual_pairs, static_cast<long>(balls * pockets)) / usual_pairs);
+}
+
+double ideal_speed(const Puzzle& p) {
+  const Range speeds = ideal_speeds(p);
+  return std::clamp(1.0, speeds.low, speeds.high);
+}
+
+}  // namespace bankshot
