@@ -12,7 +12,7 @@
 namespace bankshot::planning {
 
 /// Verifies a launch and keeps its shot; returns whether it is one. Of shots that differ only by bounces at the target
-/// itself, the one with fewer is kept. `step` names the step that proposed it (planners/README.md).
+/// itself, the one with fewer is kept. `step` names the step that proposed it (docs/architecture.md).
 bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& launch, int bounces,
              std::string_view step, Demand demand = Demand::exact);
 

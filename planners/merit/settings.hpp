@@ -72,7 +72,7 @@ inline constexpr int draws = 4096;
 
 // In standard deviations of the player, where nothing else is said.
 namespace success {
-/// Simulations at most; 100 are usual. What the chance is off by is in planners/README.md.
+/// Simulations at most; 100 are usual. docs/evidence.md says how far success may be off.
 inline constexpr std::size_t most_samples = 150;
 /// The same where the cue ball was seen to fall; and points spread over each of its lines but the first.
 inline constexpr std::size_t most_samples_of_balls = 400, points_of_balls = 10;

@@ -11,7 +11,7 @@
 // and its ends, so that a band which nobody expects is met too; then the neighbours are looked at again. Where that
 // agrees with first order (limits.hpp) and leaves little doubt, it ends.
 // Cost: most_samples simulations at most, most_samples_of_balls once the cue ball is seen to fall. Guarantee: none;
-// what was measured is in planners/README.md.
+// docs/evidence.md has what was measured.
 #include "planners/merit/success.hpp"
 
 #include <algorithm>

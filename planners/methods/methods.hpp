@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The planners that a user can name, one file each, and their list. What they have in common, and what each guarantees,
-// is told in planners/README.md.
+// The planners that a user can name, one file each, and their list. docs/architecture.md says how each proposes
+// candidates, and what it guarantees.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What `auto` tries, in order, each where those before it found nothing (planners/README.md tells how often that is).
+// What `auto` tries, in order, each where those before it found nothing (docs/architecture.md lists the steps).
 // A step reads the question, charges the ledger, and adds to the findings; its number is in the name of its file.
 #pragma once
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Repeats the measurements that README, docs/evidence.md and planners/README.md quote, into tests/bench/results/*.csv:
+# Repeats the measurements that README and docs/evidence.md quote, into tests/bench/results/*.csv:
 # all of them, which takes hours, or the named ones, each a file of that name (`report` writes the files with numbers).
 #   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
 set -euo pipefail
