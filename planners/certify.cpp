@@ -23,11 +23,12 @@ bool same_launch(const Launch& a, const Launch& b) {
          std::abs(a.speed - b.speed) <= tolerance::exact_speed * std::max(1.0, b.speed);
 }
 
-void count_failure(Findings& found, const Proof& proof, int bounces) {
-  const Foul foul = proof.failure.foul;
+void count_failure(SearchResult& found, const Proof& proof, int bounces) {
+  const FailureReason reason = proof.failure.reason;
   // An aim outside its bounds is no near miss, but better than none.
-  const double miss = foul == Foul::outside_aim ? std::numeric_limits<double>::max() : proof.shot.miss;
-  if (proof.replayed || foul == Foul::outside_aim) found.remember({proof.shot.launch, bounces, miss, proof.failure});
+  const double miss = reason == FailureReason::outside_aim ? std::numeric_limits<double>::max() : proof.shot.miss;
+  if (proof.replayed || reason == FailureReason::outside_aim)
+    found.remember({proof.shot.launch, bounces, miss, proof.failure});
 }
 
 /// Returns true unless the shot is known already with no more bounces; removes a known one that has more.
@@ -65,12 +66,12 @@ Launch turned(const Launch& l, const Turn& t, int aim, int speed) {
 
 /// Returns whether launches that rounding can hardly tell from the shot's bounce as often as it does. `least`: their
 /// least difference, in rad and as a share of the speed.
-bool is_firm(const Question& q, Ledger& ledger, const Shot& shot, double least = 0) {
+bool is_firm(const Question& q, EvaluationBudget& budget, const Shot& shot, double least = 0) {
   const Turn by = turn_by(settings::edge::surely * rounding(q, shot), shot);
   const Turn t{std::max(by.aim, least), std::max(by.speed, least)};
   const Goal goal = Goal::along(shot);
   for (const auto& [aim, speed] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-    if (!replay(q, ledger, turned(shot.launch, t, aim, speed), goal).made) return false;
+    if (!replay(q, budget, turned(shot.launch, t, aim, speed), goal).made) return false;
   return true;
 }
 
@@ -79,23 +80,23 @@ bool arrives_on_a_line(const Question& q, const Shot& shot) {
 }
 
 /// Finds a firm launch beside the shot's, as near as an exact answer must be, on the side that keeps the bounces.
-std::optional<Shot> firm_beside(const Question& q, Ledger& ledger, const Goal& goal, const Shot& shot) {
+std::optional<Shot> firm_beside(const Question& q, EvaluationBudget& budget, const Goal& goal, const Shot& shot) {
   for (const double metres : settings::edge::beside) {
     const Turn t = turn_by(metres * q.boundary.diagonal, shot);
     for (const auto& [aim, speed] : {std::pair{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}}) {
-      Proof proof = prove(q, ledger, turned(shot.launch, t, aim, speed), goal);
+      Proof proof = prove(q, budget, turned(shot.launch, t, aim, speed), goal);
       if (!proof.holds()) continue;
       add_first_order(q, proof.shot);
-      if (is_firm(q, ledger, proof.shot)) return std::move(proof.shot);
+      if (is_firm(q, budget, proof.shot)) return std::move(proof.shot);
     }
   }
   return {};
 }
 
 /// Makes the shot firm. Returns false if rounding decides its bounces and no launch beside is firm.
-bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) {
-  if (ledger.spent() || is_firm(q, ledger, shot)) return true;
-  auto beside = firm_beside(q, ledger, goal, shot);
+bool make_firm(const Question& q, EvaluationBudget& budget, const Goal& goal, Shot& shot) {
+  if (budget.spent() || is_firm(q, budget, shot)) return true;
+  auto beside = firm_beside(q, budget, goal, shot);
   if (!beside) return false;
   shot = *std::move(beside);
   return true;
@@ -103,12 +104,12 @@ bool make_firm(const Question& q, Ledger& ledger, const Goal& goal, Shot& shot) 
 
 /// Replaces a launch whose ball was at its target, on a cushion's line, and by rounding bounced once more there:
 /// returns a launch beside it, if one is firm.
-Proof without_last_bounce(const Question& q, Ledger& ledger, const Goal& goal, Proof proof) {
+Proof without_last_bounce(const Question& q, EvaluationBudget& budget, const Goal& goal, Proof proof) {
   const bool at_target = proof.replayed && goal.demand == Demand::exact && q.centred(proof.shot.miss) &&
                          static_cast<int>(proof.shot.cushions.size()) == goal.max && arrives_on_a_line(q, proof.shot);
   if (!at_target) return proof;
   add_first_order(q, proof.shot);
-  if (auto beside = firm_beside(q, ledger, goal, proof.shot)) return {*std::move(beside), {}, true};
+  if (auto beside = firm_beside(q, budget, goal, proof.shot)) return {*std::move(beside), {}, true};
   return proof;
 }
 
@@ -125,38 +126,40 @@ std::optional<int> promised_digits(const Question& q, const Shot& shot) {
   return std::max(1, static_cast<int>(-std::log10(of_diagonal)));
 }
 
-bool certify(const Question& q, Ledger& ledger, Findings& found, const Launch& launch, int bounces,
+bool certify(const Question& q, EvaluationBudget& budget, SearchResult& found, const Launch& launch, int bounces,
              std::string_view step, Demand demand) {
   const Goal goal = Goal::exactly(q, bounces, demand);
-  Proof proof = prove(q, ledger, launch, goal);
-  if (!proof.holds()) proof = without_last_bounce(q, ledger, goal, std::move(proof));
+  Proof proof = prove(q, budget, launch, goal);
+  if (!proof.holds()) proof = without_last_bounce(q, budget, goal, std::move(proof));
   if (!proof.holds()) return count_failure(found, proof, bounces), false;
   if (q.objects && proof.shot.off_centre) {
     // A launch that is made only by rounding is no shot. Examples are a cushion that ends at a pocket's circle, and a
     // contact that would leave the cue ball standing. A ball that rolls along a rail arrives alike, but may bounce
     // differently.
     add_first_order(q, proof.shot);
-    if (!is_firm(q, ledger, proof.shot, settings::edge::unmoved)) return false;
+    if (!is_firm(q, budget, proof.shot, settings::edge::unmoved)) return false;
   }
-  keep(q, ledger, found, std::move(proof.shot), goal, step);
+  keep(q, budget, found, std::move(proof.shot), goal, step);
   return true;
 }
 
-void keep(const Question& q, Ledger& ledger, Findings& found, Shot shot, const Goal& goal, std::string_view step) {
+void keep(const Question& q, EvaluationBudget& budget, SearchResult& found, Shot shot, const Goal& goal,
+          std::string_view step) {
   if (!make_room(q, found.shots, shot)) return;
   add_first_order(q, shot);
   const bool looked_at = goal.demand == Demand::exact && arrives_on_a_line(q, shot) && step != steps::word::along;
-  shot.digits = !looked_at || make_firm(q, ledger, goal, shot) ? promised_digits(q, shot) : 0;
-  add_aftermath(q, ledger, shot);
+  shot.digits = !looked_at || make_firm(q, budget, goal, shot) ? promised_digits(q, shot) : 0;
+  add_aftermath(q, budget, shot);
   shot.planner = step;
-  shot.simulations = ledger.simulations();
+  shot.simulations = budget.simulations();
   found.shots.push_back(std::move(shot));
 }
 
-bool certify_root(const LockedAim& aim, Ledger& ledger, Findings& found, const Launch& root, std::string_view step) {
+bool certify_root(const LockedAim& aim, EvaluationBudget& budget, SearchResult& found, const Launch& root,
+                  std::string_view step) {
   const int bounces = bounces_of(aim.route);
-  if (!aim.q.starts() && certify(aim.q, ledger, found, root, bounces, step)) return true;
-  found.leads.push_back({root, {aim.route.begin(), aim.route.end()}, aim.mark, aim.q.spin});
+  if (!aim.q.starts() && certify(aim.q, budget, found, root, bounces, step)) return true;
+  found.candidates.push_back({root, {aim.route.begin(), aim.route.end()}, aim.mark, aim.q.spin});
   return false;
 }
 

@@ -77,11 +77,11 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
   if (static_cast<double>(around.angles) * around.speeds > most_cells) throw too_fine();
   const planning::Question q(puzzle);
   const planning::Goal goal = planning::Goal::of(q);
-  planning::Ledger ledger(std::numeric_limits<long>::max(), cancelled);
+  planning::EvaluationBudget budget(std::numeric_limits<long>::max(), cancelled);
   Rows made(around.angles, around.speeds);
-  for (std::size_t i = 0; i < around.size() && !ledger.spent(); ++i) {
+  for (std::size_t i = 0; i < around.size() && !budget.spent(); ++i) {
     const Launch launch = around.at(i);
-    if (launch.speed > 0 && planning::replay(q, ledger, launch, goal).made) made.cells[i] = 1;
+    if (launch.speed > 0 && planning::replay(q, budget, launch, goal).made) made.cells[i] = 1;
   }
   LaunchMap map{grid, {}, {}};
   for (int row = 0; row < grid.speeds; ++row)

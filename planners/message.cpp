@@ -28,39 +28,39 @@ std::string aims(const Question& q) {
 std::string explain(const Question& q, const Failure& f) {
   const auto cushion = [&] { return contact_name(q.puzzle, f.contact); };
   const Range& v = q.speed;
-  switch (f.foul) {
-    case Foul::none:
-    case Foul::inexact:
-    case Foul::missed:
+  switch (f.reason) {
+    case FailureReason::none:
+    case FailureReason::inexact:
+    case FailureReason::missed:
       return "passes by the target";
-    case Foul::fell_short:
+    case FailureReason::fell_short:
       return "stops before the target";
-    case Foul::wrong_cushion:
+    case FailureReason::wrong_cushion:
       return fmt::format("meets cushion {} out of turn", cushion());
-    case Foul::extra_cushion:
+    case FailureReason::extra_cushion:
       return fmt::format("meets cushion {} before the target", cushion());
-    case Foul::in_place:
+    case FailureReason::in_place:
       return fmt::format("is launched into {}, where it stands", cushion());
-    case Foul::pocketed:
+    case FailureReason::pocketed:
       return fmt::format("falls into pocket {} first", cushion());
-    case Foul::hit_ball:
+    case FailureReason::hit_ball:
       return fmt::format("runs into {} first", cushion());
-    case Foul::other_cut:
+    case FailureReason::other_cut:
       return fmt::format("meets {} at another cut", cushion());
-    case Foul::covered:
+    case FailureReason::covered:
       return fmt::format("cannot be where {} stands", cushion());
-    case Foul::too_fast:
+    case FailureReason::too_fast:
       return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
-    case Foul::too_slow:
+    case FailureReason::too_slow:
       if (q.stop && deceleration(q.puzzle.physics) == 0) return "never stops, for the rolling friction is 0";
       return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
-    case Foul::too_long:
+    case FailureReason::too_long:
       return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
-    case Foul::scratched:
+    case FailureReason::scratched:
       return "pockets the cue ball";
-    case Foul::other_bounces:
-    case Foul::no_budget:  // launches refused for this are not counted
-    case Foul::outside_aim:
+    case FailureReason::other_bounces:
+    case FailureReason::no_budget:  // launches refused for this are not counted
+    case FailureReason::outside_aim:
       break;
   }
   return fmt::format("needs an aim outside the bounds of {}", aims(q));
@@ -75,17 +75,17 @@ std::string why(const Question& q, const Proof& proof) {
   };
   const Range& v = q.puzzle.speed;
   if (q.puzzle.angle && !q.puzzle.angle->fixed() && at_end(l.angle, *q.puzzle.angle))
-    return explain(q, {Foul::outside_aim});
+    return explain(q, {FailureReason::outside_aim});
   if (!v.fixed() && at_end(l.speed, v)) return fmt::format("is held at the bound of {:.4g} m/s", l.speed);
   const double speed = proof.shot.arrival.speed;
-  if (proof.failure.foul == Foul::inexact && q.arrival && !q.arrival->contains(speed))
+  if (proof.failure.reason == FailureReason::inexact && q.arrival && !q.arrival->contains(speed))
     return fmt::format("arrives at {:.4g} m/s", speed);
   return explain(q, proof.failure);
 }
 
 /// Returns the failure reasons of candidates, the most frequent first.
-std::string reasons(const Question& q, const Findings& found) {
-  std::vector<Findings::Counted> by_count = found.failures;
+std::string reasons(const Question& q, const SearchResult& found) {
+  std::vector<SearchResult::Counted> by_count = found.failures;
   std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.times > b.times; });
   std::string out;
   for (std::size_t i = 0; i < std::min(settings::most_reasons_named, by_count.size()); ++i)
@@ -115,7 +115,7 @@ std::string uncertain(const Question& q, const Shot& shot) {
 /// Says why a shot is not on the exact line or point: what its route meets there.
 std::string why_beside(const Question& q, const Shot& shot) {
   const Route route = route_of(shot);
-  Ledger aside(settings::most_spent_on_words);  // the words of an answer do not count against the budget
+  EvaluationBudget aside(settings::most_spent_on_words);  // the words of an answer do not count against the budget
   const Question own = q.pinned || q.one_unknown() ? q : q.asking(shot.arrival.speed);
   const auto root = newton({own, route, q.mark_of(shot)}, aside, shot.launch, settings::wide);
   const auto& cuts = q.mark_of(shot).cuts;
@@ -129,7 +129,7 @@ std::string why_beside(const Question& q, const Shot& shot) {
   return where + "there it " + explain(q, proof.failure);
 }
 
-std::string solved(const Question& q, const Ledger& ledger, const Findings& found, const Answer& a,
+std::string solved(const Question& q, const EvaluationBudget& budget, const SearchResult& found, const Answer& a,
                    std::size_t distinct) {
   std::string text = q.first()       ? "the first shot found, there may be better ones"
                      : distinct == 1 ? "one shot found"
@@ -148,20 +148,20 @@ std::string solved(const Question& q, const Ledger& ledger, const Findings& foun
     text += "; the cue ball falls into " + contact_name(q.puzzle.table, Contact::pocket(*best.scratch_pocket));
   for (const std::string& warning : warnings(q.puzzle, best)) text += "; " + warning;
   text += uncertain(q, a.shots.front());
-  if (ledger.cut())
+  if (budget.cut())
     text +=
-        fmt::format("; the {} ended the search, so there may be better ones", ledger.cancelled() ? "caller" : "budget");
-  if (ledger.cut() && found.not_searched >= 0)
+        fmt::format("; the {} ended the search, so there may be better ones", budget.cancelled() ? "caller" : "budget");
+  if (budget.cut() && found.not_searched >= 0)
     text += fmt::format("; not all shots by {} cushions or more were searched", found.not_searched);
-  if (found.rivals_sought && !ledger.cut())
+  if (found.improvement_sought && !budget.cut())
     text += fmt::format("; routes narrower than {:.0f}° of aim were not all looked at: there may be a better one",
-                        degrees(settings::automatic::rival.narrowest));
-  if (q.all() && !found.complete && !ledger.cut())
+                        degrees(settings::automatic::improvement.narrowest));
+  if (q.all() && !found.complete && !budget.cut())
     text += "; there may be more: shots in a narrow range of aims can be missed";
   return text;
 }
 
-std::string no_shot(const Question& q, const Findings& found) {
+std::string no_shot(const Question& q, const SearchResult& found) {
   if (const Contact ball = q.covering())
     return fmt::format("proved: {} covers the target", contact_name(q.puzzle, ball));
   if (found.proved)
@@ -187,13 +187,13 @@ std::string caveats(const Question& q) {
 
 }  // namespace
 
-std::string message(const Question& q, const Ledger& ledger, const Findings& found, const Answer& a,
+std::string message(const Question& q, const EvaluationBudget& budget, const SearchResult& found, const Answer& a,
                     std::size_t distinct) {
   std::string text;
   if (a.status == Status::solved)
-    text = solved(q, ledger, found, a, distinct);
+    text = solved(q, budget, found, a, distinct);
   else if (a.status == Status::budget)
-    text = ledger.cancelled() ? "the search was cancelled before it found a shot"
+    text = budget.cancelled() ? "the search was cancelled before it found a shot"
                               : fmt::format("no shot found within the budget of {} simulations", budget_of(q.puzzle));
   else
     text = no_shot(q, found);
@@ -202,10 +202,10 @@ std::string message(const Question& q, const Ledger& ledger, const Findings& fou
   return text;
 }
 
-void add_nearest(const Question& q, const Findings& found, bool scan, Answer& a) {
+void add_nearest(const Question& q, const SearchResult& found, bool scan, Answer& a) {
   const auto launch = a.status == Status::no_shot ? nearest_launch(q, found, scan) : std::nullopt;
   if (!launch) return;
-  Ledger aside(2);  // the nearest miss does not count against the budget
+  EvaluationBudget aside(2);  // the nearest miss does not count against the budget
   Proof proof = prove(q, aside, *launch, Goal::of(q));
   add_first_order(q, proof.shot);
   proof.shot.planner = "none";

@@ -82,8 +82,9 @@ class Scan {
   Miss follow(const Launch& l) {
     if (!(l.speed > 0)) return {};
     const Replay r = replay(q_, aside_, {l.speed, wrap_angle(l.angle)}, goal_);
-    const Foul foul = r.failure.foul;
-    const bool bounces = r.made || ((foul == Foul::missed || foul == Foul::fell_short) && r.bounces >= goal_.min);
+    const FailureReason reason = r.failure.reason;
+    const bool bounces =
+        r.made || ((reason == FailureReason::missed || reason == FailureReason::fell_short) && r.bounces >= goal_.min);
     return {l, bounces, r.miss};
   }
 
@@ -103,16 +104,16 @@ class Scan {
   const Question& q_;
   Goal goal_;
   Range aims_, speeds_;
-  Ledger aside_{std::numeric_limits<long>::max()};
+  EvaluationBudget aside_{std::numeric_limits<long>::max()};
   std::array<Miss, starts> best_{};
 };
 
 }  // namespace
 
-std::optional<Launch> nearest_launch(const Question& q, const Findings& found, bool scan) {
+std::optional<Launch> nearest_launch(const Question& q, const SearchResult& found, bool scan) {
   Scan tries(q);
   if (found.nearest.launch.speed > 0) tries.look(found.nearest.launch);
-  for (const Lead& lead : found.leads) tries.look(lead.launch);
+  for (const Candidate& candidate : found.candidates) tries.look(candidate.launch);
   if (scan) {
     tries.grid();
     tries.climb();

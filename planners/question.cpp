@@ -194,10 +194,10 @@ Route route_of(const Shot& shot) {
     for (const Hit& hit : std::span(shot.hits).first(shot.hits.size() - 1))
       route.insert(route.begin() + hit.after, {0, Contact::ball(hit.ball)});
   int by = 0;
-  for (const Onward& onward : shot.then) {
-    route.push_back({by, Contact::ball(onward.ball)});
-    by = onward.ball;
-    for (const Contact contact : onward.cushions) route.push_back({by, contact});
+  for (const ObjectBallPath& object_ball_path : shot.then) {
+    route.push_back({by, Contact::ball(object_ball_path.ball)});
+    by = object_ball_path.ball;
+    for (const Contact contact : object_ball_path.cushions) route.push_back({by, contact});
   }
   return route;
 }

@@ -21,9 +21,9 @@
 namespace bankshot {
 namespace {
 
-using planning::Findings;
-using planning::Ledger;
+using planning::EvaluationBudget;
 using planning::Question;
+using planning::SearchResult;
 using planning::Wanted;
 
 std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shots) {
@@ -65,14 +65,15 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 /// Makes the answer from the result of a search: success, margins and words.
-Answer finish(const Question& q, const Ledger& ledger, Findings& found, const SolveOptions& options, double time_us) {
+Answer finish(const Question& q, const EvaluationBudget& budget, SearchResult& found, const SolveOptions& options,
+              double time_us) {
   Answer a{.id = q.puzzle.id, .about = q.puzzle.about};
-  a.simulations = ledger.simulations();
+  a.simulations = budget.simulations();
   a.time_us = time_us;
-  a.cost.certify_us = ledger.proof_us;
-  a.status = !found.shots.empty() ? Status::solved : ledger.cut() ? Status::budget : Status::no_shot;
+  a.cost.certify_us = budget.proof_us;
+  a.status = !found.shots.empty() ? Status::solved : budget.cut() ? Status::budget : Status::no_shot;
   planning::add_nearest(q, found, options.suggest, a);
-  Ledger aside(std::numeric_limits<long>::max());  // rating the shots does not count against the budget
+  EvaluationBudget aside(std::numeric_limits<long>::max());  // rating the shots does not count against the budget
   if ((options.robustness || q.safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
     if (q.puzzle.prefer == Prefer::robust && !q.all() && !q.safest()) planning::best_first(q, aside, found.shots);
@@ -91,7 +92,7 @@ Answer finish(const Question& q, const Ledger& ledger, Findings& found, const So
       planning::as_struck(q, shot, [&](const Question& own) { planning::add_sensitivity(own, shot); });
   a.shots = std::move(found.shots);
   a.modelled = modelled(q.puzzle, a.shots);
-  a.message = planning::message(q, ledger, found, a, distinct);
+  a.message = planning::message(q, budget, found, a, distinct);
   return a;
 }
 
@@ -107,11 +108,11 @@ Wanted wanted(const SolveOptions& options) {
 }
 
 /// Verifies the launch of a shot of a looser puzzle as asked; keeps the shot and returns true if it is one.
-bool keep_as_asked(const Question& q, Ledger& ledger, Findings& found, const Shot& shot) {
+bool keep_as_asked(const Question& q, EvaluationBudget& budget, SearchResult& found, const Shot& shot) {
   return planning::as_struck(q, shot, [&](const Question& own) {
     const int bounces = bounces_of(planning::route_of(shot));
     const auto proves = [&](planning::Demand demand) {
-      return planning::certify(own, ledger, found, shot.launch, bounces, planning::steps::word::looser, demand);
+      return planning::certify(own, budget, found, shot.launch, bounces, planning::steps::word::looser, demand);
     };
     return proves(planning::Demand::exact) || proves(planning::Demand::off_centre);
   });
@@ -119,7 +120,7 @@ bool keep_as_asked(const Question& q, Ledger& ledger, Findings& found, const Sho
 
 /// Returns words on what would open a puzzle without a shot, or none if a looser search finds a shot as asked, which is
 /// kept.
-std::string hint(const Puzzle& puzzle, const Question& q, Ledger& ledger, Findings& found,
+std::string hint(const Puzzle& puzzle, const Question& q, EvaluationBudget& budget, SearchResult& found,
                  const SolveOptions& options) {
   const SolveOptions plain{.robustness = false, .suggest = false, .cancelled = options.cancelled};
   long spent = 0;
@@ -130,11 +131,11 @@ std::string hint(const Puzzle& puzzle, const Question& q, Ledger& ledger, Findin
   };
   const auto is_asked = [&](const Shot& shot) {
     const bool same_spins = shot.spin == q.spin || puzzle.spin_range;
-    return same_spins && keep_as_asked(q, ledger, found, shot);
+    return same_spins && keep_as_asked(q, budget, found, shot);
   };
   std::string words = planning::what_would_open(puzzle, looser, is_asked);
   if (!found.shots.empty()) {
-    ledger.charge(0, spent);
+    budget.charge(0, spent);
     found.add_note("a search with looser bounds came upon it");
   }
   return words;
@@ -159,29 +160,29 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   }
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<LaunchSpin> spins = options.planner == "auto" ? std::vector{puzzle.spin} : spins_to_try(puzzle);
-  Ledger ledger(budget_of(puzzle), options.cancelled);
-  ledger.measures = options.measure;
+  EvaluationBudget budget(budget_of(puzzle), options.cancelled);
+  budget.measures = options.measure;
   for (std::size_t i = 0;; ++i) {
     const std::optional<Puzzle> one = spins.size() > 1 ? std::optional(with_spin(puzzle, spins[i])) : std::nullopt;
     Question q(one ? *one : puzzle, wanted(options));
     q.valued = options.robustness;
-    Findings found;
-    ledger.begin_part(spins.size() - i);
+    SearchResult found;
+    budget.begin_part(spins.size() - i);
     if (q.stop && !rests(q.puzzle.physics))
       found.add_note("no ball comes to rest on a table that leans by more than rolling friction holds");
-    else if (!ledger.spent() && !q.covering())
-      method.plan(q, ledger, found);
-    if (found.shots.empty() && !ledger.exhausted() && i + 1 < spins.size()) continue;
+    else if (!budget.spent() && !q.covering())
+      method.plan(q, budget, found);
+    if (found.shots.empty() && !budget.exhausted() && i + 1 < spins.size()) continue;
     planning::rank(q, found.shots);
     const double took = microseconds_since(begin);
     if (spins.size() > 1)
       found.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));
-    Answer a = finish(q, ledger, found, options, took);
+    Answer a = finish(q, budget, found, options, took);
     if (a.status != Status::no_shot || !options.suggest) return a;
-    const std::string words = hint(puzzle, q, ledger, found, options);
+    const std::string words = hint(puzzle, q, budget, found, options);
     if (!found.shots.empty()) {
       planning::rank(q, found.shots);
-      return finish(q, ledger, found, options, microseconds_since(begin));
+      return finish(q, budget, found, options, microseconds_since(begin));
     }
     if (!words.empty()) a.message += "; " + words;
     return a;

@@ -12,27 +12,27 @@
 
 #include <algorithm>
 
-#include "planners/findings.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/question.hpp"
+#include "planners/search_result.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::stop {
 
-inline bool satisfied(const Question& q, const Findings& found) { return q.first() && !found.shots.empty(); }
+inline bool satisfied(const Question& q, const SearchResult& found) { return q.first() && !found.shots.empty(); }
 
-inline bool over(const Question& q, Ledger& ledger, const Findings& found) {
-  return ledger.spent() || satisfied(q, found);
+inline bool over(const Question& q, EvaluationBudget& budget, const SearchResult& found) {
+  return budget.spent() || satisfied(q, found);
 }
 
-inline bool enough_seeds(const Question& q, Ledger& ledger, Findings& found) {
+inline bool enough_seeds(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   const std::size_t enough = q.first() ? 1 : settings::enough_to_compare;
   const bool plenty = !q.all() && !q.starts() && found.shots.size() >= enough;
   found.plenty = found.plenty || plenty;
-  return plenty || ledger.spent();
+  return plenty || budget.spent();
 }
 
-inline bool enough_images(const Question& q, const Findings& found, bool shortest_first) {
+inline bool enough_images(const Question& q, const SearchResult& found, bool shortest_first) {
   if (satisfied(q, found)) return true;
   if (q.all() || !shortest_first) return false;
   // Shots into a cushion that the ball touches come last.
@@ -41,15 +41,17 @@ inline bool enough_images(const Question& q, const Findings& found, bool shortes
   return seen >= (q.puzzle.prefer == Prefer::robust ? settings::enough_to_compare : 1);
 }
 
-inline bool route_settled(const Question& q, const Findings& found) {
+inline bool route_settled(const Question& q, const SearchResult& found) {
   return q.route && !q.all() && !found.shots.empty();
 }
 
-inline bool nothing_yet(const Ledger& ledger, const Findings& found) { return found.shots.empty() && !ledger.cut(); }
+inline bool nothing_yet(const EvaluationBudget& budget, const SearchResult& found) {
+  return found.shots.empty() && !budget.cut();
+}
 
 /// Returns whether a step that finds more shots, and not just one, has its turn.
-inline bool more_wanted(const Question& q, const Ledger& ledger, const Findings& found) {
-  return (q.all() && !ledger.cut()) || nothing_yet(ledger, found);
+inline bool more_wanted(const Question& q, const EvaluationBudget& budget, const SearchResult& found) {
+  return (q.all() && !budget.cut()) || nothing_yet(budget, found);
 }
 
 }  // namespace bankshot::planning::stop

@@ -35,7 +35,7 @@ bool Family::look_beside(Curve& curve) {
 }
 
 bool Family::look_beside(Tried& t) {
-  if (t.looked || ledger_.spent()) return false;
+  if (t.looked || budget_.spent()) return false;
   t.looked = true;
   if (t.made()) {
     keep(t);
@@ -54,7 +54,7 @@ bool Family::look_to_one_side(Tried& t, double way) {
   double before = t.room->least();
   for (int i = 1, steps = 1; i <= most_beside; i += steps) {
     const Launch to = beside(line, i * apart_beside * way);
-    const auto spare = room(aim_, ledger_, to);
+    const auto spare = room(aim_, budget_, to);
     if (!spare || !(spare->at_mark > 0) || !(spare->least() > std::min(before, 0.0))) return false;
     const double gained = (spare->least() - before) / steps;
     before = spare->least();
@@ -70,7 +70,7 @@ bool Family::look_to_one_side(Tried& t, double way) {
 bool Family::keep_beside(const Launch& launch) {
   std::vector<Shot>& shots = found_.shots;
   const std::size_t known = shots.size();
-  if (!certify(q_, ledger_, found_, launch, bounces_of(aim_.route), step_, Demand::off_centre)) return false;
+  if (!certify(q_, budget_, found_, launch, bounces_of(aim_.route), step_, Demand::off_centre)) return false;
   if (is_listed(start_.mark, aim_.route, shots)) return true;
   const Shot& last = shots.back();
   if (shots.size() > known && is_listed(q_.mark_of(last), route_of(last), std::span(shots).first(known)))
@@ -84,7 +84,7 @@ void Family::look_for_rattles(const Curve& curve) {
   std::map<std::vector<Contact>, std::vector<Band>> ways;
   std::size_t i = 0;
   for (const Tried& t : curve)
-    if (!t.between && i++ % rattle_points == rattle_points - 1 && t.room && !ledger_.spent()) add_bands(t.at, ways);
+    if (!t.between && i++ % rattle_points == rattle_points - 1 && t.room && !budget_.spent()) add_bands(t.at, ways);
   for (auto& [by, bands] : ways) {
     Route whole(aim_.route.begin(), aim_.route.end());
     for (const Contact c : by) whole.push_back({start_.mark.ball, c});
@@ -93,7 +93,7 @@ void Family::look_for_rattles(const Curve& curve) {
     std::ranges::stable_sort(bands, std::ranges::greater{}, [](const Band& b) { return b.last - b.first; });
     for (const Band& b : bands) {
       q_.spin = b.spin;
-      if (certify(q_, ledger_, found_, b.middle(), bounces_of(aim_.route), step_, Demand::off_centre)) break;
+      if (certify(q_, budget_, found_, b.middle(), bounces_of(aim_.route), step_, Demand::off_centre)) break;
     }
   }
 }
@@ -104,7 +104,7 @@ void Family::add_bands(const Point& p, std::map<std::vector<Contact>, std::vecto
   Band band{launch_of(p.x), q_.spin, apart_rattles * across(aim_, p)};
   std::optional<std::vector<Contact>> before;
   for (int i = -most_rattles; i <= most_rattles; ++i) {
-    auto by = falls_by(aim_, ledger_, beside(band.line, i * band.step));
+    auto by = falls_by(aim_, budget_, beside(band.line, i * band.step));
     if (by) {
       band.last = i;
       if (by != before) band.first = i;

@@ -53,9 +53,10 @@ int Family::freedom(const Question& q) {
   return free - 1 - (speed_asked ? 1 : 0);
 }
 
-Family::Family(const Question& q, Ledger& ledger, Findings& found, const Lead& start, std::string_view step)
+Family::Family(const Question& q, EvaluationBudget& budget, SearchResult& found, const Candidate& start,
+               std::string_view step)
     : q_(q.spinning(start.spin)),
-      ledger_(ledger),
+      budget_(budget),
       found_(found),
       start_(start),
       step_(step),
@@ -104,7 +105,7 @@ double Family::merit(const Point& p) const {
 }
 
 bool Family::is_hopeless(const Point& p) {
-  return clearance(aim_, ledger_, launch_of(p.x)).value_or(0) < -hopeless * q_.boundary.diagonal;
+  return clearance(aim_, budget_, launch_of(p.x)).value_or(0) < -hopeless * q_.boundary.diagonal;
 }
 
 bool Family::inside(const Point& p) const {
@@ -117,9 +118,9 @@ Family::Tried Family::attempt(const Point& p) {
   Tried t{p, merit(p), {}};
   if (!inside(p)) return t;
   q_.spin = spin_of(p.x);
-  t.proof = prove(q_, ledger_, launch_of(p.x), Goal::exactly(q_, bounces_of(aim_.route)));
+  t.proof = prove(q_, budget_, launch_of(p.x), Goal::exactly(q_, bounces_of(aim_.route)));
   if (t.made() && q_.puzzle.prefer == Prefer::robust) {
-    ledger_.charge(aim_.route.size());
+    budget_.charge(aim_.route.size());
     add_first_order(q_, t.proof->shot);
     t.merit = likely_value(t.proof->shot);
   }
@@ -132,11 +133,11 @@ Family::Tried Family::climb(Tried at) {
     return a.merit > b.merit + (b.made() ? least_gain : 0);
   };
   const auto clear = [&](Tried& t) {  // of launches that are no shots, the one with most room is nearest to one
-    if (!t.made()) t.merit = clearance(aim_, ledger_, launch_of(t.at.x)).value_or(-infinite);
+    if (!t.made()) t.merit = clearance(aim_, budget_, launch_of(t.at.x)).value_or(-infinite);
   };
   clear(at);
   double step = 1, turned = 0;
-  for (int evaluations = 0; evaluations < most_climbed && step > finest_climb && !ledger_.spent();) {
+  for (int evaluations = 0; evaluations < most_climbed && step > finest_climb && !budget_.spent();) {
     bool moved = false;
     for (const Vector& way : ways(at, turned)) {
       ++evaluations;
@@ -180,7 +181,7 @@ std::vector<Vector> Family::ways(const Tried& from, double turned) const {
 
 Shot Family::tuned(const Shot& shot) {
   Shot best = shot;
-  if (!best.success) find_success(q_, ledger_, best);
+  if (!best.success) find_success(q_, budget_, best);
   auto at = settle(vector_of({best.launch.speed, near_window(best.launch.angle, q_.angle)}, best.spin), box_);
   double step = 1, turned = 0;
   for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.success < sure;) {
@@ -190,7 +191,7 @@ Shot Family::tuned(const Shot& shot) {
       const auto next = settle(at->x + step * scale_.cwiseProduct(way), box_);
       Tried t = next ? attempt(*next) : Tried{};
       if (!t.made()) continue;
-      find_success(q_, ledger_, t.proof->shot);
+      find_success(q_, budget_, t.proof->shot);
       ++tried;
       if (!(*t.proof->shot.value > (better ? *better : best).value.value() + (better ? 0 : worth_tuning))) continue;
       better = std::move(t.proof->shot);
@@ -201,7 +202,7 @@ Shot Family::tuned(const Shot& shot) {
       better->planner = best.planner;
       better->simulations = best.simulations;
       best = std::move(*better);
-      add_aftermath(q_, ledger_, best);
+      add_aftermath(q_, budget_, best);
     } else {
       step /= 2;
     }
@@ -212,12 +213,14 @@ Shot Family::tuned(const Shot& shot) {
 
 void Family::keep(const Tried& t) {
   q_.spin = spin_of(t.at.x);
-  planning::keep(q_, ledger_, found_, t.proof->shot, Goal::exactly(q_, bounces_of(aim_.route)), step_);
+  planning::keep(q_, budget_, found_, t.proof->shot, Goal::exactly(q_, bounces_of(aim_.route)), step_);
 }
 
-Lead lead_of(const Question& q, const Shot& shot) { return {shot.launch, route_of(shot), q.mark_of(shot), shot.spin}; }
+Candidate candidate_of(const Question& q, const Shot& shot) {
+  return {shot.launch, route_of(shot), q.mark_of(shot), shot.spin};
+}
 
-void tune(const Question& q, Ledger& ledger, Findings& found) {
+void tune(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   const Puzzle& p = q.puzzle;
   // Of what is moved to its safest launch, speed and aim are chosen there.
   const bool chosen_later = q.safest() && (q.all() || !p.spin_range);
@@ -226,8 +229,8 @@ void tune(const Question& q, Ledger& ledger, Findings& found) {
   const std::size_t some = q.carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
   const std::span<Shot> shots = std::span(found.shots).first(q.all() ? found.shots.size() : some);
   for (Shot& shot : shots) {
-    const Lead lead = lead_of(q, shot);
-    if (!shot.off_centre) shot = Family(q, ledger, found, lead, shot.planner).tuned(shot);
+    const Candidate candidate = candidate_of(q, shot);
+    if (!shot.off_centre) shot = Family(q, budget, found, candidate, shot.planner).tuned(shot);
   }
   if (!q.all()) return order_by_value(shots);
   // Two that were tuned into one were of one family.

@@ -25,8 +25,8 @@
 #include "planners/certify.hpp"
 #include "planners/family/point.hpp"
 #include "planners/family/settings.hpp"
-#include "planners/findings.hpp"
 #include "planners/locked/clearance.hpp"
+#include "planners/search_result.hpp"
 
 namespace bankshot::planning::family {
 
@@ -41,7 +41,8 @@ Box box_of(const Question& q);
 
 class Family {
  public:
-  Family(const Question& q, Ledger& ledger, Findings& found, const Lead& start, std::string_view step);
+  Family(const Question& q, EvaluationBudget& budget, SearchResult& found, const Candidate& start,
+         std::string_view step);
 
   /// Keeps the best shot of each connected part (where one shot is wanted, of the best one).
   void search();
@@ -124,9 +125,9 @@ class Family {
   void keep(const Tried& t);
 
   Question q_;  ///< a copy, whose spin is that of the launch looked at
-  Ledger& ledger_;
-  Findings& found_;
-  const Lead& start_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
+  const Candidate& start_;
   std::string_view step_;
   LockedAim aim_;
   Box box_, wide_;
@@ -135,9 +136,9 @@ class Family {
 };
 
 /// The last touch: the shots that are printed, all or the first, along their families to where success is largest.
-void tune(const Question& q, Ledger& ledger, Findings& found);
+void tune(const Question& q, EvaluationBudget& budget, SearchResult& found);
 
 /// A shot as the start of its family.
-Lead lead_of(const Question& q, const Shot& shot);
+Candidate candidate_of(const Question& q, const Shot& shot);
 
 }  // namespace bankshot::planning::family

@@ -74,9 +74,9 @@ Launch launch_of(const Vector& x) { return {std::exp(x[log_speed]), wrap_angle(x
 
 LaunchSpin spin_of(const Vector& x) { return {x[top], x[side], x[masse]}; }
 
-std::optional<Point> look(const LockedAim& a, Ledger& ledger, const Vector& x, Vary vary) {
-  if (ledger.spent()) return {};
-  ledger.charge(a.route.size());
+std::optional<Point> look(const LockedAim& a, EvaluationBudget& budget, const Vector& x, Vary vary) {
+  if (budget.spent()) return {};
+  budget.charge(a.route.size());
   return vary == Vary::launch ? look_at<2>(a, x) : look_at<coordinates>(a, x);
 }
 

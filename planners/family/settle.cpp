@@ -77,8 +77,8 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held, double t
   Vector before = x;
   bool at_bound = false;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < most_steps && !ledger_.spent(); ++i) {
-    auto p = look(aim_, ledger_, x, vary_);
+  for (int i = 0; i < most_steps && !budget_.spent(); ++i) {
+    auto p = look(aim_, budget_, x, vary_);
     if (!p && i == 0) return {};
     if (!p) {
       x = (x + before) / 2;

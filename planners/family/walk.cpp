@@ -26,7 +26,7 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
   Point at = from;
   Vector t = tangents(at).col(0) * way;
   double h = first_walk;
-  for (int i = 0; i < most_walked && !ledger_.spent();) {
+  for (int i = 0; i < most_walked && !budget_.spent();) {
     if (leaves_for_good(at, t)) return;
     const Vector guess = at.x + h * scale_.cwiseProduct(t);
     const auto next = settle(guess, wide_, -1, lists() ? loosely : settled);
@@ -69,7 +69,7 @@ bool Family::at_end(const Point& p) const {
 void Family::add_crossings(Curve& curve) {
   for (const int c : {aim, log_speed})
     for (const double bound : {box_.low[c], box_.high[c]})
-      for (std::size_t i = 1; i < curve.size() && std::isfinite(bound) && !ledger_.spent(); ++i) {
+      for (std::size_t i = 1; i < curve.size() && std::isfinite(bound) && !budget_.spent(); ++i) {
         const Vector &a = curve[i - 1].at.x, &b = curve[i].at.x;
         if (!((a[c] - bound) * (b[c] - bound) < 0)) continue;
         Vector x = a + (b - a) * ((bound - a[c]) / (b[c] - a[c]));
@@ -80,7 +80,7 @@ void Family::add_crossings(Curve& curve) {
 
 /// Replays cost three times as much as room.
 Family::Tried Family::attempt_where_clear(const Point& p) {
-  const std::optional<Room> spare = inside(p) ? room(aim_, ledger_, launch_of(p.x)) : std::nullopt;
+  const std::optional<Room> spare = inside(p) ? room(aim_, budget_, launch_of(p.x)) : std::nullopt;
   const bool clear = spare && spare->hidden == 0 && spare->least() > -uncertain;
   const auto exact = clear ? settle(p.x, wide_) : std::nullopt;
   Tried t = exact ? attempt(*exact) : Tried{p, merit(p), {}};
@@ -98,7 +98,7 @@ int Family::parts_between(const Point& a, const Point& b) const {
 /// Between two points of the walk of which one is hopeful.
 void Family::divide(Curve& curve, const std::function<bool(const Tried&)>& is_hopeful) {
   const auto parts = [&](const Tried& a, const Tried& b) {
-    const bool looked = a.between || b.between || !(inside(a.at) || inside(b.at)) || ledger_.spent();
+    const bool looked = a.between || b.between || !(inside(a.at) || inside(b.at)) || budget_.spent();
     return looked || !(is_hopeful(a) || is_hopeful(b)) ? 1 : parts_between(a.at, b.at);
   };
   Curve finer;
@@ -150,7 +150,7 @@ void Family::keep_parts(Curve& curve) {
 Family::Tried Family::edge(const Tried& inside_, const Tried& outside_) {
   Tried in = inside_, out = outside_;
   if (q_.puzzle.prefer == Prefer::robust) return in;  // beside the edge little is made: no better place to be
-  while (std::abs(out.merit - in.merit) > fine_merit * std::max(1.0, std::abs(in.merit)) && !ledger_.spent()) {
+  while (std::abs(out.merit - in.merit) > fine_merit * std::max(1.0, std::abs(in.merit)) && !budget_.spent()) {
     const auto middle = settle((in.at.x + out.at.x) / 2, wide_);
     if (!middle) break;
     Tried t = attempt(*middle);
@@ -164,7 +164,7 @@ Family::Tried Family::edge(const Tried& inside_, const Tried& outside_) {
 /// The top of the parabola through three points of a curve, twice.
 Family::Tried Family::peak(const Tried& before, const Tried& best, const Tried& after) {
   Tried low = before, top_ = best, high = after;
-  for (int i = 0; i < parabolas && !ledger_.spent(); ++i) {
+  for (int i = 0; i < parabolas && !budget_.spent(); ++i) {
     const double a = -(top_.at.x - low.at.x).cwiseQuotient(scale_).norm(),
                  b = (high.at.x - top_.at.x).cwiseQuotient(scale_).norm();
     const double fa = low.merit - top_.merit, fb = high.merit - top_.merit;

@@ -12,17 +12,18 @@ namespace {
 
 /// Returns whether rounding, not geometry, may have decided: the path meets a corner, or ends on a cushion line.
 bool rounding_may_matter(const Replay& r) {
-  const Foul f = r.failure.foul;
-  return f == Foul::in_place || f == Foul::wrong_cushion || f == Foul::extra_cushion || f == Foul::fell_short ||
-         f == Foul::missed;
+  const FailureReason f = r.failure.reason;
+  return f == FailureReason::in_place || f == FailureReason::wrong_cushion || f == FailureReason::extra_cushion ||
+         f == FailureReason::fell_short || f == FailureReason::missed;
 }
 
 /// One aim, and the aims beside it that rounding may take for it.
 class AimTried {
  public:
-  AimTried(const Question& q, Ledger& ledger, Findings& found, int bounces, std::string_view step, Demand demand)
+  AimTried(const Question& q, EvaluationBudget& budget, SearchResult& found, int bounces, std::string_view step,
+           Demand demand)
       : q_(q),
-        ledger_(ledger),
+        budget_(budget),
         found_(found),
         bounces_(bounces),
         step_(step),
@@ -36,14 +37,14 @@ class AimTried {
     const double path = std::max(last_.arrival.time, 1e-3 * q_.boundary.diagonal);
     const double step = tolerance::nudge * q_.boundary.diagonal / path;
     if (round_angle(angle, step) || beside(angle, step)) return true;
-    found_.rounding_decided = found_.rounding_decided || !(alike_ || ledger_.cut());
+    found_.rounding_decided = found_.rounding_decided || !(alike_ || budget_.cut());
     return false;
   }
 
  private:
   /// Tries one aim. `shorter`: share by which the launch is slower than the trace says.
   bool attempt(double angle, double shorter) {
-    const Trace t = trace(q_, ledger_, angle, goal_);
+    const Trace t = trace(q_, budget_, angle, goal_);
     last_ = t.replay;
     if (!t.replay.made) {
       if (!first_) first_ = t.replay.failure;
@@ -56,14 +57,14 @@ class AimTried {
   }
 
   bool certified(const Launch& launch) {
-    return !ledger_.spent() && certify(q_, ledger_, found_, launch, bounces_, step_, demand_);
+    return !budget_.spent() && certify(q_, budget_, found_, launch, bounces_, step_, demand_);
   }
 
   /// Tries a rounded angle: a path through corners was likely asked at one, and the image has it only to rounding.
   bool round_angle(double angle, double step) {
     const double rounded = radians(std::round(degrees(angle) * 1e9) / 1e9);
     if (!(std::abs(rounded - angle) < step)) return false;
-    if (!ledger_.spent() && attempt(rounded, 0)) return true;
+    if (!budget_.spent() && attempt(rounded, 0)) return true;
     // Two cushions that are met in one instant at the given speed need not be so at the trace's.
     return q_.one_unknown() && certified({q_.fixed_speed(), rounded});
   }
@@ -71,7 +72,7 @@ class AimTried {
   bool beside(double angle, double step) {
     for (const double k : {0.0, 1.0, -1.0, 10.0, -10.0})
       for (const double shorter : {0.0, step}) {
-        if (ledger_.spent()) return false;
+        if (budget_.spent()) return false;
         const bool tried = k == 0 && shorter == 0;
         if (!tried && (shorter == 0 || q_.stop) && attempt(angle + k * step, shorter)) return true;
       }
@@ -79,8 +80,8 @@ class AimTried {
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   int bounces_;
   std::string_view step_;
   Demand demand_;
@@ -92,7 +93,8 @@ class AimTried {
 
 }  // namespace
 
-std::optional<double> launch_speed(const Question& q, Findings& found, double angle, const Trace& t, Demand demand) {
+std::optional<double> launch_speed(const Question& q, SearchResult& found, double angle, const Trace& t,
+                                   Demand demand) {
   const Range& bounds = q.speed;
   const auto speed_for = [&](double v) { return std::sqrt((v * v + t.account.loss) / t.account.gain); };
   double low = bounds.low, high = bounds.high;
@@ -100,14 +102,14 @@ std::optional<double> launch_speed(const Question& q, Findings& found, double an
   if (q.arrival) {
     low = speed_for(q.arrival->low);
     high = speed_for(q.arrival->high);
-    const auto refuse = [&](Foul foul, double needed, double bound) {
-      found.remember({{bound, angle}, t.replay.bounces, t.replay.miss, {foul, {}, needed}});
+    const auto refuse = [&](FailureReason reason, double needed, double bound) {
+      found.remember({{bound, angle}, t.replay.bounces, t.replay.miss, {reason, {}, needed}});
       return std::nullopt;
     };
     // A ball that rests beside the target's centre may still rest within the target.
     if (demand == Demand::off_centre && q.stop) return std::clamp(low, bounds.low, bounds.high);
-    if (!bring_inside(low, bounds) && low > bounds.high) return refuse(Foul::too_fast, low, bounds.high);
-    if (!bring_inside(high, bounds) && high < bounds.low) return refuse(Foul::too_slow, high, bounds.low);
+    if (!bring_inside(low, bounds) && low > bounds.high) return refuse(FailureReason::too_fast, low, bounds.high);
+    if (!bring_inside(high, bounds) && high < bounds.low) return refuse(FailureReason::too_slow, high, bounds.low);
     low = std::max(low, bounds.low);
     high = std::min(high, bounds.high);
   }
@@ -116,9 +118,9 @@ std::optional<double> launch_speed(const Question& q, Findings& found, double an
   return q.puzzle.prefer == Prefer::soft ? low : high;
 }
 
-bool certify_aim(const Question& q, Ledger& ledger, Findings& found, double angle, int bounces, std::string_view step,
-                 Demand demand) {
-  return AimTried(q, ledger, found, bounces, step, demand).run(angle);
+bool certify_aim(const Question& q, EvaluationBudget& budget, SearchResult& found, double angle, int bounces,
+                 std::string_view step, Demand demand) {
+  return AimTried(q, budget, found, bounces, step, demand).run(angle);
 }
 
 }  // namespace bankshot::planning

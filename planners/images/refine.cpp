@@ -12,33 +12,35 @@
 
 namespace bankshot::planning {
 
-bool refine_aim(const LockedAim& aim, Ledger& ledger, Findings& found, double angle, double length,
+bool refine_aim(const LockedAim& aim, EvaluationBudget& budget, SearchResult& found, double angle, double length,
                 std::string_view step, const RootFinder& find) {
-  const auto speed = speed_at(aim, ledger, angle, length);
+  const auto speed = speed_at(aim, budget, angle, length);
   if (!speed) return false;
   const auto root = find(aim, {*speed, angle});
-  if (root) certify_root(aim, ledger, found, *root, step);
+  if (root) certify_root(aim, budget, found, *root, step);
   return root.has_value();
 }
 
-void refine_images(const Question& q, Ledger& ledger, Findings& found, std::string_view step, const RootFinder& find) {
+void refine_images(const Question& q, EvaluationBudget& budget, SearchResult& found, std::string_view step,
+                   const RootFinder& find) {
   const bool straight = is_straight(q.puzzle.physics);
   // A route with a root at one aim point hardly ever has another there.
   std::set<std::pair<Route, std::size_t>> settled;
-  for (const Lead& lead : found.leads)
+  for (const Candidate& candidate : found.candidates)
     if (q.starts())
-      settled.insert({lead.route, static_cast<std::size_t>(std::ranges::find(q.marks, lead.mark) - q.marks.begin())});
+      settled.insert(
+          {candidate.route, static_cast<std::size_t>(std::ranges::find(q.marks, candidate.mark) - q.marks.begin())});
   for (const double share : settings::restitution_shares) {
     const double e = share * restitution(q.puzzle.physics).at_rest;
     Unfolding images(q, {.parts = !straight, .restitution = e, .keep_routes = true});
     while (const auto image = images.next()) {
-      if (stop::enough_seeds(q, ledger, found)) return;
+      if (stop::enough_seeds(q, budget, found)) return;
       if (double aim = image->angle; q.starts() && !inside_aims(aim, q.angle)) continue;
       std::pair key{images.route(*image), image->mark};
       if (!straight && settled.contains(key)) continue;
       if (key.first.empty() && share != settings::restitution_shares.front()) continue;  // no cushion bends the path
       const LockedAim aim{q, key.first, q.marks[image->mark]};
-      if (refine_aim(aim, ledger, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));
+      if (refine_aim(aim, budget, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));
     }
     if (straight || !images.whole()) return;
     if (q.route && !found.shots.empty()) return;

@@ -59,7 +59,7 @@ Unfolding::Unfolding(const Question& q, const Options& options)
   }
 }
 
-std::optional<Candidate> Unfolding::next() {
+std::optional<Image> Unfolding::next() {
   while (!turns_.empty() && (candidates_.empty() || turns_.top().distance < candidates_.top().distance)) {
     const std::size_t nearest = turns_.top().node;
     turns_.pop();
@@ -71,7 +71,7 @@ std::optional<Candidate> Unfolding::next() {
     visit(nodes_[nearest]);
   }
   if (candidates_.empty()) return {};
-  Candidate c = candidates_.top();
+  Image c = candidates_.top();
   candidates_.pop();
   c.angle = wrap_angle(std::atan2(c.ray.y, c.ray.x));
   return c;
@@ -83,7 +83,7 @@ void Unfolding::add(const Node& node) {
   turns_.push({node.distance, nodes_.size() - 1});
 }
 
-Route Unfolding::route(const Candidate& c) const {
+Route Unfolding::route(const Image& c) const {
   if (q_.route) return *q_.route;
   Route out;
   for (int i = c.node; i >= 0 && nodes_[static_cast<std::size_t>(i)].last >= 0;
@@ -111,7 +111,7 @@ void Unfolding::propose(const Node& node) {
     if (const auto c = candidate(node, i)) candidates_.push(*c);
 }
 
-std::optional<Candidate> Unfolding::candidate(const Node& node, std::size_t i) const {
+std::optional<Image> Unfolding::candidate(const Node& node, std::size_t i) const {
   const Mark& mark = q_.marks[i];
   if (!q_.route && (node.closed || is_beside(node, mark))) return {};
   const Vec2d& ball = q_.puzzle.ball.at;
@@ -121,7 +121,7 @@ std::optional<Candidate> Unfolding::candidate(const Node& node, std::size_t i) c
   if (q_.in_vertex() && !leads_over_table(ball, ray)) return {};
   if (is_point(mark) && !leads_over_table(mark.at, -node.image.back(ray))) return {};
   const bool passes = !node.closed && (node.open || in_beam(node.from, node.to, ray));
-  Candidate c{0, node.bounces, std::max(0.0, distance - mark.capture()), 0, 0, i, node.self, ray};
+  Image c{0, node.bounces, std::max(0.0, distance - mark.capture()), 0, 0, i, node.self, ray};
   if (!node.closed && !(passes && options_.keep_routes)) find_window(node, mark, c);
   const bool only_part = options_.parts && c.low < c.high;
   return passes || only_part || q_.route ? std::optional(c) : std::nullopt;
@@ -150,7 +150,7 @@ bool Unfolding::is_beside(const Node& node, const Mark& mark) const {
 }
 
 /// Finds the aims beside a candidate's that are in the beam and may reach some part of the target.
-void Unfolding::find_window(const Node& node, const Mark& mark, Candidate& c) const {
+void Unfolding::find_window(const Node& node, const Mark& mark, Image& c) const {
   const Vec2d middle = node.image.apply(mark.at) - q_.puzzle.ball.at;
   const double distance = norm(middle);
   // Twice the mean stretch bounds the largest one, so this bounds the image of the target.
@@ -279,7 +279,7 @@ void Unfolding::lattice() {
   // Along one side even images are shifted and odd ones mirrored.
   const auto sign = [](int i) { return i % 2 == 0 ? 1.0 : -1.0; };
   const auto shift = [](int i, double size, double x) { return i % 2 == 0 ? i * size : (i + 1) * size + 2 * x; };
-  std::vector<Candidate> found;
+  std::vector<Image> found;
   const auto add = [&](int i, int j, std::size_t k) {
     Node node;
     node.image = {sign(i), 0, 0, sign(j), {shift(i, width, x0), shift(j, height, y0)}};

@@ -29,7 +29,7 @@
 namespace bankshot::planning {
 
 /// An aim to try.
-struct Candidate {
+struct Image {
   double angle = 0;  ///< rad, of `ray`
   int bounces = 0;
   double distance = 0;   ///< m, from the ball to the image: the path's length if e = 1
@@ -54,10 +54,10 @@ class Unfolding {
   Unfolding(const Question& q, const Options& options);
 
   /// Returns the cushions of a candidate, in order; not kept in a lattice.
-  Route route(const Candidate& c) const;
+  Route route(const Image& c) const;
 
   /// Returns the next candidate, nearest first; none when all were returned.
-  std::optional<Candidate> next();
+  std::optional<Image> next();
 
   /// Returns false if sequences were left unvisited because there were too many.
   bool whole() const { return whole_; }
@@ -95,11 +95,11 @@ class Unfolding {
   void visit(Node node);
   void propose(const Node& node);
   /// Returns the candidate of an aim point; none if no ray gets near it.
-  std::optional<Candidate> candidate(const Node& node, std::size_t mark) const;
+  std::optional<Image> candidate(const Node& node, std::size_t mark) const;
   bool is_beside(const Node& node, const Mark& mark) const;
   bool is_point(const Mark& mark) const;
   bool leads_over_table(const Vec2d& from, const Vec2d& way) const;
-  void find_window(const Node& node, const Mark& mark, Candidate& c) const;
+  void find_window(const Node& node, const Mark& mark, Image& c) const;
   std::optional<Node> child(const Node& node, int wall);
   std::optional<Node> at_start(const Node& node, int wall) const;
   /// Returns the least distance between centres that touch two cushions; 0 for neighbours and for none (-1).
@@ -118,7 +118,7 @@ class Unfolding {
   std::vector<double> apart_;  ///< cache of apart(), -1 where it is unknown
   std::vector<Node> nodes_;
   std::priority_queue<Turn, std::vector<Turn>, Farther> turns_;
-  std::priority_queue<Candidate, std::vector<Candidate>, Farther> candidates_;
+  std::priority_queue<Image, std::vector<Image>, Farther> candidates_;
 };
 
 }  // namespace bankshot::planning

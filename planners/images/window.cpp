@@ -17,19 +17,19 @@ using namespace settings::window;
 
 class Windows {
  public:
-  Windows(const AimRow& how, Ledger& ledger, const Range& aims) : how_(how), ledger_(ledger), aims_(aims) {}
+  Windows(const AimRow& how, EvaluationBudget& budget, const Range& aims) : how_(how), budget_(budget), aims_(aims) {}
 
   bool find(double centre, int samples) {
     std::vector<Tried> row;
-    for (int i = 0; i < samples && !ledger_.spent(); ++i)
+    for (int i = 0; i < samples && !budget_.spent(); ++i)
       row.push_back(attempt(aims_.low + (aims_.high - aims_.low) * i / (samples - 1)));
-    if (ledger_.spent()) return false;
+    if (budget_.spent()) return false;
     std::vector<std::size_t> order(row.size() - 1);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
               [&](auto a, auto b) { return std::abs(row[a].aim - centre) < std::abs(row[b].aim - centre); });
     for (const std::size_t i : order) {
-      if (ledger_.spent()) return false;
+      if (budget_.spent()) return false;
       const auto made = between(row[i], row[i + 1]);
       if (made && certify_window(*made)) return true;
     }
@@ -50,7 +50,7 @@ class Windows {
   std::optional<Tried> between(const Tried& a, const Tried& b) {
     if (a.replay.made) return a;
     if (b.replay.made) return b;
-    if (a.like(b) || b.aim - a.aim < narrowest || ledger_.spent()) return {};
+    if (a.like(b) || b.aim - a.aim < narrowest || budget_.spent()) return {};
     const Tried middle = attempt(a.aim + (b.aim - a.aim) / 2);
     if (const auto made = between(a, middle)) return made;
     return between(middle, b);
@@ -59,7 +59,7 @@ class Windows {
   /// Finds the end of the made window that begins at `made`, towards `limit`: steps grow while they stay inside.
   double edge(double made, double limit) {
     double step = (limit - made) * first_step;
-    while (std::abs(made - limit) > narrowest && std::abs(step) > narrowest && !ledger_.spent()) {
+    while (std::abs(made - limit) > narrowest && std::abs(step) > narrowest && !budget_.spent()) {
       const bool fits = std::abs(step) < std::abs(limit - made) && attempt(made + step).replay.made;
       if (fits) made += step;
       step *= fits ? longer : shorter;
@@ -74,23 +74,23 @@ class Windows {
   }
 
   const AimRow& how_;
-  Ledger& ledger_;
+  EvaluationBudget& budget_;
   Range aims_;
 };
 
 }  // namespace
 
-bool find_window(const AimRow& row, Ledger& ledger, const Range& aims, double centre, int samples) {
-  return Windows(row, ledger, aims).find(centre, samples);
+bool find_window(const AimRow& row, EvaluationBudget& budget, const Range& aims, double centre, int samples) {
+  return Windows(row, budget, aims).find(centre, samples);
 }
 
-bool reach_part(const Question& q, Ledger& ledger, Findings& found, const Range& aims, double centre, int samples,
-                const Goal& goal, std::string_view step) {
-  const AimRow row{[&](double aim) { return trace(q, ledger, wrap_angle(aim), goal).replay; },
+bool reach_part(const Question& q, EvaluationBudget& budget, SearchResult& found, const Range& aims, double centre,
+                int samples, const Goal& goal, std::string_view step) {
+  const AimRow row{[&](double aim) { return trace(q, budget, wrap_angle(aim), goal).replay; },
                    [&](double aim, int bounces) {
-                     return certify_aim(q, ledger, found, wrap_angle(aim), bounces, step, Demand::off_centre);
+                     return certify_aim(q, budget, found, wrap_angle(aim), bounces, step, Demand::off_centre);
                    }};
-  return find_window(row, ledger, aims, centre, samples);
+  return find_window(row, budget, aims, centre, samples);
 }
 
 }  // namespace bankshot::planning

@@ -9,9 +9,9 @@
 
 #include <functional>
 
-#include "planners/findings.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/proof/replay.hpp"
+#include "planners/search_result.hpp"
 
 namespace bankshot::planning {
 
@@ -22,10 +22,10 @@ struct AimRow {
 };
 
 /// Makes a shot of one window inside `aims` [rad], the one nearest to `centre` first; `samples` aims are followed.
-bool find_window(const AimRow& row, Ledger& ledger, const Range& aims, double centre, int samples);
+bool find_window(const AimRow& row, EvaluationBudget& budget, const Range& aims, double centre, int samples);
 
 /// Makes a shot likewise for paths whose shape does not depend on the speed.
-bool reach_part(const Question& q, Ledger& ledger, Findings& found, const Range& aims, double centre, int samples,
-                const Goal& goal, std::string_view step);
+bool reach_part(const Question& q, EvaluationBudget& budget, SearchResult& found, const Range& aims, double centre,
+                int samples, const Goal& goal, std::string_view step);
 
 }  // namespace bankshot::planning

@@ -27,8 +27,8 @@ Noise noise_by(const std::vector<PlayerError>& errors) {
 
 /// Returns the success, with these errors, of a shot that was chosen for other errors.
 double success_of(Shot shot, const Puzzle& puzzle) {
-  Ledger ledger(std::numeric_limits<long>::max());
-  find_success(Question(puzzle), ledger, shot);
+  EvaluationBudget budget(std::numeric_limits<long>::max());
+  find_success(Question(puzzle), budget, shot);
   return shot.success.value_or(0);
 }
 

@@ -224,7 +224,7 @@ std::vector<Draw> draw(const Puzzle& puzzle, const LaunchUnknowns& aim, Work& wo
   const LaunchError unit = usual_error();
   Question q(puzzle);
   q.spin = {aim[top], aim[side], aim[masse]};
-  Ledger ledger(std::numeric_limits<long>::max());
+  EvaluationBudget budget(std::numeric_limits<long>::max());
   std::vector<Draw> out;
   Draws draws(2);
   for (const double width : widths)
@@ -234,10 +234,10 @@ std::vector<Draw> draw(const Puzzle& puzzle, const LaunchUnknowns& aim, Work& wo
       for (const double w : widths)
         d.density += std::exp(-(d.angle * d.angle + d.speed * d.speed) / (2 * w * w)) / (w * w);
       const Launch launch{aim[speed] + unit(1) * d.speed, wrap_angle(aim[angle] + unit(0) * d.angle)};
-      d.made = launch.speed > 0 && replay(q, ledger, launch, Goal::of(q)).made;
+      d.made = launch.speed > 0 && replay(q, budget, launch, Goal::of(q)).made;
       out.push_back(d);
     }
-  work.simulations += ledger.simulations();
+  work.simulations += budget.simulations();
   return out;
 }
 

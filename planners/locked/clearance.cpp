@@ -70,15 +70,15 @@ double hidden(const Opening& opening, const Vec2d& u) {
   return std::max(0.0, std::min(dot(opening.first, u), dot(opening.last, u)) / opening.radius);
 }
 
-std::optional<double> clearance(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
-  const auto r = room(aim, ledger, launch);
+std::optional<double> clearance(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch) {
+  const auto r = room(aim, budget, launch);
   return r ? std::optional(r->least()) : std::nullopt;
 }
 
-std::optional<Room> room(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
+std::optional<Room> room(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch) {
   const Question& q = aim.q;
-  if (ledger.spent()) return {};
-  ledger.charge(aim.route.size());
+  if (budget.spent()) return {};
+  budget.charge(aim.route.size());
   return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Room> {
     Clearance out(aim);
     State<double> state = start_of(q, launch);

@@ -18,9 +18,9 @@ std::size_t cushions_left(const LockedAim& aim) {
 
 }  // namespace
 
-std::optional<std::vector<Contact>> falls_by(const LockedAim& aim, Ledger& ledger, const Launch& launch) {
-  if (ledger.spent()) return {};
-  ledger.charge(aim.route.size());
+std::optional<std::vector<Contact>> falls_by(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch) {
+  if (budget.spent()) return {};
+  budget.charge(aim.route.size());
   const Question& q = aim.q;
   const std::size_t left = cushions_left(aim);
   return with_physics(q.puzzle.physics,

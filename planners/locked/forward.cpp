@@ -100,23 +100,24 @@ class Follower {
 
 /// `f(follower, motion, cushion, start)` of an answer that is empty yet.
 template <class F>
-void follow(const Question& q, Ledger& ledger, const Launch& launch, std::span<const Mark> marks, Forward& out, F&& f) {
+void follow(const Question& q, EvaluationBudget& budget, const Launch& launch, std::span<const Mark> marks,
+            Forward& out, F&& f) {
   out.route.clear();
   out.places.clear();
   out.passages.clear();
   out.rests = false;
-  if (ledger.spent()) return;
+  if (budget.spent()) return;
   with_physics(q.rough, [&](const auto& motion, const auto& cushion) {
     Follower follower(q, marks, out);
     f(follower, motion, cushion, dual_start<Dual2, 2>(q, launch));
   });
-  ledger.charge(out.route.size());
+  budget.charge(out.route.size());
 }
 
 }  // namespace
 
-void forward(const Question& q, Ledger& ledger, const Launch& launch, bool locked, Forward& out) {
-  follow(q, ledger, launch, q.marks, out,
+void forward(const Question& q, EvaluationBudget& budget, const Launch& launch, bool locked, Forward& out) {
+  follow(q, budget, launch, q.marks, out,
          [&](auto& follower, const auto& motion, const auto& cushion, const State<Dual2>& start) {
            if (q.route && locked)
              follower.along_route(motion, cushion, start);
@@ -125,9 +126,9 @@ void forward(const Question& q, Ledger& ledger, const Launch& launch, bool locke
          });
 }
 
-void forward_through_jaws(const Question& q, Ledger& ledger, const Launch& launch, double near,
+void forward_through_jaws(const Question& q, EvaluationBudget& budget, const Launch& launch, double near,
                           std::span<const Mark> mouths, Forward& out) {
-  follow(q, ledger, launch, mouths, out,
+  follow(q, budget, launch, mouths, out,
          [near](auto& follower, const auto& motion, const auto& cushion, const State<Dual2>& start) {
            follower.through_jaws(motion, cushion, start, near);
          });

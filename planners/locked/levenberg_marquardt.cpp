@@ -54,13 +54,13 @@ struct Residual {
 };
 
 template <int N>
-std::optional<Launch> minimise(const LockedAim& aim, Ledger& ledger, const Launch& seed) {
+std::optional<Launch> minimise(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed) {
   using namespace settings::levenberg_marquardt;
   const Residual<N> residual{aim, seed.speed};
   ::ceres::TinySolver<Residual<N>> solver;
-  if (ledger.spent()) return {};
+  if (budget.spent()) return {};
   // It costs one simulation, and two for each iteration.
-  const auto affordable = (ledger.left() - 1) / 2 / (1 + static_cast<long>(aim.route.size() / bounces_a_simulation));
+  const auto affordable = (budget.left() - 1) / 2 / (1 + static_cast<long>(aim.route.size() / bounces_a_simulation));
   solver.options.max_num_iterations = static_cast<int>(std::min<long>(most_iterations, affordable));
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = least_gradient;
@@ -70,7 +70,7 @@ std::optional<Launch> minimise(const LockedAim& aim, Ledger& ledger, const Launc
   x(0) = seed.angle;
   if constexpr (N == 2) x(1) = std::log(seed.speed);
   solver.Solve(residual, &x);
-  ledger.charge(aim.route.size(), 1 + 2 * solver.summary.iterations);
+  budget.charge(aim.route.size(), 1 + 2 * solver.summary.iterations);
   if (!x.allFinite() || !(solver.summary.final_cost < converged_cost)) return {};
   double speed = seed.speed;
   if constexpr (N == 2) speed = std::exp(x(1));
@@ -79,15 +79,15 @@ std::optional<Launch> minimise(const LockedAim& aim, Ledger& ledger, const Launc
 
 }  // namespace
 
-std::optional<Launch> solve_locked(const LockedAim& aim, Ledger& ledger, const Launch& seed) {
-  return aim.q.one_unknown() ? minimise<1>(aim, ledger, seed) : minimise<2>(aim, ledger, seed);
+std::optional<Launch> solve_locked(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed) {
+  return aim.q.one_unknown() ? minimise<1>(aim, budget, seed) : minimise<2>(aim, budget, seed);
 }
 
-std::optional<Launch> refine(const Question& q, Ledger& ledger, const Launch& seed, const Route& route) {
+std::optional<Launch> refine(const Question& q, EvaluationBudget& budget, const Launch& seed, const Route& route) {
   std::optional<Launch> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Mark& mark : q.marks) {
-    const auto x = solve_locked({q, route, mark}, ledger, seed);
+    const auto x = solve_locked({q, route, mark}, budget, seed);
     if (!x) continue;
     const double moved = std::abs(angle_difference(x->angle, seed.angle));
     if (moved < least) best = x, least = moved;

@@ -11,9 +11,9 @@
 namespace bankshot::planning {
 
 /// A launch near a root, moved onto it; none where that does not converge.
-std::optional<Launch> solve_locked(const LockedAim& aim, Ledger& ledger, const Launch& seed);
+std::optional<Launch> solve_locked(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed);
 
 /// The root nearest in aim to the seed over all marks.
-std::optional<Launch> refine(const Question& q, Ledger& ledger, const Launch& seed, const Route& route);
+std::optional<Launch> refine(const Question& q, EvaluationBudget& budget, const Launch& seed, const Route& route);
 
 }  // namespace bankshot::planning

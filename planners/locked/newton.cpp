@@ -38,7 +38,7 @@ std::optional<Step> newton_step(const Linear& l, bool one_unknown) {
               (l.by_aim(1) * l.r[0] - l.by_aim(0) * l.r[1]) / det};
 }
 
-NewtonResult newton(const LockedAim& aim, Ledger& ledger, const Launch& from, const Unknowns& unknowns,
+NewtonResult newton(const LockedAim& aim, EvaluationBudget& budget, const Launch& from, const Unknowns& unknowns,
                     const Known& known) {
   using namespace settings::newton;
   NewtonResult result{from};
@@ -48,11 +48,11 @@ NewtonResult newton(const LockedAim& aim, Ledger& ledger, const Launch& from, co
   double least = std::numeric_limits<double>::infinity();
   const auto end = [&](NewtonStatus status) { return result.status = status, result; };
   for (int& i = result.iterations; i < most_steps; ++i) {
-    auto l = linearise(aim, ledger, at, rough);
+    auto l = linearise(aim, budget, at, rough);
     const auto worse = [&] { return !l || (i >= usual_steps && !(l->size() < least)); };
     if (i > 0 && worse()) {
       at = half_way(at, before);
-      l = linearise(aim, ledger, at, rough);
+      l = linearise(aim, budget, at, rough);
     }
     if (i >= patience && worse()) return end(NewtonStatus::astray);
     before = at;

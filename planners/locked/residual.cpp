@@ -20,16 +20,16 @@ std::optional<Linear> linearise(const LockedAim& aim, const Launch& launch, cons
 
 }  // namespace
 
-std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch, bool roughly) {
-  if (ledger.spent()) return {};
-  ledger.charge(aim.route.size());
+std::optional<Linear> linearise(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch, bool roughly) {
+  if (budget.spent()) return {};
+  budget.charge(aim.route.size());
   const Physics& physics = roughly ? aim.q.rough : aim.q.puzzle.physics;
   return aim.q.one_unknown() ? linearise<1>(aim, launch, physics) : linearise<2>(aim, launch, physics);
 }
 
-std::optional<double> excess_speed2(const LockedAim& aim, Ledger& ledger, double angle, double square) {
-  if (ledger.spent()) return {};
-  ledger.charge(aim.route.size());
+std::optional<double> excess_speed2(const LockedAim& aim, EvaluationBudget& budget, double angle, double square) {
+  if (budget.spent()) return {};
+  budget.charge(aim.route.size());
   const auto arrival = arrival_of(aim, start_of(aim.q, angle, std::sqrt(square)), aim.q.rough);
   if (!arrival) return {};
   const Physics& physics = aim.q.puzzle.physics;

@@ -22,7 +22,7 @@
 #include <span>
 
 #include "bankshot/simulate/locked.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/locked/unknown.hpp"
 
 namespace bankshot::planning {
@@ -50,10 +50,11 @@ struct Linear {
 
 /// One locked simulation with dual numbers; none where the path never gets to its last leg, or the budget is spent.
 /// Roughly: impacts are integrated no more finely than a seed needs.
-std::optional<Linear> linearise(const LockedAim& aim, Ledger& ledger, const Launch& launch, bool roughly = false);
+std::optional<Linear> linearise(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch,
+                                bool roughly = false);
 
 /// By how much the squared speed of arrival exceeds the one asked [m²/s²], both as residual [1] counts them, at an
 /// angle and a squared launch speed. One locked simulation, no finer than a seed needs.
-std::optional<double> excess_speed2(const LockedAim& aim, Ledger& ledger, double angle, double square);
+std::optional<double> excess_speed2(const LockedAim& aim, EvaluationBudget& budget, double angle, double square);
 
 }  // namespace bankshot::planning

@@ -21,12 +21,12 @@ double step_of_speed(const Linear& l, bool stop) {
 
 }  // namespace
 
-std::optional<double> speed_near(const LockedAim& aim, Ledger& ledger, double angle, double guess) {
+std::optional<double> speed_near(const LockedAim& aim, EvaluationBudget& budget, double angle, double guess) {
   if (aim.q.one_unknown()) return guess;
   using namespace settings::speed_near;
   double speed = guess, low = 0, high = infinite;
   for (int i = 0; i < most_steps; ++i) {
-    const auto l = linearise(aim, ledger, {speed, angle});
+    const auto l = linearise(aim, budget, {speed, angle});
     double next = 0;
     if (l) {
       const double step = step_of_speed(*l, aim.q.stop);
@@ -44,12 +44,12 @@ std::optional<double> speed_near(const LockedAim& aim, Ledger& ledger, double an
   return {};
 }
 
-std::optional<double> speed_at(const LockedAim& aim, Ledger& ledger, double angle, double length) {
+std::optional<double> speed_at(const LockedAim& aim, EvaluationBudget& budget, double angle, double length) {
   const Question& q = aim.q;
   if (q.one_unknown()) return q.fixed_speed();
   using namespace settings::speed_at;
   const double asked = even_square(q.puzzle.physics, q.asked * q.asked), slowing = 2 * deceleration(q.puzzle.physics);
-  const auto excess = [&](double square) { return excess_speed2(aim, ledger, angle, square); };
+  const auto excess = [&](double square) { return excess_speed2(aim, budget, angle, square); };
   const Range& bounds = q.speed;
   const double slowest = std::max(bounds.low, settings::slowest_of_fastest * bounds.high);
   double low = slowest * slowest, high = bounds.high * bounds.high;

@@ -42,7 +42,7 @@ void move_balls(Puzzle& p, const double* normal) {
 
 }  // namespace
 
-double success_under_all_errors(const Question& q, Ledger& ledger, const Shot& shot) {
+double success_under_all_errors(const Question& q, EvaluationBudget& budget, const Shot& shot) {
   const Noise& noise = q.puzzle.noise;
   const double radius = q.puzzle.ball.body.radius;
   constexpr std::size_t launch = 4;
@@ -59,7 +59,7 @@ double success_under_all_errors(const Question& q, Ledger& ledger, const Shot& s
     spin.side += noise.side_of(radius) * z[2];
     spin.top += noise.top_of(radius) * z[3];
     const auto try_it = [&](const Question& own) {
-      made += replay(own, ledger, struck, Goal::counted(own, shot)).made;
+      made += replay(own, budget, struck, Goal::counted(own, shot)).made;
     };
     if (places == 0 && physics.count() == 0) {
       try_it(q.spinning(spin));

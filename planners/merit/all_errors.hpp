@@ -9,11 +9,11 @@
 // that they touch.
 #pragma once
 
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/question.hpp"
 
 namespace bankshot::planning {
 
-double success_under_all_errors(const Question& q, Ledger& ledger, const Shot& shot);
+double success_under_all_errors(const Question& q, EvaluationBudget& budget, const Shot& shot);
 
 }  // namespace bankshot::planning

@@ -11,29 +11,29 @@
 namespace bankshot::planning {
 namespace {
 
-bool all_between(const Question& q, Ledger& ledger, const Shot& a, const Shot& b) {
+bool all_between(const Question& q, EvaluationBudget& budget, const Shot& a, const Shot& b) {
   constexpr int steps = settings::connected::steps;
   const double turn = angle_difference(a.launch.angle, b.launch.angle);
   const Goal goal = Goal::along(a);
   for (int i = 1; i < steps; ++i) {
     const double share = static_cast<double>(i) / steps;
     const Launch launch{std::lerp(a.launch.speed, b.launch.speed, share), wrap_angle(a.launch.angle + share * turn)};
-    if (!replay(q, ledger, launch, goal).made) return false;
+    if (!replay(q, budget, launch, goal).made) return false;
   }
   return true;
 }
 
-bool are_one(const Question& q, Ledger& ledger, const Shot& a, const Shot& b) {
-  if (a.spin != b.spin || route_of(a) != route_of(b) || !(q.mark_of(a) == q.mark_of(b)) || ledger.spent()) return false;
-  return as_struck(q, a, [&](const Question& own) { return all_between(own, ledger, a, b); });
+bool are_one(const Question& q, EvaluationBudget& budget, const Shot& a, const Shot& b) {
+  if (a.spin != b.spin || route_of(a) != route_of(b) || !(q.mark_of(a) == q.mark_of(b)) || budget.spent()) return false;
+  return as_struck(q, a, [&](const Question& own) { return all_between(own, budget, a, b); });
 }
 
 }  // namespace
 
-void keep_connected_once(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
+void keep_connected_once(const Question& q, EvaluationBudget& budget, std::vector<Shot>& shots) {
   std::vector<Shot> kept;
   for (Shot& shot : shots)
-    if (std::ranges::none_of(kept, [&](const Shot& other) { return are_one(q, ledger, other, shot); }))
+    if (std::ranges::none_of(kept, [&](const Shot& other) { return are_one(q, budget, other, shot); }))
       kept.push_back(std::move(shot));
   shots = std::move(kept);
 }

@@ -5,12 +5,12 @@
 
 #include <vector>
 
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/question.hpp"
 
 namespace bankshot::planning {
 
 /// Keeps of each such group the first. A few simulations for each two by one route.
-void keep_connected_once(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
+void keep_connected_once(const Question& q, EvaluationBudget& budget, std::vector<Shot>& shots);
 
 }  // namespace bankshot::planning

@@ -7,7 +7,7 @@
 // How near: of 1,832 shots of random puzzles (every family of tables; ideal, rolling, spin) the chance is half of the
 // time within 0.0003 of success, in nine of ten within 0.002. Far off are points beside a cushion line and reflex
 // vertices, by 0.5 at most; success_at_most (rank.cpp) is the bound to build on. Cost: one simulation with dual
-// numbers, which no ledger is charged.
+// numbers, which no budget is charged.
 #pragma once
 
 #include "bankshot/plan/shot.hpp"

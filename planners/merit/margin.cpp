@@ -21,8 +21,8 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// One number of a launch that moves one way, by steps in rad or m/s.
 class Way {
  public:
-  Way(const LockedAim& aim, Ledger& ledger, const Shot& shot, const Vec2d& towards)
-      : aim_(aim), ledger_(ledger), shot_(shot), goal_(Goal::counted_along(shot)), towards_(towards) {}
+  Way(const LockedAim& aim, EvaluationBudget& budget, const Shot& shot, const Vec2d& towards)
+      : aim_(aim), budget_(budget), shot_(shot), goal_(Goal::counted_along(shot)), towards_(towards) {}
 
   /// The largest step, up to `limit`, such that the shot is made all the way; none when nothing breaks it.
   std::optional<double> how_far(double scale, double limit) {
@@ -43,25 +43,25 @@ class Way {
 
   bool made(double by) {
     const Launch l = moved(by);
-    return l.speed > 0 && replay(aim_.q, ledger_, {l.speed, wrap_angle(l.angle)}, goal_).made;
+    return l.speed > 0 && replay(aim_.q, budget_, {l.speed, wrap_angle(l.angle)}, goal_).made;
   }
 
   /// What the derivatives say at one step.
   struct Look {
     double at;
     bool holds = false;
-    double onward = never, back = 0;  ///< to where the first limit breaks; to where all hold again
-    double dip = never;               ///< back to where a limit would break that holds here
+    double object_ball_path = never, back = 0;  ///< to where the first limit breaks; to where all hold again
+    double dip = never;                         ///< back to where a limit would break that holds here
   };
   Look look(double by) {
     Look out{by};
     const Launch l = moved(by);
     if (!(l.speed > 0)) return out;
-    ledger_.charge(aim_.route.size());
+    budget_.charge(aim_.route.size());
     const auto limits = limits_of(aim_, l, unit);
     if (!limits) return out;
     out.holds = limits->hold();
-    out.onward = limits->until(towards_);
+    out.object_ball_path = limits->until(towards_);
     out.back = limits->until_all_hold(-towards_);
     out.dip = limits->until(-towards_);
     return out;
@@ -71,7 +71,7 @@ class Way {
   void walk(double scale, double limit) {
     last_ = look(good_);
     while (good_ < limit) {
-      const double step = last_.onward;
+      const double step = last_.object_ball_path;
       if (step <= settled * good_) return void(bad_ = good_ * (1 + tolerance::margin));
       const double next = std::min({good_ + step, std::max(2 * good_, scale), limit});
       if (!(next > good_)) return void(bad_ = next);
@@ -95,7 +95,7 @@ class Way {
   /// Newton's method between a step that is made and one that is not.
   void close_in() {
     for (int i = 0; i < most_looks && bad_ - good_ > tolerance::margin * bad_; ++i) {
-      double next = last_.holds ? last_.at + last_.onward : last_.at - last_.back;
+      double next = last_.holds ? last_.at + last_.object_ball_path : last_.at - last_.back;
       if (!(next > good_ && next < bad_)) next = arithmetic_mean(good_, bad_);
       const bool near = std::abs(next - last_.at) <= settled * next;
       if (near) {
@@ -139,9 +139,9 @@ class Way {
     const double end = good_;
     Look before = look(0);
     // Where the first look saw the end, the limits are nearly straight.
-    const int parts = aim_.q.whole                                   ? parts_of_chains
-                      : std::abs(before.onward - end) < nearly * end ? few_parts
-                                                                     : many_parts;
+    const int parts = aim_.q.whole                                             ? parts_of_chains
+                      : std::abs(before.object_ball_path - end) < nearly * end ? few_parts
+                                                                               : many_parts;
     for (int k = 1; k <= parts; ++k) {
       const Look now = look(end * k / parts);
       const auto broken = k < parts && !made(now.at) ? std::optional(now.at) : look_between(before, now);
@@ -159,7 +159,7 @@ class Way {
   /// crosses 0 between them, and the two not above it.
   std::optional<double> look_between(Look a, Look b) {
     for (int i = 0; i < most_looks && a.holds && b.holds; ++i) {
-      const double gap = b.at - a.at, up = a.at + a.onward, down = b.at - b.dip;
+      const double gap = b.at - a.at, up = a.at + a.object_ball_path, down = b.at - b.dip;
       const bool rises = up<b.at - nearly * gap, falls = down> a.at + nearly * gap;
       if (gap < tolerance::margin * b.at || !(rises || falls) || (rises && falls && up >= down)) break;
       // A little beyond, for the method stops before a root that it nears from inside.
@@ -172,7 +172,7 @@ class Way {
   }
 
   const LockedAim& aim_;
-  Ledger& ledger_;
+  EvaluationBudget& budget_;
   const Shot& shot_;
   Goal goal_;
   Vec2d towards_;
@@ -188,13 +188,13 @@ std::optional<double> downwards(std::optional<double> distance) {
 
 }  // namespace
 
-void find_margin(const Question& q, Ledger& ledger, Shot& shot) {
+void find_margin(const Question& q, EvaluationBudget& budget, Shot& shot) {
   if (shot.scratch && !is_ideal(q.puzzle.physics)) return void(shot.margin = Margin{{0, 0}, {0, 0}});
   const Mark& mark = q.mark_of(shot);
   const Route route = route_with_jaws_of(shot);
   const LockedAim aim{q, route, mark};
   const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
-    return Way(aim, ledger, shot, towards).how_far(scale, limit);
+    return Way(aim, budget, shot, towards).how_far(scale, limit);
   };
   const double scale =
       std::clamp(mark.reach / std::max(shot.condition, flat * q.boundary.diagonal), least_scale, most_scale);

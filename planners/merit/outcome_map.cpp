@@ -35,9 +35,9 @@ int rung_below(double speed, int stride) { return static_cast<int>(std::floor(ru
 
 }  // namespace
 
-OutcomeMap::OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot)
+OutcomeMap::OutcomeMap(const Question& q, EvaluationBudget& budget, const Shot& shot)
     : q_(q),
-      ledger_(ledger),
+      budget_(budget),
       shot_(shot),
       goal_(Goal::counted(q, shot)),
       angle_(std::max(q.puzzle.noise.angle, tolerance::same_aim)),
@@ -63,12 +63,12 @@ double OutcomeMap::deviation(double speed) const {
 
 /// Whether a launch of a row is made; the row keeps what it meets.
 bool OutcomeMap::is_made(double aim, Row& row) {
-  if (!(row.speed > 0) || ledger_.spent()) return false;
+  if (!(row.speed > 0) || budget_.spent()) return false;
   std::vector<Contact> cushions;
-  const Replay r = replay(q_, ledger_, launch(aim, row.speed), goal_, &cushions);
+  const Replay r = replay(q_, budget_, launch(aim, row.speed), goal_, &cushions);
   if (!r.made) return false;
   std::size_t contacts = cushions.size() + static_cast<std::size_t>(r.jaws);
-  for (const Onward& ball : r.then) contacts += ball.cushions.size();
+  for (const ObjectBallPath& ball : r.then) contacts += ball.cushions.size();
   const auto at = std::ranges::lower_bound(row.seen, aim, {}, &Seen::aim);
   row.seen.insert(at, {aim, static_cast<int>(contacts)});
   row.arrival = r.arrival.speed;
@@ -102,7 +102,7 @@ OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected, int tried
   for (std::size_t i = 0; i + 1 < tries.size(); ++i) {
     if (tries[i].made == tries[i + 1].made) continue;
     double in = tries[i].aim, out = tries[i + 1].aim;
-    while (out - in > 1.5 * exact && !ledger_.spent()) {
+    while (out - in > 1.5 * exact && !budget_.spent()) {
       const double middle = (in + out) / 2;
       if (!(in < middle && middle < out)) break;
       (is_made(middle, row) == tries[i].made ? in : out) = middle;
@@ -145,7 +145,7 @@ OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
 bool OutcomeMap::add(Rung rung, int tried) {
   const double speed = speed_of(rung);
   const auto at = std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
-  if ((at != rows_.end() && at->speed == speed) || rows_.size() >= most_rows || ledger_.spent()) return false;
+  if ((at != rows_.end() && at->speed == speed) || rows_.size() >= most_rows || budget_.spent()) return false;
   Row row = row_at(speed, expected_at(speed), tried);
   rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
   return true;

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/proof/goal.hpp"
 #include "planners/question.hpp"
 
@@ -22,7 +22,7 @@ namespace bankshot::planning {
 class OutcomeMap {
  public:
   /// `q` has the spin of the shot, which must outlive this.
-  OutcomeMap(const Question& q, Ledger& ledger, const Shot& shot);
+  OutcomeMap(const Question& q, EvaluationBudget& budget, const Shot& shot);
 
   /// Launches inside the puzzle's bounds with their values: that of the largest value, and those of other speeds, best
   /// first. None where nothing is made, or where the first look at all speeds leaves no hope of a value of `worth`.
@@ -77,7 +77,7 @@ class OutcomeMap {
   double safest_aim(double speed) const;
 
   const Question& q_;
-  Ledger& ledger_;
+  EvaluationBudget& budget_;
   const Shot& shot_;
   Goal goal_;
   double angle_;             ///< deviation of the aim [rad]

@@ -84,11 +84,11 @@ double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
 }
 
 /// A ball may pass the point on its way, after fewer cushions: that counts too. One simulation.
-double chance_on_the_way(const Question& q, Ledger& ledger, const Shot& shot) {
+double chance_on_the_way(const Question& q, EvaluationBudget& budget, const Shot& shot) {
   const std::size_t bounces = shot.cushions.size();
   if (q.captures() || q.objects || q.stop || q.route || static_cast<int>(bounces) <= q.cushions().min) return 0;
   Forward path;
-  forward(q, ledger, shot.launch, false, path);
+  forward(q, budget, shot.launch, false, path);
   double chance = 0;
   for (const Passage& p : path.passages)
     if (p.meetings < bounces) chance += chance_of_passing(q, q.marks[p.mark], shot.launch, p.linear);
@@ -97,11 +97,11 @@ double chance_on_the_way(const Question& q, Ledger& ledger, const Shot& shot) {
 
 /// What the success of a shot may be, as its first-order chance and those of the shots beside it say. One simulation.
 /// `q` has the spin of the shot.
-double shot_at_most(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot) {
+double shot_at_most(const Question& q, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot) {
   using settings::rank::beside;
   // One that misses by the cushions of this shot may touch the second ball after more of them.
   if (q.carom() && !q.route && static_cast<int>(shot.cushions.size()) < q.cushions().max) return 1;
-  double chance = shot.chance + chance_on_the_way(q, ledger, shot);
+  double chance = shot.chance + chance_on_the_way(q, budget, shot);
   for (const Shot& other : shots)
     if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
   const Mark& mark = q.mark_of(shot);
@@ -150,7 +150,8 @@ namespace {
 
 /// Returns the number of the shot with the largest value, if that exceeds `value`. Computes the values of shots that
 /// may have it.
-std::optional<std::size_t> best_above(const Question& q, Ledger& ledger, std::span<Shot> shots, double value) {
+std::optional<std::size_t> best_above(const Question& q, EvaluationBudget& budget, std::span<Shot> shots,
+                                      double value) {
   struct Candidate {
     double at_most;  ///< largest value that first order leaves possible
     std::size_t shot;
@@ -158,7 +159,7 @@ std::optional<std::size_t> best_above(const Question& q, Ledger& ledger, std::sp
   std::vector<Candidate> candidates;
   for (const Shot& shot : shots) {
     const double success =
-        as_struck(q, shot, [&](const Question& own) { return shot_at_most(own, ledger, shots, shot); });
+        as_struck(q, shot, [&](const Question& own) { return shot_at_most(own, budget, shots, shot); });
     candidates.push_back({success - cost_of(shot), candidates.size()});
   }
   // The shots are in the order of their margins, which decides between equals.
@@ -168,7 +169,7 @@ std::optional<std::size_t> best_above(const Question& q, Ledger& ledger, std::sp
   for (const Candidate& c : candidates) {
     if (c.at_most <= value - tie) break;
     Shot& shot = shots[c.shot];  // the value of some is known since their stage
-    if (!shot.value) as_struck(q, shot, [&](const Question& own) { find_success(own, ledger, shot); });
+    if (!shot.value) as_struck(q, shot, [&](const Question& own) { find_success(own, budget, shot); });
     if (*shot.value > value) value = *shot.value, best = c.shot;
   }
   return best;
@@ -176,8 +177,8 @@ std::optional<std::size_t> best_above(const Question& q, Ledger& ledger, std::sp
 
 }  // namespace
 
-void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots) {
-  const auto best = best_above(q, ledger, shots, -infinite);
+void best_first(const Question& q, EvaluationBudget& budget, std::vector<Shot>& shots) {
+  const auto best = best_above(q, budget, shots, -infinite);
   std::swap(shots.front(), shots[best.value_or(0)]);
   // Those behind it are tuned as well, or leave the cue ball better.
   if (q.carom() || q.puzzle.leave) order_by_value(shots);
@@ -193,26 +194,27 @@ double likely_value(const Question& q, const Shot& shot) {
 }
 
 /// What the value of a shot may be once it is moved. `shots`: those that were found. `q` has the spin of the shot.
-double movable_to(const Question& q, Ledger& ledger, std::span<const Shot> shots, const Shot& shot, double likely) {
+double movable_to(const Question& q, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot,
+                  double likely) {
   const double contacts = cost_of(shot) - cost_of(shot.launch, shot.spin);
   const double most = success_at_most(q, q.mark_of(shot), likely + cost_of(shot)) + settings::rank::off_jaws;
-  return std::min(1.0, std::max(most, shot_at_most(q, ledger, shots, shot))) - contacts;
+  return std::min(1.0, std::max(most, shot_at_most(q, budget, shots, shot))) - contacts;
 }
 
-auto moved_from(Findings& found, const Shot& shot) {
-  return std::ranges::find_if(found.moved, [&](const Findings::Moved& m) {
+auto moved_from(SearchResult& found, const Shot& shot) {
+  return std::ranges::find_if(found.moved, [&](const SearchResult::Moved& m) {
     return m.from.angle == shot.launch.angle && m.from.speed == shot.launch.speed && m.spin == shot.spin;
   });
 }
 
 /// Returns the value of a shot that was moved, and less than any if it was not.
-double moved_value(Findings& found, const Shot& shot) {
+double moved_value(SearchResult& found, const Shot& shot) {
   const auto known = moved_from(found, shot);
   return known == found.moved.end() || !known->shot ? -infinite : *known->shot->value;
 }
 
 /// Moves shots that may be worth more than all others are, `most` of them, those first that seem best.
-void move_some(const Question& q, Ledger& ledger, Findings& found, int most) {
+void move_some(const Question& q, EvaluationBudget& budget, SearchResult& found, int most) {
   struct Candidate {
     double likely, at_most;
     const Shot* shot;
@@ -224,7 +226,7 @@ void move_some(const Question& q, Ledger& ledger, Findings& found, int most) {
     if (moved_from(found, shot) != found.moved.end()) continue;
     candidates.push_back(as_struck(q, shot, [&](const Question& own) {
       const double likely = likely_value(own, shot);
-      return Candidate{likely, movable_to(own, ledger, found.shots, shot, likely), &shot};
+      return Candidate{likely, movable_to(own, budget, found.shots, shot, likely), &shot};
     }));
   }
   std::ranges::stable_sort(candidates, std::greater(), &Candidate::likely);
@@ -232,7 +234,7 @@ void move_some(const Question& q, Ledger& ledger, Findings& found, int most) {
     if (c.at_most <= value) continue;
     if (most-- == 0) return;
     Shot shot = *c.shot;
-    const bool hope = as_struck(q, shot, [&](const Question& own) { return make_safest(own, ledger, shot, value); });
+    const bool hope = as_struck(q, shot, [&](const Question& own) { return make_safest(own, budget, shot, value); });
     found.moved.push_back({c.shot->launch, c.shot->spin, {}});
     if (!hope) continue;
     value = std::max(value, *shot.value);
@@ -242,10 +244,10 @@ void move_some(const Question& q, Ledger& ledger, Findings& found, int most) {
 
 }  // namespace
 
-double value_in_hand(const Question& q, Findings& found) {
+double value_in_hand(const Question& q, SearchResult& found) {
   if (q.puzzle.prefer != Prefer::robust || found.shots.empty()) return 0;
   using settings::rank::most_in_hand;
-  Ledger aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
+  EvaluationBudget aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
   double value = 0;
   if (q.valued && q.safest() && !q.all()) {
     move_some(q, aside, found, most_in_hand);
@@ -268,29 +270,29 @@ double value_in_hand(const Question& q, Findings& found) {
   return value;
 }
 
-void move_best(const Question& q, Ledger& ledger, Findings& found) {
+void move_best(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   const auto move = [&](Shot& shot) {
-    as_struck(q, shot, [&](const Question& own) { return make_safest(own, ledger, shot); });
+    as_struck(q, shot, [&](const Question& own) { return make_safest(own, budget, shot); });
   };
   if (q.all()) return std::ranges::for_each(found.shots, move), void();
   if (q.puzzle.prefer != Prefer::robust) return move(found.shots.front());
-  move_some(q, ledger, found, settings::rank::most_moved);
+  move_some(q, budget, found, settings::rank::most_moved);
   Shot* best = &*std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return moved_value(found, s); });
   // The map is an estimate, so an exact launch may be worth more.
-  if (const auto exact = best_above(q, ledger, found.shots, moved_value(found, *best)))
+  if (const auto exact = best_above(q, budget, found.shots, moved_value(found, *best)))
     best = &found.shots[*exact];
   else
     *best = *moved_from(found, *best)->shot;
   std::swap(*best, found.shots.front());
 }
 
-void add_robustness(const Question& q, Ledger& ledger, Findings& found) {
+void add_robustness(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   std::vector<Shot>& shots = found.shots;
   if (q.puzzle.leave && !q.all()) order_by_leave(q.puzzle, shots);
   for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
     as_struck(q, shot, [&](const Question& own) {
-      if (!shot.success) find_success(own, ledger, shot);
-      find_margin(own, ledger, shot);
+      if (!shot.success) find_success(own, budget, shot);
+      find_margin(own, budget, shot);
     });
   }
   if (q.all()) order(q, shots);

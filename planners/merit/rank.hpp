@@ -5,9 +5,9 @@
 
 #include <span>
 
-#include "planners/findings.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/question.hpp"
+#include "planners/search_result.hpp"
 
 namespace bankshot::planning {
 
@@ -21,21 +21,21 @@ double success_at_most(const Question& q, const Mark& mark, double chance);
 void rank(const Question& q, std::vector<Shot>& shots);
 
 /// Brings the shot with the largest value to the front; of shots that cannot be first it is not computed.
-void best_first(const Question& q, Ledger& ledger, std::vector<Shot>& shots);
+void best_first(const Question& q, EvaluationBudget& budget, std::vector<Shot>& shots);
 
 /// The value of the best shot so far: of a few that seem best by first order, which knows of no scratch, it is
 /// computed, once. 0 where values do not rank shots.
-double value_in_hand(const Question& q, Findings& found);
+double value_in_hand(const Question& q, SearchResult& found);
 
 /// Moves shots to their safest launches (safest.hpp): all where all are wanted, else those that may be first then, and
 /// brings that one to the front.
-void move_best(const Question& q, Ledger& ledger, Findings& found);
+void move_best(const Question& q, EvaluationBudget& budget, SearchResult& found);
 
 /// Shots without a computed value come last.
 void order_by_value(std::span<Shot> shots);
 
 /// Margin and success: of every shot where all are wanted, else of the first. What that costs is no part of the search:
-/// `ledger` is one of its own.
-void add_robustness(const Question& q, Ledger& ledger, Findings& found);
+/// `budget` is one of its own.
+void add_robustness(const Question& q, EvaluationBudget& budget, SearchResult& found);
 
 }  // namespace bankshot::planning

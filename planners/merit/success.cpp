@@ -37,9 +37,9 @@ double about_at(double p) { return std::log(p / (1 - p)) / logistic; }
 
 class Chance {
  public:
-  Chance(const Question& q, Ledger& ledger, const Shot& shot)
+  Chance(const Question& q, EvaluationBudget& budget, const Shot& shot)
       : q_(q),
-        ledger_(ledger),
+        budget_(budget),
         shot_(shot),
         goal_(Goal::counted(q, shot)),
         noise_{q.puzzle.noise.angle, q.puzzle.noise.speed_at(shot.launch.speed)} {
@@ -86,7 +86,7 @@ class Chance {
 
   /// Cue balls that fall cut what is made into parts of which first order knows nothing.
   std::size_t most() const { return scratches_ ? most_samples_of_balls : most_samples; }
-  bool left() const { return used_ < most() && !ledger_.spent(); }
+  bool left() const { return used_ < most() && !budget_.spent(); }
 
   /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
   bool made(LineOfErrors& line, double across) {
@@ -98,8 +98,8 @@ class Chance {
     const double turned = across_.x * across - across_.y * line.along,
                  harder = across_.y * across + across_.x * line.along;
     const double speed = shot_.launch.speed + noise_.speed * harder, angle = shot_.launch.angle + noise_.angle * turned;
-    const Replay r = speed > 0 ? replay(q_, ledger_, {speed, wrap_angle(angle)}, goal_) : Replay{};
-    scratches_ = scratches_ || r.failure.foul == Foul::scratched;
+    const Replay r = speed > 0 ? replay(q_, budget_, {speed, wrap_angle(angle)}, goal_) : Replay{};
+    scratches_ = scratches_ || r.failure.reason == FailureReason::scratched;
     line.tries.insert(at, {across, r.made});
     return r.made;
   }
@@ -246,7 +246,7 @@ class Chance {
   }
 
   const Question& q_;
-  Ledger& ledger_;
+  EvaluationBudget& budget_;
   const Shot& shot_;
   Goal goal_;
   struct {
@@ -262,8 +262,8 @@ class Chance {
 
 }  // namespace
 
-void find_success(const Question& q, Ledger& ledger, Shot& shot) {
-  shot.success = q.puzzle.errs_in_more() ? success_under_all_errors(q, ledger, shot) : Chance(q, ledger, shot).run();
+void find_success(const Question& q, EvaluationBudget& budget, Shot& shot) {
+  shot.success = q.puzzle.errs_in_more() ? success_under_all_errors(q, budget, shot) : Chance(q, budget, shot).run();
   shot.value = *shot.success - cost_of(shot);
 }
 

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "bankshot/plan/shot.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/question.hpp"
 
 namespace bankshot::planning {
 
 /// `success`: the chance that the target is made by any allowed cushions, under the player's errors;
 /// success.cpp says how it is found. At most settings::success::most_samples_of_balls simulations, fewer where the
-/// ledger ends.
-void find_success(const Question& q, Ledger& ledger, Shot& shot);
+/// budget ends.
+void find_success(const Question& q, EvaluationBudget& budget, Shot& shot);
 
 }  // namespace bankshot::planning

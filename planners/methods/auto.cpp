@@ -25,14 +25,14 @@ namespace {
 using namespace settings::automatic;
 
 /// A route by straight cushions unfolds to one line, so its image is its only shot.
-bool settled(const Question& q, const Ledger& ledger, const Findings& found) {
-  if (found.complete || ledger.cut() || stop::satisfied(q, found)) return true;
+bool settled(const Question& q, const EvaluationBudget& budget, const SearchResult& found) {
+  if (found.complete || budget.cut() || stop::satisfied(q, found)) return true;
   const auto straight = [&](const Meeting& m) { return q.boundary.line(m.with) != nullptr; };
   return q.route && !found.shots.empty() && std::ranges::all_of(*q.route, straight);
 }
 
 /// The best shot so far, as far as can be told before its chance is known.
-const Shot& best_of(const Question& q, const Findings& found) {
+const Shot& best_of(const Question& q, const SearchResult& found) {
   const auto merit = [&](const Shot& s) {
     return q.puzzle.prefer == Prefer::robust ? s.chance : first_merit(q.puzzle, s);
   };
@@ -40,58 +40,58 @@ const Shot& best_of(const Question& q, const Findings& found) {
 }
 
 /// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.
-bool rivals_wanted(const Question& q, const Ledger& ledger, const Findings& found) {
-  if (q.first() || q.all() || q.route || found.shots.empty() || ledger.cut()) return false;
+bool improvement_wanted(const Question& q, const EvaluationBudget& budget, const SearchResult& found) {
+  if (q.first() || q.all() || q.route || found.shots.empty() || budget.cut()) return false;
   const auto sure = [](const Shot& s) { return s.chance > sure_enough; };
   return q.puzzle.prefer != Prefer::robust || std::ranges::none_of(found.shots, sure);
 }
 
-void rivals(const Question& q, Ledger& ledger, Findings& found) {
-  if (!rivals_wanted(q, ledger, found)) return;
-  found.rivals_sought = true;
-  steps::map(q.better_than(best_of(q, found)), ledger, found, rival);
+void improvement_pass(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  if (!improvement_wanted(q, budget, found)) return;
+  found.improvement_sought = true;
+  steps::map(q.better_than(best_of(q, found)), budget, found, improvement);
 }
 
 /// One arrival speed aimed for, or one launch speed.
-void look(const Question& q, Ledger& ledger, Findings& found, steps::Parts& parts) {
-  const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
-  steps::images(q, ledger, found);
-  if (ledger.cut()) return;
+void look(const Question& q, EvaluationBudget& budget, SearchResult& found, steps::Parts& parts) {
+  const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
+  steps::images(q, budget, found);
+  if (budget.cut()) return;
   // What blocks a pocket's exact line is often there, or a ball; else parts of points come last.
   const bool obstacles = q.has_obstacles();
   if (q.route && nothing_yet()) {
-    steps::fan(q, ledger, found);
-    if (obstacles) parts.climb(q, ledger, found);
+    steps::fan(q, budget, found);
+    if (obstacles) parts.climb(q, budget, found);
   }
-  rivals(q, ledger, found);
-  if (q.all() || nothing_yet()) steps::map(q, ledger, found, steps::usual_spacing(q));
-  if (stop::more_wanted(q, ledger, found)) steps::along(q, ledger, found);
+  improvement_pass(q, budget, found);
+  if (q.all() || nothing_yet()) steps::map(q, budget, found, steps::usual_spacing(q));
+  if (stop::more_wanted(q, budget, found)) steps::along(q, budget, found);
   if (obstacles) {
-    parts.climb(q, ledger, found);
-    parts.bisect(q, ledger, found, first_share_of_parts);
+    parts.climb(q, budget, found);
+    parts.bisect(q, budget, found, first_share_of_parts);
   }
 }
 
 /// What costs ten times as much, where nothing was found.
-void look_closely(const Question& q, Ledger& ledger, Findings& found, steps::Parts& parts) {
-  const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
-  if (nothing_yet()) steps::map(q, ledger, found, fine);
-  if (q.route && nothing_yet()) steps::map(q, ledger, found, as_it_occurs);
-  parts.climb(q, ledger, found);
+void look_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, steps::Parts& parts) {
+  const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
+  if (nothing_yet()) steps::map(q, budget, found, fine);
+  if (q.route && nothing_yet()) steps::map(q, budget, found, as_it_occurs);
+  parts.climb(q, budget, found);
 }
 
-void with_spin(const Question& q, Ledger& ledger, Findings& found) {
+void with_spin(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   steps::Parts parts;
-  look(q, ledger, found, parts);
-  if (stop::nothing_yet(ledger, found)) steps::rattles(q, ledger, found);
-  if (ledger.cut()) return;
-  look_closely(q, ledger, found, parts);
-  if (q.has_obstacles() && stop::nothing_yet(ledger, found)) {
-    steps::map(q, ledger, found, finest);
-    parts.climb(q, ledger, found);
+  look(q, budget, found, parts);
+  if (stop::nothing_yet(budget, found)) steps::rattles(q, budget, found);
+  if (budget.cut()) return;
+  look_closely(q, budget, found, parts);
+  if (q.has_obstacles() && stop::nothing_yet(budget, found)) {
+    steps::map(q, budget, found, finest);
+    parts.climb(q, budget, found);
   }
-  parts.bisect(q, ledger, found, 1);
-  if (stop::nothing_yet(ledger, found)) search_box(q, ledger, found, steps::word::global);
+  parts.bisect(q, budget, found, 1);
+  if (stop::nothing_yet(budget, found)) search_box(q, budget, found, steps::word::global);
 }
 
 /// The arrival speeds and spins at which families are looked for: the ends that are preferred first.
@@ -120,14 +120,15 @@ std::vector<Question> samples_of(const Question& q) {
 /// What leads to roots of most routes, and what is left where that finds nothing.
 struct Seeds {
   std::function<std::remove_pointer_t<steps::Step>> first;
-  void (*closely)(const Question&, Ledger&, Findings&, steps::Parts&);
+  void (*closely)(const Question&, EvaluationBudget&, SearchResult&, steps::Parts&);
   std::string_view word;
 };
 Seeds seeds_of(const Question& q) {
   if (!q.objects) return {steps::images, nullptr, steps::word::images};
   if (q.carom()) return {steps::caroms, steps::caroms_closely, steps::word::caroms};
-  const auto chains = [known = steps::KnownLegs{}](const Question& one, Ledger& ledger, Findings& found) mutable {
-    steps::chains_again(one, ledger, found, known);
+  const auto chains = [known = steps::KnownLegs{}](const Question& one, EvaluationBudget& budget,
+                                                   SearchResult& found) mutable {
+    steps::chains_again(one, budget, found, known);
   };
   return {chains, steps::chains_closely, steps::word::chains};
 }
@@ -135,7 +136,7 @@ Seeds seeds_of(const Question& q) {
 /// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together.
 /// Where the best shot is wanted a stage ends the search when no shot by so many cushions can be better.
 template <class Look>
-void each_stage(const Question& q, Ledger& ledger, Findings& found, const Look& look) {
+void each_stage(const Question& q, EvaluationBudget& budget, SearchResult& found, const Look& look) {
   if (q.carom()) return look(q);  // all cushions are followed at once
   const bool sent = q.then() != nullptr;
   const CushionRule &cue = q.cue_cushions, object = sent ? q.object_cushions : CushionRule::exactly(0);
@@ -149,14 +150,14 @@ void each_stage(const Question& q, Ledger& ledger, Findings& found, const Look& 
       Question stage = q.stage(c, n - c);
       if (best && sent) stage.likelier = value + per_contact * n;
       look(stage);
-      if (ledger.spent()) found.not_searched = n;
-      if (stop::over(q, ledger, found)) return;
+      if (budget.spent()) found.not_searched = n;
+      if (stop::over(q, budget, found)) return;
     }
   }
 }
 
 /// What is free is followed from roots of a few arrival speeds and spins, along each route to each mark.
-void along_families(const Question& q, Ledger& ledger, Findings& found) {
+void along_families(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   struct Followed {
     Route route;
     Mark mark;
@@ -166,63 +167,64 @@ void along_families(const Question& q, Ledger& ledger, Findings& found) {
   // Roots of a carom by one route are of several families.
   const bool several = family::Family::freedom(q) > 1 || q.carom();
   const int most = several ? settings::family::most_starts : 1;
-  const auto enough = [&](const Lead& lead) {
-    const auto same = [&](const Followed& f) { return f.mark == lead.mark && f.route == lead.route; };
+  const auto enough = [&](const Candidate& candidate) {
+    const auto same = [&](const Followed& f) { return f.mark == candidate.mark && f.route == candidate.route; };
     auto it = std::ranges::find_if(followed, same);
-    if (it == followed.end()) it = followed.insert(it, {lead.route, lead.mark, 0});
+    if (it == followed.end()) it = followed.insert(it, {candidate.route, candidate.mark, 0});
     return ++it->times > most;
   };
-  const auto follow = [&](std::span<const Lead> leads, std::string_view step) {
-    for (const Lead& lead : leads)
-      if (!stop::over(q, ledger, found) && !enough(lead)) family::Family(q, ledger, found, lead, step).search();
+  const auto follow = [&](std::span<const Candidate> candidates, std::string_view step) {
+    for (const Candidate& candidate : candidates)
+      if (!stop::over(q, budget, found) && !enough(candidate))
+        family::Family(q, budget, found, candidate, step).search();
   };
-  each_stage(q, ledger, found, [&](const Question& stage) {
+  each_stage(q, budget, found, [&](const Question& stage) {
     Seeds seeds = seeds_of(stage);
     const std::vector<Question> samples = samples_of(stage);
-    Findings starts;
+    SearchResult starts;
     for (const Question& sample : samples) {
       if (q.carom() && sample.asked != samples.front().asked) continue;  // its launches have all speeds
       if (several) starts = {}, seeds = seeds_of(stage);
-      const std::size_t known = starts.leads.size();  // whose routes have no second family
-      seeds.first(sample, ledger, starts);
-      follow(std::span(starts.leads).subspan(known), seeds.word);
+      const std::size_t known = starts.candidates.size();  // whose routes have no second family
+      seeds.first(sample, budget, starts);
+      follow(std::span(starts.candidates).subspan(known), seeds.word);
     }
   });
   if (q.carom()) {
     std::ranges::stable_sort(found.shots, std::greater(),
                              [&](const Shot& shot) { return first_merit(q.puzzle, shot); });
-    keep_connected_once(q, ledger, found.shots);
+    keep_connected_once(q, budget, found.shots);
   }
   if (q.objects) return;
   const std::vector<Question> samples = samples_of(q);
   for (const Question& sample : samples) {
-    const bool better = rivals_wanted(q, ledger, found) && &sample == &samples.front();
+    const bool better = improvement_wanted(q, budget, found) && &sample == &samples.front();
     if (!q.all() && !better) break;
-    found.rivals_sought = better;
-    Findings roots;
-    steps::map(sample, ledger, roots, q.all() ? steps::usual_spacing(q) : rival);
-    follow(roots.leads, steps::word::map);
+    found.improvement_sought = better;
+    SearchResult roots;
+    steps::map(sample, budget, roots, q.all() ? steps::usual_spacing(q) : improvement);
+    follow(roots.candidates, steps::word::map);
   }
 }
 
 /// From shots of one arrival speed and spin to the best ones of their families.
-void improve(const Question& q, Ledger& ledger, Findings& found) {
+void improve(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   const std::vector<Shot> shots = found.shots;
   for (const Shot& shot : shots) {
-    const Lead lead = family::lead_of(q, shot);
-    if (!ledger.spent()) family::Family(q, ledger, found, lead, shot.planner).search();
+    const Candidate candidate = family::candidate_of(q, shot);
+    if (!budget.spent()) family::Family(q, budget, found, candidate, shot.planner).search();
   }
 }
 
 /// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
 /// launches at the bounds of their own speed, which arrive as they may; fine maps at the first of them alone.
-void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
-  along_families(q, ledger, found);
-  const auto nothing_yet = [&] { return stop::nothing_yet(ledger, found); };
+void with_freedom(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  along_families(q, budget, found);
+  const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
   if (!nothing_yet()) return;
   const auto look_at = [&](const Question& one) {
     steps::Parts parts;
-    if (nothing_yet()) look(one, ledger, found, parts);
+    if (nothing_yet()) look(one, budget, found, parts);
   };
   const std::vector<Question> samples = samples_of(q);
   for (const Question& sample : samples) {
@@ -232,15 +234,15 @@ void with_freedom(const Question& q, Ledger& ledger, Findings& found) {
       if (speed > 0) look_at(q.spinning(sample.spin).launched_at(speed));
   }
   for (const Question& sample : samples)
-    if (nothing_yet()) steps::rattles(q.spinning(sample.spin), ledger, found);
+    if (nothing_yet()) steps::rattles(q.spinning(sample.spin), budget, found);
   steps::Parts parts;
-  if (nothing_yet()) look_closely(q.spinning(samples.front().spin), ledger, found, parts);
-  parts.bisect(q.spinning(samples.front().spin), ledger, found, 1);
-  if (!q.first()) improve(q, ledger, found);
+  if (nothing_yet()) look_closely(q.spinning(samples.front().spin), budget, found, parts);
+  parts.bisect(q.spinning(samples.front().spin), budget, found, 1);
+  if (!q.first()) improve(q, budget, found);
 }
 
 /// Some shot has as many cushions as this stage.
-bool has_shot(const Question& stage, const Findings& found) {
+bool has_shot(const Question& stage, const SearchResult& found) {
   const auto inside = [](std::size_t n, const CushionRule& rule) {
     return static_cast<int>(n) >= rule.min && static_cast<int>(n) <= rule.max;
   };
@@ -252,15 +254,15 @@ bool has_shot(const Question& stage, const Findings& found) {
 
 /// The cue ball sends another on, or goes on off it. A stage without any shot is looked at closely, unless what is
 /// found so hardly ever beats the shot in hand.
-void with_balls(const Question& q, Ledger& ledger, Findings& found) {
+void with_balls(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
   const Seeds seeds = seeds_of(q);
-  free ? along_families(q, ledger, found)
-       : each_stage(q, ledger, found, [&](const Question& stage) { seeds.first(stage, ledger, found); });
+  free ? along_families(q, budget, found)
+       : each_stage(q, budget, found, [&](const Question& stage) { seeds.first(stage, budget, found); });
   if (!q.all() && value_in_hand(q, found) > best_found_closely) return;
   const auto each_sample = [&](const auto& look_at) {
-    each_stage(q, ledger, found, [&](const Question& stage) {
-      const auto nothing_yet = [&] { return !has_shot(stage, found) && !ledger.cut(); };
+    each_stage(q, budget, found, [&](const Question& stage) {
+      const auto nothing_yet = [&] { return !has_shot(stage, found) && !budget.cut(); };
       if (!free && (q.all() || nothing_yet())) return look_at(stage);
       for (const Question& sample : samples_of(stage))
         if (free && nothing_yet()) look_at(stage.spinning(sample.spin).asking(sample.asked));
@@ -270,27 +272,27 @@ void with_balls(const Question& q, Ledger& ledger, Findings& found) {
     steps::Parts parts;
     std::vector<Shot> others;  // steps end at the first shot that they find
     std::swap(others, found.shots);
-    parts.climb(one, ledger, found);
-    if (stop::more_wanted(one, ledger, found)) seeds.closely(one, ledger, found, parts);
-    parts.bisect(one, ledger, found, free ? first_share_of_parts : 1);
+    parts.climb(one, budget, found);
+    if (stop::more_wanted(one, budget, found)) seeds.closely(one, budget, found, parts);
+    parts.bisect(one, budget, found, free ? first_share_of_parts : 1);
     std::ranges::move(others, std::back_inserter(found.shots));
   });
-  if (stop::nothing_yet(ledger, found))
-    each_sample([&](const Question& one) { steps::speeds_between(one, ledger, found); });
-  if (free && !q.first()) improve(q, ledger, found);
+  if (stop::nothing_yet(budget, found))
+    each_sample([&](const Question& one) { steps::speeds_between(one, budget, found); });
+  if (free && !q.first()) improve(q, budget, found);
 }
 
 }  // namespace
 
-void automatic(const Question& q, Ledger& ledger, Findings& found) {
-  if (q.objects) return with_balls(q, ledger, found);
+void automatic(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  if (q.objects) return with_balls(q, budget, found);
   if (!is_straight(q.puzzle.physics))
-    return family::Family::freedom(q) > 0 ? with_freedom(q, ledger, found) : with_spin(q, ledger, found);
-  image(q, ledger, found);
-  if (!settled(q, ledger, found)) sweep(q, ledger, found);
-  if (stop::nothing_yet(ledger, found)) steps::rattles(q, ledger, found);
-  if (stop::nothing_yet(ledger, found) && !found.complete) ceres(q, ledger, found);
-  if (stop::nothing_yet(ledger, found) && !found.complete) search_box(q, ledger, found, steps::word::global);
+    return family::Family::freedom(q) > 0 ? with_freedom(q, budget, found) : with_spin(q, budget, found);
+  image(q, budget, found);
+  if (!settled(q, budget, found)) sweep(q, budget, found);
+  if (stop::nothing_yet(budget, found)) steps::rattles(q, budget, found);
+  if (stop::nothing_yet(budget, found) && !found.complete) ceres(q, budget, found);
+  if (stop::nothing_yet(budget, found) && !found.complete) search_box(q, budget, found, steps::word::global);
 }
 
 }  // namespace bankshot::planning::methods

@@ -16,27 +16,27 @@ namespace {
 constexpr std::string_view word = "ceres";
 
 /// Every half degree, where no image exists.
-void from_fan(const Question& q, Ledger& ledger, Findings& found, const RootFinder& find) {
+void from_fan(const Question& q, EvaluationBudget& budget, SearchResult& found, const RootFinder& find) {
   constexpr int aims = settings::ceres::aims_in_fan;
   for (int i = 0; i < aims; ++i)
     for (int n = q.cushions().min; n <= q.cushions().max; ++n) {
-      if (stop::enough_seeds(q, ledger, found)) return;
+      if (stop::enough_seeds(q, budget, found)) return;
       const double angle = radians(360.0 / aims) * i;
       std::vector<Contact> contacts;
-      trace(q, ledger, angle, Goal::exactly(q, n), &contacts);
+      trace(q, budget, angle, Goal::exactly(q, n), &contacts);
       const Route route = q.route ? *q.route : route_by(contacts);
       if (static_cast<int>(route.size()) != n) continue;
       for (const Mark& mark : q.marks)
-        refine_aim({q, route, mark}, ledger, found, angle, q.boundary.diagonal, word, find);
+        refine_aim({q, route, mark}, budget, found, angle, q.boundary.diagonal, word, find);
     }
 }
 
 }  // namespace
 
-void ceres(const Question& q, Ledger& ledger, Findings& found) {
-  const RootFinder find = [&](const LockedAim& aim, const Launch& seed) { return solve_locked(aim, ledger, seed); };
-  refine_images(q, ledger, found, word, find);
-  if (!q.boundary.unfolds()) from_fan(q, ledger, found, find);
+void ceres(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  const RootFinder find = [&](const LockedAim& aim, const Launch& seed) { return solve_locked(aim, budget, seed); };
+  refine_images(q, budget, found, word, find);
+  if (!q.boundary.unfolds()) from_fan(q, budget, found, find);
 }
 
 }  // namespace bankshot::planning::methods

@@ -27,23 +27,24 @@ using steps::word::images;
 double stretch(const Question& q) { return restitution(q.puzzle.physics).at_rest; }
 
 /// Every centred candidate; true when all were tried.
-bool centred(const Question& q, Ledger& ledger, Findings& found) {
+bool centred(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   Unfolding candidates(q, {.restitution = stretch(q)});
   while (const auto c = candidates.next()) {
-    if (ledger.spent()) return false;
-    certify_aim(q, ledger, found, c->angle, c->bounces, images);
+    if (budget.spent()) return false;
+    certify_aim(q, budget, found, c->angle, c->bounces, images);
     if (!stop::enough_images(q, found, candidates.shortest_first())) continue;
     if (q.puzzle.prefer == Prefer::robust && !q.first() && candidates.next())
       found.add_note(fmt::format("compared the {} shortest shots", found.shots.size()));
     return true;
   }
-  if (candidates.too_long() > 0) found.remember({{}, 0, std::numeric_limits<double>::infinity(), {Foul::too_long}});
+  if (candidates.too_long() > 0)
+    found.remember({{}, 0, std::numeric_limits<double>::infinity(), {FailureReason::too_long}});
   if (!candidates.whole()) found.add_note("there are too many cushion sequences to try them all");
   return candidates.whole();
 }
 
 /// What of a candidate's window of aims the puzzle's bounds leave: at most two pieces.
-std::vector<Range> allowed(const Question& q, const Candidate& c) {
+std::vector<Range> allowed(const Question& q, const Image& c) {
   const double low = c.angle + c.low, high = c.angle + c.high;
   if (!q.angle) return {{low, high}};
   std::vector<Range> pieces;
@@ -55,15 +56,15 @@ std::vector<Range> allowed(const Question& q, const Candidate& c) {
 }
 
 /// Off-centre shots; true when a ray may reach some part of the target at all.
-bool beside_centre(const Question& q, Ledger& ledger, Findings& found) {
+bool beside_centre(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   Unfolding parts(q, {.parts = true, .restitution = stretch(q)});
   bool some_part = false;
   while (const auto c = parts.next()) {
-    if (ledger.spent()) break;
+    if (budget.spent()) break;
     if (!(c->low < c->high)) continue;
     for (const Range& aims : allowed(q, *c)) {
       some_part = true;
-      reach_part(q, ledger, found, aims, c->angle, settings::image::aims_across, Goal::exactly(q, c->bounces), images);
+      reach_part(q, budget, found, aims, c->angle, settings::image::aims_across, Goal::exactly(q, c->bounces), images);
     }
   }
   return some_part;
@@ -71,12 +72,12 @@ bool beside_centre(const Question& q, Ledger& ledger, Findings& found) {
 
 }  // namespace
 
-void image(const Question& q, Ledger& ledger, Findings& found) {
-  const bool whole = centred(q, ledger, found);
+void image(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  const bool whole = centred(q, budget, found);
   const bool dead = stretch(q) == 0;
   found.complete = whole && q.boundary.unfolds() && !dead;
-  if (!found.shots.empty() || ledger.cut() || !whole) return;
-  const bool some_part = beside_centre(q, ledger, found);
+  if (!found.shots.empty() || budget.cut() || !whole) return;
+  const bool some_part = beside_centre(q, budget, found);
   if (!q.boundary.jaws.empty()) return;  // they may turn a ball in whose line leads nowhere
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
   const bool no_obstacle = q.boundary.strictly_convex && q.boundary.pockets.empty() && q.boundary.balls.empty();

@@ -12,10 +12,10 @@
 
 namespace bankshot::planning::methods {
 
-void automatic(const Question& q, Ledger& ledger, Findings& found);  ///< auto.cpp
-void image(const Question& q, Ledger& ledger, Findings& found);
-void sweep(const Question& q, Ledger& ledger, Findings& found);
-void ceres(const Question& q, Ledger& ledger, Findings& found);
+void automatic(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< auto.cpp
+void image(const Question& q, EvaluationBudget& budget, SearchResult& found);
+void sweep(const Question& q, EvaluationBudget& budget, SearchResult& found);
+void ceres(const Question& q, EvaluationBudget& budget, SearchResult& found);
 
 struct Method {
   PlannerInfo info;

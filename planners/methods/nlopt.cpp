@@ -44,7 +44,7 @@ constexpr Optimisation mlsl{"nlopt-mlsl", NLOPT_G_MLSL_LDS, Scope::global, globa
 
 struct Objective {
   const Question& q;
-  Ledger& ledger;
+  EvaluationBudget& budget;
   nlopt_opt optimiser;
   double fixed_speed;
   Launch best{};
@@ -53,14 +53,14 @@ struct Objective {
   Launch launch(const double* x) const { return {q.one_unknown() ? fixed_speed : x[1], wrap_angle(x[0])}; }
 
   double operator()(const double* x) {
-    if (ledger.spent()) {
+    if (budget.spent()) {
       nlopt_force_stop(optimiser);
       return std::isfinite(least) ? least : wrong_bounces;
     }
     const Launch l = launch(x);
-    const Replay r = replay(q, ledger, l, Goal::of(q));
+    const Replay r = replay(q, budget, l, Goal::of(q));
     double value = std::pow(std::min(r.miss / q.boundary.diagonal, 1.0), 2);
-    if (!r.made && r.failure.foul != Foul::missed) value += wrong_bounces;
+    if (!r.made && r.failure.reason != FailureReason::missed) value += wrong_bounces;
     if (q.arrival && !q.stop) {
       const double v = r.arrival.speed, asked = std::clamp(v, q.arrival->low, q.arrival->high);
       value += std::pow((v - asked) / std::max(1.0, asked), 2);
@@ -75,13 +75,13 @@ double evaluate(unsigned, const double* x, double*, void* data) { return (*stati
 /// The squared residual of one locked path and its gradient, in (aim, speed).
 struct LockedObjective {
   LockedAim aim;
-  Ledger& ledger;
+  EvaluationBudget& budget;
   double fixed_speed;
 
   double operator()(const double* x, double* gradient) const {
     const bool two = !aim.q.one_unknown();
     const double speed = two ? x[1] : fixed_speed;
-    const auto l = linearise(aim, ledger, {speed, x[0]});
+    const auto l = linearise(aim, budget, {speed, x[0]});
     if (gradient) std::fill(gradient, gradient + (two ? 2 : 1), 0.0);
     if (!l) return wrong_bounces;
     if (gradient) gradient[0] = 2 * (l->r[0] * l->by_aim(0) + l->r[1] * l->by_aim(1));
@@ -119,11 +119,12 @@ void minimise(const Question& q, nlopt_opt opt, const Range& angles, const Launc
 class Planner {
  public:
   /// `step` names it in answers.
-  Planner(const Question& q, Ledger& ledger, Findings& found, const Optimisation& method, std::string_view step)
-      : q_(q), ledger_(ledger), found_(found), method_(method), step_(step) {}
+  Planner(const Question& q, EvaluationBudget& budget, SearchResult& found, const Optimisation& method,
+          std::string_view step)
+      : q_(q), budget_(budget), found_(found), method_(method), step_(step) {}
 
   void anywhere() {
-    if (!ledger_.spent()) run({some_speed(), (angles_.low + angles_.high) / 2});
+    if (!budget_.spent()) run({some_speed(), (angles_.low + angles_.high) / 2});
   }
 
   void from_images() {
@@ -131,17 +132,17 @@ class Planner {
     const double e = restitution(q_.puzzle.physics).at_rest;
     Unfolding images(q_, {.parts = !straight, .restitution = e, .keep_routes = locked});
     while (const auto c = images.next()) {
-      if (stop::enough_seeds(q_, ledger_, found_)) return;
+      if (stop::enough_seeds(q_, budget_, found_)) return;
       const double angle = c->angle < angles_.low ? c->angle + radians(360) : c->angle;
       if (locked) {
         const Route route = images.route(*c);
         const LockedAim aim{q_, route, q_.marks[c->mark]};
-        if (const auto speed = speed_at(aim, ledger_, c->angle, c->distance)) run_locked({*speed, angle}, aim);
+        if (const auto speed = speed_at(aim, budget_, c->angle, c->distance)) run_locked({*speed, angle}, aim);
         continue;
       }
       double speed = some_speed();
       if (straight) {
-        const Trace t = trace(q_, ledger_, c->angle, Goal::exactly(q_, c->bounces));
+        const Trace t = trace(q_, budget_, c->angle, Goal::exactly(q_, c->bounces));
         speed = launch_speed(q_, found_, c->angle, t).value_or(speed);
       }
       run({speed, angle});
@@ -153,7 +154,7 @@ class Planner {
   void run(const Launch& start) {
     const unsigned unknowns = q_.one_unknown() ? 1 : 2;
     const Optimiser opt = make(method_.algorithm, unknowns, method_.evaluations);
-    Objective objective{q_, ledger_, opt.get(), start.speed};
+    Objective objective{q_, budget_, opt.get(), start.speed};
     nlopt_set_min_objective(opt.get(), evaluate, &objective);
     if (method_.algorithm == NLOPT_G_MLSL_LDS) {
       const Optimiser local = make(bobyqa.algorithm, unknowns, mlsl_local_evaluations);
@@ -163,20 +164,20 @@ class Planner {
     minimise(q_, opt.get(), angles_, start, x);
     if (!std::isfinite(objective.least)) return;
     std::vector<Contact> contacts;
-    const Replay r = replay(q_, ledger_, objective.best, Goal::of(q_), &contacts);
+    const Replay r = replay(q_, budget_, objective.best, Goal::of(q_), &contacts);
     contacts.resize(std::min(contacts.size(), static_cast<std::size_t>(std::max(0, r.bounces))));
-    const auto root = refine(q_, ledger_, objective.best, route_by(contacts));
-    certify(q_, ledger_, found_, root.value_or(objective.best), static_cast<int>(contacts.size()), step_);
+    const auto root = refine(q_, budget_, objective.best, route_by(contacts));
+    certify(q_, budget_, found_, root.value_or(objective.best), static_cast<int>(contacts.size()), step_);
   }
 
   void run_locked(const Launch& start, const LockedAim& aim) {
     const Optimiser opt = make(method_.algorithm, q_.one_unknown() ? 1 : 2, method_.evaluations);
-    LockedObjective objective{aim, ledger_, start.speed};
+    LockedObjective objective{aim, budget_, start.speed};
     nlopt_set_min_objective(opt.get(), evaluate_locked, &objective);
     double x[2];
     minimise(q_, opt.get(), angles_, start, x);
     const Launch best{q_.one_unknown() ? start.speed : x[1], wrap_angle(x[0])};
-    certify_root(aim, ledger_, found_, solve_locked(aim, ledger_, best).value_or(best), step_);
+    certify_root(aim, budget_, found_, solve_locked(aim, budget_, best).value_or(best), step_);
   }
 
   double some_speed() const {
@@ -185,23 +186,23 @@ class Planner {
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   const Optimisation& method_;
   std::string_view step_;
   Range angles_ = q_.angle.value_or(whole_turn);
 };
 
 template <const Optimisation& method>
-void plan(const Question& q, Ledger& ledger, Findings& found) {
-  Planner planner(q, ledger, found, method, method.name);
+void plan(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  Planner planner(q, budget, found, method, method.name);
   method.scope == Scope::global ? planner.anywhere() : planner.from_images();
 }
 
 }  // namespace
 
-void search_box(const Question& q, Ledger& ledger, Findings& found, std::string_view step) {
-  Planner(q, ledger, found, direct, step).anywhere();
+void search_box(const Question& q, EvaluationBudget& budget, SearchResult& found, std::string_view step) {
+  Planner(q, budget, found, direct, step).anywhere();
 }
 
 std::span<const Method> nlopt_methods() {

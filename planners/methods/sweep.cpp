@@ -36,12 +36,12 @@ struct Sample {
 
 class Sweep {
  public:
-  Sweep(const Question& q, Ledger& ledger, Findings& found) : q_(q), ledger_(ledger), found_(found) {}
+  Sweep(const Question& q, EvaluationBudget& budget, SearchResult& found) : q_(q), budget_(budget), found_(found) {}
 
   void run() {
     const Range around = aims();
     Sample before = sample(around.low);
-    for (int i = 1; i <= fan && !stop::over(q_, ledger_, found_); ++i) {
+    for (int i = 1; i <= fan && !stop::over(q_, budget_, found_); ++i) {
       Sample after = sample(around.low + (around.high - around.low) * i / fan);
       between(before, after);
       before = std::move(after);
@@ -51,7 +51,7 @@ class Sweep {
   /// Where nothing reaches the target's centre.
   void beside_centre() {
     const Range around = aims();
-    reach_part(q_, ledger_, found_, around, around.low, fan + 1, Goal::of(q_), steps::word::sweep);
+    reach_part(q_, budget_, found_, around, around.low, fan + 1, Goal::of(q_), steps::word::sweep);
   }
 
  private:
@@ -75,12 +75,12 @@ class Sweep {
       if (e.kind != EventKind::cushion || account.beyond(q_.speed.high)) break;
       out.contacts.push_back(e.contact);
     }
-    ledger_.charge(out.contacts.size());
+    budget_.charge(out.contacts.size());
     return out;
   }
 
   void between(const Sample& a, const Sample& b) {
-    if (ledger_.spent()) return;
+    if (budget_.spent()) return;
     const std::size_t marks = q_.marks.size();
     const std::size_t most = std::min(a.sides.size(), b.sides.size());
     const auto differ = std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end());
@@ -111,25 +111,25 @@ class Sweep {
     const bool side = a.sides[i].lateral > 0;
     bool lost = false;
     bisect(
-        low, high, [&](double, double) { return !lost && !ledger_.spent(); },
+        low, high, [&](double, double) { return !lost && !budget_.spent(); },
         [&](double angle) {
           const Sample m = sample(angle);
           lost = i >= m.sides.size();
           return !lost && (m.sides[i].lateral > 0) == side;
         });
-    if (!lost && !ledger_.spent()) certify_aim(q_, ledger_, found_, wrap_angle(low), bounces, steps::word::sweep);
+    if (!lost && !budget_.spent()) certify_aim(q_, budget_, found_, wrap_angle(low), bounces, steps::word::sweep);
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
 };
 
 }  // namespace
 
-void sweep(const Question& q, Ledger& ledger, Findings& found) {
-  if (!is_straight(q.puzzle.physics)) return steps::map(q, ledger, found, steps::usual_spacing(q));
-  Sweep sweep(q, ledger, found);
+void sweep(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  if (!is_straight(q.puzzle.physics)) return steps::map(q, budget, found, steps::usual_spacing(q));
+  Sweep sweep(q, budget, found);
   sweep.run();
   if (found.shots.empty()) sweep.beside_centre();
 }

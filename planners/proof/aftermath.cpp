@@ -7,10 +7,10 @@
 
 namespace bankshot::planning {
 
-Aftermath aftermath(const Question& q, Ledger& ledger, const Launch& launch) {
+Aftermath aftermath(const Question& q, EvaluationBudget& budget, const Launch& launch) {
   const bool rests = !is_ideal(q.puzzle.physics);
   if (!q.whole || (q.puzzle.table.pockets.empty() && !rests)) return {};
-  ledger.charge(0);
+  budget.charge(0);
   std::vector<BallStart<double>> balls(q.whole->balls().begin(), q.whole->balls().end());
   balls.front().state = start_of(q, launch);
   const long most = rests ? max_events : ideal_cushions;
@@ -29,9 +29,9 @@ Aftermath aftermath(const Question& q, Ledger& ledger, const Launch& launch) {
   return out;
 }
 
-void add_aftermath(const Question& q, Ledger& ledger, Shot& shot) {
+void add_aftermath(const Question& q, EvaluationBudget& budget, Shot& shot) {
   if (shot.hits.empty()) return;
-  const Aftermath after = aftermath(q, ledger, shot.launch);
+  const Aftermath after = aftermath(q, budget, shot.launch);
   shot.scratch_pocket = after.scratch_pocket;
   shot.scratch = after.scratch_pocket.has_value();
   shot.cue_rests = after.cue_rests;

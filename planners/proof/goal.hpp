@@ -19,7 +19,7 @@ struct Goal {
   int min, max;                                    ///< bounces before the aim point
   const std::vector<Contact>* sequence = nullptr;  ///< these bounces, in order; must outlive this
   Demand demand = Demand::exact;
-  const std::vector<Onward>* then = nullptr;  ///< object balls and their cushions; null: as the puzzle asks
+  const std::vector<ObjectBallPath>* then = nullptr;  ///< object balls and their cushions; null: as the puzzle asks
   /// The shot, if it is judged as `success` and `margin` count it: by its own ball and pocket, without a scratch. A pot
   /// without a rule of cushions then counts however the ball falls.
   const Shot* counts = nullptr;

@@ -34,7 +34,7 @@ inline void touched(const Mark& mark, const Line& line, Replay& replay) {
   const double offset = cross(line.heading, line.at - mark.at) / norm(line.heading);
   replay.miss = std::abs(offset - mark.cuts->exact);
   replay.made = offset >= mark.cuts->low && offset <= mark.cuts->high;
-  if (!replay.made) replay.failure = {Foul::other_cut, mark.taken_by};
+  if (!replay.made) replay.failure = {FailureReason::other_cut, mark.taken_by};
 }
 
 }  // namespace bankshot::planning

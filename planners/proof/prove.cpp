@@ -25,19 +25,19 @@ bool good_enough(const Question& q, const Replay& r, Demand demand) {
                                     (demand == Demand::off_centre || (q.centred(r.miss) && !rattles_in(q, r))));
 }
 
-Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Goal& goal) {
+Proof proved(const Question& q, EvaluationBudget& budget, const Launch& proposed, const Goal& goal) {
   Proof proof;
   Launch& launch = proof.shot.launch;
   launch = {proposed.speed, wrap_angle(radians(degrees(proposed.angle)))};
   proof.shot.spin = q.spin;
   const CushionRule& rule = q.cushions();
   const auto refused = [&](const Failure& why) { return proof.failure = why, proof; };
-  if (goal.max < rule.min || goal.min > rule.max) return refused({Foul::other_bounces});
-  if (!inside_aims(launch.angle, q.angle)) return refused({Foul::outside_aim});
+  if (goal.max < rule.min || goal.min > rule.max) return refused({FailureReason::other_bounces});
+  if (!inside_aims(launch.angle, q.angle)) return refused({FailureReason::outside_aim});
   if (!bring_inside(launch.speed, q.speed))
-    return refused({launch.speed > q.speed.high ? Foul::too_fast : Foul::too_slow, {}, launch.speed});
-  if (ledger.spent()) return refused({Foul::no_budget});
-  const Replay r = replay(q, ledger, launch, goal, &proof.shot.cushions);
+    return refused({launch.speed > q.speed.high ? FailureReason::too_fast : FailureReason::too_slow, {}, launch.speed});
+  if (budget.spent()) return refused({FailureReason::no_budget});
+  const Replay r = replay(q, budget, launch, goal, &proof.shot.cushions);
   proof.replayed = true;
   proof.shot.cushion_stick = r.cushion_stick;
   proof.shot.arrival = r.arrival;
@@ -50,17 +50,17 @@ Proof proved(const Question& q, Ledger& ledger, const Launch& proposed, const Go
   if (r.rattles) proof.shot.met = r.met;
   proof.shot.off_centre = !q.centred(r.miss) || rattles_in(q, r);
   proof.failure = r.failure;
-  if (r.made && !good_enough(q, r, goal.demand)) proof.failure = {Foul::inexact};
+  if (r.made && !good_enough(q, r, goal.demand)) proof.failure = {FailureReason::inexact};
   return proof;
 }
 
 }  // namespace
 
-Proof prove(const Question& q, Ledger& ledger, const Launch& proposed, const Goal& goal) {
-  if (!ledger.measures) return proved(q, ledger, proposed, goal);
+Proof prove(const Question& q, EvaluationBudget& budget, const Launch& proposed, const Goal& goal) {
+  if (!budget.measures) return proved(q, budget, proposed, goal);
   const auto begin = std::chrono::steady_clock::now();
-  Proof proof = proved(q, ledger, proposed, goal);
-  ledger.proof_us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  Proof proof = proved(q, budget, proposed, goal);
+  budget.proof_us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
   return proof;
 }
 

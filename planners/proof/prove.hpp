@@ -19,9 +19,9 @@ struct Proof {
   Shot shot{};
   Failure failure{};
   bool replayed = false;  ///< false if a bound on the launch, or the budget, forbade it
-  bool holds() const { return failure.foul == Foul::none; }
+  bool holds() const { return failure.reason == FailureReason::none; }
 };
 
-Proof prove(const Question& q, Ledger& ledger, const Launch& proposed, const Goal& goal);
+Proof prove(const Question& q, EvaluationBudget& budget, const Launch& proposed, const Goal& goal);
 
 }  // namespace bankshot::planning

@@ -39,13 +39,13 @@ class Follower {
       if (arrived || look_along_arc(e.kind)) return out_;
       if (tracing_) {
         out_.account.add(sim_.arc(), sim_.travelled());
-        if (out_.account.beyond(q_.speed.high)) return fail(Foul::too_long);
+        if (out_.account.beyond(q_.speed.high)) return fail(FailureReason::too_long);
       }
       switch (e.kind) {
         case EventKind::cushion:
-          if (bounces_in_place()) return fail(Foul::in_place, e.contact);
-          if (k_ == goal_.max) return fail(Foul::extra_cushion, e.contact);
-          if (!check_.accepts(k_, e)) return fail(Foul::wrong_cushion, e.contact);
+          if (bounces_in_place()) return fail(FailureReason::in_place, e.contact);
+          if (k_ == goal_.max) return fail(FailureReason::extra_cushion, e.contact);
+          if (!check_.accepts(k_, e)) return fail(FailureReason::wrong_cushion, e.contact);
           ++k_;
           if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.contact), sim_.state().velocity) > 0))
             out_.replay.cushion_stick = true;
@@ -63,13 +63,13 @@ class Follower {
           if (!q_.objects) return taken(e.contact);
           if (const auto* chain = q_.objects->chain_by(e.contact.index); chain && may_set_going(e.contact))
             return set_going(*chain, contacts);
-          return fail(Foul::hit_ball, e.contact);
+          return fail(FailureReason::hit_ball, e.contact);
         case EventKind::pocket:
           return taken(e.contact);
         case EventKind::rest:
           return rest();
         default:
-          return fail(Foul::missed);
+          return fail(FailureReason::missed);
       }
     }
   }
@@ -123,7 +123,7 @@ class Follower {
     const State<double>& now = sim_.state();
     const Mark* const mark = counts() ? q_.mark_taken_by(by, now.at) : nullptr;
     if (!mark || !goal_.allows(q_, *mark))
-      return fail(by.kind == ContactKind::pocket ? Foul::pocketed : Foul::hit_ball, by);
+      return fail(by.kind == ContactKind::pocket ? FailureReason::pocketed : FailureReason::hit_ball, by);
     out_.replay.made = true;
     out_.replay.bounces = k_;
     // A ball that stops on the pocket's circle keeps the direction of its last arc.
@@ -156,13 +156,13 @@ class Follower {
   }
 
   Trace rest() {
-    if (!stop_ || q_.objects || !counts()) return fail(Foul::fell_short);
+    if (!stop_ || q_.objects || !counts()) return fail(FailureReason::fell_short);
     const Mark& mark = q_.nearest_mark(sim_.state().at);
     out_.replay.miss = norm(sim_.state().at - mark.at);
     out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
     out_.replay.bounces = k_;
     out_.replay.made = out_.replay.miss <= mark.reach;
-    if (!out_.replay.made) out_.replay.failure = {Foul::missed};
+    if (!out_.replay.made) out_.replay.failure = {FailureReason::missed};
     return out_;
   }
 
@@ -174,17 +174,17 @@ class Follower {
     return norm(sim_.state().at - at) + norm(at - m.at);
   }
 
-  Trace fail(Foul foul, Contact contact = {}) {
+  Trace fail(FailureReason reason, Contact contact = {}) {
     // If the ball passed the target after the bounces asked, the miss is known; otherwise it is the distance when the
     // shot failed.
     if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
       for (const Mark& m : q_.marks) out_.replay.miss = std::min(out_.replay.miss, apart(m));
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
-    } else if (foul == Foul::extra_cushion) {
-      foul = Foul::missed;
+    } else if (reason == FailureReason::extra_cushion) {
+      reason = FailureReason::missed;
       contact = {};
     }
-    out_.replay.failure = {foul, contact};
+    out_.replay.failure = {reason, contact};
     out_.replay.bounces = k_;
     return out_;
   }
@@ -214,24 +214,25 @@ void SpeedAccount::add(const Arc<double>& arc, double t) {
   if (t > 0) loss += 2 * deceleration_ * norm(arc.position(t) - arc.at);
 }
 
-Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goal& goal,
+Replay replay(const Question& q, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
               std::vector<Contact>* contacts) {
   Replay r = with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
     return Follower(q, motion, cushion, launch, goal, false).run(contacts).replay;
   });
-  ledger.charge(static_cast<std::size_t>(r.bounces));
+  budget.charge(static_cast<std::size_t>(r.bounces));
   // In `ideal` no ball comes to rest, so every cue ball would fall in the end.
-  if (r.made && goal.counts && !is_ideal(q.puzzle.physics) && aftermath(q, ledger, launch).scratch_pocket) {
+  if (r.made && goal.counts && !is_ideal(q.puzzle.physics) && aftermath(q, budget, launch).scratch_pocket) {
     r.made = false;
-    r.failure = {Foul::scratched};
+    r.failure = {FailureReason::scratched};
   }
   return r;
 }
 
-Trace trace(const Question& q, Ledger& ledger, double angle, const Goal& goal, std::vector<Contact>* contacts) {
+Trace trace(const Question& q, EvaluationBudget& budget, double angle, const Goal& goal,
+            std::vector<Contact>* contacts) {
   const Mirror mirror{restitution(q.puzzle.physics)};
   Trace t = Follower(q, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
-  ledger.charge(static_cast<std::size_t>(t.replay.bounces));
+  budget.charge(static_cast<std::size_t>(t.replay.bounces));
   return t;
 }
 

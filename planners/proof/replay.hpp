@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bankshot/motion/arc.hpp"
-#include "planners/findings.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/proof/goal.hpp"
+#include "planners/search_result.hpp"
 
 namespace bankshot::planning {
 
@@ -18,18 +18,18 @@ struct Replay {
   double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
   double offset = 0;                                      ///< m, see Shot::offset
   Arrival arrival;
-  Failure failure;             ///< if it is not made
-  std::vector<Hit> hits{};     ///< contacts with balls, in order, up to the target
-  std::vector<Onward> then{};  ///< object balls and their cushions
-  bool rattles = false;        ///< it touched the jaws of a pocket
-  std::vector<Contact> met{};  ///< after a jaw contact, if `contacts` is given: all that it bounced off
-  int bounces = 0;             ///< at arrival, or at the failure
-  bool cushion_stick = false;  ///< see Shot::cushion_stick
-  int jaws = 0;                ///< see Shot::jaws
+  Failure failure;                     ///< if it is not made
+  std::vector<Hit> hits{};             ///< contacts with balls, in order, up to the target
+  std::vector<ObjectBallPath> then{};  ///< object balls and their cushions
+  bool rattles = false;                ///< it touched the jaws of a pocket
+  std::vector<Contact> met{};          ///< after a jaw contact, if `contacts` is given: all that it bounced off
+  int bounces = 0;                     ///< at arrival, or at the failure
+  bool cushion_stick = false;          ///< see Shot::cushion_stick
+  int jaws = 0;                        ///< see Shot::jaws
 };
 
 /// Replays a launch. `contacts` receives the bounces, if it is not null.
-Replay replay(const Question& q, Ledger& ledger, const Launch& launch, const Goal& goal,
+Replay replay(const Question& q, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
               std::vector<Contact>* contacts = nullptr);
 
 /// The speed that a path costs, if its shape does not depend on the speed: after the arcs added so far, v² = gain·v0² −
@@ -52,7 +52,7 @@ struct Trace {
   Replay replay;
   SpeedAccount account;
 };
-Trace trace(const Question& q, Ledger& ledger, double angle, const Goal& goal,
+Trace trace(const Question& q, EvaluationBudget& budget, double angle, const Goal& goal,
             std::vector<Contact>* contacts = nullptr);
 
 }  // namespace bankshot::planning

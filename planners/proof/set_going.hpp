@@ -88,7 +88,7 @@ class SetGoing {
       case EventKind::rest:
         return its && rests(sim);
       case EventKind::horizon:
-        return fail(Foul::fell_short);
+        return fail(FailureReason::fell_short);
       default:
         return false;
     }
@@ -102,7 +102,7 @@ class SetGoing {
       return sets_going(sim);
     const State<double>& now = sim.state(e.ball);
     const Mark* const mark = carom_ && e.ball == 0 && counts() ? q_.mark_taken_by(e.event.contact, now.at) : nullptr;
-    if (!mark || !goal_.allows(q_, *mark)) return fail(Foul::hit_ball, e.event.contact);
+    if (!mark || !goal_.allows(q_, *mark)) return fail(FailureReason::hit_ball, e.event.contact);
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
     note_hit(e.event.contact.index, mark->at);
     touched(*mark, incoming_, out_);
@@ -113,7 +113,7 @@ class SetGoing {
   template <class Sim>
   bool sets_going(const Sim& sim) {
     const Objects::Object& next = *chain_.balls[set_];
-    if (set_ > 0 && !counts()) return fail(Foul::hit_ball, Contact::ball(next.ball));
+    if (set_ > 0 && !counts()) return fail(FailureReason::hit_ball, Contact::ball(next.ball));
     note_hit(next.ball, next.at_rest.at);
     ++set_;
     const State<double>& now = sim.state(on_its_way());
@@ -139,8 +139,8 @@ class SetGoing {
     last_ = sim.state(on_its_way()).at;
     // Off a cushion that it touches, in the instant in which it is hit.
     if (!carom_ && sim.time() == began_) return false;
-    if (bounces_ == asked_.max) return fail(Foul::extra_cushion, e.contact);
-    if (!check_.accepts(bounces_, e)) return fail(Foul::wrong_cushion, e.contact);
+    if (bounces_ == asked_.max) return fail(FailureReason::extra_cushion, e.contact);
+    if (!check_.accepts(bounces_, e)) return fail(FailureReason::wrong_cushion, e.contact);
     ++bounces_;
     if (!carom_) return out_.then.back().cushions.push_back(e.contact), false;
     out_.bounces = bounces_;
@@ -174,7 +174,7 @@ class SetGoing {
   bool falls(Contact pocket, const Sim& sim) {
     const State<double>& now = sim.state(on_its_way());
     const Mark* const mark = all_set() && counts() ? q_.mark_taken_by(pocket, now.at, number()) : nullptr;
-    if (!mark || !goal_.allows(q_, *mark)) return fail(Foul::pocketed, pocket);
+    if (!mark || !goal_.allows(q_, *mark)) return fail(FailureReason::pocketed, pocket);
     out_.made = true;
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
     measure(q_, *mark, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
@@ -192,21 +192,21 @@ class SetGoing {
   template <class Sim>
   bool rests(const Sim& sim) {
     const Vec2d at = sim.state(on_its_way()).at;
-    if (!q_.stop || !all_set() || !counts()) return fail(Foul::fell_short);
+    if (!q_.stop || !all_set() || !counts()) return fail(FailureReason::fell_short);
     const Mark& mark = q_.nearest_mark(at, number());
     out_.miss = norm(at - mark.at);
     out_.arrival = {begin_ + sim.time(), 0, at};
     out_.made = out_.miss <= mark.reach;
-    if (!out_.made) out_.failure = {Foul::missed};
+    if (!out_.made) out_.failure = {FailureReason::missed};
     return true;
   }
 
-  bool fail(Foul foul, Contact contact = {}) {
+  bool fail(FailureReason reason, Contact contact = {}) {
     if (!(out_.miss < std::numeric_limits<double>::infinity())) {
       out_.miss = norm(last_ - q_.nearest_mark(last_, number()).at);
       out_.arrival = {begin_, 0, last_};
     }
-    out_.failure = {foul, contact};
+    out_.failure = {reason, contact};
     return true;
   }
 

@@ -9,9 +9,9 @@
 
 namespace bankshot::planning::steps {
 
-void images(const Question& q, Ledger& ledger, Findings& found) {
-  refine_images(q, ledger, found, word::images, [&](const LockedAim& aim, const Launch& seed) -> std::optional<Launch> {
-    const auto root = newton(aim, ledger, seed, settings::wide);
+void images(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  refine_images(q, budget, found, word::images, [&](const LockedAim& aim, const Launch& seed) -> std::optional<Launch> {
+    const auto root = newton(aim, budget, seed, settings::wide);
     return root ? std::optional(root.launch) : std::nullopt;
   });
 }

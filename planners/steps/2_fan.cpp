@@ -12,18 +12,18 @@
 
 namespace bankshot::planning::steps {
 
-void fan(const Question& q, Ledger& ledger, Findings& found) {
+void fan(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   const Spacing cell = settings::forward_map::usual;
-  ForwardMap nodes(q, ledger, found, cell, word::fan);
+  ForwardMap nodes(q, budget, found, cell, word::fan);
   const int most = static_cast<int>(std::ceil(radians(180) / cell.aim));
   Unfolding images(q, {.parts = true, .restitution = restitution(q.puzzle.physics).at_rest, .keep_routes = true});
-  bool more = !ledger.spent();
+  bool more = !budget.spent();
   while (const auto image = images.next()) {
     const Route route = images.route(*image);
     const LockedAim aim{q, route, q.marks[image->mark]};
     for (int i = 1; i <= 2 * most && more; ++i) {
       const double angle = image->angle + cell.aim * (i / 2) * (i % 2 == 0 ? 1 : -1);
-      if (const auto speed = speed_at(aim, ledger, angle, image->distance)) nodes.visit(angle, *speed);
+      if (const auto speed = speed_at(aim, budget, angle, image->distance)) nodes.visit(angle, *speed);
       more = !nodes.done();
     }
   }

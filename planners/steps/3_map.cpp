@@ -7,8 +7,8 @@
 
 namespace bankshot::planning::steps {
 
-void map(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing) {
-  ForwardMap(q, ledger, found, spacing, word::map).run();
+void map(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing) {
+  ForwardMap(q, budget, found, spacing, word::map).run();
 }
 
 /// Paths with more bounces bend the map more.

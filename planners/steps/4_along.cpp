@@ -23,17 +23,17 @@ using namespace settings::along;
 /// Launches at one aim.
 class OneAim {
  public:
-  OneAim(const Question& q, Ledger& ledger, Findings& found, double angle)
-      : q_(q), ledger_(ledger), found_(found), angle_(angle) {}
+  OneAim(const Question& q, EvaluationBudget& budget, SearchResult& found, double angle)
+      : q_(q), budget_(budget), found_(found), angle_(angle) {}
 
   void search() {
     if (q_.one_unknown()) return certify_at(q_.fixed_speed());
     const Range& v = q_.speed;
     const double low = std::max(v.low, settings::slowest_of_fastest * v.high);
     std::vector<Tried> row;
-    for (int i = 0; i <= speeds && !ledger_.spent(); ++i)
+    for (int i = 0; i <= speeds && !budget_.spent(); ++i)
       row.push_back(attempt(low * std::pow(v.high / low, static_cast<double>(i) / speeds)));
-    for (std::size_t i = 0; i < row.size() && !ledger_.spent(); ++i) {
+    for (std::size_t i = 0; i < row.size() && !budget_.spent(); ++i) {
       const Tried &before = row[i > 0 ? i - 1 : i], &after = row[std::min(i + 1, row.size() - 1)];
       if (row[i].value > hopeless && row[i].value >= before.value && row[i].value >= after.value)
         certify_at(best_between(before, row[i], after));
@@ -48,39 +48,39 @@ class OneAim {
   static constexpr double hopeless = -1;
 
   Tried attempt(double speed) {
-    const Replay r = replay(q_, ledger_, {speed, angle_}, Goal::of(q_));
-    if (!r.made && r.failure.foul != Foul::missed) return {speed, hopeless};
+    const Replay r = replay(q_, budget_, {speed, angle_}, Goal::of(q_));
+    if (!r.made && r.failure.reason != FailureReason::missed) return {speed, hopeless};
     const double miss = r.miss / q_.boundary.diagonal;
     const bool any_speed = !q_.arrival || q_.stop;
     return {speed, -(any_speed ? miss : miss + std::abs(r.arrival.speed - q_.asked) / std::max(1.0, q_.asked))};
   }
 
   double best_between(const Tried& low, const Tried& best, const Tried& high) {
-    const auto narrow = [&](const Tried&, const Tried&, const Tried&) { return ledger_.spent(); };
+    const auto narrow = [&](const Tried&, const Tried&, const Tried&) { return budget_.spent(); };
     return climb(
                low, best, high, settled * high.x, [&](double speed, const Tried&) { return attempt(speed); }, narrow)
         .x;
   }
 
   void certify_at(double speed) {
-    for (int n = q_.cushions().min; n <= q_.cushions().max && !ledger_.spent(); ++n)
-      certify(q_, ledger_, found_, {speed, angle_}, n, word::along);
+    for (int n = q_.cushions().min; n <= q_.cushions().max && !budget_.spent(); ++n)
+      certify(q_, budget_, found_, {speed, angle_}, n, word::along);
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   double angle_;
 };
 
 }  // namespace
 
-void along(const Question& q, Ledger& ledger, Findings& found) {
+void along(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   for (const Wall& wall : q.boundary.walls) {
     if (!q.touches(wall.contact)) continue;
     for (const Vec2d& way : {wall.along, -wall.along})
-      if (!stop::over(q, ledger, found))
-        OneAim(q, ledger, found, wrap_angle(std::atan2(way.y + 0.0, way.x))).search();  // + 0: -0 is no angle
+      if (!stop::over(q, budget, found))
+        OneAim(q, budget, found, wrap_angle(std::atan2(way.y + 0.0, way.x))).search();  // + 0: -0 is no angle
   }
 }
 

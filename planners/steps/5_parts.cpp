@@ -18,32 +18,32 @@ namespace {
 using namespace settings::parts;
 
 /// A window around a lead, along its route, at the speed that each aim needs.
-bool bisect_lead(const Question& q, Ledger& ledger, Findings& found, const Lead& lead) {
-  const LockedAim locked{q, lead.route, lead.mark};
-  const std::vector<Contact> contacts = contacts_of(lead.route);
+bool bisect_candidate(const Question& q, EvaluationBudget& budget, SearchResult& found, const Candidate& candidate) {
+  const LockedAim locked{q, candidate.route, candidate.mark};
+  const std::vector<Contact> contacts = contacts_of(candidate.route);
   const Goal goal = Goal::along(contacts);
   const auto launch = [&](double aim) -> std::optional<Launch> {
-    const auto speed = speed_near(locked, ledger, aim, lead.launch.speed);
+    const auto speed = speed_near(locked, budget, aim, candidate.launch.speed);
     if (!speed) return {};
     return Launch{*speed, wrap_angle(aim)};
   };
   const AimRow row{[&](double aim) {
                      const auto l = launch(aim);
-                     return l ? replay(q, ledger, *l, goal) : Replay{};
+                     return l ? replay(q, budget, *l, goal) : Replay{};
                    },
                    [&](double aim, int bounces) {
                      const auto l = launch(aim);
-                     return l && certify(q, ledger, found, *l, bounces, word::parts, Demand::off_centre);
+                     return l && certify(q, budget, found, *l, bounces, word::parts, Demand::off_centre);
                    }};
-  const Range aims{lead.launch.angle - lead.half, lead.launch.angle + lead.half};
-  return find_window(row, ledger, aims, lead.launch.angle, aims_across);
+  const Range aims{candidate.launch.angle - candidate.half, candidate.launch.angle + candidate.half};
+  return find_window(row, budget, aims, candidate.launch.angle, aims_across);
 }
 
 /// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed, or nearly.
-bool hopeful(const Question& q, const Lead& lead) {
+bool hopeful(const Question& q, const Candidate& candidate) {
   const Range& v = q.speed;
-  return lead.half > 0 && lead.room > -lead.mark.reach && lead.launch.speed > v.low / nearly_allowed &&
-         lead.launch.speed < v.high * nearly_allowed;
+  return candidate.half > 0 && candidate.room > -candidate.mark.reach &&
+         candidate.launch.speed > v.low / nearly_allowed && candidate.launch.speed < v.high * nearly_allowed;
 }
 
 }  // namespace
@@ -53,30 +53,31 @@ bool alike(const Launch& a, const Launch& b) {
          std::abs(std::log(a.speed / b.speed)) < settings::parts::alike;
 }
 
-void Parts::climb(const Question& q, Ledger& ledger, Findings& found) {
+void Parts::climb(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   if (q.starts()) return;  // its leads are what is asked for
-  for (Lead& lead : found.leads) {
-    if (!found.shots.empty() || ledger.spent()) break;
-    if (q.objects && was_tried(lead)) continue;  // many pairs of routes lead to one root
-    Widest(q, ledger, found, lead).find();
-    tried_.push_back(std::move(lead));
+  for (Candidate& candidate : found.candidates) {
+    if (!found.shots.empty() || budget.spent()) break;
+    if (q.objects && was_tried(candidate)) continue;  // many pairs of routes lead to one root
+    Widest(q, budget, found, candidate).find();
+    tried_.push_back(std::move(candidate));
   }
-  found.leads.clear();
+  found.candidates.clear();
 }
 
-bool Parts::was_tried(const Lead& lead) const {
-  return std::ranges::any_of(tried_, [&](const Lead& known) {
-    return alike(known.launch, lead.launch) && known.spin == lead.spin && known.mark == lead.mark &&
-           known.route == lead.route;
+bool Parts::was_tried(const Candidate& candidate) const {
+  return std::ranges::any_of(tried_, [&](const Candidate& known) {
+    return alike(known.launch, candidate.launch) && known.spin == candidate.spin && known.mark == candidate.mark &&
+           known.route == candidate.route;
   });
 }
 
-void Parts::bisect(const Question& q, Ledger& ledger, Findings& found, double share) {
-  const long until = ledger.share_of_rest(share);
+void Parts::bisect(const Question& q, EvaluationBudget& budget, SearchResult& found, double share) {
+  const long until = budget.share_of_rest(share);
   std::sort(tried_.begin(), tried_.end(), [](const auto& a, const auto& b) { return a.room < b.room; });
-  for (; !tried_.empty() && found.shots.empty() && !ledger.spent() && ledger.simulations() < until; tried_.pop_back()) {
-    Lead& lead = tried_.back();
-    if (hopeful(q, lead) && !Widest(q, ledger, found, lead).across_jumps()) bisect_lead(q, ledger, found, lead);
+  for (; !tried_.empty() && found.shots.empty() && !budget.spent() && budget.simulations() < until; tried_.pop_back()) {
+    Candidate& candidate = tried_.back();
+    if (hopeful(q, candidate) && !Widest(q, budget, found, candidate).across_jumps())
+      bisect_candidate(q, budget, found, candidate);
   }
 }
 

@@ -36,8 +36,8 @@ using namespace settings::rattles;
 
 class Rattles {
  public:
-  Rattles(const Question& q, Ledger& ledger, Findings& found)
-      : q_(q), ledger_(ledger), found_(found), mouths_(marks_of(PocketTarget{}, q.boundary)) {}
+  Rattles(const Question& q, EvaluationBudget& budget, SearchResult& found)
+      : q_(q), budget_(budget), found_(found), mouths_(marks_of(PocketTarget{}, q.boundary)) {}
 
   /// Where some shots count on fewer mouths, those on more are not looked for.
   void run() {
@@ -46,7 +46,7 @@ class Rattles {
   }
 
  private:
-  bool done() const { return ledger_.spent() || (!q_.all() && found_.shots.size() >= (q_.first() ? 1 : enough)); }
+  bool done() const { return budget_.spent() || (!q_.all() && found_.shots.size() >= (q_.first() ? 1 : enough)); }
 
   void all_round(const Look& look) {
     look_ = look;
@@ -79,9 +79,9 @@ class Rattles {
     const std::vector<Mark>& marks = first && last ? q_.marks : mouths_;
     Forward& forward = forwards_[static_cast<std::size_t>(beam.on_the_way)];
     if (first && last)
-      planning::forward(q_, ledger_, launch, true, forward);
+      planning::forward(q_, budget_, launch, true, forward);
     else
-      forward_through_jaws(q_, ledger_, launch, beam.half, mouths_, forward);
+      forward_through_jaws(q_, budget_, launch, beam.half, mouths_, forward);
     const Route& route = forward.route;
     if (!first && !(route.size() >= beam.after && route[beam.after - 1].with.kind == ContactKind::jaw)) return;
     for (const Passage& p : forward.passages) {
@@ -173,9 +173,9 @@ class Rattles {
   }
 
   std::optional<Dropped> drop(const Launch& launch) {
-    if (ledger_.spent() || launch.speed < q_.speed.low || launch.speed > q_.speed.high) return {};
+    if (budget_.spent() || launch.speed < q_.speed.low || launch.speed > q_.speed.high) return {};
     std::vector<Contact> cushions;
-    const Replay r = replay(q_, ledger_, launch, Goal::of(q_, Demand::made), &cushions);
+    const Replay r = replay(q_, budget_, launch, Goal::of(q_, Demand::made), &cushions);
     if (!r.made) return {};
     return Dropped{launch, r.arrival.speed, route_by(r.rattles ? r.met : cushions), q_.nearest_mark(r.arrival.at)};
   }
@@ -189,7 +189,7 @@ class Rattles {
 
   bool keep(const Dropped& d) {
     return excess(d) == 0 &&
-           certify(q_, ledger_, found_, d.launch, bounces_of(d.route), word::rattles, Demand::off_centre);
+           certify(q_, budget_, found_, d.launch, bounces_of(d.route), word::rattles, Demand::off_centre);
   }
 
   /// One of them is too fast, the other too slow: the aim between.
@@ -207,7 +207,7 @@ class Rattles {
   /// Along its band; steps are shortened where they lead out of it.
   bool keep_along(Dropped at) {
     for (int i = 0; i < most_steps && excess(at) != 0; ++i) {
-      auto l = linearise({q_, at.route, at.mark}, ledger_, at.launch);
+      auto l = linearise({q_, at.route, at.mark}, budget_, at.launch);
       if (!l) return false;
       l->r[0] = 0;  // it falls where it falls
       const auto step = newton_step(*l, false);
@@ -226,8 +226,8 @@ class Rattles {
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   std::vector<Mark> mouths_;
   Look look_{};
   std::array<Forward, most_on_the_way + 1> forwards_{};
@@ -235,8 +235,8 @@ class Rattles {
 
 }  // namespace
 
-void rattles(const Question& q, Ledger& ledger, Findings& found) {
-  if (q.drops() && !q.boundary.jaws.empty()) Rattles(q, ledger, found).run();
+void rattles(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  if (q.drops() && !q.boundary.jaws.empty()) Rattles(q, budget, found).run();
 }
 
 }  // namespace bankshot::planning::steps

@@ -36,37 +36,37 @@ using namespace settings::chains;
 
 class Chains {
  public:
-  Chains(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain)
+  Chains(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain)
       : q_(q),
-        ledger_(ledger),
+        budget_(budget),
         found_(found),
         chain_(chain),
         last_(*chain.balls.back()),
         by_(chain.balls.size() > 1 ? chain.balls[chain.balls.size() - 2] : nullptr),
         to_ghost_(q, before_last(q, chain), q.one_unknown() ? std::optional(q.fixed_speed()) : std::nullopt) {}
 
-  void run(std::vector<Lead>& known) {
-    for (const Leg& leg : legs(q_, ledger_, chain_, images, known, !q_.every)) {
-      if (stop::enough_seeds(q_, ledger_, found_)) return;
+  void run(std::vector<Candidate>& known) {
+    for (const Leg& leg : legs(q_, budget_, chain_, images, known, !q_.every)) {
+      if (stop::enough_seeds(q_, budget_, found_)) return;
       if (leg.clear && is_worth(leg, norm(last_.at_rest.at - q_.puzzle.ball.at))) join_all(leg, chains);
       if (is_settled(leg)) known.push_back(leg.alone);
     }
   }
 
   void closely(Parts& parts) {
-    std::vector<Leg> all = legs(q_, ledger_, chain_, starts_by_map);
+    std::vector<Leg> all = legs(q_, budget_, chain_, starts_by_map);
     std::stable_partition(all.begin(), all.end(), [](const Leg& leg) { return leg.clear; });
     std::erase_if(all, [&](const Leg& leg) { return !is_worth(leg, norm(last_.at_rest.at - q_.puzzle.ball.at)); });
     if (all.empty() && q_.likelier > 0) return;
     for (const Leg& leg : all) {
-      if (sweeps_over(q_, ledger_, found_)) return;
+      if (sweeps_over(q_, budget_, found_)) return;
       join_all(leg, chains);
-      parts.climb(q_, ledger_, found_);
+      parts.climb(q_, budget_, found_);
     }
-    if (sweeps_over(q_, ledger_, found_)) return;
-    bands(q_, ledger_, found_, chain_);
-    parts.climb(q_, ledger_, found_);
-    sweeps(q_, ledger_, found_, chain_, all, parts);
+    if (sweeps_over(q_, budget_, found_)) return;
+    bands(q_, budget_, found_, chain_);
+    parts.climb(q_, budget_, found_);
+    sweeps(q_, budget_, found_, chain_, all, parts);
   }
 
  private:
@@ -83,11 +83,11 @@ class Chains {
   void join_all(const Leg& leg, Step before) {
     const Question at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
     if (!by_) return each_image(leg, at_ghost);
-    Findings starts;
-    before(to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch().speed)), ledger_, starts);
-    for (const Lead& lead : starts.leads) {
-      if (stop::enough_seeds(q_, ledger_, found_)) return;
-      if (!has_lead(leg, lead.route)) join(leg, lead.route, lead.launch);
+    SearchResult starts;
+    before(to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch().speed)), budget_, starts);
+    for (const Candidate& candidate : starts.candidates) {
+      if (stop::enough_seeds(q_, budget_, found_)) return;
+      if (!has_candidate(leg, candidate.route)) join(leg, candidate.route, candidate.launch);
     }
   }
 
@@ -99,12 +99,12 @@ class Chains {
       const double e = share * restitution(q_.puzzle.physics).at_rest;
       Unfolding images(at_ghost, {.parts = !straight, .restitution = e, .keep_routes = true});
       while (const auto image = images.next()) {
-        if (stop::enough_seeds(q_, ledger_, found_)) return;
+        if (stop::enough_seeds(q_, budget_, found_)) return;
         Route route = images.route(*image);
-        if (settled.contains(route) || has_lead(leg, route) || !is_worth(leg, image->distance)) continue;
+        if (settled.contains(route) || has_candidate(leg, route) || !is_worth(leg, image->distance)) continue;
         if (route.empty() && (share != settings::restitution_shares.front() || !may_hit(leg, image->angle))) continue;
         const Question& own = to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch().speed));
-        const auto speed = speed_at({own, route, own.marks.front()}, ledger_, image->angle, image->distance);
+        const auto speed = speed_at({own, route, own.marks.front()}, budget_, image->angle, image->distance);
         if (speed && join(leg, route, {*speed, image->angle})) settled.insert(std::move(route));
       }
       if (straight || (q_.route && !found_.shots.empty())) return;
@@ -120,15 +120,16 @@ class Chains {
   bool is_settled(const Leg& leg) const {
     if (!hit_straight(q_, chain_)) return false;
     const Vec2d way = last_.at_rest.at - q_.puzzle.ball.at;
-    return has_lead(leg, {}) || dot(way, direction(leg.launch().angle)) < least_settled * norm(way);
+    return has_candidate(leg, {}) || dot(way, direction(leg.launch().angle)) < least_settled * norm(way);
   }
 
   /// Of another arrival speed, or found just now.
-  bool has_lead(const Leg& leg, const Route& before) const {
-    if (!q_.starts() || found_.leads.empty()) return false;
+  bool has_candidate(const Leg& leg, const Route& before) const {
+    if (!q_.starts() || found_.candidates.empty()) return false;
     const Route whole = whole_route(leg, before);
-    return std::ranges::any_of(found_.leads,
-                               [&](const Lead& lead) { return lead.mark == leg.mark && lead.route == whole; });
+    return std::ranges::any_of(found_.candidates, [&](const Candidate& candidate) {
+      return candidate.mark == leg.mark && candidate.route == whole;
+    });
   }
   Route whole_route(const Leg& leg, const Route& before) const {
     return together(chain_, to_ghost_.part().whole(before), leg);
@@ -153,10 +154,10 @@ class Chains {
       const Vec2d n = direction(leg.launch().angle + turn);
       const Question& own = to_ghost_.at(ghost(n), asked);
       const LockedAim aim{own, route, own.marks.front()};
-      const auto root = newton(aim, ledger_, seed, settings::wide);
+      const auto root = newton(aim, budget_, seed, settings::wide);
       if (!root) return false;
       seed = root.launch;
-      ledger_.charge(route.size());
+      budget_.charge(route.size());
       auto arrival = arrival_of(aim, start_of(own, seed), q_.puzzle.physics);
       if (!arrival || !(dot(arrival->heading, n) > 0)) return false;
       const double cosine = dot(arrival->heading, n) / norm(arrival->heading);
@@ -175,17 +176,17 @@ class Chains {
     const LockedAim aim{q_, whole, leg.mark};
     for (const double faster : faster_seeds) {
       const Launch from{q_.one_unknown() ? q_.fixed_speed() : seed.speed * faster, seed.angle};
-      const auto root = newton(aim, ledger_, from, settings::wide);
+      const auto root = newton(aim, budget_, from, settings::wide);
       if (!root) continue;
-      certify_root(aim, ledger_, found_, root.launch, word::chains);
+      certify_root(aim, budget_, found_, root.launch, word::chains);
       return true;
     }
     return false;
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   const Objects::Chain& chain_;
   const Objects::Object& last_;
   const Objects::Object* by_;  ///< the ball before the last; null: the struck one
@@ -194,17 +195,17 @@ class Chains {
 
 }  // namespace
 
-void chains(const Question& q, Ledger& ledger, Findings& found) {
+void chains(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   KnownLegs none;
-  chains_again(q, ledger, found, none);
+  chains_again(q, budget, found, none);
 }
 
-void chains_again(const Question& q, Ledger& ledger, Findings& found, KnownLegs& known) {
-  for (const Objects::Chain& chain : q.objects->chains) Chains(q, ledger, found, chain).run(known[&chain]);
+void chains_again(const Question& q, EvaluationBudget& budget, SearchResult& found, KnownLegs& known) {
+  for (const Objects::Chain& chain : q.objects->chains) Chains(q, budget, found, chain).run(known[&chain]);
 }
 
-void chains_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts) {
-  for (const Objects::Chain& chain : q.objects->chains) Chains(q, ledger, found, chain).closely(parts);
+void chains_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts) {
+  for (const Objects::Chain& chain : q.objects->chains) Chains(q, budget, found, chain).closely(parts);
 }
 
 }  // namespace bankshot::planning::steps

@@ -34,11 +34,11 @@ using namespace settings::chains;
 
 class Sweeps {
  public:
-  Sweeps(const Question& q, Ledger& ledger, Findings& found, Parts& parts)
-      : q_(q), ledger_(ledger), found_(found), parts_(parts) {}
+  Sweeps(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts)
+      : q_(q), budget_(budget), found_(found), parts_(parts) {}
 
   void run(const Objects::Chain& chain, const std::vector<Leg>& legs) {
-    const std::vector<Approach> to_ball = approaches_to_last(q_, ledger_, chain);
+    const std::vector<Approach> to_ball = approaches_to_last(q_, budget_, chain);
     if (q_.drops()) launches(to_ball);  // hardly any that falls is on the exact line
     each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
     each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
@@ -52,13 +52,13 @@ class Sweeps {
     for (const Approach& approach : to_ball)
       each_launch(q_, approach.across, {sweep_steps, grid_rows}, [&](const Launch& launch, int) {
         if (over()) return true;
-        if (const auto made = made_as_asked(q_, ledger_, launch))
-          certify(q_, ledger_, found_, made->launch, made->replay.bounces, word::chains, Demand::off_centre);
+        if (const auto made = made_as_asked(q_, budget_, launch))
+          certify(q_, budget_, found_, made->launch, made->replay.bounces, word::chains, Demand::off_centre);
         return false;
       });
   }
 
-  bool over() const { return sweeps_over(q_, ledger_, found_); }
+  bool over() const { return sweeps_over(q_, budget_, found_); }
 
   /// `look(chain, aims across the ball)`, once each.
   template <class Look>
@@ -71,7 +71,7 @@ class Sweeps {
         if (over()) return;
         const Route whole = together(chain, approach.route, leg);
         look({q_, whole, leg.mark}, approach.across);
-        parts_.climb(q_, ledger_, found_);
+        parts_.climb(q_, budget_, found_);
       }
     }
   }
@@ -84,16 +84,16 @@ class Sweeps {
   };
 
   std::optional<Side> side_at(const LockedAim& aim, double angle, double guess) {
-    if (ledger_.spent()) return {};
-    const auto speed = speed_near(aim, ledger_, angle, guess);
-    const auto l = speed ? linearise(aim, ledger_, {*speed, angle}) : std::nullopt;
+    if (budget_.spent()) return {};
+    const auto speed = speed_near(aim, budget_, angle, guess);
+    const auto l = speed ? linearise(aim, budget_, {*speed, angle}) : std::nullopt;
     if (!l) return {};
     return Side{{*speed, angle}, q_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0]};
   }
 
   /// Where Newton's method does not come to the speed that arrives as asked.
   std::optional<Side> side_from_bounds(const LockedAim& aim, double angle) {
-    const auto speed = speed_at(aim, ledger_, angle, q_.boundary.diagonal);
+    const auto speed = speed_at(aim, budget_, angle, q_.boundary.diagonal);
     return speed ? side_at(aim, angle, *speed) : std::nullopt;
   }
 
@@ -126,19 +126,19 @@ class Sweeps {
           if (middle) at = middle->launch;
           return middle && (middle->side > 0) == (a.side > 0);
         });
-    const auto root = newton(aim, ledger_, at, settings::wide);
-    if (root) certify_root(aim, ledger_, found_, root.launch, word::chains);
+    const auto root = newton(aim, budget_, at, settings::wide);
+    if (root) certify_root(aim, budget_, found_, root.launch, word::chains);
   }
 
   /// Where the exact line needs a launch that no bound allows, or is blocked, others lead in beside it: those of the
   /// row with room, and what is between two of them around each that has more than its neighbours.
   void make_beside(const LockedAim& aim, std::vector<Side>& row) {
-    for (Side& s : row) s.room = clearance(aim, ledger_, s.launch).value_or(-q_.boundary.diagonal);
+    for (Side& s : row) s.room = clearance(aim, budget_, s.launch).value_or(-q_.boundary.diagonal);
     for (std::size_t i = 0; i < row.size(); ++i) {
       const Side& s = row[i];
       if (over()) return;
       if (q_.speed.contains(s.launch.speed) && s.room > 0)
-        certify(q_, ledger_, found_, {s.launch.speed, wrap_angle(s.launch.angle)}, bounces_of(aim.route), word::chains,
+        certify(q_, budget_, found_, {s.launch.speed, wrap_angle(s.launch.angle)}, bounces_of(aim.route), word::chains,
                 Demand::off_centre);
       const Side& before = row[i > 0 ? i - 1 : i];
       const Side& after = row[std::min(i + 1, row.size() - 1)];
@@ -151,9 +151,9 @@ class Sweeps {
   /// Last of all, since each takes a hundred simulations: the most hopeful first.
   void climb_peaks() {
     if (over()) return;
-    std::ranges::sort(peaks_, std::ranges::greater{}, &Lead::room);
-    std::ranges::move(peaks_, std::back_inserter(found_.leads));
-    parts_.climb(q_, ledger_, found_);
+    std::ranges::sort(peaks_, std::ranges::greater{}, &Candidate::room);
+    std::ranges::move(peaks_, std::back_inserter(found_.candidates));
+    parts_.climb(q_, budget_, found_);
   }
 
   void grid(const LockedAim& aim, const Range& across) {
@@ -162,33 +162,33 @@ class Sweeps {
         grid_reach * (q_.one_unknown() ? 1 : std::log(q_.speed.high / slowest_tried(q_)) / (grid_rows - 1))};
     each_launch(q_, across, {grid_steps, grid_rows}, [&](const Launch& node, int) {
       if (over()) return true;
-      const auto l = linearise(aim, ledger_, node);
+      const auto l = linearise(aim, budget_, node);
       const auto step = l ? newton_step(*l, q_.one_unknown()) : std::nullopt;
       if (!step || !(std::abs((*step)[0]) < near.step_aim && std::abs((*step)[1]) < near.step_speed)) return false;
-      const auto root = newton(aim, ledger_, {node.speed * std::exp((*step)[1]), node.angle + (*step)[0]}, near);
-      if (root) certify_root(aim, ledger_, found_, root.launch, word::chains);
+      const auto root = newton(aim, budget_, {node.speed * std::exp((*step)[1]), node.angle + (*step)[0]}, near);
+      if (root) certify_root(aim, budget_, found_, root.launch, word::chains);
       return false;
     });
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   Parts& parts_;
-  std::vector<Lead> peaks_{};  ///< of clearance, between two aims of a sweep
+  std::vector<Candidate> peaks_{};  ///< of clearance, between two aims of a sweep
 };
 
 }  // namespace
 
-void sweeps(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain,
+void sweeps(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain,
             const std::vector<Leg>& known, Parts& parts) {
   std::vector<Leg> legs = known;
   std::ranges::move(legs_of_images(q, chain), std::back_inserter(legs));
-  Sweeps(q, ledger, found, parts).run(chain, legs);
+  Sweeps(q, budget, found, parts).run(chain, legs);
 }
 
-bool sweeps_over(const Question& q, Ledger& ledger, const Findings& found) {
-  return stop::over(q, ledger, found) || !(q.all() || q.starts() || found.shots.empty());
+bool sweeps_over(const Question& q, EvaluationBudget& budget, const SearchResult& found) {
+  return stop::over(q, budget, found) || !(q.all() || q.starts() || found.shots.empty());
 }
 
 }  // namespace bankshot::planning::steps

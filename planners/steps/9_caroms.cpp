@@ -42,9 +42,9 @@ using Passes = std::map<Route, SidePass>;
 
 class Caroms {
  public:
-  Caroms(const Question& q, Ledger& ledger, Findings& found, const Grid& grid, Step starts)
+  Caroms(const Question& q, EvaluationBudget& budget, SearchResult& found, const Grid& grid, Step starts)
       : q_(q),
-        ledger_(ledger),
+        budget_(budget),
         found_(found),
         grid_(grid),
         starts_(starts),
@@ -58,8 +58,8 @@ class Caroms {
       if (one_is_enough())
         return found_.add_note(
             fmt::format("shots with {} or more cushions before the first ball were not looked for", n));
-      for (const Approach& approach : approaches(q_, ledger_, first_, before_first(n), starts_)) {
-        if (stop::over(q_, ledger_, found_)) return;
+      for (const Approach& approach : approaches(q_, budget_, first_, before_first(n), starts_)) {
+        if (stop::over(q_, budget_, found_)) return;
         look_across(approach);
       }
     }
@@ -91,7 +91,7 @@ class Caroms {
     std::map<int, Passes> before;
     std::map<Route, std::vector<SidePass>> touching;
     each_launch(q_, approach.across, grid_, [&](const Launch& launch, int speed) {
-      if (stop::over(q_, ledger_, found_)) return true;
+      if (stop::over(q_, budget_, found_)) return true;
       Passes now = follow(launch);
       for (const auto& [route, pass] : now) {
         const auto last = before[speed].find(route);
@@ -121,15 +121,15 @@ class Caroms {
       State<double> struck = sim.state(), other{first_.at_rest.at, {}, {}};
       collisions(q_.puzzle.physics).collide(q_.puzzle.ball.body, struck, first_.at_rest.body, other);
       route.push_back({0, Contact::ball(first_.ball)});
-      onward(motion, cushion, struck, launch, route, out);
+      object_ball_path(motion, cushion, struck, launch, route, out);
     });
-    ledger_.charge(route.size());
+    budget_.charge(route.size());
     return out;
   }
 
   template <class Motion, class Cushion>
-  void onward(const Motion& motion, const Cushion& cushion, const State<double>& struck, const Launch& launch,
-              Route& route, Passes& out) {
+  void object_ball_path(const Motion& motion, const Cushion& cushion, const State<double>& struck, const Launch& launch,
+                        Route& route, Passes& out) {
     Simulator sim(q_.alone(), motion, cushion, struck);
     for (;;) {
       SidePass pass{launch, forever, false};
@@ -165,11 +165,11 @@ class Caroms {
   bool root(const Route& route, const Launch& from) {
     const Question at_speed = q_.launched_at(from.speed);
     const LockedAim fixed{at_speed, route, mark_};
-    auto found = newton(fixed, ledger_, from, settings::wide);
+    auto found = newton(fixed, budget_, from, settings::wide);
     if (!found) return false;
     if (!q_.one_unknown() && q_.arrival->fixed()) {
       const LockedAim free{q_, route, mark_};
-      found = newton(free, ledger_, found.launch, settings::wide);
+      found = newton(free, budget_, found.launch, settings::wide);
       if (!found) return false;
       return keep(free, found.launch);
     }
@@ -177,10 +177,10 @@ class Caroms {
   }
 
   bool keep(const LockedAim& aim, const Launch& root) {
-    const auto l = linearise(aim, ledger_, root);
+    const auto l = linearise(aim, budget_, root);
     int& alike = kept_[{Route(aim.route.begin(), aim.route.end()), l && l->by_aim(0) > 0}];
     if (alike == settings::caroms::most_alike && !(q_.all() && !q_.starts())) return true;
-    const bool kept = certify_root(aim, ledger_, found_, root, word::caroms) || q_.starts();
+    const bool kept = certify_root(aim, budget_, found_, root, word::caroms) || q_.starts();
     alike += kept;
     return kept;
   }
@@ -191,16 +191,16 @@ class Caroms {
     if (root(route, passes.front().launch)) return void(rooted_.insert(route));
     if (q_.starts()) return;
     for (const SidePass& pass : passes) {
-      if (one_is_enough() || stop::over(q_, ledger_, found_)) return;
-      const auto made = made_as_asked(q_, ledger_, pass.launch);
-      if (made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, word::caroms, Demand::off_centre))
+      if (one_is_enough() || stop::over(q_, budget_, found_)) return;
+      const auto made = made_as_asked(q_, budget_, pass.launch);
+      if (made && certify(q_, budget_, found_, made->launch, made->replay.bounces, word::caroms, Demand::off_centre))
         return void(rooted_.insert(route));
     }
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   const Grid grid_;
   const Step starts_;
   const Objects::Object& first_;
@@ -212,18 +212,18 @@ class Caroms {
 
 }  // namespace
 
-void caroms(const Question& q, Ledger& ledger, Findings& found) {
+void caroms(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   using namespace settings::caroms;
-  Caroms(q, ledger, found, {aims, speeds}, images).run();
+  Caroms(q, budget, found, {aims, speeds}, images).run();
 }
 
-void caroms_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts) {
+void caroms_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts) {
   using namespace settings::caroms;
-  bands(q, ledger, found, q.objects->chains.front());
-  parts.climb(q, ledger, found);
-  if (sweeps_over(q, ledger, found)) return;
-  Caroms(q, ledger, found, {close_aims, close_speeds}, starts_by_map).run();
-  parts.climb(q, ledger, found);
+  bands(q, budget, found, q.objects->chains.front());
+  parts.climb(q, budget, found);
+  if (sweeps_over(q, budget, found)) return;
+  Caroms(q, budget, found, {close_aims, close_speeds}, starts_by_map).run();
+  parts.climb(q, budget, found);
 }
 
 }  // namespace bankshot::planning::steps

@@ -38,13 +38,13 @@ using namespace settings::bands;
 
 class Bands {
  public:
-  Bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain)
+  Bands(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain)
       : q_(q),
-        ledger_(ledger),
+        budget_(budget),
         found_(found),
-        path_(q, ledger, chain),
+        path_(q, budget, chain),
         step_(q.carom() ? word::caroms : word::chains),
-        falls_(q, ledger, found, path_, step_),
+        falls_(q, budget, found, path_, step_),
         at_speed_(q) {
     for (const Shot& shot : found.shots) made_.insert(route_of(shot));
   }
@@ -65,7 +65,7 @@ class Bands {
   /// Speeds between those of `run`, and between these.
   void run_between() {
     if (q_.one_unknown() || q_.speed.fixed()) return;
-    until_ = ledger_.share_of_rest(share_between);
+    until_ = budget_.share_of_rest(share_between);
     for (int parts = 2; parts <= most_parts && !over(); parts *= 2) look(between(1, parts), true);
   }
 
@@ -81,7 +81,7 @@ class Bands {
   };
   using Track = std::vector<std::optional<Pass>>;
 
-  bool over() const { return ledger_.simulations() >= until_ || sweeps_over(q_, ledger_, found_); }
+  bool over() const { return budget_.simulations() >= until_ || sweeps_over(q_, budget_, found_); }
 
   double row(double i) const {
     const double slowest = slowest_tried(q_);
@@ -107,7 +107,7 @@ class Bands {
     for (const auto& [speed, band] : bands) {
       if (over()) return;
       at(speed);
-      onward(band);
+      object_ball_path(band);
     }
     if (!q_.all() || finely) falls_.bring_to_speed(made_);
   }
@@ -122,7 +122,7 @@ class Bands {
   Launch launch(double aim) const { return {speed_, aim}; }
 
   /// From the first ball to the mark.
-  void onward(const Band& first) {
+  void object_ball_path(const Band& first) {
     std::vector<Band> bands{first};
     for (int ball = 1; ball < path_.last(); ++ball) {
       std::vector<Band> next;
@@ -240,15 +240,15 @@ class Bands {
     if (any_arrival() && made_.contains(route)) return;
     const Question& own = any_arrival() ? at_speed_ : q_;
     const LockedAim aim{own, route, mark};
-    const auto l = linearise(aim, ledger_, launch(at));
+    const auto l = linearise(aim, budget_, launch(at));
     const auto step = l ? newton_step(*l, own.one_unknown()) : std::nullopt;
     if (!step || !(std::abs((*step)[1]) < farthest)) return;
     std::vector<Launch>& known = roots_[route];
-    const auto found = newton(aim, ledger_, launch(at), settings::wide);
+    const auto found = newton(aim, budget_, launch(at), settings::wide);
     if (!found) return;
     if (std::ranges::any_of(known, [&](const Launch& k) { return alike(k, found.launch); })) return;
     known.push_back(found.launch);
-    if (certify_root(aim, ledger_, found_, found.launch, step_)) made_.insert(route);
+    if (certify_root(aim, budget_, found_, found.launch, step_)) made_.insert(route);
   }
 
   /// All of a range will do, so the row's speed is one.
@@ -310,8 +310,8 @@ class Bands {
   }
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   ChainPath path_;
   std::string_view step_;
   Falls falls_;
@@ -325,12 +325,12 @@ class Bands {
 
 }  // namespace
 
-void bands(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain) {
-  Bands(q, ledger, found, chain).run();
+void bands(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain) {
+  Bands(q, budget, found, chain).run();
 }
 
-void speeds_between(const Question& q, Ledger& ledger, Findings& found) {
-  for (const Objects::Chain& chain : q.objects->chains) Bands(q, ledger, found, chain).run_between();
+void speeds_between(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  for (const Objects::Chain& chain : q.objects->chains) Bands(q, budget, found, chain).run_between();
 }
 
 }  // namespace bankshot::planning::steps

@@ -25,8 +25,8 @@ Fall fall_of(const Route& route, const Launch& launch, const Mark& mark, const S
 
 }  // namespace
 
-ChainPath::ChainPath(const Question& q, Ledger& ledger, const Objects::Chain& chain)
-    : q_(q), ledger_(ledger), chain_(chain) {
+ChainPath::ChainPath(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain)
+    : q_(q), budget_(budget), chain_(chain) {
   for (const Objects::Object* ball : chain.balls) alone_.emplace_back(q.puzzle.table, ball->at_rest.body);
 }
 
@@ -47,18 +47,18 @@ bool ChainPath::is_on(int n, const std::vector<Contact>& met) const {
 
 Followed ChainPath::follow(int n, const Route& before, const Place& place, const Launch& launch) {
   Followed out;
-  ledger_.charge(before.size(), before.empty() ? 1 : 2);
+  budget_.charge(before.size(), before.empty() ? 1 : 2);
   with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) {
     const auto path = follow_locked(q_.balls(), motion, cushion, before, start_of(q_, launch));
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return;
-    onward(motion, cushion, n, path.state, before, place, launch, out);
+    object_ball_path(motion, cushion, n, path.state, before, place, launch, out);
   });
   return out;
 }
 
 template <class Motion, class Cushion>
-void ChainPath::onward(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
-                       const Route& before, const Place& place, const Launch& launch, Followed& out) const {
+void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
+                                 const Route& before, const Place& place, const Launch& launch, Followed& out) const {
   Simulator sim(alone(n), motion, cushion, sent);
   std::vector<Contact> met;
   if (n > 0 && q_.carom()) met = contacts_of(before);
@@ -95,8 +95,8 @@ void ChainPath::onward(const Motion& motion, const Cushion& cushion, int n, cons
 }
 
 std::optional<Pass> ChainPath::locked_pass(const Route& route, int n, const Place& place, const Launch& launch) {
-  if (ledger_.spent()) return {};
-  ledger_.charge(route.size());
+  if (budget_.spent()) return {};
+  budget_.charge(route.size());
   return with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Pass> {
     const auto path = follow_locked(q_.balls(), motion, cushion, route, start_of(q_, launch));
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return {};

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/question.hpp"
 
 namespace bankshot::planning::steps {
@@ -49,7 +49,7 @@ struct Followed {
 class ChainPath {
  public:
   /// All must outlive it.
-  ChainPath(const Question& q, Ledger& ledger, const Objects::Chain& chain);
+  ChainPath(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain);
 
   int last() const { return static_cast<int>(chain_.balls.size()); }
   const CushionRule& rule(int n) const;
@@ -72,11 +72,11 @@ class ChainPath {
   int least(int n) const { return q_.carom() && n == 0 ? 0 : rule(n).min; }
   bool is_on(int n, const std::vector<Contact>& met) const;
   template <class Motion, class Cushion>
-  void onward(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent, const Route& before,
-              const Place& place, const Launch& launch, Followed& out) const;
+  void object_ball_path(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
+                        const Route& before, const Place& place, const Launch& launch, Followed& out) const;
 
   const Question& q_;
-  Ledger& ledger_;
+  EvaluationBudget& budget_;
   const Objects::Chain& chain_;
   std::vector<Boundary> alone_{};  ///< the table as each ball sees it by itself
 };

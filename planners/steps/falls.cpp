@@ -25,10 +25,10 @@ void Falls::bring_to_speed(const std::set<Route>& made) {
     if (!q_.one_unknown()) std::ranges::sort(falls, {}, off);
     std::size_t tried = 0;
     for (const Fall& fall : falls) {
-      if (sweeps_over(q_, ledger_, found_)) return;
+      if (sweeps_over(q_, budget_, found_)) return;
       if (tried == most_falls) break;
       const Launch at{fall.launch.speed, wrap_angle(fall.launch.angle)};
-      if (!replay(brought, ledger_, at, Goal::of(brought, Demand::made)).made) continue;
+      if (!replay(brought, budget_, at, Goal::of(brought, Demand::made)).made) continue;
       ++tried;
       if (beside(fall) || by_replays(brought, fall)) break;
     }
@@ -50,14 +50,14 @@ bool Falls::beside(const Fall& fall) {
   if (!fall.mark->captures()) return false;
   Mark mark = *fall.mark;
   mark.cuts = Cuts{fall.right, fall.right, fall.right};
-  const auto there = newton({q_, fall.route, mark}, ledger_, fall.launch, settings::wide);
-  return there && certify(q_, ledger_, found_, there.launch, bounces_of(fall.route), step_, Demand::off_centre);
+  const auto there = newton({q_, fall.route, mark}, budget_, fall.launch, settings::wide);
+  return there && certify(q_, budget_, found_, there.launch, bounces_of(fall.route), step_, Demand::off_centre);
 }
 
 /// Where no locked path leads, along a rail for one: as the last ball is touched.
 bool Falls::by_replays(const Question& brought, const Fall& fall) {
-  const auto made = made_as_asked(brought, ledger_, fall.launch, turn_of(fall));
-  return made && certify(q_, ledger_, found_, made->launch, made->replay.bounces, step_, Demand::off_centre);
+  const auto made = made_as_asked(brought, budget_, fall.launch, turn_of(fall));
+  return made && certify(q_, budget_, found_, made->launch, made->replay.bounces, step_, Demand::off_centre);
 }
 
 /// Rad per ln speed that keep the cut of the last ball.

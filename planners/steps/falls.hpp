@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planners/findings.hpp"
+#include "planners/search_result.hpp"
 #include "planners/steps/chain_path.hpp"
 
 namespace bankshot::planning::steps {
@@ -17,8 +17,8 @@ namespace bankshot::planning::steps {
 class Falls {
  public:
   /// All must outlive it.
-  Falls(const Question& q, Ledger& ledger, Findings& found, ChainPath& path, std::string_view step)
-      : q_(q), ledger_(ledger), found_(found), path_(path), step_(step) {}
+  Falls(const Question& q, EvaluationBudget& budget, SearchResult& found, ChainPath& path, std::string_view step)
+      : q_(q), budget_(budget), found_(found), path_(path), step_(step) {}
 
   void remember(const Fall& fall) { falls_[fall.route].push_back(fall); }
   /// Those first that arrived nearly as asked; none by these routes. What was remembered is forgotten.
@@ -31,8 +31,8 @@ class Falls {
   double turn_of(const Fall& fall);
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   ChainPath& path_;
   std::string_view step_;
   std::map<Route, std::vector<Fall>> falls_{};

@@ -51,7 +51,8 @@ void ForwardMap::run() {
     before = std::move(after);
   }
   if (roots_.rest_wanted()) roots_.seek_rest();
-  if (found_.shots.empty() && !q_.starts()) found_.leads.insert(found_.leads.end(), leads_.begin(), leads_.end());
+  if (found_.shots.empty() && !q_.starts())
+    found_.candidates.insert(found_.candidates.end(), candidates_.begin(), candidates_.end());
 }
 
 /// Only the speeds around those that arrive as asked matter. They change little from one aim to the next, so begin near
@@ -76,7 +77,7 @@ ForwardMap::Column ForwardMap::column(double angle, const std::vector<double>& r
 }
 
 ForwardMap::Node ForwardMap::node(double angle, double speed) {
-  forward(q_, ledger_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
+  forward(q_, budget_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
   for (const Passage& p : forward_.passages) {
     keep_lead(angle, speed, p);
     roots_.visit({q_, std::span<const Meeting>(forward_.route).first(p.meetings), q_.marks[p.mark]}, {speed, angle},
@@ -126,16 +127,16 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
   const double wide = mark.reach / q_.boundary.diagonal + std::abs(by_aim) * cell_.aim;
   if (!(std::abs(lateral) < wide && std::abs(step) < settings::roots::seed_reach * cell_.speed)) return;
   const std::span<const Meeting> route(forward_.route.data(), p.meetings);
-  for (const Lead& known : leads_)
+  for (const Candidate& known : candidates_)
     if (known.mark == mark && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
         std::ranges::equal(known.route, route))
       return;
-  leads_.push_back(
+  candidates_.push_back(
       {{speed * std::exp(step), wrap_angle(angle)}, {route.begin(), route.end()}, mark, q_.spin, cell_.aim});
 }
 
 void ForwardMap::between(const Node& a, const Node& b) {
-  if (a.route == b.route || hopeless(a, b) || ledger_.spent()) return;
+  if (a.route == b.route || hopeless(a, b) || budget_.spent()) return;
   if (q_.route && cell_.locked) return;
   if (b.angle - a.angle < (q_.route ? narrowest_given : cell_.narrowest)) return;
   const Node other = node(change(a, b), a.speed);

@@ -28,8 +28,9 @@ std::vector<double> speeds_to_try(const Question& q, double cell);
 
 class ForwardMap {
  public:
-  ForwardMap(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing, std::string_view step)
-      : q_(q), ledger_(ledger), found_(found), cell_(spacing), roots_(q, ledger, found, spacing, step) {}
+  ForwardMap(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing,
+             std::string_view step)
+      : q_(q), budget_(budget), found_(found), cell_(spacing), roots_(q, budget, found, spacing, step) {}
 
   /// All aims that the puzzle allows, at all speeds that matter.
   void run();
@@ -62,12 +63,12 @@ class ForwardMap {
   double change(const Node& a, const Node& b) const;
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   Spacing cell_;
   Roots roots_;
   Forward forward_{};  ///< of the node followed last
-  std::vector<Lead> leads_{};
+  std::vector<Candidate> candidates_{};
 };
 
 }  // namespace bankshot::planning::steps

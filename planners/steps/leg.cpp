@@ -17,9 +17,12 @@ namespace {
 using namespace settings::chains;
 
 /// By what stands where it does at any speed.
-bool is_blocked(Foul foul) { return foul == Foul::hit_ball || foul == Foul::pocketed || foul == Foul::wrong_cushion; }
+bool is_blocked(FailureReason reason) {
+  return reason == FailureReason::hit_ball || reason == FailureReason::pocketed ||
+         reason == FailureReason::wrong_cushion;
+}
 
-Leg leg_of(const Part& own, Lead alone, bool clear) {
+Leg leg_of(const Part& own, Candidate alone, bool clear) {
   Leg leg{std::move(alone), {}, {}, clear};
   leg.route = own.whole(leg.alone.route), leg.mark = leg.alone.mark;
   leg.mark.ball = own.whole(leg.mark.ball);
@@ -39,21 +42,23 @@ bool hit_straight(const Question& q, const Objects::Chain& chain) {
   return chain.balls.size() == 1 && q.cushions().max == 0 && q.spin.masse == 0;
 }
 
-std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts,
-                      std::vector<Lead> known, bool judged) {
+std::vector<Leg> legs(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
+                      std::vector<Candidate> known, bool judged) {
   const Part own = last_alone(q, chain);
   Question all(own.puzzle, Wanted::starts);
   if (hit_straight(q, chain)) all.angle = aims_of_a_hit(q, *chain.balls.front());
   std::vector<Leg> out;
   const auto look = [&](const Question& one) {
-    Findings found{.leads = known};
-    starts(one, ledger, found);
-    for (Lead& lead : std::span(found.leads).subspan(known.size())) {
-      if (ledger.spent()) return;
-      const std::vector<Contact> cushions = contacts_of(lead.route);
-      const bool clear = !judged || !is_blocked(replay(one, ledger, lead.launch, Goal::along(cushions)).failure.foul);
-      const auto linear = judged ? linearise({one, lead.route, lead.mark}, ledger, lead.launch, true) : std::nullopt;
-      out.push_back(leg_of(own, std::move(lead), clear));
+    SearchResult found{.candidates = known};
+    starts(one, budget, found);
+    for (Candidate& candidate : std::span(found.candidates).subspan(known.size())) {
+      if (budget.spent()) return;
+      const std::vector<Contact> cushions = contacts_of(candidate.route);
+      const bool clear =
+          !judged || !is_blocked(replay(one, budget, candidate.launch, Goal::along(cushions)).failure.reason);
+      const auto linear =
+          judged ? linearise({one, candidate.route, candidate.mark}, budget, candidate.launch, true) : std::nullopt;
+      out.push_back(leg_of(own, std::move(candidate), clear));
       if (linear) out.back().spread = std::abs(linear->by_aim(0)) * one.boundary.diagonal;
     }
   };

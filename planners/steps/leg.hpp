@@ -10,8 +10,8 @@
 namespace bankshot::planning::steps {
 
 struct Leg {
-  Lead alone;   ///< as found: the ball, which stands still, is the struck one
-  Route route;  ///< the same, and its mark, among all balls
+  Candidate alone;  ///< as found: the ball, which stands still, is the struck one
+  Route route;      ///< the same, and its mark, among all balls
   Mark mark;
   bool clear = true;  ///< so launched it arrives: nothing is in the way; or that was not asked
   double spread = 0;  ///< m that it passes beside its mark for a radian of its direction; 0: not known
@@ -21,8 +21,8 @@ struct Leg {
 
 /// By the roots that a step finds, but for those that are known. Where the launch speed of the struck ball is all that
 /// is given, that of the other is guessed. `judged`: which are clear, for a replay each.
-std::vector<Leg> legs(const Question& q, Ledger& ledger, const Objects::Chain& chain, Step starts,
-                      std::vector<Lead> known = {}, bool judged = true);
+std::vector<Leg> legs(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
+                      std::vector<Candidate> known = {}, bool judged = true);
 
 /// The only way to it is straight.
 bool hit_straight(const Question& q, const Objects::Chain& chain);

@@ -26,13 +26,13 @@ bool as_fast(const Question& q, double arrived) {
 
 }  // namespace
 
-std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch at, double turn) {
+std::optional<AsAsked> made_as_asked(const Question& q, EvaluationBudget& budget, Launch at, double turn) {
   const Goal goal = Goal::of(q, Demand::made);
-  const auto follow = [&] { return replay(q, ledger, {at.speed, wrap_angle(at.angle)}, goal); };
+  const auto follow = [&] { return replay(q, budget, {at.speed, wrap_angle(at.angle)}, goal); };
   Replay r = follow();
   double slope = square(r.arrival.speed / at.speed);
   for (int n = 0; n < settings::chains::most_secants && r.made && !as_fast(q, r.arrival.speed) && slope > 0; ++n) {
-    if (ledger.spent()) return {};
+    if (budget.spent()) return {};
     const double before = square(at.speed), arrived = square(r.arrival.speed);
     const double off = square(wanted(q, r.arrival.speed)) - arrived;
     const double faster = std::sqrt(1 + std::clamp(off / (slope * before), -0.5, 1.0));
@@ -42,7 +42,7 @@ std::optional<AsAsked> made_as_asked(const Question& q, Ledger& ledger, Launch a
     const double grown = (square(r.arrival.speed) - arrived) / (square(at.speed) - before);
     if (grown > 0) slope = grown;
   }
-  if (!r.made || !as_fast(q, r.arrival.speed) || ledger.spent()) return {};
+  if (!r.made || !as_fast(q, r.arrival.speed) || budget.spent()) return {};
   return AsAsked{{at.speed, wrap_angle(at.angle)}, r};
 }
 

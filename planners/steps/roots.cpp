@@ -31,7 +31,7 @@ void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear
     if (size < near) remember(aim, at, there.determinant(q_.one_unknown()));
     return true;
   };
-  if (const auto root = newton(aim, ledger_, predicted, cell_, give_up)) add(aim, root.launch);
+  if (const auto root = newton(aim, budget_, predicted, cell_, give_up)) add(aim, root.launch);
 }
 
 /// Two roots of a route nearly always lie on the two sides of a fold: a node leads to the one on its own side.
@@ -40,7 +40,7 @@ bool Roots::on_side_of_known(const LockedAim& aim, const Linear& node) {
   for (Root& root : roots_) {
     if (!belongs(root, aim)) continue;
     if (!root.determinant) {
-      const auto there = linearise(aim, ledger_, root.launch, true);
+      const auto there = linearise(aim, budget_, root.launch, true);
       root.determinant = there ? there->determinant(one_unknown) : 0;
     }
     if (*root.determinant * node.determinant(one_unknown) > 0) return true;
@@ -85,7 +85,7 @@ void Roots::seek_rest() {
     if (std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); })) continue;
     for (const Nearest& n : seen.nearest) {
       if (done() || !(n.miss < none)) break;
-      auto root = newton(aim, ledger_, n.launch, settings::wide);
+      auto root = newton(aim, budget_, n.launch, settings::wide);
       if (!root && q_.stop && beside_last(aim)) root = after_last(aim, n.launch);
       if (!root) continue;
       add(aim, root.launch);
@@ -108,11 +108,11 @@ NewtonResult Roots::after_last(const LockedAim& aim, const Launch& from) {
   bisect(
       high, low, [&](double, double) { return left-- > 0; },
       [&](double speed) {
-        return linearise(aim, ledger_, {speed, from.angle}).has_value();
+        return linearise(aim, budget_, {speed, from.angle}).has_value();
       },
       geometric_mean);
   for (const double by : faster)
-    if (const auto root = newton(aim, ledger_, {high * (1 + by), from.angle}, {cell_.step_aim, step_after_last}))
+    if (const auto root = newton(aim, budget_, {high * (1 + by), from.angle}, {cell_.step_aim, step_after_last}))
       return root;
   return {};
 }
@@ -121,7 +121,7 @@ void Roots::add(const LockedAim& aim, const Launch& root) {
   if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >= most_of_a_route)
     return;
   remember(aim, root);
-  const bool shot = certify_root(aim, ledger_, found_, root, step_);
+  const bool shot = certify_root(aim, budget_, found_, root, step_);
   const bool blocked = !shot && !aim.mark.captures() && q_.speed.contains(root.speed);
   if (!q_.all() && !(blocked && every_root_)) return;
   across_fold(aim, root);
@@ -137,8 +137,8 @@ void Roots::add(const LockedAim& aim, const Launch& root) {
 }
 
 std::optional<Roots::Side> Roots::side_at(const LockedAim& aim, double angle, double guess) {
-  const auto speed = speed_near(aim, ledger_, angle, guess);
-  const auto l = speed ? linearise(aim, ledger_, {*speed, angle}) : std::nullopt;
+  const auto speed = speed_near(aim, budget_, angle, guess);
+  const auto l = speed ? linearise(aim, budget_, {*speed, angle}) : std::nullopt;
   if (!l) return {};
   return Side{angle, *speed, q_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0]};
 }
@@ -149,7 +149,7 @@ std::optional<Roots::Side> Roots::side_at(const LockedAim& aim, double angle, do
 void Roots::beside_rail(const LockedAim& aim, const Launch& root) {
   for (const double way : {1.0, -1.0}) {
     std::optional<Side> last = side_at(aim, root.angle, root.speed);
-    for (double cells = nearest_beside; cells < farthest_beside && !ledger_.spent(); cells *= beside_grows) {
+    for (double cells = nearest_beside; cells < farthest_beside && !budget_.spent(); cells *= beside_grows) {
       const auto now = side_at(aim, root.angle + way * cells * cell_.step_aim, last ? last->speed : root.speed);
       if (now && last && (now->side > 0) != (last->side > 0)) {
         double low = last->angle, high = now->angle, speed = last->speed;
@@ -161,7 +161,7 @@ void Roots::beside_rail(const LockedAim& aim, const Launch& root) {
               if (middle) speed = middle->speed;
               return middle && (middle->side > 0) == (last->side > 0);
             });
-        const auto other = newton(aim, ledger_, {speed, low}, {std::abs(now->angle - last->angle), cell_.step_speed});
+        const auto other = newton(aim, budget_, {speed, low}, {std::abs(now->angle - last->angle), cell_.step_speed});
         if (other && !known(aim, other.launch, 0)) add(aim, other.launch);
       }
       last = now;
@@ -173,7 +173,7 @@ void Roots::beside_rail(const LockedAim& aim, const Launch& root) {
 /// too far apart to see both. So Newton's method also starts around a root wherever that sign is another, or where its
 /// first step does not lead back there.
 void Roots::across_fold(const LockedAim& aim, const Launch& root) {
-  const auto at_root = linearise(aim, ledger_, root, true);
+  const auto at_root = linearise(aim, budget_, root, true);
   if (!at_root) return;
   for (const double cells : rings)
     for (int i = 0; i < ways; ++i) from_beside(aim, root, *at_root, direction(radians(360) * i / ways) * cells, cells);
@@ -183,13 +183,13 @@ void Roots::from_beside(const LockedAim& aim, const Launch& root, const Linear& 
                         double cells) {
   const bool one_unknown = q_.one_unknown();
   const Launch from{root.speed * std::exp(turn.y * cell_.step_speed), root.angle + turn.x * cell_.step_aim};
-  const auto at = linearise(aim, ledger_, from, true);
+  const auto at = linearise(aim, budget_, from, true);
   const auto step = at ? newton_step(*at, one_unknown) : std::nullopt;
   if (!step) return;
   const double missed =
       std::hypot((*step)[0] / cell_.step_aim + turn.x, one_unknown ? 0 : (*step)[1] / cell_.step_speed + turn.y);
   if (at->determinant(one_unknown) * at_root.determinant(one_unknown) > 0 && missed < astray * cells) return;
-  const auto other = newton(aim, ledger_, from, cell_);
+  const auto other = newton(aim, budget_, from, cell_);
   if (other && !known(aim, other.launch, 0)) add(aim, other.launch);
 }
 

@@ -14,17 +14,17 @@
 #include <string_view>
 #include <vector>
 
-#include "planners/findings.hpp"
 #include "planners/locked/newton.hpp"
+#include "planners/search_result.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::steps {
 
 class Roots {
  public:
-  Roots(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing, std::string_view step)
+  Roots(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing, std::string_view step)
       : q_(q),
-        ledger_(ledger),
+        budget_(budget),
         found_(found),
         cell_{spacing.aim, spacing.speed},
         every_root_(spacing.every_root),
@@ -43,7 +43,7 @@ class Roots {
   bool rest_wanted() const { return q_.all() || found_.shots.empty(); }
 
   /// Nothing more is looked for.
-  bool done() const { return stop::over(q_, ledger_, found_) || stop::route_settled(q_, found_); }
+  bool done() const { return stop::over(q_, budget_, found_) || stop::route_settled(q_, found_); }
 
  private:
   /// Of one route and mark.
@@ -92,8 +92,8 @@ class Roots {
   NewtonResult after_last(const LockedAim& aim, const Launch& from);
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
   Neighbourhood cell_;  ///< how far apart nodes are
   bool every_root_;
   std::string_view step_;

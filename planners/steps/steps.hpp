@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // What `auto` tries, in order, each where those before it found nothing (docs/architecture.md lists the steps).
-// A step reads the question, charges the ledger, and adds to the findings; its number is in the name of its file.
+// A step reads the question, charges the budget, and adds to the search result; its number is in the name of its file.
 #pragma once
 
 #include <map>
 #include <string_view>
 #include <vector>
 
-#include "planners/findings.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/question.hpp"
+#include "planners/search_result.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::steps {
@@ -22,20 +22,22 @@ inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan
                                   global = "global", looser = "looser";
 }  // namespace word
 
-using Step = void (*)(const Question&, Ledger&, Findings&);
+using Step = void (*)(const Question&, EvaluationBudget&, SearchResult&);
 
-void images(const Question& q, Ledger& ledger, Findings& found);  ///< stretched images, refined on the locked path
-void fan(const Question& q, Ledger& ledger, Findings& found);     ///< a given route, outward from its image
+void images(const Question& q, EvaluationBudget& budget,
+            SearchResult& found);  ///< stretched images, refined on the locked path
+void fan(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< a given route, outward from its image
 /// All aims and speeds, in cells of this size.
-void map(const Question& q, Ledger& ledger, Findings& found, const Spacing& spacing);
-void along(const Question& q, Ledger& ledger, Findings& found);    ///< exactly along a cushion that the ball touches
-void rattles(const Question& q, Ledger& ledger, Findings& found);  ///< by the jaws of a pocket
-void chains(const Question& q, Ledger& ledger, Findings& found);   ///< another ball is sent on
+void map(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing);
+void along(const Question& q, EvaluationBudget& budget,
+           SearchResult& found);  ///< exactly along a cushion that the ball touches
+void rattles(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< by the jaws of a pocket
+void chains(const Question& q, EvaluationBudget& budget, SearchResult& found);   ///< another ball is sent on
 /// The same for one arrival speed after the other: of each chain the ways of its last ball, by itself, that need no
 /// other look.
-using KnownLegs = std::map<const Objects::Chain*, std::vector<Lead>>;
-void chains_again(const Question& q, Ledger& ledger, Findings& found, KnownLegs& known);
-void caroms(const Question& q, Ledger& ledger, Findings& found);  ///< off one ball onto another
+using KnownLegs = std::map<const Objects::Chain*, std::vector<Candidate>>;
+void chains_again(const Question& q, EvaluationBudget& budget, SearchResult& found, KnownLegs& known);
+void caroms(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< off one ball onto another
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
 Spacing usual_spacing(const Question& q);
@@ -46,22 +48,22 @@ bool alike(const Launch& a, const Launch& b);
 /// Parts of a target whose middle is blocked. Leads wait here with the room that was found beside each.
 class Parts {
  public:
-  /// Climbs to where a lead has most room: the new leads of the findings, until one of them is a shot.
-  void climb(const Question& q, Ledger& ledger, Findings& found);
+  /// Climbs to where a lead has most room: the new leads of the search result, until one of them is a shot.
+  void climb(const Question& q, EvaluationBudget& budget, SearchResult& found);
   /// Bisects around the hopeful leads, those with most room first, until this share of what is left of the budget is
   /// used.
-  void bisect(const Question& q, Ledger& ledger, Findings& found, double share);
+  void bisect(const Question& q, EvaluationBudget& budget, SearchResult& found, double share);
 
  private:
-  bool was_tried(const Lead& lead) const;
+  bool was_tried(const Candidate& candidate) const;
 
-  std::vector<Lead> tried_;
+  std::vector<Candidate> tried_;
 };
 
 /// Where chains and caroms found nothing: what costs ten times as much. Leads are climbed as they are found.
-void chains_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts);
-void caroms_closely(const Question& q, Ledger& ledger, Findings& found, Parts& parts);
+void chains_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts);
+void caroms_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts);
 /// And last of all: launch speeds between those at which they were followed.
-void speeds_between(const Question& q, Ledger& ledger, Findings& found);
+void speeds_between(const Question& q, EvaluationBudget& budget, SearchResult& found);
 
 }  // namespace bankshot::planning::steps

@@ -10,10 +10,10 @@
 namespace bankshot::planning::steps {
 
 /// Each route of the struck ball with each of these legs, and those of images.
-void sweeps(const Question& q, Ledger& ledger, Findings& found, const Objects::Chain& chain,
+void sweeps(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain,
             const std::vector<Leg>& known, Parts& parts);
 
 /// Nothing more may be tried, or need be.
-bool sweeps_over(const Question& q, Ledger& ledger, const Findings& found);
+bool sweeps_over(const Question& q, EvaluationBudget& budget, const SearchResult& found);
 
 }  // namespace bankshot::planning::steps

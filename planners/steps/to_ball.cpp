@@ -16,23 +16,23 @@ using namespace settings::chains;
 
 /// Straight there all aims that touch it; else as far beside its middle as first order says that it goes. `reach`: m,
 /// between their centres when they touch.
-std::optional<Range> aims_across(const Question& q, Ledger& ledger, const Question& own, double reach,
-                                 const Lead& lead) {
+std::optional<Range> aims_across(const Question& q, EvaluationBudget& budget, const Question& own, double reach,
+                                 const Candidate& candidate) {
   const Vec2d& place = own.marks.front().at;
-  if (lead.route.empty() && q.spin.masse == 0) {
+  if (candidate.route.empty() && q.spin.masse == 0) {
     const Vec2d way = place - q.puzzle.ball.at;
     const double half = std::asin(std::min(1.0, reach / norm(way))), to = std::atan2(way.y, way.x);
     return Range{to - half, to + half};
   }
-  const LockedAim aim{own, lead.route, own.marks.front()};
-  const auto root = newton(aim, ledger, {*own.pinned, lead.launch.angle}, settings::wide);
-  const auto l = root ? linearise(aim, ledger, root.launch) : std::nullopt;
+  const LockedAim aim{own, candidate.route, own.marks.front()};
+  const auto root = newton(aim, budget, {*own.pinned, candidate.launch.angle}, settings::wide);
+  const auto l = root ? linearise(aim, budget, root.launch) : std::nullopt;
   if (!l || l->by_aim(0) == 0) return {};
   const double first = sweep_beyond * reach / std::abs(l->by_aim(0) * q.boundary.diagonal);
   const auto side = [&](double way) {
     double turn = std::min(widest_aims, first);
-    while (turn < widest_aims && !ledger.spent()) {
-      const auto there = linearise(aim, ledger, {root.launch.speed, root.launch.angle + way * turn});
+    while (turn < widest_aims && !budget.spent()) {
+      const auto there = linearise(aim, budget, {root.launch.speed, root.launch.angle + way * turn});
       if (!there || std::abs(there->r[0]) * q.boundary.diagonal > reach) break;
       turn = std::min(widest_aims, turn * sweep_beyond);
     }
@@ -48,18 +48,18 @@ struct ToBall {
   Step step;
 };
 
-void add_approaches(const Question& q, Ledger& ledger, const Objects::Object& object, const ToBall& to, double speed,
-                    std::vector<Approach>& out) {
+void add_approaches(const Question& q, EvaluationBudget& budget, const Objects::Object& object, const ToBall& to,
+                    double speed, std::vector<Approach>& out) {
   ToPlace to_ball(q, to.part, speed);
   const Question& own = to_ball.at(object.at_rest.at);
   const double reach = touching_distance(to.by, object.at_rest.body);
-  Findings starts;
-  to.step(own, ledger, starts);
-  for (const Lead& lead : starts.leads) {
-    if (ledger.spent()) return;
-    const Route route = to.part.whole(lead.route);
+  SearchResult starts;
+  to.step(own, budget, starts);
+  for (const Candidate& candidate : starts.candidates) {
+    if (budget.spent()) return;
+    const Route route = to.part.whole(candidate.route);
     if (std::ranges::find(out, route, &Approach::route) != out.end()) continue;
-    if (const auto across = aims_across(q, ledger, own, reach, lead)) out.push_back({route, *across});
+    if (const auto across = aims_across(q, budget, own, reach, candidate)) out.push_back({route, *across});
   }
 }
 
@@ -72,20 +72,20 @@ double middle_speed(const Question& q) {
 
 double slowest_tried(const Question& q) { return std::max(q.speed.low, q.speed.high * settings::slowest_of_fastest); }
 
-std::vector<Approach> approaches(const Question& q, Ledger& ledger, const Objects::Object& object,
+std::vector<Approach> approaches(const Question& q, EvaluationBudget& budget, const Objects::Object& object,
                                  const CushionRule& cushions, Step step) {
   std::vector<Approach> out;
-  add_approaches(q, ledger, object, {by_itself(q, cushions), q.puzzle.ball.body, step}, middle_speed(q), out);
+  add_approaches(q, budget, object, {by_itself(q, cushions), q.puzzle.ball.body, step}, middle_speed(q), out);
   return out;
 }
 
-std::vector<Approach> approaches_to_last(const Question& q, Ledger& ledger, const Objects::Chain& chain) {
+std::vector<Approach> approaches_to_last(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain) {
   const Objects::Object& last = *chain.balls.back();
   const std::size_t n = chain.balls.size();
   const ToBall to{before_last(q, chain), n > 1 ? chain.balls[n - 2]->at_rest.body : q.puzzle.ball.body,
                   n > 1 ? chains : starts_by_map};
   std::vector<Approach> out;
-  for (const double faster : approach_speeds) add_approaches(q, ledger, last, to, faster * middle_speed(q), out);
+  for (const double faster : approach_speeds) add_approaches(q, budget, last, to, faster * middle_speed(q), out);
   return out;
 }
 
@@ -103,10 +103,10 @@ void each_launch(const Question& q, const Range& across, const Grid& grid,
     }
 }
 
-void starts_by_map(const Question& q, Ledger& ledger, Findings& found) {
-  images(q, ledger, found);
-  if (q.route) fan(q, ledger, found);
-  if (!is_straight(q.puzzle.physics)) map(q, ledger, found, usual_spacing(q));
+void starts_by_map(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  images(q, budget, found);
+  if (q.route) fan(q, budget, found);
+  if (!is_straight(q.puzzle.physics)) map(q, budget, found, usual_spacing(q));
 }
 
 }  // namespace bankshot::planning::steps

@@ -21,12 +21,12 @@ struct Approach {
 };
 
 /// All routes by these cushions that the roots of a step have.
-std::vector<Approach> approaches(const Question& q, Ledger& ledger, const Objects::Object& object,
+std::vector<Approach> approaches(const Question& q, EvaluationBudget& budget, const Objects::Object& object,
                                  const CushionRule& cushions, Step starts);
 
 /// The same to the last ball of a chain, by all those before it; also where the middle speed is too slow to get there,
 /// since a ball may be touched that is not reached.
-std::vector<Approach> approaches_to_last(const Question& q, Ledger& ledger, const Objects::Chain& chain);
+std::vector<Approach> approaches_to_last(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain);
 
 /// Evenly in the cut and in the logarithm of the speed.
 struct Grid {
@@ -40,6 +40,6 @@ void each_launch(const Question& q, const Range& across, const Grid& grid,
                  const std::function<bool(const Launch&, int)>& look);
 
 /// Roots of locked paths by images and, where these may miss some, by maps.
-void starts_by_map(const Question& q, Ledger& ledger, Findings& found);
+void starts_by_map(const Question& q, EvaluationBudget& budget, SearchResult& found);
 
 }  // namespace bankshot::planning::steps

@@ -15,20 +15,20 @@ namespace bankshot::planning::steps {
 
 using namespace settings::widest;
 
-Widest::Widest(const Question& q, Ledger& ledger, Findings& found, Lead& lead)
-    : q_(q), ledger_(ledger), found_(found), lead_(lead), aim_{q, lead.route, lead.mark} {
-  if (!(lead.half > 0)) lead.half = half_window();
+Widest::Widest(const Question& q, EvaluationBudget& budget, SearchResult& found, Candidate& candidate)
+    : q_(q), budget_(budget), found_(found), candidate_(candidate), aim_{q, candidate.route, candidate.mark} {
+  if (!(candidate.half > 0)) candidate.half = half_window();
 }
 
 /// rad: how far the aim may turn from a root until the ball passes all of the target, its speed
 /// adapted to arrive as asked.
 double Widest::half_window() const {
-  const auto l = linearise(aim_, ledger_, lead_.launch);
+  const auto l = linearise(aim_, budget_, candidate_.launch);
   if (!l) return 0;
   double lateral = l->by_aim(0);  // of the diagonal, per radian
   if (!q_.one_unknown())
     lateral = l->determinant(false) / (q_.stop ? std::hypot(l->by_speed(0), l->by_speed(1)) : l->by_speed(1));
-  const double half = lead_.mark.reach / (std::abs(lateral) * q_.boundary.diagonal);
+  const double half = candidate_.mark.reach / (std::abs(lateral) * q_.boundary.diagonal);
   return half < widest_half ? half : widest_half;
 }
 
@@ -44,18 +44,18 @@ Widest::Tried Widest::highest(const Row& row, std::size_t peak, const Attempt& a
 }
 
 bool Widest::find() {
-  if (!(lead_.half > 0)) return false;
+  if (!(candidate_.half > 0)) return false;
   const Row row = along_lead();
   for (const std::size_t i : peaks_of(row)) {
     const Tried best = highest(row, i, [&](double aim, double guess) { return attempt(aim, guess); });
-    lead_.room = std::max(lead_.room, best.value);
+    candidate_.room = std::max(candidate_.room, best.value);
     if (shot(best)) return true;
   }
   return false;
 }
 
 bool Widest::across_jumps() {
-  if (q_.one_unknown() || !lead_.mark.captures()) return false;
+  if (q_.one_unknown() || !candidate_.mark.captures()) return false;
   const Row row = along_lead();
   const auto peaks = peaks_of(row);
   return std::any_of(peaks.begin(), peaks.end(),
@@ -65,7 +65,7 @@ bool Widest::across_jumps() {
 /// From the lead outwards, so that each speed is near its neighbour's.
 Widest::Row Widest::along_lead() const {
   Row row;
-  row[middle] = attempt(lead_.launch.angle, lead_.launch.speed);
+  row[middle] = attempt(candidate_.launch.angle, candidate_.launch.speed);
   for (std::size_t i = middle + 1; i < aims_across; ++i) row[i] = attempt(aim_at(i), row[i - 1].speed);
   for (std::size_t i = middle; i-- > 0;) row[i] = attempt(aim_at(i), row[i + 1].speed);
   return row;
@@ -83,25 +83,25 @@ std::vector<std::size_t> Widest::peaks_of(const Row& row) {
 }
 
 Widest::Tried Widest::attempt(double aim, double guess) const {
-  const auto speed = ledger_.spent() ? std::nullopt : speed_near(aim_, ledger_, aim, guess);
+  const auto speed = budget_.spent() ? std::nullopt : speed_near(aim_, budget_, aim, guess);
   return speed ? at_speed(aim, *speed) : Tried{aim, guess};
 }
 
 Widest::Tried Widest::at_speed(double aim, double speed) const {
-  if (ledger_.spent()) return {aim, speed};
-  return {aim, speed, clearance(aim_, ledger_, {speed, aim}).value_or(blocked)};
+  if (budget_.spent()) return {aim, speed};
+  return {aim, speed, clearance(aim_, budget_, {speed, aim}).value_or(blocked)};
 }
 
 bool Widest::shot(const Tried& t) const {
   const double least = -10 * q_.boundary.touch;  // a path through a corner has no room at all
-  if (!(t.value > least) || ledger_.spent()) return false;
+  if (!(t.value > least) || budget_.spent()) return false;
   const Launch launch{t.speed, wrap_angle(t.x)};
   const int bounces = bounces_of(aim_.route);
   if (!aim_.mark.captures()) {  // from some part of a point it is not far to the point itself
-    const auto root = solve_locked(aim_, ledger_, launch);
-    if (root && certify(q_, ledger_, found_, *root, bounces, word::parts)) return true;
+    const auto root = solve_locked(aim_, budget_, launch);
+    if (root && certify(q_, budget_, found_, *root, bounces, word::parts)) return true;
   }
-  return certify(q_, ledger_, found_, launch, bounces, word::parts, Demand::off_centre);
+  return certify(q_, budget_, found_, launch, bounces, word::parts, Demand::off_centre);
 }
 
 bool Widest::across_jump(const Tried& low, const Tried& best, const Tried& high) const {
@@ -109,7 +109,7 @@ bool Widest::across_jump(const Tried& low, const Tried& best, const Tried& high)
   if (!(fast > jump * slow)) return false;
   const Range aims{low.x - (high.x - low.x) / 2, high.x + (high.x - low.x) / 2};
   std::optional<Roomy> last;
-  for (int i = 0; i <= rows && !ledger_.spent(); ++i) {
+  for (int i = 0; i <= rows && !budget_.spent(); ++i) {
     const double speed =
         slow / settings::widest::beyond *
         std::pow(fast / slow * settings::widest::beyond * settings::widest::beyond, static_cast<double>(i) / rows);
@@ -133,7 +133,7 @@ std::optional<Widest::Roomy> Widest::roomy(const Range& aims, double speed) cons
 }
 
 double Widest::excess(double aim, double speed) const {
-  const auto l = linearise(aim_, ledger_, {speed, aim});
+  const auto l = linearise(aim_, budget_, {speed, aim});
   return l ? l->r[1] : 0;
 }
 
@@ -141,7 +141,7 @@ double Widest::excess(double aim, double speed) const {
 double Widest::edge(const Tried& inside, double limit) const {
   double in = inside.x, out = limit;
   bisect(
-      in, out, [&](double a, double b) { return std::abs(b - a) > narrowest && !ledger_.spent(); },
+      in, out, [&](double a, double b) { return std::abs(b - a) > narrowest && !budget_.spent(); },
       [&](double aim) { return at_speed(aim, inside.speed).value > 0; });
   return in;
 }
@@ -153,7 +153,7 @@ bool Widest::along(const Roomy& r) const {
     if (like(end)) continue;
     double a = r.at.x, b = end;
     bisect(
-        a, b, [&](double, double) { return !ledger_.spent(); }, like);
+        a, b, [&](double, double) { return !budget_.spent(); }, like);
     if (shot({a, r.at.speed, 0})) return true;
   }
   return false;
@@ -164,7 +164,7 @@ bool Widest::between(const Range& aims, const Roomy& a, const Roomy& b) const {
   bool made = false, lost = false;
   const auto wide = [&](double, double) {
     const auto [slow, fast] = std::minmax(like_a, like_b);
-    return !made && !lost && fast / slow - 1 > narrowest && !ledger_.spent();
+    return !made && !lost && fast / slow - 1 > narrowest && !budget_.spent();
   };
   const auto holds = [&](double speed) {
     const auto now = roomy(aims, speed);

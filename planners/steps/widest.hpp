@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "planners/findings.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/locked/residual.hpp"
+#include "planners/search_result.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::steps {
@@ -20,7 +20,7 @@ namespace bankshot::planning::steps {
 class Widest {
  public:
   /// Sets the lead's `half` where it is 0.
-  Widest(const Question& q, Ledger& ledger, Findings& found, Lead& lead);
+  Widest(const Question& q, EvaluationBudget& budget, SearchResult& found, Candidate& candidate);
 
   /// The largest clearance, which the lead's `room` receives; true where that made a shot.
   bool find();
@@ -54,7 +54,9 @@ class Widest {
 
   double half_window() const;
   Row along_lead() const;
-  double aim_at(std::size_t i) const { return lead_.launch.angle + lead_.half * (static_cast<double>(i) / middle - 1); }
+  double aim_at(std::size_t i) const {
+    return candidate_.launch.angle + candidate_.half * (static_cast<double>(i) / middle - 1);
+  }
   Tried attempt(double aim, double guess) const;
   Tried at_speed(double aim, double speed) const;
   bool shot(const Tried& t) const;
@@ -66,9 +68,9 @@ class Widest {
   bool between(const Range& aims, const Roomy& a, const Roomy& b) const;
 
   const Question& q_;
-  Ledger& ledger_;
-  Findings& found_;
-  Lead& lead_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
+  Candidate& candidate_;
   LockedAim aim_;
 };
 

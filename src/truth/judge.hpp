@@ -23,10 +23,10 @@ struct Arrived {
   double passed = 0;  ///< m; distance from the point
   double offset = 0;  ///< m; offset of the line into a pocket or onto a ball, positive on the left
   Vec2d at{}, heading{};
-  Contact taken_by{};          ///< the pocket or ball that ends the path
-  bool rattles = false;        ///< a jaw was touched before the arrival
-  int ball = 0;                ///< the ball that arrived: the cue ball or an object ball
-  std::vector<Onward> then{};  ///< object balls, each with its cushions
+  Contact taken_by{};                  ///< the pocket or ball that ends the path
+  bool rattles = false;                ///< a jaw was touched before the arrival
+  int ball = 0;                        ///< the ball that arrived: the cue ball or an object ball
+  std::vector<ObjectBallPath> then{};  ///< object balls, each with its cushions
   struct Hit {
     int ball;
     Passing passing;  ///< of the hitting ball; `lateral` is relative to the hit ball's centre
@@ -40,7 +40,7 @@ struct Arrived {
 struct Goal {
   int min, max;
   const std::vector<Contact>* sequence;
-  const std::vector<Onward>* then = nullptr;  ///< required paths of the object balls; null: as in the puzzle
+  const std::vector<ObjectBallPath>* then = nullptr;  ///< required paths of the object balls; null: as in the puzzle
   double time;       ///< s; claimed time of arrival; of several passes the nearest to it counts
   double slack = 0;  ///< m; added to `within`
   /// If set, the path counts as for `success` and `margin` of this shot: only with its own ball and pocket, and a pot

@@ -75,18 +75,18 @@ Outcome by_mirror(const Puzzle& p) {
   using namespace planning;
   const auto begin = std::chrono::steady_clock::now();
   const Question q(p);
-  Ledger ledger(budget_of(p));
+  EvaluationBudget budget(budget_of(p));
   Unfolding images(q, {.parts = true, .restitution = 1, .keep_routes = true});
   double least = 1;
   while (const auto c = images.next()) {
     const Route route = images.route(*c);
     const LockedAim aim{q, route, q.marks[c->mark]};
-    auto speed = speed_at(aim, ledger, c->angle, c->distance);
-    if (speed) speed = speed_near(aim, ledger, c->angle, *speed);
-    if (speed) least = std::min(least, replay(q, ledger, {*speed, c->angle}, Goal::exactly(q, c->bounces)).miss);
+    auto speed = speed_at(aim, budget, c->angle, c->distance);
+    if (speed) speed = speed_near(aim, budget, c->angle, *speed);
+    if (speed) least = std::min(least, replay(q, budget, {*speed, c->angle}, Goal::exactly(q, c->bounces)).miss);
   }
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-  return {least <= 1e-9 * p.table.diagonal(), least <= p.ball.body.radius, static_cast<double>(ledger.simulations()),
+  return {least <= 1e-9 * p.table.diagonal(), least <= p.ball.body.radius, static_cast<double>(budget.simulations()),
           took.count()};
 }
 

@@ -28,9 +28,9 @@ Puzzle three_or_more(test::Random& random, int cushions) {
 
 std::vector<Shot> mapped(const Puzzle& p, const planning::Spacing& spacing) {
   const planning::Question q(p, planning::Wanted::all);
-  planning::Ledger ledger(budget_of(p));
-  planning::Findings found;
-  planning::steps::map(q, ledger, found, spacing);
+  planning::EvaluationBudget budget(budget_of(p));
+  planning::SearchResult found;
+  planning::steps::map(q, budget, found, spacing);
   return found.shots;
 }
 

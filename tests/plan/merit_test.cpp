@@ -26,9 +26,9 @@ std::vector<Shot> all_shots(const Puzzle& p) {
 
 /// Returns true when the changed launch makes the shot by the same cushions.
 bool made(const planning::Question& q, const Shot& shot, double turned, double pushed) {
-  planning::Ledger ledger(plenty);
+  planning::EvaluationBudget budget(plenty);
   const Launch l{shot.launch.speed + pushed, wrap_angle(shot.launch.angle + turned)};
-  return l.speed > 0 && planning::replay(q, ledger, l, planning::Goal::along(shot.cushions)).made;
+  return l.speed > 0 && planning::replay(q, budget, l, planning::Goal::along(shot.cushions)).made;
 }
 
 /// Counts the launches inside an end of the margin that are not made, plus one if the launch just beyond the end is
@@ -62,8 +62,8 @@ TEST_CASE("a first-order chance is near success where a ball must rest") {
     const planning::Question q(p);
     if (!q.stop) continue;
     for (Shot& shot : all_shots(p)) {
-      planning::Ledger ledger(plenty);
-      planning::find_success(q, ledger, shot);
+      planning::EvaluationBudget budget(plenty);
+      planning::find_success(q, budget, shot);
       far += std::abs(*shot.success - shot.chance) > 0.01;
       ++compared;
     }
@@ -96,10 +96,10 @@ TEST_CASE("the winner is the one with the largest value, and few are computed") 
     for (int i = 0; i < 120; ++i) {
       const Puzzle p = test::random_puzzle(random, test::Family::uniform, model).puzzle;
       const planning::Question q(p);
-      planning::Findings found{.shots = all_shots(p)};
+      planning::SearchResult found{.shots = all_shots(p)};
       std::vector<Shot> each = found.shots;
       if (each.size() < 2) continue;
-      planning::Ledger some(plenty), all(plenty);
+      planning::EvaluationBudget some(plenty), all(plenty);
       planning::best_first(q, some, found.shots);
       planning::add_robustness(q, some, found);
       double best = -1;
@@ -128,8 +128,8 @@ TEST_CASE("a margin jumps no launch that is not made") {
         const Puzzle p = test::random_puzzle(random, family, model).puzzle;
         const planning::Question q(p);
         for (Shot& shot : all_shots(p)) {
-          planning::Ledger ledger(plenty);
-          planning::find_margin(q, ledger, shot);
+          planning::EvaluationBudget budget(plenty);
+          planning::find_margin(q, budget, shot);
           INFO("puzzle " << i << " of seed 44, model " << static_cast<int>(model) << ", " << name(family));
           CHECK(wrong_places(q, shot) == 0);
           ends += 4;
@@ -152,16 +152,17 @@ TEST_CASE("a nearest miss is no farther than a scan of 1,000 launches, and has a
     INFO("puzzle " << i << " of seed 45");
     REQUIRE(a.nearest);
     ++misses;
-    planning::Ledger ledger(plenty);
+    planning::EvaluationBudget budget(plenty);
     const planning::Goal goal = planning::Goal::of(q);
     double least = 1e300;
     for (int k = 0; k < 1000; ++k) {
       const double speed =
           q.one_unknown() || p.speed.fixed() ? q.fixed_speed() : random.uniform(p.speed.low, p.speed.high);
       const Launch l{speed, wrap_angle(random.uniform(p.angle->low, p.angle->high))};
-      const planning::Replay r = planning::replay(q, ledger, l, goal);
-      const planning::Foul foul = r.failure.foul;
-      const bool asked = r.made || foul == planning::Foul::missed || foul == planning::Foul::fell_short;
+      const planning::Replay r = planning::replay(q, budget, l, goal);
+      const planning::FailureReason reason = r.failure.reason;
+      const bool asked =
+          r.made || reason == planning::FailureReason::missed || reason == planning::FailureReason::fell_short;
       if (asked && r.bounces >= goal.min) least = std::min(least, r.miss);
     }
     if (least < 1e300) {

@@ -23,10 +23,10 @@ Puzzle straight() {
   return p;
 }
 
-Proof tried(const Puzzle& p, const Launch& launch, Demand demand = Demand::exact, long budget = 100) {
+Proof tried(const Puzzle& p, const Launch& launch, Demand demand = Demand::exact, long most = 100) {
   const Question q(p);
-  Ledger ledger(budget);
-  return prove(q, ledger, launch, Goal::of(q, demand));
+  EvaluationBudget budget(most);
+  return prove(q, budget, launch, Goal::of(q, demand));
 }
 
 /// Returns the launch speed that passes the point, 1 m ahead, at 0.5 m/s.
@@ -39,33 +39,33 @@ TEST_CASE("a proof holds every bound of the puzzle") {
   REQUIRE(tried(straight(), good).holds());
   Puzzle p = straight();
   p.angle = Range{radians(10), radians(20)};
-  CHECK(tried(p, good).failure.foul == Foul::outside_aim);
+  CHECK(tried(p, good).failure.reason == FailureReason::outside_aim);
   p = straight();
   p.speed = {1, 2};
-  CHECK(tried(p, good).failure.foul == Foul::too_slow);
+  CHECK(tried(p, good).failure.reason == FailureReason::too_slow);
   CHECK(tried(p, good).failure.speed == good.speed);
   p.speed = {0.1, 0.5};
-  CHECK(tried(p, good).failure.foul == Foul::too_fast);
+  CHECK(tried(p, good).failure.reason == FailureReason::too_fast);
   p = straight();
   p.cushions = CushionRule::exactly(1);
   CHECK_FALSE(tried(p, good).holds());
   p.cushions = CushionRule::in_order({Contact::rail(1)});
   CHECK_FALSE(tried(p, good).holds());
-  CHECK(tried(straight(), good, Demand::exact, 0).failure.foul == Foul::no_budget);
+  CHECK(tried(straight(), good, Demand::exact, 0).failure.reason == FailureReason::no_budget);
   p = straight();
   p.table.pockets.push_back({"well", {1, 0.5}, 0.1});
-  CHECK(tried(p, good).failure.foul == Foul::pocketed);
+  CHECK(tried(p, good).failure.reason == FailureReason::pocketed);
 }
 
 TEST_CASE("a proof tells an exact shot from one that is made, and from one at another speed") {
   const Launch beside{fitting(), 0.005}, faster{fitting() + 0.01, 0};
-  CHECK(tried(straight(), beside).failure.foul == Foul::inexact);
+  CHECK(tried(straight(), beside).failure.reason == FailureReason::inexact);
   const Proof off = tried(straight(), beside, Demand::made);
   CHECK(off.holds());
   CHECK(off.shot.off_centre);
   CHECK(off.shot.miss == Approx(0.005).epsilon(0.01));
-  CHECK(tried(straight(), faster).failure.foul == Foul::inexact);
-  CHECK(tried(straight(), faster, Demand::off_centre).failure.foul == Foul::inexact);
+  CHECK(tried(straight(), faster).failure.reason == FailureReason::inexact);
+  CHECK(tried(straight(), faster, Demand::off_centre).failure.reason == FailureReason::inexact);
   CHECK(tried(straight(), faster, Demand::made).holds());
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/ledger.hpp"
+#include "planners/evaluation_budget.hpp"
 #include "planners/line_search.hpp"
 #include "planners/locked/newton.hpp"
 #include "planners/proof/replay.hpp"
@@ -14,25 +14,25 @@
 using namespace bankshot;
 using namespace bankshot::planning;
 
-TEST_CASE("a ledger charges paths by their bounces, and shares a budget evenly") {
-  Ledger ledger(100);
-  ledger.charge(0);
-  ledger.charge(31);
-  CHECK(ledger.simulations() == 2);
-  ledger.charge(64);
-  CHECK(ledger.simulations() == 5);
-  ledger.charge(32, 5);
-  CHECK(ledger.simulations() == 15);
-  ledger.begin_part(5);  // 85 are left, so the part has 17
-  ledger.charge(0, 16);
-  CHECK_FALSE(ledger.spent());
-  ledger.charge(0);
-  CHECK(ledger.spent());
-  CHECK(ledger.cut());
-  CHECK_FALSE(ledger.exhausted());
-  ledger.begin_part(4);
-  CHECK_FALSE(ledger.cut());
-  CHECK(ledger.share_of_rest(0.5) == 32 + 8);
+TEST_CASE("a budget charges paths by their bounces, and shares a budget evenly") {
+  EvaluationBudget budget(100);
+  budget.charge(0);
+  budget.charge(31);
+  CHECK(budget.simulations() == 2);
+  budget.charge(64);
+  CHECK(budget.simulations() == 5);
+  budget.charge(32, 5);
+  CHECK(budget.simulations() == 15);
+  budget.begin_part(5);  // 85 are left, so the part has 17
+  budget.charge(0, 16);
+  CHECK_FALSE(budget.spent());
+  budget.charge(0);
+  CHECK(budget.spent());
+  CHECK(budget.cut());
+  CHECK_FALSE(budget.exhausted());
+  budget.begin_part(4);
+  CHECK_FALSE(budget.cut());
+  CHECK(budget.share_of_rest(0.5) == 32 + 8);
 }
 
 TEST_CASE("a target's marks: a point, one pocket, any pocket") {
@@ -98,16 +98,16 @@ TEST_CASE("Newton's method says how it ended") {
   const Route route{{0, Contact::rail(0)}};
   const LockedAim aim{q, route, q.marks[0]};
   const Launch near{1.2, radians(-40)};
-  Ledger ledger(1000);
-  const NewtonResult found = newton(aim, ledger, near, settings::wide);
+  EvaluationBudget budget(1000);
+  const NewtonResult found = newton(aim, budget, near, settings::wide);
   REQUIRE(found);
   CHECK(found.iterations < 12);
-  CHECK(ledger.simulations() >= found.iterations);
-  CHECK(linearise(aim, ledger, found.launch)->size() < 1e-12);
-  CHECK(newton(aim, ledger, near, Neighbourhood{1e-3, 1e-3}).status == NewtonStatus::left);
-  CHECK(newton(aim, ledger, {1.2, radians(90)}, settings::wide).status != NewtonStatus::converged);
+  CHECK(budget.simulations() >= found.iterations);
+  CHECK(linearise(aim, budget, found.launch)->size() < 1e-12);
+  CHECK(newton(aim, budget, near, Neighbourhood{1e-3, 1e-3}).status == NewtonStatus::left);
+  CHECK(newton(aim, budget, {1.2, radians(90)}, settings::wide).status != NewtonStatus::converged);
   const auto known = [](const Launch&, double, const Linear&) { return true; };
-  CHECK(newton(aim, ledger, near, settings::wide, known).status == NewtonStatus::known);
+  CHECK(newton(aim, budget, near, settings::wide, known).status == NewtonStatus::known);
 }
 
 TEST_CASE("residuals have the derivatives that differences show") {
@@ -116,15 +116,15 @@ TEST_CASE("residuals have the derivatives that differences show") {
   for (int i = 0; i < 200; ++i) {
     const test::Made made = test::random_puzzle(random, test::Family::uniform, test::Model::spin);
     const Question q(made.puzzle);
-    Ledger ledger(100);
+    EvaluationBudget budget(100);
     std::vector<Contact> contacts;
-    if (!replay(q, ledger, made.launch, Goal::exactly(q, made.bounces), &contacts).made) continue;
+    if (!replay(q, budget, made.launch, Goal::exactly(q, made.bounces), &contacts).made) continue;
     const Route route = route_by(contacts);
     const LockedAim aim{q, route, q.marks[0]};
     constexpr double h = 1e-6;
-    const auto at = linearise(aim, ledger, made.launch);
-    const auto turned = linearise(aim, ledger, {made.launch.speed, made.launch.angle + h});
-    const auto pushed = linearise(aim, ledger, {made.launch.speed * std::exp(h), made.launch.angle});
+    const auto at = linearise(aim, budget, made.launch);
+    const auto turned = linearise(aim, budget, {made.launch.speed, made.launch.angle + h});
+    const auto pushed = linearise(aim, budget, {made.launch.speed * std::exp(h), made.launch.angle});
     if (!at || !turned || !pushed) continue;
     for (std::size_t k = 0; k < (q.one_unknown() ? 1u : 2u); ++k) {
       const double by_aim = (turned->r[k] - at->r[k]) / h;

@@ -72,14 +72,14 @@ test::Made random_case(test::Random& r, test::Model model, const std::string& fr
 }
 
 /// The shot of one of the three methods.
-struct Rival {
+struct Contender {
   Launch launch;
   LaunchSpin spin;
   double time, chance = 0;
 };
 
 /// Returns by how much `a` is worse than `b`, in speed or time (relative), or in success.
-double worse(Prefer prefer, const Rival& a, const Rival& b) {
+double worse(Prefer prefer, const Contender& a, const Contender& b) {
   if (prefer == Prefer::soft) return a.launch.speed / b.launch.speed - 1;
   if (prefer == Prefer::quick) return a.time / b.time - 1;
   return b.chance - a.chance;
@@ -120,10 +120,10 @@ Answer timed_solve(const Puzzle& p, bool all, double& us, double& simulations) {
 }
 
 /// Returns the first shot, if it is at the centre; shots beside the centre are not compared.
-std::optional<Rival> rival(const Answer& a) {
+std::optional<Contender> contender(const Answer& a) {
   if (a.shots.empty() || a.shots.front().off_centre) return {};
   const Shot& s = a.shots.front();
-  return Rival{s.launch, s.spin, s.arrival.time};
+  return Contender{s.launch, s.spin, s.arrival.time};
 }
 
 bool says_so(const std::string& message) {
@@ -132,31 +132,32 @@ bool says_so(const std::string& message) {
   return false;
 }
 
-void draw_chances(const Puzzle& p, std::initializer_list<std::optional<Rival>*> rivals) {
+void draw_chances(const Puzzle& p, std::initializer_list<std::optional<Contender>*> contenders) {
   constexpr int draws = 20000;
   constexpr std::uint64_t seed = 20000;
   const test::Aimed aimed(p);
-  for (auto* r : rivals)
+  for (auto* r : contenders)
     if (*r) (*r)->chance = test::drawn_chance(aimed, (*r)->launch, (*r)->spin, draws, seed);
 }
 
-std::string told(const std::optional<Rival>& r) {
+std::string told(const std::optional<Contender>& r) {
   if (!r) return "none";
   return fmt::format("{:.6g} m/s at {:.6f} degrees, spin {:.3g} {:.3g} {:.3g}, {:.6g} s, chance {:.4f}",
                      r->launch.speed, degrees(r->launch.angle), r->spin.top, r->spin.side, r->spin.masse, r->time,
                      r->chance);
 }
 
-void compare(const Way& way, const Puzzle& p, const Answer& best, std::optional<Rival> first,
-             std::optional<Rival> among, std::optional<Rival> forced, Tally& t) {
-  std::optional<Rival> climbed;
+void compare(const Way& way, const Puzzle& p, const Answer& best, std::optional<Contender> first,
+             std::optional<Contender> among, std::optional<Contender> forced, Tally& t) {
+  std::optional<Contender> climbed;
   if (way.force && among && way.free != "nothing")
     if (const auto r = test::climb_from(p, way.fineness, among->launch, among->spin))
-      climbed = Rival{r->launch, r->spin, r->time};
+      climbed = Contender{r->launch, r->spin, r->time};
   if (p.prefer == Prefer::robust) draw_chances(p, {&first, &among, &forced, &climbed});
   std::vector<std::string> what;
   double amount = 0;
-  const auto note = [&](Count& count, const std::optional<Rival>& a, const std::optional<Rival>& b, const char* words) {
+  const auto note = [&](Count& count, const std::optional<Contender>& a, const std::optional<Contender>& b,
+                        const char* words) {
     if (!a || !b) return false;
     const double by = worse(p.prefer, *a, *b);
     if (!count.add(by)) return false;
@@ -189,14 +190,14 @@ void one(const Way& way, test::Random& random, Tally& t) {
                all = timed_solve(p, true, t.us_all, t.simulations_all);
   t.unsolved_solve += best.shots.empty();
   t.unsolved_all += all.shots.empty();
-  const auto first = rival(best), among = rival(all);
-  std::optional<Rival> forced;
+  const auto first = contender(best), among = contender(all);
+  std::optional<Contender> forced;
   if (way.force) {
     const double begin = app::cpu_seconds();
     const test::ByForce f = test::best_by_force(p, way.fineness);
     t.us_force += 1e6 * (app::cpu_seconds() - begin);
     t.simulations_force += static_cast<double>(f.simulations);
-    if (f.best) forced = Rival{f.best->launch, f.best->spin, f.best->time};
+    if (f.best) forced = Contender{f.best->launch, f.best->spin, f.best->time};
     t.beside_solve += !first && !best.shots.empty() && forced;
     t.beside_all += !among && !all.shots.empty() && forced;
   }

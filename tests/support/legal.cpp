@@ -50,7 +50,7 @@ class Referee {
   }
 
  private:
-  enum class Verdict { open, made, foul };
+  enum class Verdict { open, made, failure };
 
   /// Lists the ball contacts that must happen, in order.
   void plan(const BallTarget& asked) {
@@ -91,9 +91,9 @@ class Referee {
       case EventKind::cushion:
         // A ball that touches a cushion at the instant when it is hit does not bounce there.
         if (e.ball != mover() || (e.ball != 0 && e.time == set_)) return Verdict::open;
-        return bounces_.add(e.contact) ? Verdict::open : Verdict::foul;
+        return bounces_.add(e.contact) ? Verdict::open : Verdict::failure;
       case EventKind::pocket:
-        if (e.ball == 0 && mover() != 0) return Verdict::foul;
+        if (e.ball == 0 && mover() != 0) return Verdict::failure;
         return e.ball == mover() ? falls(e.contact) : Verdict::open;
       case EventKind::rest:
       case EventKind::end:
@@ -104,12 +104,12 @@ class Referee {
   }
 
   Verdict meets(const Record& e) {
-    if (all_touched()) return Verdict::foul;
+    if (all_touched()) return Verdict::failure;
     const auto [striker, struck] = contacts_[done_];
-    if (std::minmax(e.ball, e.contact.index) != std::minmax(striker, struck)) return Verdict::foul;
+    if (std::minmax(e.ball, e.contact.index) != std::minmax(striker, struck)) return Verdict::failure;
     const bool carom = off_of(p_.target) != 0, last = done_ + 1 == contacts_.size();
-    if ((!carom || last) && !bounces_.enough()) return Verdict::foul;
-    if (last && ends_at_contact()) return within_cut(e) ? Verdict::made : Verdict::foul;
+    if ((!carom || last) && !bounces_.enough()) return Verdict::failure;
+    if (last && ends_at_contact()) return within_cut(e) ? Verdict::made : Verdict::failure;
     ++done_;
     set_ = e.time;
     if (carom) return Verdict::open;
@@ -131,16 +131,16 @@ class Referee {
 
   Verdict falls(Contact pocket) const {
     const PocketTarget* wanted = pocket_of(p_.target);
-    if (!wanted || !all_touched() || ends_at_contact() || !bounces_.enough()) return Verdict::foul;
-    if (mover() == 0) return !wanted->pocket || *wanted->pocket == pocket.index ? Verdict::made : Verdict::foul;
+    if (!wanted || !all_touched() || ends_at_contact() || !bounces_.enough()) return Verdict::failure;
+    if (mover() == 0) return !wanted->pocket || *wanted->pocket == pocket.index ? Verdict::made : Verdict::failure;
     const Pocket* own = pocket_reached(p_, own_);
-    return own && pocket.index == static_cast<int>(own - p_.table.pockets.data()) ? Verdict::made : Verdict::foul;
+    return own && pocket.index == static_cast<int>(own - p_.table.pockets.data()) ? Verdict::made : Verdict::failure;
   }
 
   Verdict stops(const Record& e) const {
     const bool there = point_ && rests_ && all_touched() && bounces_.enough() && e.kind == EventKind::rest &&
                        norm(e.state.at - point_->at) <= point_->within;
-    return there ? Verdict::made : Verdict::foul;
+    return there ? Verdict::made : Verdict::failure;
   }
 
   /// Returns true when the ball passes over the point between two times; the point need not stop the ball.

@@ -37,7 +37,7 @@ struct Hit {
 };
 
 /// The path of an object ball, or a combination link.
-struct Onward {
+struct ObjectBallPath {
   int ball = 0;                     ///< number of the ball, from 1
   std::vector<Contact> cushions{};  ///< cushions that this ball meets, in order
 };
@@ -51,17 +51,17 @@ struct Sensitivity {
 struct Shot {
   Launch launch{};
   LaunchSpin spin{};
-  bool cushion_stick = false;       ///< a cushion law left the ball moving into the cushion; it stayed there
-  std::vector<Contact> cushions{};  ///< cushion contacts in order
-  Arrival arrival{};                ///< arrival of the ball that reaches the target
-  double miss = 0;                  ///< m, from the replay: to the point, or from the exact line of a pocket or ball
-  double offset = 0;                ///< m; offset of the line of travel into a pocket (geometry/opening.hpp)
-  bool rattles = false;             ///< it touches the jaws of a pocket (jaw shot)
-  std::vector<Contact> met{};       ///< for a jaw shot: jaws and cushions in order
-  std::vector<Hit> hits{};          ///< hits in order, up to the target
-  std::vector<Onward> then{};       ///< object balls in order; the last one arrives. Empty: the cue ball arrives
-  int jaws = 0;                     ///< jaw contacts of all balls of the shot before the target
-  bool scratch = false;             ///< the cue ball falls into a pocket after it has touched the target ball
+  bool cushion_stick = false;          ///< a cushion law left the ball moving into the cushion; it stayed there
+  std::vector<Contact> cushions{};     ///< cushion contacts in order
+  Arrival arrival{};                   ///< arrival of the ball that reaches the target
+  double miss = 0;                     ///< m, from the replay: to the point, or from the exact line of a pocket or ball
+  double offset = 0;                   ///< m; offset of the line of travel into a pocket (geometry/opening.hpp)
+  bool rattles = false;                ///< it touches the jaws of a pocket (jaw shot)
+  std::vector<Contact> met{};          ///< for a jaw shot: jaws and cushions in order
+  std::vector<Hit> hits{};             ///< hits in order, up to the target
+  std::vector<ObjectBallPath> then{};  ///< object balls in order; the last one arrives. Empty: the cue ball arrives
+  int jaws = 0;                        ///< jaw contacts of all balls of the shot before the target
+  bool scratch = false;                ///< the cue ball falls into a pocket after it has touched the target ball
   std::optional<int> scratch_pocket{};  ///< the pocket of the scratch
   std::optional<Vec2d> cue_rests{};     ///< m; otherwise where the cue ball rests at the end; for shots with hits
   bool off_centre = false;              ///< it is made off the exact line or point

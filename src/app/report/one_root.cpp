@@ -121,11 +121,11 @@ void bobyqa_from(Path&, const Launch&) {}  // derivatives.cpp does not ask for i
 
 std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*clock)()) {
   const Question q(puzzle);
-  Ledger ledger(budget_of(puzzle));
+  EvaluationBudget budget(budget_of(puzzle));
   Unfolding images(q, {.parts = true, .restitution = restitution(puzzle.physics).at_rest, .keep_routes = true});
   while (const auto c = images.next()) {
     const LockedAim aim{q, *q.route, q.marks[c->mark]};
-    const auto speed = speed_at(aim, ledger, c->angle, c->distance);
+    const auto speed = speed_at(aim, budget, c->angle, c->distance);
     if (!speed) continue;
     Path path{aim, clock};
     const Launch seed{*speed, c->angle};

@@ -74,8 +74,8 @@ void write_cue_rests(JsonWriter& w, const Puzzle& p, const Shot& shot) {
     w.string("cue_rests", p.table.pockets[static_cast<std::size_t>(*shot.scratch_pocket)].name);
 }
 
-void write_then(JsonWriter& w, const Puzzle& p, std::span<const Onward> then, const Pocket* pocket) {
-  const Onward& first = then.front();
+void write_then(JsonWriter& w, const Puzzle& p, std::span<const ObjectBallPath> then, const Pocket* pocket) {
+  const ObjectBallPath& first = then.front();
   w.key("then");
   w.open('{');
   w.string("ball", p.others[static_cast<std::size_t>(first.ball) - 1].id);

@@ -274,7 +274,7 @@ std::string target_of(const Puzzle& p, const Shot& shot, const std::string& aim)
   if (shot.hits.empty()) return aim;
   if (shot.then.empty()) return "onto " + name(shot.hits.back().ball);
   std::string to;
-  for (const Onward& sent : shot.then)
+  for (const ObjectBallPath& sent : shot.then)
     to += (to.empty() ? "to send " : "onto ") + name(sent.ball) + " " +
           (sent.cushions.empty() ? "" : "by " + cushion_names(p.table, sent.cushions) + " ");
   return to + aim;

@@ -11,7 +11,7 @@ namespace bankshot {
 
 int Shot::contacts() const {
   std::size_t cushions_met = cushions.size();
-  for (const Onward& ball : then) cushions_met += ball.cushions.size();
+  for (const ObjectBallPath& ball : then) cushions_met += ball.cushions.size();
   return static_cast<int>(cushions_met) + jaws;
 }
 

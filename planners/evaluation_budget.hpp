@@ -13,10 +13,10 @@ namespace bankshot::planning {
 /// Bounces that cost as much as one simulation: a longer path counts as several.
 inline constexpr std::size_t bounces_a_simulation = 32;
 
-class Ledger {
+class EvaluationBudget {
  public:
   /// `cancelled`, if not null, ends the search as soon as it is true; it must outlive this.
-  explicit Ledger(long budget, const std::atomic<bool>* cancelled = nullptr)
+  explicit EvaluationBudget(long budget, const std::atomic<bool>* cancelled = nullptr)
       : budget_(budget), limit_(budget), cancelled_(cancelled) {}
 
   /// Counts `times` paths with so many bounces each.

@@ -15,7 +15,7 @@
 namespace bankshot::planning {
 
 /// The failure reason of a launch.
-enum class Foul {
+enum class FailureReason {
   none,
   missed,
   fell_short,
@@ -37,10 +37,10 @@ enum class Foul {
 };
 
 struct Failure {
-  Foul foul = Foul::none;
+  FailureReason reason = FailureReason::none;
   Contact contact{};  ///< the obstacle
   double speed = 0;   ///< m/s; the speed needed, which a bound forbids (too_fast, too_slow)
-  bool like(const Failure& o) const { return foul == o.foul && contact == o.contact; }
+  bool like(const Failure& o) const { return reason == o.reason && contact == o.contact; }
 };
 
 /// A launch that failed.
@@ -53,7 +53,7 @@ struct NearMiss {
 
 /// A candidate that leads near an aim point along a route but is no shot: an obstacle blocks it, or no aim reaches the
 /// point. Parts of the target may be reachable beside it.
-struct Lead {
+struct Candidate {
   Launch launch;
   Route route;
   Mark mark;
@@ -62,7 +62,7 @@ struct Lead {
   double room = -std::numeric_limits<double>::infinity();  ///< m; the largest clearance that was found there
 };
 
-struct Findings {
+struct SearchResult {
   std::vector<Shot> shots{};
   /// A shot moved to its safest launch, by the launch where it was found. No shot: it is worth less than the best one
   /// known.
@@ -72,7 +72,7 @@ struct Findings {
     std::optional<Shot> shot;
   };
   std::vector<Moved> moved{};
-  std::vector<Lead> leads{};
+  std::vector<Candidate> candidates{};
   NearMiss nearest{};
   struct Counted {
     Failure failure;  ///< with the speed nearest to the bound, of several
@@ -83,7 +83,7 @@ struct Findings {
   bool complete = false;            ///< every candidate there can be was tried
   bool proved = false;              ///< certified: also, nothing else can reach any part of the target
   bool rounding_decided = false;    ///< some path through a corner or along a line may have failed by rounding
-  bool rivals_sought = false;       ///< an improvement pass used a map of wide cells
+  bool improvement_sought = false;  ///< an improvement pass used a map of wide cells
   int not_searched = -1;            ///< least number of cushions not fully searched when the budget ended; -1: none
   bool plenty = false;              ///< the search stopped because there were shots enough
 
