@@ -146,7 +146,7 @@ double unlikelihood(const Seen& seen, const Common& common) {
   const auto [off, by_launch] = linear(seen, common);
   const Eigen::Matrix<double, launch_size, launch_size> told = by_launch.transpose() * by_launch;
   long samples = 0;
-  for (const std::vector<char>& outlier : seen.outlier) samples += std::ranges::count(outlier, 0);
+  for (const std::vector<char>& left_out : seen.outlier) samples += std::ranges::count(left_out, 0);
   using settings::learn::outlier;
   const double not_followed = outlier * outlier * static_cast<double>(samples - seen.samples_used());
   return off.squaredNorm() + not_followed + told.ldlt().vectorD().array().log().sum();

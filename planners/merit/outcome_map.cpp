@@ -216,8 +216,8 @@ bool OutcomeMap::refine_changes(const Launch& best) {
 
 /// `row`: the one whose launches meet what this one does.
 OutcomeMap::Best OutcomeMap::at(double aim, double speed, const Row& row) const {
-  const auto apart = [&](const Seen& s) { return std::abs(s.aim - aim); };
-  const int contacts = row.seen.empty() ? 0 : std::ranges::min_element(row.seen, {}, apart)->contacts;
+  const auto distance = [&](const Seen& s) { return std::abs(s.aim - aim); };
+  const int contacts = row.seen.empty() ? 0 : std::ranges::min_element(row.seen, {}, distance)->contacts;
   const double cost = cost_of({speed, aim}, shot_.spin) + cost_of_contacts(contacts);
   return {launch(aim, speed), success(aim, speed) - cost};
 }
@@ -262,8 +262,8 @@ double OutcomeMap::safest_aim(double speed) const {
 
 /// The best launch of a speed: the likeliest, or that nearest to it among those that meet the least.
 OutcomeMap::Best OutcomeMap::best_at(double speed) const {
-  const auto apart = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinite; };
-  const Row& row = *std::ranges::min_element(rows_, {}, apart);
+  const auto distance = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinite; };
+  const Row& row = *std::ranges::min_element(rows_, {}, distance);
   const double aim = safest_aim(speed);
   Best best = at(aim, speed, row);
   if (row.seen.empty()) return best;

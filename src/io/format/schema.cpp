@@ -136,11 +136,11 @@ std::span<const std::string_view> documents() {
 }
 
 std::string schema(std::string_view document) {
-  const std::vector<const Object*> all = objects_of(document);
+  const std::vector<const Object*> objects = objects_of(document);
   Json j{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", fmt::format("bankshot {}", document)}};
-  j.update(definition(*all.front()));
+  j.update(definition(*objects.front()));
   j["$defs"] = Json::object();
-  for (std::size_t i = 1; i < all.size(); ++i) j["$defs"][std::string(all[i]->name)] = definition(*all[i]);
+  for (std::size_t i = 1; i < objects.size(); ++i) j["$defs"][std::string(objects[i]->name)] = definition(*objects[i]);
   return j.dump(2) + "\n";
 }
 
