@@ -29,12 +29,12 @@ bool last_choice(const Question& q, const Shot& shot) {
   return !shot.cushions.empty() && !q.route && q.into_touched_cushion(shot.launch.angle);
 }
 
-/// m from where the struck ball should rest.
+/// m from where the cue ball should rest.
 double apart_from_leave(const Puzzle& p, const Shot& shot) {
   return shot.cue_rests ? norm(*shot.cue_rests - *p.leave) : infinite;
 }
 
-/// Of the shots that are as likely as the best, to what nobody notices, the one that leaves the struck ball best; then
+/// Of the shots that are as likely as the best, to what nobody notices, the one that leaves the cue ball best; then
 /// of the rest, and so on.
 void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
   for (auto rest = shots; !rest.empty();) {

@@ -55,7 +55,7 @@ inline constexpr int most_looks = 20;
 /// with half of them 2 of 90,000 ends hid a band that is not made.
 inline constexpr double nearly = 0.1;
 inline constexpr int few_parts = 8, many_parts = 20;
-/// The same where another ball is sent on: what the struck ball does meanwhile, no limit knows.
+/// The same where another ball is sent on: what the cue ball does meanwhile, no limit knows.
 inline constexpr int parts_of_chains = 100;
 /// Bands thinner than the aims that are one which may be passed over.
 inline constexpr int most_passed = 4;

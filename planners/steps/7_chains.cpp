@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Shots by which the struck ball sends another on: two searches of one ball, put together.
+// Shots by which the cue ball sends another on: two searches of one ball, put together.
 // Method: the other ball alone, from where it stands, has a launch for each of its routes, as images and Newton's
-// method find them; its direction gives the ghost, where the struck ball must be when they touch, and its speed the
-// normal speed that the struck one must have there. Images lead the struck ball through the ghost at that normal speed,
+// method find them; its direction gives the ghost, where the cue ball must be when they touch, and its speed the
+// normal speed that the struck one must have there. Images lead the cue ball through the ghost at that normal speed,
 // so that no cosine of the cut is left; what throw turns the other ball by, the ghost is turned back. From there
 // Newton's method on the whole chain, with derivatives through the contact. In a combination it is the last ball that
 // is looked at alone, and what leads through its ghost is the chain of those before it, found in the same way.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Off one ball onto another.
-// Method: for each route by which the struck ball comes to the first, aims across that ball at a few speeds are
+// Method: for each route by which the cue ball comes to the first, aims across that ball at a few speeds are
 // followed through the contact and on, as if no other ball stood there. Each leg after the contact passes the second
 // ball on one side; where the side changes between two aims by the same cushions, Newton's method with derivatives
 // through the contact leads to the exact line, and where a leg touches it without that, the launch is tried as it is.
@@ -32,7 +32,7 @@
 namespace bankshot::planning::steps {
 namespace {
 
-/// A leg of the struck ball after it has touched the first, and how it passes the second.
+/// A leg of the cue ball after it has touched the first, and how it passes the second.
 struct SidePass {
   Launch launch;
   double distance;  ///< m, from centre to centre at the closest

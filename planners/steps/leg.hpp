@@ -19,7 +19,7 @@ struct Leg {
   const Launch& launch() const { return alone.launch; }
 };
 
-/// By the roots that a step finds, but for those that are known. Where the launch speed of the struck ball is all that
+/// By the roots that a step finds, but for those that are known. Where the launch speed of the cue ball is all that
 /// is given, that of the other is guessed. `judged`: which are clear, for a replay each.
 std::vector<Leg> legs(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
                       std::vector<Candidate> known = {}, bool judged = true);

@@ -19,7 +19,7 @@ struct Part {
   Route whole(const Route& route) const;
 };
 
-/// The struck ball, to a place, by these cushions. Other balls hinder no such search; a replay decides.
+/// The cue ball, to a place, by these cushions. Other balls hinder no such search; a replay decides.
 Part by_itself(const Question& whole, const CushionRule& cushions);
 /// All balls before the last, to a place: with one ball in the chain the struck one by itself.
 Part before_last(const Question& whole, const Objects::Chain& chain);

@@ -9,7 +9,7 @@
 
 namespace bankshot::planning::steps {
 
-/// Each route of the struck ball with each of these legs, and those of images.
+/// Each route of the cue ball with each of these legs, and those of images.
 void sweeps(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain,
             const std::vector<Leg>& known, Parts& parts);
 

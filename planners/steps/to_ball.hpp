@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The struck ball by itself, on its way to the first ball that it sets going: aims across that, for the steps of chains
+// The cue ball by itself, on its way to the first ball that it sets going: aims across that, for the steps of chains
 // and caroms.
 #pragma once
 

@@ -62,7 +62,7 @@ bool Widest::across_jumps() {
                      [&](std::size_t i) { return across_jump(before(row, i), row[i], after(row, i)); });
 }
 
-/// From the lead outwards, so that each speed is near its neighbour's.
+/// From the candidate outwards, so that each speed is near its neighbour's.
 Widest::Row Widest::along_lead() const {
   Row row;
   row[middle] = attempt(candidate_.launch.angle, candidate_.launch.speed);

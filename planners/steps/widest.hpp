@@ -19,10 +19,10 @@ namespace bankshot::planning::steps {
 
 class Widest {
  public:
-  /// Sets the lead's `half` where it is 0.
+  /// Sets the candidate's `half` where it is 0.
   Widest(const Question& q, EvaluationBudget& budget, SearchResult& found, Candidate& candidate);
 
-  /// The largest clearance, which the lead's `room` receives; true where that made a shot.
+  /// The largest clearance, which the candidate's `room` receives; true where that made a shot.
   bool find();
 
   /// Beside a pocket that is grazed, the speed that arrives as asked jumps with the aim, and passes all speeds

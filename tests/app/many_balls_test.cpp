@@ -65,7 +65,7 @@ TEST_CASE("simulate tells of every ball: text, events, rows and a picture") {
   CHECK(of_8 < of_cue);  // ball 8 fell
 }
 
-TEST_CASE("simulate: until is the struck ball's, and stops all") {
+TEST_CASE("simulate: until is the cue ball's, and stops all") {
   const auto ended = [](const std::string& until) {
     Json shot = Json::parse(potted);
     shot["until"] = Json::parse(until);

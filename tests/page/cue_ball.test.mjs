@@ -50,16 +50,16 @@ describe('where the cue ball ends', () => {
   test('its path leads to the ring, where it rests', async () => {
     const { page, complaints } = await open(browser, `${server.url}#${balls}`);
     const { shots } = await changed(page);
-    let onward = 0;
+    let afterwards = 0;
     for (const [i, { cue_rests, path }] of shots.slice(0, 8).entries()) {
       if (!cue_rests) continue;
       await page.locator(`#shots [data-shot="${i}"]`).hover();
       assert.deepEqual(await ring(page), [cue_rests]);
       await pathEnds(page, [cue_rests], 1e-3);
       const [, x, y] = path[path.length - 1];
-      onward += Math.hypot(cue_rests[0] - x, cue_rests[1] - y) > 0.05;
+      afterwards += Math.hypot(cue_rests[0] - x, cue_rests[1] - y) > 0.05;
     }
-    assert.ok(onward >= 3, `${onward} go on`);
+    assert.ok(afterwards >= 3, `${afterwards} go on`);
     assert.deepEqual(complaints, []);
     await page.close();
   });

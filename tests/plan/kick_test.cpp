@@ -85,7 +85,7 @@ TEST_CASE("of several balls each may be touched, and the first contact counts") 
   CHECK(seen[2]);
 }
 
-TEST_CASE("a shot after which the struck ball falls says so, and ranks last") {
+TEST_CASE("a shot after which the cue ball falls says so, and ranks last") {
   const Puzzle p = read_puzzle(R"({"table": "pool-9ft", "physics": "rolling", "ball": {"at": [1.9, 0.5]},
     "target": {"ball": "8", "within": 80}, "cushions": {"max": 2}, "arrive": {"speed": [1, 6]}, "aim": "centre",
     "others": [{"id": "8", "at": [2.4, 0.16]}]})");

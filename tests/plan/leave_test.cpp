@@ -17,7 +17,7 @@ Puzzle pot(const std::string& prefer) {
 
 }  // namespace
 
-TEST_CASE("where the struck ball rests is where the simulation of all balls leaves it") {
+TEST_CASE("where the cue ball rests is where the simulation of all balls leaves it") {
   const Puzzle p = pot(R"("robust")");
   int resting = 0;
   for (const Shot& s : solve(p, {.all = true}).shots) {
@@ -33,7 +33,7 @@ TEST_CASE("where the struck ball rests is where the simulation of all balls leav
   CHECK(resting > 3);
 }
 
-TEST_CASE("of shots that are as likely the one is chosen that leaves the struck ball best", "[heavy]") {
+TEST_CASE("of shots that are as likely the one is chosen that leaves the cue ball best", "[heavy]") {
   const Vec2d leave = GENERATE(Vec2d{2.2, 0.3}, Vec2d{0.4, 1.0}, Vec2d{1.2, 0.2});
   const std::string keys = "{\"leave\": [" + std::to_string(leave.x) + ", " + std::to_string(leave.y) + "]}";
   const Puzzle p = pot(keys);
@@ -48,7 +48,7 @@ TEST_CASE("of shots that are as likely the one is chosen that leaves the struck 
   CHECK(write_puzzle(read_puzzle(write_puzzle(p))) == write_puzzle(p));
 }
 
-TEST_CASE("a place to leave the struck ball at needs another ball to touch, and friction") {
+TEST_CASE("a place to leave the cue ball at needs another ball to touch, and friction") {
   const auto refused = [](const std::string& text) {
     try {
       validate(read_puzzle(text));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the planner says that a pocket has no shot at a launch speed, brute force over the aims must find none. It
-// shares only the simulator with the planners. A longer run by hand: test_plan "[long]"
+// If the planner says that a pocket has no shot at a launch speed, brute force over the aims must find none. Brute
+// force shares only the simulator with the planners. A longer run by hand: test_plan "[long]"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"

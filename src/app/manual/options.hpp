@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the command line knows of its options, for the manual pages and shell completions.
+// The options that the command line knows, for the manual pages and shell completions.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -142,9 +142,9 @@ void validate(const Puzzle& p) {
   }
   if (p.leave) {
     if (!std::holds_alternative<BallTarget>(p.target))
-      fail("/prefer/leave", "is where the struck ball rests after it has touched another, and no ball is the target");
+      fail("/prefer/leave", "is where the cue ball rests after it has touched another, and no ball is the target");
     if (is_ideal(p.physics)) fail("/prefer/leave", "in ideal physics no ball comes to rest");
-    check_inside(boundary, *p.leave, "/prefer/leave", "the centre of the struck ball");
+    check_inside(boundary, *p.leave, "/prefer/leave", "the centre of the cue ball");
   }
   if ((p.noise.side > 0 || p.noise.top > 0 || p.noise.tip > 0) && !carries_spin(p.physics))
     fail(p.noise.side > 0  ? "/noise/side"

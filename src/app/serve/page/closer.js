@@ -42,7 +42,7 @@ export class Closer {
 
   /** Drops all results, because the scene has changed. */
   clear() {
-    for (const kind of ['map', 'launches', 'mirror', 'mirror-path', 'onward', 'onward-path']) forget(kind);
+    for (const kind of ['map', 'launches', 'mirror', 'mirror-path', 'afterwards', 'afterwards-path']) forget(kind);
     forgetSides();
     this.forgetAim();
     const layers = this.page.layers();

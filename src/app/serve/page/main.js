@@ -205,8 +205,8 @@ function look(i = chosen) {
 
 /** Adds the rest of the cue ball's path. */
 async function lookOn(shot) {
-  const onward = await finish(scene, shot, 'onward');
-  if (onward && shot === seen) paint(layers.answer, table, shots, shot, onward);
+  const afterwards = await finish(scene, shot, 'afterwards');
+  if (afterwards && shot === seen) paint(layers.answer, table, shots, shot, afterwards);
 }
 
 function choose(i) {

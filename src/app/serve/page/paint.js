@@ -33,9 +33,9 @@ function end(table, { path, arrival, hits, pocket, cue_rests }) {
  * @param {import('./table.js').Table} table
  * @param {any[]} shots
  * @param {any} shot the one in view
- * @param {any[]} onward the cue ball's path after that of the shot
+ * @param {any[]} afterwards the cue ball's path after that of the shot
  */
-export function paint(layer, table, shots, shot, onward = []) {
+export function paint(layer, table, shots, shot, afterwards = []) {
   layer.replaceChildren();
   const rest = shots.filter((other) => other !== shot && other.path);
   const faint = shape('g', { opacity: Math.min(1, 3 / Math.sqrt(1 + rest.length)) }, layer);
@@ -48,7 +48,7 @@ export function paint(layer, table, shots, shot, onward = []) {
   const [x2, y2] = aim.at;
   shape('line', { class: 'aim', x1, y1, x2, y2, 'stroke-width': 0.005 }, layer);
   write(layer, 'count', aim.at, metres(layer.ownerSVGElement, 12)).textContent = aim.count;
-  line(layer, [...shot.path, ...onward], 'best', 0.011);
+  line(layer, [...shot.path, ...afterwards], 'best', 0.011);
   for (const path of Object.values(shot.paths ?? {})) line(layer, path, 'sent', 0.008);
   const at = end(table, shot);
   if (at) ring(layer, at, table.radius, shot.scratch ? 'scratch' : '');

@@ -40,10 +40,10 @@ function stand(layer, table, scene) {
 /**
  * Returns one of the two pictures.
  * @param {import('./table.js').Table} table @param {state.Scene} scene
- * @param {any} own its answer @param {any[]} onward rest of the cue ball's path
+ * @param {any} own its answer @param {any[]} afterwards rest of the cue ball's path
  * @param {{physics: string, shot: any, followed: any}} other the other physics, whose aim is tried here
  */
-function side(table, scene, own, onward, other) {
+function side(table, scene, own, afterwards, other) {
   const [figure, caption] = ['figure', 'figcaption'].map((tag) => document.createElement(tag));
   caption.textContent = `If ${scene.physics} is right`;
   const { physics, shot, followed } = other;
@@ -55,7 +55,7 @@ function side(table, scene, own, onward, other) {
   figure.append(caption, svg, words('best', says), words('compare', leads));
   const show = () => {
     const { paths, grips } = draw(svg, table);
-    paint(shape('g', {}, paths), table, [], own, onward);
+    paint(shape('g', {}, paths), table, [], own, afterwards);
     if (shot) lead(paths, [], followed, 'compare');
     stand(grips, table, scene);
   };
