@@ -87,8 +87,9 @@ OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected, int tried
   };
   std::vector<Try> tries;
   const auto look = [&](double aim) { return Try{aim, is_made(aim, row)}; };
-  const double first = std::floor((expected.low - beside) / step), last = std::ceil((expected.high + beside) / step);
-  for (double k = first; k <= last; ++k) tries.push_back(look(k * step));
+  const long first = std::lround(std::floor((expected.low - beside) / step));
+  const long last = std::lround(std::ceil((expected.high + beside) / step));
+  for (long k = first; k <= last; ++k) tries.push_back(look(static_cast<double>(k) * step));
   // A shot is made as it is launched, wherever the middle of its target may be.
   if (rows_.empty() && std::ranges::none_of(tries, &Try::made))
     tries.insert(std::ranges::upper_bound(tries, own_, {}, &Try::aim), look(own_));
