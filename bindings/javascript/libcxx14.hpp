@@ -80,6 +80,11 @@ void for_each(Range&& range, Does does) {
   std::for_each(std::begin(range), std::end(range), does);
 }
 template <class Range, class T, class Less = std::less<>, class Part = identity>
+auto lower_bound(Range&& range, const T& value, Less less = {}, Part part = {}) {
+  return std::lower_bound(std::begin(range), std::end(range), value,
+                          [&](auto&& x, const T& v) -> bool { return std::invoke(less, std::invoke(part, x), v); });
+}
+template <class Range, class T, class Less = std::less<>, class Part = identity>
 auto upper_bound(Range&& range, const T& value, Less less = {}, Part part = {}) {
   return std::upper_bound(std::begin(range), std::end(range), value,
                           [&](const T& v, auto&& x) -> bool { return std::invoke(less, v, std::invoke(part, x)); });
