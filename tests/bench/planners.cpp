@@ -95,7 +95,7 @@ double part(std::vector<double> v, double share) {
   return v[std::min(v.size() - 1, static_cast<std::size_t>(share * static_cast<double>(v.size())))];
 }
 
-void print(const std::string& name, int cushions, const char* given, const std::vector<Outcome>& all) {
+void print(const std::string& name, int cushions, const std::string& given, const std::vector<Outcome>& all) {
   std::vector<double> simulations, us;
   double exact = 0, near = 0;
   for (const Outcome& o : all) {
@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
   CLI::App app("Every planner on the same puzzles");
   int count = 300, cushions = 3;
   std::uint64_t seed = 4;
-  bool sequence = false, pocket = false, header = false;
+  bool sequence = false, pocket = false, centre = false, header = false;
   std::string only;
   app.add_option("--count", count)->capture_default_str();
   app.add_option("--seed", seed)->capture_default_str();
@@ -124,10 +124,16 @@ int main(int argc, char** argv) {
   app.add_option("--only", only, "One planner");
   app.add_flag("--sequence", sequence, "The sequence is given, not only the count");
   app.add_flag("--pocket", pocket, "Into a pocket, arriving as prefer likes");
+  app.add_flag("--centre", centre, "The shots stay on the exact line");
   app.add_flag("--header", header);
   CLI11_PARSE(app, argc, argv);
-  const std::vector<Puzzle> set =
-      pocket ? into_pockets(count, seed, cushions) : puzzles(count, seed, cushions, sequence);
+  std::vector<Puzzle> set = pocket ? into_pockets(count, seed, cushions) : puzzles(count, seed, cushions, sequence);
+  if (centre)
+    for (Puzzle& p : set) p.aim = Aim::centre;
+  const std::string given = std::string(pocket     ? "pocket"
+                                        : sequence ? "sequence"
+                                                   : "count") +
+                            (centre ? " centre" : "");
   if (header)
     std::cout << "planner,cushions,given,puzzles,exact,within_ball_radius,simulations_median,simulations_p99,us_median,"
                  "us_p99\n";
@@ -135,7 +141,7 @@ int main(int argc, char** argv) {
     if (!only.empty() && only != name) return;
     std::vector<Outcome> all;
     for (const Puzzle& p : set) all.push_back(solve_one(p));
-    print(name, cushions, pocket ? "pocket" : sequence ? "sequence" : "count", all);
+    print(name, cushions, given, all);
   };
   run("mirror", by_mirror);
   for (const PlannerInfo& planner : planners())

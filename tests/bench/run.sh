@@ -163,6 +163,8 @@ part() {
           for n in 1 5 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --only "$name$more"; done
           for n in 3 10; do "$bin/bench/bench_planners" --count 300 --cushions $n --sequence --only "$name$more"; done
           for n in 0 1 2 3; do "$bin/bench/bench_planners" --count 300 --cushions $n --pocket --only "$name$more"; done
+          [ -z "$more" ] ||
+            for n in 0 1 2 3; do "$bin/bench/bench_planners" --count 300 --cushions $n --pocket --centre --only "$name$more"; done
         done
       done
       ;;
