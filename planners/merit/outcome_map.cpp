@@ -70,8 +70,7 @@ bool OutcomeMap::is_made(double aim, Row& row) {
   std::size_t contacts = cushions.size() + static_cast<std::size_t>(r.jaws);
   for (const ObjectBallPath& ball : r.then) contacts += ball.cushions.size();
   const auto at = std::ranges::lower_bound(row.seen, aim, {}, &Seen::aim);
-  row.seen.insert(at, {aim, static_cast<int>(contacts)});
-  row.arrival = r.arrival.speed;
+  row.seen.insert(at, {aim, static_cast<int>(contacts), r.arrival.speed});
   return true;
 }
 
@@ -215,11 +214,19 @@ bool OutcomeMap::refine_changes(const Launch& best) {
   return false;
 }
 
-/// `row`: the one whose launches meet what this one does.
+/// Returns whether the arrival speed is one that the puzzle gives; by default any will do.
+bool OutcomeMap::arrives_as_asked(const Seen& seen) const {
+  const auto& arrive = q_.puzzle.arrive;
+  return !arrive || arrive->contains(seen.arrival);
+}
+
+/// `row`: the one whose launches meet and arrive as this one does. Its value is below any if it arrives otherwise than
+/// asked.
 OutcomeMap::Best OutcomeMap::at(double aim, double speed, const Row& row) const {
-  const auto distance = [&](const Seen& s) { return std::abs(s.aim - aim); };
-  const int contacts = row.seen.empty() ? 0 : std::ranges::min_element(row.seen, {}, distance)->contacts;
-  const double cost = cost_of({speed, aim}, shot_.spin) + cost_of_contacts(contacts);
+  if (row.seen.empty()) return {launch(aim, speed), -infinite};
+  const Seen& like = *std::ranges::min_element(row.seen, {}, [&](const Seen& s) { return std::abs(s.aim - aim); });
+  if (!arrives_as_asked(like)) return {launch(aim, speed), -infinite};
+  const double cost = cost_of({speed, aim}, shot_.spin) + cost_of_contacts(like.contacts);
   return {launch(aim, speed), success(aim, speed) - cost};
 }
 
@@ -261,27 +268,33 @@ double OutcomeMap::safest_aim(double speed) const {
   return best + (std::abs(to_low) < std::abs(to_high) ? to_low : to_high);
 }
 
-/// The best launch of a speed: the likeliest, or that nearest to it among those that meet the least.
+/// The best launch of a speed: the likeliest, or that nearest to it among those that meet the least. If the likeliest
+/// arrives otherwise than asked, the likeliest of those that were tried and arrive so.
 OutcomeMap::Best OutcomeMap::best_at(double speed) const {
   const auto distance = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinite; };
   const Row& row = *std::ranges::min_element(rows_, {}, distance);
   const double aim = safest_aim(speed);
   Best best = at(aim, speed, row);
+  const auto try_it = [&](const Seen& s) {
+    double angle = wrap_angle(origin_ + s.aim);
+    if (!inside_aims(angle, q_.angle)) return;
+    if (const Best other = at(s.aim, speed, row); other.value > best.value) best = other;
+  };
   if (row.seen.empty()) return best;
+  if (best.value == -infinite) std::ranges::for_each(row.seen, try_it);
   const auto effort = [&](const Seen& s) { return std::pair(s.contacts, std::abs(s.aim - aim)); };
-  double easy = wrap_angle(origin_ + std::ranges::min_element(row.seen, {}, effort)->aim);
-  if (!inside_aims(easy, q_.angle)) return best;
-  const Best other = at(angle_difference(origin_, easy), speed, row);
-  return other.value > best.value ? other : best;
+  try_it(*std::ranges::min_element(row.seen, {}, effort));
+  return best;
 }
 
 std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
   std::vector<Best> best;
-  const auto& arrive = q_.puzzle.arrive;
   for (const Row& row : rows_) {
     double speed = row.speed;
-    if (!row.made() || !bring_inside(speed, q_.speed) || (arrive && !arrive->contains(row.arrival))) continue;
-    if (!one_speed_ || row.speed == shot_.launch.speed) best.push_back(best_at(speed));
+    if (std::ranges::none_of(row.seen, [&](const Seen& s) { return arrives_as_asked(s); })) continue;
+    if (!row.made() || !bring_inside(speed, q_.speed)) continue;
+    if (one_speed_ && row.speed != shot_.launch.speed) continue;
+    if (const Best there = best_at(speed); there.value > -infinite) best.push_back(there);
   }
   // Of launches that are alike the slowest, whatever their last digits.
   std::ranges::stable_sort(best, std::greater(), [](const Best& b) { return std::round(b.value / alike); });
@@ -306,7 +319,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   best = best_so_far();
   while (!best.empty() && (refine(best.front().launch.speed) || refine_changes(best.front().launch)))
     best = best_so_far();
-  if (best.empty() || q_.puzzle.arrive) return best;
+  if (best.empty()) return best;
   const double best_speed = best.front().launch.speed;
   const auto beyond = std::ranges::upper_bound(rows_, best_speed, {}, &Row::speed);
   const auto from = std::ranges::lower_bound(rows_, best_speed, {}, &Row::speed);

@@ -42,17 +42,17 @@ class OutcomeMap {
     double width() const { return high - low; }
     double middle() const { return (low + high) / 2; }
   };
-  /// A launch that is made, and how many cushions and jaws its balls meet.
+  /// A launch that is made.
   struct Seen {
-    double aim;  ///< rad beside `origin_`
-    int contacts;
+    double aim;      ///< rad beside `origin_`
+    int contacts;    ///< cushions and jaws that its balls meet
+    double arrival;  ///< m/s, at the target
   };
   /// The launches of one speed.
   struct Row {
     double speed;               ///< m/s
     std::vector<Band> bands{};  ///< made, in order
     std::vector<Seen> seen{};   ///< in order
-    double arrival = 0;         ///< m/s, at the target
     bool made() const { return !bands.empty(); }
     const Band& widest() const { return *std::ranges::max_element(bands, {}, &Band::width); }
   };
@@ -69,6 +69,7 @@ class OutcomeMap {
   bool refine_changes(const Launch& best);
   std::vector<Best> best_so_far() const;
   Launch launch(double aim, double speed) const;
+  bool arrives_as_asked(const Seen& seen) const;
   Best at(double aim, double speed, const Row& row) const;
   Best best_at(double speed) const;
   double deviation(double speed) const;
