@@ -76,7 +76,7 @@ bool is_firm(const Question& q, EvaluationBudget& budget, const Shot& shot, doub
 }
 
 bool arrives_on_a_line(const Question& q, const Shot& shot) {
-  return q.on_a_line(q.mark_of(shot).ball, shot.arrival.at);
+  return q.on_a_line(q.aim_point_of(shot).ball, shot.arrival.at);
 }
 
 /// Finds a firm launch beside the shot's, as near as an exact answer must be, on the side that keeps the bounces.
@@ -159,7 +159,7 @@ bool certify_root(const LockedAim& aim, EvaluationBudget& budget, SearchResult& 
                   std::string_view step) {
   const int bounces = bounces_of(aim.route);
   if (!aim.q.starts() && certify(aim.q, budget, found, root, bounces, step)) return true;
-  found.candidates.push_back({root, {aim.route.begin(), aim.route.end()}, aim.mark, aim.q.spin});
+  found.candidates.push_back({root, {aim.route.begin(), aim.route.end()}, aim.aim_point, aim.q.spin});
   return false;
 }
 

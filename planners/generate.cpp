@@ -97,8 +97,8 @@ std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& bounda
   shot.until.cushions = n + 1;
   auto asked = ask(r, shot, simulate(shot), n, n);
   if (!asked) return {};
-  const Mark mark = marks_of(asked->puzzle.target, boundary).front();
-  if (mark.captures() && mark.taken_by.index != pocket) return {};
+  const AimPoint aim_point = aim_points_of(asked->puzzle.target, boundary).front();
+  if (aim_point.captures() && aim_point.taken_by.index != pocket) return {};
   asked->puzzle.cushions = CushionRule::exactly(n);
   return asked->puzzle;
 }
@@ -164,8 +164,8 @@ bool is_sound(const Puzzle& p, const Boundary& boundary) {
     return false;
   }
   constexpr double near = 0.2;
-  const Mark mark = marks_of(p).front();
-  return norm(mark.at - p.ball.at) >= near * boundary.diagonal;
+  const AimPoint aim_point = aim_points_of(p).front();
+  return norm(aim_point.at - p.ball.at) >= near * boundary.diagonal;
 }
 
 /// Returns whether a shot is found quickly. A random target often has none, and to be sure of that costs far more than
@@ -184,8 +184,8 @@ std::optional<Made> ask(Random& r, const ShotRequest& shot, const Trajectory& t,
   Puzzle& p = q.puzzle;
   const Record& last = t.events.back();
   double arrival = 0;
-  const auto rattles = [](const Record& e) { return e.kind == EventKind::jaw; };
-  if (t.legs.empty() || std::ranges::any_of(t.events, rattles)) return {};
+  const auto touches_jaws = [](const Record& e) { return e.kind == EventKind::jaw; };
+  if (t.legs.empty() || std::ranges::any_of(t.events, touches_jaws)) return {};
   if (t.end == EventKind::pocket) {
     p.target = PocketTarget{t.events[t.events.size() - 2].contact.index};
     q.bounces = t.cushions;

@@ -87,7 +87,7 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
   for (int row = 0; row < grid.speeds; ++row)
     for (int column = 0; column < grid.angles; ++column) map.made.push_back(made.at(column + beside, row + above) != 0);
   Rows half = blurred(made, by_aim);
-  map.chance = blurred(half, by_speed).cells;
+  map.success = blurred(half, by_speed).cells;
   return map;
 }
 

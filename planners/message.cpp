@@ -117,9 +117,9 @@ std::string why_beside(const Question& q, const Shot& shot) {
   const Route route = route_of(shot);
   EvaluationBudget aside(settings::most_spent_on_words);  // the words of an answer do not count against the budget
   const Question own = q.pinned || q.one_unknown() ? q : q.asking(shot.arrival.speed);
-  const auto root = newton({own, route, q.mark_of(shot)}, aside, shot.launch, settings::wide);
-  const auto& cuts = q.mark_of(shot).cuts;
-  const bool any_cut = cuts && cuts->high - cuts->low >= 2 * q.mark_of(shot).reach;
+  const auto root = newton({own, route, q.aim_point_of(shot)}, aside, shot.launch, settings::wide);
+  const auto& cuts = q.aim_point_of(shot).cuts;
+  const bool any_cut = cuts && cuts->high - cuts->low >= 2 * q.aim_point_of(shot).reach;
   const std::string where = fmt::format("; it is made beside the {}: ", q.drops()          ? "exact line"
                                                                         : cuts && !any_cut ? "cut that is asked"
                                                                         : cuts             ? "middle of the ball"
@@ -138,7 +138,7 @@ std::string solved(const Question& q, const EvaluationBudget& budget, const Sear
   if (is_hopeless(q.puzzle, a.shots.front()))
     text = "possible, not playable: this player makes it less than once in 100 tries; " + text;
   if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
-  if (a.shots.front().rattles)
+  if (a.shots.front().touches_jaws)
     text += q.safest() ? "; it touches the jaws of a pocket"
                        : "; it counts on jaws, since none was found that touches none";
   if (a.shots.front().off_centre && !a.shots.front().moved && !q.safest())
@@ -179,8 +179,8 @@ std::string no_shot(const Question& q, const SearchResult& found) {
 /// Returns remarks on an odd puzzle that may explain why no shot was found.
 std::string caveats(const Question& q) {
   std::string text;
-  const Mark& mark = q.nearest_mark(q.puzzle.ball.at);
-  if (!mark.captures() && norm(mark.at - q.puzzle.ball.at) <= mark.reach && q.cushions().min == 0)
+  const AimPoint& aim_point = q.nearest_aim_point(q.puzzle.ball.at);
+  if (!aim_point.captures() && norm(aim_point.at - q.puzzle.ball.at) <= aim_point.reach && q.cushions().min == 0)
     text += "; the ball starts at its target";
   return text;
 }

@@ -85,7 +85,7 @@ Question::Question(const Puzzle& p, Wanted w)
       whole(std::holds_alternative<BallTarget>(p.target) ? std::make_shared<const Starts>(scene_of(p)) : nullptr),
       rough(roughly(p.physics)),
       wanted(w),
-      marks(then_of(p.target) ? marks_of(p) : marks_of(p.target, boundary)),
+      aim_points(then_of(p.target) ? aim_points_of(p) : aim_points_of(p.target, boundary)),
       touched(touched_by(boundary, p.ball.at)),
       speed(p.speed),
       angle(p.angle),
@@ -143,33 +143,34 @@ Question Question::better_than(const Shot& shot) const {
   Question q = *this;
   if (puzzle.prefer == Prefer::soft) q.speed.high = std::max(speed.low, std::min(speed.high, shot.launch.speed));
   if (puzzle.prefer == Prefer::quick) q.latest = shot.arrival.time;
-  if (puzzle.prefer == Prefer::robust) q.likelier = shot.chance;
+  if (puzzle.prefer == Prefer::robust) q.likelier = shot.success_estimate;
   return q;
 }
 
-const Mark& Question::nearest_mark(const Vec2d& arrived, int ball) const {
-  const auto own = std::ranges::find(marks, ball, &Mark::ball);
-  const bool has_own = own != marks.end();
-  const Mark* best = has_own ? &*own : &marks.front();
+const AimPoint& Question::nearest_aim_point(const Vec2d& arrived, int ball) const {
+  const auto own = std::ranges::find(aim_points, ball, &AimPoint::ball);
+  const bool has_own = own != aim_points.end();
+  const AimPoint* best = has_own ? &*own : &aim_points.front();
   double least = best->apart(arrived);
-  for (const Mark& mark : marks) {
-    if (has_own && mark.ball != ball) continue;
-    if (const double apart = mark.apart(arrived); apart < least) best = &mark, least = apart;
+  for (const AimPoint& aim_point : aim_points) {
+    if (has_own && aim_point.ball != ball) continue;
+    if (const double apart = aim_point.apart(arrived); apart < least) best = &aim_point, least = apart;
   }
   return *best;
 }
 
-const Mark* Question::mark_taken_by(Contact contact, const Vec2d& arrived, int ball) const {
-  const Mark* best = nullptr;
-  for (const Mark& mark : marks)
-    if (mark.taken_by == contact && mark.ball == ball && (!best || mark.apart(arrived) < best->apart(arrived)))
-      best = &mark;
+const AimPoint* Question::aim_point_taken_by(Contact contact, const Vec2d& arrived, int ball) const {
+  const AimPoint* best = nullptr;
+  for (const AimPoint& aim_point : aim_points)
+    if (aim_point.taken_by == contact && aim_point.ball == ball &&
+        (!best || aim_point.apart(arrived) < best->apart(arrived)))
+      best = &aim_point;
   return best;
 }
 
 Contact Question::covering() const {
   const auto covers = [&](const Circle& ball) {
-    return !captures() && !objects && norm(marks.front().at - ball.centre) < ball.radius - boundary.touch;
+    return !captures() && !objects && norm(aim_points.front().at - ball.centre) < ball.radius - boundary.touch;
   };
   const auto ball = std::ranges::find_if(boundary.balls, covers);
   return ball == boundary.balls.end() ? Contact{} : ball->contact;
@@ -185,7 +186,7 @@ bool Question::into_touched_cushion(double launch_angle) const {
 }
 
 Route route_with_jaws_of(const Shot& shot) {
-  return shot.rattles && shot.then.empty() ? route_by(shot.met) : route_of(shot);
+  return shot.touches_jaws && shot.then.empty() ? route_by(shot.met) : route_of(shot);
 }
 
 Route route_of(const Shot& shot) {

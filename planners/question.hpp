@@ -60,12 +60,12 @@ struct Question {
   std::shared_ptr<const Starts> whole;     ///< all balls as they start, if a ball is the target; else null
   Physics rough;                           ///< the puzzle's, with impacts integrated no more finely than a seed needs
   Wanted wanted;
-  bool valued = true;            ///< success is computed and ranks shots; otherwise its first-order estimate does
-  bool every = false;            ///< all shots are wanted, even if this problem asks for roots to start from
-  std::vector<Mark> marks;       ///< the aim points
-  std::vector<Contact> touched;  ///< contacts of the ball at the start
-  Range speed;                   ///< m/s, of the launch
-  std::optional<Range> angle;    ///< rad, of the aim; none: any
+  bool valued = true;                ///< success is computed and ranks shots; otherwise its first-order estimate does
+  bool every = false;                ///< all shots are wanted, even if this problem asks for roots to start from
+  std::vector<AimPoint> aim_points;  ///< the aim points
+  std::vector<Contact> touched;      ///< contacts of the ball at the start
+  Range speed;                       ///< m/s, of the launch
+  std::optional<Range> angle;        ///< rad, of the aim; none: any
   LaunchSpin spin;
   std::optional<Range> arrival;    ///< m/s at the aim point; none: any
   bool stop;                       ///< the ball must come to rest at its aim point
@@ -119,14 +119,14 @@ struct Question {
   /// Returns the launch speed if only the aim is unknown: the fixed one, or `ideal_speed`.
   double fixed_speed() const;
   /// Returns whether an aim point captures the ball: a pocket, or another ball.
-  bool captures() const { return !marks.empty() && marks.front().captures(); }
+  bool captures() const { return !aim_points.empty() && aim_points.front().captures(); }
   /// Returns whether a pocket is asked for.
-  bool drops() const { return !marks.empty() && marks.front().drops(); }
+  bool drops() const { return !aim_points.empty() && aim_points.front().drops(); }
   /// Returns the nearest of the aim points to which this contact takes the ball; null if there is none.
-  const Mark* mark_taken_by(Contact contact, const Vec2d& arrived, int ball = 0) const;
-  const Mark& nearest_mark(const Vec2d& arrived, int ball = 0) const;
+  const AimPoint* aim_point_taken_by(Contact contact, const Vec2d& arrived, int ball = 0) const;
+  const AimPoint& nearest_aim_point(const Vec2d& arrived, int ball = 0) const;
   /// Returns the aim point of a made shot.
-  const Mark& mark_of(const Shot& shot) const { return nearest_mark(shot.arrival.at, shot.arriving()); }
+  const AimPoint& aim_point_of(const Shot& shot) const { return nearest_aim_point(shot.arrival.at, shot.arriving()); }
   /// Returns the ball that stands where the cue ball is to pass or to rest, if any does.
   Contact covering() const;
   /// Returns whether anything but cushions may block a path to part of the target.

@@ -56,7 +56,7 @@ struct NearMiss {
 struct Candidate {
   Launch launch;
   Route route;
-  Mark mark;
+  AimPoint aim_point;
   LaunchSpin spin{};
   double half = 0;  ///< rad; how far beside the aim to look; 0: as far as the target is wide
   double room = -std::numeric_limits<double>::infinity();  ///< m; the largest clearance that was found there

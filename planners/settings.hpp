@@ -219,7 +219,7 @@ inline constexpr std::size_t aims_across = 17;
 inline constexpr double nearly_allowed = 1.3;
 }  // namespace parts
 
-namespace rattles {
+namespace jaw_shots {
 /// One look into the mouths of pockets. It has the cells from which launches are sent, the distance of launches across
 /// a mouth in radii of the ball, and the number of mouths off whose jaws the ball may come on its way. Looks follow
 /// each other until there is a shot; each costs more and solves a few more puzzles.
@@ -244,7 +244,7 @@ inline constexpr int most_steps = 12, most_shortened = 3;
 inline constexpr double shorter = 4;
 /// Shots enough to choose from.
 inline constexpr std::size_t enough = 8;
-}  // namespace rattles
+}  // namespace jaw_shots
 
 namespace widest {
 /// Interval at which golden sections end [rad].

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Beside a curve on which no launch is made, since something blocks the exact line all along: first where the locked
-// path has room, then where the ball rattles in.
+// path has room, then where the ball falls by the jaws.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -19,8 +19,10 @@ using namespace settings::family;
 
 namespace {
 
-/// rad that move the arrival across by the mark's reach.
-double across(const LockedAim& a, const Point& p) { return a.mark.reach / (p.off[0].by[aim] * a.q.boundary.diagonal); }
+/// rad that move the arrival across by the aim point's reach.
+double across(const LockedAim& a, const Point& p) {
+  return a.aim_point.reach / (p.off[0].by[aim] * a.q.boundary.diagonal);
+}
 
 }  // namespace
 
@@ -30,7 +32,7 @@ Launch Family::beside(const Launch& line, double turn) { return {line.speed, wra
 bool Family::look_beside(Curve& curve) {
   const auto look = [&] { return std::ranges::any_of(curve, [&](Tried& t) { return look_beside(t); }); };
   if (look()) return true;
-  divide(curve, [&](const Tried& t) { return t.spare > -little_beside * start_.mark.reach; });
+  divide(curve, [&](const Tried& t) { return t.spare > -little_beside * start_.aim_point.reach; });
   return look();
 }
 
@@ -39,9 +41,9 @@ bool Family::look_beside(Tried& t) {
   t.looked = true;
   if (t.made()) {
     keep(t);
-    return is_listed(start_.mark, aim_.route, found_.shots);
+    return is_listed(start_.aim_point, aim_.route, found_.shots);
   }
-  if (!t.room || t.room->hidden > little_turn || !(t.room->least() > -start_.mark.reach)) return false;
+  if (!t.room || t.room->hidden > little_turn || !(t.room->least() > -start_.aim_point.reach)) return false;
   q_.spin = spin_of(t.at.x);
   const double way = across(aim_, t.at);
   return look_to_one_side(t, way) || look_to_one_side(t, -way);
@@ -55,10 +57,10 @@ bool Family::look_to_one_side(Tried& t, double way) {
   for (int i = 1, steps = 1; i <= most_beside; i += steps) {
     const Launch to = beside(line, i * apart_beside * way);
     const auto spare = room(aim_, budget_, to);
-    if (!spare || !(spare->at_mark > 0) || !(spare->least() > std::min(before, 0.0))) return false;
+    if (!spare || !(spare->at_aim_point > 0) || !(spare->least() > std::min(before, 0.0))) return false;
     const double gained = (spare->least() - before) / steps;
     before = spare->least();
-    const double left = spare->at_mark / (apart_beside * start_.mark.reach);
+    const double left = spare->at_aim_point / (apart_beside * start_.aim_point.reach);
     t.spare = std::max(t.spare, before < 0 ? before + gained * left : before);
     steps = before < 0 ? 1 + static_cast<int>(std::min(-before / gained, 1.0 * most_beside)) : 1;
     if (before > 0 && keep_beside(to)) return true;
@@ -66,29 +68,29 @@ bool Family::look_to_one_side(Tried& t, double way) {
   return false;
 }
 
-/// True where it leads as the curve does. Of launches that lead to a mark otherwise one is enough.
+/// True where it leads as the curve does. Of launches that lead to an aim point otherwise one is enough.
 bool Family::keep_beside(const Launch& launch) {
   std::vector<Shot>& shots = found_.shots;
   const std::size_t known = shots.size();
   if (!certify(q_, budget_, found_, launch, bounces_of(aim_.route), step_, Demand::off_centre)) return false;
-  if (is_listed(start_.mark, aim_.route, shots)) return true;
+  if (is_listed(start_.aim_point, aim_.route, shots)) return true;
   const Shot& last = shots.back();
-  if (shots.size() > known && is_listed(q_.mark_of(last), route_of(last), std::span(shots).first(known)))
+  if (shots.size() > known && is_listed(q_.aim_point_of(last), route_of(last), std::span(shots).first(known)))
     shots.pop_back();
   return false;
 }
 
 /// Off its jaws, or rails beside them: for each way to fall the middles of the bands of aims, the widest first, until
 /// one is made.
-void Family::look_for_rattles(const Curve& curve) {
+void Family::look_for_jaw_shots(const Curve& curve) {
   std::map<std::vector<Contact>, std::vector<Band>> ways;
   std::size_t i = 0;
   for (const Tried& t : curve)
-    if (!t.between && i++ % rattle_points == rattle_points - 1 && t.room && !budget_.spent()) add_bands(t.at, ways);
+    if (!t.between && i++ % jaw_shot_points == jaw_shot_points - 1 && t.room && !budget_.spent()) add_bands(t.at, ways);
   for (auto& [by, bands] : ways) {
     Route whole(aim_.route.begin(), aim_.route.end());
-    for (const Contact c : by) whole.push_back({start_.mark.ball, c});
-    const auto known = [&](const Shot& s) { return q_.mark_of(s) == start_.mark && route_of(s) == whole; };
+    for (const Contact c : by) whole.push_back({start_.aim_point.ball, c});
+    const auto known = [&](const Shot& s) { return q_.aim_point_of(s) == start_.aim_point && route_of(s) == whole; };
     if (std::ranges::any_of(found_.shots, known)) continue;
     std::ranges::stable_sort(bands, std::ranges::greater{}, [](const Band& b) { return b.last - b.first; });
     for (const Band& b : bands) {
@@ -101,9 +103,9 @@ void Family::look_for_rattles(const Curve& curve) {
 /// Of one point of the curve.
 void Family::add_bands(const Point& p, std::map<std::vector<Contact>, std::vector<Band>>& ways) {
   q_.spin = spin_of(p.x);
-  Band band{launch_of(p.x), q_.spin, apart_rattles * across(aim_, p)};
+  Band band{launch_of(p.x), q_.spin, apart_jaw_shots * across(aim_, p)};
   std::optional<std::vector<Contact>> before;
-  for (int i = -most_rattles; i <= most_rattles; ++i) {
+  for (int i = -most_jaw_shots; i <= most_jaw_shots; ++i) {
     auto by = falls_by(aim_, budget_, beside(band.line, i * band.step));
     if (by) {
       band.last = i;

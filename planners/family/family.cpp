@@ -26,9 +26,10 @@ double near_window(double angle, const std::optional<Range>& window) {
   return middle + angle_difference(wrap_angle(middle), angle);
 }
 
-/// The value to first order; where the chance is all but 0 its logarithm, which is less and still grows.
+/// The value to first order; where success is all but 0 its logarithm, which is less and still grows.
 double likely_value(const Shot& shot) {
-  return shot.chance > playable ? shot.chance - cost_of(shot) : std::log(std::max(shot.chance, least_chance));
+  return shot.success_estimate > playable ? shot.success_estimate - cost_of(shot)
+                                          : std::log(std::max(shot.success_estimate, least_success));
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ Family::Family(const Question& q, EvaluationBudget& budget, SearchResult& found,
       found_(found),
       start_(start),
       step_(step),
-      aim_{q_, start.route, start.mark},
+      aim_{q_, start.route, start.aim_point},
       box_(box_of(q)),
       wide_(box_),
       vary_(q.puzzle.spin_range ? Vary::spin_too : Vary::launch) {
@@ -78,7 +79,8 @@ void Family::search() {
     Curve curve = free == 1 ? walk(*from) : Curve{{*from}};
     add_crossings(curve);
     keep_parts(curve);
-    if (lists() && !is_listed(start_.mark, aim_.route, found_.shots) && !look_beside(curve)) look_for_rattles(curve);
+    if (lists() && !is_listed(start_.aim_point, aim_.route, found_.shots) && !look_beside(curve))
+      look_for_jaw_shots(curve);
     return;
   }
   auto from = settle(x, box_);
@@ -87,9 +89,10 @@ void Family::search() {
   if (best.made()) keep(best);
 }
 
-bool Family::is_listed(const Mark& mark, std::span<const Meeting> route, std::span<const Shot> among) const {
-  return std::ranges::any_of(
-      among, [&](const Shot& shot) { return q_.mark_of(shot) == mark && std::ranges::equal(route_of(shot), route); });
+bool Family::is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const {
+  return std::ranges::any_of(among, [&](const Shot& shot) {
+    return q_.aim_point_of(shot) == aim_point && std::ranges::equal(route_of(shot), route);
+  });
 }
 
 double Family::merit(const Point& p) const {
@@ -217,7 +220,7 @@ void Family::keep(const Tried& t) {
 }
 
 Candidate candidate_of(const Question& q, const Shot& shot) {
-  return {shot.launch, route_of(shot), q.mark_of(shot), shot.spin};
+  return {shot.launch, route_of(shot), q.aim_point_of(shot), shot.spin};
 }
 
 void tune(const Question& q, EvaluationBudget& budget, SearchResult& found) {

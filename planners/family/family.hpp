@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// All roots of one route and mark that a puzzle's free arrival speed and free spins leave.
+// All roots of one route and aim point that a puzzle's free arrival speed and free spins leave.
 //   settle  the point of the family nearest to a launch: Newton's method of least change, inside bounds
 //   walk    where one thing is free the family is a curve: steps along it, both ways, to where the arrival speed or the
 //           spin ends; what the replay makes of each step is asked afterwards, since only parts of a curve may be shots
 //   climb   where more is free, a compass search over the family's tangent space to a best shot by `prefer`
 //   beside  where every shot with other balls is wanted and no point of a curve is made, launches beside it and between
-//           its points: those that fall straight, then those that rattle in
+//           its points: those that fall straight, then those that fall by the jaws
 // A best shot lies inside, at a bound, or where a cushion's end or a pocket cuts the family; there the edge is
 // bisected. Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: what is kept is proved;
 // that nothing better exists is measured (tests/stress), not proved. Source: the corrector is Gauss's and Newton's with
@@ -47,7 +47,7 @@ class Family {
   /// Keeps the best shot of each connected part (where one shot is wanted, of the best one).
   void search();
 
-  /// Along the family from a shot to where its chance of success is largest, found by simulation: the last touch, for
+  /// Along the family from a shot to where its success is largest, found by simulation: the last touch, for
   /// the few shots that are printed.
   Shot tuned(const Shot& shot);
 
@@ -98,10 +98,10 @@ class Family {
   void look_between(Curve& curve);
   void divide(Curve& curve, const std::function<bool(const Tried&)>& is_hopeful);
   void keep_parts(Curve& curve);
-  bool is_listed(const Mark& mark, std::span<const Meeting> route, std::span<const Shot> among) const;
+  bool is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const;
   bool keep_beside(const Launch& launch);
   int parts_between(const Point& a, const Point& b) const;
-  bool lists() const { return q_.objects && q_.all() && start_.mark.drops(); }
+  bool lists() const { return q_.objects && q_.all() && start_.aim_point.drops(); }
   static Launch beside(const Launch& line, double turn);
   /// Neighbouring aims beside a point of a curve: so many steps.
   struct Band {
@@ -115,7 +115,7 @@ class Family {
   bool look_beside(Curve& curve);
   bool look_beside(Tried& t);
   bool look_to_one_side(Tried& t, double way);
-  void look_for_rattles(const Curve& curve);
+  void look_for_jaw_shots(const Curve& curve);
   void add_bands(const Point& p, std::map<std::vector<Contact>, std::vector<Band>>& ways);
   Tried edge(const Tried& inside, const Tried& outside);
   Tried peak(const Tried& before, const Tried& best, const Tried& after);

@@ -50,14 +50,14 @@ std::optional<Point> look_at(const LockedAim& a, const Vector& x) {
   Point p{x};
   p.time = value_of<N>(arrival->time);
   const T diagonal(q.boundary.diagonal);
-  const Vec2<T> off = to<T>(a.mark.at) - arrival->state.at;
+  const Vec2<T> off = to<T>(a.aim_point.at) - arrival->state.at;
   if (q.stop) {
     p.equations = 2;
     p.off = {value_of<N>(off.x / diagonal), value_of<N>(off.y / diagonal)};
     return p;
   }
   const Vec2<T> u = arrival->heading / norm(arrival->heading);
-  p.off[0] = value_of<N>(beside_exact(a.mark, u, off) / diagonal);
+  p.off[0] = value_of<N>(beside_exact(a.aim_point, u, off) / diagonal);
   p.speed2 = value_of<N>(arrival_square(q.puzzle.physics, *arrival, u, off));
   return p;
 }

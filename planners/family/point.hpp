@@ -29,7 +29,7 @@ struct Value {
   Vector by = Vector::Zero();
 };
 
-/// A launch on a locked route, and what it does at the mark.
+/// A launch on a locked route, and what it does at the aim point.
 struct Point {
   Vector x = Vector::Zero();
   int equations = 1;  ///< that say where it passes: across the line of travel, or both coordinates where it rests

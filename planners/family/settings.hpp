@@ -22,22 +22,22 @@ inline constexpr double uncertain = 1e-6;
 /// settled points cost 9 % more simulations.
 inline constexpr double loosely = 0.01;
 /// Parts into which a curve is divided further where none of its points is made: so many at least and at most, and one
-/// for each so many of the mark's reach that it moves across a launch between. And where it lacks so little room, of
-/// the mark's reach: on the curve, or beside it.
+/// for each so many of the aim point's reach that it moves across a launch between. And where it lacks so little room,
+/// of the aim point's reach: on the curve, or beside it.
 inline constexpr int least_parts = 4, most_parts = 8;
 inline constexpr double across_a_part = 0.25;
 inline constexpr double little_lack = 0.02, little_beside = 0.2;
-/// Sine: a mark that is hidden by more at two points is hidden between them. From 0.02 to 0.1 no list changes; with 0
-/// one shot of 3,836 is lost.
+/// Sine: an aim point that is hidden by more at two points is hidden between them. From 0.02 to 0.1 no list changes;
+/// with 0 one shot of 3,836 is lost.
 inline constexpr double little_turn = 0.05;
-/// Of the mark's reach: how far apart launches beside a curve are that are tried, and how many to either side.
+/// Of the aim point's reach: how far apart launches beside a curve are that are tried, and how many to either side.
 inline constexpr double apart_beside = 0.05;
 inline constexpr int most_beside = 24;
-/// The same of launches that rattle in, and every how many-th point of a curve is looked at: likely ones fall in wide
-/// bands, which change little along a curve, though what moves may block some of them.
-inline constexpr double apart_rattles = 0.2;
-inline constexpr int most_rattles = 4;
-inline constexpr std::size_t rattle_points = 2;
+/// The same of launches that fall by the jaws, and every how many-th point of a curve is looked at: likely ones fall in
+/// wide bands, which change little along a curve, though what moves may block some of them.
+inline constexpr double apart_jaw_shots = 0.2;
+inline constexpr int most_jaw_shots = 4;
+inline constexpr std::size_t jaw_shot_points = 2;
 /// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
 /// more.
 inline constexpr double hopeless = 0.15;
@@ -57,12 +57,12 @@ inline constexpr double longest_climb = 4, finest_climb = 0.01, least_gain = 1e-
 inline constexpr int most_climbed = 120;
 /// rad: turns of the compass that never repeat.
 inline constexpr double golden_turn = 2.399963;
-/// Steps of the last touch by simulated success: estimates at most, the finest step, a gain of chance that is worth
-/// one (less is what success is off by), and a chance that needs none.
+/// Steps of the last touch by simulated success: estimates at most, the finest step, a gain of success that is worth
+/// one (less is what success is off by), and a success that needs none.
 inline constexpr int most_tuned = 10;
 inline constexpr double finest_tuning = 0.2, worth_tuning = 0.005, sure = 0.995;
-/// A chance that is worth comparing; and one that is as good as none.
-inline constexpr double playable = 0.01, least_chance = 1e-15;
+/// A success that is worth comparing; and one that is as good as none.
+inline constexpr double playable = 0.01, least_success = 1e-15;
 }  // namespace family
 
 }  // namespace bankshot::planning::settings

@@ -91,7 +91,7 @@ Family::Tried Family::attempt_where_clear(const Point& p) {
 /// So many that launches beside the points between leave little out.
 int Family::parts_between(const Point& a, const Point& b) const {
   const double slope = std::max(std::abs(a.off[0].by[aim]), std::abs(b.off[0].by[aim])) * q_.boundary.diagonal;
-  const double across = std::abs(a.x[aim] - b.x[aim]) * slope / start_.mark.reach;
+  const double across = std::abs(a.x[aim] - b.x[aim]) * slope / start_.aim_point.reach;
   return static_cast<int>(std::clamp(across / across_a_part, 1.0 * least_parts, 1.0 * most_parts));
 }
 
@@ -117,7 +117,7 @@ void Family::divide(Curve& curve, const std::function<bool(const Tried&)>& is_ho
 /// Where the locked path has room, balls that move are in the way: not at all speeds, perhaps.
 void Family::look_between(Curve& curve) {
   divide(curve, [&](const Tried& t) {
-    return t.room && t.room->hidden < little_turn && t.room->least() > -little_lack * start_.mark.reach;
+    return t.room && t.room->hidden < little_turn && t.room->least() > -little_lack * start_.aim_point.reach;
   });
 }
 

@@ -14,6 +14,6 @@
 namespace bankshot::planning {
 
 /// Returns the point on the table [m], as a ball at `from` sees the aim point in an image.
-Vec2d on_exact_line(const Mark& mark, const Affine& image, const Vec2d& from);
+Vec2d on_exact_line(const AimPoint& aim_point, const Affine& image, const Vec2d& from);
 
 }  // namespace bankshot::planning

@@ -28,18 +28,18 @@ void refine_images(const Question& q, EvaluationBudget& budget, SearchResult& fo
   std::set<std::pair<Route, std::size_t>> settled;
   for (const Candidate& candidate : found.candidates)
     if (q.starts())
-      settled.insert(
-          {candidate.route, static_cast<std::size_t>(std::ranges::find(q.marks, candidate.mark) - q.marks.begin())});
+      settled.insert({candidate.route, static_cast<std::size_t>(std::ranges::find(q.aim_points, candidate.aim_point) -
+                                                                q.aim_points.begin())});
   for (const double share : settings::restitution_shares) {
     const double e = share * restitution(q.puzzle.physics).at_rest;
     Unfolding images(q, {.parts = !straight, .restitution = e, .keep_routes = true});
     while (const auto image = images.next()) {
       if (stop::enough_seeds(q, budget, found)) return;
       if (double aim = image->angle; q.starts() && !inside_aims(aim, q.angle)) continue;
-      std::pair key{images.route(*image), image->mark};
+      std::pair key{images.route(*image), image->aim_point};
       if (!straight && settled.contains(key)) continue;
       if (key.first.empty() && share != settings::restitution_shares.front()) continue;  // no cushion bends the path
-      const LockedAim aim{q, key.first, q.marks[image->mark]};
+      const LockedAim aim{q, key.first, q.aim_points[image->aim_point]};
       if (refine_aim(aim, budget, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));
     }
     if (straight || !images.whole()) return;

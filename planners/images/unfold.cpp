@@ -107,29 +107,29 @@ void Unfolding::visit(Node node) {
 }
 
 void Unfolding::propose(const Node& node) {
-  for (std::size_t i = 0; i < q_.marks.size(); ++i)
+  for (std::size_t i = 0; i < q_.aim_points.size(); ++i)
     if (const auto c = candidate(node, i)) candidates_.push(*c);
 }
 
 std::optional<Image> Unfolding::candidate(const Node& node, std::size_t i) const {
-  const Mark& mark = q_.marks[i];
-  if (!q_.route && (node.closed || is_beside(node, mark))) return {};
+  const AimPoint& aim_point = q_.aim_points[i];
+  if (!q_.route && (node.closed || is_beside(node, aim_point))) return {};
   const Vec2d& ball = q_.puzzle.ball.at;
-  const Vec2d ray = node.image.apply(on_exact_line(mark, node.image, ball)) - ball;
+  const Vec2d ray = node.image.apply(on_exact_line(aim_point, node.image, ball)) - ball;
   const double distance = norm(ray);
   if (!(distance > 0) || !std::isfinite(distance)) return {};
   if (q_.in_vertex() && !leads_over_table(ball, ray)) return {};
-  if (is_point(mark) && !leads_over_table(mark.at, -node.image.back(ray))) return {};
+  if (is_point(aim_point) && !leads_over_table(aim_point.at, -node.image.back(ray))) return {};
   const bool passes = !node.closed && (node.open || in_beam(node.from, node.to, ray));
-  Image c{0, node.bounces, std::max(0.0, distance - mark.capture()), 0, 0, i, node.self, ray};
-  if (!node.closed && !(passes && options_.keep_routes)) find_window(node, mark, c);
+  Image c{0, node.bounces, std::max(0.0, distance - aim_point.capture()), 0, 0, i, node.self, ray};
+  if (!node.closed && !(passes && options_.keep_routes)) find_window(node, aim_point, c);
   const bool only_part = options_.parts && c.low < c.high;
   return passes || only_part || q_.route ? std::optional(c) : std::nullopt;
 }
 
 /// Returns whether a pocket captures before a cushion through it is met, so that no path to it ends in a bounce there.
-bool Unfolding::is_point(const Mark& mark) const {
-  return mark.drops() && mark.reach <= tolerance::point_pocket * q_.boundary.diagonal;
+bool Unfolding::is_point(const AimPoint& aim_point) const {
+  return aim_point.drops() && aim_point.reach <= tolerance::point_pocket * q_.boundary.diagonal;
 }
 
 /// Returns whether a little step from a place leads over the table.
@@ -139,10 +139,10 @@ bool Unfolding::leads_over_table(const Vec2d& from, const Vec2d& way) const {
 
 /// Returns whether no ray of the beam reaches any part of the target, nor an exact line of it. Sums of coordinates
 /// stand for lengths.
-bool Unfolding::is_beside(const Node& node, const Mark& mark) const {
+bool Unfolding::is_beside(const Node& node, const AimPoint& aim_point) const {
   if (node.open) return false;
-  const Vec2d middle = node.image.apply(mark.at) - q_.puzzle.ball.at;
-  const double covers = mark.reach * (mirrors_ ? 1 : 2 * node.image.stretch());
+  const Vec2d middle = node.image.apply(aim_point.at) - q_.puzzle.ball.at;
+  const double covers = aim_point.reach * (mirrors_ ? 1 : 2 * node.image.stretch());
   const auto outside = [&](const Vec2d& edge, double across) {
     return across < -covers * (std::abs(edge.x) + std::abs(edge.y)) - slack(edge, middle);
   };
@@ -150,11 +150,11 @@ bool Unfolding::is_beside(const Node& node, const Mark& mark) const {
 }
 
 /// Finds the aims beside a candidate's that are in the beam and may reach some part of the target.
-void Unfolding::find_window(const Node& node, const Mark& mark, Image& c) const {
-  const Vec2d middle = node.image.apply(mark.at) - q_.puzzle.ball.at;
+void Unfolding::find_window(const Node& node, const AimPoint& aim_point, Image& c) const {
+  const Vec2d middle = node.image.apply(aim_point.at) - q_.puzzle.ball.at;
   const double distance = norm(middle);
   // Twice the mean stretch bounds the largest one, so this bounds the image of the target.
-  const double covers = mark.reach * (mirrors_ ? 1 : 2 * node.image.stretch()) / distance;
+  const double covers = aim_point.reach * (mirrors_ ? 1 : 2 * node.image.stretch()) / distance;
   const double half = covers < 1 ? std::asin(covers) : radians(180),
                turned = c.ray == middle ? 0 : angle_between(c.ray, middle);
   double low = -half, high = half;
@@ -287,7 +287,7 @@ void Unfolding::lattice() {
     if (const auto c = candidate(node, k)) found.push_back(*c);
   };
   const CushionRule& rule = q_.cushions();
-  for (std::size_t k = 0; k < q_.marks.size(); ++k)
+  for (std::size_t k = 0; k < q_.aim_points.size(); ++k)
     for (int n = rule.min; n <= rule.max; ++n)
       for (int i = -n; i <= n; ++i) {
         const int j = n - std::abs(i);

@@ -32,12 +32,12 @@ namespace bankshot::planning {
 struct Image {
   double angle = 0;  ///< rad, of `ray`
   int bounces = 0;
-  double distance = 0;   ///< m, from the ball to the image: the path's length if e = 1
-  double low = 0;        ///< rad beside `angle`: the aims at which a ray that passes the cushions
-  double high = 0;       ///< may reach any part of the target; low = high = 0 if none may
-  std::size_t mark = 0;  ///< index of the problem's aim point
-  int node = -1;         ///< index of the node with its sequence; -1 in a lattice
-  Vec2d ray{};           ///< from the ball to the image of the aim point, or of a point on its exact line
+  double distance = 0;        ///< m, from the ball to the image: the path's length if e = 1
+  double low = 0;             ///< rad beside `angle`: the aims at which a ray that passes the cushions
+  double high = 0;            ///< may reach any part of the target; low = high = 0 if none may
+  std::size_t aim_point = 0;  ///< index of the problem's aim point
+  int node = -1;              ///< index of the node with its sequence; -1 in a lattice
+  Vec2d ray{};                ///< from the ball to the image of the aim point, or of a point on its exact line
 };
 
 class Unfolding {
@@ -95,11 +95,11 @@ class Unfolding {
   void visit(Node node);
   void propose(const Node& node);
   /// Returns the candidate of an aim point; none if no ray gets near it.
-  std::optional<Image> candidate(const Node& node, std::size_t mark) const;
-  bool is_beside(const Node& node, const Mark& mark) const;
-  bool is_point(const Mark& mark) const;
+  std::optional<Image> candidate(const Node& node, std::size_t aim_point) const;
+  bool is_beside(const Node& node, const AimPoint& aim_point) const;
+  bool is_point(const AimPoint& aim_point) const;
   bool leads_over_table(const Vec2d& from, const Vec2d& way) const;
-  void find_window(const Node& node, const Mark& mark, Image& c) const;
+  void find_window(const Node& node, const AimPoint& aim_point, Image& c) const;
   std::optional<Node> child(const Node& node, int wall);
   std::optional<Node> at_start(const Node& node, int wall) const;
   /// Returns the least distance between centres that touch two cushions; 0 for neighbours and for none (-1).

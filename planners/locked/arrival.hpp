@@ -16,8 +16,8 @@ std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& s
   return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
     const auto path = follow_locked(a.q.balls(), motion, cushion, a.route, start);
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
-    auto arrival =
-        arrive_locked(motion, a.q.boundary_of(path.ball).body, path.state, a.mark.at, a.mark.capture(), a.q.stop);
+    auto arrival = arrive_locked(motion, a.q.boundary_of(path.ball).body, path.state, a.aim_point.at,
+                                 a.aim_point.capture(), a.q.stop);
     arrival.time += path.time;
     return arrival;
   });
@@ -33,20 +33,20 @@ T even_square(const Physics& physics, const T& square) {
   return drag.none() || !(square > T(0)) ? square : T(drag.length(T(sqrt(square)), T(0)) * (2 * drag.constant));
 }
 
-/// The squared speed on arrival as residual [1] counts it, of a ball that moves along the unit vector u with the mark
-/// this far off: continued below 0 where it rests before.
+/// The squared speed on arrival as residual [1] counts it, of a ball that moves along the unit vector u with the aim
+/// point this far off: continued below 0 where it rests before.
 template <class T>
 T arrival_square(const Physics& physics, const LockedArrival<T>& arrival, const Vec2<T>& u, const Vec2<T>& off) {
   if (arrival.at_rest) return T(-2 * deceleration(physics)) * dot(u, off);
   return even_square(physics, T(dot(arrival.state.velocity, arrival.state.velocity)));
 }
 
-/// How far the exact line is on the left of the ball's [m], which moves along the unit vector u with the mark this far
-/// off.
+/// How far the exact line is on the left of the ball's [m], which moves along the unit vector u with the aim point this
+/// far off.
 template <class T>
-T beside_exact(const Mark& mark, const Vec2<T>& u, const Vec2<T>& off) {
+T beside_exact(const AimPoint& aim_point, const Vec2<T>& u, const Vec2<T>& off) {
   const T centre = cross(u, off);
-  return mark.exact_offset(u, -value(centre)) + centre;
+  return aim_point.exact_offset(u, -value(centre)) + centre;
 }
 
 /// The N residuals of residual.hpp; false where the ball arrives with no direction.
@@ -55,14 +55,14 @@ bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
   const Vec2<T>& heading = arrival.heading;
   if (!(dot(heading, heading) > T(0))) return false;
   const T diagonal(a.q.boundary.diagonal);
-  const Vec2<T> off = to<T>(a.mark.at) - arrival.state.at;
+  const Vec2<T> off = to<T>(a.aim_point.at) - arrival.state.at;
   if (a.q.stop) {
     r[0] = off.x / diagonal;
     if constexpr (N > 1) r[1] = off.y / diagonal;
     return true;
   }
   const Vec2<T> u = heading / norm(heading);
-  r[0] = beside_exact(a.mark, u, off) / diagonal;
+  r[0] = beside_exact(a.aim_point, u, off) / diagonal;
   if constexpr (N > 1) {
     const Physics& physics = a.q.puzzle.physics;
     const T square = arrival_square(physics, arrival, u, off);

@@ -15,7 +15,7 @@ namespace {
 
 class Clearance {
  public:
-  explicit Clearance(const LockedAim& aim) : aim_(aim), room_{aim.mark.reach, infinite} {}
+  explicit Clearance(const LockedAim& aim) : aim_(aim), room_{aim.aim_point.reach, infinite} {}
 
   const Room& room() const { return room_; }
 
@@ -29,7 +29,7 @@ class Clearance {
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
       if (!inside) on_the_way(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
-    each_in_the_way(aim_.q.boundary_of(ball), before, next, aim_.mark.taken_by, keeps_from);
+    each_in_the_way(aim_.q.boundary_of(ball), before, next, aim_.aim_point.taken_by, keeps_from);
   }
 
   void bounce(const Meeting& meeting, const Vec2d& at) {
@@ -41,23 +41,23 @@ class Clearance {
   }
 
   void arrival(const LockedArrival<double>& a) {
-    const Vec2d off = aim_.mark.at - a.state.at;
+    const Vec2d off = aim_.aim_point.at - a.state.at;
     const Vec2d u = a.heading / norm(a.heading);
     const double offset = -cross(u, off);
-    const Gap<double> gap = aim_.mark.gap(u, offset);
-    if (aim_.mark.drops()) room_.hidden = hidden(aim_.mark.opening, u);
-    at_mark(a.at_rest ? aim_.mark.reach - norm(off) : std::min(offset - gap.low, gap.high - offset));
-    if (aim_.mark.capture() > 0 && !a.at_rest)
-      at_mark(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
-              (2 * deceleration(aim_.q.puzzle.physics)));
-    const Boundary& boundary = aim_.q.boundary_of(aim_.mark.ball);
-    at_mark(boundary.clearance(a.state.at) + boundary.touch);
+    const Gap<double> gap = aim_.aim_point.gap(u, offset);
+    if (aim_.aim_point.drops()) room_.hidden = hidden(aim_.aim_point.opening, u);
+    at_aim_point(a.at_rest ? aim_.aim_point.reach - norm(off) : std::min(offset - gap.low, gap.high - offset));
+    if (aim_.aim_point.capture() > 0 && !a.at_rest)
+      at_aim_point(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
+                   (2 * deceleration(aim_.q.puzzle.physics)));
+    const Boundary& boundary = aim_.q.boundary_of(aim_.aim_point.ball);
+    at_aim_point(boundary.clearance(a.state.at) + boundary.touch);
   }
 
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   void on_the_way(double metres) { room_.on_the_way = std::min(room_.on_the_way, metres); }
-  void at_mark(double metres) { room_.at_mark = std::min(room_.at_mark, metres); }
+  void at_aim_point(double metres) { room_.at_aim_point = std::min(room_.at_aim_point, metres); }
 
   const LockedAim& aim_;
   Room room_;
@@ -96,9 +96,9 @@ std::optional<Room> room(const LockedAim& aim, EvaluationBudget& budget, const L
       before = aim.route.first(before.size() + 1);
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
-    const auto watch = [&](const Arc<double>& arc, double t) { out.arc(aim.mark.ball, arc, t, before, {}); };
-    const auto arrival =
-        arrive_locked(motion, q.boundary_of(aim.mark.ball).body, state, aim.mark.at, aim.mark.capture(), q.stop, watch);
+    const auto watch = [&](const Arc<double>& arc, double t) { out.arc(aim.aim_point.ball, arc, t, before, {}); };
+    const auto arrival = arrive_locked(motion, q.boundary_of(aim.aim_point.ball).body, state, aim.aim_point.at,
+                                       aim.aim_point.capture(), q.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);
     return out.room();

@@ -13,7 +13,7 @@ namespace {
 std::size_t cushions_left(const LockedAim& aim) {
   const Then* const then = aim.q.then();
   const int most = then ? aim.q.object_cushions.max : aim.q.cushions().max;
-  return static_cast<std::size_t>(most - std::ranges::count(aim.route, aim.mark.ball, &Meeting::ball));
+  return static_cast<std::size_t>(most - std::ranges::count(aim.route, aim.aim_point.ball, &Meeting::ball));
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ std::optional<std::vector<Contact>> falls_by(const LockedAim& aim, EvaluationBud
                         std::vector<Contact> by;
                         while (by.size() <= left) {
                           const Event e = sim.step();
-                          if (e.kind == EventKind::pocket && e.contact == aim.mark.taken_by) return by;
+                          if (e.kind == EventKind::pocket && e.contact == aim.aim_point.taken_by) return by;
                           if (e.kind == EventKind::ball || e.final()) return {};
                           if (e.kind == EventKind::cushion) by.push_back(e.contact);
                         }

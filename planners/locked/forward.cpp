@@ -14,7 +14,8 @@ using Dual2 = Dual<2>;
 /// One path, and what it passes.
 class Follower {
  public:
-  Follower(const Question& q, std::span<const Mark> marks, Forward& out) : q_(q), marks_(marks), out_(out) {}
+  Follower(const Question& q, std::span<const AimPoint> aim_points, Forward& out)
+      : q_(q), aim_points_(aim_points), out_(out) {}
 
   template <class Motion, class Cushion>
   void along_route(const Motion& motion, const Cushion& cushion, const State<Dual2>& start) {
@@ -63,18 +64,18 @@ class Follower {
   }
 
  private:
-  /// Adds how a free leg that begins so misses each mark.
+  /// Adds how a free leg that begins so misses each aim point.
   template <class Motion>
   void look(const Motion& motion, const State<Dual2>& state, double begin) {
     if (!(dot(state.velocity, state.velocity).a > 0)) return;
-    for (std::size_t i = 0; i < marks_.size(); ++i) {
-      const LockedAim aim{q_, out_.route, marks_[i]};
-      if (near_ && !leads_near(aim.mark, state)) continue;
+    for (std::size_t i = 0; i < aim_points_.size(); ++i) {
+      const LockedAim aim{q_, out_.route, aim_points_[i]};
+      if (near_ && !leads_near(aim.aim_point, state)) continue;
       const LockedArrival<Dual2> arrival =
-          arrive_locked(motion, q_.boundary.body, state, aim.mark.at, aim.mark.capture(), q_.stop);
+          arrive_locked(motion, q_.boundary.body, state, aim.aim_point.at, aim.aim_point.capture(), q_.stop);
       Dual2 r[2] = {Dual2(0), Dual2(0)};
       if (!(q_.one_unknown() ? residuals_of<1>(aim, arrival, r) : residuals_of<2>(aim, arrival, r))) continue;
-      const Vec2<Dual2> off = to<Dual2>(aim.mark.at) - arrival.state.at;
+      const Vec2<Dual2> off = to<Dual2>(aim.aim_point.at) - arrival.state.at;
       const double ahead = dot(arrival.heading, off).a / norm(arrival.heading).a;
       if (!q_.stop && !arrival.at_rest && ahead < -settings::forward::behind * q_.boundary.diagonal) continue;
       const Vec2d heading = value(arrival.heading);
@@ -85,22 +86,22 @@ class Follower {
   }
 
   /// The line of travel does, of some aim that is as near as asked.
-  bool leads_near(const Mark& mark, const State<Dual2>& state) const {
-    const Vec2<Dual2> off = to<Dual2>(mark.at) - state.at, u = state.velocity / norm(state.velocity);
+  bool leads_near(const AimPoint& aim_point, const State<Dual2>& state) const {
+    const Vec2<Dual2> off = to<Dual2>(aim_point.at) - state.at, u = state.velocity / norm(state.velocity);
     const Dual2 lateral = cross(u, off);
-    const double room = 2 * mark.reach + settings::forward::bends * norm(off).a + *near_ * std::abs(lateral.v[0]);
+    const double room = 2 * aim_point.reach + settings::forward::bends * norm(off).a + *near_ * std::abs(lateral.v[0]);
     return std::abs(lateral.a) < room && dot(u, off).a > -room;
   }
 
   const Question& q_;
-  std::span<const Mark> marks_;
+  std::span<const AimPoint> aim_points_;
   std::optional<double> near_{};
   Forward& out_;
 };
 
 /// `f(follower, motion, cushion, start)` of an answer that is empty yet.
 template <class F>
-void follow(const Question& q, EvaluationBudget& budget, const Launch& launch, std::span<const Mark> marks,
+void follow(const Question& q, EvaluationBudget& budget, const Launch& launch, std::span<const AimPoint> aim_points,
             Forward& out, F&& f) {
   out.route.clear();
   out.places.clear();
@@ -108,7 +109,7 @@ void follow(const Question& q, EvaluationBudget& budget, const Launch& launch, s
   out.rests = false;
   if (budget.spent()) return;
   with_physics(q.rough, [&](const auto& motion, const auto& cushion) {
-    Follower follower(q, marks, out);
+    Follower follower(q, aim_points, out);
     f(follower, motion, cushion, dual_start<Dual2, 2>(q, launch));
   });
   budget.charge(out.route.size());
@@ -117,7 +118,7 @@ void follow(const Question& q, EvaluationBudget& budget, const Launch& launch, s
 }  // namespace
 
 void forward(const Question& q, EvaluationBudget& budget, const Launch& launch, bool locked, Forward& out) {
-  follow(q, budget, launch, q.marks, out,
+  follow(q, budget, launch, q.aim_points, out,
          [&](auto& follower, const auto& motion, const auto& cushion, const State<Dual2>& start) {
            if (q.route && locked)
              follower.along_route(motion, cushion, start);
@@ -127,7 +128,7 @@ void forward(const Question& q, EvaluationBudget& budget, const Launch& launch, 
 }
 
 void forward_through_jaws(const Question& q, EvaluationBudget& budget, const Launch& launch, double near,
-                          std::span<const Mark> mouths, Forward& out) {
+                          std::span<const AimPoint> mouths, Forward& out) {
   follow(q, budget, launch, mouths, out,
          [near](auto& follower, const auto& motion, const auto& cushion, const State<Dual2>& start) {
            follower.through_jaws(motion, cushion, start, near);

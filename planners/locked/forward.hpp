@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The real path of a launch, and how it would miss each mark if its bounces ended after any number of them that the
-// puzzle allows: what one node of a map sees. Cost: one simulation with dual numbers.
-// A path that comes off jaws ends there, unless it is asked for: then their contacts are meetings of its route.
+// The real path of a launch, and how it would miss each aim point if its bounces ended after any number of them that
+// the puzzle allows: what one node of a map sees. Cost: one simulation with dual numbers. A path that comes off jaws
+// ends there, unless it is asked for: then their contacts are meetings of its route.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 namespace bankshot::planning {
 
 struct Passage {
-  std::size_t meetings, mark;  ///< how many of the route's, and which of the marks
+  std::size_t meetings, aim_point;  ///< how many of the route's, and which of the aim points
   Linear linear;
   Vec2d along;  ///< unit, of the line of travel there
 };
@@ -36,6 +36,6 @@ void forward(const Question& q, EvaluationBudget& budget, const Launch& launch, 
 /// On through jaws, past those of these mouths into which an aim so near [rad] may lead, after any bounces that what is
 /// asked for may begin with.
 void forward_through_jaws(const Question& q, EvaluationBudget& budget, const Launch& launch, double near,
-                          std::span<const Mark> mouths, Forward& out);
+                          std::span<const AimPoint> mouths, Forward& out);
 
 }  // namespace bankshot::planning

@@ -86,8 +86,8 @@ std::optional<Launch> solve_locked(const LockedAim& aim, EvaluationBudget& budge
 std::optional<Launch> refine(const Question& q, EvaluationBudget& budget, const Launch& seed, const Route& route) {
   std::optional<Launch> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const Mark& mark : q.marks) {
-    const auto x = solve_locked({q, route, mark}, budget, seed);
+  for (const AimPoint& aim_point : q.aim_points) {
+    const auto x = solve_locked({q, route, aim_point}, budget, seed);
     if (!x) continue;
     const double moved = std::abs(angle_difference(x->angle, seed.angle));
     if (moved < least) best = x, least = moved;

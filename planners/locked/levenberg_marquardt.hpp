@@ -13,7 +13,7 @@ namespace bankshot::planning {
 /// A launch near a root, moved onto it; none where that does not converge.
 std::optional<Launch> solve_locked(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed);
 
-/// The root nearest in aim to the seed over all marks.
+/// The root nearest in aim to the seed over all aim points.
 std::optional<Launch> refine(const Question& q, EvaluationBudget& budget, const Launch& seed, const Route& route);
 
 }  // namespace bankshot::planning

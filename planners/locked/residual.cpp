@@ -36,7 +36,7 @@ std::optional<double> excess_speed2(const LockedAim& aim, EvaluationBudget& budg
   const double asked = even_square(physics, aim.q.asked * aim.q.asked);
   const Vec2d& v = arrival->state.velocity;
   if (!arrival->at_rest) return even_square(physics, dot(v, v)) - asked;
-  const double short_of = dot(arrival->heading, aim.mark.at - arrival->state.at) / norm(arrival->heading);
+  const double short_of = dot(arrival->heading, aim.aim_point.at - arrival->state.at) / norm(arrival->heading);
   return -2 * deceleration(physics) * short_of - asked;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A mark seen along a route: the smooth system whose roots are shots.
+// An aim point seen along a route: the smooth system whose roots are shots.
 // Unknowns: aim [rad] and ln speed, or the aim alone where the launch speed is fixed (unknown.hpp).
 // Residuals, as many:
-//   to stop at a point   where the ball rests, less the mark, over the diagonal
+//   to stop at a point   where the ball rests, less the aim point, over the diagonal
 //   else                 [0] the signed lateral miss at the closest approach over the diagonal (of a pocket, of its
 //                            exact line: geometry/opening.hpp),
 //                        [1] v² − s² there (at capture for a pocket) over max(1, s²); v² is continued below 0, by what
@@ -11,7 +11,7 @@
 //                            the speed, both squares are counted by the metres to rest instead: v² bends like √v²
 //                            near the rest, and Newton's method would not see slow passages
 // Derivatives are exact (dual numbers); no type of the library that makes them appears here.
-// Worked number: a ball rolls 1 m straight at its mark, asked to pass it at 0.5 m/s, friction 0.01: from 1 m/s it
+// Worked number: a ball rolls 1 m straight at its aim point, asked to pass it at 0.5 m/s, friction 0.01: from 1 m/s it
 // passes with v² = 1 − 2 · 0.0981 · 1 = 0.804, so r = (0, 0.554); by ln speed r[1] grows by 2 v0² = 2, and one Newton
 // step leads to 0.758 m/s, where v² = 0.379 and the root 0.668 m/s is another two steps away.
 #pragma once
@@ -30,7 +30,7 @@ namespace bankshot::planning {
 struct LockedAim {
   const Question& q;
   std::span<const Meeting> route;
-  Mark mark;
+  AimPoint aim_point;
 };
 
 /// Residuals and their derivatives at one launch: as many as there are unknowns, the rest is 0.

@@ -12,7 +12,7 @@ namespace bankshot::planning {
 namespace {
 
 /// The step of ln speed to the root of the residual of speed. To stop, to the point on the line of rests nearest to the
-/// mark: a minimum, no change of sign.
+/// aim point: a minimum, no change of sign.
 double step_of_speed(const Linear& l, bool stop) {
   if (!stop) return -l.r[1] / l.by_speed(1);
   return -(l.r[0] * l.by_speed(0) + l.r[1] * l.by_speed(1)) /

@@ -24,7 +24,8 @@ bool all_between(const Question& q, EvaluationBudget& budget, const Shot& a, con
 }
 
 bool are_one(const Question& q, EvaluationBudget& budget, const Shot& a, const Shot& b) {
-  if (a.spin != b.spin || route_of(a) != route_of(b) || !(q.mark_of(a) == q.mark_of(b)) || budget.spent()) return false;
+  if (a.spin != b.spin || route_of(a) != route_of(b) || !(q.aim_point_of(a) == q.aim_point_of(b)) || budget.spent())
+    return false;
   return as_struck(q, a, [&](const Question& own) { return all_between(own, budget, a, b); });
 }
 

@@ -22,15 +22,16 @@ using Number = bankshot::Dual<2>;
 
 /// The offsets at which a ball in direction u passes a point, or enters a pocket; `near` is one of them [m]. A point is
 /// passed where part of its disc is inside the table.
-Gap<Number> sides(const Boundary& boundary, const Mark& mark, const Vec2<Number>& u, double near) {
-  if (mark.captures()) return mark.gap(u, near);
-  Range out{-mark.reach, mark.reach};
+Gap<Number> sides(const Boundary& boundary, const AimPoint& aim_point, const Vec2<Number>& u, double near) {
+  if (aim_point.captures()) return aim_point.gap(u, near);
+  Range out{-aim_point.reach, aim_point.reach};
   const Vec2d left = perpendicular(value(u));
   for (const Wall& w : boundary.walls) {
-    const double above = dot(w.normal, mark.at) - w.offset, half2 = mark.reach * mark.reach - above * above;
-    if (!(half2 > 0) || boundary.break_at(w, dot(w.along, mark.at)) >= 0) continue;
+    const double above = dot(w.normal, aim_point.at) - w.offset,
+                 half2 = aim_point.reach * aim_point.reach - above * above;
+    if (!(half2 > 0) || boundary.break_at(w, dot(w.along, aim_point.at)) >= 0) continue;
     const Vec2d foot = w.normal * -above, half = w.along * std::sqrt(half2);
-    const double a = dot(left, foot + half), b = dot(left, foot - half), tilt = mark.reach * dot(w.normal, left);
+    const double a = dot(left, foot + half), b = dot(left, foot - half), tilt = aim_point.reach * dot(w.normal, left);
     if (above + tilt < 0) out.high = std::min(out.high, std::max(a, b));
     if (above - tilt < 0) out.low = std::max(out.low, std::min(a, b));
   }
@@ -63,7 +64,7 @@ class Path {
       bounce(meeting, state.at);
       before = aim_.route.first(before.size() + 1);
     }
-    const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.mark.ball, arc, t, before, {}); };
+    const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.aim_point.ball, arc, t, before, {}); };
     const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, q_.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > Number(0))) return false;
     q_.stop ? rests(arrival, at) : passes(arrival, at, rolling_square(motion, arrival.state));
@@ -74,22 +75,22 @@ class Path {
   /// m: how far it passes from where it was to arrive.
   double beside() const { return arrives_ ? beside_ : std::numeric_limits<double>::infinity(); }
 
-  /// The margin and the chance too; `moved`: instead of what the locked path says.
+  /// The margin and the success estimate too; `moved`: instead of what the locked path says.
   FirstOrder first_order(const std::optional<Moved>& moved = {}) const {
     FirstOrder out = out_;
     if (!arrives_) return out;
     if (moved) out.by_angle = moved->by_angle, out.by_log_speed = moved->by_log_speed;
     const double by_push = norm(out.by_log_speed) * unit_.speed_at(launch_.speed) / launch_.speed;
-    out.margin = aim_.mark.reach / std::hypot(norm(out.by_angle) * unit_.angle, by_push);
+    out.margin = aim_.aim_point.reach / std::hypot(norm(out.by_angle) * unit_.angle, by_push);
     const double steep = norm(slope_);
-    out.chance = q_.stop     ? limits_.chance()
-                 : steep > 0 ? limits_.chance(slope_ / steep, half_ / steep)
-                             : limits_.chance({1, 0}, 1);
+    out.success_estimate = q_.stop     ? limits_.success()
+                           : steep > 0 ? limits_.success(slope_ / steep, half_ / steep)
+                                       : limits_.success({1, 0}, 1);
     return out;
   }
 
  private:
-  const Boundary& boundary_of_arrival() const { return q_.boundary_of(aim_.mark.ball); }
+  const Boundary& boundary_of_arrival() const { return q_.boundary_of(aim_.aim_point.ball); }
 
   /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
   void leg(int ball, const Arc<Number>& arc, const Number& t, std::span<const Meeting> before, Contact next) {
@@ -105,7 +106,7 @@ class Path {
       const Vec2<Number> there = arc.position(nearest < t.a ? Number(nearest) : t);
       limits_.keep(norm(there - to<Number>(c.centre)) - c.radius);
     };
-    each_in_the_way(boundary, before, next, aim_.mark.taken_by, keeps_from);
+    each_in_the_way(boundary, before, next, aim_.aim_point.taken_by, keeps_from);
   }
 
   /// The ball that is met must be touched: on an arc that ends there, between its two sides.
@@ -131,7 +132,7 @@ class Path {
   void rests(const LockedArrival<Number>& a, const Vec2d& at) {
     fast_enough(Number(0));
     beside_ = norm(value(a.state.at) - at);
-    limits_.rest(a.state.at - to<Number>(aim_.mark.at), aim_.mark.reach);
+    limits_.rest(a.state.at - to<Number>(aim_.aim_point.at), aim_.aim_point.reach);
     moves(a.state.at);
   }
 
@@ -162,11 +163,11 @@ class Path {
     const Number lateral = cross(u, to<Number>(at) - a.state.at);
     beside_ = std::abs(lateral.a);
     moves({lateral * line.x, lateral * line.y});
-    const Number offset = cross(u, a.state.at - to<Number>(aim_.mark.at));
-    const Gap<Number> room = sides(boundary_of_arrival(), aim_.mark, u, offset.a);
+    const Number offset = cross(u, a.state.at - to<Number>(aim_.aim_point.at));
+    const Gap<Number> room = sides(boundary_of_arrival(), aim_.aim_point, u, offset.a);
     limits_.keep(offset - room.low);
     limits_.keep(room.high - offset);
-    const double rolls_on = aim_.mark.captures() ? 0 : 2 * deceleration(q_.puzzle.physics) * aim_.mark.reach;
+    const double rolls_on = aim_.aim_point.captures() ? 0 : 2 * deceleration(q_.puzzle.physics) * aim_.aim_point.reach;
     fast_enough(square + rolls_on);
     slope_ = limits_.in_deviations(offset);
     half_ = (room.high - room.low).a / 2;
@@ -219,9 +220,9 @@ FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& 
   return path_to(aim, launch, at).first_order();
 }
 
-double chance_on_mark(const LockedAim& aim, const Launch& launch, const Linear& l) {
+double success_on_aim_point(const LockedAim& aim, const Launch& launch, const Linear& l) {
   const Question& q = aim.q;
-  const auto within = [&](double deviation) { return std::erf(aim.mark.reach / (std::sqrt(2.0) * deviation)); };
+  const auto within = [&](double deviation) { return std::erf(aim.aim_point.reach / (std::sqrt(2.0) * deviation)); };
   const Vec2d across = by_deviation(q, launch, l, 0);
   if (!q.stop || q.one_unknown()) return within(norm(across));
   // A disc lies inside the square along the axes of the ellipse of errors.
@@ -231,44 +232,44 @@ double chance_on_mark(const LockedAim& aim, const Launch& launch, const Linear& 
   return within(longer) * within(product / longer);
 }
 
-double chance_of_passing(const Question& q, const Mark& mark, const Launch& launch, const Linear& l) {
+double estimate_of_passing(const Question& q, const AimPoint& aim_point, const Launch& launch, const Linear& l) {
   const double lateral = l.r[0] * q.boundary.diagonal, deviation = norm(by_deviation(q, launch, l, 0));
   const auto half_below = [&](double end) { return std::erf(end / (std::sqrt(2.0) * deviation)) / 2; };
-  return half_below(mark.reach - lateral) + half_below(mark.reach + lateral);
+  return half_below(aim_point.reach - lateral) + half_below(aim_point.reach + lateral);
 }
 
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit) {
   Path path(aim, launch, unit);
   const bool arrives = with_physics(aim.q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    return path.run(motion, cushion, aim.mark.at, aim.mark.capture());
+    return path.run(motion, cushion, aim.aim_point.at, aim.aim_point.capture());
   });
   return arrives ? std::optional(path.limits()) : std::nullopt;
 }
 
-double chance_in_middle(const Question& q, const Shot& shot) {
+double estimate_in_middle(const Question& q, const Shot& shot) {
   const double by_aim = norm(shot.by_angle);
-  if (!(by_aim > 0)) return shot.chance;
+  if (!(by_aim > 0)) return shot.success_estimate;
   const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
   Launch middle = shot.launch;
   middle.angle += (room.low + room.high) / 2 / by_aim;
   const Route route = route_with_jaws_of(shot);
-  return path_to({q, route, q.mark_of(shot)}, middle, shot.arrival.at).first_order().chance;
+  return path_to({q, route, q.aim_point_of(shot)}, middle, shot.arrival.at).first_order().success_estimate;
 }
 
 void add_first_order(const Question& q, Shot& shot) {
   const Route route = route_with_jaws_of(shot);
-  const LockedAim aim{q, route, q.mark_of(shot)};
+  const LockedAim aim{q, route, q.aim_point_of(shot)};
   const Path path = path_to(aim, shot.launch, shot.arrival.at);
   // One that a cushion holds may arrive before the locked path, which goes through that cushion, has left the line.
   const auto held = [&] {
-    return !q.centred(path.beside()) || (!aim.mark.captures() && q.on_a_line(aim.mark.ball, shot.arrival.at));
+    return !q.centred(path.beside()) || (!aim.aim_point.captures() && q.on_a_line(aim.aim_point.ball, shot.arrival.at));
   };
   const FirstOrder f = path.first_order(q.objects && held() ? real_arrival(q, shot) : std::nullopt);
   shot.by_angle = f.by_angle;
   shot.by_speed = f.by_log_speed / shot.launch.speed;
   shot.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));
   shot.first_order = f.margin;
-  shot.chance = f.chance;
+  shot.success_estimate = f.success_estimate;
 }
 
 }  // namespace bankshot::planning

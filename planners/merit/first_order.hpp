@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // What the derivatives of one locked path say of a shot: how the arrival moves with aim and speed, its condition, and
-// to first order its margin and its chance of success. Limits of the chance: the target's two sides (of a pocket, as
+// to first order its margin and its success estimate. Limits of the estimate: the target's two sides (of a pocket, as
 // far as a ball's centre can go), the speed that just gets there, pockets and vertices beside the legs, the ends of
 // cushions where their order is asked.
-// How near: of 1,832 shots of random puzzles (every family of tables; ideal, rolling, spin) the chance is half of the
+// How near: of 1,832 shots of random puzzles (every family of tables; ideal, rolling, spin) the estimate is half of the
 // time within 0.0003 of success, in nine of ten within 0.002. Far off are points beside a cushion line and reflex
 // vertices, by 0.5 at most; success_at_most (rank.cpp) is the bound to build on. Cost: one simulation with dual
 // numbers, which no budget is charged.
@@ -17,30 +17,30 @@
 namespace bankshot::planning {
 
 struct FirstOrder {
-  Vec2d by_angle{};      ///< m/rad, see Shot::by_angle
-  Vec2d by_log_speed{};  ///< m per unit of ln speed
-  double margin = 0;     ///< in standard deviations, see Shot::first_order
-  double chance = 0;     ///< see Shot::chance
+  Vec2d by_angle{};             ///< m/rad, see Shot::by_angle
+  Vec2d by_log_speed{};         ///< m per unit of ln speed
+  double margin = 0;            ///< in standard deviations, see Shot::first_order
+  double success_estimate = 0;  ///< see Shot::success_estimate
 };
 
-/// Of a launch along a route; `at` is where it arrives, or the mark where no replay has told.
+/// Of a launch along a route; `at` is where it arrives, or the aim point where no replay has told.
 FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at);
 
-/// The chance that errors leave the arrival on the mark, whatever else limits it: not less than that of the root beside
-/// a launch, as the derivatives of its residuals say.
-double chance_on_mark(const LockedAim& aim, const Launch& launch, const Linear& linear);
+/// The probability that errors leave the arrival on the aim point, whatever else limits it: not less than that of the
+/// root beside a launch, as the derivatives of its residuals say.
+double success_on_aim_point(const LockedAim& aim, const Launch& launch, const Linear& linear);
 
-/// The chance that errors lead a launch past a mark that it sees so, at any speed.
-double chance_of_passing(const Question& q, const Mark& mark, const Launch& launch, const Linear& linear);
+/// The probability that errors lead a launch past an aim point that it sees so, at any speed.
+double estimate_of_passing(const Question& q, const AimPoint& aim_point, const Launch& launch, const Linear& linear);
 
 /// What limits a launch along a route, where errors are counted in units of `unit`; none where the path never gets to
 /// its last leg.
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit);
 
 /// Of a shot, once its aim is moved to the middle of what its target offers. One simulation with dual numbers.
-double chance_in_middle(const Question& q, const Shot& shot);
+double estimate_in_middle(const Question& q, const Shot& shot);
 
-/// Fills `by_angle`, `by_speed`, `condition`, `first_order` and `chance`.
+/// Fills `by_angle`, `by_speed`, `condition`, `first_order` and `success_estimate`.
 void add_first_order(const Question& q, Shot& shot);
 
 }  // namespace bankshot::planning

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The chance that normal errors of aim and speed break nothing, where every limit is known to first order.
+// The probability that normal errors of aim and speed break nothing, where every limit is known to first order.
 // Errors are counted in the player's deviations; their plane is (aim, speed), and what is made is the part of it inside
 // straight lines and, for a ball that must rest, an ellipse. With rho(t) the distance to its edge in direction t,
-//   chance = 1/2π ∫ (1 − exp(−rho²/2)) dt
+//   success = 1/2π ∫ (1 − exp(−rho²/2)) dt
 // The directions are stretched with the part, so that a thin band is seen by as many of them as a wide one.
 // Cost: no simulation; half a microsecond.
 #pragma once
@@ -25,8 +25,8 @@ class Limits {
   void keep(const Dual<2>& room) { add(room.a, in_deviations(room)); }
   /// The same of a slope that is counted in deviations.
   void add(double room, const Vec2d& slope);
-  /// Made while the ball rests within `reach` of the mark.
-  void rest(const Vec2<Dual<2>>& from_mark, double reach);
+  /// Made while the ball rests within `reach` of the aim point.
+  void rest(const Vec2<Dual<2>>& from_aim_point, double reach);
   /// Derivatives by aim and ln speed, in deviations.
   Vec2d in_deviations(const Dual<2>& d) const { return {d.v[0] * per_rad_, d.v[1] * per_log_}; }
 
@@ -38,9 +38,9 @@ class Limits {
   double until_all_hold(const Vec2d& towards) const;
 
   /// `across`: the direction in which least breaks it, and half the way from edge to edge there, in deviations.
-  double chance(const Vec2d& across, double half) const;
+  double success(const Vec2d& across, double half) const;
   /// The same, seen from the ellipse of `rest`.
-  double chance() const;
+  double success() const;
 
  private:
   struct Side {
@@ -50,8 +50,8 @@ class Limits {
 
   double per_rad_, per_log_;
   std::vector<Side> sides_{};
-  double reach_ = 0;                          ///< m; 0: the ball need not rest
-  Vec2d from_mark_{}, by_aim_{}, by_push_{};  ///< m, and m per deviation
+  double reach_ = 0;                               ///< m; 0: the ball need not rest
+  Vec2d from_aim_point_{}, by_aim_{}, by_push_{};  ///< m, and m per deviation
 };
 
 }  // namespace bankshot::planning

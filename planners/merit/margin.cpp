@@ -190,14 +190,14 @@ std::optional<double> downwards(std::optional<double> distance) {
 
 void find_margin(const Question& q, EvaluationBudget& budget, Shot& shot) {
   if (shot.scratch && !is_ideal(q.puzzle.physics)) return void(shot.margin = Margin{{0, 0}, {0, 0}});
-  const Mark& mark = q.mark_of(shot);
+  const AimPoint& aim_point = q.aim_point_of(shot);
   const Route route = route_with_jaws_of(shot);
-  const LockedAim aim{q, route, mark};
+  const LockedAim aim{q, route, aim_point};
   const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
     return Way(aim, budget, shot, towards).how_far(scale, limit);
   };
   const double scale =
-      std::clamp(mark.reach / std::max(shot.condition, flat * q.boundary.diagonal), least_scale, most_scale);
+      std::clamp(aim_point.reach / std::max(shot.condition, flat * q.boundary.diagonal), least_scale, most_scale);
   Margin m;
   m.angle[0] = downwards(how_far({-1, 0}, scale, widest_angle));
   m.angle[1] = how_far({1, 0}, scale, widest_angle);

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "bankshot/numbers/tolerances.hpp"
-#include "planners/merit/lines_of_errors.hpp"
+#include "planners/merit/noise_scanlines.hpp"
 #include "planners/merit/room.hpp"
 #include "planners/merit/settings.hpp"
 #include "planners/proof/bounds.hpp"

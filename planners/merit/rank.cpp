@@ -58,14 +58,14 @@ void order(const Question& q, std::span<Shot> shots) {
   });
 }
 
-/// Where some shot is on the exact line or point, those beside it are no answer; nor those that count on a rattle where
-/// one does without. Where all shots with other balls are wanted, or shots leave the exact line by themselves, that is
-/// said of each route of theirs.
+/// Where some shot is on the exact line or point, those beside it are no answer; nor those that count on a jaw shot
+/// where one does without. Where all shots with other balls are wanted, or shots leave the exact line by themselves,
+/// that is said of each route of theirs.
 void keep_centred(const Question& q, std::vector<Shot>& shots) {
   const auto erase_where_others = [&](const auto& is_worse) {
     std::set<std::pair<Route, Contact>> better;
     const auto key = [&](const Shot& shot) {
-      return q.safest() || (q.objects && q.all()) ? std::pair(route_of(shot), q.mark_of(shot).taken_by)
+      return q.safest() || (q.objects && q.all()) ? std::pair(route_of(shot), q.aim_point_of(shot).taken_by)
                                                   : std::pair<Route, Contact>();
     };
     for (const Shot& shot : shots)
@@ -73,7 +73,7 @@ void keep_centred(const Question& q, std::vector<Shot>& shots) {
     std::erase_if(shots, [&](const Shot& shot) { return is_worse(shot) && better.contains(key(shot)); });
   };
   erase_where_others([](const Shot& shot) { return shot.off_centre; });
-  erase_where_others([](const Shot& shot) { return shot.rattles; });
+  erase_where_others([](const Shot& shot) { return shot.touches_jaws; });
 }
 
 /// Between two launches, in deviations of the player.
@@ -84,41 +84,42 @@ double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
 }
 
 /// A ball may pass the point on its way, after fewer cushions: that counts too. One simulation.
-double chance_on_the_way(const Question& q, EvaluationBudget& budget, const Shot& shot) {
+double estimate_on_the_way(const Question& q, EvaluationBudget& budget, const Shot& shot) {
   const std::size_t bounces = shot.cushions.size();
   if (q.captures() || q.objects || q.stop || q.route || static_cast<int>(bounces) <= q.cushions().min) return 0;
   Forward path;
   forward(q, budget, shot.launch, false, path);
-  double chance = 0;
+  double estimate = 0;
   for (const Passage& p : path.passages)
-    if (p.meetings < bounces) chance += chance_of_passing(q, q.marks[p.mark], shot.launch, p.linear);
-  return chance;
+    if (p.meetings < bounces) estimate += estimate_of_passing(q, q.aim_points[p.aim_point], shot.launch, p.linear);
+  return estimate;
 }
 
-/// What the success of a shot may be, as its first-order chance and those of the shots beside it say. One simulation.
+/// What the success of a shot may be, as its success estimate and those of the shots beside it say. One simulation.
 /// `q` has the spin of the shot.
 double shot_at_most(const Question& q, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot) {
   using settings::rank::beside;
   // One that misses by the cushions of this shot may touch the second ball after more of them.
   if (q.carom() && !q.route && static_cast<int>(shot.cushions.size()) < q.cushions().max) return 1;
-  double chance = shot.chance + chance_on_the_way(q, budget, shot);
+  double estimate = shot.success_estimate + estimate_on_the_way(q, budget, shot);
   for (const Shot& other : shots)
-    if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) chance += other.chance;
-  const Mark& mark = q.mark_of(shot);
+    if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) estimate += other.success_estimate;
+  const AimPoint& aim_point = q.aim_point_of(shot);
   // A ball that a jaw or, where another bounce is allowed, a cushion beside the pocket turns away may fall all the
   // same.
   const int bounces = static_cast<int>(shot.cushions.size());
-  if (mark.captures() && (!q.boundary.jaws.empty() || (!q.route && bounces < q.cushions().max)))
-    chance = std::max(chance, std::erf(shot.first_order / std::sqrt(2.0)));
-  return success_at_most(q, mark, chance);
+  if (aim_point.captures() && (!q.boundary.jaws.empty() || (!q.route && bounces < q.cushions().max)))
+    estimate = std::max(estimate, std::erf(shot.first_order / std::sqrt(2.0)));
+  return success_at_most(q, aim_point, estimate);
 }
 
 }  // namespace
 
-double success_at_most(const Question& q, const Mark& mark, double chance) {
+double success_at_most(const Question& q, const AimPoint& aim_point, double estimate) {
   using namespace settings::rank;
-  const bool at_cushion = !mark.captures() && q.boundary_of(mark.ball).clearance(mark.at) < mark.reach;
-  return std::min(1.0, at_cushion ? at_cushion_times * chance + at_cushion_more : times * chance + more);
+  const bool at_cushion =
+      !aim_point.captures() && q.boundary_of(aim_point.ball).clearance(aim_point.at) < aim_point.reach;
+  return std::min(1.0, at_cushion ? at_cushion_times * estimate + at_cushion_more : times * estimate + more);
 }
 
 double first_merit(const Puzzle& p, const Shot& shot) {
@@ -189,15 +190,16 @@ namespace {
 /// The value of a shot to first order, moved to where that is largest.
 double likely_value(const Question& q, const Shot& shot) {
   if (shot.scratch && !q.safest()) return 0;
-  const double chance = q.safest() ? std::max(shot.chance, chance_in_middle(q, shot)) : shot.chance;
-  return chance - cost_of(shot);
+  const double estimate =
+      q.safest() ? std::max(shot.success_estimate, estimate_in_middle(q, shot)) : shot.success_estimate;
+  return estimate - cost_of(shot);
 }
 
 /// What the value of a shot may be once it is moved. `shots`: those that were found. `q` has the spin of the shot.
 double movable_to(const Question& q, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot,
                   double likely) {
   const double contacts = cost_of(shot) - cost_of(shot.launch, shot.spin);
-  const double most = success_at_most(q, q.mark_of(shot), likely + cost_of(shot)) + settings::rank::off_jaws;
+  const double most = success_at_most(q, q.aim_point_of(shot), likely + cost_of(shot)) + settings::rank::off_jaws;
   return std::min(1.0, std::max(most, shot_at_most(q, budget, shots, shot))) - contacts;
 }
 

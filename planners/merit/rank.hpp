@@ -14,8 +14,8 @@ namespace bankshot::planning {
 /// How good a shot is by `prefer`, before its success is known; larger is better.
 double first_merit(const Puzzle& puzzle, const Shot& shot);
 
-/// What success is at most of a shot to a mark with this first-order chance: a bound that settings::rank measures.
-double success_at_most(const Question& q, const Mark& mark, double chance);
+/// What success is at most of a shot to an aim point with this success estimate: a bound that settings::rank measures.
+double success_at_most(const Question& q, const AimPoint& aim_point, double estimate);
 
 /// Drops shots beside the exact line or point where others are on it, and orders the rest, best first.
 void rank(const Question& q, std::vector<Shot>& shots);

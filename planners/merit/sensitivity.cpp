@@ -23,7 +23,7 @@ double moved(const Question& q, const Shot& shot, const Route& route, const Vari
                             to<Varied>(launch.velocity),
                             {Varied(launch.spin.x), Varied(launch.spin.y), Varied(launch.spin.z)}};
   const auto path = follow_locked(balls, motion, physics.cushion, std::span<const Meeting>(route), start);
-  const Body& body = q.boundary_of(q.mark_of(shot).ball).body;
+  const Body& body = q.boundary_of(q.aim_point_of(shot).ball).body;
   const auto arrival = arrive_locked(motion, body, path.state, shot.arrival.at, 0, q.stop);
   const Vec2<Varied>& end = arrival.state.at;
   if (q.stop) return std::hypot(end.x.v[0], end.y.v[0]);

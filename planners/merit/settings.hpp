@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Settings of what a shot is worth: its chance, its margin, the order of shots; those of searches are in
+// Settings of what a shot is worth: its success, its margin, the order of shots; those of searches are in
 // planners/settings.hpp.
 #pragma once
 
@@ -11,14 +11,14 @@ namespace bankshot::planning::settings {
 namespace first_order {
 /// Of the diagonal. Balls farther than this from a leg limit nothing.
 inline constexpr double far_ball = 0.25;
-/// Directions in which the edge of what is made is sought: with twice as many the chance differs by 0.002.
+/// Directions in which the edge of what is made is sought: with twice as many the success differs by 0.002.
 inline constexpr int directions = 32;
 /// Deviations: what is farther breaks no shot that counts; and the narrowest band that is stretched.
 inline constexpr double farthest = 6, narrowest = 1e-9;
 }  // namespace first_order
 
 namespace rank {
-/// What success is at most: so many times the first-order chance, and so much more. Of 9,600 random puzzles
+/// What success is at most: so many times the success estimate, and so much more. Of 9,600 random puzzles
 /// with all families of tables 5 had another winner than success itself would choose.
 inline constexpr double times = 1.1, more = 0.01;
 /// The same of a point whose disc reaches over a cushion line: there a ball passes it twice.
@@ -31,7 +31,7 @@ inline constexpr double as_likely = 0.02;
 inline constexpr int most_moved = 12;
 /// The same after each stage of a search, to know the value in hand.
 inline constexpr int most_in_hand = 2;
-/// What a moved shot's success is at most: its first-order chance in the middle of what its pocket offers, and so much
+/// What a moved shot's success is at most: its success estimate in the middle of what its pocket offers, and so much
 /// more for what falls off jaws and rails.
 inline constexpr double off_jaws = 0.1;
 }  // namespace rank
@@ -43,8 +43,8 @@ inline constexpr int steps = 5;
 
 namespace margin {
 /// Of the margin to where jaws are first touched, and of the widest there is: the longest step beyond, and by how much
-/// each is longer than the one before. Balls that rattle in lie in bands between balls that come out; narrower bands
-/// than this may be jumped.
+/// each is longer than the one before. Balls that fall by the jaws lie in bands between balls that come out; narrower
+/// bands than this may be jumped.
 inline constexpr double rattling_step = 0.02, least_rattling_step = 1e-4;
 /// rad, m/s: margins beyond are none.
 inline constexpr double widest_angle = radians(180), widest_speed = 30;
@@ -66,7 +66,7 @@ inline constexpr double flat = 1e-6, least_scale = 1e-12, most_scale = 0.1;
 }  // namespace margin
 
 namespace all_errors {
-/// Simulations for the chance of a player who errs in more than aim and speed.
+/// Simulations for the success of a player who errs in more than aim and speed.
 inline constexpr int draws = 4096;
 }  // namespace all_errors
 
@@ -88,16 +88,16 @@ inline constexpr double narrow = 0.05, finer = 0.01, finest = 0.002;
 inline constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
 /// Where the outermost two of a band that ends within reach are laid.
 inline constexpr double outermost = 2.5, beyond_end = 1.1;
-/// Of chance: no further line is worth while below this doubt; and what a line costs at least.
+/// Of success: no further line is worth while below this doubt; and what a line costs at least.
 inline constexpr double least_doubt = 2e-4;
 inline constexpr std::size_t cheapest_line = 5;
-/// How doubt grows with the change of chance between two lines, and what is left where there is none.
+/// How doubt grows with the change of success between two lines, and what is left where there is none.
 inline constexpr double doubt_of_change = 0.15, doubt_always = 0.01;
 /// Points spread over the only line, the first, later ones, and later ones where no edge is expected.
 inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4, points_without_edges = 3;
 /// Of probability, at either end, where no point is spread.
 inline constexpr double tail = 0.0015;
-/// Where the lines and first order agree so nearly (of chance), and no part is in more doubt, no further line is laid.
+/// Where the lines and first order agree so nearly (of success), and no part is in more doubt, no further line is laid.
 inline constexpr double agrees = 1e-3, doubt_of_agreed = 0.02;
 /// Of a bracket's width: what lies z deviations out counts by this times exp(-z²/2), and never more than all.
 inline constexpr double thin_out = 3;

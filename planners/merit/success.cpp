@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// `success`: the chance that the target is made, by any allowed cushions, under the player's normal errors of aim and
-// speed (more of them: all_errors.hpp).
-// Method: counted in the player's deviations the errors of aim and speed are equally likely in every
-// direction, so their plane may be turned: `across` is the direction that moves the arrival most, to first
-// order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a line
-// across it the edges are bisected, and the chance on that line follows from them; lines_of_errors.hpp says what all
-// lines together make of it. Lines begin evenly spaced; more are laid where the chance changes other than its
+// `success`: the probability that the target is made, by any allowed cushions, under the player's normal errors of aim
+// and speed (more of them: all_errors.hpp). Method: counted in the player's deviations the errors of aim and speed are
+// equally likely in every direction, so their plane may be turned: `across` is the direction that moves the arrival
+// most, to first order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a
+// line across it the edges are bisected, and the success on that line follows from them; noise_scanlines.hpp says what
+// all lines together make of it. Lines begin evenly spaced; more are laid where the success changes other than its
 // neighbours say. Edges are looked for where the neighbouring lines have them, between some points spread over the line
 // and its ends, so that a band which nobody expects is met too; then the neighbours are looked at again. Where that
 // agrees with first order (limits.hpp) and leaves little doubt, it ends.
@@ -20,7 +19,7 @@
 #include <limits>
 
 #include "planners/merit/all_errors.hpp"
-#include "planners/merit/lines_of_errors.hpp"
+#include "planners/merit/noise_scanlines.hpp"
 #include "planners/merit/room.hpp"
 #include "planners/merit/settings.hpp"
 #include "planners/proof/replay.hpp"
@@ -50,7 +49,7 @@ class Chance {
     if (is_ideal(q_.puzzle.physics)) {  // any speed will do that is one: one line is all
       add(0);
       const double noise = noise_.speed;
-      return lines_.front().chance * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
+      return lines_.front().success * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
     }
     // A band that ends within reach is met by as many lines, and one on either side looks beyond it.
     const double scale = std::min(1.0, beyond_end * length_ / outermost);
@@ -62,11 +61,12 @@ class Chance {
       double worst = least_doubt;
       for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
         if (const double d = doubt(i); d > worst) worst = d, at = i + 1;
-      if (at == 0 || (!scratches_ && worst < doubt_of_agreed && std::abs(chance_of(lines_) - shot_.chance) < agrees))
+      if (at == 0 ||
+          (!scratches_ && worst < doubt_of_agreed && std::abs(success_of(lines_) - shot_.success_estimate) < agrees))
         break;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
-    return chance_of(lines_);
+    return success_of(lines_);
   }
 
  private:
@@ -76,9 +76,9 @@ class Chance {
     across_ = direction(std::atan2(2 * dot(by_angle, by_speed), dot(by_angle, by_angle) - dot(by_speed, by_speed)) / 2);
     if (is_ideal(q_.puzzle.physics)) across_ = {1, 0};
     const Vec2d most = by_angle * across_.x + by_speed * across_.y, least = by_speed * across_.x - by_angle * across_.y;
-    const Mark& mark = q_.mark_of(shot_);
+    const AimPoint& aim_point = q_.aim_point_of(shot_);
     const double moved = norm(most);
-    if (q_.stop && norm(least) > 0) length_ = mark.reach / norm(least);
+    if (q_.stop && norm(least) > 0) length_ = aim_point.reach / norm(least);
     if (!(moved > 0)) return;
     const Gap<double> room = room_beside(q_, shot_, most / moved);
     expected_ = {room.low / moved, room.high / moved};
@@ -89,9 +89,9 @@ class Chance {
   bool left() const { return used_ < most() && !budget_.spent(); }
 
   /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
-  bool made(LineOfErrors& line, double across) {
+  bool made(NoiseScanline& line, double across) {
     const auto at = std::lower_bound(line.tries.begin(), line.tries.end(), across,
-                                     [](const LineOfErrors::Try& t, double v) { return t.across < v; });
+                                     [](const NoiseScanline::Try& t, double v) { return t.across < v; });
     if (at != line.tries.end() && at->across == across) return at->made;
     if (!left()) return line.made(across);
     ++used_;
@@ -105,7 +105,7 @@ class Chance {
   }
 
   struct Expected {
-    LineOfErrors line;
+    NoiseScanline line;
     bool sure = true;  ///< the neighbours agree how many edges there are
   };
 
@@ -115,12 +115,12 @@ class Chance {
     e.line.edges = expected_;
     if (lines_.empty()) return e;
     const auto after = std::lower_bound(lines_.begin(), lines_.end(), along,
-                                        [](const LineOfErrors& l, double v) { return l.along < v; });
+                                        [](const NoiseScanline& l, double v) { return l.along < v; });
     const bool between = after != lines_.begin() && after != lines_.end(), two = lines_.size() > 1;
-    const LineOfErrors& near = after == lines_.begin() ? *after : *(after - 1);
-    const LineOfErrors& far = between ? *after : !two ? near : after == lines_.begin() ? *(after + 1) : *(after - 2);
+    const NoiseScanline& near = after == lines_.begin() ? *after : *(after - 1);
+    const NoiseScanline& far = between ? *after : !two ? near : after == lines_.begin() ? *(after + 1) : *(after - 2);
     e.sure = near.edges.size() == far.edges.size() && near.open == far.open;
-    const LineOfErrors& like = !e.sure && between && far.edges.size() > near.edges.size() ? far : near;
+    const NoiseScanline& like = !e.sure && between && far.edges.size() > near.edges.size() ? far : near;
     e.line.edges = like.edges;
     e.line.open = like.open;
     if (!e.sure || &near == &far) return e;
@@ -131,7 +131,7 @@ class Chance {
   }
 
   void add(double along) {
-    LineOfErrors line{along};
+    NoiseScanline line{along};
     const Expected e = expect(along);
     for (std::size_t k = 0; k <= e.line.edges.size(); ++k) {
       const double low = k > 0 ? std::max(e.line.edges[k - 1], -widest) : -widest;
@@ -142,14 +142,14 @@ class Chance {
     spread(line, e.line.edges.empty());
     settle(line, e.line.edges);
     const auto after = std::lower_bound(lines_.begin(), lines_.end(), along,
-                                        [](const LineOfErrors& l, double v) { return l.along < v; });
+                                        [](const NoiseScanline& l, double v) { return l.along < v; });
     const auto at = lines_.insert(after, std::move(line)) - lines_.begin();
     tell(at, -1);
     tell(at, 1);
   }
 
   /// Brackets both ends of what is expected to be made, by steps that double.
-  void follow(LineOfErrors& line, double low, double high) {
+  void follow(NoiseScanline& line, double low, double high) {
     for (const bool upper : {false, true}) {
       const double edge = upper ? high : low;
       if (std::abs(edge) >= widest) continue;
@@ -164,7 +164,7 @@ class Chance {
   }
 
   /// Points at even steps of probability, shifted from line to line; both ways of a line are alike.
-  void spread(LineOfErrors& line, bool no_edges) {
+  void spread(NoiseScanline& line, bool no_edges) {
     const bool later = lines_.size() >= first_lines.size();
     const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
                               : lines_.empty()            ? points_on_first
@@ -175,7 +175,7 @@ class Chance {
     const double share = 1 / static_cast<double>(count),
                  shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
     const auto look = [&](double p) {
-      const auto close = [&](const LineOfErrors::Try& t) { return std::abs(about_below(t.across) - p) < share / 4; };
+      const auto close = [&](const NoiseScanline::Try& t) { return std::abs(about_below(t.across) - p) < share / 4; };
       if (std::none_of(line.tries.begin(), line.tries.end(), close)) made(line, about_at(p));
     };
     for (std::size_t k = 0; k < count / 2; ++k)
@@ -189,19 +189,19 @@ class Chance {
   }
 
   /// How wide a bracket is, in what it may hide: far out there is little.
-  static double width(const LineOfErrors::Try& a, const LineOfErrors::Try& b) {
+  static double width(const NoiseScanline::Try& a, const NoiseScanline::Try& b) {
     const double z = std::max({a.across, -b.across, 0.0});
     return (b.across - a.across) * std::min(1.0, thin_out * std::exp(-z * z / 2));
   }
 
   /// Bisects every change between two tries, the widest first, and reads off the edges. Where the cue ball may fall, a
   /// line with more than one band is left as it is: its parts are too many to follow, and more lines say more.
-  void settle(LineOfErrors& line, const std::vector<double>& expected) {
+  void settle(NoiseScanline& line, const std::vector<double>& expected) {
     const double enough = (is_ideal(q_.puzzle.physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
     while (left() && !(scratches_ && line.changes() > 2)) {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
-        const LineOfErrors::Try &a = line.tries[i], &b = line.tries[i + 1];
+        const NoiseScanline::Try &a = line.tries[i], &b = line.tries[i + 1];
         if (a.made != b.made && width(a, b) > most) most = width(a, b), at = (a.across + b.across) / 2;
       }
       if (most == enough) break;
@@ -213,8 +213,8 @@ class Chance {
   /// Neighbours that lack an edge which this line has are tried beside it, and so on outwards.
   void tell(std::ptrdiff_t from, std::ptrdiff_t way) {
     for (std::ptrdiff_t i = from + way; i >= 0 && i < std::ssize(lines_); i += way) {
-      const LineOfErrors& source = lines_[static_cast<std::size_t>(i - way)];
-      LineOfErrors& line = lines_[static_cast<std::size_t>(i)];
+      const NoiseScanline& source = lines_[static_cast<std::size_t>(i - way)];
+      NoiseScanline& line = lines_[static_cast<std::size_t>(i)];
       const std::size_t before = line.edges.size();
       if (before >= source.edges.size() || !left()) return;
       for (std::size_t k = 0; k < source.edges.size(); ++k) {
@@ -232,17 +232,17 @@ class Chance {
     }
   }
 
-  /// What chance may be wrong between two lines: how far each is from where its neighbours point.
+  /// What success may be wrong between two lines: how far each is from where its neighbours point.
   double doubt(std::size_t i) const {
-    const LineOfErrors &a = lines_[i], &b = lines_[i + 1];
-    const auto off = [](const LineOfErrors& far, const LineOfErrors& near, const LineOfErrors& line) {
-      const double slope = (near.chance - far.chance) / (near.along - far.along);
-      return std::abs(line.chance - std::clamp(near.chance + slope * (line.along - near.along), 0.0, 1.0));
+    const NoiseScanline &a = lines_[i], &b = lines_[i + 1];
+    const auto off = [](const NoiseScanline& far, const NoiseScanline& near, const NoiseScanline& line) {
+      const double slope = (near.success - far.success) / (near.along - far.along);
+      return std::abs(line.success - std::clamp(near.success + slope * (line.along - near.along), 0.0, 1.0));
     };
     const double before = i > 0 ? off(lines_[i - 1], a, b) : 0,
                  after = i + 2 < lines_.size() ? off(lines_[i + 2], b, a) : 0;
     return (normal_below(b.along) - normal_below(a.along)) *
-           (std::max(before, after) + doubt_of_change * std::abs(b.chance - a.chance) + doubt_always);
+           (std::max(before, after) + doubt_of_change * std::abs(b.success - a.success) + doubt_always);
   }
 
   const Question& q_;
@@ -257,7 +257,7 @@ class Chance {
   std::vector<double> expected_{};
   std::size_t used_ = 0;
   bool scratches_ = false;  ///< in some simulation
-  std::vector<LineOfErrors> lines_{};
+  std::vector<NoiseScanline> lines_{};
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace bankshot::planning {
 
-/// `success`: the chance that the target is made by any allowed cushions, under the player's errors;
+/// `success`: the probability that the target is made by any allowed cushions, under the player's errors;
 /// success.cpp says how it is found. At most settings::success::most_samples_of_balls simulations, fewer where the
 /// budget ends.
 void find_success(const Question& q, EvaluationBudget& budget, Shot& shot);

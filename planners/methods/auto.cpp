@@ -31,10 +31,10 @@ bool settled(const Question& q, const EvaluationBudget& budget, const SearchResu
   return q.route && !found.shots.empty() && std::ranges::all_of(*q.route, straight);
 }
 
-/// The best shot so far, as far as can be told before its chance is known.
+/// The best shot so far, as far as can be told before its success is known.
 const Shot& best_of(const Question& q, const SearchResult& found) {
   const auto merit = [&](const Shot& s) {
-    return q.puzzle.prefer == Prefer::robust ? s.chance : first_merit(q.puzzle, s);
+    return q.puzzle.prefer == Prefer::robust ? s.success_estimate : first_merit(q.puzzle, s);
   };
   return *std::ranges::max_element(found.shots, {}, merit);
 }
@@ -42,7 +42,7 @@ const Shot& best_of(const Question& q, const SearchResult& found) {
 /// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.
 bool improvement_wanted(const Question& q, const EvaluationBudget& budget, const SearchResult& found) {
   if (q.first() || q.all() || q.route || found.shots.empty() || budget.cut()) return false;
-  const auto sure = [](const Shot& s) { return s.chance > sure_enough; };
+  const auto sure = [](const Shot& s) { return s.success_estimate > sure_enough; };
   return q.puzzle.prefer != Prefer::robust || std::ranges::none_of(found.shots, sure);
 }
 
@@ -83,7 +83,7 @@ void look_closely(const Question& q, EvaluationBudget& budget, SearchResult& fou
 void with_spin(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   steps::Parts parts;
   look(q, budget, found, parts);
-  if (stop::nothing_yet(budget, found)) steps::rattles(q, budget, found);
+  if (stop::nothing_yet(budget, found)) steps::jaw_shots(q, budget, found);
   if (budget.cut()) return;
   look_closely(q, budget, found, parts);
   if (q.has_obstacles() && stop::nothing_yet(budget, found)) {
@@ -156,11 +156,11 @@ void each_stage(const Question& q, EvaluationBudget& budget, SearchResult& found
   }
 }
 
-/// What is free is followed from roots of a few arrival speeds and spins, along each route to each mark.
+/// What is free is followed from roots of a few arrival speeds and spins, along each route to each aim point.
 void along_families(const Question& q, EvaluationBudget& budget, SearchResult& found) {
   struct Followed {
     Route route;
-    Mark mark;
+    AimPoint aim_point;
     int times;
   };
   std::vector<Followed> followed;
@@ -168,9 +168,11 @@ void along_families(const Question& q, EvaluationBudget& budget, SearchResult& f
   const bool several = family::Family::freedom(q) > 1 || q.carom();
   const int most = several ? settings::family::most_starts : 1;
   const auto enough = [&](const Candidate& candidate) {
-    const auto same = [&](const Followed& f) { return f.mark == candidate.mark && f.route == candidate.route; };
+    const auto same = [&](const Followed& f) {
+      return f.aim_point == candidate.aim_point && f.route == candidate.route;
+    };
     auto it = std::ranges::find_if(followed, same);
-    if (it == followed.end()) it = followed.insert(it, {candidate.route, candidate.mark, 0});
+    if (it == followed.end()) it = followed.insert(it, {candidate.route, candidate.aim_point, 0});
     return ++it->times > most;
   };
   const auto follow = [&](std::span<const Candidate> candidates, std::string_view step) {
@@ -234,7 +236,7 @@ void with_freedom(const Question& q, EvaluationBudget& budget, SearchResult& fou
       if (speed > 0) look_at(q.spinning(sample.spin).launched_at(speed));
   }
   for (const Question& sample : samples)
-    if (nothing_yet()) steps::rattles(q.spinning(sample.spin), budget, found);
+    if (nothing_yet()) steps::jaw_shots(q.spinning(sample.spin), budget, found);
   steps::Parts parts;
   if (nothing_yet()) look_closely(q.spinning(samples.front().spin), budget, found, parts);
   parts.bisect(q.spinning(samples.front().spin), budget, found, 1);
@@ -290,7 +292,7 @@ void automatic(const Question& q, EvaluationBudget& budget, SearchResult& found)
     return family::Family::freedom(q) > 0 ? with_freedom(q, budget, found) : with_spin(q, budget, found);
   image(q, budget, found);
   if (!settled(q, budget, found)) sweep(q, budget, found);
-  if (stop::nothing_yet(budget, found)) steps::rattles(q, budget, found);
+  if (stop::nothing_yet(budget, found)) steps::jaw_shots(q, budget, found);
   if (stop::nothing_yet(budget, found) && !found.complete) ceres(q, budget, found);
   if (stop::nothing_yet(budget, found) && !found.complete) search_box(q, budget, found, steps::word::global);
 }

@@ -26,8 +26,8 @@ void from_fan(const Question& q, EvaluationBudget& budget, SearchResult& found, 
       trace(q, budget, angle, Goal::exactly(q, n), &contacts);
       const Route route = q.route ? *q.route : route_by(contacts);
       if (static_cast<int>(route.size()) != n) continue;
-      for (const Mark& mark : q.marks)
-        refine_aim({q, route, mark}, budget, found, angle, q.boundary.diagonal, word, find);
+      for (const AimPoint& aim_point : q.aim_points)
+        refine_aim({q, route, aim_point}, budget, found, angle, q.boundary.diagonal, word, find);
     }
 }
 

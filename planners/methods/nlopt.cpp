@@ -136,7 +136,7 @@ class Planner {
       const double angle = c->angle < angles_.low ? c->angle + radians(360) : c->angle;
       if (locked) {
         const Route route = images.route(*c);
-        const LockedAim aim{q_, route, q_.marks[c->mark]};
+        const LockedAim aim{q_, route, q_.aim_points[c->aim_point]};
         if (const auto speed = speed_at(aim, budget_, c->angle, c->distance)) run_locked({*speed, angle}, aim);
         continue;
       }

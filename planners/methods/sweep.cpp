@@ -22,7 +22,7 @@ namespace {
 
 using namespace settings::sweep;
 
-/// On which side of each mark each leg passes.
+/// On which side of each aim point each leg passes.
 struct Sample {
   double angle;
   std::vector<Contact> contacts;
@@ -30,7 +30,7 @@ struct Sample {
     double lateral;
     bool ahead;
   };
-  std::vector<Side> sides{};        ///< leg by leg, mark by mark
+  std::vector<Side> sides{};        ///< leg by leg, aim point by aim point
   std::vector<Vec2d> directions{};  ///< of the legs
 };
 
@@ -65,9 +65,9 @@ class Sweep {
     for (;;) {
       const State<double> leg = sim.state();
       out.directions.push_back(leg.velocity / norm(leg.velocity));
-      for (const Mark& mark : q_.marks) {
-        const Vec2d d = mark.at - leg.at, u = out.directions.back();
-        out.sides.push_back({mark.exact_offset(u, -cross(u, d)) + cross(u, d), dot(u, d) > 0});
+      for (const AimPoint& aim_point : q_.aim_points) {
+        const Vec2d d = aim_point.at - leg.at, u = out.directions.back();
+        out.sides.push_back({aim_point.exact_offset(u, -cross(u, d)) + cross(u, d), dot(u, d) > 0});
       }
       if (static_cast<int>(out.contacts.size()) == q_.cushions().max) break;
       const Event e = sim.step();
@@ -81,13 +81,13 @@ class Sweep {
 
   void between(const Sample& a, const Sample& b) {
     if (budget_.spent()) return;
-    const std::size_t marks = q_.marks.size();
+    const std::size_t aim_points = q_.aim_points.size();
     const std::size_t most = std::min(a.sides.size(), b.sides.size());
     const auto differ = std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end());
     const auto same = static_cast<std::size_t>(differ.first - a.contacts.begin());
     for (std::size_t k = static_cast<std::size_t>(q_.cushions().min); k <= same; ++k)
-      for (std::size_t p = 0; p < marks; ++p) {
-        const std::size_t i = k * marks + p;
+      for (std::size_t p = 0; p < aim_points; ++p) {
+        const std::size_t i = k * aim_points + p;
         if (i < most && (a.sides[i].ahead || b.sides[i].ahead) && (a.sides[i].lateral > 0) != (b.sides[i].lateral > 0))
           root(a, b, i, static_cast<int>(k));
       }

@@ -45,8 +45,8 @@ struct Goal {
     return !then || then->front().ball == first;
   }
   /// Returns whether the shot may arrive at this aim point.
-  bool allows(const Question& q, const Mark& mark) const {
-    return !counts || counts->hits.empty() || mark.taken_by == q.mark_of(*counts).taken_by;
+  bool allows(const Question& q, const AimPoint& aim_point) const {
+    return !counts || counts->hits.empty() || aim_point.taken_by == q.aim_point_of(*counts).taken_by;
   }
 
   /// Returns the goal as the puzzle asks.

@@ -16,11 +16,11 @@ struct Line {
 };
 
 /// Measures how a line leads into a pocket: sets miss and offset of the replay.
-inline void measure(const Question& q, const Mark& mark, const Line& line, Replay& replay) {
+inline void measure(const Question& q, const AimPoint& aim_point, const Line& line, Replay& replay) {
   const Vec2d u = line.heading / norm(line.heading);
-  const double offset = cross(u, line.at - mark.at), exact = mark.exact_offset(u, offset);
+  const double offset = cross(u, line.at - aim_point.at), exact = aim_point.exact_offset(u, offset);
   replay.miss = std::abs(offset - exact);
-  replay.offset = q.centred(replay.miss) && !replay.rattles ? exact : offset;
+  replay.offset = q.centred(replay.miss) && !replay.touches_jaws ? exact : offset;
 }
 
 /// Returns the contact of a ball that moves along the line, at this speed, with a ball at `other`.
@@ -30,11 +30,11 @@ inline Hit hit_by(const Line& line, double speed, int ball, const Vec2d& other, 
 }
 
 /// Judges the contact with the ball that is the target: how far the cut is off, and whether it is allowed.
-inline void touched(const Mark& mark, const Line& line, Replay& replay) {
-  const double offset = cross(line.heading, line.at - mark.at) / norm(line.heading);
-  replay.miss = std::abs(offset - mark.cuts->exact);
-  replay.made = offset >= mark.cuts->low && offset <= mark.cuts->high;
-  if (!replay.made) replay.failure = {FailureReason::other_cut, mark.taken_by};
+inline void touched(const AimPoint& aim_point, const Line& line, Replay& replay) {
+  const double offset = cross(line.heading, line.at - aim_point.at) / norm(line.heading);
+  replay.miss = std::abs(offset - aim_point.cuts->exact);
+  replay.made = offset >= aim_point.cuts->low && offset <= aim_point.cuts->high;
+  if (!replay.made) replay.failure = {FailureReason::other_cut, aim_point.taken_by};
 }
 
 }  // namespace bankshot::planning

@@ -18,11 +18,11 @@ bool fast_as_asked(const Question& q, double arrival_speed) {
 }
 
 /// Returns whether the shot counts on the jaws of its pocket.
-bool rattles_in(const Question& q, const Replay& r) { return r.rattles && q.drops(); }
+bool falls_by_jaws(const Question& q, const Replay& r) { return r.touches_jaws && q.drops(); }
 
 bool good_enough(const Question& q, const Replay& r, Demand demand) {
   return demand == Demand::made || (fast_as_asked(q, r.arrival.speed) &&
-                                    (demand == Demand::off_centre || (q.centred(r.miss) && !rattles_in(q, r))));
+                                    (demand == Demand::off_centre || (q.centred(r.miss) && !falls_by_jaws(q, r))));
 }
 
 Proof proved(const Question& q, EvaluationBudget& budget, const Launch& proposed, const Goal& goal) {
@@ -43,12 +43,12 @@ Proof proved(const Question& q, EvaluationBudget& budget, const Launch& proposed
   proof.shot.arrival = r.arrival;
   proof.shot.miss = r.miss;
   proof.shot.offset = r.offset;
-  proof.shot.rattles = r.rattles;
+  proof.shot.touches_jaws = r.touches_jaws;
   proof.shot.jaws = r.jaws;
   proof.shot.hits = r.hits;
   proof.shot.then = r.then;
-  if (r.rattles) proof.shot.met = r.met;
-  proof.shot.off_centre = !q.centred(r.miss) || rattles_in(q, r);
+  if (r.touches_jaws) proof.shot.met = r.met;
+  proof.shot.off_centre = !q.centred(r.miss) || falls_by_jaws(q, r);
   proof.failure = r.failure;
   if (r.made && !good_enough(q, r, goal.demand)) proof.failure = {FailureReason::inexact};
   return proof;

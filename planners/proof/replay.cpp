@@ -50,12 +50,12 @@ class Follower {
           if (!std::is_same_v<Cushion, Mirror> && !(dot(sim_.normal(e.contact), sim_.state().velocity) > 0))
             out_.replay.cushion_stick = true;
           if (contacts) contacts->push_back(e.contact);
-          if (out_.replay.rattles) out_.replay.met.push_back(e.contact);
+          if (out_.replay.touches_jaws) out_.replay.met.push_back(e.contact);
           break;
         case EventKind::jaw:
-          if (!out_.replay.rattles && contacts) out_.replay.met = *contacts;
+          if (!out_.replay.touches_jaws && contacts) out_.replay.met = *contacts;
           out_.replay.met.push_back(e.contact);
-          rattle(e.contact);
+          touch_jaw(e.contact);
           break;
         case EventKind::slide_to_roll:
           break;
@@ -89,9 +89,9 @@ class Follower {
   /// passing.
   bool look_along_arc(EventKind end) {
     if (stop_ || q_.objects || !counts()) return false;
-    for (const Mark& mark : q_.marks) {
-      if (mark.captures() && !tracing_) continue;
-      const bool near = look_at(mark.at) <= mark.reach && !mark.captures();
+    for (const AimPoint& aim_point : q_.aim_points) {
+      if (aim_point.captures() && !tracing_) continue;
+      const bool near = look_at(aim_point.at) <= aim_point.reach && !aim_point.captures();
       // A ball that still comes nearer when its slide, or a piece of it, ends is closest on the next arc.
       if (near && (closest_ < sim_.travelled() || end != EventKind::slide_to_roll)) return arrive_in_passing();
     }
@@ -121,20 +121,21 @@ class Follower {
 
   Trace taken(Contact by) {
     const State<double>& now = sim_.state();
-    const Mark* const mark = counts() ? q_.mark_taken_by(by, now.at) : nullptr;
-    if (!mark || !goal_.allows(q_, *mark))
+    const AimPoint* const aim_point = counts() ? q_.aim_point_taken_by(by, now.at) : nullptr;
+    if (!aim_point || !goal_.allows(q_, *aim_point))
       return fail(by.kind == ContactKind::pocket ? FailureReason::pocketed : FailureReason::hit_ball, by);
     out_.replay.made = true;
     out_.replay.bounces = k_;
     // A ball that stops on the pocket's circle keeps the direction of its last arc.
     const Vec2d heading = norm(now.velocity) > 0 ? now.velocity : sim_.arc().velocity;
     out_.replay.arrival = {sim_.time(), norm(now.velocity), now.at};
-    if (mark->cuts) {
-      out_.replay.hits.push_back(hit_by({now.at, heading}, norm(now.velocity), by.index, mark->at, mark->reach, k_));
-      touched(*mark, {now.at, heading}, out_.replay);
+    if (aim_point->cuts) {
+      out_.replay.hits.push_back(
+          hit_by({now.at, heading}, norm(now.velocity), by.index, aim_point->at, aim_point->reach, k_));
+      touched(*aim_point, {now.at, heading}, out_.replay);
       return out_;
     }
-    measure(q_, *mark, first_jaw_ ? *first_jaw_ : Line{now.at, heading}, out_.replay);
+    measure(q_, *aim_point, first_jaw_ ? *first_jaw_ : Line{now.at, heading}, out_.replay);
     return out_;
   }
 
@@ -147,28 +148,28 @@ class Follower {
   }
 
   /// Counts a jaw contact. The first jaw met at a target pocket defines the line of travel there.
-  void rattle(Contact jaw) {
-    const auto of_jaws = [&](const Mark& mark) { return mark.taken_by.index == jaw.jaw_pocket(); };
-    if (!first_jaw_ && std::ranges::any_of(q_.marks, of_jaws))
+  void touch_jaw(Contact jaw) {
+    const auto of_jaws = [&](const AimPoint& aim_point) { return aim_point.taken_by.index == jaw.jaw_pocket(); };
+    if (!first_jaw_ && std::ranges::any_of(q_.aim_points, of_jaws))
       first_jaw_ = Line{sim_.state().at, sim_.on_arc(sim_.travelled()).velocity};
-    out_.replay.rattles = true;
+    out_.replay.touches_jaws = true;
     ++out_.replay.jaws;
   }
 
   Trace rest() {
     if (!stop_ || q_.objects || !counts()) return fail(FailureReason::fell_short);
-    const Mark& mark = q_.nearest_mark(sim_.state().at);
-    out_.replay.miss = norm(sim_.state().at - mark.at);
+    const AimPoint& aim_point = q_.nearest_aim_point(sim_.state().at);
+    out_.replay.miss = norm(sim_.state().at - aim_point.at);
     out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
     out_.replay.bounces = k_;
-    out_.replay.made = out_.replay.miss <= mark.reach;
+    out_.replay.made = out_.replay.miss <= aim_point.reach;
     if (!out_.replay.made) out_.replay.failure = {FailureReason::missed};
     return out_;
   }
 
   /// Returns the distance [m] of the cue ball from the aim point; if an object ball is to go there, the way through
   /// that ball.
-  double apart(const Mark& m) const {
+  double apart(const AimPoint& m) const {
     if (m.ball == 0) return norm(sim_.state().at - m.at);
     const Vec2d at = q_.objects->find(m.ball).at_rest.at;
     return norm(sim_.state().at - at) + norm(at - m.at);
@@ -178,7 +179,7 @@ class Follower {
     // If the ball passed the target after the bounces asked, the miss is known; otherwise it is the distance when the
     // shot failed.
     if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
-      for (const Mark& m : q_.marks) out_.replay.miss = std::min(out_.replay.miss, apart(m));
+      for (const AimPoint& m : q_.aim_points) out_.replay.miss = std::min(out_.replay.miss, apart(m));
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
     } else if (reason == FailureReason::extra_cushion) {
       reason = FailureReason::missed;

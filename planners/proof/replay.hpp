@@ -21,7 +21,7 @@ struct Replay {
   Failure failure;                     ///< if it is not made
   std::vector<Hit> hits{};             ///< contacts with balls, in order, up to the target
   std::vector<ObjectBallPath> then{};  ///< object balls and their cushions
-  bool rattles = false;                ///< it touched the jaws of a pocket
+  bool touches_jaws = false;           ///< it touched the jaws of a pocket
   std::vector<Contact> met{};          ///< after a jaw contact, if `contacts` is given: all that it bounced off
   int bounces = 0;                     ///< at arrival, or at the failure
   bool cushion_stick = false;          ///< see Shot::cushion_stick

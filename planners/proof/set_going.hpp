@@ -81,7 +81,7 @@ class SetGoing {
       case EventKind::cushion:
         return its && bounces(e.event, sim);
       case EventKind::jaw:
-        if (its) rattle(e.event.contact, sim);
+        if (its) touch_jaw(e.event.contact, sim);
         return false;
       case EventKind::pocket:
         return its && falls(e.event.contact, sim);
@@ -101,11 +101,12 @@ class SetGoing {
     if (!all_set() && e.ball == on_its_way() && e.event.contact == Contact::ball(chain_.balls[set_]->ball))
       return sets_going(sim);
     const State<double>& now = sim.state(e.ball);
-    const Mark* const mark = carom_ && e.ball == 0 && counts() ? q_.mark_taken_by(e.event.contact, now.at) : nullptr;
-    if (!mark || !goal_.allows(q_, *mark)) return fail(FailureReason::hit_ball, e.event.contact);
+    const AimPoint* const aim_point =
+        carom_ && e.ball == 0 && counts() ? q_.aim_point_taken_by(e.event.contact, now.at) : nullptr;
+    if (!aim_point || !goal_.allows(q_, *aim_point)) return fail(FailureReason::hit_ball, e.event.contact);
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
-    note_hit(e.event.contact.index, mark->at);
-    touched(*mark, incoming_, out_);
+    note_hit(e.event.contact.index, aim_point->at);
+    touched(*aim_point, incoming_, out_);
     return true;
   }
 
@@ -155,17 +156,17 @@ class SetGoing {
     last_ = end.at;
     incoming_ = {last_, end.velocity};
     if (q_.stop || !all_set() || !counts()) return false;
-    for (const Mark& mark : q_.marks) {
-      if (mark.captures() || mark.ball != number()) continue;
-      const double t = closest_time(arc, travelled, mark.at);
+    for (const AimPoint& aim_point : q_.aim_points) {
+      if (aim_point.captures() || aim_point.ball != number()) continue;
+      const double t = closest_time(arc, travelled, aim_point.at);
       const State<double> there = on_path(t);
-      const double miss = norm(there.at - mark.at);
+      const double miss = norm(there.at - aim_point.at);
       if (miss < out_.miss) {
         out_.miss = miss;
         out_.arrival = {begin_ + began + arc.seconds(t), norm(there.velocity), there.at};
       }
-      near_end_ = miss <= mark.reach && !(t < travelled);
-      if (miss <= mark.reach && t < travelled) return out_.made = true;
+      near_end_ = miss <= aim_point.reach && !(t < travelled);
+      if (miss <= aim_point.reach && t < travelled) return out_.made = true;
     }
     return false;
   }
@@ -173,19 +174,22 @@ class SetGoing {
   template <class Sim>
   bool falls(Contact pocket, const Sim& sim) {
     const State<double>& now = sim.state(on_its_way());
-    const Mark* const mark = all_set() && counts() ? q_.mark_taken_by(pocket, now.at, number()) : nullptr;
-    if (!mark || !goal_.allows(q_, *mark)) return fail(FailureReason::pocketed, pocket);
+    const AimPoint* const aim_point = all_set() && counts() ? q_.aim_point_taken_by(pocket, now.at, number()) : nullptr;
+    if (!aim_point || !goal_.allows(q_, *aim_point)) return fail(FailureReason::pocketed, pocket);
     out_.made = true;
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
-    measure(q_, *mark, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
+    measure(q_, *aim_point, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
     return true;
   }
 
   template <class Sim>
-  void rattle(Contact jaw, const Sim& sim) {
-    const auto of_jaws = [&](const Mark& mark) { return mark.taken_by == Contact::pocket(jaw.jaw_pocket()); };
-    if (!jaw_ && std::ranges::any_of(q_.marks, of_jaws)) jaw_ = Line{sim.state(on_its_way()).at, incoming_.heading};
-    out_.rattles = true;
+  void touch_jaw(Contact jaw, const Sim& sim) {
+    const auto of_jaws = [&](const AimPoint& aim_point) {
+      return aim_point.taken_by == Contact::pocket(jaw.jaw_pocket());
+    };
+    if (!jaw_ && std::ranges::any_of(q_.aim_points, of_jaws))
+      jaw_ = Line{sim.state(on_its_way()).at, incoming_.heading};
+    out_.touches_jaws = true;
     ++out_.jaws;
   }
 
@@ -193,17 +197,17 @@ class SetGoing {
   bool rests(const Sim& sim) {
     const Vec2d at = sim.state(on_its_way()).at;
     if (!q_.stop || !all_set() || !counts()) return fail(FailureReason::fell_short);
-    const Mark& mark = q_.nearest_mark(at, number());
-    out_.miss = norm(at - mark.at);
+    const AimPoint& aim_point = q_.nearest_aim_point(at, number());
+    out_.miss = norm(at - aim_point.at);
     out_.arrival = {begin_ + sim.time(), 0, at};
-    out_.made = out_.miss <= mark.reach;
+    out_.made = out_.miss <= aim_point.reach;
     if (!out_.made) out_.failure = {FailureReason::missed};
     return true;
   }
 
   bool fail(FailureReason reason, Contact contact = {}) {
     if (!(out_.miss < std::numeric_limits<double>::infinity())) {
-      out_.miss = norm(last_ - q_.nearest_mark(last_, number()).at);
+      out_.miss = norm(last_ - q_.nearest_aim_point(last_, number()).at);
       out_.arrival = {begin_, 0, last_};
     }
     out_.failure = {reason, contact};

@@ -19,7 +19,7 @@ using namespace settings::parts;
 
 /// A window around a lead, along its route, at the speed that each aim needs.
 bool bisect_candidate(const Question& q, EvaluationBudget& budget, SearchResult& found, const Candidate& candidate) {
-  const LockedAim locked{q, candidate.route, candidate.mark};
+  const LockedAim locked{q, candidate.route, candidate.aim_point};
   const std::vector<Contact> contacts = contacts_of(candidate.route);
   const Goal goal = Goal::along(contacts);
   const auto launch = [&](double aim) -> std::optional<Launch> {
@@ -42,7 +42,7 @@ bool bisect_candidate(const Question& q, EvaluationBudget& budget, SearchResult&
 /// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed, or nearly.
 bool hopeful(const Question& q, const Candidate& candidate) {
   const Range& v = q.speed;
-  return candidate.half > 0 && candidate.room > -candidate.mark.reach &&
+  return candidate.half > 0 && candidate.room > -candidate.aim_point.reach &&
          candidate.launch.speed > v.low / nearly_allowed && candidate.launch.speed < v.high * nearly_allowed;
 }
 
@@ -66,8 +66,8 @@ void Parts::climb(const Question& q, EvaluationBudget& budget, SearchResult& fou
 
 bool Parts::was_tried(const Candidate& candidate) const {
   return std::ranges::any_of(tried_, [&](const Candidate& known) {
-    return alike(known.launch, candidate.launch) && known.spin == candidate.spin && known.mark == candidate.mark &&
-           known.route == candidate.route;
+    return alike(known.launch, candidate.launch) && known.spin == candidate.spin &&
+           known.aim_point == candidate.aim_point && known.route == candidate.route;
   });
 }
 

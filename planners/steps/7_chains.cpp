@@ -73,10 +73,10 @@ class Chains {
   /// Whether a cue ball that rolls so far [m] to the object ball may pot it as often as the question needs. An error of
   /// aim turns the object ball by the distance over where the balls touch; English and cushions may halve that.
   bool is_worth(const Leg& leg, double distance) const {
-    if (q_.likelier <= 0 || by_ || !(leg.spread > 0) || !leg.mark.drops()) return true;
+    if (q_.likelier <= 0 || by_ || !(leg.spread > 0) || !leg.aim_point.drops()) return true;
     const double turned = q_.puzzle.noise.angle * distance / norm(ghost({1, 0}) - last_.at_rest.at);
     const double beside = least_turned * turned * leg.spread;
-    return std::erf(leg.mark.reach / (beside * std::sqrt(2.0))) > q_.likelier;
+    return std::erf(leg.aim_point.reach / (beside * std::sqrt(2.0))) > q_.likelier;
   }
 
   /// With all that leads through the ghost; `before` finds that of a combination.
@@ -84,7 +84,7 @@ class Chains {
     const Question at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
     if (!by_) return each_image(leg, at_ghost);
     SearchResult starts;
-    before(to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch().speed)), budget_, starts);
+    before(to_ghost_.at(at_ghost.aim_points.front().at, normal_speed(leg.launch().speed)), budget_, starts);
     for (const Candidate& candidate : starts.candidates) {
       if (stop::enough_seeds(q_, budget_, found_)) return;
       if (!has_candidate(leg, candidate.route)) join(leg, candidate.route, candidate.launch);
@@ -103,8 +103,8 @@ class Chains {
         Route route = images.route(*image);
         if (settled.contains(route) || has_candidate(leg, route) || !is_worth(leg, image->distance)) continue;
         if (route.empty() && (share != settings::restitution_shares.front() || !may_hit(leg, image->angle))) continue;
-        const Question& own = to_ghost_.at(at_ghost.marks.front().at, normal_speed(leg.launch().speed));
-        const auto speed = speed_at({own, route, own.marks.front()}, budget_, image->angle, image->distance);
+        const Question& own = to_ghost_.at(at_ghost.aim_points.front().at, normal_speed(leg.launch().speed));
+        const auto speed = speed_at({own, route, own.aim_points.front()}, budget_, image->angle, image->distance);
         if (speed && join(leg, route, {*speed, image->angle})) settled.insert(std::move(route));
       }
       if (straight || (q_.route && !found_.shots.empty())) return;
@@ -128,7 +128,7 @@ class Chains {
     if (!q_.starts() || found_.candidates.empty()) return false;
     const Route whole = whole_route(leg, before);
     return std::ranges::any_of(found_.candidates, [&](const Candidate& candidate) {
-      return candidate.mark == leg.mark && candidate.route == whole;
+      return candidate.aim_point == leg.aim_point && candidate.route == whole;
     });
   }
   Route whole_route(const Leg& leg, const Route& before) const {
@@ -153,7 +153,7 @@ class Chains {
     for (int i = 0; i < most_corrections; ++i) {
       const Vec2d n = direction(leg.launch().angle + turn);
       const Question& own = to_ghost_.at(ghost(n), asked);
-      const LockedAim aim{own, route, own.marks.front()};
+      const LockedAim aim{own, route, own.aim_points.front()};
       const auto root = newton(aim, budget_, seed, settings::wide);
       if (!root) return false;
       seed = root.launch;
@@ -173,7 +173,7 @@ class Chains {
       if (i > 0 && std::abs(off) < settled_turn) break;
     }
     const Route whole = whole_route(leg, route);
-    const LockedAim aim{q_, whole, leg.mark};
+    const LockedAim aim{q_, whole, leg.aim_point};
     for (const double faster : faster_seeds) {
       const Launch from{q_.one_unknown() ? q_.fixed_speed() : seed.speed * faster, seed.angle};
       const auto root = newton(aim, budget_, from, settings::wide);

@@ -66,17 +66,17 @@ class Sweeps {
                  const Look& look) {
     std::set<std::tuple<Route, double, double>> done;
     for (const Leg& leg : legs) {
-      if (!done.insert({leg.route, leg.mark.at.x, leg.mark.at.y}).second) continue;
+      if (!done.insert({leg.route, leg.aim_point.at.x, leg.aim_point.at.y}).second) continue;
       for (const Approach& approach : to_ball) {
         if (over()) return;
         const Route whole = together(chain, approach.route, leg);
-        look({q_, whole, leg.mark}, approach.across);
+        look({q_, whole, leg.aim_point}, approach.across);
         parts_.climb(q_, budget_, found_);
       }
     }
   }
 
-  /// A launch at an aim, and on which side of the mark it leads the ball.
+  /// A launch at an aim, and on which side of the aim point it leads the ball.
   struct Side {
     Launch launch;
     double side = 0;
@@ -142,9 +142,9 @@ class Sweeps {
                 Demand::off_centre);
       const Side& before = row[i > 0 ? i - 1 : i];
       const Side& after = row[std::min(i + 1, row.size() - 1)];
-      if (s.room < before.room || s.room < after.room || s.room < -least_hope * aim.mark.reach) continue;
+      if (s.room < before.room || s.room < after.room || s.room < -least_hope * aim.aim_point.reach) continue;
       const double half = std::max(s.launch.angle - before.launch.angle, after.launch.angle - s.launch.angle);
-      peaks_.push_back({s.launch, Route(aim.route.begin(), aim.route.end()), aim.mark, q_.spin, half, s.room});
+      peaks_.push_back({s.launch, Route(aim.route.begin(), aim.route.end()), aim.aim_point, q_.spin, half, s.room});
     }
   }
 

@@ -49,7 +49,7 @@ class Caroms {
         grid_(grid),
         starts_(starts),
         first_(*q.objects->chains.front().balls.front()),
-        mark_(q.marks.front()),
+        aim_point_(q.aim_points.front()),
         to_first_(q.puzzle.table, q.puzzle.ball.body, q.puzzle.others, all_but_first()) {}
 
   void run() {
@@ -96,7 +96,7 @@ class Caroms {
       for (const auto& [route, pass] : now) {
         const auto last = before[speed].find(route);
         const bool crossed = last != before[speed].end() && last->second.left != pass.left;
-        if (pass.distance < mark_.reach) touching[route].push_back(pass);
+        if (pass.distance < aim_point_.reach) touching[route].push_back(pass);
         if (crossed && root(route, closer(last->second, pass))) rooted_.insert(route);
       }
       before[speed] = std::move(now);
@@ -134,8 +134,8 @@ class Caroms {
     for (;;) {
       SidePass pass{launch, forever, false};
       const auto look = [&](const Arc<double>& arc, double travelled) {
-        const double t = closest_time(arc, travelled, mark_.at);
-        const Vec2d off = mark_.at - arc.position(t);
+        const double t = closest_time(arc, travelled, aim_point_.at);
+        const Vec2d off = aim_point_.at - arc.position(t);
         if (norm(off) < pass.distance) pass.distance = norm(off), pass.left = is_left(arc.velocity_at(t), off);
       };
       Event e;
@@ -150,7 +150,7 @@ class Caroms {
 
   /// Of the exact line, from a ball that moves so with the second this far off.
   bool is_left(const Vec2d& velocity, const Vec2d& off) const {
-    return cross(velocity, off) + mark_.cuts->exact * norm(velocity) > 0;
+    return cross(velocity, off) + aim_point_.cuts->exact * norm(velocity) > 0;
   }
 
   /// After this event, which is noted: with no more bounces than are asked, and in their order.
@@ -164,11 +164,11 @@ class Caroms {
   /// At the speed of the launch, and from there as fast at the target as asked.
   bool root(const Route& route, const Launch& from) {
     const Question at_speed = q_.launched_at(from.speed);
-    const LockedAim fixed{at_speed, route, mark_};
+    const LockedAim fixed{at_speed, route, aim_point_};
     auto found = newton(fixed, budget_, from, settings::wide);
     if (!found) return false;
     if (!q_.one_unknown() && q_.arrival->fixed()) {
-      const LockedAim free{q_, route, mark_};
+      const LockedAim free{q_, route, aim_point_};
       found = newton(free, budget_, found.launch, settings::wide);
       if (!found) return false;
       return keep(free, found.launch);
@@ -204,7 +204,7 @@ class Caroms {
   const Grid grid_;
   const Step starts_;
   const Objects::Object& first_;
-  const Mark& mark_;
+  const AimPoint& aim_point_;
   const Boundary to_first_;  ///< with the first ball alone
   std::map<std::pair<Route, bool>, int> kept_{};
   std::set<Route> rooted_{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A chain followed forwards. At one launch speed the aims by which a ball is touched along one route are a band; the
-// next ball is touched from bands inside it, and the last passes its mark on one side or the other.
+// next ball is touched from bands inside it, and the last passes its aim point on one side or the other.
 // Method: at each speed of a row, aims evenly in the cut across a band are followed through the contact and on, as if
 // no other ball stood there. Each leg of the ball that was touched passes the next one at some offset, which is
 // continuous along a route; so false position finds where a band begins and ends, and where the last ball is on its
@@ -121,7 +121,7 @@ class Bands {
 
   Launch launch(double aim) const { return {speed_, aim}; }
 
-  /// From the first ball to the mark.
+  /// From the first ball to the aim point.
   void object_ball_path(const Band& first) {
     std::vector<Band> bands{first};
     for (int ball = 1; ball < path_.last(); ++ball) {
@@ -129,10 +129,10 @@ class Bands {
       for (const Band& band : bands) touching(ball, band.route, across(band, cut_steps * finer()), next);
       bands = std::move(next);
     }
-    for (const Mark& mark : q_.marks) {
-      if (mark.ball != path_.number(path_.last())) continue;
+    for (const AimPoint& aim_point : q_.aim_points) {
+      if (aim_point.ball != path_.number(path_.last())) continue;
       for (const Band& band : bands)
-        if (!over()) roots(mark, band.route, across(band, last_steps * finer()));
+        if (!over()) roots(aim_point, band.route, across(band, last_steps * finer()));
     }
   }
 
@@ -220,8 +220,8 @@ class Bands {
   }
 
   /// Where the last ball is on its exact line, and from there as fast as asked.
-  void roots(const Mark& mark, const Route& before, const std::vector<double>& tried) {
-    const Place place{mark.at, mark.reach, &mark};
+  void roots(const AimPoint& aim_point, const Route& before, const std::vector<double>& tried) {
+    const Place place{aim_point.at, aim_point.reach, &aim_point};
     each_track(path_.last(), before, place, tried,
                [&](const Route& route, const std::vector<double>& aims, const Track& track) {
                  const Route whole = joined(before, route);
@@ -229,17 +229,17 @@ class Bands {
                    const auto &a = track[i - 1], &b = track[i];
                    if (over()) return;
                    if (!a || !b || (a->left > 0) == (b->left > 0) || !(a->ahead || b->ahead)) continue;
-                   root(mark, whole, crossing(aims[i - 1], a->left, aims[i], b->left, [&](double aim) {
+                   root(aim_point, whole, crossing(aims[i - 1], a->left, aims[i], b->left, [&](double aim) {
                           return path_.left_of(whole, path_.last(), place, launch(aim));
                         }));
                  }
                });
   }
 
-  void root(const Mark& mark, const Route& route, double at) {
+  void root(const AimPoint& aim_point, const Route& route, double at) {
     if (any_arrival() && made_.contains(route)) return;
     const Question& own = any_arrival() ? at_speed_ : q_;
-    const LockedAim aim{own, route, mark};
+    const LockedAim aim{own, route, aim_point};
     const auto l = linearise(aim, budget_, launch(at));
     const auto step = l ? newton_step(*l, own.one_unknown()) : std::nullopt;
     if (!step || !(std::abs((*step)[1]) < farthest)) return;
@@ -290,14 +290,14 @@ class Bands {
     for (const double aim : aims) {
       if (over()) break;
       Sample now = sample(ball, before, place, aim);
-      if (finely_ && place.mark && place.mark->captures() && !out.empty())
+      if (finely_ && place.aim_point && place.aim_point->captures() && !out.empty())
         divide(ball, before, place, Sample(out.back()), now, out);
       out.push_back(std::move(now));
     }
     return out;
   }
 
-  /// Between two aims whose balls end otherwise, near the mark: others may end there.
+  /// Between two aims whose balls end otherwise, near the aim point: others may end there.
   void divide(int ball, const Route& before, const Place& place, const Sample& a, const Sample& b,
               std::vector<Sample>& out, int left = most_divisions) {
     if (left == 0 || (a.ball.route == b.ball.route && a.ball.end == b.ball.end) || over() ||

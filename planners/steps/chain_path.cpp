@@ -14,13 +14,13 @@ namespace bankshot::planning::steps {
 namespace {
 
 Pass pass_of(const Place& place, const Vec2d& u, const Vec2d& off) {
-  const double left = place.mark ? beside_exact(*place.mark, u, off) : cross(u, off);
+  const double left = place.aim_point ? beside_exact(*place.aim_point, u, off) : cross(u, off);
   return {left, dot(u, off) > -place.reach};
 }
 
-Fall fall_of(const Route& route, const Launch& launch, const Mark& mark, const State<double>& s) {
+Fall fall_of(const Route& route, const Launch& launch, const AimPoint& aim_point, const State<double>& s) {
   const double speed = norm(s.velocity);
-  return {route, launch, speed, -cross(s.velocity, mark.at - s.at) / speed, &mark};
+  return {route, launch, speed, -cross(s.velocity, aim_point.at - s.at) / speed, &aim_point};
 }
 
 }  // namespace
@@ -79,14 +79,15 @@ void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, i
       look(sim.arc(), sim.travelled());
     } while (e.kind == EventKind::slide_to_roll);
     const auto fell = [&](const State<double>& s) {
-      if (norm(s.velocity) > 0) out.falls.push_back(fall_of(joined(before, out.route), launch, *place.mark, s));
+      if (norm(s.velocity) > 0) out.falls.push_back(fall_of(joined(before, out.route), launch, *place.aim_point, s));
     };
     const bool counts = static_cast<int>(met.size()) >= least(n);
     out.end = e.contact;
     out.nearest = std::min(out.nearest, nearest);
     if (counts && nearest < forever) out.passes.emplace(out.route, pass);
-    if (counts && place.mark && e.kind == EventKind::pocket && e.contact == place.mark->taken_by) fell(sim.state());
-    if (counts && place.mark && !place.mark->drops() && nearest < place.reach) fell(passing);
+    if (counts && place.aim_point && e.kind == EventKind::pocket && e.contact == place.aim_point->taken_by)
+      fell(sim.state());
+    if (counts && place.aim_point && !place.aim_point->drops() && nearest < place.reach) fell(passing);
     if (e.kind != EventKind::cushion) return;
     met.push_back(e.contact);
     if (!is_on(n, met)) return;
@@ -101,7 +102,7 @@ std::optional<Pass> ChainPath::locked_pass(const Route& route, int n, const Plac
     const auto path = follow_locked(q_.balls(), motion, cushion, route, start_of(q_, launch));
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return {};
     const auto there =
-        arrive_locked(motion, body(n), path.state, place.at, place.mark ? place.mark->capture() : 0, false);
+        arrive_locked(motion, body(n), path.state, place.at, place.aim_point ? place.aim_point->capture() : 0, false);
     if (!(dot(there.heading, there.heading) > 0)) return {};
     return pass_of(place, there.heading / norm(there.heading), place.at - there.state.at);
   });

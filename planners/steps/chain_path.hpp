@@ -16,8 +16,8 @@ namespace bankshot::planning::steps {
 /// What a ball is to meet, and how far it is sent by.
 struct Place {
   Vec2d at;
-  double reach;                ///< m
-  const Mark* mark = nullptr;  ///< of the last ball
+  double reach;                         ///< m
+  const AimPoint* aim_point = nullptr;  ///< of the last ball
 };
 
 /// Of one leg, how a place is passed.
@@ -26,13 +26,13 @@ struct Pass {
   bool ahead;
 };
 
-/// A launch after which the last ball met its mark.
+/// A launch after which the last ball met its aim point.
 struct Fall {
   Route route;
   Launch launch;
   double arrived;  ///< m/s
-  double right;    ///< m, of the mark's centre
-  const Mark* mark;
+  double right;    ///< m, of the aim point's centre
+  const AimPoint* aim_point;
 };
 
 /// What becomes of a ball.

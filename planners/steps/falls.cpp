@@ -40,17 +40,17 @@ Question Falls::to_bring() const {
   if (!q_.stop) return q_;
   Question passing = q_;
   passing.stop = false;
-  passing.asked = std::sqrt(deceleration(q_.puzzle.physics) * q_.marks.front().reach);
+  passing.asked = std::sqrt(deceleration(q_.puzzle.physics) * q_.aim_points.front().reach);
   passing.arrival = Range{passing.asked, passing.asked};
   return passing;
 }
 
 /// On the line on which it fell.
 bool Falls::beside(const Fall& fall) {
-  if (!fall.mark->captures()) return false;
-  Mark mark = *fall.mark;
-  mark.cuts = Cuts{fall.right, fall.right, fall.right};
-  const auto there = newton({q_, fall.route, mark}, budget_, fall.launch, settings::wide);
+  if (!fall.aim_point->captures()) return false;
+  AimPoint aim_point = *fall.aim_point;
+  aim_point.cuts = Cuts{fall.right, fall.right, fall.right};
+  const auto there = newton({q_, fall.route, aim_point}, budget_, fall.launch, settings::wide);
   return there && certify(q_, budget_, found_, there.launch, bounces_of(fall.route), step_, Demand::off_centre);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Last balls that met their mark at another speed than is asked, by a route that leads to no root: rolling along a rail
-// into a pocket, say. They are brought to that speed as they are. For bands.cpp.
+// Last balls that met their aim point at another speed than is asked, by a route that leads to no root: rolling along a
+// rail into a pocket, say. They are brought to that speed as they are. For bands.cpp.
 #pragma once
 
 #include <map>

@@ -13,10 +13,10 @@ using namespace settings::forward_map;
 
 namespace {
 
-/// m/s. No slower launch rolls as far as the nearest mark, nor arrives as fast as asked.
+/// m/s. No slower launch rolls as far as the nearest aim point, nor arrives as fast as asked.
 double slowest_arrival(const Question& q) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Mark& m : q.marks) nearest = std::min(nearest, norm(m.at - q.puzzle.ball.at) - m.capture());
+  for (const AimPoint& m : q.aim_points) nearest = std::min(nearest, norm(m.at - q.puzzle.ball.at) - m.capture());
   const double asked = q.arrival ? q.arrival->low : 0;
   const double energy = asked * asked + 2 * deceleration(q.puzzle.physics) * std::max(0.0, nearest);
   return std::max(std::sqrt(energy), settings::slowest_of_fastest * q.speed.high);
@@ -80,8 +80,8 @@ ForwardMap::Node ForwardMap::node(double angle, double speed) {
   forward(q_, budget_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
   for (const Passage& p : forward_.passages) {
     keep_lead(angle, speed, p);
-    roots_.visit({q_, std::span<const Meeting>(forward_.route).first(p.meetings), q_.marks[p.mark]}, {speed, angle},
-                 p.linear);
+    roots_.visit({q_, std::span<const Meeting>(forward_.route).first(p.meetings), q_.aim_points[p.aim_point]},
+                 {speed, angle}, p.linear);
   }
   return {angle, speed, forward_.route, forward_.places, place()};
 }
@@ -107,7 +107,7 @@ double ForwardMap::cells_of_speed(const Passage& p) const {
   if (!q_.stop) return -l.r[1] / l.by_speed(1) / cell_.speed;
   const double diagonal = q_.boundary.diagonal;
   // A ball rests there that is too fast.
-  const double outside = -q_.boundary.clearance(q_.marks[p.mark].at - Vec2d{l.r[0], l.r[1]} * diagonal);
+  const double outside = -q_.boundary.clearance(q_.aim_points[p.aim_point].at - Vec2d{l.r[0], l.r[1]} * diagonal);
   return outside > 0 ? -outside / (diagonal * std::hypot(l.by_speed(0), l.by_speed(1))) / cell_.speed : 0;
 }
 
@@ -123,16 +123,16 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
     lateral = l.r[1 - along] + l.by_speed(1 - along) * step;
     by_aim = l.by_aim(1 - along) - l.by_speed(1 - along) * l.by_aim(along) / l.by_speed(along);
   }
-  const Mark& mark = q_.marks[p.mark];
-  const double wide = mark.reach / q_.boundary.diagonal + std::abs(by_aim) * cell_.aim;
+  const AimPoint& aim_point = q_.aim_points[p.aim_point];
+  const double wide = aim_point.reach / q_.boundary.diagonal + std::abs(by_aim) * cell_.aim;
   if (!(std::abs(lateral) < wide && std::abs(step) < settings::roots::seed_reach * cell_.speed)) return;
   const std::span<const Meeting> route(forward_.route.data(), p.meetings);
   for (const Candidate& known : candidates_)
-    if (known.mark == mark && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
+    if (known.aim_point == aim_point && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
         std::ranges::equal(known.route, route))
       return;
   candidates_.push_back(
-      {{speed * std::exp(step), wrap_angle(angle)}, {route.begin(), route.end()}, mark, q_.spin, cell_.aim});
+      {{speed * std::exp(step), wrap_angle(angle)}, {route.begin(), route.end()}, aim_point, q_.spin, cell_.aim});
 }
 
 void ForwardMap::between(const Node& a, const Node& b) {

@@ -22,7 +22,7 @@
 
 namespace bankshot::planning::steps {
 
-/// Launch speeds that a map tries, so far apart in ln speed: none too slow for the nearest mark, nor to arrive as
+/// Launch speeds that a map tries, so far apart in ln speed: none too slow for the nearest aim point, nor to arrive as
 /// asked.
 std::vector<double> speeds_to_try(const Question& q, double cell);
 

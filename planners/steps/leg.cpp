@@ -24,8 +24,8 @@ bool is_blocked(FailureReason reason) {
 
 Leg leg_of(const Part& own, Candidate alone, bool clear) {
   Leg leg{std::move(alone), {}, {}, clear};
-  leg.route = own.whole(leg.alone.route), leg.mark = leg.alone.mark;
-  leg.mark.ball = own.whole(leg.mark.ball);
+  leg.route = own.whole(leg.alone.route), leg.aim_point = leg.alone.aim_point;
+  leg.aim_point.ball = own.whole(leg.aim_point.ball);
   return leg;
 }
 
@@ -56,8 +56,9 @@ std::vector<Leg> legs(const Question& q, EvaluationBudget& budget, const Objects
       const std::vector<Contact> cushions = contacts_of(candidate.route);
       const bool clear =
           !judged || !is_blocked(replay(one, budget, candidate.launch, Goal::along(cushions)).failure.reason);
-      const auto linear =
-          judged ? linearise({one, candidate.route, candidate.mark}, budget, candidate.launch, true) : std::nullopt;
+      const auto linear = judged
+                              ? linearise({one, candidate.route, candidate.aim_point}, budget, candidate.launch, true)
+                              : std::nullopt;
       out.push_back(leg_of(own, std::move(candidate), clear));
       if (linear) out.back().spread = std::abs(linear->by_aim(0)) * one.boundary.diagonal;
     }
@@ -78,7 +79,7 @@ std::vector<Leg> legs_of_images(const Question& q, const Objects::Chain& chain) 
     const double e = share * restitution(q.puzzle.physics).at_rest;
     Unfolding images(all, {.parts = true, .restitution = e, .keep_routes = true});
     while (const auto image = images.next())
-      out.push_back(leg_of(own, {{1, image->angle}, images.route(*image), all.marks[image->mark]}, true));
+      out.push_back(leg_of(own, {{1, image->angle}, images.route(*image), all.aim_points[image->aim_point]}, true));
     if (straight) break;
   }
   return out;

@@ -11,10 +11,10 @@ namespace bankshot::planning::steps {
 
 struct Leg {
   Candidate alone;  ///< as found: the ball, which stands still, is the struck one
-  Route route;      ///< the same, and its mark, among all balls
-  Mark mark;
+  Route route;      ///< the same, and its aim point, among all balls
+  AimPoint aim_point;
   bool clear = true;  ///< so launched it arrives: nothing is in the way; or that was not asked
-  double spread = 0;  ///< m that it passes beside its mark for a radian of its direction; 0: not known
+  double spread = 0;  ///< m that it passes beside its aim point for a radian of its direction; 0: not known
 
   const Launch& launch() const { return alone.launch; }
 };

@@ -103,7 +103,7 @@ const Question& ToPlace::at(const Vec2d& place) { return at(place, usual_); }
 
 const Question& ToPlace::at(const Vec2d& place, double speed) {
   place_of(part_.puzzle.target) = place;
-  q_.marks.front().at = place;
+  q_.aim_points.front().at = place;
   q_.asked = speed;
   return q_;
 }

@@ -54,7 +54,8 @@ bool Roots::hopeless(const LockedAim& aim, const Launch& at, double cells, const
   if (at.speed > q_.speed.high * std::exp(2 * cells * cell_.step_speed)) return true;
   const double better_there = 1 + distrust * cells;
   if (linear.time > q_.latest * better_there) return true;
-  return q_.likelier > 0 && better_there * success_at_most(q_, aim.mark, chance_on_mark(aim, at, linear)) < q_.likelier;
+  return q_.likelier > 0 &&
+         better_there * success_at_most(q_, aim.aim_point, success_on_aim_point(aim, at, linear)) < q_.likelier;
 }
 
 void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) {
@@ -75,13 +76,13 @@ Roots::Seen& Roots::seen(const LockedAim& aim) {
   if (last_seen_ < seen_.size() && belongs(seen_[last_seen_], aim)) return seen_[last_seen_];
   const auto it = std::find_if(seen_.begin(), seen_.end(), [&](const Seen& x) { return belongs(x, aim); });
   last_seen_ = static_cast<std::size_t>(it - seen_.begin());
-  if (last_seen_ == seen_.size()) seen_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark});
+  if (last_seen_ == seen_.size()) seen_.push_back({{aim.route.begin(), aim.route.end()}, aim.aim_point});
   return seen_[last_seen_];
 }
 
 void Roots::seek_rest() {
   for (const Seen& seen : seen_) {
-    const LockedAim aim{q_, seen.route, seen.mark};
+    const LockedAim aim{q_, seen.route, seen.aim_point};
     if (std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); })) continue;
     for (const Nearest& n : seen.nearest) {
       if (done() || !(n.miss < none)) break;
@@ -94,10 +95,10 @@ void Roots::seek_rest() {
   }
 }
 
-/// The mark lies near the last cushion.
+/// The aim point lies near the last cushion.
 bool Roots::beside_last(const LockedAim& aim) const {
   const Wall* const last = aim.route.empty() ? nullptr : q_.boundary.line(aim.route.back().with);
-  return last && dot(last->normal, aim.mark.at) - last->offset < beside * q_.boundary.diagonal;
+  return last && dot(last->normal, aim.aim_point.at) - last->offset < beside * q_.boundary.diagonal;
 }
 
 /// A ball that rests soon after its last bounce was hardly fast enough to get there: from a little above the slowest
@@ -122,17 +123,17 @@ void Roots::add(const LockedAim& aim, const Launch& root) {
     return;
   remember(aim, root);
   const bool shot = certify_root(aim, budget_, found_, root, step_);
-  const bool blocked = !shot && !aim.mark.captures() && q_.speed.contains(root.speed);
+  const bool blocked = !shot && !aim.aim_point.captures() && q_.speed.contains(root.speed);
   if (!q_.all() && !(blocked && every_root_)) return;
   across_fold(aim, root);
   for (const Wall& rail : q_.boundary.walls) {
-    if (!(dot(rail.normal, aim.mark.at) - rail.offset < hugging * q_.boundary.diagonal)) continue;
+    if (!(dot(rail.normal, aim.aim_point.at) - rail.offset < hugging * q_.boundary.diagonal)) continue;
     beside_rail(aim, root);
     const bool just_left = !aim.route.empty() && aim.route.back().with == rail.contact;
     if (q_.route || just_left || static_cast<int>(aim.route.size()) >= q_.cushions().max) continue;
     Route on(aim.route.begin(), aim.route.end());
     on.push_back({0, rail.contact});
-    beside_rail({q_, on, aim.mark}, root);
+    beside_rail({q_, on, aim.aim_point}, root);
   }
 }
 
@@ -144,8 +145,8 @@ std::optional<Roots::Side> Roots::side_at(const LockedAim& aim, double angle, do
 }
 
 /// Near a rail the map bends within a hundredth of a cell, so that a route has roots closer than rings see, and one
-/// that meets the rail just before the mark has a root beside that of the route that does not. Aims at both sides of a
-/// root, ever farther: where the ball changes its side of the mark there is another.
+/// that meets the rail just before the aim point has a root beside that of the route that does not. Aims at both sides
+/// of a root, ever farther: where the ball changes its side of the aim point there is another.
 void Roots::beside_rail(const LockedAim& aim, const Launch& root) {
   for (const double way : {1.0, -1.0}) {
     std::optional<Side> last = side_at(aim, root.angle, root.speed);
@@ -193,7 +194,7 @@ void Roots::from_beside(const LockedAim& aim, const Launch& root, const Linear& 
   if (other && !known(aim, other.launch, 0)) add(aim, other.launch);
 }
 
-/// A root of the same route and mark lies within so many cells.
+/// A root of the same route and aim point lies within so many cells.
 bool Roots::known(const LockedAim& aim, const Launch& l, double cells) const {
   return std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) {
     return std::abs(angle_difference(r.launch.angle, l.angle)) < std::max(least_apart, cells) * cell_.step_aim &&

@@ -30,10 +30,10 @@ class Roots {
         every_root_(spacing.every_root),
         step_(step) {
     for (const Shot& s : found.shots)
-      if (!s.off_centre) roots_.push_back({route_by(s.cushions), q.nearest_mark(s.arrival.at), s.launch});
+      if (!s.off_centre) roots_.push_back({route_by(s.cushions), q.nearest_aim_point(s.arrival.at), s.launch});
   }
 
-  /// A node that meets these cushions, and how it misses the mark.
+  /// A node that meets these cushions, and how it misses the aim point.
   void visit(const LockedAim& aim, const Launch& node, const Linear& linear);
 
   /// Routes that were visited and have no root yet: from the nodes that came nearest.
@@ -46,10 +46,10 @@ class Roots {
   bool done() const { return stop::over(q_, budget_, found_) || stop::route_settled(q_, found_); }
 
  private:
-  /// Of one route and mark.
+  /// Of one route and aim point.
   struct Root {
     Route route;
-    Mark mark;
+    AimPoint aim_point;
     Launch launch;
     std::optional<double> determinant{};  ///< of its derivatives, once it was asked for
   };
@@ -58,21 +58,21 @@ class Roots {
     Launch launch{};
     double miss = none;  ///< of the residual
   };
-  /// A route and mark that were visited, and the nodes that came nearest.
+  /// A route and aim point that were visited, and the nodes that came nearest.
   struct Seen {
     Route route;
-    Mark mark;
+    AimPoint aim_point;
     std::array<Nearest, 3> nearest{};
   };
   static bool belongs(const Root& x, const LockedAim& aim) {
-    return x.mark == aim.mark && std::ranges::equal(x.route, aim.route);
+    return x.aim_point == aim.aim_point && std::ranges::equal(x.route, aim.route);
   }
   static bool belongs(const Seen& x, const LockedAim& aim) {
-    return x.mark == aim.mark && std::ranges::equal(x.route, aim.route);
+    return x.aim_point == aim.aim_point && std::ranges::equal(x.route, aim.route);
   }
 
   void remember(const LockedAim& aim, const Launch& root, std::optional<double> determinant = {}) {
-    roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.mark, root, determinant});
+    roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.aim_point, root, determinant});
   }
   Seen& seen(const LockedAim& aim);
   void keep_nearest(const LockedAim& aim, const Launch& node, double miss);
@@ -83,7 +83,7 @@ class Roots {
   void across_fold(const LockedAim& aim, const Launch& root);
   void from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn, double cells);
   void beside_rail(const LockedAim& aim, const Launch& root);
-  /// At an aim, the speed that arrives as asked, and on which side of the mark the ball then passes or rests.
+  /// At an aim, the speed that arrives as asked, and on which side of the aim point the ball then passes or rests.
   struct Side {
     double angle, speed, side;
   };

@@ -29,7 +29,7 @@ inline constexpr double widest_cut = radians(89), sweep_beyond = 1.3, widest_aim
 /// Of the bound on the launch: no slower speed is where a sweep begins.
 inline constexpr double slowest_swept = 0.05;
 inline constexpr int sweep_steps = 24, sweep_halvings = 8;
-/// Of the mark's reach: where a launch of a sweep lacks more clearance, nothing beside it is looked for.
+/// Of the aim point's reach: where a launch of a sweep lacks more clearance, nothing beside it is looked for.
 inline constexpr double least_hope = 3;
 /// Aims to either side and speeds of a grid, and how many of its cells away a root may be that a node predicts.
 inline constexpr int grid_steps = 12, grid_rows = 12;
@@ -57,7 +57,8 @@ inline constexpr double farthest = 1;
 /// Of both ends: where a crossing is near enough for Newton's method; evaluations at most.
 inline constexpr double settled = 1e-4;
 inline constexpr int most_halvings = 20;
-/// Halvings between two aims whose balls end otherwise, and how near to the mark one of them must pass, of its reach.
+/// Halvings between two aims whose balls end otherwise, and how near to the aim point one of them must pass, of its
+/// reach.
 inline constexpr int most_divisions = 6;
 inline constexpr double near = 4;
 /// Of one route, launches after which the ball fell that are tried.

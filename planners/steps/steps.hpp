@@ -18,7 +18,7 @@ namespace bankshot::planning::steps {
 /// The names of steps in answers.
 namespace word {
 inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan", map = "map", along = "along",
-                                  parts = "parts", rattles = "rattles", chains = "chains", caroms = "caroms",
+                                  parts = "parts", jaw_shots = "rattles", chains = "chains", caroms = "caroms",
                                   global = "global", looser = "looser";
 }  // namespace word
 
@@ -31,8 +31,8 @@ void fan(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///
 void map(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing);
 void along(const Question& q, EvaluationBudget& budget,
            SearchResult& found);  ///< exactly along a cushion that the ball touches
-void rattles(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< by the jaws of a pocket
-void chains(const Question& q, EvaluationBudget& budget, SearchResult& found);   ///< another ball is sent on
+void jaw_shots(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< by the jaws of a pocket
+void chains(const Question& q, EvaluationBudget& budget, SearchResult& found);     ///< another ball is sent on
 /// The same for one arrival speed after the other: of each chain the ways of its last ball, by itself, that need no
 /// other look.
 using KnownLegs = std::map<const Objects::Chain*, std::vector<Candidate>>;

@@ -18,13 +18,13 @@ using namespace settings::chains;
 /// between their centres when they touch.
 std::optional<Range> aims_across(const Question& q, EvaluationBudget& budget, const Question& own, double reach,
                                  const Candidate& candidate) {
-  const Vec2d& place = own.marks.front().at;
+  const Vec2d& place = own.aim_points.front().at;
   if (candidate.route.empty() && q.spin.masse == 0) {
     const Vec2d way = place - q.puzzle.ball.at;
     const double half = std::asin(std::min(1.0, reach / norm(way))), to = std::atan2(way.y, way.x);
     return Range{to - half, to + half};
   }
-  const LockedAim aim{own, candidate.route, own.marks.front()};
+  const LockedAim aim{own, candidate.route, own.aim_points.front()};
   const auto root = newton(aim, budget, {*own.pinned, candidate.launch.angle}, settings::wide);
   const auto l = root ? linearise(aim, budget, root.launch) : std::nullopt;
   if (!l || l->by_aim(0) == 0) return {};

@@ -16,7 +16,7 @@ namespace bankshot::planning::steps {
 using namespace settings::widest;
 
 Widest::Widest(const Question& q, EvaluationBudget& budget, SearchResult& found, Candidate& candidate)
-    : q_(q), budget_(budget), found_(found), candidate_(candidate), aim_{q, candidate.route, candidate.mark} {
+    : q_(q), budget_(budget), found_(found), candidate_(candidate), aim_{q, candidate.route, candidate.aim_point} {
   if (!(candidate.half > 0)) candidate.half = half_window();
 }
 
@@ -28,7 +28,7 @@ double Widest::half_window() const {
   double lateral = l->by_aim(0);  // of the diagonal, per radian
   if (!q_.one_unknown())
     lateral = l->determinant(false) / (q_.stop ? std::hypot(l->by_speed(0), l->by_speed(1)) : l->by_speed(1));
-  const double half = candidate_.mark.reach / (std::abs(lateral) * q_.boundary.diagonal);
+  const double half = candidate_.aim_point.reach / (std::abs(lateral) * q_.boundary.diagonal);
   return half < widest_half ? half : widest_half;
 }
 
@@ -55,7 +55,7 @@ bool Widest::find() {
 }
 
 bool Widest::across_jumps() {
-  if (q_.one_unknown() || !candidate_.mark.captures()) return false;
+  if (q_.one_unknown() || !candidate_.aim_point.captures()) return false;
   const Row row = along_lead();
   const auto peaks = peaks_of(row);
   return std::any_of(peaks.begin(), peaks.end(),
@@ -97,7 +97,7 @@ bool Widest::shot(const Tried& t) const {
   if (!(t.value > least) || budget_.spent()) return false;
   const Launch launch{t.speed, wrap_angle(t.x)};
   const int bounces = bounces_of(aim_.route);
-  if (!aim_.mark.captures()) {  // from some part of a point it is not far to the point itself
+  if (!aim_.aim_point.captures()) {  // from some part of a point it is not far to the point itself
     const auto root = solve_locked(aim_, budget_, launch);
     if (root && certify(q_, budget_, found_, *root, bounces, word::parts)) return true;
   }

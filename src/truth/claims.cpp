@@ -122,11 +122,12 @@ class ShotCheck {
     const Arrival& said = shot_.arrival;
     const double place = place_ / there.incidence, miss = scene_.miss(there);
     // If no line in this direction leads straight in, there is no exact line to miss.
-    const bool no_line = std::isnan(miss) && shot_.rattles;
+    const bool no_line = std::isnan(miss) && shot_.touches_jaws;
     compare(Claim::miss, no_line ? 0 : std::abs(miss - shot_.miss), place_,
             fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, miss));
-    if (there.rattles != shot_.rattles)
-      return fails(Claim::form, there.rattles ? "touches jaws and does not say so" : "says that it rattles"), void();
+    if (there.touches_jaws != shot_.touches_jaws)
+      return fails(Claim::form, there.touches_jaws ? "touches jaws and does not say so" : "says that it rattles"),
+             void();
     if (!shot_.off_centre) compare(Claim::centre, miss, place_, "does not reach the centre and does not say so");
     hits(there, place);
     if (there.taken_by.kind != ContactKind::ball)
@@ -255,7 +256,7 @@ class ShotCheck {
     constexpr double digits = 1e-9, per_contact = 0.005;
     if (!shot_.success) return compare(Claim::value, HUGE_VAL, digits, "is given without a success");
     const double without_jaws = *shot_.success - cost_of(shot_) + per_contact * shot_.jaws;
-    const double jaws = shot_.rattles ? std::max(1.0, std::round((without_jaws - *shot_.value) / per_contact)) : 0;
+    const double jaws = shot_.touches_jaws ? std::max(1.0, std::round((without_jaws - *shot_.value) / per_contact)) : 0;
     compare(Claim::value, std::abs(without_jaws - per_contact * jaws - *shot_.value), digits,
             fmt::format("says {:.6g} and success less costs is {:.6g}", *shot_.value, without_jaws));
   }

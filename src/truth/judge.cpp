@@ -220,14 +220,14 @@ class Judge {
   void at_point(const Passing& p) {
     out_.why = "";
     out_.time = p.time, out_.speed = p.speed, out_.passed = p.miss, out_.at = p.at;
-    out_.rattles = touched_jaw_;
+    out_.touches_jaws = touched_jaw_;
   }
 
   /// Records the capture at event `e`; `line` is the event whose line of travel counts.
   bool taken(const TruthEvent& e, const TruthEvent& line) {
     out_.why = "";
     out_.time = e.time, out_.speed = norm(e.state.velocity), out_.at = e.state.at;
-    out_.rattles = touched_jaw_;
+    out_.touches_jaws = touched_jaw_;
     const Circle& rim = *scene_.boundary_of(e.ball).rim(e.contact);
     out_.taken_by = e.contact;
     out_.offset = -line.passing.lateral;

@@ -24,7 +24,7 @@ struct Arrived {
   double offset = 0;  ///< m; offset of the line into a pocket or onto a ball, positive on the left
   Vec2d at{}, heading{};
   Contact taken_by{};                  ///< the pocket or ball that ends the path
-  bool rattles = false;                ///< a jaw was touched before the arrival
+  bool touches_jaws = false;           ///< a jaw was touched before the arrival
   int ball = 0;                        ///< the ball that arrived: the cue ball or an object ball
   std::vector<ObjectBallPath> then{};  ///< object balls, each with its cushions
   struct Hit {

@@ -80,7 +80,7 @@ Outcome by_mirror(const Puzzle& p) {
   double least = 1;
   while (const auto c = images.next()) {
     const Route route = images.route(*c);
-    const LockedAim aim{q, route, q.marks[c->mark]};
+    const LockedAim aim{q, route, q.aim_points[c->aim_point]};
     auto speed = speed_at(aim, budget, c->angle, c->distance);
     if (speed) speed = speed_near(aim, budget, c->angle, *speed);
     if (speed) least = std::min(least, replay(q, budget, {*speed, c->angle}, Goal::exactly(q, c->bounces)).miss);

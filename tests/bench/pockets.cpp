@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   app.add_flag("--jaws", jaws);
   app.add_flag("--header", header);
   CLI11_PARSE(app, argc, argv);
-  long solved = 0, offset = 0, beside = 0, rattling = 0, parts = 0, simulations = 0, from_rattle = 0, lost = 0,
+  long solved = 0, offset = 0, beside = 0, rattling = 0, parts = 0, simulations = 0, from_jaw_shot = 0, lost = 0,
        lost_clean = 0, lost_at_the_end = 0;
   double us = 0;
   for (long i = 0; i < count; ++i) {
@@ -38,19 +38,19 @@ int main(int argc, char** argv) {
     const Answer a = solve(d.puzzle, {.robustness = false, .suggest = false});
     simulations += a.simulations;
     us += a.time_us;
-    from_rattle += d.rattles();
+    from_jaw_shot += d.touches_jaws();
     if (a.shots.empty()) {
       ++lost;
-      lost_clean += !d.rattles();
-      lost_at_the_end += d.rattles() && d.only_at_the_end();
-      std::cerr << write_puzzle(d.puzzle) << (d.rattles() ? " by a rattle\n" : "\n");
+      lost_clean += !d.touches_jaws();
+      lost_at_the_end += d.touches_jaws() && d.only_at_the_end();
+      std::cerr << write_puzzle(d.puzzle) << (d.touches_jaws() ? " by a rattle\n" : "\n");
       continue;
     }
     const Shot& shot = a.shots.front();
     ++solved;
     offset += shot.offset != 0 && !shot.off_centre;
-    beside += shot.off_centre && !shot.rattles;
-    rattling += shot.rattles;
+    beside += shot.off_centre && !shot.touches_jaws;
+    rattling += shot.touches_jaws;
     parts += shot.planner == "parts";
   }
   if (header)
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
                  "beside,rattles,parts,"
                  "simulations,us\n";
   std::cout << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{:.1f},{:.1f}\n", jaws ? "jaws" : "circles", physics,
-                           seed, count, from_rattle, solved, lost, lost_clean, lost_at_the_end, offset, beside,
+                           seed, count, from_jaw_shot, solved, lost, lost_clean, lost_at_the_end, offset, beside,
                            rattling, parts, static_cast<double>(simulations) / static_cast<double>(count),
                            us / static_cast<double>(count));
   return lost_clean > 0 ? 1 : 0;

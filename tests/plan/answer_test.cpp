@@ -144,7 +144,7 @@ TEST_CASE("where jaws may turn a ball in, nothing is proved by straight lines") 
     "cushions": ["bottom", "left", "bottom"], "arrive": {"speed": 2.0900407724829204}})");
   const Answer a = solve(p);
   CHECK_FALSE(says(a.message, "proved"));
-  CHECK((a.status == Status::no_shot || a.shots.at(0).rattles));
+  CHECK((a.status == Status::no_shot || a.shots.at(0).touches_jaws));
 }
 
 TEST_CASE("a margin ends before a narrow band that is not made") {

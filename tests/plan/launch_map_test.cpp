@@ -38,7 +38,7 @@ TEST_CASE("the chance in the middle of a map is the success of its shot") {
       INFO("puzzle " << i << " of model " << static_cast<int>(model) << ", seed " << seed);
       REQUIRE(map.made.size() == 25);
       CHECK(map.made[12]);
-      CHECK(map.chance[12] == Approx(*a.shots[0].success).margin(0.08));  // cells are a fifth of a deviation wide
+      CHECK(map.success[12] == Approx(*a.shots[0].success).margin(0.08));  // cells are a fifth of a deviation wide
       ++shots;
     }
   CHECK(shots > 40);
@@ -53,7 +53,7 @@ TEST_CASE("without noise a chance is 1 where it is made, and 0 elsewhere") {
   int made = 0;
   for (std::size_t i = 0; i < map.made.size(); ++i) {
     made += map.made[i];
-    CHECK(map.chance[i] == (map.made[i] ? 1 : 0));
+    CHECK(map.success[i] == (map.made[i] ? 1 : 0));
   }
   // A rest within 0.05 m needs v² = 2 μ g d, and an aim in a range of about 5.7 degrees.
   const double slow = std::sqrt(2 * 0.01 * 9.81 * 0.95), fast = std::sqrt(2 * 0.01 * 9.81 * 1.05);

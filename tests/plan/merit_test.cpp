@@ -64,7 +64,7 @@ TEST_CASE("a first-order chance is near success where a ball must rest") {
     for (Shot& shot : all_shots(p)) {
       planning::EvaluationBudget budget(plenty);
       planning::find_success(q, budget, shot);
-      far += std::abs(*shot.success - shot.chance) > 0.01;
+      far += std::abs(*shot.success - shot.success_estimate) > 0.01;
       ++compared;
     }
   }
@@ -81,11 +81,11 @@ TEST_CASE("a first-order chance where it is known") {
            .speed = {2, 2}};
   for (const double noise : {0.002, 0.02, 0.2}) {
     p.noise = {.angle = noise, .speed = 0.1};
-    CHECK(all_shots(p).at(0).chance == Approx(std::erf(0.03 / noise / std::sqrt(2.0))).margin(2e-3));
+    CHECK(all_shots(p).at(0).success_estimate == Approx(std::erf(0.03 / noise / std::sqrt(2.0))).margin(2e-3));
   }
   // Half of all speeds are below 0.
   p.noise = {.angle = 0, .speed = 1e4};
-  CHECK(all_shots(p).at(0).chance == Approx(0.5).margin(2e-3));
+  CHECK(all_shots(p).at(0).success_estimate == Approx(0.5).margin(2e-3));
 }
 
 TEST_CASE("the winner is the one with the largest value, and few are computed") {

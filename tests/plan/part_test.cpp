@@ -27,7 +27,7 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
     const Replay exact = replay(q, budget, m.launch, Goal::exactly(q, m.bounces), &contacts);
     if (!exact.made || !q.touched.empty()) continue;  // a touched cushion may come first
     const Route route = route_by(contacts);
-    const LockedAim aim{q, route, q.nearest_mark(exact.arrival.at)};
+    const LockedAim aim{q, route, q.nearest_aim_point(exact.arrival.at)};
     for (int k = 0; k < 20; ++k) {
       const Launch launch{m.launch.speed * random.uniform(0.97, 1.03), m.launch.angle + random.uniform(-0.05, 0.05)};
       const auto room = clearance(aim, budget, launch);
@@ -38,7 +38,7 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
         CHECK(makes);
         ++inside;
       }
-      if (aim.mark.captures() && room.value_or(-1) < -rounding) {
+      if (aim.aim_point.captures() && room.value_or(-1) < -rounding) {
         CHECK_FALSE(makes);  // a point just before a cushion may still be reached
         ++outside;
       }

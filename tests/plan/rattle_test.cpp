@@ -33,7 +33,7 @@ Counted ask(int count, bool spin, bool at_the_end) {
   for (std::uint64_t i = 0, seen = 0; seen < static_cast<std::uint64_t>(count); ++i) {
     test::Random random(15, i);
     const test::Drop drop = test::random_drop(random, true, spin, 4);
-    if (!drop.rattles() || drop.only_at_the_end() != at_the_end) continue;
+    if (!drop.touches_jaws() || drop.only_at_the_end() != at_the_end) continue;
     ++seen;
     const Answer a = solve(drop.puzzle, {.suggest = false});
     INFO(write_puzzle(drop.puzzle) << " seed 15, " << i);
@@ -42,10 +42,10 @@ Counted ask(int count, bool spin, bool at_the_end) {
       continue;
     }
     const Shot& shot = a.shots.front();
-    out.rattling += shot.rattles;
-    out.winding += shot.rattles && winds(shot, drop.puzzle);
-    if (shot.rattles) CHECK(shot.off_centre);
-    if (shot.rattles && spin) CHECK(shot.planner == "rattles");
+    out.rattling += shot.touches_jaws;
+    out.winding += shot.touches_jaws && winds(shot, drop.puzzle);
+    if (shot.touches_jaws) CHECK(shot.off_centre);
+    if (shot.touches_jaws && spin) CHECK(shot.planner == "rattles");
     CHECK(std::abs(shot.arrival.speed - drop.puzzle.arrive->low) < 1e-8);
     test::check_claims(drop.puzzle, a);
   }

@@ -35,22 +35,22 @@ TEST_CASE("a budget charges paths by their bounces, and shares a budget evenly")
   CHECK(budget.share_of_rest(0.5) == 32 + 8);
 }
 
-TEST_CASE("a target's marks: a point, one pocket, any pocket") {
+TEST_CASE("a target's aim points: a point, one pocket, any pocket") {
   Table table = rectangle_table(2, 1);
   table.pockets = six_pockets(table, pool_7ft_mouth);
   const Boundary boundary(table, {0.02});
-  const auto point = marks_of(PointTarget{{1, 0.5}, 0.03}, boundary);
+  const auto point = aim_points_of(PointTarget{{1, 0.5}, 0.03}, boundary);
   REQUIRE(point.size() == 1);
   CHECK(point[0].reach == 0.03);
   CHECK_FALSE(point[0].captures());
   CHECK(point[0].capture() == 0);
-  const auto one = marks_of(PocketTarget{2}, boundary);
+  const auto one = aim_points_of(PocketTarget{2}, boundary);
   REQUIRE(one.size() == 1);
   CHECK(one[0].taken_by == Contact::pocket(2));
   CHECK(one[0].at == table.pockets[2].at);
   CHECK(one[0].capture() == table.pockets[2].radius);
-  CHECK(marks_of(PocketTarget{}, boundary).size() == 6);
-  CHECK(marks_of(PocketTarget{9}, boundary).empty());
+  CHECK(aim_points_of(PocketTarget{}, boundary).size() == 6);
+  CHECK(aim_points_of(PocketTarget{9}, boundary).empty());
   Puzzle p{.table = table};
   const auto words = [&](const Target& target) {
     p.target = target;
@@ -96,7 +96,7 @@ TEST_CASE("Newton's method says how it ended") {
   p.target = PointTarget{{1.5, 0.3}};
   const Question q(p);
   const Route route{{0, Contact::rail(0)}};
-  const LockedAim aim{q, route, q.marks[0]};
+  const LockedAim aim{q, route, q.aim_points[0]};
   const Launch near{1.2, radians(-40)};
   EvaluationBudget budget(1000);
   const NewtonResult found = newton(aim, budget, near, settings::wide);
@@ -120,7 +120,7 @@ TEST_CASE("residuals have the derivatives that differences show") {
     std::vector<Contact> contacts;
     if (!replay(q, budget, made.launch, Goal::exactly(q, made.bounces), &contacts).made) continue;
     const Route route = route_by(contacts);
-    const LockedAim aim{q, route, q.marks[0]};
+    const LockedAim aim{q, route, q.aim_points[0]};
     constexpr double h = 1e-6;
     const auto at = linearise(aim, budget, made.launch);
     const auto turned = linearise(aim, budget, {made.launch.speed, made.launch.angle + h});

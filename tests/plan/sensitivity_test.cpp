@@ -78,7 +78,7 @@ struct Seen {
 
 void compare(const Puzzle& p, Seen& seen) {
   const Answer a = solve(p, {.robustness = false, .sensitivity = true, .suggest = false});
-  if (a.shots.empty() || a.shots[0].condition > 1e4 || a.shots[0].rattles) return;
+  if (a.shots.empty() || a.shots[0].condition > 1e4 || a.shots[0].touches_jaws) return;
   const Shot& shot = a.shots[0];
   REQUIRE(!shot.sensitivity.empty());
   ++seen.shots;

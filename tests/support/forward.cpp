@@ -30,14 +30,14 @@ std::optional<Drop> drop_of(const Boundary& boundary, const Trajectory& t) {
 }
 
 /// Returns true for a jaw shot. No puzzle is made from one, because planners look for shots without jaws first.
-bool rattles(const Trajectory& t) {
+bool touches_jaws(const Trajectory& t) {
   return std::ranges::any_of(t.events, [](const Record& e) { return e.kind == EventKind::jaw; });
 }
 
 }  // namespace
 
 std::optional<Deed> its_rest(const Trajectory& t) {
-  if (rattles(t)) return {};
+  if (touches_jaws(t)) return {};
   if (t.end != EventKind::rest || t.legs.empty()) return {};
   return Deed{PointTarget{t.events.back().state.at}, 0, t.cushions, true};
 }
@@ -45,14 +45,14 @@ std::optional<Deed> its_rest(const Trajectory& t) {
 std::optional<Deed> passed(const ShotRequest& shot, const Trajectory& t, const Leg& leg, double p) {
   const State<double> there = state_on(shot, leg, p);
   const double speed = norm(there.velocity);
-  if (rattles(t)) return {};
+  if (touches_jaws(t)) return {};
   if (!(speed > slowest_pass)) return {};
   return Deed{PointTarget{there.at}, speed, bounces_before(t, leg), false};
 }
 
 std::optional<Deed> some_deed(Random& r, const ShotRequest& shot, const Trajectory& t, int least, int most) {
   std::optional<Deed> deed;
-  if (t.legs.empty() || rattles(t)) return {};
+  if (t.legs.empty() || touches_jaws(t)) return {};
   if (t.end == EventKind::pocket) {
     const Record& e = t.events[t.events.size() - 2];
     deed = Deed{PocketTarget{e.contact.index}, norm(e.state.velocity), t.cushions, false};

@@ -13,7 +13,7 @@ bool at_jaw(const Record& e) { return e.kind == EventKind::jaw; }
 
 }  // namespace
 
-bool Drop::rattles() const { return std::ranges::any_of(path.events, at_jaw); }
+bool Drop::touches_jaws() const { return std::ranges::any_of(path.events, at_jaw); }
 
 bool Drop::only_at_the_end() const {
   const auto first = std::ranges::find_if(path.events, at_jaw);

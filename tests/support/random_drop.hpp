@@ -15,7 +15,7 @@ struct Drop {
   Trajectory path;
 
   /// Returns true for a jaw shot, by the jaws of any pocket.
-  bool rattles() const;
+  bool touches_jaws() const;
   /// Returns true when the ball touches no jaws but those of its own pocket, and no cushion after them.
   bool only_at_the_end() const;
 };

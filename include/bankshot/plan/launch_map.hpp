@@ -23,8 +23,8 @@ struct LaunchGrid {
 
 struct LaunchMap {
   LaunchGrid grid;
-  std::vector<bool> made;      ///< the launch reaches the target by any allowed cushions
-  std::vector<double> chance;  ///< success of this launch under the puzzle's noise
+  std::vector<bool> made;       ///< the launch reaches the target by any allowed cushions
+  std::vector<double> success;  ///< success of this launch under the puzzle's noise
 };
 
 /// Simulates each cell once, including the cells around the window that the noise reaches. Spin ranges are not

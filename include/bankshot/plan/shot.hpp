@@ -56,7 +56,7 @@ struct Shot {
   Arrival arrival{};                   ///< arrival of the ball that reaches the target
   double miss = 0;                     ///< m, from the replay: to the point, or from the exact line of a pocket or ball
   double offset = 0;                   ///< m; offset of the line of travel into a pocket (geometry/opening.hpp)
-  bool rattles = false;                ///< it touches the jaws of a pocket (jaw shot)
+  bool touches_jaws = false;           ///< it touches the jaws of a pocket (jaw shot)
   std::vector<Contact> met{};          ///< for a jaw shot: jaws and cushions in order
   std::vector<Hit> hits{};             ///< hits in order, up to the target
   std::vector<ObjectBallPath> then{};  ///< object balls in order; the last one arrives. Empty: the cue ball arrives
@@ -75,7 +75,7 @@ struct Shot {
   Vec2d by_speed{};  ///< m per m/s
   /// First-order margin in standard deviations of the player. It ranks shots if success is not computed.
   double first_order = 0;
-  double chance = 0;  ///< success estimate, to first order, from one simulation (planners/merit/first_order.hpp)
+  double success_estimate = 0;  ///< to first order, from one simulation (planners/merit/first_order.hpp)
   std::optional<Margin> margin{};
   std::optional<double> success{};         ///< probability that the shot is made under the puzzle's noise
   std::optional<double> value{};           ///< success minus `cost_of` the shot

@@ -120,7 +120,7 @@ struct ShotRequest {
 std::string contact_name(const Puzzle& puzzle, Contact contact);
 
 /// Returns the aim points of the balls that must reach the target.
-std::vector<Mark> marks_of(const Puzzle& puzzle);
+std::vector<AimPoint> aim_points_of(const Puzzle& puzzle);
 
 /// Returns the target as the end of a sentence about a ball: "into top-right", "to rest in the ring", "through the
 /// ring", "onto ball "8"".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The target of a puzzle. A target is data, as the puzzle gives it. Its *aim points* (`Mark`) are built once for a
+// The target of a puzzle. A target is data, as the puzzle gives it. Its *aim points* (`AimPoint`) are built once for a
 // table and a ball; they tell where seeds aim, what counts as reached, how wide the target is, and the miss. Only the
 // readers and writers of the format and the 50-digit checker, which shares no code, distinguish kinds of targets.
 //   point   the centre passes within `within` of it, or comes to rest there: one aim point
@@ -96,7 +96,7 @@ struct Cuts {
 };
 
 /// An aim point: one point that a planner aims at to reach the target.
-struct Mark {
+struct AimPoint {
   Vec2d at{};                  ///< the point, or the pocket's centre
   double reach = 0;            ///< m; `within`, the capture radius, or the touching distance of two balls
   int ball = 0;                ///< number of the ball that must reach it: the cue ball or an object ball
@@ -104,7 +104,7 @@ struct Mark {
   Opening opening{};           ///< for a pocket
   std::optional<Cuts> cuts{};  ///< for a ball
 
-  bool operator==(const Mark&) const = default;
+  bool operator==(const AimPoint&) const = default;
   bool captures() const { return bool(taken_by); }
   bool drops() const { return taken_by.kind == ContactKind::pocket; }
   /// Returns the distance from the aim point at which the ball arrives [m].
@@ -129,7 +129,7 @@ struct Mark {
 
 /// Returns the aim points of a target for the ball of this boundary, in the order of the pockets or of the listed
 /// balls.
-std::vector<Mark> marks_of(const Target& target, const Boundary& boundary);
+std::vector<AimPoint> aim_points_of(const Target& target, const Boundary& boundary);
 
 /// Returns true if a ball must fall into a pocket to reach the target.
 bool is_pocket(const Target& target);

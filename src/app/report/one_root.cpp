@@ -37,7 +37,7 @@ struct Path {
     const T speed = exp(log_speed);
     const auto arrival = arrival_of(aim, start_of(aim.q, angle, speed), aim.q.puzzle.physics);
     if (!arrival) return {};
-    return arrival->state.at - to<T>(aim.mark.at);
+    return arrival->state.at - to<T>(aim.aim_point.at);
   }
 
   void note(const Vec2d& off_now) {
@@ -124,7 +124,7 @@ std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*cloc
   EvaluationBudget budget(budget_of(puzzle));
   Unfolding images(q, {.parts = true, .restitution = restitution(puzzle.physics).at_rest, .keep_routes = true});
   while (const auto c = images.next()) {
-    const LockedAim aim{q, *q.route, q.marks[c->mark]};
+    const LockedAim aim{q, *q.route, q.aim_points[c->aim_point]};
     const auto speed = speed_at(aim, budget, c->angle, c->distance);
     if (!speed) continue;
     Path path{aim, clock};

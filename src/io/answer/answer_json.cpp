@@ -114,7 +114,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   if (!shot.then.empty() && !why) write_then(w, p, shot.then, pocket);
   if (shot.scratch && !why) w.boolean("scratch", true);
   if (!why) write_cue_rests(w, p, shot);
-  if (shot.rattles && !why) w.boolean("rattles", true);
+  if (shot.touches_jaws && !why) w.boolean("rattles", true);
   if (shot.moved && !why) w.string("aim", "safest");
   if (shot.off_centre && !shot.moved && !why) w.boolean("off_centre", true);
   w.number("condition", shot.condition);

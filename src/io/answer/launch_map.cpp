@@ -27,7 +27,7 @@ std::string to_json(const LaunchMap& map) {
   for (const bool m : map.made) made += m ? '1' : '0';
   w.string("made", made);
   w.key("chance"), w.open('[');
-  for (const double c : map.chance) w.number(thousandth(c));
+  for (const double c : map.success) w.number(thousandth(c));
   w.close(']');
   w.close('}');
   return w.take();

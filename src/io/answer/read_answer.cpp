@@ -82,7 +82,7 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
     s.then.push_back({read_ball(*v, p), read_contacts(v->need("cushions"), p.table)});
   if (const auto v = r.find("scratch")) s.scratch = v->boolean();
   if (const auto v = r.find("cue_rests")) read_cue_rests(*v, p, s);
-  if (const auto v = r.find("rattles")) s.rattles = v->boolean();
+  if (const auto v = r.find("rattles")) s.touches_jaws = v->boolean();
   if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();
   if (r.find("aim")) s.moved = s.off_centre = true;
   const Reader arrival = r.need("arrival");

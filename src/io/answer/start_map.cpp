@@ -49,10 +49,10 @@ Start start_at(const Puzzle& p, const Boundary& boundary, const Vec2d& at) {
   if (boundary.pocket_around(at)) return Start::pocket;
   for (const Circle& ball : boundary.balls)
     if (norm(at - ball.centre) < ball.radius) return Start::ball;
-  const auto there = [&](const Mark& mark) {
-    return !mark.captures() && mark.ball == 0 && norm(at - mark.at) <= mark.reach;
+  const auto there = [&](const AimPoint& aim_point) {
+    return !aim_point.captures() && aim_point.ball == 0 && norm(at - aim_point.at) <= aim_point.reach;
   };
-  return std::ranges::any_of(marks_of(p), there) ? Start::target : Start::legal;
+  return std::ranges::any_of(aim_points_of(p), there) ? Start::target : Start::legal;
 }
 
 std::string to_csv(const Puzzle& p, const StartMap& map) {

@@ -361,7 +361,7 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
                         {"speed", speed_words(r)}};
   if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
   for (std::string& warning : warnings(p, shot)) rows.push_back({"warning", std::move(warning)});
-  rows.push_back({"cushions", cushion_words(p, shot) + (shot.rattles ? "; and off the jaws of a pocket" : "")});
+  rows.push_back({"cushions", cushion_words(p, shot) + (shot.touches_jaws ? "; and off the jaws of a pocket" : "")});
   add_hits(p, shot, rows);
   rows.push_back({"arrives", arrival_words(p, shot)});
   add_leave(p, shot, rows);

@@ -130,20 +130,20 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
     c.circle(at, radius, fmt::format(R"(fill="none" stroke="{}" stroke-width="{}")", c.c.halo, width + 3));
     c.circle(at, radius, fmt::format(R"(fill="none" stroke="{}" stroke-width="{}")", c.c.target, width));
   };
-  for (const Mark& mark : marks_of(p)) {
-    const Vec2d at = c.at(mark.at);
-    if (reached && reached->at != mark.at) continue;
-    if (mark.cuts) {
-      const Ball& ball = p.others[static_cast<std::size_t>(mark.taken_by.index) - 1];
+  for (const AimPoint& aim_point : aim_points_of(p)) {
+    const Vec2d at = c.at(aim_point.at);
+    if (reached && reached->at != aim_point.at) continue;
+    if (aim_point.cuts) {
+      const Ball& ball = p.others[static_cast<std::size_t>(aim_point.taken_by.index) - 1];
       ring(at, c.px(ball.body.radius) + 4, 2);
       continue;
     }
-    if (mark.captures()) {
-      ring(at, std::max(c.px(mark.reach), 4.0) + 2, 3);
+    if (aim_point.captures()) {
+      ring(at, std::max(c.px(aim_point.reach), 4.0) + 2, 3);
       continue;
     }
     // The disc shows the true size of the target; the ring around it is visible for any size.
-    const double reach = c.px(mark.reach);
+    const double reach = c.px(aim_point.reach);
     c.circle(at, reach, fmt::format(R"(fill="{0}" fill-opacity="0.3" stroke="{0}")", c.c.target));
     ring(at, std::max(reach, c.px(p.ball.body.radius)) + 5, 2);
     c.circle(at, 2.2, fmt::format(R"(fill="{}")", c.c.target));
@@ -152,12 +152,13 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
 
 void draw_opening(Canvas& c, const Puzzle& p, const Shot& shot, const Vec2d& heading) {
   const Pocket* const pocket = pocket_reached(p, shot);
-  if (!pocket || shot.rattles || !(norm(heading) > 0)) return;
-  const auto marks = marks_of(p);
-  const auto mark = std::ranges::min_element(marks, {}, [&](const Mark& m) { return m.apart(shot.arrival.at); });
+  if (!pocket || shot.touches_jaws || !(norm(heading) > 0)) return;
+  const auto aim_points = aim_points_of(p);
+  const auto aim_point =
+      std::ranges::min_element(aim_points, {}, [&](const AimPoint& m) { return m.apart(shot.arrival.at); });
   const Vec2d u = heading / norm(heading), left = perpendicular(u);
-  const Gap<double> gap = mark->opening.gap(u, shot.offset);
-  const Vec2d across = mark->at + u * dot(u, (pocket->jaws ? pocket->jaws->at : shot.arrival.at) - mark->at);
+  const Gap<double> gap = aim_point->opening.gap(u, shot.offset);
+  const Vec2d across = aim_point->at + u * dot(u, (pocket->jaws ? pocket->jaws->at : shot.arrival.at) - aim_point->at);
   c.line({across + left * gap.low, across + left * gap.high}, "polyline",
          fmt::format(R"(fill="none" stroke="{}" stroke-width="3" stroke-linecap="round")", c.c.target));
 }

@@ -11,7 +11,7 @@ namespace bankshot {
 
 namespace {
 
-Mark mark_of(const Circle& ball, const BallTarget& asked) {
+AimPoint aim_point_of(const Circle& ball, const BallTarget& asked) {
   const auto offset = [&](double at) { return -ball.radius * std::sin(std::clamp(at, -any_touch, any_touch)); };
   const double cut = asked.exact_cut(), within = asked.cut_within();
   return {.at = ball.centre,
@@ -22,40 +22,41 @@ Mark mark_of(const Circle& ball, const BallTarget& asked) {
 
 }  // namespace
 
-std::vector<Mark> marks_of(const Target& target, const Boundary& boundary) {
+std::vector<AimPoint> aim_points_of(const Target& target, const Boundary& boundary) {
   if (const auto* asked = std::get_if<BallTarget>(&target)) {
-    std::vector<Mark> marks;
-    for (const int k : asked->balls) marks.push_back(mark_of(*boundary.rim(Contact::ball(k)), *asked));
-    return marks;
+    std::vector<AimPoint> aim_points;
+    for (const int k : asked->balls) aim_points.push_back(aim_point_of(*boundary.rim(Contact::ball(k)), *asked));
+    return aim_points;
   }
   if (const auto* point = std::get_if<PointTarget>(&target)) return {{point->at, point->within}};
   const auto& wanted = std::get<PocketTarget>(target).pocket;
-  std::vector<Mark> marks;
+  std::vector<AimPoint> aim_points;
   for (const Circle& pocket : boundary.pockets) {
     if (wanted && pocket.contact.index != *wanted) continue;
     for (const Opening& opening : openings(boundary, pocket))
-      marks.push_back({.at = pocket.centre, .reach = pocket.radius, .taken_by = pocket.contact, .opening = opening});
+      aim_points.push_back(
+          {.at = pocket.centre, .reach = pocket.radius, .taken_by = pocket.contact, .opening = opening});
   }
-  return marks;
+  return aim_points;
 }
 
-double Mark::apart(const Vec2d& arrived) const {
+double AimPoint::apart(const Vec2d& arrived) const {
   const double off = norm(arrived - at);
   if (cuts) return std::abs(off - reach);
   return drops() ? opening.distance(arrived - at) : off;
 }
 
-std::vector<Mark> marks_of(const Puzzle& p) {
+std::vector<AimPoint> aim_points_of(const Puzzle& p) {
   const Then* const then = then_of(p.target);
-  if (!then) return marks_of(p.target, Boundary(p.table, p.ball.body, p.others));
+  if (!then) return aim_points_of(p.target, Boundary(p.table, p.ball.body, p.others));
   const Target target = std::visit([](const auto& t) { return Target(t); }, then->target);
-  std::vector<Mark> all;
+  std::vector<AimPoint> all;
   const std::vector<int>& first = std::get<BallTarget>(p.target).balls;
   for (const int k : then->links.empty() ? first : std::vector{then->links.back().ball}) {
     const Body& body = p.others[static_cast<std::size_t>(k) - 1].body;
-    for (Mark mark : marks_of(target, Boundary(p.table, body, p.others, std::array{k}))) {
-      mark.ball = k;
-      all.push_back(mark);
+    for (AimPoint aim_point : aim_points_of(target, Boundary(p.table, body, p.others, std::array{k}))) {
+      aim_point.ball = k;
+      all.push_back(aim_point);
     }
   }
   return all;

@@ -101,16 +101,17 @@ void check_target(const Puzzle& p, const Boundary& boundary) {
       path += "/then";
       check_cushions(then->cushions_of(n), boundary, path + "/cushions");
     }
-  const std::vector<Mark> marks = p.others.empty() ? marks_of(p.target, boundary) : marks_of(p);
-  if (marks.empty())
+  const std::vector<AimPoint> aim_points = p.others.empty() ? aim_points_of(p.target, boundary) : aim_points_of(p);
+  if (aim_points.empty())
     fail(path + "/pocket", p.table.pockets.empty() ? "this table has no pockets" : "there is no pocket of that number");
-  for (const Mark& mark : marks) {
-    if (mark.captures()) continue;
+  for (const AimPoint& aim_point : aim_points) {
+    if (aim_point.captures()) continue;
     const std::optional<Boundary> own =
-        mark.ball == 0 ? std::nullopt
-                       : std::optional(Boundary(p.table, p.others[static_cast<std::size_t>(mark.ball) - 1].body));
-    check_inside(own ? *own : boundary, mark.at, path + "/point", "the centre of a ball at the target");
-    if (!(mark.reach > 0)) fail(path + "/within", "must be greater than 0");
+        aim_point.ball == 0
+            ? std::nullopt
+            : std::optional(Boundary(p.table, p.others[static_cast<std::size_t>(aim_point.ball) - 1].body));
+    check_inside(own ? *own : boundary, aim_point.at, path + "/point", "the centre of a ball at the target");
+    if (!(aim_point.reach > 0)) fail(path + "/within", "must be greater than 0");
   }
 }
 

@@ -32,12 +32,12 @@
 namespace bankshot::planning::steps {
 namespace {
 
-using namespace settings::rattles;
+using namespace settings::jaw_shots;
 
-class Rattles {
+class JawShots {
  public:
-  Rattles(const Question& q, EvaluationBudget& budget, SearchResult& found)
-      : q_(q), budget_(budget), found_(found), mouths_(marks_of(PocketTarget{}, q.boundary)) {}
+  JawShots(const Question& q, EvaluationBudget& budget, SearchResult& found)
+      : q_(q), budget_(budget), found_(found), mouths_(aim_points_of(PocketTarget{}, q.boundary)) {}
 
   /// Where some shots count on fewer mouths, those on more are not looked for.
   void run() {
@@ -76,7 +76,7 @@ class Rattles {
   void look_into_mouths(const Beam& beam) {
     const bool first = beam.after == 0, last = beam.on_the_way == 0;
     const Launch launch{beam.middle.speed, wrap_angle(beam.middle.angle)};
-    const std::vector<Mark>& marks = first && last ? q_.marks : mouths_;
+    const std::vector<AimPoint>& aim_points = first && last ? q_.aim_points : mouths_;
     Forward& forward = forwards_[static_cast<std::size_t>(beam.on_the_way)];
     if (first && last)
       planning::forward(q_, budget_, launch, true, forward);
@@ -85,7 +85,7 @@ class Rattles {
     const Route& route = forward.route;
     if (!first && !(route.size() >= beam.after && route[beam.after - 1].with.kind == ContactKind::jaw)) return;
     for (const Passage& p : forward.passages) {
-      const Mark& mouth = marks[p.mark];
+      const AimPoint& mouth = aim_points[p.aim_point];
       if (p.meetings < beam.after || too_slow(p.linear)) continue;
       if (last && !may_end(std::span(route).first(p.meetings), mouth)) continue;
       if (last)
@@ -98,14 +98,14 @@ class Rattles {
   /// Lines of travel that lead between the ends of two rails, by their offsets [m] (geometry/opening.hpp).
   struct Mouth {
     const Passage& passage;
-    const Mark& mark;
+    const AimPoint& aim_point;
     Range offsets;
   };
 
   /// A row of launches on these lines, as far as the beam sees them.
   void across(const Beam& beam, const Mouth& mouth, double apart) {
     const Linear& l = mouth.passage.linear;
-    const double exact = mouth.mark.exact_offset(mouth.passage.along, 0), diagonal = q_.boundary.diagonal;
+    const double exact = mouth.aim_point.exact_offset(mouth.passage.along, 0), diagonal = q_.boundary.diagonal;
     const auto aim = [&](double offset) {
       return beam.middle.angle + ((exact - offset) / diagonal - l.r[0]) / l.by_aim(0);
     };
@@ -123,12 +123,12 @@ class Rattles {
   }
 
   /// From the end of one rail to that of the other, and so many radii more.
-  Range whole(const Mark& mark, const Passage& p, double more) const {
+  Range whole(const AimPoint& aim_point, const Passage& p, double more) const {
     Range out{forever, -forever};
-    for (const Circle& tip : q_.boundary.jaws[static_cast<std::size_t>(mark.taken_by.index)].tips) {
+    for (const Circle& tip : q_.boundary.jaws[static_cast<std::size_t>(aim_point.taken_by.index)].tips) {
       const Contact rail = tip.before.kind == ContactKind::rail ? tip.before : tip.after;
       const Vec2d end = tip.centre + q_.boundary.line(rail)->normal * tip.radius;
-      const double offset = cross(p.along, end - mark.at);
+      const double offset = cross(p.along, end - aim_point.at);
       out = {std::min(out.low, offset), std::max(out.high, offset)};
     }
     more *= q_.puzzle.ball.body.radius;
@@ -136,16 +136,17 @@ class Rattles {
   }
 
   /// Where a ball meets jaws: on both sides of what leads straight in.
-  std::array<Range, 2> beside_opening(const Mark& mark, const Passage& p) const {
-    const Range all = whole(mark, p, beyond);
-    const Gap<double> gap = mark.gap(p.along, 0);
+  std::array<Range, 2> beside_opening(const AimPoint& aim_point, const Passage& p) const {
+    const Range all = whole(aim_point, p, beyond);
+    const Gap<double> gap = aim_point.gap(p.along, 0);
     const double more = beyond * q_.puzzle.ball.body.radius;
     return {Range{all.low, std::min(all.high, gap.low + more)}, Range{std::max(all.low, gap.high - more), all.high}};
   }
 
   /// After these meetings the ball may fall there.
-  bool may_end(std::span<const Meeting> route, const Mark& mouth) const {
-    return bounces_of(route) >= q_.cushions().min && std::ranges::count(q_.marks, mouth.taken_by, &Mark::taken_by) > 0;
+  bool may_end(std::span<const Meeting> route, const AimPoint& mouth) const {
+    return bounces_of(route) >= q_.cushions().min &&
+           std::ranges::count(q_.aim_points, mouth.taken_by, &AimPoint::taken_by) > 0;
   }
 
   /// It passes slower than asked, by more than a cell.
@@ -158,7 +159,7 @@ class Rattles {
     Launch launch;
     double arrival;  ///< m/s
     Route route;
-    Mark mark;
+    AimPoint aim_point;
   };
 
   /// Keeps what there is in a row of launches.
@@ -177,7 +178,8 @@ class Rattles {
     std::vector<Contact> cushions;
     const Replay r = replay(q_, budget_, launch, Goal::of(q_, Demand::made), &cushions);
     if (!r.made) return {};
-    return Dropped{launch, r.arrival.speed, route_by(r.rattles ? r.met : cushions), q_.nearest_mark(r.arrival.at)};
+    return Dropped{launch, r.arrival.speed, route_by(r.touches_jaws ? r.met : cushions),
+                   q_.nearest_aim_point(r.arrival.at)};
   }
 
   /// Too slow: below 0.
@@ -189,7 +191,7 @@ class Rattles {
 
   bool keep(const Dropped& d) {
     return excess(d) == 0 &&
-           certify(q_, budget_, found_, d.launch, bounces_of(d.route), word::rattles, Demand::off_centre);
+           certify(q_, budget_, found_, d.launch, bounces_of(d.route), word::jaw_shots, Demand::off_centre);
   }
 
   /// One of them is too fast, the other too slow: the aim between.
@@ -207,7 +209,7 @@ class Rattles {
   /// Along its band; steps are shortened where they lead out of it.
   bool keep_along(Dropped at) {
     for (int i = 0; i < most_steps && excess(at) != 0; ++i) {
-      auto l = linearise({q_, at.route, at.mark}, budget_, at.launch);
+      auto l = linearise({q_, at.route, at.aim_point}, budget_, at.launch);
       if (!l) return false;
       l->r[0] = 0;  // it falls where it falls
       const auto step = newton_step(*l, false);
@@ -228,15 +230,15 @@ class Rattles {
   const Question& q_;
   EvaluationBudget& budget_;
   SearchResult& found_;
-  std::vector<Mark> mouths_;
+  std::vector<AimPoint> mouths_;
   Look look_{};
   std::array<Forward, most_on_the_way + 1> forwards_{};
 };
 
 }  // namespace
 
-void rattles(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  if (q.drops() && !q.boundary.jaws.empty()) Rattles(q, budget, found).run();
+void jaw_shots(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+  if (q.drops() && !q.boundary.jaws.empty()) JawShots(q, budget, found).run();
 }
 
 }  // namespace bankshot::planning::steps
