@@ -13,14 +13,14 @@ namespace bankshot::planning {
 
 /// Verifies a launch and keeps its shot; returns whether it is one. Of shots that differ only by bounces at the target
 /// itself, the one with fewer is kept. `step` names the step that proposed it (docs/architecture.md).
-bool certify(const Question& q, EvaluationBudget& budget, SearchResult& found, const Launch& launch, int bounces,
-             std::string_view step, Demand demand = Demand::exact);
+bool certify(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Launch& launch,
+             int bounces, std::string_view step, Demand demand = Demand::exact);
 
 /// Returns whether two shots are one launch that arrives once.
-bool same_shot(const Question& q, const Shot& known, const Shot& shot);
+bool same_shot(const SearchRequest& request, const Shot& known, const Shot& shot);
 
 /// Keeps a verified shot, unless it is known.
-void keep(const Question& q, EvaluationBudget& budget, SearchResult& found, Shot shot, const Goal& goal,
+void keep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Shot shot, const Goal& goal,
           std::string_view step);
 
 /// Verifies a root along a route likewise; a root that is no shot is kept as a candidate.
@@ -28,6 +28,6 @@ bool certify_root(const LockedAim& aim, EvaluationBudget& budget, SearchResult& 
                   std::string_view step);
 
 /// See Shot::digits.
-std::optional<int> promised_digits(const Question& q, const Shot& shot);
+std::optional<int> promised_digits(const SearchRequest& request, const Shot& shot);
 
 }  // namespace bankshot::planning

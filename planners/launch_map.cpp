@@ -75,13 +75,13 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
                           grid.angles + 2 * beside,
                           grid.speeds + 2 * above};
   if (static_cast<double>(around.angles) * around.speeds > most_cells) throw too_fine();
-  const planning::Question q(puzzle);
-  const planning::Goal goal = planning::Goal::of(q);
+  const planning::SearchRequest request(puzzle);
+  const planning::Goal goal = planning::Goal::of(request);
   planning::EvaluationBudget budget(std::numeric_limits<long>::max(), cancelled);
   Rows made(around.angles, around.speeds);
   for (std::size_t i = 0; i < around.size() && !budget.spent(); ++i) {
     const Launch launch = around.at(i);
-    if (launch.speed > 0 && planning::replay(q, budget, launch, goal).made) made.cells[i] = 1;
+    if (launch.speed > 0 && planning::replay(request, budget, launch, goal).made) made.cells[i] = 1;
   }
   LaunchMap map{grid, {}, {}};
   for (int row = 0; row < grid.speeds; ++row)

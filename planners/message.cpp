@@ -18,16 +18,16 @@ namespace bankshot::planning {
 namespace {
 
 /// Returns the aims that the puzzle allows, in words.
-std::string aims(const Question& q) {
-  const Range aim = q.angle.value_or(Range{0, radians(360)});
+std::string aims(const SearchRequest& request) {
+  const Range aim = request.angle.value_or(Range{0, radians(360)});
   const double to = degrees(aim.high);
   return fmt::format("{:.4g}° to {:.4g}°", degrees(aim.low), to > 360 ? to - 360 : to);
 }
 
 /// Says what went wrong, as the end of a sentence that begins with "it".
-std::string explain(const Question& q, const Failure& f) {
-  const auto cushion = [&] { return contact_name(q.puzzle, f.contact); };
-  const Range& v = q.speed;
+std::string explain(const SearchRequest& request, const Failure& f) {
+  const auto cushion = [&] { return contact_name(request.puzzle(), f.contact); };
+  const Range& v = request.speed;
   switch (f.reason) {
     case FailureReason::none:
     case FailureReason::inexact:
@@ -52,7 +52,8 @@ std::string explain(const Question& q, const Failure& f) {
     case FailureReason::too_fast:
       return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
     case FailureReason::too_slow:
-      if (q.stop && deceleration(q.puzzle.physics) == 0) return "never stops, for the rolling friction is 0";
+      if (request.stop && deceleration(request.puzzle().physics) == 0)
+        return "never stops, for the rolling friction is 0";
       return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
     case FailureReason::too_long:
       return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
@@ -63,34 +64,34 @@ std::string explain(const Question& q, const Failure& f) {
     case FailureReason::outside_aim:
       break;
   }
-  return fmt::format("needs an aim outside the bounds of {}", aims(q));
+  return fmt::format("needs an aim outside the bounds of {}", aims(request));
 }
 
 /// Says what a launch does instead of what is asked, or at which bound it is held.
-std::string why(const Question& q, const Proof& proof) {
+std::string why(const SearchRequest& request, const Proof& proof) {
   const Launch& l = proof.shot.launch;
   const auto at_end = [](double v, const Range& r) {
     const double slack = tolerance::bound * std::max(1.0, r.high);
     return std::abs(v - r.low) <= slack || std::abs(v - r.high) <= slack;
   };
-  const Range& v = q.puzzle.speed;
-  if (q.puzzle.angle && !q.puzzle.angle->fixed() && at_end(l.angle, *q.puzzle.angle))
-    return explain(q, {FailureReason::outside_aim});
+  const Range& v = request.puzzle().speed;
+  if (request.puzzle().angle && !request.puzzle().angle->fixed() && at_end(l.angle, *request.puzzle().angle))
+    return explain(request, {FailureReason::outside_aim});
   if (!v.fixed() && at_end(l.speed, v)) return fmt::format("is held at the bound of {:.4g} m/s", l.speed);
   const double speed = proof.shot.arrival.speed;
-  if (proof.failure.reason == FailureReason::inexact && q.arrival && !q.arrival->contains(speed))
+  if (proof.failure.reason == FailureReason::inexact && request.arrival && !request.arrival->contains(speed))
     return fmt::format("arrives at {:.4g} m/s", speed);
-  return explain(q, proof.failure);
+  return explain(request, proof.failure);
 }
 
 /// Returns the failure reasons of candidates, the most frequent first.
-std::string reasons(const Question& q, const SearchResult& found) {
+std::string reasons(const SearchRequest& request, const SearchResult& found) {
   std::vector<SearchResult::Counted> by_count = found.failures;
   std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.times > b.times; });
   std::string out;
   for (std::size_t i = 0; i < std::min(settings::most_reasons_named, by_count.size()); ++i)
-    out +=
-        fmt::format("{}it {} ({} of those tried)", i ? "; " : "", explain(q, by_count[i].failure), by_count[i].times);
+    out += fmt::format("{}it {} ({} of those tried)", i ? "; " : "", explain(request, by_count[i].failure),
+                       by_count[i].times);
   if (by_count.size() > settings::most_reasons_named)
     out += fmt::format("; and {} other reason{}", by_count.size() - settings::most_reasons_named,
                        by_count.size() > settings::most_reasons_named + 1 ? "s" : "");
@@ -105,49 +106,50 @@ std::string asked_cushions(const CushionRule& c) {
 }
 
 /// Returns a warning if double precision is not enough for an exact answer: the replay's miss is then rounding, too.
-std::string uncertain(const Question& q, const Shot& shot) {
+std::string uncertain(const SearchRequest& request, const Shot& shot) {
   if (!shot.digits) return "";
   if (*shot.digits == 0) return "; how often it bounces at its target is up to rounding";
   return fmt::format("; its condition leaves {} digits: in exact numbers the arrival may be {:.1g} m off", *shot.digits,
-                     q.boundary.diagonal * std::pow(10, -*shot.digits));
+                     request.problem->boundary.diagonal * std::pow(10, -*shot.digits));
 }
 
 /// Says why a shot is not on the exact line or point: what its route meets there.
-std::string why_beside(const Question& q, const Shot& shot) {
+std::string why_beside(const SearchRequest& request, const Shot& shot) {
   const Route route = route_of(shot);
   EvaluationBudget aside(settings::most_spent_on_words);  // the words of an answer do not count against the budget
-  const Question own = q.pinned || q.one_unknown() ? q : q.asking(shot.arrival.speed);
-  const auto root = newton({own, route, q.aim_point_of(shot)}, aside, shot.launch, settings::wide);
-  const auto& cuts = q.aim_point_of(shot).cuts;
-  const bool any_cut = cuts && cuts->high - cuts->low >= 2 * q.aim_point_of(shot).reach;
-  const std::string where = fmt::format("; it is made beside the {}: ", q.drops()          ? "exact line"
-                                                                        : cuts && !any_cut ? "cut that is asked"
-                                                                        : cuts             ? "middle of the ball"
-                                                                                           : "middle of the target");
+  const SearchRequest own = request.pinned || request.one_unknown() ? request : request.asking(shot.arrival.speed);
+  const auto root = newton({own, route, request.problem->aim_point_of(shot)}, aside, shot.launch, settings::wide);
+  const auto& cuts = request.problem->aim_point_of(shot).cuts;
+  const bool any_cut = cuts && cuts->high - cuts->low >= 2 * request.problem->aim_point_of(shot).reach;
+  const std::string where = fmt::format("; it is made beside the {}: ", request.problem->drops() ? "exact line"
+                                                                        : cuts && !any_cut       ? "cut that is asked"
+                                                                        : cuts                   ? "middle of the ball"
+                                                                               : "middle of the target");
   if (!root) return where + "no launch by its cushions leads there";
   const Proof proof = prove(own, aside, root.launch, Goal::along(shot, Demand::exact));
-  return where + "there it " + explain(q, proof.failure);
+  return where + "there it " + explain(request, proof.failure);
 }
 
-std::string solved(const Question& q, const EvaluationBudget& budget, const SearchResult& found, const Answer& a,
-                   std::size_t distinct) {
-  std::string text = q.first()       ? "the first shot found, there may be better ones"
+std::string solved(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found,
+                   const Answer& a, std::size_t distinct) {
+  std::string text = request.first() ? "the first shot found, there may be better ones"
                      : distinct == 1 ? "one shot found"
-                     : q.all()       ? fmt::format("{} distinct shots found", distinct)
+                     : request.all() ? fmt::format("{} distinct shots found", distinct)
                                      : fmt::format("the best of {} shots found; --all prints each", distinct);
-  if (is_hopeless(q.puzzle, a.shots.front()))
+  if (is_hopeless(request.puzzle(), a.shots.front()))
     text = "possible, not playable: this player makes it less than once in 100 tries; " + text;
-  if (found.plenty && !q.first()) text += "; the search stopped there, so others were not compared";
+  if (found.plenty && !request.first()) text += "; the search stopped there, so others were not compared";
   if (a.shots.front().touches_jaws)
-    text += q.safest() ? "; it touches the jaws of a pocket"
-                       : "; it counts on jaws, since none was found that touches none";
-  if (a.shots.front().off_centre && !a.shots.front().moved && !q.safest())
-    text += as_struck(q, a.shots.front(), [&](const Question& own) { return why_beside(own, a.shots.front()); });
+    text += request.problem->safest() ? "; it touches the jaws of a pocket"
+                                      : "; it counts on jaws, since none was found that touches none";
+  if (a.shots.front().off_centre && !a.shots.front().moved && !request.problem->safest())
+    text +=
+        as_struck(request, a.shots.front(), [&](const SearchRequest& own) { return why_beside(own, a.shots.front()); });
   const Shot& best = a.shots.front();
   if (best.scratch_pocket)
-    text += "; the cue ball falls into " + contact_name(q.puzzle.table, Contact::pocket(*best.scratch_pocket));
-  for (const std::string& warning : warnings(q.puzzle, best)) text += "; " + warning;
-  text += uncertain(q, a.shots.front());
+    text += "; the cue ball falls into " + contact_name(request.puzzle().table, Contact::pocket(*best.scratch_pocket));
+  for (const std::string& warning : warnings(request.puzzle(), best)) text += "; " + warning;
+  text += uncertain(request, a.shots.front());
   if (budget.cut())
     text +=
         fmt::format("; the {} ended the search, so there may be better ones", budget.cancelled() ? "caller" : "budget");
@@ -156,60 +158,63 @@ std::string solved(const Question& q, const EvaluationBudget& budget, const Sear
   if (found.improvement_sought && !budget.cut())
     text += fmt::format("; routes narrower than {:.0f}° of aim were not all looked at: there may be a better one",
                         degrees(settings::automatic::improvement.narrowest));
-  if (q.all() && !found.complete && !budget.cut())
+  if (request.all() && !found.complete && !budget.cut())
     text += "; there may be more: shots in a narrow range of aims can be missed";
   return text;
 }
 
-std::string no_shot(const Question& q, const SearchResult& found) {
-  if (const Contact ball = q.covering())
-    return fmt::format("proved: {} covers the target", contact_name(q.puzzle, ball));
+std::string no_shot(const SearchRequest& request, const SearchResult& found) {
+  if (const Contact ball = request.problem->covering())
+    return fmt::format("proved: {} covers the target", contact_name(request.puzzle(), ball));
   if (found.proved)
-    return fmt::format("proved: every path with {} was tried, and {}", asked_cushions(q.cushions()), reasons(q, found));
-  const Range& v = q.speed;
+    return fmt::format("proved: every path with {} was tried, and {}", asked_cushions(request.cushions()),
+                       reasons(request, found));
+  const Range& v = request.speed;
   const std::string speeds = v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low)
                                        : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high);
-  const std::string how = !q.objects  ? ""
-                          : q.carom() ? ", a grid of aims across the first ball"
-                                      : ", one root of each chain of routes";
-  return fmt::format("searched {} and aims {} with {}{}: {}", speeds, aims(q), asked_cushions(q.cushions()), how,
-                     reasons(q, found));
+  const std::string how = !request.problem->objects  ? ""
+                          : request.problem->carom() ? ", a grid of aims across the first ball"
+                                                     : ", one root of each chain of routes";
+  return fmt::format("searched {} and aims {} with {}{}: {}", speeds, aims(request), asked_cushions(request.cushions()),
+                     how, reasons(request, found));
 }
 
 /// Returns remarks on an odd puzzle that may explain why no shot was found.
-std::string caveats(const Question& q) {
+std::string caveats(const SearchRequest& request) {
   std::string text;
-  const AimPoint& aim_point = q.nearest_aim_point(q.puzzle.ball.at);
-  if (!aim_point.captures() && norm(aim_point.at - q.puzzle.ball.at) <= aim_point.reach && q.cushions().min == 0)
+  const AimPoint& aim_point = request.problem->nearest_aim_point(request.puzzle().ball.at);
+  if (!aim_point.captures() && norm(aim_point.at - request.puzzle().ball.at) <= aim_point.reach &&
+      request.cushions().min == 0)
     text += "; the ball starts at its target";
   return text;
 }
 
 }  // namespace
 
-std::string message(const Question& q, const EvaluationBudget& budget, const SearchResult& found, const Answer& a,
-                    std::size_t distinct) {
+std::string message(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found,
+                    const Answer& a, std::size_t distinct) {
   std::string text;
   if (a.status == Status::solved)
-    text = solved(q, budget, found, a, distinct);
+    text = solved(request, budget, found, a, distinct);
   else if (a.status == Status::budget)
-    text = budget.cancelled() ? "the search was cancelled before it found a shot"
-                              : fmt::format("no shot found within the budget of {} simulations", budget_of(q.puzzle));
+    text = budget.cancelled()
+               ? "the search was cancelled before it found a shot"
+               : fmt::format("no shot found within the budget of {} simulations", budget_of(request.puzzle()));
   else
-    text = no_shot(q, found);
-  if (a.status != Status::solved) text += caveats(q);
+    text = no_shot(request, found);
+  if (a.status != Status::solved) text += caveats(request);
   if (!found.note.empty()) text += "; " + found.note;
   return text;
 }
 
-void add_nearest(const Question& q, const SearchResult& found, bool scan, Answer& a) {
-  const auto launch = a.status == Status::no_shot ? nearest_launch(q, found, scan) : std::nullopt;
+void add_nearest(const SearchRequest& request, const SearchResult& found, bool scan, Answer& a) {
+  const auto launch = a.status == Status::no_shot ? nearest_launch(request, found, scan) : std::nullopt;
   if (!launch) return;
   EvaluationBudget aside(2);  // the nearest miss does not count against the budget
-  Proof proof = prove(q, aside, *launch, Goal::of(q));
-  add_first_order(q, proof.shot);
+  Proof proof = prove(request, aside, *launch, Goal::of(request));
+  add_first_order(request, proof.shot);
   proof.shot.planner = "none";
-  a.nearest = Answer::Nearest{std::move(proof.shot), why(q, proof)};
+  a.nearest = Answer::Nearest{std::move(proof.shot), why(request, proof)};
 }
 
 }  // namespace bankshot::planning

@@ -25,16 +25,19 @@ struct Miss {
 
 class Scan {
  public:
-  explicit Scan(const Question& q)
-      : q_(q), goal_(Goal::of(q)), aims_(q.puzzle.angle.value_or(whole_turn)), speeds_(q.puzzle.speed) {
+  explicit Scan(const SearchRequest& request)
+      : request_(request),
+        goal_(Goal::of(request)),
+        aims_(request.puzzle().angle.value_or(whole_turn)),
+        speeds_(request.puzzle().speed) {
     speeds_.low = std::max(speeds_.low, settings::slowest_of_fastest * speeds_.high);
-    if (q.one_unknown() || is_ideal(q.puzzle.physics)) speeds_.low = speeds_.high = q.fixed_speed();
+    if (request.one_unknown() || is_ideal(request.puzzle().physics)) speeds_.low = speeds_.high = request.fixed_speed();
   }
 
   /// Brings a launch inside the bounds, follows it, and keeps it if it is among the nearest.
   void look(Launch l) {
     l.speed = std::clamp(l.speed, speeds_.low, speeds_.high);
-    if (q_.puzzle.angle) l.angle = nearest_aim(l.angle);
+    if (request_.puzzle().angle) l.angle = nearest_aim(l.angle);
     const Miss m = follow(l);
     if (!m.nearer(best_.back())) return;
     best_.back() = m;
@@ -81,7 +84,7 @@ class Scan {
  private:
   Miss follow(const Launch& l) {
     if (!(l.speed > 0)) return {};
-    const Replay r = replay(q_, aside_, {l.speed, wrap_angle(l.angle)}, goal_);
+    const Replay r = replay(request_, aside_, {l.speed, wrap_angle(l.angle)}, goal_);
     const FailureReason reason = r.failure.reason;
     const bool bounces =
         r.made || ((reason == FailureReason::missed || reason == FailureReason::fell_short) && r.bounces >= goal_.min);
@@ -90,7 +93,7 @@ class Scan {
 
   Miss nearer_of(const Miss& m, const Launch& l) {
     if (l.speed < speeds_.low || l.speed > speeds_.high) return m;
-    if (q_.puzzle.angle && (l.angle < aims_.low || l.angle > aims_.high)) return m;
+    if (request_.puzzle().angle && (l.angle < aims_.low || l.angle > aims_.high)) return m;
     const Miss other = follow(l);
     return other.nearer(m) ? other : m;
   }
@@ -101,7 +104,7 @@ class Scan {
     return std::clamp(middle + angle_difference(middle, angle), aims_.low, aims_.high);
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   Goal goal_;
   Range aims_, speeds_;
   EvaluationBudget aside_{std::numeric_limits<long>::max()};
@@ -110,8 +113,8 @@ class Scan {
 
 }  // namespace
 
-std::optional<Launch> nearest_launch(const Question& q, const SearchResult& found, bool scan) {
-  Scan tries(q);
+std::optional<Launch> nearest_launch(const SearchRequest& request, const SearchResult& found, bool scan) {
+  Scan tries(request);
   if (found.nearest.launch.speed > 0) tries.look(found.nearest.launch);
   for (const Candidate& candidate : found.candidates) tries.look(candidate.launch);
   if (scan) {

@@ -6,12 +6,12 @@
 // Cost: settings::nearest, some 3,500 simulations, which do not count against the budget.
 #pragma once
 
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 #include "planners/search_result.hpp"
 
 namespace bankshot::planning {
 
 /// Returns none if no launch is allowed; without `scan` only what the search remembers is tried.
-std::optional<Launch> nearest_launch(const Question& q, const SearchResult& found, bool scan);
+std::optional<Launch> nearest_launch(const SearchRequest& request, const SearchResult& found, bool scan);
 
 }  // namespace bankshot::planning

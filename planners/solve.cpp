@@ -22,7 +22,7 @@ namespace bankshot {
 namespace {
 
 using planning::EvaluationBudget;
-using planning::Question;
+using planning::SearchRequest;
 using planning::SearchResult;
 using planning::Wanted;
 
@@ -65,34 +65,36 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 /// Makes the answer from the result of a search: success, margins and words.
-Answer finish(const Question& q, const EvaluationBudget& budget, SearchResult& found, const SolveOptions& options,
-              double time_us) {
-  Answer a{.id = q.puzzle.id, .about = q.puzzle.about};
+Answer finish(const SearchRequest& request, const EvaluationBudget& budget, SearchResult& found,
+              const SolveOptions& options, double time_us) {
+  Answer a{.id = request.puzzle().id, .about = request.puzzle().about};
   a.simulations = budget.simulations();
   a.time_us = time_us;
   a.cost.certify_us = budget.proof_us;
   a.status = !found.shots.empty() ? Status::solved : budget.cut() ? Status::budget : Status::no_shot;
-  planning::add_nearest(q, found, options.suggest, a);
+  planning::add_nearest(request, found, options.suggest, a);
   EvaluationBudget aside(std::numeric_limits<long>::max());  // rating the shots does not count against the budget
-  if ((options.robustness || q.safest()) && !found.shots.empty()) {
+  if ((options.robustness || request.problem->safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
-    if (q.puzzle.prefer == Prefer::robust && !q.all() && !q.safest()) planning::best_first(q, aside, found.shots);
-    planning::family::tune(q, aside, found);
-    if (q.safest()) planning::move_best(q, aside, found);
-    if (options.robustness) planning::add_robustness(q, aside, found);
+    if (request.puzzle().prefer == Prefer::robust && !request.all() && !request.problem->safest())
+      planning::best_first(request, aside, found.shots);
+    planning::family::tune(request, aside, found);
+    if (request.problem->safest()) planning::move_best(request, aside, found);
+    if (options.robustness) planning::add_robustness(request, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
-  if (q.all() && (q.objects || q.safest())) planning::keep_connected_once(q, aside, found.shots);
+  if (request.all() && (request.problem->objects || request.problem->safest()))
+    planning::keep_connected_once(request, aside, found.shots);
   if (!options.robustness)
     for (Shot& shot : found.shots) shot.success.reset(), shot.value.reset();
   const std::size_t distinct = found.shots.size();
-  if (!q.all() && distinct > 1) found.shots.resize(1);
+  if (!request.all() && distinct > 1) found.shots.resize(1);
   if (options.sensitivity)
     for (Shot& shot : found.shots)
-      planning::as_struck(q, shot, [&](const Question& own) { planning::add_sensitivity(own, shot); });
+      planning::as_struck(request, shot, [&](const SearchRequest& own) { planning::add_sensitivity(own, shot); });
   a.shots = std::move(found.shots);
-  a.modelled = modelled(q.puzzle, a.shots);
-  a.message = planning::message(q, budget, found, a, distinct);
+  a.modelled = modelled(request.puzzle(), a.shots);
+  a.message = planning::message(request, budget, found, a, distinct);
   return a;
 }
 
@@ -108,8 +110,8 @@ Wanted wanted(const SolveOptions& options) {
 }
 
 /// Verifies the launch of a shot of a looser puzzle as asked; keeps the shot and returns true if it is one.
-bool keep_as_asked(const Question& q, EvaluationBudget& budget, SearchResult& found, const Shot& shot) {
-  return planning::as_struck(q, shot, [&](const Question& own) {
+bool keep_as_asked(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Shot& shot) {
+  return planning::as_struck(request, shot, [&](const SearchRequest& own) {
     const int bounces = bounces_of(planning::route_of(shot));
     const auto proves = [&](planning::Demand demand) {
       return planning::certify(own, budget, found, shot.launch, bounces, planning::steps::word::looser, demand);
@@ -120,7 +122,7 @@ bool keep_as_asked(const Question& q, EvaluationBudget& budget, SearchResult& fo
 
 /// Returns words on what would open a puzzle without a shot, or none if a looser search finds a shot as asked, which is
 /// kept.
-std::string hint(const Puzzle& puzzle, const Question& q, EvaluationBudget& budget, SearchResult& found,
+std::string hint(const Puzzle& puzzle, const SearchRequest& request, EvaluationBudget& budget, SearchResult& found,
                  const SolveOptions& options) {
   const SolveOptions plain{.robustness = false, .suggest = false, .cancelled = options.cancelled};
   long spent = 0;
@@ -130,8 +132,8 @@ std::string hint(const Puzzle& puzzle, const Question& q, EvaluationBudget& budg
     return a;
   };
   const auto is_asked = [&](const Shot& shot) {
-    const bool same_spins = shot.spin == q.spin || puzzle.spin_range;
-    return same_spins && keep_as_asked(q, budget, found, shot);
+    const bool same_spins = shot.spin == request.spin || puzzle.spin_range;
+    return same_spins && keep_as_asked(request, budget, found, shot);
   };
   std::string words = planning::what_would_open(puzzle, looser, is_asked);
   if (!found.shots.empty()) {
@@ -164,25 +166,25 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   budget.measures = options.measure;
   for (std::size_t i = 0;; ++i) {
     const std::optional<Puzzle> one = spins.size() > 1 ? std::optional(with_spin(puzzle, spins[i])) : std::nullopt;
-    Question q(one ? *one : puzzle, wanted(options));
-    q.valued = options.robustness;
+    SearchRequest request(one ? *one : puzzle, wanted(options));
+    request.valued = options.robustness;
     SearchResult found;
     budget.begin_part(spins.size() - i);
-    if (q.stop && !rests(q.puzzle.physics))
+    if (request.stop && !rests(request.puzzle().physics))
       found.add_note("no ball comes to rest on a table that leans by more than rolling friction holds");
-    else if (!budget.spent() && !q.covering())
-      method.plan(q, budget, found);
+    else if (!budget.spent() && !request.problem->covering())
+      method.plan(request, budget, found);
     if (found.shots.empty() && !budget.exhausted() && i + 1 < spins.size()) continue;
-    planning::rank(q, found.shots);
+    planning::rank(request, found.shots);
     const double took = microseconds_since(begin);
     if (spins.size() > 1)
       found.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));
-    Answer a = finish(q, budget, found, options, took);
+    Answer a = finish(request, budget, found, options, took);
     if (a.status != Status::no_shot || !options.suggest) return a;
-    const std::string words = hint(puzzle, q, budget, found, options);
+    const std::string words = hint(puzzle, request, budget, found, options);
     if (!found.shots.empty()) {
-      planning::rank(q, found.shots);
-      return finish(q, budget, found, options, microseconds_since(begin));
+      planning::rank(request, found.shots);
+      return finish(request, budget, found, options, microseconds_since(begin));
     }
     if (!words.empty()) a.message += "; " + words;
     return a;

@@ -3,25 +3,27 @@
 // The state of the cue ball right after the launch: the one place where a launch becomes motion.
 #pragma once
 
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
 /// Returns the state for an angle [rad] and a speed [m/s], with or without derivatives.
 template <class T>
-State<T> start_of(const Question& q, const T& angle, const T& speed) {
+State<T> start_of(const SearchRequest& request, const T& angle, const T& speed) {
   using std::cos, std::sin;
-  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, Vec2<T>{cos(angle), sin(angle)} * speed, q.spin);
+  return launched(request.puzzle().ball.at, request.puzzle().ball.body.radius, Vec2<T>{cos(angle), sin(angle)} * speed,
+                  request.spin);
 }
 
 /// Returns the state for an exact direction, as the simulator launches it.
-inline State<double> start_of(const Question& q, const Launch& launch) {
-  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, direction(launch.angle) * launch.speed, q.spin);
+inline State<double> start_of(const SearchRequest& request, const Launch& launch) {
+  return launched(request.puzzle().ball.at, request.puzzle().ball.body.radius, direction(launch.angle) * launch.speed,
+                  request.spin);
 }
 
 /// Returns the state with its derivatives by the first N unknowns: the aim, and ln speed. `Dual<N>`: a dual number.
 template <class Dual, int N>
-State<Dual> dual_start(const Question& q, const Launch& launch) {
+State<Dual> dual_start(const SearchRequest& request, const Launch& launch) {
   const Vec2d v = direction(launch.angle) * launch.speed, turned = perpendicular(v);
   Vec2<Dual> velocity{Dual(v.x), Dual(v.y)};
   velocity.x.v[0] = turned.x;
@@ -30,7 +32,7 @@ State<Dual> dual_start(const Question& q, const Launch& launch) {
     velocity.x.v[1] = v.x;
     velocity.y.v[1] = v.y;
   }
-  return launched(q.puzzle.ball.at, q.puzzle.ball.body.radius, velocity, q.spin);
+  return launched(request.puzzle().ball.at, request.puzzle().ball.body.radius, velocity, request.spin);
 }
 
 }  // namespace bankshot::planning

@@ -13,36 +13,38 @@
 #include <algorithm>
 
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 #include "planners/search_result.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::stop {
 
-inline bool satisfied(const Question& q, const SearchResult& found) { return q.first() && !found.shots.empty(); }
-
-inline bool over(const Question& q, EvaluationBudget& budget, const SearchResult& found) {
-  return budget.spent() || satisfied(q, found);
+inline bool satisfied(const SearchRequest& request, const SearchResult& found) {
+  return request.first() && !found.shots.empty();
 }
 
-inline bool enough_seeds(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  const std::size_t enough = q.first() ? 1 : settings::enough_to_compare;
-  const bool plenty = !q.all() && !q.starts() && found.shots.size() >= enough;
+inline bool over(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found) {
+  return budget.spent() || satisfied(request, found);
+}
+
+inline bool enough_seeds(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  const std::size_t enough = request.first() ? 1 : settings::enough_to_compare;
+  const bool plenty = !request.all() && !request.starts() && found.shots.size() >= enough;
   found.plenty = found.plenty || plenty;
   return plenty || budget.spent();
 }
 
-inline bool enough_images(const Question& q, const SearchResult& found, bool shortest_first) {
-  if (satisfied(q, found)) return true;
-  if (q.all() || !shortest_first) return false;
+inline bool enough_images(const SearchRequest& request, const SearchResult& found, bool shortest_first) {
+  if (satisfied(request, found)) return true;
+  if (request.all() || !shortest_first) return false;
   // Shots into a cushion that the ball touches come last.
-  const auto counts = [&](const Shot& s) { return !q.into_touched_cushion(s.launch.angle); };
+  const auto counts = [&](const Shot& s) { return !request.problem->into_touched_cushion(s.launch.angle); };
   const auto seen = static_cast<std::size_t>(std::ranges::count_if(found.shots, counts));
-  return seen >= (q.puzzle.prefer == Prefer::robust ? settings::enough_to_compare : 1);
+  return seen >= (request.puzzle().prefer == Prefer::robust ? settings::enough_to_compare : 1);
 }
 
-inline bool route_settled(const Question& q, const SearchResult& found) {
-  return q.route && !q.all() && !found.shots.empty();
+inline bool route_settled(const SearchRequest& request, const SearchResult& found) {
+  return request.route && !request.all() && !found.shots.empty();
 }
 
 inline bool nothing_yet(const EvaluationBudget& budget, const SearchResult& found) {
@@ -50,8 +52,8 @@ inline bool nothing_yet(const EvaluationBudget& budget, const SearchResult& foun
 }
 
 /// Returns whether a step that finds more shots, and not just one, has its turn.
-inline bool more_wanted(const Question& q, const EvaluationBudget& budget, const SearchResult& found) {
-  return (q.all() && !budget.cut()) || nothing_yet(budget, found);
+inline bool more_wanted(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found) {
+  return (request.all() && !budget.cut()) || nothing_yet(budget, found);
 }
 
 }  // namespace bankshot::planning::stop

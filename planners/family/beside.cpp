@@ -21,7 +21,7 @@ namespace {
 
 /// rad that move the arrival across by the aim point's reach.
 double across(const LockedAim& a, const Point& p) {
-  return a.aim_point.reach / (p.off[0].by[aim] * a.q.boundary.diagonal);
+  return a.aim_point.reach / (p.off[0].by[aim] * a.request.problem->boundary.diagonal);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ bool Family::look_beside(Tried& t) {
     return is_listed(start_.aim_point, aim_.route, found_.shots);
   }
   if (!t.room || t.room->hidden > little_turn || !(t.room->least() > -start_.aim_point.reach)) return false;
-  q_.spin = spin_of(t.at.x);
+  request_.spin = spin_of(t.at.x);
   const double way = across(aim_, t.at);
   return look_to_one_side(t, way) || look_to_one_side(t, -way);
 }
@@ -72,10 +72,11 @@ bool Family::look_to_one_side(Tried& t, double way) {
 bool Family::keep_beside(const Launch& launch) {
   std::vector<Shot>& shots = found_.shots;
   const std::size_t known = shots.size();
-  if (!certify(q_, budget_, found_, launch, bounces_of(aim_.route), step_, Demand::off_centre)) return false;
+  if (!certify(request_, budget_, found_, launch, bounces_of(aim_.route), step_, Demand::off_centre)) return false;
   if (is_listed(start_.aim_point, aim_.route, shots)) return true;
   const Shot& last = shots.back();
-  if (shots.size() > known && is_listed(q_.aim_point_of(last), route_of(last), std::span(shots).first(known)))
+  if (shots.size() > known &&
+      is_listed(request_.problem->aim_point_of(last), route_of(last), std::span(shots).first(known)))
     shots.pop_back();
   return false;
 }
@@ -90,20 +91,22 @@ void Family::look_for_jaw_shots(const Curve& curve) {
   for (auto& [by, bands] : ways) {
     Route whole(aim_.route.begin(), aim_.route.end());
     for (const Contact c : by) whole.push_back({start_.aim_point.ball, c});
-    const auto known = [&](const Shot& s) { return q_.aim_point_of(s) == start_.aim_point && route_of(s) == whole; };
+    const auto known = [&](const Shot& s) {
+      return request_.problem->aim_point_of(s) == start_.aim_point && route_of(s) == whole;
+    };
     if (std::ranges::any_of(found_.shots, known)) continue;
     std::ranges::stable_sort(bands, std::ranges::greater{}, [](const Band& b) { return b.last - b.first; });
     for (const Band& b : bands) {
-      q_.spin = b.spin;
-      if (certify(q_, budget_, found_, b.middle(), bounces_of(aim_.route), step_, Demand::off_centre)) break;
+      request_.spin = b.spin;
+      if (certify(request_, budget_, found_, b.middle(), bounces_of(aim_.route), step_, Demand::off_centre)) break;
     }
   }
 }
 
 /// Of one point of the curve.
 void Family::add_bands(const Point& p, std::map<std::vector<Contact>, std::vector<Band>>& ways) {
-  q_.spin = spin_of(p.x);
-  Band band{launch_of(p.x), q_.spin, apart_jaw_shots * across(aim_, p)};
+  request_.spin = spin_of(p.x);
+  Band band{launch_of(p.x), request_.spin, apart_jaw_shots * across(aim_, p)};
   std::optional<std::vector<Contact>> before;
   for (int i = -most_jaw_shots; i <= most_jaw_shots; ++i) {
     auto by = falls_by(aim_, budget_, beside(band.line, i * band.step));

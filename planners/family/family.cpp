@@ -34,45 +34,46 @@ double likely_value(const Shot& shot) {
 
 }  // namespace
 
-Box box_of(const Question& q) {
+Box box_of(const SearchRequest& request) {
   const auto ln = [](double v) { return v > 0 ? std::log(v) : -infinite; };
-  const Range v = q.pinned ? Range{*q.pinned, *q.pinned} : q.speed;
-  const Range aims = q.angle.value_or(Range{-infinite, infinite});
-  const LaunchSpin& s = q.spin;
-  const SpinRange spin = q.puzzle.spin_range.value_or(SpinRange{{s.top, s.top}, {s.side, s.side}, {s.masse, s.masse}});
+  const Range v = request.pinned ? Range{*request.pinned, *request.pinned} : request.speed;
+  const Range aims = request.angle.value_or(Range{-infinite, infinite});
+  const LaunchSpin& s = request.spin;
+  const SpinRange spin =
+      request.puzzle().spin_range.value_or(SpinRange{{s.top, s.top}, {s.side, s.side}, {s.masse, s.masse}});
   Box box;
   box.low << aims.low, ln(v.low), spin.top.low, spin.side.low, spin.masse.low;
   box.high << aims.high, ln(v.high), spin.top.high, spin.side.high, spin.masse.high;
   return box;
 }
 
-int Family::freedom(const Question& q) {
-  const Box box = box_of(q);
+int Family::freedom(const SearchRequest& request) {
+  const Box box = box_of(request);
   int free = 0;
   for (int i = 0; i < coordinates; ++i) free += box.free(i);
-  const bool speed_asked = q.arrival && !q.pinned && (q.stop || q.arrival->fixed());
+  const bool speed_asked = request.arrival && !request.pinned && (request.stop || request.arrival->fixed());
   return free - 1 - (speed_asked ? 1 : 0);
 }
 
-Family::Family(const Question& q, EvaluationBudget& budget, SearchResult& found, const Candidate& start,
+Family::Family(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Candidate& start,
                std::string_view step)
-    : q_(q.spinning(start.spin)),
+    : request_(request.spinning(start.spin)),
       budget_(budget),
       found_(found),
       start_(start),
       step_(step),
-      aim_{q_, start.route, start.aim_point},
-      box_(box_of(q)),
+      aim_{request_, start.route, start.aim_point},
+      box_(box_of(request)),
       wide_(box_),
-      vary_(q.puzzle.spin_range ? Vary::spin_too : Vary::launch) {
+      vary_(request.puzzle().spin_range ? Vary::spin_too : Vary::launch) {
   wide_.low[aim] = -infinite, wide_.high[aim] = infinite;
   if (box_.free(log_speed)) wide_.low[log_speed] = -infinite, wide_.high[log_speed] = infinite;
   scale_ << scale_of_aim, scale_of_speed, scale_of_spin, scale_of_spin, scale_of_spin;
 }
 
 void Family::search() {
-  const int free = freedom(q_);
-  const Vector x = vector_of({start_.launch.speed, near_window(start_.launch.angle, q_.angle)}, start_.spin);
+  const int free = freedom(request_);
+  const Vector x = vector_of({start_.launch.speed, near_window(start_.launch.angle, request_.angle)}, start_.spin);
   if (free <= 1) {
     const auto from = settle(x, wide_);
     if (!from || (free == 1 && is_hopeless(*from))) return;
@@ -91,12 +92,12 @@ void Family::search() {
 
 bool Family::is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const {
   return std::ranges::any_of(among, [&](const Shot& shot) {
-    return q_.aim_point_of(shot) == aim_point && std::ranges::equal(route_of(shot), route);
+    return request_.problem->aim_point_of(shot) == aim_point && std::ranges::equal(route_of(shot), route);
   });
 }
 
 double Family::merit(const Point& p) const {
-  switch (q_.puzzle.prefer) {
+  switch (request_.puzzle().prefer) {
     case Prefer::soft:
       return -p.x[log_speed];
     case Prefer::quick:
@@ -108,7 +109,7 @@ double Family::merit(const Point& p) const {
 }
 
 bool Family::is_hopeless(const Point& p) {
-  return clearance(aim_, budget_, launch_of(p.x)).value_or(0) < -hopeless * q_.boundary.diagonal;
+  return clearance(aim_, budget_, launch_of(p.x)).value_or(0) < -hopeless * request_.problem->boundary.diagonal;
 }
 
 bool Family::inside(const Point& p) const {
@@ -120,11 +121,11 @@ bool Family::inside(const Point& p) const {
 Family::Tried Family::attempt(const Point& p) {
   Tried t{p, merit(p), {}};
   if (!inside(p)) return t;
-  q_.spin = spin_of(p.x);
-  t.proof = prove(q_, budget_, launch_of(p.x), Goal::exactly(q_, bounces_of(aim_.route)));
-  if (t.made() && q_.puzzle.prefer == Prefer::robust) {
+  request_.spin = spin_of(p.x);
+  t.proof = prove(request_, budget_, launch_of(p.x), Goal::exactly(request_, bounces_of(aim_.route)));
+  if (t.made() && request_.puzzle().prefer == Prefer::robust) {
     budget_.charge(aim_.route.size());
-    add_first_order(q_, t.proof->shot);
+    add_first_order(request_, t.proof->shot);
     t.merit = likely_value(t.proof->shot);
   }
   return t;
@@ -153,7 +154,7 @@ Family::Tried Family::climb(Tried at) {
       moved = true;
       break;
     }
-    if (q_.first() && at.made()) break;
+    if (request_.first() && at.made()) break;
     step = moved ? std::min(2 * step, longest_climb) : step / 3;
     turned += golden_turn;
   }
@@ -166,8 +167,8 @@ std::vector<Vector> Family::ways(const Tried& from, double turned) const {
   Eigen::MatrixXd basis = tangents(from.at);
   std::vector<Vector> out;
   Vector slope = Vector::Zero();
-  if (from.made() && q_.puzzle.prefer == Prefer::soft) slope[log_speed] = -1;
-  if (from.made() && q_.puzzle.prefer == Prefer::quick) slope = -from.at.time.by;
+  if (from.made() && request_.puzzle().prefer == Prefer::soft) slope[log_speed] = -1;
+  if (from.made() && request_.puzzle().prefer == Prefer::quick) slope = -from.at.time.by;
   slope = basis * (basis.transpose() * scale_.cwiseProduct(slope));
   if (slope.norm() > 0) out.push_back(slope.normalized());
   for (Eigen::Index i = 0; i + 1 < basis.cols(); ++i) {
@@ -184,8 +185,8 @@ std::vector<Vector> Family::ways(const Tried& from, double turned) const {
 
 Shot Family::tuned(const Shot& shot) {
   Shot best = shot;
-  if (!best.success) find_success(q_, budget_, best);
-  auto at = settle(vector_of({best.launch.speed, near_window(best.launch.angle, q_.angle)}, best.spin), box_);
+  if (!best.success) find_success(request_, budget_, best);
+  auto at = settle(vector_of({best.launch.speed, near_window(best.launch.angle, request_.angle)}, best.spin), box_);
   double step = 1, turned = 0;
   for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.success < sure;) {
     std::optional<Shot> better;
@@ -194,7 +195,7 @@ Shot Family::tuned(const Shot& shot) {
       const auto next = settle(at->x + step * scale_.cwiseProduct(way), box_);
       Tried t = next ? attempt(*next) : Tried{};
       if (!t.made()) continue;
-      find_success(q_, budget_, t.proof->shot);
+      find_success(request_, budget_, t.proof->shot);
       ++tried;
       if (!(*t.proof->shot.value > (better ? *better : best).value.value() + (better ? 0 : worth_tuning))) continue;
       better = std::move(t.proof->shot);
@@ -205,7 +206,7 @@ Shot Family::tuned(const Shot& shot) {
       better->planner = best.planner;
       better->simulations = best.simulations;
       best = std::move(*better);
-      add_aftermath(q_, budget_, best);
+      add_aftermath(request_, budget_, best);
     } else {
       step /= 2;
     }
@@ -215,31 +216,31 @@ Shot Family::tuned(const Shot& shot) {
 }
 
 void Family::keep(const Tried& t) {
-  q_.spin = spin_of(t.at.x);
-  planning::keep(q_, budget_, found_, t.proof->shot, Goal::exactly(q_, bounces_of(aim_.route)), step_);
+  request_.spin = spin_of(t.at.x);
+  planning::keep(request_, budget_, found_, t.proof->shot, Goal::exactly(request_, bounces_of(aim_.route)), step_);
 }
 
-Candidate candidate_of(const Question& q, const Shot& shot) {
-  return {shot.launch, route_of(shot), q.aim_point_of(shot), shot.spin};
+Candidate candidate_of(const SearchRequest& request, const Shot& shot) {
+  return {shot.launch, route_of(shot), request.problem->aim_point_of(shot), shot.spin};
 }
 
-void tune(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  const Puzzle& p = q.puzzle;
+void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  const Puzzle& p = request.puzzle();
   // Of what is moved to its safest launch, speed and aim are chosen there.
-  const bool chosen_later = q.safest() && (q.all() || !p.spin_range);
-  if (p.prefer != Prefer::robust || chosen_later || is_straight(p.physics) || Family::freedom(q) == 0) return;
+  const bool chosen_later = request.problem->safest() && (request.all() || !p.spin_range);
+  if (p.prefer != Prefer::robust || chosen_later || is_straight(p.physics) || Family::freedom(request) == 0) return;
   // First order knows little of what else may lead a carom to its second ball: the best is one of several.
-  const std::size_t some = q.carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
-  const std::span<Shot> shots = std::span(found.shots).first(q.all() ? found.shots.size() : some);
+  const std::size_t some = request.problem->carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
+  const std::span<Shot> shots = std::span(found.shots).first(request.all() ? found.shots.size() : some);
   for (Shot& shot : shots) {
-    const Candidate candidate = candidate_of(q, shot);
-    if (!shot.off_centre) shot = Family(q, budget, found, candidate, shot.planner).tuned(shot);
+    const Candidate candidate = candidate_of(request, shot);
+    if (!shot.off_centre) shot = Family(request, budget, found, candidate, shot.planner).tuned(shot);
   }
-  if (!q.all()) return order_by_value(shots);
+  if (!request.all()) return order_by_value(shots);
   // Two that were tuned into one were of one family.
   std::vector<Shot> distinct;
   for (Shot& shot : found.shots) {
-    const auto same = [&](const Shot& known) { return known.spin == shot.spin && same_shot(q, known, shot); };
+    const auto same = [&](const Shot& known) { return known.spin == shot.spin && same_shot(request, known, shot); };
     if (std::ranges::none_of(distinct, same)) distinct.push_back(std::move(shot));
   }
   found.shots = std::move(distinct);

@@ -37,11 +37,11 @@ struct Box {
 };
 
 /// The question's bounds; a spin that is fixed is where the question has it.
-Box box_of(const Question& q);
+Box box_of(const SearchRequest& request);
 
 class Family {
  public:
-  Family(const Question& q, EvaluationBudget& budget, SearchResult& found, const Candidate& start,
+  Family(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Candidate& start,
          std::string_view step);
 
   /// Keeps the best shot of each connected part (where one shot is wanted, of the best one).
@@ -52,7 +52,7 @@ class Family {
   Shot tuned(const Shot& shot);
 
   /// How many things are free.
-  static int freedom(const Question& q);
+  static int freedom(const SearchRequest& request);
 
  private:
   /// A point, its proof, and what it is worth.
@@ -101,7 +101,7 @@ class Family {
   bool is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const;
   bool keep_beside(const Launch& launch);
   int parts_between(const Point& a, const Point& b) const;
-  bool lists() const { return q_.objects && q_.all() && start_.aim_point.drops(); }
+  bool lists() const { return request_.problem->objects && request_.all() && start_.aim_point.drops(); }
   static Launch beside(const Launch& line, double turn);
   /// Neighbouring aims beside a point of a curve: so many steps.
   struct Band {
@@ -124,7 +124,7 @@ class Family {
 
   void keep(const Tried& t);
 
-  Question q_;  ///< a copy, whose spin is that of the launch looked at
+  SearchRequest request_;  ///< a copy, whose spin is that of the launch looked at
   EvaluationBudget& budget_;
   SearchResult& found_;
   const Candidate& start_;
@@ -136,9 +136,9 @@ class Family {
 };
 
 /// The last touch: the shots that are printed, all or the first, along their families to where success is largest.
-void tune(const Question& q, EvaluationBudget& budget, SearchResult& found);
+void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 /// A shot as the start of its family.
-Candidate candidate_of(const Question& q, const Shot& shot);
+Candidate candidate_of(const SearchRequest& request, const Shot& shot);
 
 }  // namespace bankshot::planning::family

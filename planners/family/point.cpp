@@ -12,9 +12,9 @@ namespace {
 
 /// The launch with the derivatives by its first N coordinates.
 template <int N>
-State<Dual<N>> start_at(const Question& q, const Vector& x) {
+State<Dual<N>> start_at(const SearchRequest& request, const Vector& x) {
   using T = Dual<N>;
-  const double R = q.puzzle.ball.body.radius;
+  const double R = request.puzzle().ball.body.radius;
   const Launch launch = launch_of(x);
   const Vec2d v = direction(launch.angle) * launch.speed, turned = perpendicular(v);
   Vec2<T> velocity{T(v.x), T(v.y)};
@@ -22,7 +22,7 @@ State<Dual<N>> start_at(const Question& q, const Vector& x) {
   velocity.y.v[aim] = turned.y;
   velocity.x.v[log_speed] = v.x;
   velocity.y.v[log_speed] = v.y;
-  State<T> s = launched(q.puzzle.ball.at, R, velocity, spin_of(x));
+  State<T> s = launched(request.puzzle().ball.at, R, velocity, spin_of(x));
   if constexpr (N == coordinates) {
     s.spin.x.v[top] = turned.x / R;
     s.spin.y.v[top] = turned.y / R;
@@ -44,21 +44,21 @@ Value value_of(const Dual<N>& d) {
 template <int N>
 std::optional<Point> look_at(const LockedAim& a, const Vector& x) {
   using T = Dual<N>;
-  const Question& q = a.q;
-  const auto arrival = arrival_of(a, start_at<N>(q, x), q.puzzle.physics);
+  const SearchRequest& request = a.request;
+  const auto arrival = arrival_of(a, start_at<N>(request, x), request.puzzle().physics);
   if (!arrival || !(dot(arrival->heading, arrival->heading) > T(0))) return {};
   Point p{x};
   p.time = value_of<N>(arrival->time);
-  const T diagonal(q.boundary.diagonal);
+  const T diagonal(request.problem->boundary.diagonal);
   const Vec2<T> off = to<T>(a.aim_point.at) - arrival->state.at;
-  if (q.stop) {
+  if (request.stop) {
     p.equations = 2;
     p.off = {value_of<N>(off.x / diagonal), value_of<N>(off.y / diagonal)};
     return p;
   }
   const Vec2<T> u = arrival->heading / norm(arrival->heading);
   p.off[0] = value_of<N>(beside_exact(a.aim_point, u, off) / diagonal);
-  p.speed2 = value_of<N>(arrival_square(q.puzzle.physics, *arrival, u, off));
+  p.speed2 = value_of<N>(arrival_square(request.puzzle().physics, *arrival, u, off));
   return p;
 }
 

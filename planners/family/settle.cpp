@@ -60,9 +60,9 @@ Vector least_step(const Point& p, std::span<const Value> equations, std::array<b
 Family::Equations Family::equations(const Point& p, bool& at_bound) const {
   Equations out;
   for (int i = 0; i < p.equations; ++i) out.add(p.off[static_cast<std::size_t>(i)]);
-  if (q_.stop || q_.pinned || !q_.arrival) return out;
-  const auto counted = [&](double speed) { return even_square(q_.puzzle.physics, speed * speed); };
-  const double square = p.speed2.a, low = counted(q_.arrival->low), high = counted(q_.arrival->high);
+  if (request_.stop || request_.pinned || !request_.arrival) return out;
+  const auto counted = [&](double speed) { return even_square(request_.puzzle().physics, speed * speed); };
+  const double square = p.speed2.a, low = counted(request_.arrival->low), high = counted(request_.arrival->high);
   at_bound = at_bound || !(square > low && square < high);
   if (at_bound) out.add(speed_off(p, square < (low + high) / 2 ? low : high));
   return out;
@@ -104,7 +104,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held, double t
 Eigen::MatrixXd Family::tangents(const Point& p) const {
   bool at_bound = false;
   const Equations found = equations(p, at_bound);
-  const bool any_speed = q_.arrival && !q_.arrival->fixed();
+  const bool any_speed = request_.arrival && !request_.arrival->fixed();
   const std::span<const Value> rows =
       any_speed ? found.all().first(static_cast<std::size_t>(p.equations)) : found.all();
   std::vector<int> free;

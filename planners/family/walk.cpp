@@ -59,7 +59,7 @@ bool Family::leaves_for_good(const Point& at, const Vector& way) const {
 bool Family::at_end(const Point& p) const {
   bool at_bound = false;
   equations(p, at_bound);
-  if (at_bound && !q_.arrival->fixed()) return true;
+  if (at_bound && !request_.arrival->fixed()) return true;
   for (int i = top; i < coordinates; ++i)
     if (wide_.free(i) && (p.x[i] <= wide_.low[i] || p.x[i] >= wide_.high[i])) return true;
   return false;
@@ -90,7 +90,8 @@ Family::Tried Family::attempt_where_clear(const Point& p) {
 
 /// So many that launches beside the points between leave little out.
 int Family::parts_between(const Point& a, const Point& b) const {
-  const double slope = std::max(std::abs(a.off[0].by[aim]), std::abs(b.off[0].by[aim])) * q_.boundary.diagonal;
+  const double slope =
+      std::max(std::abs(a.off[0].by[aim]), std::abs(b.off[0].by[aim])) * request_.problem->boundary.diagonal;
   const double across = std::abs(a.x[aim] - b.x[aim]) * slope / start_.aim_point.reach;
   return static_cast<int>(std::clamp(across / across_a_part, 1.0 * least_parts, 1.0 * most_parts));
 }
@@ -124,7 +125,7 @@ void Family::look_between(Curve& curve) {
 void Family::keep_parts(Curve& curve) {
   for (Tried& t : curve) {
     t = lists() ? attempt_where_clear(t.at) : attempt(t.at);
-    if (q_.first() && t.made()) return keep(t);
+    if (request_.first() && t.made()) return keep(t);
   }
   if (lists() && std::ranges::none_of(curve, &Tried::made)) look_between(curve);
   for (std::size_t begin = 0, end = 0; begin < curve.size(); begin = end + 1) {
@@ -149,7 +150,7 @@ void Family::keep_parts(Curve& curve) {
 /// The last shot on the way to a point that is none.
 Family::Tried Family::edge(const Tried& inside_, const Tried& outside_) {
   Tried in = inside_, out = outside_;
-  if (q_.puzzle.prefer == Prefer::robust) return in;  // beside the edge little is made: no better place to be
+  if (request_.puzzle().prefer == Prefer::robust) return in;  // beside the edge little is made: no better place to be
   while (std::abs(out.merit - in.merit) > fine_merit * std::max(1.0, std::abs(in.merit)) && !budget_.spent()) {
     const auto middle = settle((in.at.x + out.at.x) / 2, wide_);
     if (!middle) break;

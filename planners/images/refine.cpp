@@ -21,29 +21,30 @@ bool refine_aim(const LockedAim& aim, EvaluationBudget& budget, SearchResult& fo
   return root.has_value();
 }
 
-void refine_images(const Question& q, EvaluationBudget& budget, SearchResult& found, std::string_view step,
+void refine_images(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::string_view step,
                    const RootFinder& find) {
-  const bool straight = is_straight(q.puzzle.physics);
+  const bool straight = is_straight(request.puzzle().physics);
   // A route with a root at one aim point hardly ever has another there.
   std::set<std::pair<Route, std::size_t>> settled;
   for (const Candidate& candidate : found.candidates)
-    if (q.starts())
-      settled.insert({candidate.route, static_cast<std::size_t>(std::ranges::find(q.aim_points, candidate.aim_point) -
-                                                                q.aim_points.begin())});
+    if (request.starts())
+      settled.insert({candidate.route,
+                      static_cast<std::size_t>(std::ranges::find(request.problem->aim_points, candidate.aim_point) -
+                                               request.problem->aim_points.begin())});
   for (const double share : settings::restitution_shares) {
-    const double e = share * restitution(q.puzzle.physics).at_rest;
-    Unfolding images(q, {.parts = !straight, .restitution = e, .keep_routes = true});
+    const double e = share * restitution(request.puzzle().physics).at_rest;
+    Unfolding images(request, {.parts = !straight, .restitution = e, .keep_routes = true});
     while (const auto image = images.next()) {
-      if (stop::enough_seeds(q, budget, found)) return;
-      if (double aim = image->angle; q.starts() && !inside_aims(aim, q.angle)) continue;
+      if (stop::enough_seeds(request, budget, found)) return;
+      if (double aim = image->angle; request.starts() && !inside_aims(aim, request.angle)) continue;
       std::pair key{images.route(*image), image->aim_point};
       if (!straight && settled.contains(key)) continue;
       if (key.first.empty() && share != settings::restitution_shares.front()) continue;  // no cushion bends the path
-      const LockedAim aim{q, key.first, q.aim_points[image->aim_point]};
+      const LockedAim aim{request, key.first, request.problem->aim_points[image->aim_point]};
       if (refine_aim(aim, budget, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));
     }
     if (straight || !images.whole()) return;
-    if (q.route && !found.shots.empty()) return;
+    if (request.route && !found.shots.empty()) return;
   }
 }
 

@@ -16,7 +16,7 @@ namespace bankshot::planning {
 using RootFinder = std::function<std::optional<Launch>(const LockedAim&, const Launch& seed)>;
 
 /// Refines every image until there are enough seeds; each root becomes a shot or a candidate.
-void refine_images(const Question& q, EvaluationBudget& budget, SearchResult& found, std::string_view step,
+void refine_images(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::string_view step,
                    const RootFinder& find);
 
 /// Refines one aim along a route of about `length` metres. Returns whether it leads to a root, be it a shot or not.

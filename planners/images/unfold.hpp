@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "planners/images/affine.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
@@ -51,7 +51,7 @@ class Unfolding {
     /// centre passes.
     bool keep_routes = false;
   };
-  Unfolding(const Question& q, const Options& options);
+  Unfolding(const SearchRequest& request, const Options& options);
 
   /// Returns the cushions of a candidate, in order; not kept in a lattice.
   Route route(const Image& c) const;
@@ -109,7 +109,7 @@ class Unfolding {
   Affine through(const Affine& image, int wall) const;
   double restitution_of(int wall) const;
 
-  const Question& q_;
+  const SearchRequest& request_;
   Options options_;
   bool mirrors_ = true;  ///< all cushions stretch by 1
   bool whole_ = true;

@@ -84,11 +84,11 @@ bool find_window(const AimRow& row, EvaluationBudget& budget, const Range& aims,
   return Windows(row, budget, aims).find(centre, samples);
 }
 
-bool reach_part(const Question& q, EvaluationBudget& budget, SearchResult& found, const Range& aims, double centre,
-                int samples, const Goal& goal, std::string_view step) {
-  const AimRow row{[&](double aim) { return trace(q, budget, wrap_angle(aim), goal).replay; },
+bool reach_part(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Range& aims,
+                double centre, int samples, const Goal& goal, std::string_view step) {
+  const AimRow row{[&](double aim) { return trace(request, budget, wrap_angle(aim), goal).replay; },
                    [&](double aim, int bounces) {
-                     return certify_aim(q, budget, found, wrap_angle(aim), bounces, step, Demand::off_centre);
+                     return certify_aim(request, budget, found, wrap_angle(aim), bounces, step, Demand::off_centre);
                    }};
   return find_window(row, budget, aims, centre, samples);
 }

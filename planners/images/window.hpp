@@ -25,7 +25,7 @@ struct AimRow {
 bool find_window(const AimRow& row, EvaluationBudget& budget, const Range& aims, double centre, int samples);
 
 /// Makes a shot likewise for paths whose shape does not depend on the speed.
-bool reach_part(const Question& q, EvaluationBudget& budget, SearchResult& found, const Range& aims, double centre,
-                int samples, const Goal& goal, std::string_view step);
+bool reach_part(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Range& aims,
+                double centre, int samples, const Goal& goal, std::string_view step);
 
 }  // namespace bankshot::planning

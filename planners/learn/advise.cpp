@@ -28,7 +28,7 @@ Noise noise_by(const std::vector<PlayerError>& errors) {
 /// Returns the success, with these errors, of a shot that was chosen for other errors.
 double success_of(Shot shot, const Puzzle& puzzle) {
   EvaluationBudget budget(std::numeric_limits<long>::max());
-  find_success(Question(puzzle), budget, shot);
+  find_success(SearchRequest(puzzle), budget, shot);
   return shot.success.value_or(0);
 }
 

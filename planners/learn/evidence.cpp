@@ -222,8 +222,8 @@ std::vector<Draw> draw(const Puzzle& puzzle, const LaunchUnknowns& aim, Work& wo
   constexpr double widths[] = {1, 2, 4};  // usual errors
   constexpr int each = 400;
   const LaunchError unit = usual_error();
-  Question q(puzzle);
-  q.spin = {aim[top], aim[side], aim[masse]};
+  SearchRequest request(puzzle);
+  request.spin = {aim[top], aim[side], aim[masse]};
   EvaluationBudget budget(std::numeric_limits<long>::max());
   std::vector<Draw> out;
   Draws draws(2);
@@ -234,7 +234,7 @@ std::vector<Draw> draw(const Puzzle& puzzle, const LaunchUnknowns& aim, Work& wo
       for (const double w : widths)
         d.density += std::exp(-(d.angle * d.angle + d.speed * d.speed) / (2 * w * w)) / (w * w);
       const Launch launch{aim[speed] + unit(1) * d.speed, wrap_angle(aim[angle] + unit(0) * d.angle)};
-      d.made = launch.speed > 0 && replay(q, budget, launch, Goal::of(q)).made;
+      d.made = launch.speed > 0 && replay(request, budget, launch, Goal::of(request)).made;
       out.push_back(d);
     }
   work.simulations += budget.simulations();

@@ -14,10 +14,10 @@ namespace bankshot::planning {
 template <class T>
 std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& start, const Physics& physics) {
   return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
-    const auto path = follow_locked(a.q.balls(), motion, cushion, a.route, start);
+    const auto path = follow_locked(a.request.problem->balls(), motion, cushion, a.route, start);
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
-    auto arrival = arrive_locked(motion, a.q.boundary_of(path.ball).body, path.state, a.aim_point.at,
-                                 a.aim_point.capture(), a.q.stop);
+    auto arrival = arrive_locked(motion, a.request.problem->boundary_of(path.ball).body, path.state, a.aim_point.at,
+                                 a.aim_point.capture(), a.request.stop);
     arrival.time += path.time;
     return arrival;
   });
@@ -54,9 +54,9 @@ template <int N, class T>
 bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
   const Vec2<T>& heading = arrival.heading;
   if (!(dot(heading, heading) > T(0))) return false;
-  const T diagonal(a.q.boundary.diagonal);
+  const T diagonal(a.request.problem->boundary.diagonal);
   const Vec2<T> off = to<T>(a.aim_point.at) - arrival.state.at;
-  if (a.q.stop) {
+  if (a.request.stop) {
     r[0] = off.x / diagonal;
     if constexpr (N > 1) r[1] = off.y / diagonal;
     return true;
@@ -64,9 +64,9 @@ bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
   const Vec2<T> u = heading / norm(heading);
   r[0] = beside_exact(a.aim_point, u, off) / diagonal;
   if constexpr (N > 1) {
-    const Physics& physics = a.q.puzzle.physics;
+    const Physics& physics = a.request.puzzle().physics;
     const T square = arrival_square(physics, arrival, u, off);
-    const double asked = even_square(physics, a.q.asked * a.q.asked);
+    const double asked = even_square(physics, a.request.asked * a.request.asked);
     r[1] = (square - T(asked)) / T(std::max(1.0, asked));
   }
   return true;

@@ -29,11 +29,11 @@ class Clearance {
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
       if (!inside) on_the_way(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
-    each_in_the_way(aim_.q.boundary_of(ball), before, next, aim_.aim_point.taken_by, keeps_from);
+    each_in_the_way(aim_.request.problem->boundary_of(ball), before, next, aim_.aim_point.taken_by, keeps_from);
   }
 
   void bounce(const Meeting& meeting, const Vec2d& at) {
-    const Boundary& boundary = aim_.q.boundary_of(meeting.ball);
+    const Boundary& boundary = aim_.request.problem->boundary_of(meeting.ball);
     const Wall* const line = boundary.line(meeting.with);
     if (!line) return;
     const double along = dot(line->along, at);
@@ -48,9 +48,9 @@ class Clearance {
     if (aim_.aim_point.drops()) room_.hidden = hidden(aim_.aim_point.opening, u);
     at_aim_point(a.at_rest ? aim_.aim_point.reach - norm(off) : std::min(offset - gap.low, gap.high - offset));
     if (aim_.aim_point.capture() > 0 && !a.at_rest)
-      at_aim_point(even_square(aim_.q.puzzle.physics, dot(a.state.velocity, a.state.velocity)) /
-                   (2 * deceleration(aim_.q.puzzle.physics)));
-    const Boundary& boundary = aim_.q.boundary_of(aim_.aim_point.ball);
+      at_aim_point(even_square(aim_.request.puzzle().physics, dot(a.state.velocity, a.state.velocity)) /
+                   (2 * deceleration(aim_.request.puzzle().physics)));
+    const Boundary& boundary = aim_.request.problem->boundary_of(aim_.aim_point.ball);
     at_aim_point(boundary.clearance(a.state.at) + boundary.touch);
   }
 
@@ -76,12 +76,12 @@ std::optional<double> clearance(const LockedAim& aim, EvaluationBudget& budget, 
 }
 
 std::optional<Room> room(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch) {
-  const Question& q = aim.q;
+  const SearchRequest& request = aim.request;
   if (budget.spent()) return {};
   budget.charge(aim.route.size());
-  return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Room> {
+  return with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<Room> {
     Clearance out(aim);
-    State<double> state = start_of(q, launch);
+    State<double> state = start_of(request, launch);
     std::span<const Meeting> before;
     for (const Meeting& meeting : aim.route) {
       Vec2d met = state.at;
@@ -89,7 +89,8 @@ std::optional<Room> room(const LockedAim& aim, EvaluationBudget& budget, const L
         out.arc(meeting.ball, arc, t, before, meeting.with);
         met = arc.position(t);
       };
-      const auto path = follow_locked(q.balls(), motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
+      const auto path =
+          follow_locked(request.problem->balls(), motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
       if (path.end != LockedEnd::complete) return {};
       out.bounce(meeting, met);
       state = path.state;
@@ -97,8 +98,8 @@ std::optional<Room> room(const LockedAim& aim, EvaluationBudget& budget, const L
     }
     if (!(dot(state.velocity, state.velocity) > 0)) return {};
     const auto watch = [&](const Arc<double>& arc, double t) { out.arc(aim.aim_point.ball, arc, t, before, {}); };
-    const auto arrival = arrive_locked(motion, q.boundary_of(aim.aim_point.ball).body, state, aim.aim_point.at,
-                                       aim.aim_point.capture(), q.stop, watch);
+    const auto arrival = arrive_locked(motion, request.problem->boundary_of(aim.aim_point.ball).body, state,
+                                       aim.aim_point.at, aim.aim_point.capture(), request.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
     out.arrival(arrival);
     return out.room();

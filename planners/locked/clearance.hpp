@@ -22,7 +22,7 @@ struct Room {
                       ///< reach, which bounds what is below, that
   double at_aim_point;  ///< the least of: how far inside the target the ball passes, how far inside the table it
                         ///< arrives, and how far it would roll on into a pocket
-  double hidden = 0;  ///< of a pocket, as below
+  double hidden = 0;    ///< of a pocket, as below
   double least() const { return std::min(on_the_way, at_aim_point); }
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 /// Cushions that a ball may still meet.
 std::size_t cushions_left(const LockedAim& aim) {
-  const Then* const then = aim.q.then();
-  const int most = then ? aim.q.object_cushions.max : aim.q.cushions().max;
+  const Then* const then = aim.request.problem->then();
+  const int most = then ? aim.request.object_cushions.max : aim.request.cushions().max;
   return static_cast<std::size_t>(most - std::ranges::count(aim.route, aim.aim_point.ball, &Meeting::ball));
 }
 
@@ -21,22 +21,23 @@ std::size_t cushions_left(const LockedAim& aim) {
 std::optional<std::vector<Contact>> falls_by(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch) {
   if (budget.spent()) return {};
   budget.charge(aim.route.size());
-  const Question& q = aim.q;
+  const SearchRequest& request = aim.request;
   const std::size_t left = cushions_left(aim);
-  return with_physics(q.puzzle.physics,
-                      [&](const auto& motion, const auto& cushion) -> std::optional<std::vector<Contact>> {
-                        const auto path = follow_locked(q.balls(), motion, cushion, aim.route, start_of(q, launch));
-                        if (path.end != LockedEnd::complete) return {};
-                        Simulator sim(q.boundary_of(path.ball), motion, cushion, path.state);
-                        std::vector<Contact> by;
-                        while (by.size() <= left) {
-                          const Event e = sim.step();
-                          if (e.kind == EventKind::pocket && e.contact == aim.aim_point.taken_by) return by;
-                          if (e.kind == EventKind::ball || e.final()) return {};
-                          if (e.kind == EventKind::cushion) by.push_back(e.contact);
-                        }
-                        return {};
-                      });
+  return with_physics(
+      request.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<std::vector<Contact>> {
+        const auto path =
+            follow_locked(request.problem->balls(), motion, cushion, aim.route, start_of(request, launch));
+        if (path.end != LockedEnd::complete) return {};
+        Simulator sim(request.problem->boundary_of(path.ball), motion, cushion, path.state);
+        std::vector<Contact> by;
+        while (by.size() <= left) {
+          const Event e = sim.step();
+          if (e.kind == EventKind::pocket && e.contact == aim.aim_point.taken_by) return by;
+          if (e.kind == EventKind::ball || e.final()) return {};
+          if (e.kind == EventKind::cushion) by.push_back(e.contact);
+        }
+        return {};
+      });
 }
 
 }  // namespace bankshot::planning

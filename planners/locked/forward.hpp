@@ -31,11 +31,11 @@ struct Forward {
 };
 
 /// `locked`: a route that is given is followed on its locked path.
-void forward(const Question& q, EvaluationBudget& budget, const Launch& launch, bool locked, Forward& out);
+void forward(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, bool locked, Forward& out);
 
 /// On through jaws, past those of these mouths into which an aim so near [rad] may lead, after any bounces that what is
 /// asked for may begin with.
-void forward_through_jaws(const Question& q, EvaluationBudget& budget, const Launch& launch, double near,
+void forward_through_jaws(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, double near,
                           std::span<const AimPoint> mouths, Forward& out);
 
 }  // namespace bankshot::planning

@@ -46,7 +46,7 @@ struct Residual {
   bool evaluate(const T* x, T* r) const {
     using std::exp;
     const T speed = N == 2 ? T(exp(x[N - 1])) : T(fixed_speed);
-    const auto arrival = arrival_of(aim, start_of(aim.q, x[0], speed), aim.q.puzzle.physics);
+    const auto arrival = arrival_of(aim, start_of(aim.request, x[0], speed), aim.request.puzzle().physics);
     if (!arrival || !residuals_of<N>(aim, *arrival, r))
       std::fill(r, r + N, T(settings::levenberg_marquardt::nowhere));  // flat and high: it turns back or gives up
     return true;
@@ -80,14 +80,15 @@ std::optional<Launch> minimise(const LockedAim& aim, EvaluationBudget& budget, c
 }  // namespace
 
 std::optional<Launch> solve_locked(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed) {
-  return aim.q.one_unknown() ? minimise<1>(aim, budget, seed) : minimise<2>(aim, budget, seed);
+  return aim.request.one_unknown() ? minimise<1>(aim, budget, seed) : minimise<2>(aim, budget, seed);
 }
 
-std::optional<Launch> refine(const Question& q, EvaluationBudget& budget, const Launch& seed, const Route& route) {
+std::optional<Launch> refine(const SearchRequest& request, EvaluationBudget& budget, const Launch& seed,
+                             const Route& route) {
   std::optional<Launch> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const AimPoint& aim_point : q.aim_points) {
-    const auto x = solve_locked({q, route, aim_point}, budget, seed);
+  for (const AimPoint& aim_point : request.problem->aim_points) {
+    const auto x = solve_locked({request, route, aim_point}, budget, seed);
     if (!x) continue;
     const double moved = std::abs(angle_difference(x->angle, seed.angle));
     if (moved < least) best = x, least = moved;

@@ -14,6 +14,7 @@ namespace bankshot::planning {
 std::optional<Launch> solve_locked(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed);
 
 /// The root nearest in aim to the seed over all aim points.
-std::optional<Launch> refine(const Question& q, EvaluationBudget& budget, const Launch& seed, const Route& route);
+std::optional<Launch> refine(const SearchRequest& request, EvaluationBudget& budget, const Launch& seed,
+                             const Route& route);
 
 }  // namespace bankshot::planning

@@ -35,7 +35,7 @@ NewtonResult newton(const LockedAim& aim, EvaluationBudget& budget, const Launch
 /// The same inside a neighbourhood of where it starts.
 inline NewtonResult newton(const LockedAim& aim, EvaluationBudget& budget, const Launch& from,
                            const Neighbourhood& near, const Known& known = {}) {
-  return newton(aim, budget, from, unknowns_of(aim.q, near), known);
+  return newton(aim, budget, from, unknowns_of(aim.request, near), known);
 }
 
 /// A change of each unknown.

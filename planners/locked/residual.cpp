@@ -12,7 +12,7 @@ namespace {
 template <int N>
 std::optional<Linear> linearise(const LockedAim& aim, const Launch& launch, const Physics& physics) {
   using DualN = Dual<N>;
-  const auto arrival = arrival_of(aim, dual_start<DualN, N>(aim.q, launch), physics);
+  const auto arrival = arrival_of(aim, dual_start<DualN, N>(aim.request, launch), physics);
   DualN r[N];
   if (!arrival || !residuals_of<N>(aim, *arrival, r)) return {};
   return linear<N>(r, arrival->time.a);
@@ -23,17 +23,17 @@ std::optional<Linear> linearise(const LockedAim& aim, const Launch& launch, cons
 std::optional<Linear> linearise(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch, bool roughly) {
   if (budget.spent()) return {};
   budget.charge(aim.route.size());
-  const Physics& physics = roughly ? aim.q.rough : aim.q.puzzle.physics;
-  return aim.q.one_unknown() ? linearise<1>(aim, launch, physics) : linearise<2>(aim, launch, physics);
+  const Physics& physics = roughly ? aim.request.problem->rough : aim.request.puzzle().physics;
+  return aim.request.one_unknown() ? linearise<1>(aim, launch, physics) : linearise<2>(aim, launch, physics);
 }
 
 std::optional<double> excess_speed2(const LockedAim& aim, EvaluationBudget& budget, double angle, double square) {
   if (budget.spent()) return {};
   budget.charge(aim.route.size());
-  const auto arrival = arrival_of(aim, start_of(aim.q, angle, std::sqrt(square)), aim.q.rough);
+  const auto arrival = arrival_of(aim, start_of(aim.request, angle, std::sqrt(square)), aim.request.problem->rough);
   if (!arrival) return {};
-  const Physics& physics = aim.q.puzzle.physics;
-  const double asked = even_square(physics, aim.q.asked * aim.q.asked);
+  const Physics& physics = aim.request.puzzle().physics;
+  const double asked = even_square(physics, aim.request.asked * aim.request.asked);
   const Vec2d& v = arrival->state.velocity;
   if (!arrival->at_rest) return even_square(physics, dot(v, v)) - asked;
   const double short_of = dot(arrival->heading, aim.aim_point.at - arrival->state.at) / norm(arrival->heading);

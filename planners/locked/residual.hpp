@@ -28,7 +28,7 @@
 namespace bankshot::planning {
 
 struct LockedAim {
-  const Question& q;
+  const SearchRequest& request;
   std::span<const Meeting> route;
   AimPoint aim_point;
 };

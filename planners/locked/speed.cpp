@@ -22,16 +22,16 @@ double step_of_speed(const Linear& l, bool stop) {
 }  // namespace
 
 std::optional<double> speed_near(const LockedAim& aim, EvaluationBudget& budget, double angle, double guess) {
-  if (aim.q.one_unknown()) return guess;
+  if (aim.request.one_unknown()) return guess;
   using namespace settings::speed_near;
   double speed = guess, low = 0, high = infinite;
   for (int i = 0; i < most_steps; ++i) {
     const auto l = linearise(aim, budget, {speed, angle});
     double next = 0;
     if (l) {
-      const double step = step_of_speed(*l, aim.q.stop);
+      const double step = step_of_speed(*l, aim.request.stop);
       if (std::abs(step) < settled) return speed;
-      if (!aim.q.stop) (l->r[1] > 0 ? high : low) = speed;
+      if (!aim.request.stop) (l->r[1] > 0 ? high : low) = speed;
       next = speed * std::exp(std::clamp(step, -longest_step, longest_step));
     } else {
       low = speed;  // it does not get there
@@ -45,12 +45,13 @@ std::optional<double> speed_near(const LockedAim& aim, EvaluationBudget& budget,
 }
 
 std::optional<double> speed_at(const LockedAim& aim, EvaluationBudget& budget, double angle, double length) {
-  const Question& q = aim.q;
-  if (q.one_unknown()) return q.fixed_speed();
+  const SearchRequest& request = aim.request;
+  if (request.one_unknown()) return request.fixed_speed();
   using namespace settings::speed_at;
-  const double asked = even_square(q.puzzle.physics, q.asked * q.asked), slowing = 2 * deceleration(q.puzzle.physics);
+  const double asked = even_square(request.puzzle().physics, request.asked * request.asked),
+               slowing = 2 * deceleration(request.puzzle().physics);
   const auto excess = [&](double square) { return excess_speed2(aim, budget, angle, square); };
-  const Range& bounds = q.speed;
+  const Range& bounds = request.speed;
   const double slowest = std::max(bounds.low, settings::slowest_of_fastest * bounds.high);
   double low = slowest * slowest, high = bounds.high * bounds.high;
   const auto most = excess(high);

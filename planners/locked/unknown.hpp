@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning {
@@ -50,10 +50,10 @@ inline void move(Launch& launch, Quantity what, double step) {
 }
 
 /// The question's unknowns, with the steps of a neighbourhood.
-inline Unknowns unknowns_of(const Question& q, const Neighbourhood& near) {
+inline Unknowns unknowns_of(const SearchRequest& request, const Neighbourhood& near) {
   Unknowns out;
   out.add({Quantity::aim, near.far * near.step_aim, near.step_aim});
-  if (!q.one_unknown()) out.add({Quantity::speed, near.far * near.step_speed, near.step_speed});
+  if (!request.one_unknown()) out.add({Quantity::speed, near.far * near.step_speed, near.step_speed});
   return out;
 }
 

@@ -42,12 +42,12 @@ void move_balls(Puzzle& p, const double* normal) {
 
 }  // namespace
 
-double success_under_all_errors(const Question& q, EvaluationBudget& budget, const Shot& shot) {
-  const Noise& noise = q.puzzle.noise;
-  const double radius = q.puzzle.ball.body.radius;
+double success_under_all_errors(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot) {
+  const Noise& noise = request.puzzle().noise;
+  const double radius = request.puzzle().ball.body.radius;
   constexpr std::size_t launch = 4;
-  const std::size_t places = noise.at > 0 ? 2 * (1 + q.puzzle.others.size()) : 0;
-  const DrawnPhysics physics(q.puzzle.physics);
+  const std::size_t places = noise.at > 0 ? 2 * (1 + request.puzzle().others.size()) : 0;
+  const DrawnPhysics physics(request.puzzle().physics);
   Draws draws(launch + places + physics.count());
   long made = 0;
   for (int i = 0; i < settings::all_errors::draws; ++i) {
@@ -58,17 +58,17 @@ double success_under_all_errors(const Question& q, EvaluationBudget& budget, con
     LaunchSpin spin = shot.spin;
     spin.side += noise.side_of(radius) * z[2];
     spin.top += noise.top_of(radius) * z[3];
-    const auto try_it = [&](const Question& own) {
+    const auto try_it = [&](const SearchRequest& own) {
       made += replay(own, budget, struck, Goal::counted(own, shot)).made;
     };
     if (places == 0 && physics.count() == 0) {
-      try_it(q.spinning(spin));
+      try_it(request.spinning(spin));
       continue;
     }
-    Puzzle puzzle = q.puzzle;
+    Puzzle puzzle = request.puzzle();
     if (places > 0) move_balls(puzzle, z.data() + launch);
     if (physics.count() > 0) puzzle.physics = physics.draw(z.data() + launch + places, puzzle.ball.body);
-    Question own(puzzle);
+    SearchRequest own(puzzle);
     own.spin = spin;
     try_it(own);
   }

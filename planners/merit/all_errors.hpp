@@ -10,10 +10,10 @@
 #pragma once
 
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
-double success_under_all_errors(const Question& q, EvaluationBudget& budget, const Shot& shot);
+double success_under_all_errors(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot);
 
 }  // namespace bankshot::planning

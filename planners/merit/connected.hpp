@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
 /// Keeps of each such group the first. A few simulations for each two by one route.
-void keep_connected_once(const Question& q, EvaluationBudget& budget, std::vector<Shot>& shots);
+void keep_connected_once(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots);
 
 }  // namespace bankshot::planning

@@ -42,7 +42,7 @@ Gap<Number> sides(const Boundary& boundary, const AimPoint& aim_point, const Vec
 class Path {
  public:
   Path(const LockedAim& aim, const Launch& launch, const Noise& unit)
-      : aim_(aim), q_(aim.q), launch_(launch), unit_(unit), limits_(launch, unit) {}
+      : aim_(aim), request_(aim.request), launch_(launch), unit_(unit), limits_(launch, unit) {}
 
   const Limits& limits() const { return limits_; }
 
@@ -50,7 +50,7 @@ class Path {
   /// it never gets to the last leg.
   template <class Motion, class Cushion>
   bool run(const Motion& motion, const Cushion& cushion, const Vec2d& at, double capture) {
-    State<Number> state = dual_start<Number, 2>(q_, launch_);
+    State<Number> state = dual_start<Number, 2>(request_, launch_);
     std::span<const Meeting> before;
     bool complete = true;
     for (const Meeting& meeting : aim_.route) {
@@ -58,16 +58,17 @@ class Path {
         leg(meeting.ball, arc, t, before, meeting.with);
         if (meeting.with.kind == ContactKind::ball) touches(arc, t, meeting);
       };
-      const auto path = follow_locked(q_.balls(), motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
+      const auto path = follow_locked(request_.problem->balls(), motion, cushion, std::span<const Meeting>(&meeting, 1),
+                                      state, watch);
       complete = complete && path.end == LockedEnd::complete;
       state = path.state;
       bounce(meeting, state.at);
       before = aim_.route.first(before.size() + 1);
     }
     const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.aim_point.ball, arc, t, before, {}); };
-    const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, q_.stop, watch);
+    const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, request_.stop, watch);
     if (!(dot(arrival.heading, arrival.heading) > Number(0))) return false;
-    q_.stop ? rests(arrival, at) : passes(arrival, at, rolling_square(motion, arrival.state));
+    request_.stop ? rests(arrival, at) : passes(arrival, at, rolling_square(motion, arrival.state));
     arrives_ = true;
     return complete;
   }
@@ -83,19 +84,19 @@ class Path {
     const double by_push = norm(out.by_log_speed) * unit_.speed_at(launch_.speed) / launch_.speed;
     out.margin = aim_.aim_point.reach / std::hypot(norm(out.by_angle) * unit_.angle, by_push);
     const double steep = norm(slope_);
-    out.success_estimate = q_.stop     ? limits_.success()
-                           : steep > 0 ? limits_.success(slope_ / steep, half_ / steep)
-                                       : limits_.success({1, 0}, 1);
+    out.success_estimate = request_.stop ? limits_.success()
+                           : steep > 0   ? limits_.success(slope_ / steep, half_ / steep)
+                                         : limits_.success({1, 0}, 1);
     return out;
   }
 
  private:
-  const Boundary& boundary_of_arrival() const { return q_.boundary_of(aim_.aim_point.ball); }
+  const Boundary& boundary_of_arrival() const { return request_.problem->boundary_of(aim_.aim_point.ball); }
 
   /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
   void leg(int ball, const Arc<Number>& arc, const Number& t, std::span<const Meeting> before, Contact next) {
     if (!(t > 0)) return;
-    const Boundary& boundary = q_.boundary_of(ball);
+    const Boundary& boundary = request_.problem->boundary_of(ball);
     std::optional<Reach<double>> reach;
     if (!boundary.balls.empty()) reach.emplace(value(arc), t.a, settings::first_order::far_ball * boundary.diagonal);
     const auto keeps_from = [&](const Circle& c) {
@@ -111,7 +112,7 @@ class Path {
 
   /// The ball that is met must be touched: on an arc that ends there, between its two sides.
   void touches(const Arc<Number>& arc, const Number& t, const Meeting& meeting) {
-    const Boundary& boundary = q_.boundary_of(meeting.ball);
+    const Boundary& boundary = request_.problem->boundary_of(meeting.ball);
     const Circle& rim = *boundary.rim(meeting.with);
     const Vec2<Number> at = arc.position(t), v = arc.tangent(t);
     if (!(norm(value(at) - rim.centre) <= rim.radius + boundary.touch)) return;
@@ -122,8 +123,8 @@ class Path {
 
   /// Beyond the end of a cushion another is met: at a right angle first, and then this one.
   void bounce(const Meeting& meeting, const Vec2<Number>& at) {
-    const Wall* const line = q_.boundary_of(meeting.ball).line(meeting.with);
-    if (!line || (meeting.ball == 0 && !q_.route && q_.puzzle.table.is_rectangle())) return;
+    const Wall* const line = request_.problem->boundary_of(meeting.ball).line(meeting.with);
+    if (!line || (meeting.ball == 0 && !request_.route && request_.puzzle().table.is_rectangle())) return;
     const Number along = dot(to<Number>(line->along), at);
     limits_.keep(along - dot(line->along, line->from));
     limits_.keep(dot(line->along, line->to) - along);
@@ -151,7 +152,7 @@ class Path {
       const Vec2<Number> u = state.velocity / sqrt(square);
       const Number on = dot(u, rolls.velocity);
       if (!(on > Number(0))) return square;  // it is drawn back
-      return on * on + Number(2 * deceleration(q_.puzzle.physics)) * dot(u, rolls.at - state.at);
+      return on * on + Number(2 * deceleration(request_.puzzle().physics)) * dot(u, rolls.at - state.at);
     }
   }
 
@@ -167,7 +168,8 @@ class Path {
     const Gap<Number> room = sides(boundary_of_arrival(), aim_.aim_point, u, offset.a);
     limits_.keep(offset - room.low);
     limits_.keep(room.high - offset);
-    const double rolls_on = aim_.aim_point.captures() ? 0 : 2 * deceleration(q_.puzzle.physics) * aim_.aim_point.reach;
+    const double rolls_on =
+        aim_.aim_point.captures() ? 0 : 2 * deceleration(request_.puzzle().physics) * aim_.aim_point.reach;
     fast_enough(square + rolls_on);
     slope_ = limits_.in_deviations(offset);
     half_ = (room.high - room.low).a / 2;
@@ -187,7 +189,7 @@ class Path {
   }
 
   const LockedAim& aim_;
-  const Question& q_;
+  const SearchRequest& request_;
   const Launch& launch_;
   const Noise& unit_;
   Limits limits_;
@@ -199,18 +201,19 @@ class Path {
 };
 
 Path path_to(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
-  Path path(aim, launch, aim.q.puzzle.noise);
+  Path path(aim, launch, aim.request.puzzle().noise);
   // A replay may have met what rounding lets the locked path miss: the derivatives are the best there are.
-  with_physics(aim.q.puzzle.physics,
+  with_physics(aim.request.puzzle().physics,
                [&](const auto& motion, const auto& cushion) { return path.run(motion, cushion, at, 0); });
   return path;
 }
 
 /// m that residual k moves by one deviation of aim and of speed.
-Vec2d by_deviation(const Question& q, const Launch& launch, const Linear& l, std::size_t k) {
-  const double per_rad = q.puzzle.noise.angle * q.boundary.diagonal;
-  const double per_log =
-      q.one_unknown() ? 0 : q.puzzle.noise.speed_at(launch.speed) / launch.speed * q.boundary.diagonal;
+Vec2d by_deviation(const SearchRequest& request, const Launch& launch, const Linear& l, std::size_t k) {
+  const double per_rad = request.puzzle().noise.angle * request.problem->boundary.diagonal;
+  const double per_log = request.one_unknown() ? 0
+                                               : request.puzzle().noise.speed_at(launch.speed) / launch.speed *
+                                                     request.problem->boundary.diagonal;
   return {l.by_aim(k) * per_rad, l.by_speed(k) * per_log};
 }
 
@@ -221,50 +224,56 @@ FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& 
 }
 
 double success_on_aim_point(const LockedAim& aim, const Launch& launch, const Linear& l) {
-  const Question& q = aim.q;
+  const SearchRequest& request = aim.request;
   const auto within = [&](double deviation) { return std::erf(aim.aim_point.reach / (std::sqrt(2.0) * deviation)); };
-  const Vec2d across = by_deviation(q, launch, l, 0);
-  if (!q.stop || q.one_unknown()) return within(norm(across));
+  const Vec2d across = by_deviation(request, launch, l, 0);
+  if (!request.stop || request.one_unknown()) return within(norm(across));
   // A disc lies inside the square along the axes of the ellipse of errors.
-  const Vec2d along = by_deviation(q, launch, l, 1);
+  const Vec2d along = by_deviation(request, launch, l, 1);
   const double sum = dot(across, across) + dot(along, along), product = std::abs(cross(across, along));
   const double longer = std::sqrt((sum + std::sqrt(std::max(sum * sum - 4 * product * product, 0.0))) / 2);
   return within(longer) * within(product / longer);
 }
 
-double estimate_of_passing(const Question& q, const AimPoint& aim_point, const Launch& launch, const Linear& l) {
-  const double lateral = l.r[0] * q.boundary.diagonal, deviation = norm(by_deviation(q, launch, l, 0));
+double estimate_of_passing(const SearchRequest& request, const AimPoint& aim_point, const Launch& launch,
+                           const Linear& l) {
+  const double lateral = l.r[0] * request.problem->boundary.diagonal,
+               deviation = norm(by_deviation(request, launch, l, 0));
   const auto half_below = [&](double end) { return std::erf(end / (std::sqrt(2.0) * deviation)) / 2; };
   return half_below(aim_point.reach - lateral) + half_below(aim_point.reach + lateral);
 }
 
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit) {
   Path path(aim, launch, unit);
-  const bool arrives = with_physics(aim.q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
+  const bool arrives = with_physics(aim.request.puzzle().physics, [&](const auto& motion, const auto& cushion) {
     return path.run(motion, cushion, aim.aim_point.at, aim.aim_point.capture());
   });
   return arrives ? std::optional(path.limits()) : std::nullopt;
 }
 
-double estimate_in_middle(const Question& q, const Shot& shot) {
+double estimate_in_middle(const SearchRequest& request, const Shot& shot) {
   const double by_aim = norm(shot.by_angle);
   if (!(by_aim > 0)) return shot.success_estimate;
-  const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
+  const Gap<double> room = room_beside(request, shot, shot.by_angle / by_aim);
   Launch middle = shot.launch;
   middle.angle += (room.low + room.high) / 2 / by_aim;
   const Route route = route_with_jaws_of(shot);
-  return path_to({q, route, q.aim_point_of(shot)}, middle, shot.arrival.at).first_order().success_estimate;
+  return path_to({request, route, request.problem->aim_point_of(shot)}, middle, shot.arrival.at)
+      .first_order()
+      .success_estimate;
 }
 
-void add_first_order(const Question& q, Shot& shot) {
+void add_first_order(const SearchRequest& request, Shot& shot) {
   const Route route = route_with_jaws_of(shot);
-  const LockedAim aim{q, route, q.aim_point_of(shot)};
+  const LockedAim aim{request, route, request.problem->aim_point_of(shot)};
   const Path path = path_to(aim, shot.launch, shot.arrival.at);
   // One that a cushion holds may arrive before the locked path, which goes through that cushion, has left the line.
   const auto held = [&] {
-    return !q.centred(path.beside()) || (!aim.aim_point.captures() && q.on_a_line(aim.aim_point.ball, shot.arrival.at));
+    return !request.problem->centred(path.beside()) ||
+           (!aim.aim_point.captures() && request.problem->on_a_line(aim.aim_point.ball, shot.arrival.at));
   };
-  const FirstOrder f = path.first_order(q.objects && held() ? real_arrival(q, shot) : std::nullopt);
+  const FirstOrder f =
+      path.first_order(request.problem->objects && held() ? real_arrival(request, shot) : std::nullopt);
   shot.by_angle = f.by_angle;
   shot.by_speed = f.by_log_speed / shot.launch.speed;
   shot.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));

@@ -31,16 +31,17 @@ FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& 
 double success_on_aim_point(const LockedAim& aim, const Launch& launch, const Linear& linear);
 
 /// The probability that errors lead a launch past an aim point that it sees so, at any speed.
-double estimate_of_passing(const Question& q, const AimPoint& aim_point, const Launch& launch, const Linear& linear);
+double estimate_of_passing(const SearchRequest& request, const AimPoint& aim_point, const Launch& launch,
+                           const Linear& linear);
 
 /// What limits a launch along a route, where errors are counted in units of `unit`; none where the path never gets to
 /// its last leg.
 std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit);
 
 /// Of a shot, once its aim is moved to the middle of what its target offers. One simulation with dual numbers.
-double estimate_in_middle(const Question& q, const Shot& shot);
+double estimate_in_middle(const SearchRequest& request, const Shot& shot);
 
 /// Fills `by_angle`, `by_speed`, `condition`, `first_order` and `success_estimate`.
-void add_first_order(const Question& q, Shot& shot);
+void add_first_order(const SearchRequest& request, Shot& shot);
 
 }  // namespace bankshot::planning

@@ -43,7 +43,7 @@ class Way {
 
   bool made(double by) {
     const Launch l = moved(by);
-    return l.speed > 0 && replay(aim_.q, budget_, {l.speed, wrap_angle(l.angle)}, goal_).made;
+    return l.speed > 0 && replay(aim_.request, budget_, {l.speed, wrap_angle(l.angle)}, goal_).made;
   }
 
   /// What the derivatives say at one step.
@@ -116,7 +116,9 @@ class Way {
       good_ = 0;
     }
     // Balls that jaws turn in and out lie in bands.
-    double longest = aim_.q.boundary.jaws.empty() ? never : std::max(bad_ * rattling_step, limit * least_rattling_step);
+    double longest = aim_.request.problem->boundary.jaws.empty()
+                         ? never
+                         : std::max(bad_ * rattling_step, limit * least_rattling_step);
     double by = tolerance::margin * bad_ + finest;
     while (made(bad_)) {
       if (bad_ >= limit) return void(bad_ = never);
@@ -139,7 +141,7 @@ class Way {
     const double end = good_;
     Look before = look(0);
     // Where the first look saw the end, the limits are nearly straight.
-    const int parts = aim_.q.whole                                             ? parts_of_chains
+    const int parts = aim_.request.problem->whole                              ? parts_of_chains
                       : std::abs(before.object_ball_path - end) < nearly * end ? few_parts
                                                                                : many_parts;
     for (int k = 1; k <= parts; ++k) {
@@ -188,20 +190,20 @@ std::optional<double> downwards(std::optional<double> distance) {
 
 }  // namespace
 
-void find_margin(const Question& q, EvaluationBudget& budget, Shot& shot) {
-  if (shot.scratch && !is_ideal(q.puzzle.physics)) return void(shot.margin = Margin{{0, 0}, {0, 0}});
-  const AimPoint& aim_point = q.aim_point_of(shot);
+void find_margin(const SearchRequest& request, EvaluationBudget& budget, Shot& shot) {
+  if (shot.scratch && !is_ideal(request.puzzle().physics)) return void(shot.margin = Margin{{0, 0}, {0, 0}});
+  const AimPoint& aim_point = request.problem->aim_point_of(shot);
   const Route route = route_with_jaws_of(shot);
-  const LockedAim aim{q, route, aim_point};
+  const LockedAim aim{request, route, aim_point};
   const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
     return Way(aim, budget, shot, towards).how_far(scale, limit);
   };
-  const double scale =
-      std::clamp(aim_point.reach / std::max(shot.condition, flat * q.boundary.diagonal), least_scale, most_scale);
+  const double scale = std::clamp(aim_point.reach / std::max(shot.condition, flat * request.problem->boundary.diagonal),
+                                  least_scale, most_scale);
   Margin m;
   m.angle[0] = downwards(how_far({-1, 0}, scale, widest_angle));
   m.angle[1] = how_far({1, 0}, scale, widest_angle);
-  if (!is_ideal(q.puzzle.physics)) {
+  if (!is_ideal(request.puzzle().physics)) {
     const double push = scale * shot.launch.speed;
     m.speed[0] = downwards(how_far({0, -1}, push, shot.launch.speed));
     m.speed[1] = how_far({0, 1}, push, widest_speed);

@@ -3,12 +3,12 @@
 
 #include "bankshot/plan/shot.hpp"
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
 /// `margin`: the first launch, on either side, that is not made by the same cushions; found by
 /// growing steps and bisection to tolerance::margin. About 150 simulations.
-void find_margin(const Question& q, EvaluationBudget& budget, Shot& shot);
+void find_margin(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);
 
 }  // namespace bankshot::planning

@@ -35,18 +35,18 @@ int rung_below(double speed, int stride) { return static_cast<int>(std::floor(ru
 
 }  // namespace
 
-OutcomeMap::OutcomeMap(const Question& q, EvaluationBudget& budget, const Shot& shot)
-    : q_(q),
+OutcomeMap::OutcomeMap(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot)
+    : request_(request),
       budget_(budget),
       shot_(shot),
-      goal_(Goal::counted(q, shot)),
-      angle_(std::max(q.puzzle.noise.angle, tolerance::same_aim)),
+      goal_(Goal::counted(request, shot)),
+      angle_(std::max(request.puzzle().noise.angle, tolerance::same_aim)),
       origin_(std::round(shot.launch.angle / origin_step) * origin_step),
       own_(angle_difference(origin_, shot.launch.angle)),
-      one_speed_(is_ideal(q.puzzle.physics) || q.pinned) {
+      one_speed_(is_ideal(request.puzzle().physics) || request.pinned) {
   double low = -angle_, high = angle_;
   if (const double by_aim = norm(shot.by_angle); by_aim > 0) {
-    const Gap<double> room = room_beside(q, shot, shot.by_angle / by_aim);
+    const Gap<double> room = room_beside(request, shot, shot.by_angle / by_aim);
     // Where the aim moves nothing to speak of, no more aims than the player's errors reach.
     const double widest = std::min(far * angle_, radians(180));
     low = std::clamp(room.low / by_aim, -widest, widest), high = std::clamp(room.high / by_aim, -widest, widest);
@@ -58,14 +58,14 @@ OutcomeMap::OutcomeMap(const Question& q, EvaluationBudget& budget, const Shot& 
 Launch OutcomeMap::launch(double aim, double speed) const { return {speed, wrap_angle(origin_ + aim)}; }
 
 double OutcomeMap::deviation(double speed) const {
-  return std::max(q_.puzzle.noise.speed_at(speed), least_deviation * speed);
+  return std::max(request_.puzzle().noise.speed_at(speed), least_deviation * speed);
 }
 
 /// Whether a launch of a row is made; the row keeps what it meets.
 bool OutcomeMap::is_made(double aim, Row& row) {
   if (!(row.speed > 0) || budget_.spent()) return false;
   std::vector<Contact> cushions;
-  const Replay r = replay(q_, budget_, launch(aim, row.speed), goal_, &cushions);
+  const Replay r = replay(request_, budget_, launch(aim, row.speed), goal_, &cushions);
   if (!r.made) return false;
   std::size_t contacts = cushions.size() + static_cast<std::size_t>(r.jaws);
   for (const ObjectBallPath& ball : r.then) contacts += ball.cushions.size();
@@ -158,7 +158,7 @@ void OutcomeMap::look_along() {
     int missed = 0;
     for (Rung at = way < 0 ? below : below + rungs; missed < most_missed; at += way * rungs) {
       const double speed = speed_of(at);
-      if (!q_.speed.contains(speed) || !add(at, coarse_aims)) break;
+      if (!request_.speed.contains(speed) || !add(at, coarse_aims)) break;
       const Row& row = *std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
       missed = row.made() ? 0 : missed + 1;
     }
@@ -216,7 +216,7 @@ bool OutcomeMap::refine_changes(const Launch& best) {
 
 /// Returns whether the arrival speed is one that the puzzle gives; by default any will do.
 bool OutcomeMap::arrives_as_asked(const Seen& seen) const {
-  const auto& arrive = q_.puzzle.arrive;
+  const auto& arrive = request_.puzzle().arrive;
   return !arrive || arrive->contains(seen.arrival);
 }
 
@@ -262,9 +262,10 @@ double OutcomeMap::safest_aim(double speed) const {
   if (low > high) low = high = own_;
   const double best = largest(low, high, settled * angle_, [&](double aim) { return success(aim, speed); });
   double aim = wrap_angle(origin_ + best);
-  if (!q_.angle || inside_aims(aim, q_.angle)) return best;
+  if (!request_.angle || inside_aims(aim, request_.angle)) return best;
   // The nearer end of the bounds.
-  const double to_low = angle_difference(aim, q_.angle->low), to_high = angle_difference(aim, q_.angle->high);
+  const double to_low = angle_difference(aim, request_.angle->low),
+               to_high = angle_difference(aim, request_.angle->high);
   return best + (std::abs(to_low) < std::abs(to_high) ? to_low : to_high);
 }
 
@@ -277,7 +278,7 @@ OutcomeMap::Best OutcomeMap::best_at(double speed) const {
   Best best = at(aim, speed, row);
   const auto try_it = [&](const Seen& s) {
     double angle = wrap_angle(origin_ + s.aim);
-    if (!inside_aims(angle, q_.angle)) return;
+    if (!inside_aims(angle, request_.angle)) return;
     if (const Best other = at(s.aim, speed, row); other.value > best.value) best = other;
   };
   if (row.seen.empty()) return best;
@@ -292,7 +293,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
   for (const Row& row : rows_) {
     double speed = row.speed;
     if (std::ranges::none_of(row.seen, [&](const Seen& s) { return arrives_as_asked(s); })) continue;
-    if (!row.made() || !bring_inside(speed, q_.speed)) continue;
+    if (!row.made() || !bring_inside(speed, request_.speed)) continue;
     if (one_speed_ && row.speed != shot_.launch.speed) continue;
     if (const Best there = best_at(speed); there.value > -infinite) best.push_back(there);
   }
@@ -304,7 +305,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
 double OutcomeMap::own_value() const { return success(own_, shot_.launch.speed) - cost_of(shot_); }
 
 std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
-  if (is_ideal(q_.puzzle.physics)) return best_so_far();
+  if (is_ideal(request_.puzzle().physics)) return best_so_far();
   if (!one_speed_) look_along();
   std::vector<Best> best = best_so_far();
   if (!best.empty() && best.front().value < worth - hope) return {};
@@ -315,7 +316,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   // rows alone.
   const auto is_own = [&](const Row& row) { return row.speed == shot_.launch.speed; };
   const auto leads_on = [&](const Row& row) { return row.made() && !is_own(row); };
-  if (!q_.puzzle.arrive && std::ranges::any_of(rows_, leads_on)) std::erase_if(rows_, is_own);
+  if (!request_.puzzle().arrive && std::ranges::any_of(rows_, leads_on)) std::erase_if(rows_, is_own);
   best = best_so_far();
   while (!best.empty() && (refine(best.front().launch.speed) || refine_changes(best.front().launch)))
     best = best_so_far();
@@ -325,7 +326,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   const auto from = std::ranges::lower_bound(rows_, best_speed, {}, &Row::speed);
   const double slower = from == rows_.begin() ? best_speed : std::prev(from)->speed;
   const double faster = beyond == rows_.end() ? best_speed : beyond->speed;
-  const double low = std::max(slower, q_.speed.low), high = std::min(faster, q_.speed.high);
+  const double low = std::max(slower, request_.speed.low), high = std::min(faster, request_.speed.high);
   const double speed = largest(low, high, settled * deviation(low), [&](double v) { return best_at(v).value; });
   if (const Best peak = best_at(speed); peak.value > best.front().value) best.insert(best.begin(), peak);
   return best;

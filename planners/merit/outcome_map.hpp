@@ -15,14 +15,14 @@
 
 #include "planners/evaluation_budget.hpp"
 #include "planners/proof/goal.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
 class OutcomeMap {
  public:
-  /// `q` has the spin of the shot, which must outlive this.
-  OutcomeMap(const Question& q, EvaluationBudget& budget, const Shot& shot);
+  /// `request` has the spin of the shot, which must outlive this.
+  OutcomeMap(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot);
 
   /// Launches inside the puzzle's bounds with their values: that of the largest value, and those of other speeds, best
   /// first. None where nothing is made, or where the first look at all speeds leaves no hope of a value of `worth`.
@@ -77,7 +77,7 @@ class OutcomeMap {
   double success_at(double aim, const Row& row) const;
   double safest_aim(double speed) const;
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   const Shot& shot_;
   Goal goal_;

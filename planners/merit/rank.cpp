@@ -25,8 +25,8 @@ double merit(const Puzzle& p, const Shot& shot) {
 }
 
 /// Nobody strikes a ball straight into the cushion it touches while there is another shot.
-bool last_choice(const Question& q, const Shot& shot) {
-  return !shot.cushions.empty() && !q.route && q.into_touched_cushion(shot.launch.angle);
+bool last_choice(const SearchRequest& request, const Shot& shot) {
+  return !shot.cushions.empty() && !request.route && request.problem->into_touched_cushion(shot.launch.angle);
 }
 
 /// m from where the cue ball should rest.
@@ -46,12 +46,12 @@ void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
   }
 }
 
-void order(const Question& q, std::span<Shot> shots) {
+void order(const SearchRequest& request, std::span<Shot> shots) {
   std::stable_sort(shots.begin(), shots.end(), [&](const Shot& a, const Shot& b) {
     if (a.scratch != b.scratch) return b.scratch;
-    const bool first = last_choice(q, b), second = last_choice(q, a);
+    const bool first = last_choice(request, b), second = last_choice(request, a);
     if (first != second) return first;
-    const double x = merit(q.puzzle, a), y = merit(q.puzzle, b);
+    const double x = merit(request.puzzle(), a), y = merit(request.puzzle(), b);
     if (x != y) return x > y;
     if (a.first_order != b.first_order) return a.first_order > b.first_order;
     return a.launch.angle < b.launch.angle;
@@ -61,12 +61,13 @@ void order(const Question& q, std::span<Shot> shots) {
 /// Where some shot is on the exact line or point, those beside it are no answer; nor those that count on a jaw shot
 /// where one does without. Where all shots with other balls are wanted, or shots leave the exact line by themselves,
 /// that is said of each route of theirs.
-void keep_centred(const Question& q, std::vector<Shot>& shots) {
+void keep_centred(const SearchRequest& request, std::vector<Shot>& shots) {
   const auto erase_where_others = [&](const auto& is_worse) {
     std::set<std::pair<Route, Contact>> better;
     const auto key = [&](const Shot& shot) {
-      return q.safest() || (q.objects && q.all()) ? std::pair(route_of(shot), q.aim_point_of(shot).taken_by)
-                                                  : std::pair<Route, Contact>();
+      return request.problem->safest() || (request.problem->objects && request.all())
+                 ? std::pair(route_of(shot), request.problem->aim_point_of(shot).taken_by)
+                 : std::pair<Route, Contact>();
     };
     for (const Shot& shot : shots)
       if (!is_worse(shot)) better.insert(key(shot));
@@ -77,48 +78,56 @@ void keep_centred(const Question& q, std::vector<Shot>& shots) {
 }
 
 /// Between two launches, in deviations of the player.
-double deviations_apart(const Question& q, const Launch& a, const Launch& b) {
+double deviations_apart(const SearchRequest& request, const Launch& a, const Launch& b) {
   const auto count = [](double apart, double noise) { return apart == 0 ? 0 : std::abs(apart) / noise; };
-  return std::hypot(count(angle_difference(a.angle, b.angle), q.puzzle.noise.angle),
-                    is_ideal(q.puzzle.physics) ? 0 : count(a.speed - b.speed, q.puzzle.noise.speed_at(a.speed)));
+  return std::hypot(
+      count(angle_difference(a.angle, b.angle), request.puzzle().noise.angle),
+      is_ideal(request.puzzle().physics) ? 0 : count(a.speed - b.speed, request.puzzle().noise.speed_at(a.speed)));
 }
 
 /// A ball may pass the point on its way, after fewer cushions: that counts too. One simulation.
-double estimate_on_the_way(const Question& q, EvaluationBudget& budget, const Shot& shot) {
+double estimate_on_the_way(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot) {
   const std::size_t bounces = shot.cushions.size();
-  if (q.captures() || q.objects || q.stop || q.route || static_cast<int>(bounces) <= q.cushions().min) return 0;
+  if (request.problem->captures() || request.problem->objects || request.stop || request.route ||
+      static_cast<int>(bounces) <= request.cushions().min)
+    return 0;
   Forward path;
-  forward(q, budget, shot.launch, false, path);
+  forward(request, budget, shot.launch, false, path);
   double estimate = 0;
   for (const Passage& p : path.passages)
-    if (p.meetings < bounces) estimate += estimate_of_passing(q, q.aim_points[p.aim_point], shot.launch, p.linear);
+    if (p.meetings < bounces)
+      estimate += estimate_of_passing(request, request.problem->aim_points[p.aim_point], shot.launch, p.linear);
   return estimate;
 }
 
 /// What the success of a shot may be, as its success estimate and those of the shots beside it say. One simulation.
-/// `q` has the spin of the shot.
-double shot_at_most(const Question& q, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot) {
+/// `request` has the spin of the shot.
+double shot_at_most(const SearchRequest& request, EvaluationBudget& budget, std::span<const Shot> shots,
+                    const Shot& shot) {
   using settings::rank::beside;
   // One that misses by the cushions of this shot may touch the second ball after more of them.
-  if (q.carom() && !q.route && static_cast<int>(shot.cushions.size()) < q.cushions().max) return 1;
-  double estimate = shot.success_estimate + estimate_on_the_way(q, budget, shot);
+  if (request.problem->carom() && !request.route && static_cast<int>(shot.cushions.size()) < request.cushions().max)
+    return 1;
+  double estimate = shot.success_estimate + estimate_on_the_way(request, budget, shot);
   for (const Shot& other : shots)
-    if (&other != &shot && deviations_apart(q, shot.launch, other.launch) < beside) estimate += other.success_estimate;
-  const AimPoint& aim_point = q.aim_point_of(shot);
+    if (&other != &shot && deviations_apart(request, shot.launch, other.launch) < beside)
+      estimate += other.success_estimate;
+  const AimPoint& aim_point = request.problem->aim_point_of(shot);
   // A ball that a jaw or, where another bounce is allowed, a cushion beside the pocket turns away may fall all the
   // same.
   const int bounces = static_cast<int>(shot.cushions.size());
-  if (aim_point.captures() && (!q.boundary.jaws.empty() || (!q.route && bounces < q.cushions().max)))
+  if (aim_point.captures() &&
+      (!request.problem->boundary.jaws.empty() || (!request.route && bounces < request.cushions().max)))
     estimate = std::max(estimate, std::erf(shot.first_order / std::sqrt(2.0)));
-  return success_at_most(q, aim_point, estimate);
+  return success_at_most(request, aim_point, estimate);
 }
 
 }  // namespace
 
-double success_at_most(const Question& q, const AimPoint& aim_point, double estimate) {
+double success_at_most(const SearchRequest& request, const AimPoint& aim_point, double estimate) {
   using namespace settings::rank;
   const bool at_cushion =
-      !aim_point.captures() && q.boundary_of(aim_point.ball).clearance(aim_point.at) < aim_point.reach;
+      !aim_point.captures() && request.problem->boundary_of(aim_point.ball).clearance(aim_point.at) < aim_point.reach;
   return std::min(1.0, at_cushion ? at_cushion_times * estimate + at_cushion_more : times * estimate + more);
 }
 
@@ -134,13 +143,13 @@ double first_merit(const Puzzle& p, const Shot& shot) {
   return shot.first_order;
 }
 
-void rank(const Question& q, std::vector<Shot>& shots) {
-  keep_centred(q, shots);
+void rank(const SearchRequest& request, std::vector<Shot>& shots) {
+  keep_centred(request, shots);
   // Where shots are ranked by value, that tells of the scratch, and beside such a launch there may be a good one.
-  const bool by_value = q.valued && q.puzzle.prefer == Prefer::robust;
-  const auto last = [&](const Shot& shot) { return (shot.scratch && !by_value) || last_choice(q, shot); };
-  if (!q.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
-  order(q, shots);
+  const bool by_value = request.valued && request.puzzle().prefer == Prefer::robust;
+  const auto last = [&](const Shot& shot) { return (shot.scratch && !by_value) || last_choice(request, shot); };
+  if (!request.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
+  order(request, shots);
 }
 
 void order_by_value(std::span<Shot> shots) {
@@ -151,7 +160,7 @@ namespace {
 
 /// Returns the number of the shot with the largest value, if that exceeds `value`. Computes the values of shots that
 /// may have it.
-std::optional<std::size_t> best_above(const Question& q, EvaluationBudget& budget, std::span<Shot> shots,
+std::optional<std::size_t> best_above(const SearchRequest& request, EvaluationBudget& budget, std::span<Shot> shots,
                                       double value) {
   struct Candidate {
     double at_most;  ///< largest value that first order leaves possible
@@ -160,17 +169,17 @@ std::optional<std::size_t> best_above(const Question& q, EvaluationBudget& budge
   std::vector<Candidate> candidates;
   for (const Shot& shot : shots) {
     const double success =
-        as_struck(q, shot, [&](const Question& own) { return shot_at_most(own, budget, shots, shot); });
+        as_struck(request, shot, [&](const SearchRequest& own) { return shot_at_most(own, budget, shots, shot); });
     candidates.push_back({success - cost_of(shot), candidates.size()});
   }
   // The shots are in the order of their margins, which decides between equals.
   std::ranges::stable_sort(candidates, std::greater(), &Candidate::at_most);
   std::optional<std::size_t> best;
-  const double tie = q.puzzle.leave ? settings::rank::as_likely : 0;
+  const double tie = request.puzzle().leave ? settings::rank::as_likely : 0;
   for (const Candidate& c : candidates) {
     if (c.at_most <= value - tie) break;
     Shot& shot = shots[c.shot];  // the value of some is known since their stage
-    if (!shot.value) as_struck(q, shot, [&](const Question& own) { find_success(own, budget, shot); });
+    if (!shot.value) as_struck(request, shot, [&](const SearchRequest& own) { find_success(own, budget, shot); });
     if (*shot.value > value) value = *shot.value, best = c.shot;
   }
   return best;
@@ -178,29 +187,31 @@ std::optional<std::size_t> best_above(const Question& q, EvaluationBudget& budge
 
 }  // namespace
 
-void best_first(const Question& q, EvaluationBudget& budget, std::vector<Shot>& shots) {
-  const auto best = best_above(q, budget, shots, -infinite);
+void best_first(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots) {
+  const auto best = best_above(request, budget, shots, -infinite);
   std::swap(shots.front(), shots[best.value_or(0)]);
   // Those behind it are tuned as well, or leave the cue ball better.
-  if (q.carom() || q.puzzle.leave) order_by_value(shots);
+  if (request.problem->carom() || request.puzzle().leave) order_by_value(shots);
 }
 
 namespace {
 
 /// The value of a shot to first order, moved to where that is largest.
-double likely_value(const Question& q, const Shot& shot) {
-  if (shot.scratch && !q.safest()) return 0;
-  const double estimate =
-      q.safest() ? std::max(shot.success_estimate, estimate_in_middle(q, shot)) : shot.success_estimate;
+double likely_value(const SearchRequest& request, const Shot& shot) {
+  if (shot.scratch && !request.problem->safest()) return 0;
+  const double estimate = request.problem->safest() ? std::max(shot.success_estimate, estimate_in_middle(request, shot))
+                                                    : shot.success_estimate;
   return estimate - cost_of(shot);
 }
 
-/// What the value of a shot may be once it is moved. `shots`: those that were found. `q` has the spin of the shot.
-double movable_to(const Question& q, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot,
+/// What the value of a shot may be once it is moved. `shots`: those that were found. `request` has the spin of the
+/// shot.
+double movable_to(const SearchRequest& request, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot,
                   double likely) {
   const double contacts = cost_of(shot) - cost_of(shot.launch, shot.spin);
-  const double most = success_at_most(q, q.aim_point_of(shot), likely + cost_of(shot)) + settings::rank::off_jaws;
-  return std::min(1.0, std::max(most, shot_at_most(q, budget, shots, shot))) - contacts;
+  const double most =
+      success_at_most(request, request.problem->aim_point_of(shot), likely + cost_of(shot)) + settings::rank::off_jaws;
+  return std::min(1.0, std::max(most, shot_at_most(request, budget, shots, shot))) - contacts;
 }
 
 auto moved_from(SearchResult& found, const Shot& shot) {
@@ -216,7 +227,7 @@ double moved_value(SearchResult& found, const Shot& shot) {
 }
 
 /// Moves shots that may be worth more than all others are, `most` of them, those first that seem best.
-void move_some(const Question& q, EvaluationBudget& budget, SearchResult& found, int most) {
+void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, int most) {
   struct Candidate {
     double likely, at_most;
     const Shot* shot;
@@ -226,7 +237,7 @@ void move_some(const Question& q, EvaluationBudget& budget, SearchResult& found,
   for (const Shot& shot : found.shots) {
     value = std::max(value, moved_value(found, shot));
     if (moved_from(found, shot) != found.moved.end()) continue;
-    candidates.push_back(as_struck(q, shot, [&](const Question& own) {
+    candidates.push_back(as_struck(request, shot, [&](const SearchRequest& own) {
       const double likely = likely_value(own, shot);
       return Candidate{likely, movable_to(own, budget, found.shots, shot, likely), &shot};
     }));
@@ -236,7 +247,8 @@ void move_some(const Question& q, EvaluationBudget& budget, SearchResult& found,
     if (c.at_most <= value) continue;
     if (most-- == 0) return;
     Shot shot = *c.shot;
-    const bool hope = as_struck(q, shot, [&](const Question& own) { return make_safest(own, budget, shot, value); });
+    const bool hope =
+        as_struck(request, shot, [&](const SearchRequest& own) { return make_safest(own, budget, shot, value); });
     found.moved.push_back({c.shot->launch, c.shot->spin, {}});
     if (!hope) continue;
     value = std::max(value, *shot.value);
@@ -246,59 +258,60 @@ void move_some(const Question& q, EvaluationBudget& budget, SearchResult& found,
 
 }  // namespace
 
-double value_in_hand(const Question& q, SearchResult& found) {
-  if (q.puzzle.prefer != Prefer::robust || found.shots.empty()) return 0;
+double value_in_hand(const SearchRequest& request, SearchResult& found) {
+  if (request.puzzle().prefer != Prefer::robust || found.shots.empty()) return 0;
   using settings::rank::most_in_hand;
   EvaluationBudget aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
   double value = 0;
-  if (q.valued && q.safest() && !q.all()) {
-    move_some(q, aside, found, most_in_hand);
+  if (request.valued && request.problem->safest() && !request.all()) {
+    move_some(request, aside, found, most_in_hand);
     for (const Shot& shot : found.shots) value = std::max(value, moved_value(found, shot));
     return value;
   }
   std::vector<std::pair<double, Shot*>> likely;
   for (Shot& shot : found.shots)
-    likely.emplace_back(as_struck(q, shot, [&](const Question& own) { return likely_value(own, shot); }), &shot);
+    likely.emplace_back(as_struck(request, shot, [&](const SearchRequest& own) { return likely_value(own, shot); }),
+                        &shot);
   std::ranges::stable_sort(likely, std::greater(), [](const auto& one) { return one.first; });
-  if (!q.valued) return std::max(0.0, likely.front().first);
+  if (!request.valued) return std::max(0.0, likely.front().first);
   int most = most_in_hand;
   for (const auto& [at_most, at] : likely) {
     Shot* const shot = at;
     if (at_most <= value) break;
     if (!shot->value && most-- == 0) break;
-    if (!shot->value) as_struck(q, *shot, [&](const Question& own) { find_success(own, aside, *shot); });
+    if (!shot->value) as_struck(request, *shot, [&](const SearchRequest& own) { find_success(own, aside, *shot); });
     value = std::max(value, *shot->value);
   }
   return value;
 }
 
-void move_best(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void move_best(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const auto move = [&](Shot& shot) {
-    as_struck(q, shot, [&](const Question& own) { return make_safest(own, budget, shot); });
+    as_struck(request, shot, [&](const SearchRequest& own) { return make_safest(own, budget, shot); });
   };
-  if (q.all()) return std::ranges::for_each(found.shots, move), void();
-  if (q.puzzle.prefer != Prefer::robust) return move(found.shots.front());
-  move_some(q, budget, found, settings::rank::most_moved);
+  if (request.all()) return std::ranges::for_each(found.shots, move), void();
+  if (request.puzzle().prefer != Prefer::robust) return move(found.shots.front());
+  move_some(request, budget, found, settings::rank::most_moved);
   Shot* best = &*std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return moved_value(found, s); });
   // The map is an estimate, so an exact launch may be worth more.
-  if (const auto exact = best_above(q, budget, found.shots, moved_value(found, *best)))
+  if (const auto exact = best_above(request, budget, found.shots, moved_value(found, *best)))
     best = &found.shots[*exact];
   else
     *best = *moved_from(found, *best)->shot;
   std::swap(*best, found.shots.front());
 }
 
-void add_robustness(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void add_robustness(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   std::vector<Shot>& shots = found.shots;
-  if (q.puzzle.leave && !q.all()) order_by_leave(q.puzzle, shots);
-  for (Shot& shot : std::span(shots).first(q.all() ? shots.size() : 1)) {
-    as_struck(q, shot, [&](const Question& own) {
+  if (request.puzzle().leave && !request.all()) order_by_leave(request.puzzle(), shots);
+  for (Shot& shot : std::span(shots).first(request.all() ? shots.size() : 1)) {
+    as_struck(request, shot, [&](const SearchRequest& own) {
       if (!shot.success) find_success(own, budget, shot);
       find_margin(own, budget, shot);
     });
   }
-  if (q.all()) order(q, shots);
-  if (q.all() && q.puzzle.leave) order_by_leave(q.puzzle, shots);
+  if (request.all()) order(request, shots);
+  if (request.all() && request.puzzle().leave) order_by_leave(request.puzzle(), shots);
 }
 
 }  // namespace bankshot::planning

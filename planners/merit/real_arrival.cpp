@@ -34,12 +34,12 @@ struct Arrived {
 /// where the last has bounced more often. A bounce at that time is taken where it is counted; where a ball is to stop,
 /// and stops as it touches the cushion, it rests as if none were there, since that bounce has no derivative.
 template <class Motion, class Cushion>
-std::optional<Arrived> follow(const Question& q, const Objects::Chain& chain, const Motion& motion,
+std::optional<Arrived> follow(const SearchRequest& request, const Objects::Chain& chain, const Motion& motion,
                               const Cushion& cushion, const Launch& launch, double seconds, std::size_t bounces) {
-  std::vector<BallStart<Number>> balls{{&chain.moving.front(), dual_start<Number, 2>(q, launch), 0}};
+  std::vector<BallStart<Number>> balls{{&chain.moving.front(), dual_start<Number, 2>(request, launch), 0}};
   for (std::size_t i = 0; i < chain.balls.size(); ++i)
     balls.push_back({&chain.moving[i + 1], {.at = to<Number>(chain.balls[i]->at_rest.at)}, chain.balls[i]->ball});
-  ManyBalls sim(std::span<const BallStart<Number>>(balls), motion, cushion, collisions(q.puzzle.physics));
+  ManyBalls sim(std::span<const BallStart<Number>>(balls), motion, cushion, collisions(request.puzzle().physics));
   const int last = static_cast<int>(chain.balls.size());
   const double same_instant = tolerance::exact_miss * (1 + seconds);
   std::size_t bounced = 0;
@@ -61,26 +61,27 @@ std::optional<Arrived> follow(const Question& q, const Objects::Chain& chain, co
     const bool rebounds = e.event.kind == EventKind::cushion && e.ball == last;
     if (rebounds && ++bounced > bounces) return {};
     if (rebounds && arrived && bounced == bounces) return at(sim.state(last));
-    if (rebounds && q.stop && bounced == bounces)
+    if (rebounds && request.stop && bounced == bounces)
       if (const auto rest = stops_at(sim.state(last).at, chain.moving.back(), motion, before)) return at(*rest);
     const auto is_met = [&](const Objects::Object* ball) { return e.event.contact == Contact::ball(ball->ball); };
     if (e.event.kind == EventKind::ball && std::ranges::none_of(chain.balls, is_met)) return {};
-    const bool ends = e.event.kind == EventKind::pocket || (q.stop && e.event.kind == EventKind::rest);
+    const bool ends = e.event.kind == EventKind::pocket || (request.stop && e.event.kind == EventKind::rest);
     if (ends && e.ball == last && sim.time().a > 0) return at(sim.state(last));
   }
 }
 
 }  // namespace
 
-std::optional<Moved> real_arrival(const Question& q, const Shot& shot) {
-  const Objects::Chain* const chain = shot.then.empty() ? nullptr : q.objects->chain_by(shot.then.front().ball);
+std::optional<Moved> real_arrival(const SearchRequest& request, const Shot& shot) {
+  const Objects::Chain* const chain =
+      shot.then.empty() ? nullptr : request.problem->objects->chain_by(shot.then.front().ball);
   if (!chain) return {};
-  return with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
+  return with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
     const auto arrived =
-        follow(q, *chain, motion, cushion, shot.launch, shot.arrival.time, shot.then.back().cushions.size());
+        follow(request, *chain, motion, cushion, shot.launch, shot.arrival.time, shot.then.back().cushions.size());
     if (!arrived) return {};
     const State<Number>& there = arrived->state;
-    if (q.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};
+    if (request.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};
     const double speed = norm(arrived->heading);
     if (!(speed > 0)) return {};
     const Vec2d left = perpendicular(arrived->heading) / speed;

@@ -3,14 +3,14 @@
 // What a target offers beside a shot.
 #pragma once
 
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
 /// How far the arrival may move along the unit vector `way`, across the line of travel [m]: back to `low`, on to
 /// `high`. Of a pocket, inside the gap of the line's direction; of a point, its disc.
-inline Gap<double> room_beside(const Question& q, const Shot& shot, const Vec2d& way) {
-  const AimPoint& aim_point = q.aim_point_of(shot);
+inline Gap<double> room_beside(const SearchRequest& request, const Shot& shot, const Vec2d& way) {
+  const AimPoint& aim_point = request.problem->aim_point_of(shot);
   const Vec2d off = aim_point.at - shot.arrival.at;
   // The line of travel leads to the pocket, so the sign tells on which side of it `way` is.
   const bool to_right = aim_point.captures() && cross(off, way) < 0;

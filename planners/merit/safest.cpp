@@ -19,38 +19,38 @@ namespace {
 
 /// The same shot with another launch, which may brush a rail on its way where the puzzle allows that; none where it is
 /// not made.
-std::optional<Shot> moved(const Question& q, EvaluationBudget& budget, const Shot& from, const Launch& to) {
-  Goal goal = Goal::counted(q, from);
-  if (q.puzzle.arrive) goal.demand = Demand::off_centre;
-  Proof proof = prove(q, budget, to, goal);
+std::optional<Shot> moved(const SearchRequest& request, EvaluationBudget& budget, const Shot& from, const Launch& to) {
+  Goal goal = Goal::counted(request, from);
+  if (request.puzzle().arrive) goal.demand = Demand::off_centre;
+  Proof proof = prove(request, budget, to, goal);
   if (!proof.holds()) return {};
   Shot& shot = proof.shot;
-  add_aftermath(q, budget, shot);
+  add_aftermath(request, budget, shot);
   shot.planner = from.planner;
   shot.simulations = from.simulations;
   shot.moved = true;
-  add_first_order(q, shot);
-  shot.digits = promised_digits(q, shot);
-  find_success(q, budget, shot);
+  add_first_order(request, shot);
+  shot.digits = promised_digits(request, shot);
+  find_success(request, budget, shot);
   return std::move(shot);
 }
 
 }  // namespace
 
-bool make_safest(const Question& q, EvaluationBudget& budget, Shot& shot, double worth) {
+bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& shot, double worth) {
   using namespace settings::outcome_map;
-  OutcomeMap map(q, budget, shot);
+  OutcomeMap map(request, budget, shot);
   const auto likely = map.best(worth);
   if (likely.empty() && worth > -1) return false;
   std::optional<Shot> best;
-  const std::size_t tried = q.all() ? 1 : most_tried;  // a list has many shots
+  const std::size_t tried = request.all() ? 1 : most_tried;  // a list has many shots
   for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), tried))) {
-    auto there = moved(q, budget, shot, launch);
+    auto there = moved(request, budget, shot, launch);
     if (there && (!best || *there->value > *best->value)) best = std::move(there);
     if (best && *best->value > value - kept) break;  // it keeps what the map promised
   }
   if (!best || *best->value < map.own_value() + sure) {
-    if (!shot.success) find_success(q, budget, shot);
+    if (!shot.success) find_success(request, budget, shot);
     if (best && *best->value < *shot.value + worth_moving) best.reset();
   }
   if (best) shot = std::move(*best);

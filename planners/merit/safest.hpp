@@ -3,7 +3,7 @@
 
 #include "bankshot/plan/shot.hpp"
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
@@ -11,6 +11,6 @@ namespace bankshot::planning {
 /// every bound of the puzzle, and replaces the shot where its own success makes it the better one. Such a shot is
 /// `moved`, and its miss is no longer 0. Success and value of the shot are known afterwards. False, and nothing is
 /// done, where there is no hope of a value of `worth`.
-bool make_safest(const Question& q, EvaluationBudget& budget, Shot& shot, double worth = -1);
+bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& shot, double worth = -1);
 
 }  // namespace bankshot::planning

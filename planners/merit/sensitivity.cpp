@@ -14,28 +14,28 @@ using Varied = Dual<one_varies>;
 
 /// m per unit of the coefficient that varies: as Shot::by_angle, how far the arrival moves.
 template <class Motion>
-double moved(const Question& q, const Shot& shot, const Route& route, const VariedPhysics<one_varies>& physics,
-             const Motion& motion) {
-  const RouteBalls plain = q.balls();
+double moved(const SearchRequest& request, const Shot& shot, const Route& route,
+             const VariedPhysics<one_varies>& physics, const Motion& motion) {
+  const RouteBalls plain = request.problem->balls();
   const RouteBallsOf<Varied> balls(plain.struck, plain.others, physics.balls, plain.carom);
-  const State<double> launch = start_of(q, shot.launch);
+  const State<double> launch = start_of(request, shot.launch);
   const State<Varied> start{to<Varied>(launch.at),
                             to<Varied>(launch.velocity),
                             {Varied(launch.spin.x), Varied(launch.spin.y), Varied(launch.spin.z)}};
   const auto path = follow_locked(balls, motion, physics.cushion, std::span<const Meeting>(route), start);
-  const Body& body = q.boundary_of(q.aim_point_of(shot).ball).body;
-  const auto arrival = arrive_locked(motion, body, path.state, shot.arrival.at, 0, q.stop);
+  const Body& body = request.problem->boundary_of(request.problem->aim_point_of(shot).ball).body;
+  const auto arrival = arrive_locked(motion, body, path.state, shot.arrival.at, 0, request.stop);
   const Vec2<Varied>& end = arrival.state.at;
-  if (q.stop) return std::hypot(end.x.v[0], end.y.v[0]);
+  if (request.stop) return std::hypot(end.x.v[0], end.y.v[0]);
   const Vec2<Varied> u = arrival.heading / norm(arrival.heading);
   return std::abs(cross(u, to<Varied>(shot.arrival.at) - end).v[0]);
 }
 
 }  // namespace
 
-void add_sensitivity(const Question& q, Shot& shot) {
+void add_sensitivity(const SearchRequest& request, Shot& shot) {
   const Route route = route_with_jaws_of(shot);
-  const Physics& physics = q.puzzle.physics;
+  const Physics& physics = request.puzzle().physics;
   const std::size_t count = VariedPhysics<one_varies>(physics).coefficients(!shot.hits.empty()).size();
   for (std::size_t i = 0; i < count; ++i) {
     VariedPhysics<one_varies> varied(physics);
@@ -43,7 +43,7 @@ void add_sensitivity(const Question& q, Shot& shot) {
     for (Varied* const coefficient : named.at) coefficient->v[0] = 1;
     const bool leans = !varied.level || named.name.starts_with("tilt");
     const double by =
-        varied.with_motion(leans, [&](const auto& motion) { return moved(q, shot, route, varied, motion); });
+        varied.with_motion(leans, [&](const auto& motion) { return moved(request, shot, route, varied, motion); });
     shot.sensitivity.push_back({named.name, by});
   }
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
 /// Fills in what each coefficient of the table moves the shot's arrival by, per unit of it: a locked simulation with
 /// derivatives for each.
-void add_sensitivity(const Question& q, Shot& shot);
+void add_sensitivity(const SearchRequest& request, Shot& shot);
 
 }  // namespace bankshot::planning

@@ -36,17 +36,17 @@ double about_at(double p) { return std::log(p / (1 - p)) / logistic; }
 
 class Chance {
  public:
-  Chance(const Question& q, EvaluationBudget& budget, const Shot& shot)
-      : q_(q),
+  Chance(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot)
+      : request_(request),
         budget_(budget),
         shot_(shot),
-        goal_(Goal::counted(q, shot)),
-        noise_{q.puzzle.noise.angle, q.puzzle.noise.speed_at(shot.launch.speed)} {
+        goal_(Goal::counted(request, shot)),
+        noise_{request.puzzle().noise.angle, request.puzzle().noise.speed_at(shot.launch.speed)} {
     turn();
   }
 
   double run() {
-    if (is_ideal(q_.puzzle.physics)) {  // any speed will do that is one: one line is all
+    if (is_ideal(request_.puzzle().physics)) {  // any speed will do that is one: one line is all
       add(0);
       const double noise = noise_.speed;
       return lines_.front().success * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
@@ -74,13 +74,13 @@ class Chance {
   void turn() {
     const Vec2d by_angle = shot_.by_angle * noise_.angle, by_speed = shot_.by_speed * noise_.speed;
     across_ = direction(std::atan2(2 * dot(by_angle, by_speed), dot(by_angle, by_angle) - dot(by_speed, by_speed)) / 2);
-    if (is_ideal(q_.puzzle.physics)) across_ = {1, 0};
+    if (is_ideal(request_.puzzle().physics)) across_ = {1, 0};
     const Vec2d most = by_angle * across_.x + by_speed * across_.y, least = by_speed * across_.x - by_angle * across_.y;
-    const AimPoint& aim_point = q_.aim_point_of(shot_);
+    const AimPoint& aim_point = request_.problem->aim_point_of(shot_);
     const double moved = norm(most);
-    if (q_.stop && norm(least) > 0) length_ = aim_point.reach / norm(least);
+    if (request_.stop && norm(least) > 0) length_ = aim_point.reach / norm(least);
     if (!(moved > 0)) return;
-    const Gap<double> room = room_beside(q_, shot_, most / moved);
+    const Gap<double> room = room_beside(request_, shot_, most / moved);
     expected_ = {room.low / moved, room.high / moved};
   }
 
@@ -98,7 +98,7 @@ class Chance {
     const double turned = across_.x * across - across_.y * line.along,
                  harder = across_.y * across + across_.x * line.along;
     const double speed = shot_.launch.speed + noise_.speed * harder, angle = shot_.launch.angle + noise_.angle * turned;
-    const Replay r = speed > 0 ? replay(q_, budget_, {speed, wrap_angle(angle)}, goal_) : Replay{};
+    const Replay r = speed > 0 ? replay(request_, budget_, {speed, wrap_angle(angle)}, goal_) : Replay{};
     scratches_ = scratches_ || r.failure.reason == FailureReason::scratched;
     line.tries.insert(at, {across, r.made});
     return r.made;
@@ -166,11 +166,11 @@ class Chance {
   /// Points at even steps of probability, shifted from line to line; both ways of a line are alike.
   void spread(NoiseScanline& line, bool no_edges) {
     const bool later = lines_.size() >= first_lines.size();
-    const std::size_t count = is_ideal(q_.puzzle.physics) ? points_on_only
-                              : lines_.empty()            ? points_on_first
-                              : scratches_                ? points_of_balls
-                              : later && no_edges         ? points_without_edges
-                                                          : points_on_others;
+    const std::size_t count = is_ideal(request_.puzzle().physics) ? points_on_only
+                              : lines_.empty()                    ? points_on_first
+                              : scratches_                        ? points_of_balls
+                              : later && no_edges                 ? points_without_edges
+                                                                  : points_on_others;
     constexpr double golden = 0.6180339887;  // shifts that never repeat
     const double share = 1 / static_cast<double>(count),
                  shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
@@ -197,7 +197,7 @@ class Chance {
   /// Bisects every change between two tries, the widest first, and reads off the edges. Where the cue ball may fall, a
   /// line with more than one band is left as it is: its parts are too many to follow, and more lines say more.
   void settle(NoiseScanline& line, const std::vector<double>& expected) {
-    const double enough = (is_ideal(q_.puzzle.physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
+    const double enough = (is_ideal(request_.puzzle().physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
     while (left() && !(scratches_ && line.changes() > 2)) {
       double most = enough, at = 0;
       for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
@@ -245,7 +245,7 @@ class Chance {
            (std::max(before, after) + doubt_of_change * std::abs(b.success - a.success) + doubt_always);
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   const Shot& shot_;
   Goal goal_;
@@ -262,8 +262,9 @@ class Chance {
 
 }  // namespace
 
-void find_success(const Question& q, EvaluationBudget& budget, Shot& shot) {
-  shot.success = q.puzzle.errs_in_more() ? success_under_all_errors(q, budget, shot) : Chance(q, budget, shot).run();
+void find_success(const SearchRequest& request, EvaluationBudget& budget, Shot& shot) {
+  shot.success = request.puzzle().errs_in_more() ? success_under_all_errors(request, budget, shot)
+                                                 : Chance(request, budget, shot).run();
   shot.value = *shot.success - cost_of(shot);
 }
 

@@ -3,13 +3,13 @@
 
 #include "bankshot/plan/shot.hpp"
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
 /// `success`: the probability that the target is made by any allowed cushions, under the player's errors;
 /// success.cpp says how it is found. At most settings::success::most_samples_of_balls simulations, fewer where the
 /// budget ends.
-void find_success(const Question& q, EvaluationBudget& budget, Shot& shot);
+void find_success(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);
 
 }  // namespace bankshot::planning

@@ -25,108 +25,108 @@ namespace {
 using namespace settings::automatic;
 
 /// A route by straight cushions unfolds to one line, so its image is its only shot.
-bool settled(const Question& q, const EvaluationBudget& budget, const SearchResult& found) {
-  if (found.complete || budget.cut() || stop::satisfied(q, found)) return true;
-  const auto straight = [&](const Meeting& m) { return q.boundary.line(m.with) != nullptr; };
-  return q.route && !found.shots.empty() && std::ranges::all_of(*q.route, straight);
+bool settled(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found) {
+  if (found.complete || budget.cut() || stop::satisfied(request, found)) return true;
+  const auto straight = [&](const Meeting& m) { return request.problem->boundary.line(m.with) != nullptr; };
+  return request.route && !found.shots.empty() && std::ranges::all_of(*request.route, straight);
 }
 
 /// The best shot so far, as far as can be told before its success is known.
-const Shot& best_of(const Question& q, const SearchResult& found) {
+const Shot& best_of(const SearchRequest& request, const SearchResult& found) {
   const auto merit = [&](const Shot& s) {
-    return q.puzzle.prefer == Prefer::robust ? s.success_estimate : first_merit(q.puzzle, s);
+    return request.puzzle().prefer == Prefer::robust ? s.success_estimate : first_merit(request.puzzle(), s);
   };
   return *std::ranges::max_element(found.shots, {}, merit);
 }
 
 /// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.
-bool improvement_wanted(const Question& q, const EvaluationBudget& budget, const SearchResult& found) {
-  if (q.first() || q.all() || q.route || found.shots.empty() || budget.cut()) return false;
+bool improvement_wanted(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found) {
+  if (request.first() || request.all() || request.route || found.shots.empty() || budget.cut()) return false;
   const auto sure = [](const Shot& s) { return s.success_estimate > sure_enough; };
-  return q.puzzle.prefer != Prefer::robust || std::ranges::none_of(found.shots, sure);
+  return request.puzzle().prefer != Prefer::robust || std::ranges::none_of(found.shots, sure);
 }
 
-void improvement_pass(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  if (!improvement_wanted(q, budget, found)) return;
+void improvement_pass(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  if (!improvement_wanted(request, budget, found)) return;
   found.improvement_sought = true;
-  steps::map(q.better_than(best_of(q, found)), budget, found, improvement);
+  steps::map(request.better_than(best_of(request, found)), budget, found, improvement);
 }
 
 /// One arrival speed aimed for, or one launch speed.
-void look(const Question& q, EvaluationBudget& budget, SearchResult& found, steps::Parts& parts) {
+void look(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, steps::Parts& parts) {
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
-  steps::images(q, budget, found);
+  steps::images(request, budget, found);
   if (budget.cut()) return;
   // What blocks a pocket's exact line is often there, or a ball; else parts of points come last.
-  const bool obstacles = q.has_obstacles();
-  if (q.route && nothing_yet()) {
-    steps::fan(q, budget, found);
-    if (obstacles) parts.climb(q, budget, found);
+  const bool obstacles = request.problem->has_obstacles();
+  if (request.route && nothing_yet()) {
+    steps::fan(request, budget, found);
+    if (obstacles) parts.climb(request, budget, found);
   }
-  improvement_pass(q, budget, found);
-  if (q.all() || nothing_yet()) steps::map(q, budget, found, steps::usual_spacing(q));
-  if (stop::more_wanted(q, budget, found)) steps::along(q, budget, found);
+  improvement_pass(request, budget, found);
+  if (request.all() || nothing_yet()) steps::map(request, budget, found, steps::usual_spacing(request));
+  if (stop::more_wanted(request, budget, found)) steps::along(request, budget, found);
   if (obstacles) {
-    parts.climb(q, budget, found);
-    parts.bisect(q, budget, found, first_share_of_parts);
+    parts.climb(request, budget, found);
+    parts.bisect(request, budget, found, first_share_of_parts);
   }
 }
 
 /// What costs ten times as much, where nothing was found.
-void look_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, steps::Parts& parts) {
+void look_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, steps::Parts& parts) {
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
-  if (nothing_yet()) steps::map(q, budget, found, fine);
-  if (q.route && nothing_yet()) steps::map(q, budget, found, as_it_occurs);
-  parts.climb(q, budget, found);
+  if (nothing_yet()) steps::map(request, budget, found, fine);
+  if (request.route && nothing_yet()) steps::map(request, budget, found, as_it_occurs);
+  parts.climb(request, budget, found);
 }
 
-void with_spin(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void with_spin(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   steps::Parts parts;
-  look(q, budget, found, parts);
-  if (stop::nothing_yet(budget, found)) steps::jaw_shots(q, budget, found);
+  look(request, budget, found, parts);
+  if (stop::nothing_yet(budget, found)) steps::jaw_shots(request, budget, found);
   if (budget.cut()) return;
-  look_closely(q, budget, found, parts);
-  if (q.has_obstacles() && stop::nothing_yet(budget, found)) {
-    steps::map(q, budget, found, finest);
-    parts.climb(q, budget, found);
+  look_closely(request, budget, found, parts);
+  if (request.problem->has_obstacles() && stop::nothing_yet(budget, found)) {
+    steps::map(request, budget, found, finest);
+    parts.climb(request, budget, found);
   }
-  parts.bisect(q, budget, found, 1);
-  if (stop::nothing_yet(budget, found)) search_box(q, budget, found, steps::word::global);
+  parts.bisect(request, budget, found, 1);
+  if (stop::nothing_yet(budget, found)) search_box(request, budget, found, steps::word::global);
 }
 
 /// The arrival speeds and spins at which families are looked for: the ends that are preferred first.
-std::vector<Question> samples_of(const Question& q) {
-  std::vector<double> arrivals{q.asked};
-  if (q.arrival && !q.arrival->fixed()) {
-    arrivals.push_back((q.arrival->low + q.arrival->high) / 2);
-    arrivals.push_back(q.arrival->low + q.arrival->high - q.asked);
+std::vector<SearchRequest> samples_of(const SearchRequest& request) {
+  std::vector<double> arrivals{request.asked};
+  if (request.arrival && !request.arrival->fixed()) {
+    arrivals.push_back((request.arrival->low + request.arrival->high) / 2);
+    arrivals.push_back(request.arrival->low + request.arrival->high - request.asked);
   }
   // Corners first: a ball without side spin has no derivative by it, since its spin is gone at once.
   std::vector<LaunchSpin> spins;
   const auto add = [&](const LaunchSpin& spin) {
     if (std::ranges::find(spins, spin) == spins.end()) spins.push_back(spin);
   };
-  if (const auto& r = q.puzzle.spin_range)
+  if (const auto& r = request.puzzle().spin_range)
     for (const double top : {r->top.high, r->top.low})
       for (const double side : {r->side.low, r->side.high})
         for (const double masse : {r->masse.low, r->masse.high}) add({top, side, masse});
-  add(q.spin);
-  std::vector<Question> out;
+  add(request.spin);
+  std::vector<SearchRequest> out;
   for (const double asked : arrivals)
-    for (const LaunchSpin& spin : spins) out.push_back(q.starts_at(asked, spin));
+    for (const LaunchSpin& spin : spins) out.push_back(request.starts_at(asked, spin));
   return out;
 }
 
 /// What leads to roots of most routes, and what is left where that finds nothing.
 struct Seeds {
   std::function<std::remove_pointer_t<steps::Step>> first;
-  void (*closely)(const Question&, EvaluationBudget&, SearchResult&, steps::Parts&);
+  void (*closely)(const SearchRequest&, EvaluationBudget&, SearchResult&, steps::Parts&);
   std::string_view word;
 };
-Seeds seeds_of(const Question& q) {
-  if (!q.objects) return {steps::images, nullptr, steps::word::images};
-  if (q.carom()) return {steps::caroms, steps::caroms_closely, steps::word::caroms};
-  const auto chains = [known = steps::KnownLegs{}](const Question& one, EvaluationBudget& budget,
+Seeds seeds_of(const SearchRequest& request) {
+  if (!request.problem->objects) return {steps::images, nullptr, steps::word::images};
+  if (request.problem->carom()) return {steps::caroms, steps::caroms_closely, steps::word::caroms};
+  const auto chains = [known = steps::KnownLegs{}](const SearchRequest& one, EvaluationBudget& budget,
                                                    SearchResult& found) mutable {
     steps::chains_again(one, budget, found, known);
   };
@@ -136,28 +136,28 @@ Seeds seeds_of(const Question& q) {
 /// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together.
 /// Where the best shot is wanted a stage ends the search when no shot by so many cushions can be better.
 template <class Look>
-void each_stage(const Question& q, EvaluationBudget& budget, SearchResult& found, const Look& look) {
-  if (q.carom()) return look(q);  // all cushions are followed at once
-  const bool sent = q.then() != nullptr;
-  const CushionRule &cue = q.cue_cushions, object = sent ? q.object_cushions : CushionRule::exactly(0);
-  const bool best = q.puzzle.prefer == Prefer::robust && !q.all() && !q.first();
+void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Look& look) {
+  if (request.problem->carom()) return look(request);  // all cushions are followed at once
+  const bool sent = request.problem->then() != nullptr;
+  const CushionRule &cue = request.cue_cushions, object = sent ? request.object_cushions : CushionRule::exactly(0);
+  const bool best = request.puzzle().prefer == Prefer::robust && !request.all() && !request.first();
   for (int n = cue.min + object.min; n <= cue.max + object.max; ++n) {
     constexpr double per_contact = 0.005;
-    const double at_most = 1 - per_contact * n - cost_of({q.speed.low, 0}, {});
-    const double value = best ? value_in_hand(q, found) : 0;
+    const double at_most = 1 - per_contact * n - cost_of({request.speed.low, 0}, {});
+    const double value = best ? value_in_hand(request, found) : 0;
     if (best && at_most < value + worth_a_stage) return;
     for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
-      Question stage = q.stage(c, n - c);
+      SearchRequest stage = request.stage(c, n - c);
       if (best && sent) stage.likelier = value + per_contact * n;
       look(stage);
       if (budget.spent()) found.not_searched = n;
-      if (stop::over(q, budget, found)) return;
+      if (stop::over(request, budget, found)) return;
     }
   }
 }
 
 /// What is free is followed from roots of a few arrival speeds and spins, along each route to each aim point.
-void along_families(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void along_families(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   struct Followed {
     Route route;
     AimPoint aim_point;
@@ -165,7 +165,7 @@ void along_families(const Question& q, EvaluationBudget& budget, SearchResult& f
   };
   std::vector<Followed> followed;
   // Roots of a carom by one route are of several families.
-  const bool several = family::Family::freedom(q) > 1 || q.carom();
+  const bool several = family::Family::freedom(request) > 1 || request.problem->carom();
   const int most = several ? settings::family::most_starts : 1;
   const auto enough = [&](const Candidate& candidate) {
     const auto same = [&](const Followed& f) {
@@ -177,74 +177,74 @@ void along_families(const Question& q, EvaluationBudget& budget, SearchResult& f
   };
   const auto follow = [&](std::span<const Candidate> candidates, std::string_view step) {
     for (const Candidate& candidate : candidates)
-      if (!stop::over(q, budget, found) && !enough(candidate))
-        family::Family(q, budget, found, candidate, step).search();
+      if (!stop::over(request, budget, found) && !enough(candidate))
+        family::Family(request, budget, found, candidate, step).search();
   };
-  each_stage(q, budget, found, [&](const Question& stage) {
+  each_stage(request, budget, found, [&](const SearchRequest& stage) {
     Seeds seeds = seeds_of(stage);
-    const std::vector<Question> samples = samples_of(stage);
+    const std::vector<SearchRequest> samples = samples_of(stage);
     SearchResult starts;
-    for (const Question& sample : samples) {
-      if (q.carom() && sample.asked != samples.front().asked) continue;  // its launches have all speeds
+    for (const SearchRequest& sample : samples) {
+      if (request.problem->carom() && sample.asked != samples.front().asked) continue;  // its launches have all speeds
       if (several) starts = {}, seeds = seeds_of(stage);
       const std::size_t known = starts.candidates.size();  // whose routes have no second family
       seeds.first(sample, budget, starts);
       follow(std::span(starts.candidates).subspan(known), seeds.word);
     }
   });
-  if (q.carom()) {
+  if (request.problem->carom()) {
     std::ranges::stable_sort(found.shots, std::greater(),
-                             [&](const Shot& shot) { return first_merit(q.puzzle, shot); });
-    keep_connected_once(q, budget, found.shots);
+                             [&](const Shot& shot) { return first_merit(request.puzzle(), shot); });
+    keep_connected_once(request, budget, found.shots);
   }
-  if (q.objects) return;
-  const std::vector<Question> samples = samples_of(q);
-  for (const Question& sample : samples) {
-    const bool better = improvement_wanted(q, budget, found) && &sample == &samples.front();
-    if (!q.all() && !better) break;
+  if (request.problem->objects) return;
+  const std::vector<SearchRequest> samples = samples_of(request);
+  for (const SearchRequest& sample : samples) {
+    const bool better = improvement_wanted(request, budget, found) && &sample == &samples.front();
+    if (!request.all() && !better) break;
     found.improvement_sought = better;
     SearchResult roots;
-    steps::map(sample, budget, roots, q.all() ? steps::usual_spacing(q) : improvement);
+    steps::map(sample, budget, roots, request.all() ? steps::usual_spacing(request) : improvement);
     follow(roots.candidates, steps::word::map);
   }
 }
 
 /// From shots of one arrival speed and spin to the best ones of their families.
-void improve(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void improve(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const std::vector<Shot> shots = found.shots;
   for (const Shot& shot : shots) {
-    const Candidate candidate = family::candidate_of(q, shot);
-    if (!budget.spent()) family::Family(q, budget, found, candidate, shot.planner).search();
+    const Candidate candidate = family::candidate_of(request, shot);
+    if (!budget.spent()) family::Family(request, budget, found, candidate, shot.planner).search();
   }
 }
 
 /// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
 /// launches at the bounds of their own speed, which arrive as they may; fine maps at the first of them alone.
-void with_freedom(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  along_families(q, budget, found);
+void with_freedom(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  along_families(request, budget, found);
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
   if (!nothing_yet()) return;
-  const auto look_at = [&](const Question& one) {
+  const auto look_at = [&](const SearchRequest& one) {
     steps::Parts parts;
     if (nothing_yet()) look(one, budget, found, parts);
   };
-  const std::vector<Question> samples = samples_of(q);
-  for (const Question& sample : samples) {
-    look_at(q.spinning(sample.spin).asking(sample.asked));
-    if (!q.arrival || q.arrival->fixed() || sample.asked != q.asked) continue;
-    for (const double speed : {q.speed.high, q.speed.low})
-      if (speed > 0) look_at(q.spinning(sample.spin).launched_at(speed));
+  const std::vector<SearchRequest> samples = samples_of(request);
+  for (const SearchRequest& sample : samples) {
+    look_at(request.spinning(sample.spin).asking(sample.asked));
+    if (!request.arrival || request.arrival->fixed() || sample.asked != request.asked) continue;
+    for (const double speed : {request.speed.high, request.speed.low})
+      if (speed > 0) look_at(request.spinning(sample.spin).launched_at(speed));
   }
-  for (const Question& sample : samples)
-    if (nothing_yet()) steps::jaw_shots(q.spinning(sample.spin), budget, found);
+  for (const SearchRequest& sample : samples)
+    if (nothing_yet()) steps::jaw_shots(request.spinning(sample.spin), budget, found);
   steps::Parts parts;
-  if (nothing_yet()) look_closely(q.spinning(samples.front().spin), budget, found, parts);
-  parts.bisect(q.spinning(samples.front().spin), budget, found, 1);
-  if (!q.first()) improve(q, budget, found);
+  if (nothing_yet()) look_closely(request.spinning(samples.front().spin), budget, found, parts);
+  parts.bisect(request.spinning(samples.front().spin), budget, found, 1);
+  if (!request.first()) improve(request, budget, found);
 }
 
 /// Some shot has as many cushions as this stage.
-bool has_shot(const Question& stage, const SearchResult& found) {
+bool has_shot(const SearchRequest& stage, const SearchResult& found) {
   const auto inside = [](std::size_t n, const CushionRule& rule) {
     return static_cast<int>(n) >= rule.min && static_cast<int>(n) <= rule.max;
   };
@@ -256,21 +256,21 @@ bool has_shot(const Question& stage, const SearchResult& found) {
 
 /// The cue ball sends another on, or goes on off it. A stage without any shot is looked at closely, unless what is
 /// found so hardly ever beats the shot in hand.
-void with_balls(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  const bool free = !is_ideal(q.puzzle.physics) && family::Family::freedom(q) > 0;
-  const Seeds seeds = seeds_of(q);
-  free ? along_families(q, budget, found)
-       : each_stage(q, budget, found, [&](const Question& stage) { seeds.first(stage, budget, found); });
-  if (!q.all() && value_in_hand(q, found) > best_found_closely) return;
+void with_balls(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  const bool free = !is_ideal(request.puzzle().physics) && family::Family::freedom(request) > 0;
+  const Seeds seeds = seeds_of(request);
+  free ? along_families(request, budget, found)
+       : each_stage(request, budget, found, [&](const SearchRequest& stage) { seeds.first(stage, budget, found); });
+  if (!request.all() && value_in_hand(request, found) > best_found_closely) return;
   const auto each_sample = [&](const auto& look_at) {
-    each_stage(q, budget, found, [&](const Question& stage) {
+    each_stage(request, budget, found, [&](const SearchRequest& stage) {
       const auto nothing_yet = [&] { return !has_shot(stage, found) && !budget.cut(); };
-      if (!free && (q.all() || nothing_yet())) return look_at(stage);
-      for (const Question& sample : samples_of(stage))
+      if (!free && (request.all() || nothing_yet())) return look_at(stage);
+      for (const SearchRequest& sample : samples_of(stage))
         if (free && nothing_yet()) look_at(stage.spinning(sample.spin).asking(sample.asked));
     });
   };
-  each_sample([&](const Question& one) {
+  each_sample([&](const SearchRequest& one) {
     steps::Parts parts;
     std::vector<Shot> others;  // steps end at the first shot that they find
     std::swap(others, found.shots);
@@ -280,21 +280,22 @@ void with_balls(const Question& q, EvaluationBudget& budget, SearchResult& found
     std::ranges::move(others, std::back_inserter(found.shots));
   });
   if (stop::nothing_yet(budget, found))
-    each_sample([&](const Question& one) { steps::speeds_between(one, budget, found); });
-  if (free && !q.first()) improve(q, budget, found);
+    each_sample([&](const SearchRequest& one) { steps::speeds_between(one, budget, found); });
+  if (free && !request.first()) improve(request, budget, found);
 }
 
 }  // namespace
 
-void automatic(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  if (q.objects) return with_balls(q, budget, found);
-  if (!is_straight(q.puzzle.physics))
-    return family::Family::freedom(q) > 0 ? with_freedom(q, budget, found) : with_spin(q, budget, found);
-  image(q, budget, found);
-  if (!settled(q, budget, found)) sweep(q, budget, found);
-  if (stop::nothing_yet(budget, found)) steps::jaw_shots(q, budget, found);
-  if (stop::nothing_yet(budget, found) && !found.complete) ceres(q, budget, found);
-  if (stop::nothing_yet(budget, found) && !found.complete) search_box(q, budget, found, steps::word::global);
+void automatic(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  if (request.problem->objects) return with_balls(request, budget, found);
+  if (!is_straight(request.puzzle().physics))
+    return family::Family::freedom(request) > 0 ? with_freedom(request, budget, found)
+                                                : with_spin(request, budget, found);
+  image(request, budget, found);
+  if (!settled(request, budget, found)) sweep(request, budget, found);
+  if (stop::nothing_yet(budget, found)) steps::jaw_shots(request, budget, found);
+  if (stop::nothing_yet(budget, found) && !found.complete) ceres(request, budget, found);
+  if (stop::nothing_yet(budget, found) && !found.complete) search_box(request, budget, found, steps::word::global);
 }
 
 }  // namespace bankshot::planning::methods

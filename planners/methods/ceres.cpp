@@ -16,27 +16,27 @@ namespace {
 constexpr std::string_view word = "ceres";
 
 /// Every half degree, where no image exists.
-void from_fan(const Question& q, EvaluationBudget& budget, SearchResult& found, const RootFinder& find) {
+void from_fan(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const RootFinder& find) {
   constexpr int aims = settings::ceres::aims_in_fan;
   for (int i = 0; i < aims; ++i)
-    for (int n = q.cushions().min; n <= q.cushions().max; ++n) {
-      if (stop::enough_seeds(q, budget, found)) return;
+    for (int n = request.cushions().min; n <= request.cushions().max; ++n) {
+      if (stop::enough_seeds(request, budget, found)) return;
       const double angle = radians(360.0 / aims) * i;
       std::vector<Contact> contacts;
-      trace(q, budget, angle, Goal::exactly(q, n), &contacts);
-      const Route route = q.route ? *q.route : route_by(contacts);
+      trace(request, budget, angle, Goal::exactly(request, n), &contacts);
+      const Route route = request.route ? *request.route : route_by(contacts);
       if (static_cast<int>(route.size()) != n) continue;
-      for (const AimPoint& aim_point : q.aim_points)
-        refine_aim({q, route, aim_point}, budget, found, angle, q.boundary.diagonal, word, find);
+      for (const AimPoint& aim_point : request.problem->aim_points)
+        refine_aim({request, route, aim_point}, budget, found, angle, request.problem->boundary.diagonal, word, find);
     }
 }
 
 }  // namespace
 
-void ceres(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void ceres(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const RootFinder find = [&](const LockedAim& aim, const Launch& seed) { return solve_locked(aim, budget, seed); };
-  refine_images(q, budget, found, word, find);
-  if (!q.boundary.unfolds()) from_fan(q, budget, found, find);
+  refine_images(request, budget, found, word, find);
+  if (!request.problem->boundary.unfolds()) from_fan(request, budget, found, find);
 }
 
 }  // namespace bankshot::planning::methods

@@ -24,16 +24,16 @@ namespace {
 
 using steps::word::images;
 
-double stretch(const Question& q) { return restitution(q.puzzle.physics).at_rest; }
+double stretch(const SearchRequest& request) { return restitution(request.puzzle().physics).at_rest; }
 
 /// Every centred candidate; true when all were tried.
-bool centred(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  Unfolding candidates(q, {.restitution = stretch(q)});
+bool centred(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  Unfolding candidates(request, {.restitution = stretch(request)});
   while (const auto c = candidates.next()) {
     if (budget.spent()) return false;
-    certify_aim(q, budget, found, c->angle, c->bounces, images);
-    if (!stop::enough_images(q, found, candidates.shortest_first())) continue;
-    if (q.puzzle.prefer == Prefer::robust && !q.first() && candidates.next())
+    certify_aim(request, budget, found, c->angle, c->bounces, images);
+    if (!stop::enough_images(request, found, candidates.shortest_first())) continue;
+    if (request.puzzle().prefer == Prefer::robust && !request.first() && candidates.next())
       found.add_note(fmt::format("compared the {} shortest shots", found.shots.size()));
     return true;
   }
@@ -44,27 +44,28 @@ bool centred(const Question& q, EvaluationBudget& budget, SearchResult& found) {
 }
 
 /// What of a candidate's window of aims the puzzle's bounds leave: at most two pieces.
-std::vector<Range> allowed(const Question& q, const Image& c) {
+std::vector<Range> allowed(const SearchRequest& request, const Image& c) {
   const double low = c.angle + c.low, high = c.angle + c.high;
-  if (!q.angle) return {{low, high}};
+  if (!request.angle) return {{low, high}};
   std::vector<Range> pieces;
   for (const double turn : {-radians(360), 0.0, radians(360)}) {
-    const Range piece{std::max(low + turn, q.angle->low), std::min(high + turn, q.angle->high)};
+    const Range piece{std::max(low + turn, request.angle->low), std::min(high + turn, request.angle->high)};
     if (piece.low <= piece.high) pieces.push_back(piece);
   }
   return pieces;
 }
 
 /// Off-centre shots; true when a ray may reach some part of the target at all.
-bool beside_centre(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  Unfolding parts(q, {.parts = true, .restitution = stretch(q)});
+bool beside_centre(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  Unfolding parts(request, {.parts = true, .restitution = stretch(request)});
   bool some_part = false;
   while (const auto c = parts.next()) {
     if (budget.spent()) break;
     if (!(c->low < c->high)) continue;
-    for (const Range& aims : allowed(q, *c)) {
+    for (const Range& aims : allowed(request, *c)) {
       some_part = true;
-      reach_part(q, budget, found, aims, c->angle, settings::image::aims_across, Goal::exactly(q, c->bounces), images);
+      reach_part(request, budget, found, aims, c->angle, settings::image::aims_across,
+                 Goal::exactly(request, c->bounces), images);
     }
   }
   return some_part;
@@ -72,16 +73,17 @@ bool beside_centre(const Question& q, EvaluationBudget& budget, SearchResult& fo
 
 }  // namespace
 
-void image(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  const bool whole = centred(q, budget, found);
-  const bool dead = stretch(q) == 0;
-  found.complete = whole && q.boundary.unfolds() && !dead;
+void image(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  const bool whole = centred(request, budget, found);
+  const bool dead = stretch(request) == 0;
+  found.complete = whole && request.problem->boundary.unfolds() && !dead;
   if (!found.shots.empty() || budget.cut() || !whole) return;
-  const bool some_part = beside_centre(q, budget, found);
-  if (!q.boundary.jaws.empty()) return;  // they may turn a ball in whose line leads nowhere
+  const bool some_part = beside_centre(request, budget, found);
+  if (!request.problem->boundary.jaws.empty()) return;  // they may turn a ball in whose line leads nowhere
   // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
-  const bool no_obstacle = q.boundary.strictly_convex && q.boundary.pockets.empty() && q.boundary.balls.empty();
-  found.proved = found.complete && (!some_part || (no_obstacle && is_ideal(q.puzzle.physics))) &&
+  const bool no_obstacle = request.problem->boundary.strictly_convex && request.problem->boundary.pockets.empty() &&
+                           request.problem->boundary.balls.empty();
+  found.proved = found.complete && (!some_part || (no_obstacle && is_ideal(request.puzzle().physics))) &&
                  !(no_obstacle && found.rounding_decided);
 }
 

@@ -12,10 +12,10 @@
 
 namespace bankshot::planning::methods {
 
-void automatic(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< auto.cpp
-void image(const Question& q, EvaluationBudget& budget, SearchResult& found);
-void sweep(const Question& q, EvaluationBudget& budget, SearchResult& found);
-void ceres(const Question& q, EvaluationBudget& budget, SearchResult& found);
+void automatic(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);  ///< auto.cpp
+void image(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
+void sweep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
+void ceres(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 struct Method {
   PlannerInfo info;

@@ -43,14 +43,14 @@ constexpr Optimisation crs{"nlopt-crs", NLOPT_GN_CRS2_LM, Scope::global, global_
 constexpr Optimisation mlsl{"nlopt-mlsl", NLOPT_G_MLSL_LDS, Scope::global, global_evaluations};
 
 struct Objective {
-  const Question& q;
+  const SearchRequest& request;
   EvaluationBudget& budget;
   nlopt_opt optimiser;
   double fixed_speed;
   Launch best{};
   double least = std::numeric_limits<double>::infinity();
 
-  Launch launch(const double* x) const { return {q.one_unknown() ? fixed_speed : x[1], wrap_angle(x[0])}; }
+  Launch launch(const double* x) const { return {request.one_unknown() ? fixed_speed : x[1], wrap_angle(x[0])}; }
 
   double operator()(const double* x) {
     if (budget.spent()) {
@@ -58,11 +58,11 @@ struct Objective {
       return std::isfinite(least) ? least : wrong_bounces;
     }
     const Launch l = launch(x);
-    const Replay r = replay(q, budget, l, Goal::of(q));
-    double value = std::pow(std::min(r.miss / q.boundary.diagonal, 1.0), 2);
+    const Replay r = replay(request, budget, l, Goal::of(request));
+    double value = std::pow(std::min(r.miss / request.problem->boundary.diagonal, 1.0), 2);
     if (!r.made && r.failure.reason != FailureReason::missed) value += wrong_bounces;
-    if (q.arrival && !q.stop) {
-      const double v = r.arrival.speed, asked = std::clamp(v, q.arrival->low, q.arrival->high);
+    if (request.arrival && !request.stop) {
+      const double v = r.arrival.speed, asked = std::clamp(v, request.arrival->low, request.arrival->high);
       value += std::pow((v - asked) / std::max(1.0, asked), 2);
     }
     if (value < least) least = value, best = l;
@@ -79,7 +79,7 @@ struct LockedObjective {
   double fixed_speed;
 
   double operator()(const double* x, double* gradient) const {
-    const bool two = !aim.q.one_unknown();
+    const bool two = !aim.request.one_unknown();
     const double speed = two ? x[1] : fixed_speed;
     const auto l = linearise(aim, budget, {speed, x[0]});
     if (gradient) std::fill(gradient, gradient + (two ? 2 : 1), 0.0);
@@ -105,8 +105,8 @@ Optimiser make(nlopt_algorithm algorithm, unsigned unknowns, int evaluations) {
 }
 
 /// Minimises inside the bounds, from `start`; any status: what counts is the best point seen, left in x.
-void minimise(const Question& q, nlopt_opt opt, const Range& angles, const Launch& start, double (&x)[2]) {
-  const double low[2] = {angles.low, q.speed.low}, high[2] = {angles.high, q.speed.high};
+void minimise(const SearchRequest& request, nlopt_opt opt, const Range& angles, const Launch& start, double (&x)[2]) {
+  const double low[2] = {angles.low, request.speed.low}, high[2] = {angles.high, request.speed.high};
   nlopt_set_lower_bounds(opt, low);
   nlopt_set_upper_bounds(opt, high);
   x[0] = std::clamp(start.angle, low[0], high[0]);
@@ -119,31 +119,31 @@ void minimise(const Question& q, nlopt_opt opt, const Range& angles, const Launc
 class Planner {
  public:
   /// `step` names it in answers.
-  Planner(const Question& q, EvaluationBudget& budget, SearchResult& found, const Optimisation& method,
+  Planner(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Optimisation& method,
           std::string_view step)
-      : q_(q), budget_(budget), found_(found), method_(method), step_(step) {}
+      : request_(request), budget_(budget), found_(found), method_(method), step_(step) {}
 
   void anywhere() {
     if (!budget_.spent()) run({some_speed(), (angles_.low + angles_.high) / 2});
   }
 
   void from_images() {
-    const bool straight = is_straight(q_.puzzle.physics), locked = method_.scope == Scope::gradient;
-    const double e = restitution(q_.puzzle.physics).at_rest;
-    Unfolding images(q_, {.parts = !straight, .restitution = e, .keep_routes = locked});
+    const bool straight = is_straight(request_.puzzle().physics), locked = method_.scope == Scope::gradient;
+    const double e = restitution(request_.puzzle().physics).at_rest;
+    Unfolding images(request_, {.parts = !straight, .restitution = e, .keep_routes = locked});
     while (const auto c = images.next()) {
-      if (stop::enough_seeds(q_, budget_, found_)) return;
+      if (stop::enough_seeds(request_, budget_, found_)) return;
       const double angle = c->angle < angles_.low ? c->angle + radians(360) : c->angle;
       if (locked) {
         const Route route = images.route(*c);
-        const LockedAim aim{q_, route, q_.aim_points[c->aim_point]};
+        const LockedAim aim{request_, route, request_.problem->aim_points[c->aim_point]};
         if (const auto speed = speed_at(aim, budget_, c->angle, c->distance)) run_locked({*speed, angle}, aim);
         continue;
       }
       double speed = some_speed();
       if (straight) {
-        const Trace t = trace(q_, budget_, c->angle, Goal::exactly(q_, c->bounces));
-        speed = launch_speed(q_, found_, c->angle, t).value_or(speed);
+        const Trace t = trace(request_, budget_, c->angle, Goal::exactly(request_, c->bounces));
+        speed = launch_speed(request_, found_, c->angle, t).value_or(speed);
       }
       run({speed, angle});
     }
@@ -152,57 +152,57 @@ class Planner {
  private:
   /// Optimises from one start and certifies what it leads to.
   void run(const Launch& start) {
-    const unsigned unknowns = q_.one_unknown() ? 1 : 2;
+    const unsigned unknowns = request_.one_unknown() ? 1 : 2;
     const Optimiser opt = make(method_.algorithm, unknowns, method_.evaluations);
-    Objective objective{q_, budget_, opt.get(), start.speed};
+    Objective objective{request_, budget_, opt.get(), start.speed};
     nlopt_set_min_objective(opt.get(), evaluate, &objective);
     if (method_.algorithm == NLOPT_G_MLSL_LDS) {
       const Optimiser local = make(bobyqa.algorithm, unknowns, mlsl_local_evaluations);
       nlopt_set_local_optimizer(opt.get(), local.get());
     }
     double x[2];
-    minimise(q_, opt.get(), angles_, start, x);
+    minimise(request_, opt.get(), angles_, start, x);
     if (!std::isfinite(objective.least)) return;
     std::vector<Contact> contacts;
-    const Replay r = replay(q_, budget_, objective.best, Goal::of(q_), &contacts);
+    const Replay r = replay(request_, budget_, objective.best, Goal::of(request_), &contacts);
     contacts.resize(std::min(contacts.size(), static_cast<std::size_t>(std::max(0, r.bounces))));
-    const auto root = refine(q_, budget_, objective.best, route_by(contacts));
-    certify(q_, budget_, found_, root.value_or(objective.best), static_cast<int>(contacts.size()), step_);
+    const auto root = refine(request_, budget_, objective.best, route_by(contacts));
+    certify(request_, budget_, found_, root.value_or(objective.best), static_cast<int>(contacts.size()), step_);
   }
 
   void run_locked(const Launch& start, const LockedAim& aim) {
-    const Optimiser opt = make(method_.algorithm, q_.one_unknown() ? 1 : 2, method_.evaluations);
+    const Optimiser opt = make(method_.algorithm, request_.one_unknown() ? 1 : 2, method_.evaluations);
     LockedObjective objective{aim, budget_, start.speed};
     nlopt_set_min_objective(opt.get(), evaluate_locked, &objective);
     double x[2];
-    minimise(q_, opt.get(), angles_, start, x);
-    const Launch best{q_.one_unknown() ? start.speed : x[1], wrap_angle(x[0])};
+    minimise(request_, opt.get(), angles_, start, x);
+    const Launch best{request_.one_unknown() ? start.speed : x[1], wrap_angle(x[0])};
     certify_root(aim, budget_, found_, solve_locked(aim, budget_, best).value_or(best), step_);
   }
 
   double some_speed() const {
-    const Range& v = q_.speed;
-    return q_.one_unknown() ? q_.fixed_speed() : (v.low + v.high) / 2;
+    const Range& v = request_.speed;
+    return request_.one_unknown() ? request_.fixed_speed() : (v.low + v.high) / 2;
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   const Optimisation& method_;
   std::string_view step_;
-  Range angles_ = q_.angle.value_or(whole_turn);
+  Range angles_ = request_.angle.value_or(whole_turn);
 };
 
 template <const Optimisation& method>
-void plan(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  Planner planner(q, budget, found, method, method.name);
+void plan(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  Planner planner(request, budget, found, method, method.name);
   method.scope == Scope::global ? planner.anywhere() : planner.from_images();
 }
 
 }  // namespace
 
-void search_box(const Question& q, EvaluationBudget& budget, SearchResult& found, std::string_view step) {
-  Planner(q, budget, found, direct, step).anywhere();
+void search_box(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::string_view step) {
+  Planner(request, budget, found, direct, step).anywhere();
 }
 
 std::span<const Method> nlopt_methods() {

@@ -12,7 +12,7 @@
 namespace bankshot::planning::methods {
 
 /// The global search over the whole box of bounds (NLopt DIRECT-L), on the real path; `step` names it in answers.
-void search_box(const Question& q, EvaluationBudget& budget, SearchResult& found, std::string_view step);
+void search_box(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::string_view step);
 
 /// The planners `nlopt-*`.
 std::span<const Method> nlopt_methods();

@@ -36,12 +36,13 @@ struct Sample {
 
 class Sweep {
  public:
-  Sweep(const Question& q, EvaluationBudget& budget, SearchResult& found) : q_(q), budget_(budget), found_(found) {}
+  Sweep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found)
+      : request_(request), budget_(budget), found_(found) {}
 
   void run() {
     const Range around = aims();
     Sample before = sample(around.low);
-    for (int i = 1; i <= fan && !stop::over(q_, budget_, found_); ++i) {
+    for (int i = 1; i <= fan && !stop::over(request_, budget_, found_); ++i) {
       Sample after = sample(around.low + (around.high - around.low) * i / fan);
       between(before, after);
       before = std::move(after);
@@ -51,28 +52,28 @@ class Sweep {
   /// Where nothing reaches the target's centre.
   void beside_centre() {
     const Range around = aims();
-    reach_part(q_, budget_, found_, around, around.low, fan + 1, Goal::of(q_), steps::word::sweep);
+    reach_part(request_, budget_, found_, around, around.low, fan + 1, Goal::of(request_), steps::word::sweep);
   }
 
  private:
-  Range aims() const { return q_.angle.value_or(whole_turn); }
+  Range aims() const { return request_.angle.value_or(whole_turn); }
 
   Sample sample(double angle) {
     Sample out{.angle = angle, .contacts = {}};
-    Simulator sim(q_.boundary, Ideal{}, Mirror{restitution(q_.puzzle.physics)},
-                  State<double>{q_.puzzle.ball.at, direction(wrap_angle(angle))});
-    SpeedAccount account(deceleration(q_.puzzle.physics));
+    Simulator sim(request_.problem->boundary, Ideal{}, Mirror{restitution(request_.puzzle().physics)},
+                  State<double>{request_.puzzle().ball.at, direction(wrap_angle(angle))});
+    SpeedAccount account(deceleration(request_.puzzle().physics));
     for (;;) {
       const State<double> leg = sim.state();
       out.directions.push_back(leg.velocity / norm(leg.velocity));
-      for (const AimPoint& aim_point : q_.aim_points) {
+      for (const AimPoint& aim_point : request_.problem->aim_points) {
         const Vec2d d = aim_point.at - leg.at, u = out.directions.back();
         out.sides.push_back({aim_point.exact_offset(u, -cross(u, d)) + cross(u, d), dot(u, d) > 0});
       }
-      if (static_cast<int>(out.contacts.size()) == q_.cushions().max) break;
+      if (static_cast<int>(out.contacts.size()) == request_.cushions().max) break;
       const Event e = sim.step();
       account.add(sim.arc(), sim.travelled());
-      if (e.kind != EventKind::cushion || account.beyond(q_.speed.high)) break;
+      if (e.kind != EventKind::cushion || account.beyond(request_.speed.high)) break;
       out.contacts.push_back(e.contact);
     }
     budget_.charge(out.contacts.size());
@@ -81,11 +82,11 @@ class Sweep {
 
   void between(const Sample& a, const Sample& b) {
     if (budget_.spent()) return;
-    const std::size_t aim_points = q_.aim_points.size();
+    const std::size_t aim_points = request_.problem->aim_points.size();
     const std::size_t most = std::min(a.sides.size(), b.sides.size());
     const auto differ = std::mismatch(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end());
     const auto same = static_cast<std::size_t>(differ.first - a.contacts.begin());
-    for (std::size_t k = static_cast<std::size_t>(q_.cushions().min); k <= same; ++k)
+    for (std::size_t k = static_cast<std::size_t>(request_.cushions().min); k <= same; ++k)
       for (std::size_t p = 0; p < aim_points; ++p) {
         const std::size_t i = k * aim_points + p;
         if (i < most && (a.sides[i].ahead || b.sides[i].ahead) && (a.sides[i].lateral > 0) != (b.sides[i].lateral > 0))
@@ -117,19 +118,19 @@ class Sweep {
           lost = i >= m.sides.size();
           return !lost && (m.sides[i].lateral > 0) == side;
         });
-    if (!lost && !budget_.spent()) certify_aim(q_, budget_, found_, wrap_angle(low), bounces, steps::word::sweep);
+    if (!lost && !budget_.spent()) certify_aim(request_, budget_, found_, wrap_angle(low), bounces, steps::word::sweep);
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
 };
 
 }  // namespace
 
-void sweep(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  if (!is_straight(q.puzzle.physics)) return steps::map(q, budget, found, steps::usual_spacing(q));
-  Sweep sweep(q, budget, found);
+void sweep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  if (!is_straight(request.puzzle().physics)) return steps::map(request, budget, found, steps::usual_spacing(request));
+  Sweep sweep(request, budget, found);
   sweep.run();
   if (found.shots.empty()) sweep.beside_centre();
 }

@@ -5,7 +5,7 @@
 
 namespace bankshot::planning::methods {
 
-void search_box(const Question&, EvaluationBudget&, SearchResult&, std::string_view) {}
+void search_box(const SearchRequest&, EvaluationBudget&, SearchResult&, std::string_view) {}
 
 std::span<const Method> nlopt_methods() { return {}; }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
@@ -17,9 +17,9 @@ struct Aftermath {
 
 /// Returns nothing for a shot whose target is no ball. In `ideal`, where no ball rests, it tells only whether the cue
 /// ball falls within `ideal_cushions` events. Cost: one simulation of all balls.
-Aftermath aftermath(const Question& q, EvaluationBudget& budget, const Launch& launch);
+Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch);
 
 /// Stores the aftermath in a shot.
-void add_aftermath(const Question& q, EvaluationBudget& budget, Shot& shot);
+void add_aftermath(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);
 
 }  // namespace bankshot::planning

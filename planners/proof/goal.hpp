@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
@@ -29,10 +29,11 @@ struct Goal {
     const std::vector<Contact>* sequence;  ///< null: any
   };
   /// Returns the rule for the n-th object ball, counted from 0.
-  Bounces of_sent(const Question& q, std::size_t n) const {
-    if (counts && n == q.then()->links.size() && q.then()->counts_any_fall()) return {0, max_cushions, nullptr};
+  Bounces of_sent(const SearchRequest& request, std::size_t n) const {
+    if (counts && n == request.problem->then()->links.size() && request.problem->then()->counts_any_fall())
+      return {0, max_cushions, nullptr};
     if (!then) {
-      const CushionRule& rule = q.cushions_of(n);
+      const CushionRule& rule = request.cushions_of(n);
       return {rule.min, rule.max, rule.sequence ? &*rule.sequence : nullptr};
     }
     const std::vector<Contact>& cushions = (*then)[n].cushions;
@@ -45,17 +46,17 @@ struct Goal {
     return !then || then->front().ball == first;
   }
   /// Returns whether the shot may arrive at this aim point.
-  bool allows(const Question& q, const AimPoint& aim_point) const {
-    return !counts || counts->hits.empty() || aim_point.taken_by == q.aim_point_of(*counts).taken_by;
+  bool allows(const SearchRequest& request, const AimPoint& aim_point) const {
+    return !counts || counts->hits.empty() || aim_point.taken_by == request.problem->aim_point_of(*counts).taken_by;
   }
 
   /// Returns the goal as the puzzle asks.
-  static Goal of(const Question& q, Demand demand = Demand::exact) {
-    const CushionRule& c = q.cushions();
+  static Goal of(const SearchRequest& request, Demand demand = Demand::exact) {
+    const CushionRule& c = request.cushions();
     return {c.min, c.max, c.sequence ? &*c.sequence : nullptr, demand};
   }
-  static Goal exactly(const Question& q, int bounces, Demand demand = Demand::exact) {
-    Goal goal = of(q, demand);
+  static Goal exactly(const SearchRequest& request, int bounces, Demand demand = Demand::exact) {
+    Goal goal = of(request, demand);
     goal.min = goal.max = bounces;
     return goal;
   }
@@ -70,8 +71,8 @@ struct Goal {
     return goal;
   }
   /// Returns the goal by which success counts a shot: by any cushions that the puzzle allows. The shot must outlive it.
-  static Goal counted(const Question& q, const Shot& shot) {
-    Goal goal = of(q, Demand::made);
+  static Goal counted(const SearchRequest& request, const Shot& shot) {
+    Goal goal = of(request, Demand::made);
     goal.counts = &shot;
     return goal;
   }

@@ -16,11 +16,11 @@ struct Line {
 };
 
 /// Measures how a line leads into a pocket: sets miss and offset of the replay.
-inline void measure(const Question& q, const AimPoint& aim_point, const Line& line, Replay& replay) {
+inline void measure(const SearchRequest& request, const AimPoint& aim_point, const Line& line, Replay& replay) {
   const Vec2d u = line.heading / norm(line.heading);
   const double offset = cross(u, line.at - aim_point.at), exact = aim_point.exact_offset(u, offset);
   replay.miss = std::abs(offset - exact);
-  replay.offset = q.centred(replay.miss) && !replay.touches_jaws ? exact : offset;
+  replay.offset = request.problem->centred(replay.miss) && !replay.touches_jaws ? exact : offset;
 }
 
 /// Returns the contact of a ball that moves along the line, at this speed, with a ball at `other`.

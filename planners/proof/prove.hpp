@@ -22,6 +22,6 @@ struct Proof {
   bool holds() const { return failure.reason == FailureReason::none; }
 };
 
-Proof prove(const Question& q, EvaluationBudget& budget, const Launch& proposed, const Goal& goal);
+Proof prove(const SearchRequest& request, EvaluationBudget& budget, const Launch& proposed, const Goal& goal);
 
 }  // namespace bankshot::planning

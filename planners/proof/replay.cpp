@@ -18,18 +18,18 @@ namespace {
 template <class Motion, class Cushion>
 class Follower {
  public:
-  Follower(const Question& q, const Motion& motion, const Cushion& cushion, const Launch& launch, const Goal& goal,
-           bool tracing)
-      : q_(q),
+  Follower(const SearchRequest& request, const Motion& motion, const Cushion& cushion, const Launch& launch,
+           const Goal& goal, bool tracing)
+      : request_(request),
         motion_(motion),
         cushion_(cushion),
         goal_(goal),
         tracing_(tracing),
-        stop_(q.stop && !tracing),
-        at_start_(!q.touched.empty()),
+        stop_(request.stop && !tracing),
+        at_start_(!request.problem->touched.empty()),
         check_(goal.sequence),
-        sim_(q.boundary, motion, cushion, start_of(q, launch)),
-        out_{{}, SpeedAccount(deceleration(q.puzzle.physics))} {}
+        sim_(request.problem->boundary, motion, cushion, start_of(request, launch)),
+        out_{{}, SpeedAccount(deceleration(request.puzzle().physics))} {}
 
   Trace run(std::vector<Contact>* contacts) {
     for (;;) {
@@ -39,7 +39,7 @@ class Follower {
       if (arrived || look_along_arc(e.kind)) return out_;
       if (tracing_) {
         out_.account.add(sim_.arc(), sim_.travelled());
-        if (out_.account.beyond(q_.speed.high)) return fail(FailureReason::too_long);
+        if (out_.account.beyond(request_.speed.high)) return fail(FailureReason::too_long);
       }
       switch (e.kind) {
         case EventKind::cushion:
@@ -60,8 +60,9 @@ class Follower {
         case EventKind::slide_to_roll:
           break;
         case EventKind::ball:
-          if (!q_.objects) return taken(e.contact);
-          if (const auto* chain = q_.objects->chain_by(e.contact.index); chain && may_set_going(e.contact))
+          if (!request_.problem->objects) return taken(e.contact);
+          if (const auto* chain = request_.problem->objects->chain_by(e.contact.index);
+              chain && may_set_going(e.contact))
             return set_going(*chain, contacts);
           return fail(FailureReason::hit_ball, e.contact);
         case EventKind::pocket:
@@ -80,16 +81,16 @@ class Follower {
   /// corner.
   bool bounces_in_place() {
     constexpr int of_a_corner = 2;
-    at_start_ = at_start_ && norm(sim_.state().at - q_.puzzle.ball.at) <= q_.boundary.touch;
-    return at_start_ && (q_.in_vertex() || k_ == of_a_corner);
+    at_start_ = at_start_ && norm(sim_.state().at - request_.puzzle().ball.at) <= request_.problem->boundary.touch;
+    return at_start_ && (request_.problem->in_vertex() || k_ == of_a_corner);
   }
-  bool may_set_going(Contact ball) const { return q_.carom() || (counts() && goal_.allows(ball.index)); }
+  bool may_set_going(Contact ball) const { return request_.problem->carom() || (counts() && goal_.allows(ball.index)); }
 
   /// Finds the closest approach to each aim point on the arc just travelled; returns whether the target is made in
   /// passing.
   bool look_along_arc(EventKind end) {
-    if (stop_ || q_.objects || !counts()) return false;
-    for (const AimPoint& aim_point : q_.aim_points) {
+    if (stop_ || request_.problem->objects || !counts()) return false;
+    for (const AimPoint& aim_point : request_.problem->aim_points) {
       if (aim_point.captures() && !tracing_) continue;
       const bool near = look_at(aim_point.at) <= aim_point.reach && !aim_point.captures();
       // A ball that still comes nearer when its slide, or a piece of it, ends is closest on the next arc.
@@ -121,8 +122,8 @@ class Follower {
 
   Trace taken(Contact by) {
     const State<double>& now = sim_.state();
-    const AimPoint* const aim_point = counts() ? q_.aim_point_taken_by(by, now.at) : nullptr;
-    if (!aim_point || !goal_.allows(q_, *aim_point))
+    const AimPoint* const aim_point = counts() ? request_.problem->aim_point_taken_by(by, now.at) : nullptr;
+    if (!aim_point || !goal_.allows(request_, *aim_point))
       return fail(by.kind == ContactKind::pocket ? FailureReason::pocketed : FailureReason::hit_ball, by);
     out_.replay.made = true;
     out_.replay.bounces = k_;
@@ -135,7 +136,7 @@ class Follower {
       touched(*aim_point, {now.at, heading}, out_.replay);
       return out_;
     }
-    measure(q_, *aim_point, first_jaw_ ? *first_jaw_ : Line{now.at, heading}, out_.replay);
+    measure(request_, *aim_point, first_jaw_ ? *first_jaw_ : Line{now.at, heading}, out_.replay);
     return out_;
   }
 
@@ -143,22 +144,23 @@ class Follower {
   Trace set_going(const Objects::Chain& chain, std::vector<Contact>* contacts) {
     out_.replay.bounces = k_;
     out_.replay.miss = std::numeric_limits<double>::infinity();
-    SetGoing(q_, motion_, cushion_, chain, goal_, {k_, check_}, contacts, out_.replay).run(sim_.state(), sim_.time());
+    SetGoing(request_, motion_, cushion_, chain, goal_, {k_, check_}, contacts, out_.replay)
+        .run(sim_.state(), sim_.time());
     return out_;
   }
 
   /// Counts a jaw contact. The first jaw met at a target pocket defines the line of travel there.
   void touch_jaw(Contact jaw) {
     const auto of_jaws = [&](const AimPoint& aim_point) { return aim_point.taken_by.index == jaw.jaw_pocket(); };
-    if (!first_jaw_ && std::ranges::any_of(q_.aim_points, of_jaws))
+    if (!first_jaw_ && std::ranges::any_of(request_.problem->aim_points, of_jaws))
       first_jaw_ = Line{sim_.state().at, sim_.on_arc(sim_.travelled()).velocity};
     out_.replay.touches_jaws = true;
     ++out_.replay.jaws;
   }
 
   Trace rest() {
-    if (!stop_ || q_.objects || !counts()) return fail(FailureReason::fell_short);
-    const AimPoint& aim_point = q_.nearest_aim_point(sim_.state().at);
+    if (!stop_ || request_.problem->objects || !counts()) return fail(FailureReason::fell_short);
+    const AimPoint& aim_point = request_.problem->nearest_aim_point(sim_.state().at);
     out_.replay.miss = norm(sim_.state().at - aim_point.at);
     out_.replay.arrival = {sim_.time(), 0, sim_.state().at};
     out_.replay.bounces = k_;
@@ -171,7 +173,7 @@ class Follower {
   /// that ball.
   double apart(const AimPoint& m) const {
     if (m.ball == 0) return norm(sim_.state().at - m.at);
-    const Vec2d at = q_.objects->find(m.ball).at_rest.at;
+    const Vec2d at = request_.problem->objects->find(m.ball).at_rest.at;
     return norm(sim_.state().at - at) + norm(at - m.at);
   }
 
@@ -179,7 +181,7 @@ class Follower {
     // If the ball passed the target after the bounces asked, the miss is known; otherwise it is the distance when the
     // shot failed.
     if (!(out_.replay.miss < std::numeric_limits<double>::infinity())) {
-      for (const AimPoint& m : q_.aim_points) out_.replay.miss = std::min(out_.replay.miss, apart(m));
+      for (const AimPoint& m : request_.problem->aim_points) out_.replay.miss = std::min(out_.replay.miss, apart(m));
       out_.replay.arrival = {sim_.time(), norm(sim_.state().velocity), sim_.state().at};
     } else if (reason == FailureReason::extra_cushion) {
       reason = FailureReason::missed;
@@ -190,7 +192,7 @@ class Follower {
     return out_;
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   const Motion& motion_;
   const Cushion& cushion_;
   const Goal& goal_;
@@ -215,24 +217,25 @@ void SpeedAccount::add(const Arc<double>& arc, double t) {
   if (t > 0) loss += 2 * deceleration_ * norm(arc.position(t) - arc.at);
 }
 
-Replay replay(const Question& q, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
+Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
               std::vector<Contact>* contacts) {
-  Replay r = with_physics(q.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    return Follower(q, motion, cushion, launch, goal, false).run(contacts).replay;
+  Replay r = with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) {
+    return Follower(request, motion, cushion, launch, goal, false).run(contacts).replay;
   });
   budget.charge(static_cast<std::size_t>(r.bounces));
   // In `ideal` no ball comes to rest, so every cue ball would fall in the end.
-  if (r.made && goal.counts && !is_ideal(q.puzzle.physics) && aftermath(q, budget, launch).scratch_pocket) {
+  if (r.made && goal.counts && !is_ideal(request.puzzle().physics) &&
+      aftermath(request, budget, launch).scratch_pocket) {
     r.made = false;
     r.failure = {FailureReason::scratched};
   }
   return r;
 }
 
-Trace trace(const Question& q, EvaluationBudget& budget, double angle, const Goal& goal,
+Trace trace(const SearchRequest& request, EvaluationBudget& budget, double angle, const Goal& goal,
             std::vector<Contact>* contacts) {
-  const Mirror mirror{restitution(q.puzzle.physics)};
-  Trace t = Follower(q, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
+  const Mirror mirror{restitution(request.puzzle().physics)};
+  Trace t = Follower(request, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
   budget.charge(static_cast<std::size_t>(t.replay.bounces));
   return t;
 }

@@ -29,7 +29,7 @@ struct Replay {
 };
 
 /// Replays a launch. `contacts` receives the bounces, if it is not null.
-Replay replay(const Question& q, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
+Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
               std::vector<Contact>* contacts = nullptr);
 
 /// The speed that a path costs, if its shape does not depend on the speed: after the arcs added so far, v² = gain·v0² −
@@ -52,7 +52,7 @@ struct Trace {
   Replay replay;
   SpeedAccount account;
 };
-Trace trace(const Question& q, EvaluationBudget& budget, double angle, const Goal& goal,
+Trace trace(const SearchRequest& request, EvaluationBudget& budget, double angle, const Goal& goal,
             std::vector<Contact>* contacts = nullptr);
 
 }  // namespace bankshot::planning

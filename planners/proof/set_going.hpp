@@ -26,14 +26,14 @@ template <class Motion, class Cushion>
 class SetGoing {
  public:
   /// `out` gets the result, and `contacts`, if it is not null, the further cushions of the cue ball.
-  SetGoing(const Question& q, const Motion& motion, const Cushion& cushion, const Objects::Chain& chain,
+  SetGoing(const SearchRequest& request, const Motion& motion, const Cushion& cushion, const Objects::Chain& chain,
            const Goal& goal, const Counted& before, std::vector<Contact>* contacts, Replay& out)
-      : q_(q),
+      : request_(request),
         motion_(motion),
         cushion_(cushion),
         chain_(chain),
         goal_(goal),
-        carom_(q.carom()),
+        carom_(request.problem->carom()),
         asked_{goal.min, goal.max, goal.sequence},
         bounces_(before.bounces),
         check_(before.check),
@@ -47,7 +47,7 @@ class SetGoing {
     std::vector<BallStart<double>> balls{{&chain_.moving.front(), struck, 0}};
     for (std::size_t i = 0; i < chain_.balls.size(); ++i)
       balls.push_back({&chain_.moving[i + 1], {.at = chain_.balls[i]->at_rest.at}, chain_.balls[i]->ball});
-    ManyBalls sim(std::span<const BallStart<double>>(balls), motion_, cushion_, collisions(q_.puzzle.physics));
+    ManyBalls sim(std::span<const BallStart<double>>(balls), motion_, cushion_, collisions(request_.puzzle().physics));
     begin_ = begin;
     incoming_ = {struck.at, struck.velocity};
     for (;;) {
@@ -102,8 +102,8 @@ class SetGoing {
       return sets_going(sim);
     const State<double>& now = sim.state(e.ball);
     const AimPoint* const aim_point =
-        carom_ && e.ball == 0 && counts() ? q_.aim_point_taken_by(e.event.contact, now.at) : nullptr;
-    if (!aim_point || !goal_.allows(q_, *aim_point)) return fail(FailureReason::hit_ball, e.event.contact);
+        carom_ && e.ball == 0 && counts() ? request_.problem->aim_point_taken_by(e.event.contact, now.at) : nullptr;
+    if (!aim_point || !goal_.allows(request_, *aim_point)) return fail(FailureReason::hit_ball, e.event.contact);
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
     note_hit(e.event.contact.index, aim_point->at);
     touched(*aim_point, incoming_, out_);
@@ -121,7 +121,7 @@ class SetGoing {
     incoming_ = {now.at, now.velocity};
     if (carom_) return false;
     out_.then.push_back({next.ball, {}});
-    asked_ = goal_.of_sent(q_, set_ - 1);
+    asked_ = goal_.of_sent(request_, set_ - 1);
     check_ = SequenceCheck(asked_.sequence);
     bounces_ = 0;
     jaw_.reset();
@@ -131,7 +131,7 @@ class SetGoing {
   }
 
   void note_hit(int ball, const Vec2d& at) {
-    const double reach = q_.boundary_of(number()).rim(Contact::ball(ball))->radius;
+    const double reach = request_.problem->boundary_of(number()).rim(Contact::ball(ball))->radius;
     out_.hits.push_back(hit_by(incoming_, norm(incoming_.heading), ball, at, reach, bounces_));
   }
 
@@ -151,12 +151,14 @@ class SetGoing {
 
   /// Looks along an arc of the ball on its way for the closest approach to a target point; returns whether it is made.
   bool passes(double began, const State<double>& from, const Arc<double>& arc, double travelled) {
-    const auto on_path = [&](double t) { return advance(motion_, q_.boundary_of(number()).body, from, arc, t); };
+    const auto on_path = [&](double t) {
+      return advance(motion_, request_.problem->boundary_of(number()).body, from, arc, t);
+    };
     const State<double> end = on_path(travelled);
     last_ = end.at;
     incoming_ = {last_, end.velocity};
-    if (q_.stop || !all_set() || !counts()) return false;
-    for (const AimPoint& aim_point : q_.aim_points) {
+    if (request_.stop || !all_set() || !counts()) return false;
+    for (const AimPoint& aim_point : request_.problem->aim_points) {
       if (aim_point.captures() || aim_point.ball != number()) continue;
       const double t = closest_time(arc, travelled, aim_point.at);
       const State<double> there = on_path(t);
@@ -174,11 +176,12 @@ class SetGoing {
   template <class Sim>
   bool falls(Contact pocket, const Sim& sim) {
     const State<double>& now = sim.state(on_its_way());
-    const AimPoint* const aim_point = all_set() && counts() ? q_.aim_point_taken_by(pocket, now.at, number()) : nullptr;
-    if (!aim_point || !goal_.allows(q_, *aim_point)) return fail(FailureReason::pocketed, pocket);
+    const AimPoint* const aim_point =
+        all_set() && counts() ? request_.problem->aim_point_taken_by(pocket, now.at, number()) : nullptr;
+    if (!aim_point || !goal_.allows(request_, *aim_point)) return fail(FailureReason::pocketed, pocket);
     out_.made = true;
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
-    measure(q_, *aim_point, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
+    measure(request_, *aim_point, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
     return true;
   }
 
@@ -187,7 +190,7 @@ class SetGoing {
     const auto of_jaws = [&](const AimPoint& aim_point) {
       return aim_point.taken_by == Contact::pocket(jaw.jaw_pocket());
     };
-    if (!jaw_ && std::ranges::any_of(q_.aim_points, of_jaws))
+    if (!jaw_ && std::ranges::any_of(request_.problem->aim_points, of_jaws))
       jaw_ = Line{sim.state(on_its_way()).at, incoming_.heading};
     out_.touches_jaws = true;
     ++out_.jaws;
@@ -196,8 +199,8 @@ class SetGoing {
   template <class Sim>
   bool rests(const Sim& sim) {
     const Vec2d at = sim.state(on_its_way()).at;
-    if (!q_.stop || !all_set() || !counts()) return fail(FailureReason::fell_short);
-    const AimPoint& aim_point = q_.nearest_aim_point(at, number());
+    if (!request_.stop || !all_set() || !counts()) return fail(FailureReason::fell_short);
+    const AimPoint& aim_point = request_.problem->nearest_aim_point(at, number());
     out_.miss = norm(at - aim_point.at);
     out_.arrival = {begin_ + sim.time(), 0, at};
     out_.made = out_.miss <= aim_point.reach;
@@ -207,14 +210,14 @@ class SetGoing {
 
   bool fail(FailureReason reason, Contact contact = {}) {
     if (!(out_.miss < std::numeric_limits<double>::infinity())) {
-      out_.miss = norm(last_ - q_.nearest_aim_point(last_, number()).at);
+      out_.miss = norm(last_ - request_.problem->nearest_aim_point(last_, number()).at);
       out_.arrival = {begin_, 0, last_};
     }
     out_.failure = {reason, contact};
     return true;
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   const Motion& motion_;
   const Cushion& cushion_;
   const Objects::Chain& chain_;

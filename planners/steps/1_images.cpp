@@ -9,11 +9,12 @@
 
 namespace bankshot::planning::steps {
 
-void images(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  refine_images(q, budget, found, word::images, [&](const LockedAim& aim, const Launch& seed) -> std::optional<Launch> {
-    const auto root = newton(aim, budget, seed, settings::wide);
-    return root ? std::optional(root.launch) : std::nullopt;
-  });
+void images(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  refine_images(request, budget, found, word::images,
+                [&](const LockedAim& aim, const Launch& seed) -> std::optional<Launch> {
+                  const auto root = newton(aim, budget, seed, settings::wide);
+                  return root ? std::optional(root.launch) : std::nullopt;
+                });
 }
 
 }  // namespace bankshot::planning::steps

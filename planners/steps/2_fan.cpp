@@ -12,15 +12,16 @@
 
 namespace bankshot::planning::steps {
 
-void fan(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void fan(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const Spacing cell = settings::forward_map::usual;
-  ForwardMap nodes(q, budget, found, cell, word::fan);
+  ForwardMap nodes(request, budget, found, cell, word::fan);
   const int most = static_cast<int>(std::ceil(radians(180) / cell.aim));
-  Unfolding images(q, {.parts = true, .restitution = restitution(q.puzzle.physics).at_rest, .keep_routes = true});
+  Unfolding images(request,
+                   {.parts = true, .restitution = restitution(request.puzzle().physics).at_rest, .keep_routes = true});
   bool more = !budget.spent();
   while (const auto image = images.next()) {
     const Route route = images.route(*image);
-    const LockedAim aim{q, route, q.aim_points[image->aim_point]};
+    const LockedAim aim{request, route, request.problem->aim_points[image->aim_point]};
     for (int i = 1; i <= 2 * most && more; ++i) {
       const double angle = image->angle + cell.aim * (i / 2) * (i % 2 == 0 ? 1 : -1);
       if (const auto speed = speed_at(aim, budget, angle, image->distance)) nodes.visit(angle, *speed);

@@ -7,15 +7,15 @@
 
 namespace bankshot::planning::steps {
 
-void map(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing) {
-  ForwardMap(q, budget, found, spacing, word::map).run();
+void map(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing) {
+  ForwardMap(request, budget, found, spacing, word::map).run();
 }
 
 /// Paths with more bounces bend the map more.
-Spacing usual_spacing(const Question& q) {
+Spacing usual_spacing(const SearchRequest& request) {
   using namespace settings::forward_map;
-  const double finer = static_cast<double>(plain_bounces) / std::max(plain_bounces, q.cushions().max);
-  return q.all() ? Spacing{usual.aim * finer, usual.speed * finer} : usual;
+  const double finer = static_cast<double>(plain_bounces) / std::max(plain_bounces, request.cushions().max);
+  return request.all() ? Spacing{usual.aim * finer, usual.speed * finer} : usual;
 }
 
 }  // namespace bankshot::planning::steps

@@ -23,12 +23,12 @@ using namespace settings::along;
 /// Launches at one aim.
 class OneAim {
  public:
-  OneAim(const Question& q, EvaluationBudget& budget, SearchResult& found, double angle)
-      : q_(q), budget_(budget), found_(found), angle_(angle) {}
+  OneAim(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, double angle)
+      : request_(request), budget_(budget), found_(found), angle_(angle) {}
 
   void search() {
-    if (q_.one_unknown()) return certify_at(q_.fixed_speed());
-    const Range& v = q_.speed;
+    if (request_.one_unknown()) return certify_at(request_.fixed_speed());
+    const Range& v = request_.speed;
     const double low = std::max(v.low, settings::slowest_of_fastest * v.high);
     std::vector<Tried> row;
     for (int i = 0; i <= speeds && !budget_.spent(); ++i)
@@ -48,11 +48,12 @@ class OneAim {
   static constexpr double hopeless = -1;
 
   Tried attempt(double speed) {
-    const Replay r = replay(q_, budget_, {speed, angle_}, Goal::of(q_));
+    const Replay r = replay(request_, budget_, {speed, angle_}, Goal::of(request_));
     if (!r.made && r.failure.reason != FailureReason::missed) return {speed, hopeless};
-    const double miss = r.miss / q_.boundary.diagonal;
-    const bool any_speed = !q_.arrival || q_.stop;
-    return {speed, -(any_speed ? miss : miss + std::abs(r.arrival.speed - q_.asked) / std::max(1.0, q_.asked))};
+    const double miss = r.miss / request_.problem->boundary.diagonal;
+    const bool any_speed = !request_.arrival || request_.stop;
+    return {speed,
+            -(any_speed ? miss : miss + std::abs(r.arrival.speed - request_.asked) / std::max(1.0, request_.asked))};
   }
 
   double best_between(const Tried& low, const Tried& best, const Tried& high) {
@@ -63,11 +64,11 @@ class OneAim {
   }
 
   void certify_at(double speed) {
-    for (int n = q_.cushions().min; n <= q_.cushions().max && !budget_.spent(); ++n)
-      certify(q_, budget_, found_, {speed, angle_}, n, word::along);
+    for (int n = request_.cushions().min; n <= request_.cushions().max && !budget_.spent(); ++n)
+      certify(request_, budget_, found_, {speed, angle_}, n, word::along);
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   double angle_;
@@ -75,12 +76,12 @@ class OneAim {
 
 }  // namespace
 
-void along(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  for (const Wall& wall : q.boundary.walls) {
-    if (!q.touches(wall.contact)) continue;
+void along(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  for (const Wall& wall : request.problem->boundary.walls) {
+    if (!request.problem->touches(wall.contact)) continue;
     for (const Vec2d& way : {wall.along, -wall.along})
-      if (!stop::over(q, budget, found))
-        OneAim(q, budget, found, wrap_angle(std::atan2(way.y + 0.0, way.x))).search();  // + 0: -0 is no angle
+      if (!stop::over(request, budget, found))
+        OneAim(request, budget, found, wrap_angle(std::atan2(way.y + 0.0, way.x))).search();  // + 0: -0 is no angle
   }
 }
 

@@ -18,8 +18,9 @@ namespace {
 using namespace settings::parts;
 
 /// A window around a lead, along its route, at the speed that each aim needs.
-bool bisect_candidate(const Question& q, EvaluationBudget& budget, SearchResult& found, const Candidate& candidate) {
-  const LockedAim locked{q, candidate.route, candidate.aim_point};
+bool bisect_candidate(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found,
+                      const Candidate& candidate) {
+  const LockedAim locked{request, candidate.route, candidate.aim_point};
   const std::vector<Contact> contacts = contacts_of(candidate.route);
   const Goal goal = Goal::along(contacts);
   const auto launch = [&](double aim) -> std::optional<Launch> {
@@ -29,19 +30,19 @@ bool bisect_candidate(const Question& q, EvaluationBudget& budget, SearchResult&
   };
   const AimRow row{[&](double aim) {
                      const auto l = launch(aim);
-                     return l ? replay(q, budget, *l, goal) : Replay{};
+                     return l ? replay(request, budget, *l, goal) : Replay{};
                    },
                    [&](double aim, int bounces) {
                      const auto l = launch(aim);
-                     return l && certify(q, budget, found, *l, bounces, word::parts, Demand::off_centre);
+                     return l && certify(request, budget, found, *l, bounces, word::parts, Demand::off_centre);
                    }};
   const Range aims{candidate.launch.angle - candidate.half, candidate.launch.angle + candidate.half};
   return find_window(row, budget, aims, candidate.launch.angle, aims_across);
 }
 
 /// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed, or nearly.
-bool hopeful(const Question& q, const Candidate& candidate) {
-  const Range& v = q.speed;
+bool hopeful(const SearchRequest& request, const Candidate& candidate) {
+  const Range& v = request.speed;
   return candidate.half > 0 && candidate.room > -candidate.aim_point.reach &&
          candidate.launch.speed > v.low / nearly_allowed && candidate.launch.speed < v.high * nearly_allowed;
 }
@@ -53,12 +54,12 @@ bool alike(const Launch& a, const Launch& b) {
          std::abs(std::log(a.speed / b.speed)) < settings::parts::alike;
 }
 
-void Parts::climb(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  if (q.starts()) return;  // its leads are what is asked for
+void Parts::climb(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  if (request.starts()) return;  // its leads are what is asked for
   for (Candidate& candidate : found.candidates) {
     if (!found.shots.empty() || budget.spent()) break;
-    if (q.objects && was_tried(candidate)) continue;  // many pairs of routes lead to one root
-    Widest(q, budget, found, candidate).find();
+    if (request.problem->objects && was_tried(candidate)) continue;  // many pairs of routes lead to one root
+    Widest(request, budget, found, candidate).find();
     tried_.push_back(std::move(candidate));
   }
   found.candidates.clear();
@@ -71,13 +72,13 @@ bool Parts::was_tried(const Candidate& candidate) const {
   });
 }
 
-void Parts::bisect(const Question& q, EvaluationBudget& budget, SearchResult& found, double share) {
+void Parts::bisect(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, double share) {
   const long until = budget.share_of_rest(share);
   std::sort(tried_.begin(), tried_.end(), [](const auto& a, const auto& b) { return a.room < b.room; });
   for (; !tried_.empty() && found.shots.empty() && !budget.spent() && budget.simulations() < until; tried_.pop_back()) {
     Candidate& candidate = tried_.back();
-    if (hopeful(q, candidate) && !Widest(q, budget, found, candidate).across_jumps())
-      bisect_candidate(q, budget, found, candidate);
+    if (hopeful(request, candidate) && !Widest(request, budget, found, candidate).across_jumps())
+      bisect_candidate(request, budget, found, candidate);
   }
 }
 

@@ -36,8 +36,11 @@ using namespace settings::jaw_shots;
 
 class JawShots {
  public:
-  JawShots(const Question& q, EvaluationBudget& budget, SearchResult& found)
-      : q_(q), budget_(budget), found_(found), mouths_(aim_points_of(PocketTarget{}, q.boundary)) {}
+  JawShots(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found)
+      : request_(request),
+        budget_(budget),
+        found_(found),
+        mouths_(aim_points_of(PocketTarget{}, request.problem->boundary)) {}
 
   /// Where some shots count on fewer mouths, those on more are not looked for.
   void run() {
@@ -46,11 +49,13 @@ class JawShots {
   }
 
  private:
-  bool done() const { return budget_.spent() || (!q_.all() && found_.shots.size() >= (q_.first() ? 1 : enough)); }
+  bool done() const {
+    return budget_.spent() || (!request_.all() && found_.shots.size() >= (request_.first() ? 1 : enough));
+  }
 
   void all_round(const Look& look) {
     look_ = look;
-    const Range aims = q_.angle.value_or(whole_turn);
+    const Range aims = request_.angle.value_or(whole_turn);
     const int columns = std::max(1, static_cast<int>(std::ceil((aims.high - aims.low) / look.cell.aim)));
     const double half = (aims.high - aims.low) / columns / 2;
     for (const double speed : speeds())
@@ -60,9 +65,9 @@ class JawShots {
 
   /// One is enough where it shows the shape of all paths.
   std::vector<double> speeds() const {
-    if (q_.one_unknown()) return {q_.fixed_speed()};
-    if (is_straight(q_.puzzle.physics)) return {q_.speed.high};
-    return speeds_to_try(q_, look_.cell.speed);
+    if (request_.one_unknown()) return {request_.fixed_speed()};
+    if (is_straight(request_.puzzle().physics)) return {request_.speed.high};
+    return speeds_to_try(request_, look_.cell.speed);
   }
 
   /// Launches at one speed.
@@ -76,12 +81,12 @@ class JawShots {
   void look_into_mouths(const Beam& beam) {
     const bool first = beam.after == 0, last = beam.on_the_way == 0;
     const Launch launch{beam.middle.speed, wrap_angle(beam.middle.angle)};
-    const std::vector<AimPoint>& aim_points = first && last ? q_.aim_points : mouths_;
+    const std::vector<AimPoint>& aim_points = first && last ? request_.problem->aim_points : mouths_;
     Forward& forward = forwards_[static_cast<std::size_t>(beam.on_the_way)];
     if (first && last)
-      planning::forward(q_, budget_, launch, true, forward);
+      planning::forward(request_, budget_, launch, true, forward);
     else
-      forward_through_jaws(q_, budget_, launch, beam.half, mouths_, forward);
+      forward_through_jaws(request_, budget_, launch, beam.half, mouths_, forward);
     const Route& route = forward.route;
     if (!first && !(route.size() >= beam.after && route[beam.after - 1].with.kind == ContactKind::jaw)) return;
     for (const Passage& p : forward.passages) {
@@ -105,7 +110,8 @@ class JawShots {
   /// A row of launches on these lines, as far as the beam sees them.
   void across(const Beam& beam, const Mouth& mouth, double apart) {
     const Linear& l = mouth.passage.linear;
-    const double exact = mouth.aim_point.exact_offset(mouth.passage.along, 0), diagonal = q_.boundary.diagonal;
+    const double exact = mouth.aim_point.exact_offset(mouth.passage.along, 0),
+                 diagonal = request_.problem->boundary.diagonal;
     const auto aim = [&](double offset) {
       return beam.middle.angle + ((exact - offset) / diagonal - l.r[0]) / l.by_aim(0);
     };
@@ -114,7 +120,7 @@ class JawShots {
     const double high = std::min(to, beam.middle.angle + beam.half);
     if (!(low < high)) return;
     const double metres = (high - low) * std::abs(l.by_aim(0)) * diagonal;
-    const int launches = 1 + static_cast<int>(metres / (apart * q_.puzzle.ball.body.radius));
+    const int launches = 1 + static_cast<int>(metres / (apart * request_.puzzle().ball.body.radius));
     const double half = (high - low) / launches / 2;
     const auto launch = [&](int i) { return Launch{beam.middle.speed, low + half * (2 * i + 1)}; };
     if (beam.on_the_way == 0) return fall(launches, launch);
@@ -125,13 +131,13 @@ class JawShots {
   /// From the end of one rail to that of the other, and so many radii more.
   Range whole(const AimPoint& aim_point, const Passage& p, double more) const {
     Range out{forever, -forever};
-    for (const Circle& tip : q_.boundary.jaws[static_cast<std::size_t>(aim_point.taken_by.index)].tips) {
+    for (const Circle& tip : request_.problem->boundary.jaws[static_cast<std::size_t>(aim_point.taken_by.index)].tips) {
       const Contact rail = tip.before.kind == ContactKind::rail ? tip.before : tip.after;
-      const Vec2d end = tip.centre + q_.boundary.line(rail)->normal * tip.radius;
+      const Vec2d end = tip.centre + request_.problem->boundary.line(rail)->normal * tip.radius;
       const double offset = cross(p.along, end - aim_point.at);
       out = {std::min(out.low, offset), std::max(out.high, offset)};
     }
-    more *= q_.puzzle.ball.body.radius;
+    more *= request_.puzzle().ball.body.radius;
     return {out.low - more, out.high + more};
   }
 
@@ -139,19 +145,19 @@ class JawShots {
   std::array<Range, 2> beside_opening(const AimPoint& aim_point, const Passage& p) const {
     const Range all = whole(aim_point, p, beyond);
     const Gap<double> gap = aim_point.gap(p.along, 0);
-    const double more = beyond * q_.puzzle.ball.body.radius;
+    const double more = beyond * request_.puzzle().ball.body.radius;
     return {Range{all.low, std::min(all.high, gap.low + more)}, Range{std::max(all.low, gap.high - more), all.high}};
   }
 
   /// After these meetings the ball may fall there.
   bool may_end(std::span<const Meeting> route, const AimPoint& mouth) const {
-    return bounces_of(route) >= q_.cushions().min &&
-           std::ranges::count(q_.aim_points, mouth.taken_by, &AimPoint::taken_by) > 0;
+    return bounces_of(route) >= request_.cushions().min &&
+           std::ranges::count(request_.problem->aim_points, mouth.taken_by, &AimPoint::taken_by) > 0;
   }
 
   /// It passes slower than asked, by more than a cell.
   bool too_slow(const Linear& l) const {
-    return !q_.one_unknown() && q_.arrival->fixed() && -l.r[1] > look_.cell.speed * l.by_speed(1);
+    return !request_.one_unknown() && request_.arrival->fixed() && -l.r[1] > look_.cell.speed * l.by_speed(1);
   }
 
   /// A launch that drops, and the speed at which it does.
@@ -174,24 +180,24 @@ class JawShots {
   }
 
   std::optional<Dropped> drop(const Launch& launch) {
-    if (budget_.spent() || launch.speed < q_.speed.low || launch.speed > q_.speed.high) return {};
+    if (budget_.spent() || launch.speed < request_.speed.low || launch.speed > request_.speed.high) return {};
     std::vector<Contact> cushions;
-    const Replay r = replay(q_, budget_, launch, Goal::of(q_, Demand::made), &cushions);
+    const Replay r = replay(request_, budget_, launch, Goal::of(request_, Demand::made), &cushions);
     if (!r.made) return {};
     return Dropped{launch, r.arrival.speed, route_by(r.touches_jaws ? r.met : cushions),
-                   q_.nearest_aim_point(r.arrival.at)};
+                   request_.problem->nearest_aim_point(r.arrival.at)};
   }
 
   /// Too slow: below 0.
   double excess(const Dropped& d) const {
-    if (q_.one_unknown() || (d.arrival >= q_.arrival->low && d.arrival <= q_.arrival->high)) return 0;
-    const double fine = tolerance::exact_speed * std::max(1.0, q_.asked) / 4, by = d.arrival - q_.asked;
+    if (request_.one_unknown() || (d.arrival >= request_.arrival->low && d.arrival <= request_.arrival->high)) return 0;
+    const double fine = tolerance::exact_speed * std::max(1.0, request_.asked) / 4, by = d.arrival - request_.asked;
     return std::abs(by) < fine ? 0 : by;
   }
 
   bool keep(const Dropped& d) {
     return excess(d) == 0 &&
-           certify(q_, budget_, found_, d.launch, bounces_of(d.route), word::jaw_shots, Demand::off_centre);
+           certify(request_, budget_, found_, d.launch, bounces_of(d.route), word::jaw_shots, Demand::off_centre);
   }
 
   /// One of them is too fast, the other too slow: the aim between.
@@ -209,7 +215,7 @@ class JawShots {
   /// Along its band; steps are shortened where they lead out of it.
   bool keep_along(Dropped at) {
     for (int i = 0; i < most_steps && excess(at) != 0; ++i) {
-      auto l = linearise({q_, at.route, at.aim_point}, budget_, at.launch);
+      auto l = linearise({request_, at.route, at.aim_point}, budget_, at.launch);
       if (!l) return false;
       l->r[0] = 0;  // it falls where it falls
       const auto step = newton_step(*l, false);
@@ -227,7 +233,7 @@ class JawShots {
     return keep(at);
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   std::vector<AimPoint> mouths_;
@@ -237,8 +243,8 @@ class JawShots {
 
 }  // namespace
 
-void jaw_shots(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  if (q.drops() && !q.boundary.jaws.empty()) JawShots(q, budget, found).run();
+void jaw_shots(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  if (request.problem->drops() && !request.problem->boundary.jaws.empty()) JawShots(request, budget, found).run();
 }
 
 }  // namespace bankshot::planning::steps

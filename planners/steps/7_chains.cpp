@@ -36,96 +36,100 @@ using namespace settings::chains;
 
 class Chains {
  public:
-  Chains(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain)
-      : q_(q),
+  Chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain)
+      : request_(request),
         budget_(budget),
         found_(found),
         chain_(chain),
         last_(*chain.balls.back()),
         by_(chain.balls.size() > 1 ? chain.balls[chain.balls.size() - 2] : nullptr),
-        to_ghost_(q, before_last(q, chain), q.one_unknown() ? std::optional(q.fixed_speed()) : std::nullopt) {}
+        to_ghost_(request, before_last(request, chain),
+                  request.one_unknown() ? std::optional(request.fixed_speed()) : std::nullopt) {}
 
   void run(std::vector<Candidate>& known) {
-    for (const Leg& leg : legs(q_, budget_, chain_, images, known, !q_.every)) {
-      if (stop::enough_seeds(q_, budget_, found_)) return;
-      if (leg.clear && is_worth(leg, norm(last_.at_rest.at - q_.puzzle.ball.at))) join_all(leg, chains);
+    for (const Leg& leg : legs(request_, budget_, chain_, images, known, !request_.every)) {
+      if (stop::enough_seeds(request_, budget_, found_)) return;
+      if (leg.clear && is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at))) join_all(leg, chains);
       if (is_settled(leg)) known.push_back(leg.alone);
     }
   }
 
   void closely(Parts& parts) {
-    std::vector<Leg> all = legs(q_, budget_, chain_, starts_by_map);
+    std::vector<Leg> all = legs(request_, budget_, chain_, starts_by_map);
     std::stable_partition(all.begin(), all.end(), [](const Leg& leg) { return leg.clear; });
-    std::erase_if(all, [&](const Leg& leg) { return !is_worth(leg, norm(last_.at_rest.at - q_.puzzle.ball.at)); });
-    if (all.empty() && q_.likelier > 0) return;
+    std::erase_if(all,
+                  [&](const Leg& leg) { return !is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at)); });
+    if (all.empty() && request_.likelier > 0) return;
     for (const Leg& leg : all) {
-      if (sweeps_over(q_, budget_, found_)) return;
+      if (sweeps_over(request_, budget_, found_)) return;
       join_all(leg, chains);
-      parts.climb(q_, budget_, found_);
+      parts.climb(request_, budget_, found_);
     }
-    if (sweeps_over(q_, budget_, found_)) return;
-    bands(q_, budget_, found_, chain_);
-    parts.climb(q_, budget_, found_);
-    sweeps(q_, budget_, found_, chain_, all, parts);
+    if (sweeps_over(request_, budget_, found_)) return;
+    bands(request_, budget_, found_, chain_);
+    parts.climb(request_, budget_, found_);
+    sweeps(request_, budget_, found_, chain_, all, parts);
   }
 
  private:
   /// Whether a cue ball that rolls so far [m] to the object ball may pot it as often as the question needs. An error of
   /// aim turns the object ball by the distance over where the balls touch; English and cushions may halve that.
   bool is_worth(const Leg& leg, double distance) const {
-    if (q_.likelier <= 0 || by_ || !(leg.spread > 0) || !leg.aim_point.drops()) return true;
-    const double turned = q_.puzzle.noise.angle * distance / norm(ghost({1, 0}) - last_.at_rest.at);
+    if (request_.likelier <= 0 || by_ || !(leg.spread > 0) || !leg.aim_point.drops()) return true;
+    const double turned = request_.puzzle().noise.angle * distance / norm(ghost({1, 0}) - last_.at_rest.at);
     const double beside = least_turned * turned * leg.spread;
-    return std::erf(leg.aim_point.reach / (beside * std::sqrt(2.0))) > q_.likelier;
+    return std::erf(leg.aim_point.reach / (beside * std::sqrt(2.0))) > request_.likelier;
   }
 
   /// With all that leads through the ghost; `before` finds that of a combination.
   void join_all(const Leg& leg, Step before) {
-    const Question at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
+    const SearchRequest at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
     if (!by_) return each_image(leg, at_ghost);
     SearchResult starts;
-    before(to_ghost_.at(at_ghost.aim_points.front().at, normal_speed(leg.launch().speed)), budget_, starts);
+    before(to_ghost_.at(at_ghost.problem->aim_points.front().at, normal_speed(leg.launch().speed)), budget_, starts);
     for (const Candidate& candidate : starts.candidates) {
-      if (stop::enough_seeds(q_, budget_, found_)) return;
+      if (stop::enough_seeds(request_, budget_, found_)) return;
       if (!has_candidate(leg, candidate.route)) join(leg, candidate.route, candidate.launch);
     }
   }
 
   /// A route that has a root needs no other image.
-  void each_image(const Leg& leg, const Question& at_ghost) {
-    const bool straight = is_straight(q_.puzzle.physics);
+  void each_image(const Leg& leg, const SearchRequest& at_ghost) {
+    const bool straight = is_straight(request_.puzzle().physics);
     std::set<Route> settled;
     for (const double share : settings::restitution_shares) {
-      const double e = share * restitution(q_.puzzle.physics).at_rest;
+      const double e = share * restitution(request_.puzzle().physics).at_rest;
       Unfolding images(at_ghost, {.parts = !straight, .restitution = e, .keep_routes = true});
       while (const auto image = images.next()) {
-        if (stop::enough_seeds(q_, budget_, found_)) return;
+        if (stop::enough_seeds(request_, budget_, found_)) return;
         Route route = images.route(*image);
         if (settled.contains(route) || has_candidate(leg, route) || !is_worth(leg, image->distance)) continue;
         if (route.empty() && (share != settings::restitution_shares.front() || !may_hit(leg, image->angle))) continue;
-        const Question& own = to_ghost_.at(at_ghost.aim_points.front().at, normal_speed(leg.launch().speed));
-        const auto speed = speed_at({own, route, own.aim_points.front()}, budget_, image->angle, image->distance);
+        const SearchRequest& own =
+            to_ghost_.at(at_ghost.problem->aim_points.front().at, normal_speed(leg.launch().speed));
+        const auto speed =
+            speed_at({own, route, own.problem->aim_points.front()}, budget_, image->angle, image->distance);
         if (speed && join(leg, route, {*speed, image->angle})) settled.insert(std::move(route));
       }
-      if (straight || (q_.route && !found_.shots.empty())) return;
+      if (straight || (request_.route && !found_.shots.empty())) return;
     }
   }
 
   /// Straight at the ghost, and from before it.
   bool may_hit(const Leg& leg, double angle) const {
-    return q_.spin.masse != 0 || dot(direction(angle), direction(leg.launch().angle)) >= least_cosine;
+    return request_.spin.masse != 0 || dot(direction(angle), direction(leg.launch().angle)) >= least_cosine;
   }
 
   /// At any arrival speed.
   bool is_settled(const Leg& leg) const {
-    if (!hit_straight(q_, chain_)) return false;
-    const Vec2d way = last_.at_rest.at - q_.puzzle.ball.at;
+    if (!hit_straight(request_, chain_)) return false;
+    const Vec2d way = last_.at_rest.at - request_.puzzle().ball.at;
     return has_candidate(leg, {}) || dot(way, direction(leg.launch().angle)) < least_settled * norm(way);
   }
 
   /// Of another arrival speed, or found just now.
   bool has_candidate(const Leg& leg, const Route& before) const {
-    if (!q_.starts() || found_.candidates.empty()) return false;
+    if (!request_.starts() || found_.candidates.empty()) return false;
     const Route whole = whole_route(leg, before);
     return std::ranges::any_of(found_.candidates, [&](const Candidate& candidate) {
       return candidate.aim_point == leg.aim_point && candidate.route == whole;
@@ -139,12 +143,12 @@ class Chains {
   Vec2d ghost(const Vec2d& n) const {
     return last_.at_rest.at - n * touching_distance(body_before(), last_.at_rest.body);
   }
-  const Body& body_before() const { return by_ ? by_->at_rest.body : q_.puzzle.ball.body; }
+  const Body& body_before() const { return by_ ? by_->at_rest.body : request_.puzzle().ball.body; }
 
   /// The normal speed that gives the last ball a speed.
   double normal_speed(double speed) const {
     const double m1 = body_before().mass, m2 = last_.at_rest.body.mass;
-    return speed * (m1 + m2) / ((1 + collisions(q_.puzzle.physics).restitution) * m1);
+    return speed * (m1 + m2) / ((1 + collisions(request_.puzzle().physics).restitution) * m1);
   }
 
   /// By a route through the ghost, from a launch near it: corrected, and from there the root of the whole.
@@ -152,30 +156,30 @@ class Chains {
     double turn = 0, asked = normal_speed(leg.launch().speed);
     for (int i = 0; i < most_corrections; ++i) {
       const Vec2d n = direction(leg.launch().angle + turn);
-      const Question& own = to_ghost_.at(ghost(n), asked);
-      const LockedAim aim{own, route, own.aim_points.front()};
+      const SearchRequest& own = to_ghost_.at(ghost(n), asked);
+      const LockedAim aim{own, route, own.problem->aim_points.front()};
       const auto root = newton(aim, budget_, seed, settings::wide);
       if (!root) return false;
       seed = root.launch;
       budget_.charge(route.size());
-      auto arrival = arrival_of(aim, start_of(own, seed), q_.puzzle.physics);
+      auto arrival = arrival_of(aim, start_of(own, seed), request_.puzzle().physics);
       if (!arrival || !(dot(arrival->heading, n) > 0)) return false;
       const double cosine = dot(arrival->heading, n) / norm(arrival->heading);
       if (cosine < least_cosine) return false;
       State<double> struck = arrival->state, sent{last_.at_rest.at, {}, {}};
       struck.at = ghost(n);
-      collisions(q_.puzzle.physics).collide(body_before(), struck, last_.at_rest.body, sent);
+      collisions(request_.puzzle().physics).collide(body_before(), struck, last_.at_rest.body, sent);
       const double off = angle_difference(std::atan2(sent.velocity.y, sent.velocity.x), leg.launch().angle);
       const double normal = dot(arrival->state.velocity, n) * leg.launch().speed / norm(sent.velocity), before = asked;
       asked = normal / cosine;
-      if (!q_.one_unknown()) seed.speed *= asked / before;
+      if (!request_.one_unknown()) seed.speed *= asked / before;
       turn += off;
       if (i > 0 && std::abs(off) < settled_turn) break;
     }
     const Route whole = whole_route(leg, route);
-    const LockedAim aim{q_, whole, leg.aim_point};
+    const LockedAim aim{request_, whole, leg.aim_point};
     for (const double faster : faster_seeds) {
-      const Launch from{q_.one_unknown() ? q_.fixed_speed() : seed.speed * faster, seed.angle};
+      const Launch from{request_.one_unknown() ? request_.fixed_speed() : seed.speed * faster, seed.angle};
       const auto root = newton(aim, budget_, from, settings::wide);
       if (!root) continue;
       certify_root(aim, budget_, found_, root.launch, word::chains);
@@ -184,7 +188,7 @@ class Chains {
     return false;
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   const Objects::Chain& chain_;
@@ -195,17 +199,19 @@ class Chains {
 
 }  // namespace
 
-void chains(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   KnownLegs none;
-  chains_again(q, budget, found, none);
+  chains_again(request, budget, found, none);
 }
 
-void chains_again(const Question& q, EvaluationBudget& budget, SearchResult& found, KnownLegs& known) {
-  for (const Objects::Chain& chain : q.objects->chains) Chains(q, budget, found, chain).run(known[&chain]);
+void chains_again(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known) {
+  for (const Objects::Chain& chain : request.problem->objects->chains)
+    Chains(request, budget, found, chain).run(known[&chain]);
 }
 
-void chains_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts) {
-  for (const Objects::Chain& chain : q.objects->chains) Chains(q, budget, found, chain).closely(parts);
+void chains_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts) {
+  for (const Objects::Chain& chain : request.problem->objects->chains)
+    Chains(request, budget, found, chain).closely(parts);
 }
 
 }  // namespace bankshot::planning::steps

@@ -34,15 +34,15 @@ using namespace settings::chains;
 
 class Sweeps {
  public:
-  Sweeps(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts)
-      : q_(q), budget_(budget), found_(found), parts_(parts) {}
+  Sweeps(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts)
+      : request_(request), budget_(budget), found_(found), parts_(parts) {}
 
   void run(const Objects::Chain& chain, const std::vector<Leg>& legs) {
-    const std::vector<Approach> to_ball = approaches_to_last(q_, budget_, chain);
-    if (q_.drops()) launches(to_ball);  // hardly any that falls is on the exact line
+    const std::vector<Approach> to_ball = approaches_to_last(request_, budget_, chain);
+    if (request_.problem->drops()) launches(to_ball);  // hardly any that falls is on the exact line
     each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
     each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
-    if (!q_.drops()) launches(to_ball);
+    if (!request_.problem->drops()) launches(to_ball);
     climb_peaks();
   }
 
@@ -50,15 +50,15 @@ class Sweeps {
   /// Those that are made as they are, by whatever they meet.
   void launches(const std::vector<Approach>& to_ball) {
     for (const Approach& approach : to_ball)
-      each_launch(q_, approach.across, {sweep_steps, grid_rows}, [&](const Launch& launch, int) {
+      each_launch(request_, approach.across, {sweep_steps, grid_rows}, [&](const Launch& launch, int) {
         if (over()) return true;
-        if (const auto made = made_as_asked(q_, budget_, launch))
-          certify(q_, budget_, found_, made->launch, made->replay.bounces, word::chains, Demand::off_centre);
+        if (const auto made = made_as_asked(request_, budget_, launch))
+          certify(request_, budget_, found_, made->launch, made->replay.bounces, word::chains, Demand::off_centre);
         return false;
       });
   }
 
-  bool over() const { return sweeps_over(q_, budget_, found_); }
+  bool over() const { return sweeps_over(request_, budget_, found_); }
 
   /// `look(chain, aims across the ball)`, once each.
   template <class Look>
@@ -70,8 +70,8 @@ class Sweeps {
       for (const Approach& approach : to_ball) {
         if (over()) return;
         const Route whole = together(chain, approach.route, leg);
-        look({q_, whole, leg.aim_point}, approach.across);
-        parts_.climb(q_, budget_, found_);
+        look({request_, whole, leg.aim_point}, approach.across);
+        parts_.climb(request_, budget_, found_);
       }
     }
   }
@@ -88,12 +88,12 @@ class Sweeps {
     const auto speed = speed_near(aim, budget_, angle, guess);
     const auto l = speed ? linearise(aim, budget_, {*speed, angle}) : std::nullopt;
     if (!l) return {};
-    return Side{{*speed, angle}, q_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0]};
+    return Side{{*speed, angle}, request_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0]};
   }
 
   /// Where Newton's method does not come to the speed that arrives as asked.
   std::optional<Side> side_from_bounds(const LockedAim& aim, double angle) {
-    const auto speed = speed_at(aim, budget_, angle, q_.boundary.diagonal);
+    const auto speed = speed_at(aim, budget_, angle, request_.problem->boundary.diagonal);
     return speed ? side_at(aim, angle, *speed) : std::nullopt;
   }
 
@@ -101,7 +101,7 @@ class Sweeps {
     const double middle = (across.low + across.high) / 2, half = (across.high - across.low) / 2;
     std::optional<Side> last;
     std::vector<Side> row;
-    double guess = middle_speed(q_);
+    double guess = middle_speed(request_);
     for (int i = -sweep_steps; i <= sweep_steps && !over(); ++i) {
       const double cut = widest_cut * i / sweep_steps;
       const double to = middle + half * std::sin(cut);
@@ -110,7 +110,7 @@ class Sweeps {
       if (now) guess = now->launch.speed;
       if (now && last && (now->side > 0) != (last->side > 0)) between(aim, *last, *now);
       last = now;
-      if (now && !q_.starts()) row.push_back(*now);
+      if (now && !request_.starts()) row.push_back(*now);
     }
     make_beside(aim, row);
   }
@@ -133,18 +133,19 @@ class Sweeps {
   /// Where the exact line needs a launch that no bound allows, or is blocked, others lead in beside it: those of the
   /// row with room, and what is between two of them around each that has more than its neighbours.
   void make_beside(const LockedAim& aim, std::vector<Side>& row) {
-    for (Side& s : row) s.room = clearance(aim, budget_, s.launch).value_or(-q_.boundary.diagonal);
+    for (Side& s : row) s.room = clearance(aim, budget_, s.launch).value_or(-request_.problem->boundary.diagonal);
     for (std::size_t i = 0; i < row.size(); ++i) {
       const Side& s = row[i];
       if (over()) return;
-      if (q_.speed.contains(s.launch.speed) && s.room > 0)
-        certify(q_, budget_, found_, {s.launch.speed, wrap_angle(s.launch.angle)}, bounces_of(aim.route), word::chains,
-                Demand::off_centre);
+      if (request_.speed.contains(s.launch.speed) && s.room > 0)
+        certify(request_, budget_, found_, {s.launch.speed, wrap_angle(s.launch.angle)}, bounces_of(aim.route),
+                word::chains, Demand::off_centre);
       const Side& before = row[i > 0 ? i - 1 : i];
       const Side& after = row[std::min(i + 1, row.size() - 1)];
       if (s.room < before.room || s.room < after.room || s.room < -least_hope * aim.aim_point.reach) continue;
       const double half = std::max(s.launch.angle - before.launch.angle, after.launch.angle - s.launch.angle);
-      peaks_.push_back({s.launch, Route(aim.route.begin(), aim.route.end()), aim.aim_point, q_.spin, half, s.room});
+      peaks_.push_back(
+          {s.launch, Route(aim.route.begin(), aim.route.end()), aim.aim_point, request_.spin, half, s.room});
     }
   }
 
@@ -153,17 +154,18 @@ class Sweeps {
     if (over()) return;
     std::ranges::sort(peaks_, std::ranges::greater{}, &Candidate::room);
     std::ranges::move(peaks_, std::back_inserter(found_.candidates));
-    parts_.climb(q_, budget_, found_);
+    parts_.climb(request_, budget_, found_);
   }
 
   void grid(const LockedAim& aim, const Range& across) {
     const Neighbourhood near{
         grid_reach * (across.high - across.low) / 2 / grid_steps,
-        grid_reach * (q_.one_unknown() ? 1 : std::log(q_.speed.high / slowest_tried(q_)) / (grid_rows - 1))};
-    each_launch(q_, across, {grid_steps, grid_rows}, [&](const Launch& node, int) {
+        grid_reach *
+            (request_.one_unknown() ? 1 : std::log(request_.speed.high / slowest_tried(request_)) / (grid_rows - 1))};
+    each_launch(request_, across, {grid_steps, grid_rows}, [&](const Launch& node, int) {
       if (over()) return true;
       const auto l = linearise(aim, budget_, node);
-      const auto step = l ? newton_step(*l, q_.one_unknown()) : std::nullopt;
+      const auto step = l ? newton_step(*l, request_.one_unknown()) : std::nullopt;
       if (!step || !(std::abs((*step)[0]) < near.step_aim && std::abs((*step)[1]) < near.step_speed)) return false;
       const auto root = newton(aim, budget_, {node.speed * std::exp((*step)[1]), node.angle + (*step)[0]}, near);
       if (root) certify_root(aim, budget_, found_, root.launch, word::chains);
@@ -171,7 +173,7 @@ class Sweeps {
     });
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   Parts& parts_;
@@ -180,15 +182,15 @@ class Sweeps {
 
 }  // namespace
 
-void sweeps(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain,
+void sweeps(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain,
             const std::vector<Leg>& known, Parts& parts) {
   std::vector<Leg> legs = known;
-  std::ranges::move(legs_of_images(q, chain), std::back_inserter(legs));
-  Sweeps(q, budget, found, parts).run(chain, legs);
+  std::ranges::move(legs_of_images(request, chain), std::back_inserter(legs));
+  Sweeps(request, budget, found, parts).run(chain, legs);
 }
 
-bool sweeps_over(const Question& q, EvaluationBudget& budget, const SearchResult& found) {
-  return stop::over(q, budget, found) || !(q.all() || q.starts() || found.shots.empty());
+bool sweeps_over(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found) {
+  return stop::over(request, budget, found) || !(request.all() || request.starts() || found.shots.empty());
 }
 
 }  // namespace bankshot::planning::steps

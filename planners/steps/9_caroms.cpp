@@ -42,56 +42,56 @@ using Passes = std::map<Route, SidePass>;
 
 class Caroms {
  public:
-  Caroms(const Question& q, EvaluationBudget& budget, SearchResult& found, const Grid& grid, Step starts)
-      : q_(q),
+  Caroms(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Grid& grid, Step starts)
+      : request_(request),
         budget_(budget),
         found_(found),
         grid_(grid),
         starts_(starts),
-        first_(*q.objects->chains.front().balls.front()),
-        aim_point_(q.aim_points.front()),
-        to_first_(q.puzzle.table, q.puzzle.ball.body, q.puzzle.others, all_but_first()) {}
+        first_(*request.problem->objects->chains.front().balls.front()),
+        aim_point_(request.problem->aim_points.front()),
+        to_first_(request.puzzle().table, request.puzzle().ball.body, request.puzzle().others, all_but_first()) {}
 
   void run() {
-    const CushionRule& rule = q_.cushions();
+    const CushionRule& rule = request_.cushions();
     for (int n = 0; n <= rule.max; ++n) {
       if (one_is_enough())
         return found_.add_note(
             fmt::format("shots with {} or more cushions before the first ball were not looked for", n));
-      for (const Approach& approach : approaches(q_, budget_, first_, before_first(n), starts_)) {
-        if (stop::over(q_, budget_, found_)) return;
+      for (const Approach& approach : approaches(request_, budget_, first_, before_first(n), starts_)) {
+        if (stop::over(request_, budget_, found_)) return;
         look_across(approach);
       }
     }
   }
 
  private:
-  bool one_is_enough() const { return !q_.all() && !q_.starts() && !found_.shots.empty(); }
+  bool one_is_enough() const { return !request_.all() && !request_.starts() && !found_.shots.empty(); }
 
   std::vector<int> all_but_first() const {
     std::vector<int> out;
-    for (int k = 1; k <= static_cast<int>(q_.puzzle.others.size()); ++k)
+    for (int k = 1; k <= static_cast<int>(request_.puzzle().others.size()); ++k)
       if (k != first_.ball) out.push_back(k);
     return out;
   }
 
   /// So many cushions of those asked.
   CushionRule before_first(int n) const {
-    const auto& asked = q_.cushions().sequence;
+    const auto& asked = request_.cushions().sequence;
     return asked ? CushionRule::in_order({asked->begin(), asked->begin() + n}) : CushionRule::exactly(n);
   }
 
   /// They begin the cushions that are asked in order.
   bool in_turn(const std::vector<Contact>& cushions) const {
-    const auto& asked = q_.cushions().sequence;
+    const auto& asked = request_.cushions().sequence;
     return !asked || (cushions.size() <= asked->size() && std::equal(cushions.begin(), cushions.end(), asked->begin()));
   }
 
   void look_across(const Approach& approach) {
     std::map<int, Passes> before;
     std::map<Route, std::vector<SidePass>> touching;
-    each_launch(q_, approach.across, grid_, [&](const Launch& launch, int speed) {
-      if (stop::over(q_, budget_, found_)) return true;
+    each_launch(request_, approach.across, grid_, [&](const Launch& launch, int speed) {
+      if (stop::over(request_, budget_, found_)) return true;
       Passes now = follow(launch);
       for (const auto& [route, pass] : now) {
         const auto last = before[speed].find(route);
@@ -114,12 +114,12 @@ class Caroms {
   Passes follow(const Launch& launch) {
     Passes out;
     Route route;
-    with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-      Simulator sim(to_first_, motion, cushion, start_of(q_, launch));
+    with_physics(request_.puzzle().physics, [&](const auto& motion, const auto& cushion) {
+      Simulator sim(to_first_, motion, cushion, start_of(request_, launch));
       for (Event e = sim.step(); e.kind != EventKind::ball; e = sim.step())
         if (!goes_on(e, route)) return;
       State<double> struck = sim.state(), other{first_.at_rest.at, {}, {}};
-      collisions(q_.puzzle.physics).collide(q_.puzzle.ball.body, struck, first_.at_rest.body, other);
+      collisions(request_.puzzle().physics).collide(request_.puzzle().ball.body, struck, first_.at_rest.body, other);
       route.push_back({0, Contact::ball(first_.ball)});
       object_ball_path(motion, cushion, struck, launch, route, out);
     });
@@ -130,7 +130,7 @@ class Caroms {
   template <class Motion, class Cushion>
   void object_ball_path(const Motion& motion, const Cushion& cushion, const State<double>& struck, const Launch& launch,
                         Route& route, Passes& out) {
-    Simulator sim(q_.alone(), motion, cushion, struck);
+    Simulator sim(request_.problem->alone(), motion, cushion, struck);
     for (;;) {
       SidePass pass{launch, forever, false};
       const auto look = [&](const Arc<double>& arc, double travelled) {
@@ -143,7 +143,7 @@ class Caroms {
         e = sim.step(forever, look);
         look(sim.arc(), sim.travelled());
       } while (e.kind == EventKind::slide_to_roll);
-      if (bounces_of(route) >= q_.cushions().min) out.emplace(route, pass);
+      if (bounces_of(route) >= request_.cushions().min) out.emplace(route, pass);
       if (!goes_on(e, route)) return;
     }
   }
@@ -156,19 +156,19 @@ class Caroms {
   /// After this event, which is noted: with no more bounces than are asked, and in their order.
   bool goes_on(const Event& e, Route& route) const {
     if (e.kind == EventKind::slide_to_roll) return true;
-    if (e.kind != EventKind::cushion || bounces_of(route) == q_.cushions().max) return false;
+    if (e.kind != EventKind::cushion || bounces_of(route) == request_.cushions().max) return false;
     route.push_back({0, e.contact});
     return in_turn(contacts_of(route));
   }
 
   /// At the speed of the launch, and from there as fast at the target as asked.
   bool root(const Route& route, const Launch& from) {
-    const Question at_speed = q_.launched_at(from.speed);
+    const SearchRequest at_speed = request_.launched_at(from.speed);
     const LockedAim fixed{at_speed, route, aim_point_};
     auto found = newton(fixed, budget_, from, settings::wide);
     if (!found) return false;
-    if (!q_.one_unknown() && q_.arrival->fixed()) {
-      const LockedAim free{q_, route, aim_point_};
+    if (!request_.one_unknown() && request_.arrival->fixed()) {
+      const LockedAim free{request_, route, aim_point_};
       found = newton(free, budget_, found.launch, settings::wide);
       if (!found) return false;
       return keep(free, found.launch);
@@ -179,8 +179,8 @@ class Caroms {
   bool keep(const LockedAim& aim, const Launch& root) {
     const auto l = linearise(aim, budget_, root);
     int& alike = kept_[{Route(aim.route.begin(), aim.route.end()), l && l->by_aim(0) > 0}];
-    if (alike == settings::caroms::most_alike && !(q_.all() && !q_.starts())) return true;
-    const bool kept = certify_root(aim, budget_, found_, root, word::caroms) || q_.starts();
+    if (alike == settings::caroms::most_alike && !(request_.all() && !request_.starts())) return true;
+    const bool kept = certify_root(aim, budget_, found_, root, word::caroms) || request_.starts();
     alike += kept;
     return kept;
   }
@@ -189,16 +189,17 @@ class Caroms {
   void touch(const Route& route, std::vector<SidePass>& passes) {
     std::ranges::sort(passes, {}, &SidePass::distance);
     if (root(route, passes.front().launch)) return void(rooted_.insert(route));
-    if (q_.starts()) return;
+    if (request_.starts()) return;
     for (const SidePass& pass : passes) {
-      if (one_is_enough() || stop::over(q_, budget_, found_)) return;
-      const auto made = made_as_asked(q_, budget_, pass.launch);
-      if (made && certify(q_, budget_, found_, made->launch, made->replay.bounces, word::caroms, Demand::off_centre))
+      if (one_is_enough() || stop::over(request_, budget_, found_)) return;
+      const auto made = made_as_asked(request_, budget_, pass.launch);
+      if (made &&
+          certify(request_, budget_, found_, made->launch, made->replay.bounces, word::caroms, Demand::off_centre))
         return void(rooted_.insert(route));
     }
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   const Grid grid_;
@@ -212,18 +213,18 @@ class Caroms {
 
 }  // namespace
 
-void caroms(const Question& q, EvaluationBudget& budget, SearchResult& found) {
+void caroms(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   using namespace settings::caroms;
-  Caroms(q, budget, found, {aims, speeds}, images).run();
+  Caroms(request, budget, found, {aims, speeds}, images).run();
 }
 
-void caroms_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts) {
+void caroms_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts) {
   using namespace settings::caroms;
-  bands(q, budget, found, q.objects->chains.front());
-  parts.climb(q, budget, found);
-  if (sweeps_over(q, budget, found)) return;
-  Caroms(q, budget, found, {close_aims, close_speeds}, starts_by_map).run();
-  parts.climb(q, budget, found);
+  bands(request, budget, found, request.problem->objects->chains.front());
+  parts.climb(request, budget, found);
+  if (sweeps_over(request, budget, found)) return;
+  Caroms(request, budget, found, {close_aims, close_speeds}, starts_by_map).run();
+  parts.climb(request, budget, found);
 }
 
 }  // namespace bankshot::planning::steps

@@ -38,33 +38,33 @@ using namespace settings::bands;
 
 class Bands {
  public:
-  Bands(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain)
-      : q_(q),
+  Bands(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain)
+      : request_(request),
         budget_(budget),
         found_(found),
-        path_(q, budget, chain),
-        step_(q.carom() ? word::caroms : word::chains),
-        falls_(q, budget, found, path_, step_),
-        at_speed_(q) {
+        path_(request, budget, chain),
+        step_(request.problem->carom() ? word::caroms : word::chains),
+        falls_(request, budget, found, path_, step_),
+        at_speed_(request) {
     for (const Shot& shot : found.shots) made_.insert(route_of(shot));
   }
 
   void run() {
-    if (q_.one_unknown() || q_.speed.fixed()) {
-      look({q_.fixed_speed()}, false);
-      if (q_.all()) falls_.bring_to_speed(made_);
-      if (found_.shots.empty()) look({q_.fixed_speed()}, true);
+    if (request_.one_unknown() || request_.speed.fixed()) {
+      look({request_.fixed_speed()}, false);
+      if (request_.all()) falls_.bring_to_speed(made_);
+      if (found_.shots.empty()) look({request_.fixed_speed()}, true);
       return;
     }
     look({row(0), row(rows)}, false);  // wide steps first, since one root is mostly enough
     for (int step = rows / 2; step > 1; step /= 2) look(between(step), false);
-    if (q_.all()) falls_.bring_to_speed(made_);  // else at once: other routes may have roots
+    if (request_.all()) falls_.bring_to_speed(made_);  // else at once: other routes may have roots
     if (found_.shots.empty()) look(between(1), true);
   }
 
   /// Speeds between those of `run`, and between these.
   void run_between() {
-    if (q_.one_unknown() || q_.speed.fixed()) return;
+    if (request_.one_unknown() || request_.speed.fixed()) return;
     until_ = budget_.share_of_rest(share_between);
     for (int parts = 2; parts <= most_parts && !over(); parts *= 2) look(between(1, parts), true);
   }
@@ -81,11 +81,11 @@ class Bands {
   };
   using Track = std::vector<std::optional<Pass>>;
 
-  bool over() const { return budget_.simulations() >= until_ || sweeps_over(q_, budget_, found_); }
+  bool over() const { return budget_.simulations() >= until_ || sweeps_over(request_, budget_, found_); }
 
   double row(double i) const {
-    const double slowest = slowest_tried(q_);
-    return slowest * std::pow(q_.speed.high / slowest, i / rows);
+    const double slowest = slowest_tried(request_);
+    return slowest * std::pow(request_.speed.high / slowest, i / rows);
   }
 
   /// The rows between those of twice the step, which is of so many parts of one from row to row.
@@ -109,7 +109,7 @@ class Bands {
       at(speed);
       object_ball_path(band);
     }
-    if (!q_.all() || finely) falls_.bring_to_speed(made_);
+    if (!request_.all() || finely) falls_.bring_to_speed(made_);
   }
 
   void at(double speed) {
@@ -117,7 +117,7 @@ class Bands {
     if (any_arrival()) at_speed_.pinned = speed;
   }
   /// Times as many aims.
-  int finer() const { return q_.one_unknown() ? settings::chains::finer_alone : 1; }
+  int finer() const { return request_.one_unknown() ? settings::chains::finer_alone : 1; }
 
   Launch launch(double aim) const { return {speed_, aim}; }
 
@@ -129,7 +129,7 @@ class Bands {
       for (const Band& band : bands) touching(ball, band.route, across(band, cut_steps * finer()), next);
       bands = std::move(next);
     }
-    for (const AimPoint& aim_point : q_.aim_points) {
+    for (const AimPoint& aim_point : request_.problem->aim_points) {
       if (aim_point.ball != path_.number(path_.last())) continue;
       for (const Band& band : bands)
         if (!over()) roots(aim_point, band.route, across(band, last_steps * finer()));
@@ -139,8 +139,8 @@ class Bands {
   std::vector<Band> to_first() {
     const Place first = path_.next_of(0);
     std::vector<Band> out;
-    if (q_.cushions().max == 0 && q_.spin.masse == 0) {
-      const Vec2d way = first.at - q_.puzzle.ball.at;
+    if (request_.cushions().max == 0 && request_.spin.masse == 0) {
+      const Vec2d way = first.at - request_.puzzle().ball.at;
       const double half = widest * std::asin(std::min(1.0, first.reach / norm(way))), to = std::atan2(way.y, way.x);
       out.push_back({{{0, path_.touch_of(1)}}, {to - half, to + half}});
       return out;
@@ -238,7 +238,7 @@ class Bands {
 
   void root(const AimPoint& aim_point, const Route& route, double at) {
     if (any_arrival() && made_.contains(route)) return;
-    const Question& own = any_arrival() ? at_speed_ : q_;
+    const SearchRequest& own = any_arrival() ? at_speed_ : request_;
     const LockedAim aim{own, route, aim_point};
     const auto l = linearise(aim, budget_, launch(at));
     const auto step = l ? newton_step(*l, own.one_unknown()) : std::nullopt;
@@ -252,7 +252,9 @@ class Bands {
   }
 
   /// All of a range will do, so the row's speed is one.
-  bool any_arrival() const { return q_.carom() && !q_.one_unknown() && !q_.arrival->fixed(); }
+  bool any_arrival() const {
+    return request_.problem->carom() && !request_.one_unknown() && !request_.arrival->fixed();
+  }
 
   /// `look(route, aims, its passes)` of each route that some aim has, with its neighbours' on the locked path.
   template <class Look>
@@ -309,14 +311,14 @@ class Bands {
     divide(ball, before, place, middle, b, out, left - 1);
   }
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   ChainPath path_;
   std::string_view step_;
   Falls falls_;
-  Question at_speed_;  ///< of the row
-  double speed_ = 0;   ///< m/s, of the row
+  SearchRequest at_speed_;  ///< of the row
+  double speed_ = 0;        ///< m/s, of the row
   std::map<Route, std::vector<Launch>> roots_{};
   std::set<Route> made_{};  ///< which have a shot on the exact line
   bool finely_ = false;
@@ -325,12 +327,13 @@ class Bands {
 
 }  // namespace
 
-void bands(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain) {
-  Bands(q, budget, found, chain).run();
+void bands(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain) {
+  Bands(request, budget, found, chain).run();
 }
 
-void speeds_between(const Question& q, EvaluationBudget& budget, SearchResult& found) {
-  for (const Objects::Chain& chain : q.objects->chains) Bands(q, budget, found, chain).run_between();
+void speeds_between(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  for (const Objects::Chain& chain : request.problem->objects->chains)
+    Bands(request, budget, found, chain).run_between();
 }
 
 }  // namespace bankshot::planning::steps

@@ -9,6 +9,6 @@
 namespace bankshot::planning::steps {
 
 /// All routes that occur, of a chain or off the first ball of a carom.
-void bands(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain);
+void bands(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain);
 
 }  // namespace bankshot::planning::steps

@@ -25,13 +25,14 @@ Fall fall_of(const Route& route, const Launch& launch, const AimPoint& aim_point
 
 }  // namespace
 
-ChainPath::ChainPath(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain)
-    : q_(q), budget_(budget), chain_(chain) {
-  for (const Objects::Object* ball : chain.balls) alone_.emplace_back(q.puzzle.table, ball->at_rest.body);
+ChainPath::ChainPath(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain)
+    : request_(request), budget_(budget), chain_(chain) {
+  for (const Objects::Object* ball : chain.balls) alone_.emplace_back(request.puzzle().table, ball->at_rest.body);
 }
 
 const CushionRule& ChainPath::rule(int n) const {
-  return n == 0 || q_.carom() ? q_.cushions() : q_.cushions_of(static_cast<std::size_t>(n) - 1);
+  return n == 0 || request_.problem->carom() ? request_.cushions()
+                                             : request_.cushions_of(static_cast<std::size_t>(n) - 1);
 }
 
 Place ChainPath::next_of(int n) const {
@@ -48,8 +49,8 @@ bool ChainPath::is_on(int n, const std::vector<Contact>& met) const {
 Followed ChainPath::follow(int n, const Route& before, const Place& place, const Launch& launch) {
   Followed out;
   budget_.charge(before.size(), before.empty() ? 1 : 2);
-  with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    const auto path = follow_locked(q_.balls(), motion, cushion, before, start_of(q_, launch));
+  with_physics(request_.puzzle().physics, [&](const auto& motion, const auto& cushion) {
+    const auto path = follow_locked(request_.problem->balls(), motion, cushion, before, start_of(request_, launch));
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return;
     object_ball_path(motion, cushion, n, path.state, before, place, launch, out);
   });
@@ -61,7 +62,7 @@ void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, i
                                  const Route& before, const Place& place, const Launch& launch, Followed& out) const {
   Simulator sim(alone(n), motion, cushion, sent);
   std::vector<Contact> met;
-  if (n > 0 && q_.carom()) met = contacts_of(before);
+  if (n > 0 && request_.problem->carom()) met = contacts_of(before);
   for (;;) {
     double nearest = forever;
     Pass pass{0, false};
@@ -98,8 +99,8 @@ void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, i
 std::optional<Pass> ChainPath::locked_pass(const Route& route, int n, const Place& place, const Launch& launch) {
   if (budget_.spent()) return {};
   budget_.charge(route.size());
-  return with_physics(q_.puzzle.physics, [&](const auto& motion, const auto& cushion) -> std::optional<Pass> {
-    const auto path = follow_locked(q_.balls(), motion, cushion, route, start_of(q_, launch));
+  return with_physics(request_.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<Pass> {
+    const auto path = follow_locked(request_.problem->balls(), motion, cushion, route, start_of(request_, launch));
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return {};
     const auto there =
         arrive_locked(motion, body(n), path.state, place.at, place.aim_point ? place.aim_point->capture() : 0, false);

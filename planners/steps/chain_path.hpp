@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning::steps {
 
@@ -49,7 +49,7 @@ struct Followed {
 class ChainPath {
  public:
   /// All must outlive it.
-  ChainPath(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain);
+  ChainPath(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain);
 
   int last() const { return static_cast<int>(chain_.balls.size()); }
   const CushionRule& rule(int n) const;
@@ -66,16 +66,18 @@ class ChainPath {
 
  private:
   const Objects::Object& object(int n) const { return *chain_.balls[static_cast<std::size_t>(n) - 1]; }
-  bool is_struck(int n) const { return n == 0 || q_.carom(); }
-  const Body& body(int n) const { return is_struck(n) ? q_.puzzle.ball.body : object(n).at_rest.body; }
-  const Boundary& alone(int n) const { return is_struck(n) ? q_.alone() : alone_[static_cast<std::size_t>(n) - 1]; }
-  int least(int n) const { return q_.carom() && n == 0 ? 0 : rule(n).min; }
+  bool is_struck(int n) const { return n == 0 || request_.problem->carom(); }
+  const Body& body(int n) const { return is_struck(n) ? request_.puzzle().ball.body : object(n).at_rest.body; }
+  const Boundary& alone(int n) const {
+    return is_struck(n) ? request_.problem->alone() : alone_[static_cast<std::size_t>(n) - 1];
+  }
+  int least(int n) const { return request_.problem->carom() && n == 0 ? 0 : rule(n).min; }
   bool is_on(int n, const std::vector<Contact>& met) const;
   template <class Motion, class Cushion>
   void object_ball_path(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
                         const Route& before, const Place& place, const Launch& launch, Followed& out) const;
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   const Objects::Chain& chain_;
   std::vector<Boundary> alone_{};  ///< the table as each ball sees it by itself

@@ -17,15 +17,15 @@ namespace bankshot::planning::steps {
 using namespace settings::bands;
 
 void Falls::bring_to_speed(const std::set<Route>& made) {
-  const Question brought = to_bring();
+  const SearchRequest brought = to_bring();
   const auto off = [&](const Fall& f) { return std::abs(std::log(f.arrived / brought.asked)); };
   auto all = std::exchange(falls_, {});
   for (auto& [route, falls] : all) {
     if (made.contains(route)) continue;
-    if (!q_.one_unknown()) std::ranges::sort(falls, {}, off);
+    if (!request_.one_unknown()) std::ranges::sort(falls, {}, off);
     std::size_t tried = 0;
     for (const Fall& fall : falls) {
-      if (sweeps_over(q_, budget_, found_)) return;
+      if (sweeps_over(request_, budget_, found_)) return;
       if (tried == most_falls) break;
       const Launch at{fall.launch.speed, wrap_angle(fall.launch.angle)};
       if (!replay(brought, budget_, at, Goal::of(brought, Demand::made)).made) continue;
@@ -36,11 +36,11 @@ void Falls::bring_to_speed(const std::set<Route>& made) {
 }
 
 /// To rest at a point it is brought to pass there so slowly that it rests half as far beyond as it may.
-Question Falls::to_bring() const {
-  if (!q_.stop) return q_;
-  Question passing = q_;
+SearchRequest Falls::to_bring() const {
+  if (!request_.stop) return request_;
+  SearchRequest passing = request_;
   passing.stop = false;
-  passing.asked = std::sqrt(deceleration(q_.puzzle.physics) * q_.aim_points.front().reach);
+  passing.asked = std::sqrt(deceleration(request_.puzzle().physics) * request_.problem->aim_points.front().reach);
   passing.arrival = Range{passing.asked, passing.asked};
   return passing;
 }
@@ -50,14 +50,14 @@ bool Falls::beside(const Fall& fall) {
   if (!fall.aim_point->captures()) return false;
   AimPoint aim_point = *fall.aim_point;
   aim_point.cuts = Cuts{fall.right, fall.right, fall.right};
-  const auto there = newton({q_, fall.route, aim_point}, budget_, fall.launch, settings::wide);
-  return there && certify(q_, budget_, found_, there.launch, bounces_of(fall.route), step_, Demand::off_centre);
+  const auto there = newton({request_, fall.route, aim_point}, budget_, fall.launch, settings::wide);
+  return there && certify(request_, budget_, found_, there.launch, bounces_of(fall.route), step_, Demand::off_centre);
 }
 
 /// Where no locked path leads, along a rail for one: as the last ball is touched.
-bool Falls::by_replays(const Question& brought, const Fall& fall) {
+bool Falls::by_replays(const SearchRequest& brought, const Fall& fall) {
   const auto made = made_as_asked(brought, budget_, fall.launch, turn_of(fall));
-  return made && certify(q_, budget_, found_, made->launch, made->replay.bounces, step_, Demand::off_centre);
+  return made && certify(request_, budget_, found_, made->launch, made->replay.bounces, step_, Demand::off_centre);
 }
 
 /// Rad per ln speed that keep the cut of the last ball.

@@ -17,20 +17,21 @@ namespace bankshot::planning::steps {
 class Falls {
  public:
   /// All must outlive it.
-  Falls(const Question& q, EvaluationBudget& budget, SearchResult& found, ChainPath& path, std::string_view step)
-      : q_(q), budget_(budget), found_(found), path_(path), step_(step) {}
+  Falls(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, ChainPath& path,
+        std::string_view step)
+      : request_(request), budget_(budget), found_(found), path_(path), step_(step) {}
 
   void remember(const Fall& fall) { falls_[fall.route].push_back(fall); }
   /// Those first that arrived nearly as asked; none by these routes. What was remembered is forgotten.
   void bring_to_speed(const std::set<Route>& made);
 
  private:
-  Question to_bring() const;
+  SearchRequest to_bring() const;
   bool beside(const Fall& fall);
-  bool by_replays(const Question& brought, const Fall& fall);
+  bool by_replays(const SearchRequest& brought, const Fall& fall);
   double turn_of(const Fall& fall);
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   ChainPath& path_;

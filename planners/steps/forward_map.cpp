@@ -14,20 +14,21 @@ using namespace settings::forward_map;
 namespace {
 
 /// m/s. No slower launch rolls as far as the nearest aim point, nor arrives as fast as asked.
-double slowest_arrival(const Question& q) {
+double slowest_arrival(const SearchRequest& request) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const AimPoint& m : q.aim_points) nearest = std::min(nearest, norm(m.at - q.puzzle.ball.at) - m.capture());
-  const double asked = q.arrival ? q.arrival->low : 0;
-  const double energy = asked * asked + 2 * deceleration(q.puzzle.physics) * std::max(0.0, nearest);
-  return std::max(std::sqrt(energy), settings::slowest_of_fastest * q.speed.high);
+  for (const AimPoint& m : request.problem->aim_points)
+    nearest = std::min(nearest, norm(m.at - request.puzzle().ball.at) - m.capture());
+  const double asked = request.arrival ? request.arrival->low : 0;
+  const double energy = asked * asked + 2 * deceleration(request.puzzle().physics) * std::max(0.0, nearest);
+  return std::max(std::sqrt(energy), settings::slowest_of_fastest * request.speed.high);
 }
 
 }  // namespace
 
-std::vector<double> speeds_to_try(const Question& q, double cell) {
-  const Range& v = q.speed;
-  if (q.pinned || v.fixed()) return {q.pinned.value_or(v.low)};
-  const double low = std::max(v.low, slowest_arrival(q));
+std::vector<double> speeds_to_try(const SearchRequest& request, double cell) {
+  const Range& v = request.speed;
+  if (request.pinned || v.fixed()) return {request.pinned.value_or(v.low)};
+  const double low = std::max(v.low, slowest_arrival(request));
   if (!(low < v.high)) return {v.high};
   const int rows = 1 + static_cast<int>(std::ceil(std::log(v.high / low) / cell));
   std::vector<double> out;
@@ -36,10 +37,10 @@ std::vector<double> speeds_to_try(const Question& q, double cell) {
 }
 
 void ForwardMap::run() {
-  const Range aims = q_.angle.value_or(whole_turn);
+  const Range aims = request_.angle.value_or(whole_turn);
   const int columns = std::max(1, static_cast<int>(std::ceil((aims.high - aims.low) / cell_.aim)));
   const auto aim = [&](int i) { return aims.low + (aims.high - aims.low) * i / columns; };
-  const std::vector<double> rows = speeds_to_try(q_, cell_.speed);
+  const std::vector<double> rows = speeds_to_try(request_, cell_.speed);
   Column before = column(aim(0), rows, {});
   for (int i = 1; i <= columns && !roots_.done(); ++i) {
     Column after = column(aim(i), rows, before);
@@ -51,7 +52,7 @@ void ForwardMap::run() {
     before = std::move(after);
   }
   if (roots_.rest_wanted()) roots_.seek_rest();
-  if (found_.shots.empty() && !q_.starts())
+  if (found_.shots.empty() && !request_.starts())
     found_.candidates.insert(found_.candidates.end(), candidates_.begin(), candidates_.end());
 }
 
@@ -77,10 +78,11 @@ ForwardMap::Column ForwardMap::column(double angle, const std::vector<double>& r
 }
 
 ForwardMap::Node ForwardMap::node(double angle, double speed) {
-  forward(q_, budget_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
+  forward(request_, budget_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
   for (const Passage& p : forward_.passages) {
     keep_lead(angle, speed, p);
-    roots_.visit({q_, std::span<const Meeting>(forward_.route).first(p.meetings), q_.aim_points[p.aim_point]},
+    roots_.visit({request_, std::span<const Meeting>(forward_.route).first(p.meetings),
+                  request_.problem->aim_points[p.aim_point]},
                  {speed, angle}, p.linear);
   }
   return {angle, speed, forward_.route, forward_.places, place()};
@@ -89,7 +91,7 @@ ForwardMap::Node ForwardMap::node(double angle, double speed) {
 /// Of what was followed last.
 ForwardMap::Place ForwardMap::place() const {
   // A reflex vertex sends a little less speed another way.
-  if (cell_.whole || !q_.boundary.unfolds()) return Place::within;
+  if (cell_.whole || !request_.problem->boundary.unfolds()) return Place::within;
   if (forward_.passages.empty()) return forward_.rests ? Place::below : Place::within;
   bool below = true, beyond = true;
   for (const Passage& p : forward_.passages) {
@@ -103,11 +105,12 @@ ForwardMap::Place ForwardMap::place() const {
 /// Cells of speed to where it arrives as asked.
 double ForwardMap::cells_of_speed(const Passage& p) const {
   const Linear& l = p.linear;
-  if (q_.one_unknown()) return 0;
-  if (!q_.stop) return -l.r[1] / l.by_speed(1) / cell_.speed;
-  const double diagonal = q_.boundary.diagonal;
+  if (request_.one_unknown()) return 0;
+  if (!request_.stop) return -l.r[1] / l.by_speed(1) / cell_.speed;
+  const double diagonal = request_.problem->boundary.diagonal;
   // A ball rests there that is too fast.
-  const double outside = -q_.boundary.clearance(q_.aim_points[p.aim_point].at - Vec2d{l.r[0], l.r[1]} * diagonal);
+  const double outside = -request_.problem->boundary.clearance(request_.problem->aim_points[p.aim_point].at -
+                                                               Vec2d{l.r[0], l.r[1]} * diagonal);
   return outside > 0 ? -outside / (diagonal * std::hypot(l.by_speed(0), l.by_speed(1))) / cell_.speed : 0;
 }
 
@@ -117,14 +120,14 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
   if (!found_.shots.empty()) return;
   const Linear& l = p.linear;
   double lateral = l.r[0], by_aim = l.by_aim(0), step = 0;
-  if (!q_.one_unknown()) {
-    const std::size_t along = !q_.stop || std::abs(l.by_speed(1)) > std::abs(l.by_speed(0)) ? 1 : 0;
+  if (!request_.one_unknown()) {
+    const std::size_t along = !request_.stop || std::abs(l.by_speed(1)) > std::abs(l.by_speed(0)) ? 1 : 0;
     step = -l.r[along] / l.by_speed(along);
     lateral = l.r[1 - along] + l.by_speed(1 - along) * step;
     by_aim = l.by_aim(1 - along) - l.by_speed(1 - along) * l.by_aim(along) / l.by_speed(along);
   }
-  const AimPoint& aim_point = q_.aim_points[p.aim_point];
-  const double wide = aim_point.reach / q_.boundary.diagonal + std::abs(by_aim) * cell_.aim;
+  const AimPoint& aim_point = request_.problem->aim_points[p.aim_point];
+  const double wide = aim_point.reach / request_.problem->boundary.diagonal + std::abs(by_aim) * cell_.aim;
   if (!(std::abs(lateral) < wide && std::abs(step) < settings::roots::seed_reach * cell_.speed)) return;
   const std::span<const Meeting> route(forward_.route.data(), p.meetings);
   for (const Candidate& known : candidates_)
@@ -132,13 +135,13 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
         std::ranges::equal(known.route, route))
       return;
   candidates_.push_back(
-      {{speed * std::exp(step), wrap_angle(angle)}, {route.begin(), route.end()}, aim_point, q_.spin, cell_.aim});
+      {{speed * std::exp(step), wrap_angle(angle)}, {route.begin(), route.end()}, aim_point, request_.spin, cell_.aim});
 }
 
 void ForwardMap::between(const Node& a, const Node& b) {
   if (a.route == b.route || hopeless(a, b) || budget_.spent()) return;
-  if (q_.route && cell_.locked) return;
-  if (b.angle - a.angle < (q_.route ? narrowest_given : cell_.narrowest)) return;
+  if (request_.route && cell_.locked) return;
+  if (b.angle - a.angle < (request_.route ? narrowest_given : cell_.narrowest)) return;
   const Node other = node(change(a, b), a.speed);
   between(a, other);
   between(other, b);
@@ -148,7 +151,7 @@ void ForwardMap::between(const Node& a, const Node& b) {
 bool ForwardMap::hopeless(const Node& a, const Node& b) const {
   if (a.place != b.place) return false;
   const auto most = static_cast<int>(std::max(a.route.size(), b.route.size()));
-  return a.place == Place::beyond || (a.place == Place::below && most + 1 < q_.cushions().min);
+  return a.place == Place::beyond || (a.place == Place::below && most + 1 < request_.cushions().min);
 }
 
 /// Just beyond where one of two neighbours stops meeting the cushion that the other does not, as far as its
@@ -158,8 +161,9 @@ double ForwardMap::change(const Node& a, const Node& b) const {
   const auto m = static_cast<std::size_t>(differ.first - a.route.begin());
   double best = a.angle + (b.angle - a.angle) / 2, nearest = (b.angle - a.angle) / 2;
   for (const auto& [node, way] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
-    const Wall* const line =
-        m < node->route.size() && m < node->places.size() ? q_.boundary.line(node->route[m].with) : nullptr;
+    const Wall* const line = m < node->route.size() && m < node->places.size()
+                                 ? request_.problem->boundary.line(node->route[m].with)
+                                 : nullptr;
     if (!line) continue;
     const BouncePlace& at = node->places[m];
     const double end = dot(line->along, at.by_aim * way > 0 ? line->to : line->from);

@@ -24,13 +24,17 @@ namespace bankshot::planning::steps {
 
 /// Launch speeds that a map tries, so far apart in ln speed: none too slow for the nearest aim point, nor to arrive as
 /// asked.
-std::vector<double> speeds_to_try(const Question& q, double cell);
+std::vector<double> speeds_to_try(const SearchRequest& request, double cell);
 
 class ForwardMap {
  public:
-  ForwardMap(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing,
+  ForwardMap(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing,
              std::string_view step)
-      : q_(q), budget_(budget), found_(found), cell_(spacing), roots_(q, budget, found, spacing, step) {}
+      : request_(request),
+        budget_(budget),
+        found_(found),
+        cell_(spacing),
+        roots_(request, budget, found, spacing, step) {}
 
   /// All aims that the puzzle allows, at all speeds that matter.
   void run();
@@ -62,7 +66,7 @@ class ForwardMap {
   bool hopeless(const Node& a, const Node& b) const;
   double change(const Node& a, const Node& b) const;
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   Spacing cell_;

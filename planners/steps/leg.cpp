@@ -30,25 +30,25 @@ Leg leg_of(const Part& own, Candidate alone, bool clear) {
 }
 
 /// Directions that a straight hit may give the ball, and launches beside them whose images lead there.
-Range aims_of_a_hit(const Question& q, const Objects::Object& object) {
-  const Vec2d way = object.at_rest.at - q.puzzle.ball.at;
+Range aims_of_a_hit(const SearchRequest& request, const Objects::Object& object) {
+  const Vec2d way = object.at_rest.at - request.puzzle().ball.at;
   const double middle = std::atan2(way.y, way.x), half = radians(90.0) + image_off;
   return {middle - half, middle + half};
 }
 
 }  // namespace
 
-bool hit_straight(const Question& q, const Objects::Chain& chain) {
-  return chain.balls.size() == 1 && q.cushions().max == 0 && q.spin.masse == 0;
+bool hit_straight(const SearchRequest& request, const Objects::Chain& chain) {
+  return chain.balls.size() == 1 && request.cushions().max == 0 && request.spin.masse == 0;
 }
 
-std::vector<Leg> legs(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
+std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
                       std::vector<Candidate> known, bool judged) {
-  const Part own = last_alone(q, chain);
-  Question all(own.puzzle, Wanted::starts);
-  if (hit_straight(q, chain)) all.angle = aims_of_a_hit(q, *chain.balls.front());
+  const Part own = last_alone(request, chain);
+  SearchRequest all(own.puzzle, Wanted::starts);
+  if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());
   std::vector<Leg> out;
-  const auto look = [&](const Question& one) {
+  const auto look = [&](const SearchRequest& one) {
     SearchResult found{.candidates = known};
     starts(one, budget, found);
     for (Candidate& candidate : std::span(found.candidates).subspan(known.size())) {
@@ -60,26 +60,27 @@ std::vector<Leg> legs(const Question& q, EvaluationBudget& budget, const Objects
                               ? linearise({one, candidate.route, candidate.aim_point}, budget, candidate.launch, true)
                               : std::nullopt;
       out.push_back(leg_of(own, std::move(candidate), clear));
-      if (linear) out.back().spread = std::abs(linear->by_aim(0)) * one.boundary.diagonal;
+      if (linear) out.back().spread = std::abs(linear->by_aim(0)) * one.problem->boundary.diagonal;
     }
   };
-  if (!q.one_unknown())
-    look(all.asking(q.asked));
+  if (!request.one_unknown())
+    look(all.asking(request.asked));
   else
-    for (const double share : shares_of_speed) look(all.launched_at(share * q.fixed_speed()));
+    for (const double share : shares_of_speed) look(all.launched_at(share * request.fixed_speed()));
   return out;
 }
 
-std::vector<Leg> legs_of_images(const Question& q, const Objects::Chain& chain) {
+std::vector<Leg> legs_of_images(const SearchRequest& request, const Objects::Chain& chain) {
   std::vector<Leg> out;
-  const Part own = last_alone(q, chain);
-  const Question all(own.puzzle, Wanted::starts);
-  const bool straight = is_straight(q.puzzle.physics);
+  const Part own = last_alone(request, chain);
+  const SearchRequest all(own.puzzle, Wanted::starts);
+  const bool straight = is_straight(request.puzzle().physics);
   for (const double share : settings::restitution_shares) {
-    const double e = share * restitution(q.puzzle.physics).at_rest;
+    const double e = share * restitution(request.puzzle().physics).at_rest;
     Unfolding images(all, {.parts = true, .restitution = e, .keep_routes = true});
     while (const auto image = images.next())
-      out.push_back(leg_of(own, {{1, image->angle}, images.route(*image), all.aim_points[image->aim_point]}, true));
+      out.push_back(
+          leg_of(own, {{1, image->angle}, images.route(*image), all.problem->aim_points[image->aim_point]}, true));
     if (straight) break;
   }
   return out;

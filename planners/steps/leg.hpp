@@ -21,14 +21,14 @@ struct Leg {
 
 /// By the roots that a step finds, but for those that are known. Where the launch speed of the cue ball is all that
 /// is given, that of the other is guessed. `judged`: which are clear, for a replay each.
-std::vector<Leg> legs(const Question& q, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
+std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
                       std::vector<Candidate> known = {}, bool judged = true);
 
 /// The only way to it is straight.
-bool hit_straight(const Question& q, const Objects::Chain& chain);
+bool hit_straight(const SearchRequest& request, const Objects::Chain& chain);
 
 /// By images, though no launch by itself may lead along them.
-std::vector<Leg> legs_of_images(const Question& q, const Objects::Chain& chain);
+std::vector<Leg> legs_of_images(const SearchRequest& request, const Objects::Chain& chain);
 
 /// The balls before the last come to it by this route.
 Route together(const Objects::Chain& chain, Route before, const Leg& leg);

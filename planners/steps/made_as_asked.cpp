@@ -13,28 +13,29 @@ namespace {
 double square(double x) { return x * x; }
 
 /// What is asked of a speed that arrives so fast [m/s].
-double wanted(const Question& q, double arrived) {
-  return q.arrival->fixed() ? q.asked : std::clamp(arrived, q.arrival->low, q.arrival->high);
+double wanted(const SearchRequest& request, double arrived) {
+  return request.arrival->fixed() ? request.asked : std::clamp(arrived, request.arrival->low, request.arrival->high);
 }
 
 /// Whether it arrives as fast as asked, or as the launch speed lets it.
-bool as_fast(const Question& q, double arrived) {
-  if (q.one_unknown() || q.stop) return true;
-  const double fine = tolerance::exact_speed * std::max(1.0, q.asked) / 4;
-  return std::abs(arrived - wanted(q, arrived)) <= fine;
+bool as_fast(const SearchRequest& request, double arrived) {
+  if (request.one_unknown() || request.stop) return true;
+  const double fine = tolerance::exact_speed * std::max(1.0, request.asked) / 4;
+  return std::abs(arrived - wanted(request, arrived)) <= fine;
 }
 
 }  // namespace
 
-std::optional<AsAsked> made_as_asked(const Question& q, EvaluationBudget& budget, Launch at, double turn) {
-  const Goal goal = Goal::of(q, Demand::made);
-  const auto follow = [&] { return replay(q, budget, {at.speed, wrap_angle(at.angle)}, goal); };
+std::optional<AsAsked> made_as_asked(const SearchRequest& request, EvaluationBudget& budget, Launch at, double turn) {
+  const Goal goal = Goal::of(request, Demand::made);
+  const auto follow = [&] { return replay(request, budget, {at.speed, wrap_angle(at.angle)}, goal); };
   Replay r = follow();
   double slope = square(r.arrival.speed / at.speed);
-  for (int n = 0; n < settings::chains::most_secants && r.made && !as_fast(q, r.arrival.speed) && slope > 0; ++n) {
+  for (int n = 0; n < settings::chains::most_secants && r.made && !as_fast(request, r.arrival.speed) && slope > 0;
+       ++n) {
     if (budget.spent()) return {};
     const double before = square(at.speed), arrived = square(r.arrival.speed);
-    const double off = square(wanted(q, r.arrival.speed)) - arrived;
+    const double off = square(wanted(request, r.arrival.speed)) - arrived;
     const double faster = std::sqrt(1 + std::clamp(off / (slope * before), -0.5, 1.0));
     at.speed *= faster;
     at.angle += turn * std::log(faster);
@@ -42,7 +43,7 @@ std::optional<AsAsked> made_as_asked(const Question& q, EvaluationBudget& budget
     const double grown = (square(r.arrival.speed) - arrived) / (square(at.speed) - before);
     if (grown > 0) slope = grown;
   }
-  if (!r.made || !as_fast(q, r.arrival.speed) || budget.spent()) return {};
+  if (!r.made || !as_fast(request, r.arrival.speed) || budget.spent()) return {};
   return AsAsked{{at.speed, wrap_angle(at.angle)}, r};
 }
 

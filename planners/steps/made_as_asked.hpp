@@ -7,7 +7,7 @@
 
 #include "planners/evaluation_budget.hpp"
 #include "planners/proof/replay.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning::steps {
 
@@ -18,6 +18,7 @@ struct AsAsked {
 
 /// From a launch on, at its aim or turned by so many rad per ln speed: by secants of the squared speeds. None where it
 /// is not made, there or on the way. A simulation a step.
-std::optional<AsAsked> made_as_asked(const Question& q, EvaluationBudget& budget, Launch at, double turn = 0);
+std::optional<AsAsked> made_as_asked(const SearchRequest& request, EvaluationBudget& budget, Launch at,
+                                     double turn = 0);
 
 }  // namespace bankshot::planning::steps

@@ -24,7 +24,7 @@ Part without(const Puzzle& p, int struck, const std::vector<int>& gone) {
 }
 
 /// To a place, at any speed that may be of use.
-void aim_at_place(Puzzle& p, const Question& whole) {
+void aim_at_place(Puzzle& p, const SearchRequest& whole) {
   p.arrive = Range{0, fastest_sent * whole.speed.high};
   p.speed = {whole.speed.low * slowest_sent, whole.speed.high * fastest_sent};
 }
@@ -51,8 +51,8 @@ Route Part::whole(const Route& route) const {
   return out;
 }
 
-Part by_itself(const Question& whole, const CushionRule& cushions) {
-  Part out{whole.puzzle, {0}};
+Part by_itself(const SearchRequest& whole, const CushionRule& cushions) {
+  Part out{whole.puzzle(), {0}};
   out.puzzle.others.clear();
   out.puzzle.target = PointTarget{};
   out.puzzle.cushions = cushions;
@@ -60,10 +60,10 @@ Part by_itself(const Question& whole, const CushionRule& cushions) {
   return out;
 }
 
-Part before_last(const Question& whole, const Objects::Chain& chain) {
+Part before_last(const SearchRequest& whole, const Objects::Chain& chain) {
   if (chain.balls.size() == 1) return by_itself(whole, whole.cushions());
-  const Then& then = *whole.then();
-  Part out = without(whole.puzzle, 0, {chain.balls.back()->ball});
+  const Then& then = *whole.problem->then();
+  Part out = without(whole.puzzle(), 0, {chain.balls.back()->ball});
   const auto number = [&](int ball) {
     return static_cast<int>(std::ranges::find(out.numbers, ball) - out.numbers.begin());
   };
@@ -74,12 +74,12 @@ Part before_last(const Question& whole, const Objects::Chain& chain) {
   return out;
 }
 
-Part last_alone(const Question& whole, const Objects::Chain& chain) {
-  const Puzzle& p = whole.puzzle;
+Part last_alone(const SearchRequest& whole, const Objects::Chain& chain) {
+  const Puzzle& p = whole.puzzle();
   const Objects::Object& last = *chain.balls.back();
   Part out = without(Puzzle{.table = p.table, .physics = p.physics, .ball = last.at_rest, .others = p.others},
                      last.ball, numbers_of(chain));
-  const Then& then = *whole.then();
+  const Then& then = *whole.problem->then();
   out.puzzle.target = std::visit([](const auto& t) { return Target(t); }, then.target);
   out.puzzle.cushions = whole.object_cushions;
   aim_at_place(out.puzzle, whole);
@@ -93,19 +93,21 @@ Part last_alone(const Question& whole, const Objects::Chain& chain) {
   return out;
 }
 
-ToPlace::ToPlace(const Question& whole, Part part, std::optional<double> pinned)
-    : part_(std::move(part)), q_(part_.puzzle, Wanted::starts), usual_(q_.asked) {
-  q_.spin = whole.spin;
-  q_.pinned = pinned;
+ToPlace::ToPlace(const SearchRequest& whole, Part part, std::optional<double> pinned)
+    : part_(std::move(part)), request_(part_.puzzle, Wanted::starts), usual_(request_.asked) {
+  request_.spin = whole.spin;
+  request_.pinned = pinned;
 }
 
-const Question& ToPlace::at(const Vec2d& place) { return at(place, usual_); }
+const SearchRequest& ToPlace::at(const Vec2d& place) { return at(place, usual_); }
 
-const Question& ToPlace::at(const Vec2d& place, double speed) {
+const SearchRequest& ToPlace::at(const Vec2d& place, double speed) {
   place_of(part_.puzzle.target) = place;
-  q_.aim_points.front().at = place;
-  q_.asked = speed;
-  return q_;
+  auto moved = std::make_shared<Problem>(*request_.problem);
+  moved->aim_points.front().at = place;
+  request_.problem = std::move(moved);
+  request_.asked = speed;
+  return request_;
 }
 
 }  // namespace bankshot::planning::steps

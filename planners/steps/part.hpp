@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 
 namespace bankshot::planning::steps {
 
@@ -20,29 +20,29 @@ struct Part {
 };
 
 /// The cue ball, to a place, by these cushions. Other balls hinder no such search; a replay decides.
-Part by_itself(const Question& whole, const CushionRule& cushions);
+Part by_itself(const SearchRequest& whole, const CushionRule& cushions);
 /// All balls before the last, to a place: with one ball in the chain the struck one by itself.
-Part before_last(const Question& whole, const Objects::Chain& chain);
+Part before_last(const SearchRequest& whole, const Objects::Chain& chain);
 /// The last ball as if it were launched where it stands, to what is asked of it; those before it are gone.
-Part last_alone(const Question& whole, const Objects::Chain& chain);
+Part last_alone(const SearchRequest& whole, const Objects::Chain& chain);
 
 /// How a part reaches a place, which can be moved.
 class ToPlace {
  public:
   /// `pinned`: at this launch speed.
-  ToPlace(const Question& whole, Part part, std::optional<double> pinned);
+  ToPlace(const SearchRequest& whole, Part part, std::optional<double> pinned);
   ToPlace(const ToPlace&) = delete;
   ToPlace& operator=(const ToPlace&) = delete;
 
-  /// Before the place is changed again.
-  const Question& at(const Vec2d& place);
+  /// Returns the request with this place; valid until the next call. A copy keeps the place.
+  const SearchRequest& at(const Vec2d& place);
   /// The same at a speed.
-  const Question& at(const Vec2d& place, double speed);
+  const SearchRequest& at(const Vec2d& place, double speed);
   const Part& part() const { return part_; }
 
  private:
   Part part_;
-  Question q_;
+  SearchRequest request_;
   double usual_;  ///< m/s
 };
 

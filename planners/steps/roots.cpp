@@ -16,8 +16,8 @@ namespace bankshot::planning::steps {
 using namespace settings::roots;
 
 void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear) {
-  if (rest_wanted()) keep_nearest(aim, node, q_.one_unknown() ? std::abs(linear.r[0]) : linear.size());
-  const auto step = newton_step(linear, q_.one_unknown());
+  if (rest_wanted()) keep_nearest(aim, node, request_.one_unknown() ? std::abs(linear.r[0]) : linear.size());
+  const auto step = newton_step(linear, request_.one_unknown());
   if (!step ||
       !(std::abs((*step)[0]) < seed_reach * cell_.step_aim && std::abs((*step)[1]) < seed_reach * cell_.step_speed))
     return;
@@ -28,7 +28,7 @@ void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear
     if (size < near && known(aim, at, 2 * size)) return true;
     if (every_root_ || !hopeless(aim, at, size, there)) return false;
     // No other node need lead there.
-    if (size < near) remember(aim, at, there.determinant(q_.one_unknown()));
+    if (size < near) remember(aim, at, there.determinant(request_.one_unknown()));
     return true;
   };
   if (const auto root = newton(aim, budget_, predicted, cell_, give_up)) add(aim, root.launch);
@@ -36,7 +36,7 @@ void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear
 
 /// Two roots of a route nearly always lie on the two sides of a fold: a node leads to the one on its own side.
 bool Roots::on_side_of_known(const LockedAim& aim, const Linear& node) {
-  const bool one_unknown = q_.one_unknown();
+  const bool one_unknown = request_.one_unknown();
   for (Root& root : roots_) {
     if (!belongs(root, aim)) continue;
     if (!root.determinant) {
@@ -51,11 +51,12 @@ bool Roots::on_side_of_known(const LockedAim& aim, const Linear& node) {
 /// Better shots are wanted than one that is known, and the root so many cells from here leads to none, as far as what
 /// is seen from here can be trusted there.
 bool Roots::hopeless(const LockedAim& aim, const Launch& at, double cells, const Linear& linear) const {
-  if (at.speed > q_.speed.high * std::exp(2 * cells * cell_.step_speed)) return true;
+  if (at.speed > request_.speed.high * std::exp(2 * cells * cell_.step_speed)) return true;
   const double better_there = 1 + distrust * cells;
-  if (linear.time > q_.latest * better_there) return true;
-  return q_.likelier > 0 &&
-         better_there * success_at_most(q_, aim.aim_point, success_on_aim_point(aim, at, linear)) < q_.likelier;
+  if (linear.time > request_.latest * better_there) return true;
+  return request_.likelier > 0 &&
+         better_there * success_at_most(request_, aim.aim_point, success_on_aim_point(aim, at, linear)) <
+             request_.likelier;
 }
 
 void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) {
@@ -82,12 +83,12 @@ Roots::Seen& Roots::seen(const LockedAim& aim) {
 
 void Roots::seek_rest() {
   for (const Seen& seen : seen_) {
-    const LockedAim aim{q_, seen.route, seen.aim_point};
+    const LockedAim aim{request_, seen.route, seen.aim_point};
     if (std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); })) continue;
     for (const Nearest& n : seen.nearest) {
       if (done() || !(n.miss < none)) break;
       auto root = newton(aim, budget_, n.launch, settings::wide);
-      if (!root && q_.stop && beside_last(aim)) root = after_last(aim, n.launch);
+      if (!root && request_.stop && beside_last(aim)) root = after_last(aim, n.launch);
       if (!root) continue;
       add(aim, root.launch);
       break;
@@ -97,8 +98,8 @@ void Roots::seek_rest() {
 
 /// The aim point lies near the last cushion.
 bool Roots::beside_last(const LockedAim& aim) const {
-  const Wall* const last = aim.route.empty() ? nullptr : q_.boundary.line(aim.route.back().with);
-  return last && dot(last->normal, aim.aim_point.at) - last->offset < beside * q_.boundary.diagonal;
+  const Wall* const last = aim.route.empty() ? nullptr : request_.problem->boundary.line(aim.route.back().with);
+  return last && dot(last->normal, aim.aim_point.at) - last->offset < beside * request_.problem->boundary.diagonal;
 }
 
 /// A ball that rests soon after its last bounce was hardly fast enough to get there: from a little above the slowest
@@ -123,17 +124,17 @@ void Roots::add(const LockedAim& aim, const Launch& root) {
     return;
   remember(aim, root);
   const bool shot = certify_root(aim, budget_, found_, root, step_);
-  const bool blocked = !shot && !aim.aim_point.captures() && q_.speed.contains(root.speed);
-  if (!q_.all() && !(blocked && every_root_)) return;
+  const bool blocked = !shot && !aim.aim_point.captures() && request_.speed.contains(root.speed);
+  if (!request_.all() && !(blocked && every_root_)) return;
   across_fold(aim, root);
-  for (const Wall& rail : q_.boundary.walls) {
-    if (!(dot(rail.normal, aim.aim_point.at) - rail.offset < hugging * q_.boundary.diagonal)) continue;
+  for (const Wall& rail : request_.problem->boundary.walls) {
+    if (!(dot(rail.normal, aim.aim_point.at) - rail.offset < hugging * request_.problem->boundary.diagonal)) continue;
     beside_rail(aim, root);
     const bool just_left = !aim.route.empty() && aim.route.back().with == rail.contact;
-    if (q_.route || just_left || static_cast<int>(aim.route.size()) >= q_.cushions().max) continue;
+    if (request_.route || just_left || static_cast<int>(aim.route.size()) >= request_.cushions().max) continue;
     Route on(aim.route.begin(), aim.route.end());
     on.push_back({0, rail.contact});
-    beside_rail({q_, on, aim.aim_point}, root);
+    beside_rail({request_, on, aim.aim_point}, root);
   }
 }
 
@@ -141,7 +142,7 @@ std::optional<Roots::Side> Roots::side_at(const LockedAim& aim, double angle, do
   const auto speed = speed_near(aim, budget_, angle, guess);
   const auto l = speed ? linearise(aim, budget_, {*speed, angle}) : std::nullopt;
   if (!l) return {};
-  return Side{angle, *speed, q_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0]};
+  return Side{angle, *speed, request_.stop ? l->r[0] * l->by_speed(1) - l->r[1] * l->by_speed(0) : l->r[0]};
 }
 
 /// Near a rail the map bends within a hundredth of a cell, so that a route has roots closer than rings see, and one
@@ -182,7 +183,7 @@ void Roots::across_fold(const LockedAim& aim, const Launch& root) {
 
 void Roots::from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn,
                         double cells) {
-  const bool one_unknown = q_.one_unknown();
+  const bool one_unknown = request_.one_unknown();
   const Launch from{root.speed * std::exp(turn.y * cell_.step_speed), root.angle + turn.x * cell_.step_aim};
   const auto at = linearise(aim, budget_, from, true);
   const auto step = at ? newton_step(*at, one_unknown) : std::nullopt;

@@ -22,15 +22,17 @@ namespace bankshot::planning::steps {
 
 class Roots {
  public:
-  Roots(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing, std::string_view step)
-      : q_(q),
+  Roots(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing,
+        std::string_view step)
+      : request_(request),
         budget_(budget),
         found_(found),
         cell_{spacing.aim, spacing.speed},
         every_root_(spacing.every_root),
         step_(step) {
     for (const Shot& s : found.shots)
-      if (!s.off_centre) roots_.push_back({route_by(s.cushions), q.nearest_aim_point(s.arrival.at), s.launch});
+      if (!s.off_centre)
+        roots_.push_back({route_by(s.cushions), request.problem->nearest_aim_point(s.arrival.at), s.launch});
   }
 
   /// A node that meets these cushions, and how it misses the aim point.
@@ -40,10 +42,10 @@ class Roots {
   void seek_rest();
 
   /// Whether those are wanted.
-  bool rest_wanted() const { return q_.all() || found_.shots.empty(); }
+  bool rest_wanted() const { return request_.all() || found_.shots.empty(); }
 
   /// Nothing more is looked for.
-  bool done() const { return stop::over(q_, budget_, found_) || stop::route_settled(q_, found_); }
+  bool done() const { return stop::over(request_, budget_, found_) || stop::route_settled(request_, found_); }
 
  private:
   /// Of one route and aim point.
@@ -91,7 +93,7 @@ class Roots {
   bool beside_last(const LockedAim& aim) const;
   NewtonResult after_last(const LockedAim& aim, const Launch& from);
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   Neighbourhood cell_;  ///< how far apart nodes are

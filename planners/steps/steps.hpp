@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planners/evaluation_budget.hpp"
-#include "planners/question.hpp"
+#include "planners/search_request.hpp"
 #include "planners/search_result.hpp"
 #include "planners/settings.hpp"
 
@@ -22,25 +22,28 @@ inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan
                                   global = "global", looser = "looser";
 }  // namespace word
 
-using Step = void (*)(const Question&, EvaluationBudget&, SearchResult&);
+using Step = void (*)(const SearchRequest&, EvaluationBudget&, SearchResult&);
 
-void images(const Question& q, EvaluationBudget& budget,
+void images(const SearchRequest& request, EvaluationBudget& budget,
             SearchResult& found);  ///< stretched images, refined on the locked path
-void fan(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< a given route, outward from its image
+void fan(const SearchRequest& request, EvaluationBudget& budget,
+         SearchResult& found);  ///< a given route, outward from its image
 /// All aims and speeds, in cells of this size.
-void map(const Question& q, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing);
-void along(const Question& q, EvaluationBudget& budget,
+void map(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing);
+void along(const SearchRequest& request, EvaluationBudget& budget,
            SearchResult& found);  ///< exactly along a cushion that the ball touches
-void jaw_shots(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< by the jaws of a pocket
-void chains(const Question& q, EvaluationBudget& budget, SearchResult& found);     ///< another ball is sent on
+void jaw_shots(const SearchRequest& request, EvaluationBudget& budget,
+               SearchResult& found);                                                       ///< by the jaws of a pocket
+void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);  ///< another ball is sent on
 /// The same for one arrival speed after the other: of each chain the ways of its last ball, by itself, that need no
 /// other look.
 using KnownLegs = std::map<const Objects::Chain*, std::vector<Candidate>>;
-void chains_again(const Question& q, EvaluationBudget& budget, SearchResult& found, KnownLegs& known);
-void caroms(const Question& q, EvaluationBudget& budget, SearchResult& found);  ///< off one ball onto another
+void chains_again(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known);
+void caroms(const SearchRequest& request, EvaluationBudget& budget,
+            SearchResult& found);  ///< off one ball onto another
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
-Spacing usual_spacing(const Question& q);
+Spacing usual_spacing(const SearchRequest& request);
 
 /// Launches so near each other lead to one root (settings::parts::alike).
 bool alike(const Launch& a, const Launch& b);
@@ -49,10 +52,10 @@ bool alike(const Launch& a, const Launch& b);
 class Parts {
  public:
   /// Climbs to where a lead has most room: the new leads of the search result, until one of them is a shot.
-  void climb(const Question& q, EvaluationBudget& budget, SearchResult& found);
+  void climb(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
   /// Bisects around the hopeful leads, those with most room first, until this share of what is left of the budget is
   /// used.
-  void bisect(const Question& q, EvaluationBudget& budget, SearchResult& found, double share);
+  void bisect(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, double share);
 
  private:
   bool was_tried(const Candidate& candidate) const;
@@ -61,9 +64,9 @@ class Parts {
 };
 
 /// Where chains and caroms found nothing: what costs ten times as much. Leads are climbed as they are found.
-void chains_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts);
-void caroms_closely(const Question& q, EvaluationBudget& budget, SearchResult& found, Parts& parts);
+void chains_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts);
+void caroms_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts);
 /// And last of all: launch speeds between those at which they were followed.
-void speeds_between(const Question& q, EvaluationBudget& budget, SearchResult& found);
+void speeds_between(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 }  // namespace bankshot::planning::steps

@@ -10,10 +10,10 @@
 namespace bankshot::planning::steps {
 
 /// Each route of the cue ball with each of these legs, and those of images.
-void sweeps(const Question& q, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain,
+void sweeps(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain,
             const std::vector<Leg>& known, Parts& parts);
 
 /// Nothing more may be tried, or need be.
-bool sweeps_over(const Question& q, EvaluationBudget& budget, const SearchResult& found);
+bool sweeps_over(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found);
 
 }  // namespace bankshot::planning::steps

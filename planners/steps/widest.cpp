@@ -15,8 +15,12 @@ namespace bankshot::planning::steps {
 
 using namespace settings::widest;
 
-Widest::Widest(const Question& q, EvaluationBudget& budget, SearchResult& found, Candidate& candidate)
-    : q_(q), budget_(budget), found_(found), candidate_(candidate), aim_{q, candidate.route, candidate.aim_point} {
+Widest::Widest(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Candidate& candidate)
+    : request_(request),
+      budget_(budget),
+      found_(found),
+      candidate_(candidate),
+      aim_{request, candidate.route, candidate.aim_point} {
   if (!(candidate.half > 0)) candidate.half = half_window();
 }
 
@@ -26,9 +30,9 @@ double Widest::half_window() const {
   const auto l = linearise(aim_, budget_, candidate_.launch);
   if (!l) return 0;
   double lateral = l->by_aim(0);  // of the diagonal, per radian
-  if (!q_.one_unknown())
-    lateral = l->determinant(false) / (q_.stop ? std::hypot(l->by_speed(0), l->by_speed(1)) : l->by_speed(1));
-  const double half = candidate_.aim_point.reach / (std::abs(lateral) * q_.boundary.diagonal);
+  if (!request_.one_unknown())
+    lateral = l->determinant(false) / (request_.stop ? std::hypot(l->by_speed(0), l->by_speed(1)) : l->by_speed(1));
+  const double half = candidate_.aim_point.reach / (std::abs(lateral) * request_.problem->boundary.diagonal);
   return half < widest_half ? half : widest_half;
 }
 
@@ -55,7 +59,7 @@ bool Widest::find() {
 }
 
 bool Widest::across_jumps() {
-  if (q_.one_unknown() || !candidate_.aim_point.captures()) return false;
+  if (request_.one_unknown() || !candidate_.aim_point.captures()) return false;
   const Row row = along_lead();
   const auto peaks = peaks_of(row);
   return std::any_of(peaks.begin(), peaks.end(),
@@ -93,15 +97,15 @@ Widest::Tried Widest::at_speed(double aim, double speed) const {
 }
 
 bool Widest::shot(const Tried& t) const {
-  const double least = -10 * q_.boundary.touch;  // a path through a corner has no room at all
+  const double least = -10 * request_.problem->boundary.touch;  // a path through a corner has no room at all
   if (!(t.value > least) || budget_.spent()) return false;
   const Launch launch{t.speed, wrap_angle(t.x)};
   const int bounces = bounces_of(aim_.route);
   if (!aim_.aim_point.captures()) {  // from some part of a point it is not far to the point itself
     const auto root = solve_locked(aim_, budget_, launch);
-    if (root && certify(q_, budget_, found_, *root, bounces, word::parts)) return true;
+    if (root && certify(request_, budget_, found_, *root, bounces, word::parts)) return true;
   }
-  return certify(q_, budget_, found_, launch, bounces, word::parts, Demand::off_centre);
+  return certify(request_, budget_, found_, launch, bounces, word::parts, Demand::off_centre);
 }
 
 bool Widest::across_jump(const Tried& low, const Tried& best, const Tried& high) const {

@@ -20,7 +20,7 @@ namespace bankshot::planning::steps {
 class Widest {
  public:
   /// Sets the candidate's `half` where it is 0.
-  Widest(const Question& q, EvaluationBudget& budget, SearchResult& found, Candidate& candidate);
+  Widest(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Candidate& candidate);
 
   /// The largest clearance, which the candidate's `room` receives; true where that made a shot.
   bool find();
@@ -67,7 +67,7 @@ class Widest {
   bool along(const Roomy& r) const;
   bool between(const Range& aims, const Roomy& a, const Roomy& b) const;
 
-  const Question& q_;
+  const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
   Candidate& candidate_;

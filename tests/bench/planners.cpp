@@ -74,16 +74,17 @@ Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
 Outcome by_mirror(const Puzzle& p) {
   using namespace planning;
   const auto begin = std::chrono::steady_clock::now();
-  const Question q(p);
+  const SearchRequest request(p);
   EvaluationBudget budget(budget_of(p));
-  Unfolding images(q, {.parts = true, .restitution = 1, .keep_routes = true});
+  Unfolding images(request, {.parts = true, .restitution = 1, .keep_routes = true});
   double least = 1;
   while (const auto c = images.next()) {
     const Route route = images.route(*c);
-    const LockedAim aim{q, route, q.aim_points[c->aim_point]};
+    const LockedAim aim{request, route, request.problem->aim_points[c->aim_point]};
     auto speed = speed_at(aim, budget, c->angle, c->distance);
     if (speed) speed = speed_near(aim, budget, c->angle, *speed);
-    if (speed) least = std::min(least, replay(q, budget, {*speed, c->angle}, Goal::exactly(q, c->bounces)).miss);
+    if (speed)
+      least = std::min(least, replay(request, budget, {*speed, c->angle}, Goal::exactly(request, c->bounces)).miss);
   }
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
   return {least <= 1e-9 * p.table.diagonal(), least <= p.ball.body.radius, static_cast<double>(budget.simulations()),

@@ -245,13 +245,13 @@ TEST_CASE("an aim into a cushion that the ball touches is offered like any other
 
 TEST_CASE("an answer warns when its condition leaves fewer digits than an exact shot needs") {
   const Puzzle p = plain(ideal_physics());
-  const planning::Question q(p);
+  const planning::SearchRequest request(p);
   const planning::EvaluationBudget budget(budget_of(p));
   const planning::SearchResult found;
   Answer a{.status = Status::solved, .shots = {Shot{.condition = 1e3}}};
-  CHECK(!says(planning::message(q, budget, found, a, 1), "digits"));
+  CHECK(!says(planning::message(request, budget, found, a, 1), "digits"));
   a.shots[0].digits = 8;
-  CHECK(says(planning::message(q, budget, found, a, 1), "leaves 8 digits"));
+  CHECK(says(planning::message(request, budget, found, a, 1), "leaves 8 digits"));
   a.shots[0].digits = 0;
-  CHECK(says(planning::message(q, budget, found, a, 1), "up to rounding"));
+  CHECK(says(planning::message(request, budget, found, a, 1), "up to rounding"));
 }

@@ -27,10 +27,10 @@ Puzzle three_or_more(test::Random& random, int cushions) {
 }
 
 std::vector<Shot> mapped(const Puzzle& p, const planning::Spacing& spacing) {
-  const planning::Question q(p, planning::Wanted::all);
+  const planning::SearchRequest request(p, planning::Wanted::all);
   planning::EvaluationBudget budget(budget_of(p));
   planning::SearchResult found;
-  planning::steps::map(q, budget, found, spacing);
+  planning::steps::map(request, budget, found, spacing);
   return found.shots;
 }
 

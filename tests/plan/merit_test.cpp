@@ -25,30 +25,31 @@ std::vector<Shot> all_shots(const Puzzle& p) {
 }
 
 /// Returns true when the changed launch makes the shot by the same cushions.
-bool made(const planning::Question& q, const Shot& shot, double turned, double pushed) {
+bool made(const planning::SearchRequest& request, const Shot& shot, double turned, double pushed) {
   planning::EvaluationBudget budget(plenty);
   const Launch l{shot.launch.speed + pushed, wrap_angle(shot.launch.angle + turned)};
-  return l.speed > 0 && planning::replay(q, budget, l, planning::Goal::along(shot.cushions)).made;
+  return l.speed > 0 && planning::replay(request, budget, l, planning::Goal::along(shot.cushions)).made;
 }
 
 /// Counts the launches inside an end of the margin that are not made, plus one if the launch just beyond the end is
 /// made.
-int wrong_places(const planning::Question& q, const Shot& shot, std::optional<double> end, const Vec2d& towards) {
+int wrong_places(const planning::SearchRequest& request, const Shot& shot, std::optional<double> end,
+                 const Vec2d& towards) {
   constexpr int places = 50;
   if (!end) return 0;
   int wrong = 0;
   for (int i = 0; i < places; ++i) {
     const double by = *end * (i + 0.5) / places;
-    wrong += !made(q, shot, by * towards.x, by * towards.y);
+    wrong += !made(request, shot, by * towards.x, by * towards.y);
   }
   const double beyond = *end * (1 + 3 * tolerance::margin) + std::copysign(tolerance::same_aim, *end);
-  return wrong + made(q, shot, beyond * towards.x, beyond * towards.y);
+  return wrong + made(request, shot, beyond * towards.x, beyond * towards.y);
 }
 
-int wrong_places(const planning::Question& q, const Shot& shot) {
+int wrong_places(const planning::SearchRequest& request, const Shot& shot) {
   int wrong = 0;
-  for (const auto& end : shot.margin->angle) wrong += wrong_places(q, shot, end, {1, 0});
-  for (const auto& end : shot.margin->speed) wrong += wrong_places(q, shot, end, {0, 1});
+  for (const auto& end : shot.margin->angle) wrong += wrong_places(request, shot, end, {1, 0});
+  for (const auto& end : shot.margin->speed) wrong += wrong_places(request, shot, end, {0, 1});
   return wrong;
 }
 
@@ -59,11 +60,11 @@ TEST_CASE("a first-order chance is near success where a ball must rest") {
   int compared = 0, far = 0;
   while (compared < 200) {
     const Puzzle p = test::random_puzzle(random, test::Family::uniform, test::Model::spin).puzzle;
-    const planning::Question q(p);
-    if (!q.stop) continue;
+    const planning::SearchRequest request(p);
+    if (!request.stop) continue;
     for (Shot& shot : all_shots(p)) {
       planning::EvaluationBudget budget(plenty);
-      planning::find_success(q, budget, shot);
+      planning::find_success(request, budget, shot);
       far += std::abs(*shot.success - shot.success_estimate) > 0.01;
       ++compared;
     }
@@ -95,17 +96,17 @@ TEST_CASE("the winner is the one with the largest value, and few are computed") 
     test::Random random(43);
     for (int i = 0; i < 120; ++i) {
       const Puzzle p = test::random_puzzle(random, test::Family::uniform, model).puzzle;
-      const planning::Question q(p);
+      const planning::SearchRequest request(p);
       planning::SearchResult found{.shots = all_shots(p)};
       std::vector<Shot> each = found.shots;
       if (each.size() < 2) continue;
       planning::EvaluationBudget some(plenty), all(plenty);
-      planning::best_first(q, some, found.shots);
-      planning::add_robustness(q, some, found);
+      planning::best_first(request, some, found.shots);
+      planning::add_robustness(request, some, found);
       double best = -1;
       for (Shot& shot : each) {
-        planning::find_success(q, all, shot);
-        planning::find_margin(q, all, shot);
+        planning::find_success(request, all, shot);
+        planning::find_margin(request, all, shot);
         best = std::max(best, *shot.value);
       }
       lost += *found.shots.front().value < best;
@@ -126,12 +127,12 @@ TEST_CASE("a margin jumps no launch that is not made") {
       test::Random random(44);
       for (int i = 0; i < 25; ++i) {
         const Puzzle p = test::random_puzzle(random, family, model).puzzle;
-        const planning::Question q(p);
+        const planning::SearchRequest request(p);
         for (Shot& shot : all_shots(p)) {
           planning::EvaluationBudget budget(plenty);
-          planning::find_margin(q, budget, shot);
+          planning::find_margin(request, budget, shot);
           INFO("puzzle " << i << " of seed 44, model " << static_cast<int>(model) << ", " << name(family));
-          CHECK(wrong_places(q, shot) == 0);
+          CHECK(wrong_places(request, shot) == 0);
           ends += 4;
         }
       }
@@ -146,20 +147,20 @@ TEST_CASE("a nearest miss is no farther than a scan of 1,000 launches, and has a
     Puzzle p = test::random_puzzle(random, test::Family::uniform, models[i % 3]).puzzle;
     const double aim = random.uniform(0, 6);
     p.angle = Range{aim, aim + random.log_uniform(0.01, 1)};
-    const planning::Question q(p);
+    const planning::SearchRequest request(p);
     const Answer a = solve(p);
     if (a.status != Status::no_shot) continue;
     INFO("puzzle " << i << " of seed 45");
     REQUIRE(a.nearest);
     ++misses;
     planning::EvaluationBudget budget(plenty);
-    const planning::Goal goal = planning::Goal::of(q);
+    const planning::Goal goal = planning::Goal::of(request);
     double least = 1e300;
     for (int k = 0; k < 1000; ++k) {
       const double speed =
-          q.one_unknown() || p.speed.fixed() ? q.fixed_speed() : random.uniform(p.speed.low, p.speed.high);
+          request.one_unknown() || p.speed.fixed() ? request.fixed_speed() : random.uniform(p.speed.low, p.speed.high);
       const Launch l{speed, wrap_angle(random.uniform(p.angle->low, p.angle->high))};
-      const planning::Replay r = planning::replay(q, budget, l, goal);
+      const planning::Replay r = planning::replay(request, budget, l, goal);
       const planning::FailureReason reason = r.failure.reason;
       const bool asked =
           r.made || reason == planning::FailureReason::missed || reason == planning::FailureReason::fell_short;

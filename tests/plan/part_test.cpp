@@ -21,17 +21,17 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
   for (int i = 0; i < 1500; ++i) {
     const test::Family family = test::families[i % 3];  // no reflex vertices, because they may hide a cushion
     const test::Made m = test::random_puzzle(random, family, test::Model::spin);
-    const Question q(m.puzzle);
+    const SearchRequest request(m.puzzle);
     EvaluationBudget budget(budget_of(m.puzzle));
     std::vector<Contact> contacts;
-    const Replay exact = replay(q, budget, m.launch, Goal::exactly(q, m.bounces), &contacts);
-    if (!exact.made || !q.touched.empty()) continue;  // a touched cushion may come first
+    const Replay exact = replay(request, budget, m.launch, Goal::exactly(request, m.bounces), &contacts);
+    if (!exact.made || !request.problem->touched.empty()) continue;  // a touched cushion may come first
     const Route route = route_by(contacts);
-    const LockedAim aim{q, route, q.nearest_aim_point(exact.arrival.at)};
+    const LockedAim aim{request, route, request.problem->nearest_aim_point(exact.arrival.at)};
     for (int k = 0; k < 20; ++k) {
       const Launch launch{m.launch.speed * random.uniform(0.97, 1.03), m.launch.angle + random.uniform(-0.05, 0.05)};
       const auto room = clearance(aim, budget, launch);
-      const bool makes = replay(q, budget, launch, Goal::along(contacts)).made;
+      const bool makes = replay(request, budget, launch, Goal::along(contacts)).made;
       CAPTURE(i, test::name(family), write_puzzle(m.puzzle), launch.speed, launch.angle, room.value_or(-1));
       constexpr double rounding = 1e-9;  // m
       if (room.value_or(-1) > rounding) {

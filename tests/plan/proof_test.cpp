@@ -24,9 +24,9 @@ Puzzle straight() {
 }
 
 Proof tried(const Puzzle& p, const Launch& launch, Demand demand = Demand::exact, long most = 100) {
-  const Question q(p);
+  const SearchRequest request(p);
   EvaluationBudget budget(most);
-  return prove(q, budget, launch, Goal::of(q, demand));
+  return prove(request, budget, launch, Goal::of(request, demand));
 }
 
 /// Returns the launch speed that passes the point, 1 m ahead, at 0.5 m/s.

@@ -94,9 +94,9 @@ TEST_CASE("golden sections climb to a maximum between three points") {
 TEST_CASE("Newton's method says how it ended") {
   Puzzle p{.table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {.at = {0.5, 0.5}}};
   p.target = PointTarget{{1.5, 0.3}};
-  const Question q(p);
+  const SearchRequest request(p);
   const Route route{{0, Contact::rail(0)}};
-  const LockedAim aim{q, route, q.aim_points[0]};
+  const LockedAim aim{request, route, request.problem->aim_points[0]};
   const Launch near{1.2, radians(-40)};
   EvaluationBudget budget(1000);
   const NewtonResult found = newton(aim, budget, near, settings::wide);
@@ -115,23 +115,23 @@ TEST_CASE("residuals have the derivatives that differences show") {
   int checked = 0;
   for (int i = 0; i < 200; ++i) {
     const test::Made made = test::random_puzzle(random, test::Family::uniform, test::Model::spin);
-    const Question q(made.puzzle);
+    const SearchRequest request(made.puzzle);
     EvaluationBudget budget(100);
     std::vector<Contact> contacts;
-    if (!replay(q, budget, made.launch, Goal::exactly(q, made.bounces), &contacts).made) continue;
+    if (!replay(request, budget, made.launch, Goal::exactly(request, made.bounces), &contacts).made) continue;
     const Route route = route_by(contacts);
-    const LockedAim aim{q, route, q.aim_points[0]};
+    const LockedAim aim{request, route, request.problem->aim_points[0]};
     constexpr double h = 1e-6;
     const auto at = linearise(aim, budget, made.launch);
     const auto turned = linearise(aim, budget, {made.launch.speed, made.launch.angle + h});
     const auto pushed = linearise(aim, budget, {made.launch.speed * std::exp(h), made.launch.angle});
     if (!at || !turned || !pushed) continue;
-    for (std::size_t k = 0; k < (q.one_unknown() ? 1u : 2u); ++k) {
+    for (std::size_t k = 0; k < (request.one_unknown() ? 1u : 2u); ++k) {
       const double by_aim = (turned->r[k] - at->r[k]) / h;
       CAPTURE(i, k, made.launch.angle);
       // A kink within the step spoils the difference but not the derivative, so most must agree, not all.
       checked += std::abs(by_aim - at->by_aim(k)) < 1e-3 * (1 + std::abs(by_aim));
-      if (q.one_unknown()) continue;
+      if (request.one_unknown()) continue;
       const double by_speed = (pushed->r[k] - at->r[k]) / h;
       checked += std::abs(by_speed - at->by_speed(k)) < 1e-3 * (1 + std::abs(by_speed));
     }

@@ -27,29 +27,29 @@ double by_all_draws(const Puzzle& p, const Shot& shot, test::Random& random, int
     const auto move = [&](Vec2d& at) { at += Vec2d{normal(random), normal(random)} * p.noise.at; };
     move(moved.ball.at);
     for (Ball& other : moved.others) move(other.at);
-    planning::Question q(moved);
-    q.spin = shot.spin;
-    q.spin.side += p.noise.side * normal(random);
-    q.spin.top += p.noise.top * normal(random);
+    planning::SearchRequest request(moved);
+    request.spin = shot.spin;
+    request.spin.side += p.noise.side * normal(random);
+    request.spin.top += p.noise.top * normal(random);
     planning::EvaluationBudget budget(2);
     const Launch l{shot.launch.speed + p.noise.speed_at(shot.launch.speed) * normal(random),
                    wrap_angle(shot.launch.angle + p.noise.angle * normal(random))};
-    made += l.speed > 0 && planning::replay(q, budget, l, planning::Goal::of(q)).made;
+    made += l.speed > 0 && planning::replay(request, budget, l, planning::Goal::of(request)).made;
   }
   return static_cast<double>(made) / draws;
 }
 
 /// Returns the share of `draws` normal errors of aim and speed with which the shot is made.
 double by_draws(const Puzzle& p, const Shot& shot, test::Random& random, int draws) {
-  const planning::Question q(p);
+  const planning::SearchRequest request(p);
   planning::EvaluationBudget budget(draws + 1);
-  const planning::Goal goal = planning::Goal::of(q);
+  const planning::Goal goal = planning::Goal::of(request);
   int made = 0;
   for (int i = 0; i < draws; ++i) {
     const double r = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))), turn = random.uniform(0, radians(360));
     const Launch l{shot.launch.speed + p.noise.speed_at(shot.launch.speed) * r * std::cos(turn),
                    wrap_angle(shot.launch.angle + p.noise.angle * r * std::sin(turn))};
-    made += l.speed > 0 && planning::replay(q, budget, l, goal).made;
+    made += l.speed > 0 && planning::replay(request, budget, l, goal).made;
   }
   return static_cast<double>(made) / draws;
 }
@@ -114,10 +114,10 @@ TEST_CASE("the chance of success takes no more simulations than are promised") {
       p.noise = {.angle = random.log_uniform(1e-4, 0.1), .speed = random.log_uniform(1e-3, 1)};
       const Answer a = solve(p, {.robustness = false});
       if (a.shots.empty()) continue;
-      const planning::Question q(p);
+      const planning::SearchRequest request(p);
       planning::EvaluationBudget budget(budget_of(p));
       Shot shot = a.shots[0];
-      planning::find_success(q, budget, shot);
+      planning::find_success(request, budget, shot);
       CHECK(budget.simulations() <= static_cast<long>(planning::settings::success::most_samples));
       CHECK(*shot.success >= 0);
       CHECK(*shot.success <= 1);

@@ -35,13 +35,13 @@ std::vector<Model> models_in_order() {
 }
 
 /// A ball that rolls and comes to rest after exactly n cushions in the fullest model.
-struct Question {
+struct SearchRequest {
   ShotRequest shot;
   Vec2d rest;
   std::vector<Contact> met;
 };
 
-Question draw_question(Random& draw, const Physics& fullest, int cushions) {
+SearchRequest draw_question(Random& draw, const Physics& fullest, int cushions) {
   const double R = comparison_table().body.radius;
   for (;;) {
     ShotRequest shot{.table = rectangle_table(2.54, 1.27), .physics = fullest};
@@ -53,7 +53,7 @@ Question draw_question(Random& draw, const Physics& fullest, int cushions) {
   }
 }
 
-Puzzle puzzle_of(const Question& q, const Physics& physics) {
+Puzzle puzzle_of(const SearchRequest& q, const Physics& physics) {
   Puzzle p{.table = q.shot.table,
            .physics = physics,
            .ball = q.shot.ball,
@@ -71,7 +71,7 @@ Puzzle puzzle_of(const Question& q, const Physics& physics) {
 }
 
 /// Returns the seconds it takes to simulate the shot in a model, to its rest or its last cushion.
-double cost(const Question& q, const Physics& physics) {
+double cost(const SearchRequest& q, const Physics& physics) {
   return with_physics(physics, [&](const auto& motion, const auto& cushion) {
     const State<double> start = start_state(q.shot);
     const int last = static_cast<int>(q.met.size());
@@ -91,10 +91,10 @@ struct Result {
   int solved = 0;
 };
 
-Result measure(const Model& m, const std::vector<Question>& questions, int cushions, std::string& csv) {
+Result measure(const Model& m, const std::vector<SearchRequest>& questions, int cushions, std::string& csv) {
   std::vector<double> misses, seconds, solving;
   int solved = 0;
-  for (const Question& q : questions) {
+  for (const SearchRequest& q : questions) {
     const Answer a = bankshot::solve(puzzle_of(q, m.physics), {.robustness = false, .suggest = false});
     seconds.push_back(cost(q, m.physics));
     double miss = forever;
@@ -170,7 +170,7 @@ Section models(const Settings& settings, Progress& progress) {
                 {"processor time per shot [s]", true},
                 {"miss [m]", true},
                 {}};
-  std::vector<std::vector<Question>> questions;
+  std::vector<std::vector<SearchRequest>> questions;
   Random draw(2);
   for (int n = 1; n <= most_cushions; ++n) {
     questions.emplace_back();

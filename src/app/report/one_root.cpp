@@ -35,7 +35,7 @@ struct Path {
     using std::exp;
     ++simulations;
     const T speed = exp(log_speed);
-    const auto arrival = arrival_of(aim, start_of(aim.q, angle, speed), aim.q.puzzle.physics);
+    const auto arrival = arrival_of(aim, start_of(aim.request, angle, speed), aim.request.puzzle().physics);
     if (!arrival) return {};
     return arrival->state.at - to<T>(aim.aim_point.at);
   }
@@ -96,8 +96,8 @@ void newton_from(Path& p, const Launch& seed, Derivatives d) {
 double squared_distance(unsigned, const double* x, double*, void* data) {
   Path& p = *static_cast<Path*>(data);
   const auto off = p.off(x[0], x[1]);
-  p.note(off.value_or(Vec2d{p.aim.q.boundary.diagonal, 0}));
-  const double r = norm(off.value_or(Vec2d{p.aim.q.boundary.diagonal, 0}));
+  p.note(off.value_or(Vec2d{p.aim.request.problem->boundary.diagonal, 0}));
+  const double r = norm(off.value_or(Vec2d{p.aim.request.problem->boundary.diagonal, 0}));
   return r * r;
 }
 
@@ -120,11 +120,11 @@ void bobyqa_from(Path&, const Launch&) {}  // derivatives.cpp does not ask for i
 }  // namespace
 
 std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*clock)()) {
-  const Question q(puzzle);
+  const SearchRequest request(puzzle);
   EvaluationBudget budget(budget_of(puzzle));
-  Unfolding images(q, {.parts = true, .restitution = restitution(puzzle.physics).at_rest, .keep_routes = true});
+  Unfolding images(request, {.parts = true, .restitution = restitution(puzzle.physics).at_rest, .keep_routes = true});
   while (const auto c = images.next()) {
-    const LockedAim aim{q, *q.route, q.aim_points[c->aim_point]};
+    const LockedAim aim{request, *request.route, request.problem->aim_points[c->aim_point]};
     const auto speed = speed_at(aim, budget, c->angle, c->distance);
     if (!speed) continue;
     Path path{aim, clock};

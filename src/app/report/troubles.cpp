@@ -96,14 +96,14 @@ std::vector<Timed> into_pockets(const Physics& physics, int count) {
   return out;
 }
 
-struct Question {
+struct SearchRequest {
   const char *name, *title, *axis;
   Trouble trouble;
   std::size_t shots;
   bool share;  ///< true: share of shots in trouble; false: size of the trouble
 };
 
-Panel panel(const Question& q, std::string& csv) {
+Panel panel(const SearchRequest& q, std::string& csv) {
   Panel p{q.title, {"step [s]", true}, {q.axis, !q.share}, {}};
   constexpr double finest = 1e-4;
   for (const Series& series : stepping_series(finest)) {
@@ -157,14 +157,14 @@ void add_troubles(const Settings& settings, Section& section, Progress& progress
   std::vector<Timed> ordinary;
   for (int i = 0; i < count; ++i) ordinary.push_back(timed_shot(draw, physics, 3));
   const std::vector<Timed> corners = into_corners(physics, count), pockets = into_pockets(physics, count);
-  const Question questions[] = {{"energy_drift", "energy after 3 cushions, spin", "off by a share of",
-                                 energy_drift(ordinary, physics), ordinary.size(), false},
-                                {"corner", "stuck or lost in a corner, spin", "wrong bounces [% of shots]",
-                                 corner(corners, physics), corners.size(), true},
-                                {"tunnel", "passes over its pocket, spin", "not pocketed [% of shots]",
-                                 tunnel(pockets, physics), pockets.size(), true}};
+  const SearchRequest questions[] = {{"energy_drift", "energy after 3 cushions, spin", "off by a share of",
+                                      energy_drift(ordinary, physics), ordinary.size(), false},
+                                     {"corner", "stuck or lost in a corner, spin", "wrong bounces [% of shots]",
+                                      corner(corners, physics), corners.size(), true},
+                                     {"tunnel", "passes over its pocket, spin", "not pocketed [% of shots]",
+                                      tunnel(pockets, physics), pockets.size(), true}};
   std::string csv = "trouble,method,step,shots,low_10,median_or_percent,high_90\n";
-  for (const Question& q : questions) {
+  for (const SearchRequest& q : questions) {
     section.figure.panels.push_back(panel(q, csv));
     progress.step();
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The problem of one search: the puzzle as planners need it. It does not change while a step works on it; a step that
-// wants another arrival speed or a fixed launch makes a problem of its own.
+// The problem of a search: a puzzle with everything that planners build from it once. It does not change. What a step
+// varies, such as bounds or an arrival speed, is in its search request (search_request.hpp).
 #pragma once
 
 #include <algorithm>
@@ -21,10 +21,6 @@
 namespace bankshot::planning {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// The shots that are wanted: the best one, the first that is verified, or every distinct one. `starts`: no shot, but
-/// roots of locked paths, kept as candidates.
-enum class Wanted { best, first, all, starts };
 
 /// The balls that a shot may set going, and the table as they see it.
 struct Objects {
@@ -50,56 +46,23 @@ struct Objects {
   const Chain* chain_by(int ball) const;
 };
 
-struct Question {
-  explicit Question(const Puzzle& puzzle, Wanted wanted = Wanted::best);
+struct Problem {
+  /// `puzzle` is valid (scene/puzzle.hpp) and outlives this.
+  explicit Problem(const Puzzle& puzzle);
 
-  const Puzzle& puzzle;  ///< must outlive this
+  const Puzzle& puzzle;
   Boundary boundary;
   std::optional<Boundary> cleared;         ///< without the other balls; none if there are none
   std::shared_ptr<const Objects> objects;  ///< null unless object balls are to be sent on, or touched on the way
   std::shared_ptr<const Starts> whole;     ///< all balls as they start, if a ball is the target; else null
   Physics rough;                           ///< the puzzle's, with impacts integrated no more finely than a seed needs
-  Wanted wanted;
-  bool valued = true;                ///< success is computed and ranks shots; otherwise its first-order estimate does
-  bool every = false;                ///< all shots are wanted, even if this problem asks for roots to start from
-  std::vector<AimPoint> aim_points;  ///< the aim points
-  std::vector<Contact> touched;      ///< contacts of the ball at the start
-  Range speed;                       ///< m/s, of the launch
-  std::optional<Range> angle;        ///< rad, of the aim; none: any
-  LaunchSpin spin;
-  std::optional<Range> arrival;    ///< m/s at the aim point; none: any
-  bool stop;                       ///< the ball must come to rest at its aim point
-  double asked = 0;                ///< m/s; the arrival speed to aim for in its range, chosen by `prefer`
-  double latest = forever;         ///< s; paths that take longer need not be followed
-  double likelier = 0;             ///< roots of shots with less success than this need not be found
-  std::optional<double> pinned{};  ///< m/s; a launch speed to keep; then any arrival speed in the range will do
-  std::optional<Route> route{};    ///< the cushions, if the puzzle gives them in order
-  CushionRule cue_cushions;        ///< of the cue ball: the puzzle's rule, or a stage of it
-  CushionRule object_cushions;     ///< of the last object ball, likewise
-
-  /// Returns the problem with another arrival speed of its range to aim for.
-  Question asking(double arrival_speed) const;
-  /// Returns the problem at one launch speed.
-  Question launched_at(double launch_speed) const;
-  /// Returns the problem of finding roots to start from, at this arrival speed and with this spin. They may lie outside
-  /// the bounds, which hold for the branches that start there.
-  Question starts_at(double arrival_speed, const LaunchSpin& launch_spin) const;
-  /// Returns the problem with another spin of its ranges.
-  Question spinning(const LaunchSpin& launch_spin) const;
-
-  /// Returns a stage of the search, by so many cushions of the cue ball and of the last object ball.
-  Question stage(int cue, int object) const;
-
-  /// Returns the problem of finding shots better than this one, as far as `prefer` bounds them.
-  Question better_than(const Shot& shot) const;
+  std::vector<AimPoint> aim_points;
+  std::vector<Contact> touched;  ///< contacts of the ball at the start
 
   /// Returns the table as if the cue ball were alone. Other balls block roots and make none, so maps look through them.
   const Boundary& alone() const { return cleared ? *cleared : boundary; }
-  bool all() const { return wanted == Wanted::all; }
-  bool first() const { return wanted == Wanted::first; }
   /// Returns whether shots leave the exact line if that has a larger value.
   bool safest() const { return aim_of(puzzle) == Aim::safest; }
-  bool starts() const { return wanted == Wanted::starts; }
   /// Returns what the object balls are to do; null if the cue ball itself goes to the target.
   const Then* then() const { return then_of(puzzle.target); }
   /// Returns whether the cue ball goes off a first ball to another.
@@ -109,15 +72,6 @@ struct Question {
     return {boundary, objects->standing, collisions(puzzle.physics), carom()};
   }
   const Boundary& boundary_of(int ball) const { return ball == 0 ? boundary : objects->find(ball).own; }
-  const CushionRule& cushions() const { return cue_cushions; }
-  /// Returns the rule of cushions for the n-th object ball of a shot, counted from 0.
-  const CushionRule& cushions_of(std::size_t n) const {
-    return n == then()->links.size() ? object_cushions : then()->links[n].cushions;
-  }
-  /// Returns whether only the aim is unknown.
-  bool one_unknown() const { return !arrival || pinned; }
-  /// Returns the launch speed if only the aim is unknown: the fixed one, or `ideal_speed`.
-  double fixed_speed() const;
   /// Returns whether an aim point captures the ball: a pocket, or another ball.
   bool captures() const { return !aim_points.empty() && aim_points.front().captures(); }
   /// Returns whether a pocket is asked for.
@@ -136,7 +90,6 @@ struct Question {
   /// Returns whether a ball there touches a cushion, as nearly as an answer is exact: rounding may decide whether it
   /// bounces.
   bool on_a_line(int ball, const Vec2d& at) const { return centred(boundary_of(ball).clearance(at)); }
-
   /// Returns whether the ball touches this cushion or vertex at the start.
   bool touches(Contact contact) const { return std::ranges::find(touched, contact) != touched.end(); }
   /// Returns whether the ball is a point that stands in a vertex: it has no side with which to bounce there.
@@ -145,12 +98,6 @@ struct Question {
   /// moves.
   bool into_touched_cushion(double launch_angle) const;
 };
-
-/// Calls `f` with the problem that has the shot's spin, which differs if the puzzle leaves the spin free.
-template <class F>
-decltype(auto) as_struck(const Question& q, const Shot& shot, F&& f) {
-  return shot.spin == q.spin ? f(q) : f(q.spinning(shot.spin));
-}
 
 /// Returns the route of a shot: its cushions, and its contacts from ball to ball.
 Route route_of(const Shot& shot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planners/question.hpp"
+#include "planners/problem.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,12 +15,6 @@ namespace {
 Physics roughly(Physics p) {
   if (auto* m = std::get_if<Mathavan2010>(&p.cushion)) m->tolerance = std::max(m->tolerance, tolerance::rough_impact);
   return p;
-}
-
-/// Returns the spin of a range that is nearest to none.
-LaunchSpin least_of(const SpinRange& r) {
-  const auto least = [](const Range& v) { return std::clamp(0.0, v.low, v.high); };
-  return {least(r.top), least(r.side), least(r.masse)};
 }
 
 /// Returns the cushions and vertices that a ball touches.
@@ -77,77 +71,17 @@ const Objects::Chain* Objects::chain_by(int ball) const {
   return chain == chains.end() ? nullptr : &*chain;
 }
 
-Question::Question(const Puzzle& p, Wanted w)
+Problem::Problem(const Puzzle& p)
     : puzzle(p),
       boundary(p.table, p.ball.body, p.others),
       cleared(p.others.empty() ? std::nullopt : std::optional(Boundary(p.table, p.ball.body))),
       objects(then_of(p.target) || off_of(p.target) ? std::make_shared<const Objects>(p) : nullptr),
       whole(std::holds_alternative<BallTarget>(p.target) ? std::make_shared<const Starts>(scene_of(p)) : nullptr),
       rough(roughly(p.physics)),
-      wanted(w),
       aim_points(then_of(p.target) ? aim_points_of(p) : aim_points_of(p.target, boundary)),
-      touched(touched_by(boundary, p.ball.at)),
-      speed(p.speed),
-      angle(p.angle),
-      spin(p.spin_range ? least_of(*p.spin_range) : p.spin),
-      arrival(arrival_range(p)),
-      stop(!captures() && arrival && arrival->high == 0),
-      cue_cushions(p.cushions) {
-  if (arrival) asked = p.prefer == Prefer::soft ? arrival->low : arrival->high;
-  if (p.cushions.sequence) route = route_by(*p.cushions.sequence);
-  if (const Then* const last = then()) object_cushions = last->cushions_of(last->links.size());
-  every = all();
-}
+      touched(touched_by(boundary, p.ball.at)) {}
 
-Question Question::stage(int cue, int object) const {
-  Question q = *this;
-  if (!q.cue_cushions.sequence) q.cue_cushions = CushionRule::exactly(cue);
-  if (!q.object_cushions.sequence) q.object_cushions = CushionRule::exactly(object);
-  return q;
-}
-
-Question Question::asking(double arrival_speed) const {
-  Question q = *this;
-  q.asked = arrival_speed;
-  return q;
-}
-
-Question Question::launched_at(double launch_speed) const {
-  Question q = *this;
-  q.pinned = launch_speed;
-  return q;
-}
-
-Question Question::starts_at(double arrival_speed, const LaunchSpin& launch_spin) const {
-  Question q = *this;
-  q.asked = arrival_speed;
-  q.spin = launch_spin;
-  q.angle.reset();
-  if (!speed.fixed()) q.speed.high = std::max(speed.high, settings::fastest_start);
-  q.wanted = Wanted::starts;
-  return q;
-}
-
-Question Question::spinning(const LaunchSpin& launch_spin) const {
-  Question q = *this;
-  q.spin = launch_spin;
-  return q;
-}
-
-double Question::fixed_speed() const {
-  if (pinned) return *pinned;
-  return is_ideal(puzzle.physics) ? ideal_speed(puzzle) : speed.low;
-}
-
-Question Question::better_than(const Shot& shot) const {
-  Question q = *this;
-  if (puzzle.prefer == Prefer::soft) q.speed.high = std::max(speed.low, std::min(speed.high, shot.launch.speed));
-  if (puzzle.prefer == Prefer::quick) q.latest = shot.arrival.time;
-  if (puzzle.prefer == Prefer::robust) q.likelier = shot.success_estimate;
-  return q;
-}
-
-const AimPoint& Question::nearest_aim_point(const Vec2d& arrived, int ball) const {
+const AimPoint& Problem::nearest_aim_point(const Vec2d& arrived, int ball) const {
   const auto own = std::ranges::find(aim_points, ball, &AimPoint::ball);
   const bool has_own = own != aim_points.end();
   const AimPoint* best = has_own ? &*own : &aim_points.front();
@@ -159,7 +93,7 @@ const AimPoint& Question::nearest_aim_point(const Vec2d& arrived, int ball) cons
   return *best;
 }
 
-const AimPoint* Question::aim_point_taken_by(Contact contact, const Vec2d& arrived, int ball) const {
+const AimPoint* Problem::aim_point_taken_by(Contact contact, const Vec2d& arrived, int ball) const {
   const AimPoint* best = nullptr;
   for (const AimPoint& aim_point : aim_points)
     if (aim_point.taken_by == contact && aim_point.ball == ball &&
@@ -168,7 +102,7 @@ const AimPoint* Question::aim_point_taken_by(Contact contact, const Vec2d& arriv
   return best;
 }
 
-Contact Question::covering() const {
+Contact Problem::covering() const {
   const auto covers = [&](const Circle& ball) {
     return !captures() && !objects && norm(aim_points.front().at - ball.centre) < ball.radius - boundary.touch;
   };
@@ -176,9 +110,9 @@ Contact Question::covering() const {
   return ball == boundary.balls.end() ? Contact{} : ball->contact;
 }
 
-bool Question::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }
+bool Problem::centred(double miss) const { return miss <= tolerance::exact_miss * boundary.diagonal; }
 
-bool Question::into_touched_cushion(double launch_angle) const {
+bool Problem::into_touched_cushion(double launch_angle) const {
   if (touched.empty()) return false;
   const Vec2d towards = direction(launch_angle);
   return std::ranges::any_of(
