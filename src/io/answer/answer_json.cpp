@@ -223,21 +223,4 @@ std::string to_json(const Answer& a) {
   return w.take();
 }
 
-ShotRequest as_request(const Puzzle& p, const Shot& shot) {
-  ShotRequest r{p.id, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
-  r.until.time = shot.arrival.time;
-  r.settled = p.settled;
-  return r;
-}
-
-Trajectory path_of(const Puzzle& p, const Shot& shot) { return path_of(simulate(as_request(p, shot)), 0); }
-
-const Pocket* pocket_reached(const Puzzle& p, const Shot& shot) {
-  const PocketTarget* const target = pocket_of(p.target);
-  if (!target || p.table.pockets.empty()) return nullptr;
-  if (target->pocket) return &p.table.pockets[static_cast<std::size_t>(*target->pocket)];
-  const auto off_rim = [&](const Pocket& k) { return std::abs(norm(shot.arrival.at - k.at) - k.radius); };
-  return &*std::ranges::min_element(p.table.pockets, {}, off_rim);
-}
-
 }  // namespace bankshot

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "bankshot/simulate/trajectory.hpp"
 #include "io/simulate/csv.hpp"
+#include "sim/plan/played.hpp"
 
 namespace bankshot {
 namespace {
@@ -31,9 +31,8 @@ bool moves(const Points& points) {
 }  // namespace
 
 void write_points(JsonWriter& w, const Puzzle& p, const Shot& shot) {
-  const ShotRequest request = as_request(p, shot);
   std::vector<Points> paths(1 + p.others.size());
-  sample(request, simulate(request), usual_rate, [&](double time, int ball, const State<double>& s) {
+  sample_played(p, shot, [&](double time, int ball, const State<double>& s) {
     Points& points = paths[static_cast<std::size_t>(ball)];
     const std::array<double, 3> point{time, s.at.x, s.at.y};
     if (points.empty() || points.back() != point) points.push_back(point);  // two events in one instant
@@ -53,7 +52,7 @@ std::string to_csv(const Puzzle& p, const Answer& a, bool numbered) {
   for (std::size_t i = 0; i < a.shots.size(); ++i) {
     const ShotRequest request = as_request(p, a.shots[i]);
     const std::string end = numbered ? "," + std::to_string(i + 1) + "\n" : "\n";
-    sample(request, simulate(request), usual_rate, [&](double time, int ball, const State<double>& s) {
+    sample_played(p, a.shots[i], [&](double time, int ball, const State<double>& s) {
       out += csv_row(time, csv_field(ball_of(request, ball).id), s) + end;
     });
   }

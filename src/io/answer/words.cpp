@@ -11,8 +11,9 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/tip.hpp"
-#include "bankshot/simulate/trajectory.hpp"
 #include "io/answer/sights.hpp"
+#include "sim/plan/played.hpp"
+#include "sim/simulate/lag.hpp"
 
 namespace bankshot {
 namespace {
@@ -26,29 +27,6 @@ std::string_view pace(double mph) {
   if (mph < 7) return "fast";
   if (mph < 10) return "power shot";
   return mph < 25 ? "harder than a power shot" : "powerful break";
-}
-
-/// Returns the lag speed of this table, cloth and ball [m/s]; none if no ball comes back.
-std::optional<double> lag_speed(const ShotRequest& shot) {
-  if (!shot.table.is_rectangle() || deceleration(shot.physics) == 0) return {};
-  ShotRequest lag = shot;
-  const Vec2d low = shot.table.lowest(), size = shot.table.highest() - low;
-  const bool wide = size.x >= size.y;
-  lag.table.pockets.clear();
-  lag.others.clear();
-  lag.spin = {};
-  lag.ball.at = low + (wide ? Vec2d{size.x / 4, size.y / 2} : Vec2d{size.x / 2, size.y / 4});
-  lag.launch.angle = wide ? 0 : radians(90);
-  lag.until = {.time = {}, .cushions = 2, .length = {}};
-  const auto comes_back = [&](double speed) {
-    lag.launch.speed = speed;
-    return simulate(lag).cushions == 2;
-  };
-  constexpr double fastest = 20;  // m/s; faster than any break
-  double slow = 0, fast = fastest;
-  if (!comes_back(fast)) return {};
-  for (int i = 0; i < 20; ++i) (comes_back((slow + fast) / 2) ? fast : slow) = (slow + fast) / 2;
-  return fast;
 }
 
 std::string side_words(double v, std::string_view more, std::string_view less) {
@@ -84,7 +62,7 @@ std::string arrival_words(const Puzzle& p, const Shot& s) {
   const auto [time, speed, at] = s.arrival;
   const std::string who = s.then.empty() ? "" : contact_name(p, Contact::ball(s.arriving())) + " ";
   if (const Pocket* pocket = pocket_reached(p, s)) {
-    const State<double> end = end_of(simulate(as_request(p, s)), s.arriving()).state;
+    const State<double> end = state_on_arrival(p, s);
     return fmt::format("{}falls into {} after {:.2f} s at {:.2f} m/s, {}", who, pocket->name, time, speed,
                        speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim");
   }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bankshot/scene/tip.hpp"
@@ -56,6 +57,23 @@ std::vector<std::string> warnings(const Puzzle& p, const Shot& shot) {
     out.push_back("likely double hit: the cue ball nearly touches " +
                   contact_name(p, Contact::ball(shot.hits.front().ball)) + ", so lift the cue or cut it thinner");
   return out;
+}
+
+ShotRequest as_request(const Puzzle& p, const Shot& shot) {
+  ShotRequest r{p.id, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
+  r.until.time = shot.arrival.time;
+  r.settled = p.settled;
+  return r;
+}
+
+Trajectory path_of(const Puzzle& p, const Shot& shot) { return path_of(simulate(as_request(p, shot)), 0); }
+
+const Pocket* pocket_reached(const Puzzle& p, const Shot& shot) {
+  const PocketTarget* const target = pocket_of(p.target);
+  if (!target || p.table.pockets.empty()) return nullptr;
+  if (target->pocket) return &p.table.pockets[static_cast<std::size_t>(*target->pocket)];
+  const auto off_rim = [&](const Pocket& k) { return std::abs(norm(shot.arrival.at - k.at) - k.radius); };
+  return &*std::ranges::min_element(p.table.pockets, {}, off_rim);
 }
 
 }  // namespace bankshot

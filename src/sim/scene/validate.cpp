@@ -10,6 +10,7 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/tip.hpp"
+#include "sim/scene/ideal_speeds.hpp"
 #include "sim/scene/validate_launch.hpp"
 #include "sim/scene/validate_scene.hpp"
 
@@ -115,12 +116,6 @@ void check_target(const Puzzle& p, const Boundary& boundary) {
   }
 }
 
-/// Returns the speeds allowed at launch and, if required, at arrival.
-Range ideal_speeds(const Puzzle& p) {
-  const Range& asked = p.arrive ? *p.arrive : p.speed;
-  return {std::max(p.speed.low, asked.low), std::min(p.speed.high, asked.high)};
-}
-
 }  // namespace
 
 void validate(const Puzzle& p) {
@@ -169,43 +164,6 @@ void validate(const ShotRequest& s) {
   const Boundary boundary = check_scene(s.table, s.ball, s.physics);
   check_others(s.table, boundary, s.ball, s.others, s.physics);
   validate(s.launch, s.spin);
-}
-
-std::string contact_name(const Puzzle& p, Contact contact) {
-  if (contact.kind != ContactKind::ball) return contact_name(p.table, contact);
-  return "ball \"" + (contact.index == 0 ? p.ball : p.others[static_cast<std::size_t>(contact.index) - 1]).id + '"';
-}
-
-std::optional<Range> arrival_range(const Puzzle& p) {
-  if (is_ideal(p.physics) || p.speed.fixed()) return {};
-  if (p.arrive) return p.arrive;
-  constexpr Range rests{0, 0}, touches{0.5, 0.5}, any_contact{0.1, 5}, caroms{0.2, 5}, drops{0.2, 3};
-  if (off_of(p.target)) return caroms;
-  if (const auto* ball = std::get_if<BallTarget>(&p.target); ball && !ball->then)
-    return ball->cut ? touches : any_contact;
-  return is_pocket(p.target) ? drops : rests;
-}
-
-Aim aim_of(const Puzzle& p) {
-  if (p.aim) return *p.aim;
-  const auto* ball = std::get_if<BallTarget>(&p.target);
-  const bool contact = ball && !ball->then && !ball->cut;
-  return p.prefer == Prefer::robust && (contact || is_pocket(p.target)) ? Aim::safest : Aim::centre;
-}
-
-long budget_of(const Puzzle& p) {
-  if (p.budget) return *p.budget;
-  constexpr long usual = 100'000, most = 2'000'000, usual_pairs = 6;
-  const auto* ball = std::get_if<BallTarget>(&p.target);
-  const PocketTarget* const pocket = pocket_of(p.target);
-  const std::size_t balls = ball && !ball->off ? ball->balls.size() : 1,
-                    pockets = pocket && !pocket->pocket ? p.table.pockets.size() : 1;
-  return std::min(most, usual * std::max(usual_pairs, static_cast<long>(balls * pockets)) / usual_pairs);
-}
-
-double ideal_speed(const Puzzle& p) {
-  const Range speeds = ideal_speeds(p);
-  return std::clamp(1.0, speeds.low, speeds.high);
 }
 
 }  // namespace bankshot
