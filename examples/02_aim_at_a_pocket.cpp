@@ -20,8 +20,8 @@ int main() {
   const Shot& shot = answer.shots.at(0);
   fmt::print("{}: aim {:.4f} degrees at {:.4f} m/s\n", name(answer.status), degrees(shot.launch.angle),
              shot.launch.speed);
-  fmt::print("drops after {:.4f} s at {:.4f} m/s, the line of travel {} the pocket's centre\n", shot.arrival.time,
-             shot.arrival.speed, shot.miss < 1e-9 ? "through" : "beside");
-  fmt::print("made while the aim is off by {:+.3f} to {:+.3f} degrees\n", degrees(*shot.margin->angle[0]),
-             degrees(*shot.margin->angle[1]));
+  fmt::print("drops after {:.4f} s at {:.4f} m/s, the line of travel {} the pocket's centre\n", shot.path.arrival.time,
+             shot.path.arrival.speed, shot.verification.miss < 1e-9 ? "through" : "beside");
+  fmt::print("made while the aim is off by {:+.3f} to {:+.3f} degrees\n", degrees(*shot.robustness.margin->angle[0]),
+             degrees(*shot.robustness.margin->angle[1]));
 }

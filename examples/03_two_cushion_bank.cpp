@@ -18,8 +18,8 @@ int main() {
   const Answer answer = solve(puzzle, {.all = true});
   for (const Shot& shot : answer.shots) {
     fmt::print("{:8.4f} degrees  {:.4f} m/s  chance {:.2f} ", degrees(shot.launch.angle), shot.launch.speed,
-               *shot.success);
-    for (const Contact cushion : shot.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
+               *shot.robustness.success);
+    for (const Contact cushion : shot.path.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
     fmt::print("\n");
   }
 }

@@ -23,8 +23,8 @@ int main(int argc, char** argv) {
   const Answer answer = solve(puzzle, {.all = true});
   for (const Shot& shot : answer.shots) {
     fmt::print("{:8.3f} degrees  {:.3f} m/s  chance {:.2f} ", degrees(shot.launch.angle), shot.launch.speed,
-               *shot.success);
-    for (const Contact cushion : shot.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
+               *shot.robustness.success);
+    for (const Contact cushion : shot.path.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
     fmt::print("\n");
   }
   if (argc > 1) std::ofstream(argv[1]) << draw(puzzle, answer);

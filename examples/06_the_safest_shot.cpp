@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
     const Shot& shot = answer.shots.at(0);
     const char* name = aim == Aim::centre ? "centre" : "safest";
     fmt::print("{}: {:.3f} degrees, {:.3f} m/s, rests {:.0f} mm beside the point, chance {:.2f}\n", name,
-               degrees(shot.launch.angle), shot.launch.speed, 1e3 * shot.miss, *shot.success);
+               degrees(shot.launch.angle), shot.launch.speed, 1e3 * shot.verification.miss, *shot.robustness.success);
     paths.push_back({name, simulate(as_request(puzzle, shot))});
   }
   if (argc > 1) std::ofstream(argv[1]) << draw(puzzle.table, puzzle.ball, paths);

@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
     const Shot& shot = answer.shots.at(0);
     const char* name = own ? "soft rail" : "han2005";
     fmt::print("{}: {:.2f} degrees, {:.2f} m/s, chance {:.2f}\n", name, degrees(shot.launch.angle), shot.launch.speed,
-               *shot.success);
+               *shot.robustness.success);
     paths.push_back({name, simulate(as_request(puzzle, shot))});
   }
   if (argc > 1) std::ofstream(argv[1]) << draw(puzzle.table, puzzle.ball, paths);

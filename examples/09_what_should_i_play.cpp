@@ -28,12 +28,12 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < std::min<std::size_t>(answer.shots.size(), 8); ++i) {
     const Shot& shot = answer.shots[i];
     std::string by;
-    for (const Contact cushion : shot.then.front().cushions)
+    for (const Contact cushion : shot.path.then.front().cushions)
       by += (by.empty() ? " by " : ", ") + contact_name(puzzle.table, cushion);
-    fmt::print("{:3.0f} %  ball {} into {}{}: {:.1f} degrees, {:.1f} m/s, cut {:.0f} degrees{}\n", 100 * *shot.success,
-               puzzle.others[static_cast<std::size_t>(shot.arriving()) - 1].id, pocket_reached(puzzle, shot)->name, by,
-               degrees(shot.launch.angle), shot.launch.speed, degrees(shot.hits.front().cut),
-               shot.scratch ? ", and the cue ball falls, too" : "");
+    fmt::print("{:3.0f} %  ball {} into {}{}: {:.1f} degrees, {:.1f} m/s, cut {:.0f} degrees{}\n",
+               100 * *shot.robustness.success, puzzle.others[static_cast<std::size_t>(shot.arriving()) - 1].id,
+               pocket_reached(puzzle, shot)->name, by, degrees(shot.launch.angle), shot.launch.speed,
+               degrees(shot.path.hits.front().cut), shot.path.scratch ? ", and the cue ball falls, too" : "");
   }
   Answer best = answer;
   best.shots.resize(1);

@@ -21,7 +21,7 @@ Trajectory to_rest(const Puzzle& puzzle, const Launch& launch) {
 
 void tell(const char* name, const Shot& shot) {
   fmt::print("{}: aim {:.2f} degrees, {:.2f} m/s, chance {:.2f}\n", name, degrees(shot.launch.angle), shot.launch.speed,
-             *shot.success);
+             *shot.robustness.success);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   const Trajectory as_before = to_rest(leaning, before.launch);
   fmt::print("the level table's shot, played there, rests {:.0f} mm from the place\n",
              1000 * norm(as_before.events.back().state.at - Vec2d{2.3, 0.35}));
-  for (const Sensitivity& s : after.sensitivity)
+  for (const Sensitivity& s : after.robustness.sensitivity)
     if (s.coefficient.starts_with("tilt") || s.coefficient == "cushion.height")
       fmt::print("1 mm{} of {} moves it by {:.0f} mm\n", s.coefficient == "cushion.height" ? "" : " a metre",
                  s.coefficient, s.by);

@@ -28,7 +28,8 @@ bool same_launch(const Launch& a, const Launch& b) {
 void count_failure(SearchResult& found, const Proof& proof, int bounces) {
   const FailureReason reason = proof.failure.reason;
   // An aim outside its bounds is no near miss, but better than none.
-  const double miss = reason == FailureReason::outside_aim ? std::numeric_limits<double>::max() : proof.shot.miss;
+  const double miss =
+      reason == FailureReason::outside_aim ? std::numeric_limits<double>::max() : proof.shot.verification.miss;
   if (proof.replayed || reason == FailureReason::outside_aim)
     found.remember({proof.shot.launch, bounces, miss, proof.failure});
 }
@@ -37,7 +38,7 @@ void count_failure(SearchResult& found, const Proof& proof, int bounces) {
 bool make_room(const SearchRequest& request, std::vector<Shot>& shots, const Shot& shot) {
   for (Shot& known : shots) {
     if (!same_shot(request, known, shot)) continue;
-    if (known.cushions.size() <= shot.cushions.size()) return false;
+    if (known.path.cushions.size() <= shot.path.cushions.size()) return false;
     std::swap(known, shots.back());  // the bounce at the target itself is one too many
     shots.pop_back();
     return true;
@@ -50,7 +51,8 @@ double rounding(const SearchRequest& request, const Shot& shot) {
   const bool integrated = std::holds_alternative<Mathavan2010>(request.puzzle().physics.cushion);
   const double pieces = is_level(request.puzzle().physics) ? 1 : tolerance::pieces_rounding;
   const double unit = integrated ? tolerance::impact : tolerance::simulation_error * 0x1p-53 * pieces;
-  return unit * (1 + static_cast<double>(shot.cushions.size())) * (request.problem->boundary.extent + shot.condition);
+  return unit * (1 + static_cast<double>(shot.path.cushions.size())) *
+         (request.problem->boundary.extent + shot.verification.condition);
 }
 
 /// The change of a launch that moves the arrival by some metres: rad, and a share of the speed.
@@ -59,7 +61,7 @@ struct Turn {
 };
 Turn turn_by(double metres, const Shot& shot) {
   const auto change = [&](double by) { return by * settings::edge::farthest > metres ? metres / by : 0; };
-  return {change(norm(shot.by_angle)), change(norm(shot.by_speed) * shot.launch.speed)};
+  return {change(norm(shot.verification.by_angle)), change(norm(shot.verification.by_speed) * shot.launch.speed)};
 }
 
 Launch turned(const Launch& l, const Turn& t, int aim, int speed) {
@@ -78,7 +80,7 @@ bool is_firm(const SearchRequest& request, EvaluationBudget& budget, const Shot&
 }
 
 bool arrives_on_a_line(const SearchRequest& request, const Shot& shot) {
-  return request.problem->on_a_line(request.problem->aim_point_of(shot).ball, shot.arrival.at);
+  return request.problem->on_a_line(request.problem->aim_point_of(shot).ball, shot.path.arrival.at);
 }
 
 /// Finds a firm launch beside the shot's, as near as an exact answer must be, on the side that keeps the bounces.
@@ -108,9 +110,9 @@ bool make_firm(const SearchRequest& request, EvaluationBudget& budget, const Goa
 /// Replaces a launch whose ball was at its target, on a cushion's line, and by rounding bounced once more there:
 /// returns a launch beside it, if one is firm.
 Proof without_last_bounce(const SearchRequest& request, EvaluationBudget& budget, const Goal& goal, Proof proof) {
-  const bool at_target = proof.replayed && goal.demand == Demand::exact && request.problem->centred(proof.shot.miss) &&
-                         static_cast<int>(proof.shot.cushions.size()) == goal.max &&
-                         arrives_on_a_line(request, proof.shot);
+  const bool at_target =
+      proof.replayed && goal.demand == Demand::exact && request.problem->centred(proof.shot.verification.miss) &&
+      static_cast<int>(proof.shot.path.cushions.size()) == goal.max && arrives_on_a_line(request, proof.shot);
   if (!at_target) return proof;
   add_first_order(request, proof.shot);
   if (auto beside = firm_beside(request, budget, goal, proof.shot)) return {*std::move(beside), {}, true};
@@ -121,7 +123,7 @@ Proof without_last_bounce(const SearchRequest& request, EvaluationBudget& budget
 
 bool same_shot(const SearchRequest& request, const Shot& known, const Shot& shot) {
   return same_launch(known.launch, shot.launch) &&
-         !(std::abs(known.arrival.time - shot.arrival.time) * shot.launch.speed > same_arrival(request));
+         !(std::abs(known.path.arrival.time - shot.path.arrival.time) * shot.launch.speed > same_arrival(request));
 }
 
 std::optional<int> promised_digits(const SearchRequest& request, const Shot& shot) {
@@ -136,7 +138,7 @@ bool certify(const SearchRequest& request, EvaluationBudget& budget, SearchResul
   Proof proof = prove(request, budget, launch, goal);
   if (!proof.holds()) proof = without_last_bounce(request, budget, goal, std::move(proof));
   if (!proof.holds()) return count_failure(found, proof, bounces), false;
-  if (request.problem->objects && proof.shot.off_centre) {
+  if (request.problem->objects && proof.shot.verification.off_centre) {
     // A launch that is made only by rounding is no shot. Examples are a cushion that ends at a pocket's circle, and a
     // contact that would leave the cue ball standing. A ball that rolls along a rail arrives alike, but may bounce
     // differently.
@@ -152,10 +154,10 @@ void keep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
   if (!make_room(request, found.shots, shot)) return;
   add_first_order(request, shot);
   const bool looked_at = goal.demand == Demand::exact && arrives_on_a_line(request, shot) && step != steps::word::along;
-  shot.digits = !looked_at || make_firm(request, budget, goal, shot) ? promised_digits(request, shot) : 0;
+  shot.verification.digits = !looked_at || make_firm(request, budget, goal, shot) ? promised_digits(request, shot) : 0;
   add_aftermath(request, budget, shot);
-  shot.planner = step;
-  shot.simulations = budget.simulations();
+  shot.provenance.planner = step;
+  shot.provenance.simulations = budget.simulations();
   found.shots.push_back(std::move(shot));
 }
 

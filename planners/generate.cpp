@@ -225,8 +225,8 @@ const char* name(Difficulty d) {
 
 Difficulty difficulty(const Shot& shot) {
   const auto side = [](const std::optional<double>& m) { return m ? std::abs(*m) : radians(180); };
-  const double margin = std::min(side(shot.margin.value().angle[0]), side(shot.margin->angle[1])),
-               success = shot.success.value();
+  const double margin = std::min(side(shot.robustness.margin.value().angle[0]), side(shot.robustness.margin->angle[1])),
+               success = shot.robustness.success.value();
   if (success < hard_success || margin < hard_margin) return Difficulty::hard;
   return success >= easy_success && margin >= easy_margin ? Difficulty::easy : Difficulty::medium;
 }
@@ -265,7 +265,8 @@ std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
     Puzzle centred = *p;  // a puzzle is as hard as its exact shot
     centred.aim = Aim::centre;
     Answer a = solve(centred, {.suggest = false});
-    const bool exact = a.status == Status::solved && a.shots.front().miss <= tolerance::exact_miss * boundary.diagonal;
+    const bool exact =
+        a.status == Status::solved && a.shots.front().verification.miss <= tolerance::exact_miss * boundary.diagonal;
     if (!exact) {
       ++tries.no_shot;
     } else if (w.difficulty && difficulty(a.shots.front()) != *w.difficulty) {

@@ -78,7 +78,7 @@ std::string why(const SearchRequest& request, const Proof& proof) {
   if (request.puzzle().angle && !request.puzzle().angle->fixed() && at_end(l.angle, *request.puzzle().angle))
     return explain(request, {FailureReason::outside_aim});
   if (!v.fixed() && at_end(l.speed, v)) return fmt::format("is held at the bound of {:.4g} m/s", l.speed);
-  const double speed = proof.shot.arrival.speed;
+  const double speed = proof.shot.path.arrival.speed;
   if (proof.failure.reason == FailureReason::inexact && request.arrival && !request.arrival->contains(speed))
     return fmt::format("arrives at {:.4g} m/s", speed);
   return explain(request, proof.failure);
@@ -107,17 +107,18 @@ std::string asked_cushions(const CushionRule& c) {
 
 /// Returns a warning if double precision is not enough for an exact answer: the replay's miss is then rounding, too.
 std::string uncertain(const SearchRequest& request, const Shot& shot) {
-  if (!shot.digits) return "";
-  if (*shot.digits == 0) return "; how often it bounces at its target is up to rounding";
-  return fmt::format("; its condition leaves {} digits: in exact numbers the arrival may be {:.1g} m off", *shot.digits,
-                     request.problem->boundary.diagonal * std::pow(10, -*shot.digits));
+  if (!shot.verification.digits) return "";
+  if (*shot.verification.digits == 0) return "; how often it bounces at its target is up to rounding";
+  return fmt::format("; its condition leaves {} digits: in exact numbers the arrival may be {:.1g} m off",
+                     *shot.verification.digits,
+                     request.problem->boundary.diagonal * std::pow(10, -*shot.verification.digits));
 }
 
 /// Says why a shot is not on the exact line or point: what its route meets there.
 std::string why_beside(const SearchRequest& request, const Shot& shot) {
   const Route route = route_of(shot);
   EvaluationBudget aside(settings::most_spent_on_words);  // the words of an answer do not count against the budget
-  const SearchRequest own = request.pinned || request.one_unknown() ? request : request.asking(shot.arrival.speed);
+  const SearchRequest own = request.pinned || request.one_unknown() ? request : request.asking(shot.path.arrival.speed);
   const auto root = newton({own, route, request.problem->aim_point_of(shot)}, aside, shot.launch, settings::wide);
   const auto& cuts = request.problem->aim_point_of(shot).cuts;
   const bool any_cut = cuts && cuts->high - cuts->low >= 2 * request.problem->aim_point_of(shot).reach;
@@ -139,15 +140,16 @@ std::string solved(const SearchRequest& request, const EvaluationBudget& budget,
   if (is_hopeless(request.puzzle(), a.shots.front()))
     text = "possible, not playable: this player makes it less than once in 100 tries; " + text;
   if (found.plenty && !request.first()) text += "; the search stopped there, so others were not compared";
-  if (a.shots.front().touches_jaws)
+  if (a.shots.front().path.touches_jaws)
     text += request.problem->safest() ? "; it touches the jaws of a pocket"
                                       : "; it counts on jaws, since none was found that touches none";
-  if (a.shots.front().off_centre && !a.shots.front().moved && !request.problem->safest())
+  if (a.shots.front().verification.off_centre && !a.shots.front().provenance.moved && !request.problem->safest())
     text +=
         as_struck(request, a.shots.front(), [&](const SearchRequest& own) { return why_beside(own, a.shots.front()); });
   const Shot& best = a.shots.front();
-  if (best.scratch_pocket)
-    text += "; the cue ball falls into " + contact_name(request.puzzle().table, Contact::pocket(*best.scratch_pocket));
+  if (best.path.scratch_pocket)
+    text +=
+        "; the cue ball falls into " + contact_name(request.puzzle().table, Contact::pocket(*best.path.scratch_pocket));
   for (const std::string& warning : warnings(request.puzzle(), best)) text += "; " + warning;
   text += uncertain(request, a.shots.front());
   if (budget.cut())
@@ -213,7 +215,7 @@ void add_nearest(const SearchRequest& request, const SearchResult& found, bool s
   EvaluationBudget aside(2);  // the nearest miss does not count against the budget
   Proof proof = prove(request, aside, *launch, Goal::of(request));
   add_first_order(request, proof.shot);
-  proof.shot.planner = "none";
+  proof.shot.provenance.planner = "none";
   a.nearest = Answer::Nearest{std::move(proof.shot), why(request, proof)};
 }
 

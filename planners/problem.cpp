@@ -120,16 +120,16 @@ bool Problem::into_touched_cushion(double launch_angle) const {
 }
 
 Route route_with_jaws_of(const Shot& shot) {
-  return shot.touches_jaws && shot.then.empty() ? route_by(shot.met) : route_of(shot);
+  return shot.path.touches_jaws && shot.path.then.empty() ? route_by(shot.path.met) : route_of(shot);
 }
 
 Route route_of(const Shot& shot) {
-  Route route = route_by(shot.cushions);
-  if (shot.then.empty() && shot.hits.size() > 1)  // the last hit is the target's
-    for (const Hit& hit : std::span(shot.hits).first(shot.hits.size() - 1))
+  Route route = route_by(shot.path.cushions);
+  if (shot.path.then.empty() && shot.path.hits.size() > 1)  // the last hit is the target's
+    for (const Hit& hit : std::span(shot.path.hits).first(shot.path.hits.size() - 1))
       route.insert(route.begin() + hit.after, {0, Contact::ball(hit.ball)});
   int by = 0;
-  for (const ObjectBallPath& object_ball_path : shot.then) {
+  for (const ObjectBallPath& object_ball_path : shot.path.then) {
     route.push_back({by, Contact::ball(object_ball_path.ball)});
     by = object_ball_path.ball;
     for (const Contact contact : object_ball_path.cushions) route.push_back({by, contact});

@@ -80,7 +80,9 @@ struct Problem {
   const AimPoint* aim_point_taken_by(Contact contact, const Vec2d& arrived, int ball = 0) const;
   const AimPoint& nearest_aim_point(const Vec2d& arrived, int ball = 0) const;
   /// Returns the aim point of a made shot.
-  const AimPoint& aim_point_of(const Shot& shot) const { return nearest_aim_point(shot.arrival.at, shot.arriving()); }
+  const AimPoint& aim_point_of(const Shot& shot) const {
+    return nearest_aim_point(shot.path.arrival.at, shot.arriving());
+  }
   /// Returns the ball that stands where the cue ball is to pass or to rest, if any does.
   Contact covering() const;
   /// Returns whether anything but cushions may block a path to part of the target.

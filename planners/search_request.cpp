@@ -79,8 +79,8 @@ SearchRequest SearchRequest::better_than(const Shot& shot) const {
   SearchRequest request = *this;
   if (puzzle().prefer == Prefer::soft)
     request.speed.high = std::max(speed.low, std::min(speed.high, shot.launch.speed));
-  if (puzzle().prefer == Prefer::quick) request.latest = shot.arrival.time;
-  if (puzzle().prefer == Prefer::robust) request.likelier = shot.success_estimate;
+  if (puzzle().prefer == Prefer::quick) request.latest = shot.path.arrival.time;
+  if (puzzle().prefer == Prefer::robust) request.likelier = shot.robustness.success_estimate;
   return request;
 }
 

@@ -31,7 +31,7 @@ std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shot
   if (carries_spin(p.physics)) out.insert(out.begin(), "sliding");
   constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010", "stronge", "custom cushion"};
   out.push_back(cushions[p.physics.cushion.index()]);
-  if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.cushion_stick; }))
+  if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.path.cushion_stick; }))
     out.push_back("cushion-stick");
   if (!p.table.pockets.empty()) out.push_back("pockets");
   if (!p.others.empty()) out.push_back("balls");
@@ -86,7 +86,7 @@ Answer finish(const SearchRequest& request, const EvaluationBudget& budget, Sear
   if (request.all() && (request.problem->objects || request.problem->safest()))
     planning::keep_connected_once(request, aside, found.shots);
   if (!options.robustness)
-    for (Shot& shot : found.shots) shot.success.reset(), shot.value.reset();
+    for (Shot& shot : found.shots) shot.robustness.success.reset(), shot.robustness.value.reset();
   const std::size_t distinct = found.shots.size();
   if (!request.all() && distinct > 1) found.shots.resize(1);
   if (options.sensitivity)

@@ -110,9 +110,9 @@ std::string what_would_open(const Puzzle& puzzle, const Solve& solve, const IsAs
   p.cushions = {.min = 0,
                 .max = std::min(max_cushions, std::min(puzzle.cushions.max, settings::hints::most_cushions) + 1)};
   if (const auto shot = search.opened(p)) {
-    const std::size_t n = shot->cushions.size();
+    const std::size_t n = shot->path.cushions.size();
     std::string names;
-    for (const Contact c : shot->cushions) names += (names.empty() ? " (" : ", ") + contact_name(p.table, c);
+    for (const Contact c : shot->path.cushions) names += (names.empty() ? " (" : ", ") + contact_name(p.table, c);
     return fmt::format("there is a shot with {} cushion{}{}", n, n == 1 ? "" : "s", names.empty() ? "" : names + ")");
   }
   if (!carries_spin(puzzle.physics) || puzzle.spin_range) return "";

@@ -28,8 +28,9 @@ double near_window(double angle, const std::optional<Range>& window) {
 
 /// The value to first order; where success is all but 0 its logarithm, which is less and still grows.
 double likely_value(const Shot& shot) {
-  return shot.success_estimate > playable ? shot.success_estimate - cost_of(shot)
-                                          : std::log(std::max(shot.success_estimate, least_success));
+  return shot.robustness.success_estimate > playable
+             ? shot.robustness.success_estimate - cost_of(shot)
+             : std::log(std::max(shot.robustness.success_estimate, least_success));
 }
 
 }  // namespace
@@ -185,10 +186,10 @@ std::vector<Vector> Family::ways(const Tried& from, double turned) const {
 
 Shot Family::tuned(const Shot& shot) {
   Shot best = shot;
-  if (!best.success) find_success(request_, budget_, best);
+  if (!best.robustness.success) find_success(request_, budget_, best);
   auto at = settle(vector_of({best.launch.speed, near_window(best.launch.angle, request_.angle)}, best.spin), box_);
   double step = 1, turned = 0;
-  for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.success < sure;) {
+  for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.robustness.success < sure;) {
     std::optional<Shot> better;
     Point there;
     for (const Vector& way : ways({*at}, turned)) {
@@ -197,14 +198,16 @@ Shot Family::tuned(const Shot& shot) {
       if (!t.made()) continue;
       find_success(request_, budget_, t.proof->shot);
       ++tried;
-      if (!(*t.proof->shot.value > (better ? *better : best).value.value() + (better ? 0 : worth_tuning))) continue;
+      if (!(*t.proof->shot.robustness.value >
+            (better ? *better : best).robustness.value.value() + (better ? 0 : worth_tuning)))
+        continue;
       better = std::move(t.proof->shot);
       there = *next;
     }
     if (better) {
       at = there;
-      better->planner = best.planner;
-      better->simulations = best.simulations;
+      better->provenance.planner = best.provenance.planner;
+      better->provenance.simulations = best.provenance.simulations;
       best = std::move(*better);
       add_aftermath(request_, budget_, best);
     } else {
@@ -234,7 +237,8 @@ void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
   const std::span<Shot> shots = std::span(found.shots).first(request.all() ? found.shots.size() : some);
   for (Shot& shot : shots) {
     const Candidate candidate = candidate_of(request, shot);
-    if (!shot.off_centre) shot = Family(request, budget, found, candidate, shot.planner).tuned(shot);
+    if (!shot.verification.off_centre)
+      shot = Family(request, budget, found, candidate, shot.provenance.planner).tuned(shot);
   }
   if (!request.all()) return order_by_value(shots);
   // Two that were tuned into one were of one family.

@@ -29,7 +29,7 @@ Noise noise_by(const std::vector<PlayerError>& errors) {
 double success_of(Shot shot, const Puzzle& puzzle) {
   EvaluationBudget budget(std::numeric_limits<long>::max());
   find_success(SearchRequest(puzzle), budget, shot);
-  return shot.success.value_or(0);
+  return shot.robustness.success.value_or(0);
 }
 
 Choice choose(const Puzzle& puzzle, const Noise& noise) {
@@ -41,7 +41,7 @@ Choice choose(const Puzzle& puzzle, const Noise& noise) {
   if (a.shots.empty() || b.shots.empty()) return out;
   out.solved = true;
   out.shot = a.shots.front(), out.usual = b.shots.front();
-  out.success = out.shot.success.value_or(0);
+  out.success = out.shot.robustness.success.value_or(0);
   out.success_of_usual = success_of(out.usual, own);
   if (out.success_of_usual > out.success) out.shot = out.usual, out.success = out.success_of_usual;
   return out;
@@ -58,7 +58,7 @@ void choose_all(std::span<const Puzzle> puzzles, int threads, Advice& out) {
     out.gain_by_shot += (c->success - c->success_of_usual) / static_cast<double>(solved.size());
   const auto by_own = std::ranges::max_element(solved, {}, [](const Choice* c) { return c->success; });
   const auto by_usual =
-      std::ranges::max_element(solved, {}, [](const Choice* c) { return c->usual.success.value_or(0); });
+      std::ranges::max_element(solved, {}, [](const Choice* c) { return c->usual.robustness.success.value_or(0); });
   out.gain_by_puzzle = (*by_own)->success - (*by_usual)->success_of_usual;
   std::ranges::stable_sort(out.shots, std::ranges::greater{}, &Choice::success);
 }

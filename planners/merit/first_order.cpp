@@ -252,13 +252,13 @@ std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, cons
 }
 
 double estimate_in_middle(const SearchRequest& request, const Shot& shot) {
-  const double by_aim = norm(shot.by_angle);
-  if (!(by_aim > 0)) return shot.success_estimate;
-  const Gap<double> room = room_beside(request, shot, shot.by_angle / by_aim);
+  const double by_aim = norm(shot.verification.by_angle);
+  if (!(by_aim > 0)) return shot.robustness.success_estimate;
+  const Gap<double> room = room_beside(request, shot, shot.verification.by_angle / by_aim);
   Launch middle = shot.launch;
   middle.angle += (room.low + room.high) / 2 / by_aim;
   const Route route = route_with_jaws_of(shot);
-  return path_to({request, route, request.problem->aim_point_of(shot)}, middle, shot.arrival.at)
+  return path_to({request, route, request.problem->aim_point_of(shot)}, middle, shot.path.arrival.at)
       .first_order()
       .success_estimate;
 }
@@ -266,19 +266,19 @@ double estimate_in_middle(const SearchRequest& request, const Shot& shot) {
 void add_first_order(const SearchRequest& request, Shot& shot) {
   const Route route = route_with_jaws_of(shot);
   const LockedAim aim{request, route, request.problem->aim_point_of(shot)};
-  const Path path = path_to(aim, shot.launch, shot.arrival.at);
+  const Path path = path_to(aim, shot.launch, shot.path.arrival.at);
   // One that a cushion holds may arrive before the locked path, which goes through that cushion, has left the line.
   const auto held = [&] {
     return !request.problem->centred(path.beside()) ||
-           (!aim.aim_point.captures() && request.problem->on_a_line(aim.aim_point.ball, shot.arrival.at));
+           (!aim.aim_point.captures() && request.problem->on_a_line(aim.aim_point.ball, shot.path.arrival.at));
   };
   const FirstOrder f =
       path.first_order(request.problem->objects && held() ? real_arrival(request, shot) : std::nullopt);
-  shot.by_angle = f.by_angle;
-  shot.by_speed = f.by_log_speed / shot.launch.speed;
-  shot.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));
-  shot.first_order = f.margin;
-  shot.success_estimate = f.success_estimate;
+  shot.verification.by_angle = f.by_angle;
+  shot.verification.by_speed = f.by_log_speed / shot.launch.speed;
+  shot.verification.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));
+  shot.robustness.first_order = f.margin;
+  shot.robustness.success_estimate = f.success_estimate;
 }
 
 }  // namespace bankshot::planning

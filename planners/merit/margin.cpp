@@ -191,15 +191,17 @@ std::optional<double> downwards(std::optional<double> distance) {
 }  // namespace
 
 void find_margin(const SearchRequest& request, EvaluationBudget& budget, Shot& shot) {
-  if (shot.scratch && !is_ideal(request.puzzle().physics)) return void(shot.margin = Margin{{0, 0}, {0, 0}});
+  if (shot.path.scratch && !is_ideal(request.puzzle().physics))
+    return void(shot.robustness.margin = Margin{{0, 0}, {0, 0}});
   const AimPoint& aim_point = request.problem->aim_point_of(shot);
   const Route route = route_with_jaws_of(shot);
   const LockedAim aim{request, route, aim_point};
   const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
     return Way(aim, budget, shot, towards).how_far(scale, limit);
   };
-  const double scale = std::clamp(aim_point.reach / std::max(shot.condition, flat * request.problem->boundary.diagonal),
-                                  least_scale, most_scale);
+  const double scale =
+      std::clamp(aim_point.reach / std::max(shot.verification.condition, flat * request.problem->boundary.diagonal),
+                 least_scale, most_scale);
   Margin m;
   m.angle[0] = downwards(how_far({-1, 0}, scale, widest_angle));
   m.angle[1] = how_far({1, 0}, scale, widest_angle);
@@ -208,7 +210,7 @@ void find_margin(const SearchRequest& request, EvaluationBudget& budget, Shot& s
     m.speed[0] = downwards(how_far({0, -1}, push, shot.launch.speed));
     m.speed[1] = how_far({0, 1}, push, widest_speed);
   }
-  shot.margin = m;
+  shot.robustness.margin = m;
 }
 
 }  // namespace bankshot::planning

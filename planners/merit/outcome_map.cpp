@@ -45,8 +45,8 @@ OutcomeMap::OutcomeMap(const SearchRequest& request, EvaluationBudget& budget, c
       own_(angle_difference(origin_, shot.launch.angle)),
       one_speed_(is_ideal(request.puzzle().physics) || request.pinned) {
   double low = -angle_, high = angle_;
-  if (const double by_aim = norm(shot.by_angle); by_aim > 0) {
-    const Gap<double> room = room_beside(request, shot, shot.by_angle / by_aim);
+  if (const double by_aim = norm(shot.verification.by_angle); by_aim > 0) {
+    const Gap<double> room = room_beside(request, shot, shot.verification.by_angle / by_aim);
     // Where the aim moves nothing to speak of, no more aims than the player's errors reach.
     const double widest = std::min(far * angle_, radians(180));
     low = std::clamp(room.low / by_aim, -widest, widest), high = std::clamp(room.high / by_aim, -widest, widest);

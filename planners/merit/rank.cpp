@@ -21,26 +21,27 @@ namespace {
 
 /// Larger is better.
 double merit(const Puzzle& p, const Shot& shot) {
-  return p.prefer == Prefer::robust && shot.value ? *shot.value : first_merit(p, shot);
+  return p.prefer == Prefer::robust && shot.robustness.value ? *shot.robustness.value : first_merit(p, shot);
 }
 
 /// Nobody strikes a ball straight into the cushion it touches while there is another shot.
 bool last_choice(const SearchRequest& request, const Shot& shot) {
-  return !shot.cushions.empty() && !request.route && request.problem->into_touched_cushion(shot.launch.angle);
+  return !shot.path.cushions.empty() && !request.route && request.problem->into_touched_cushion(shot.launch.angle);
 }
 
 /// m from where the cue ball should rest.
 double apart_from_leave(const Puzzle& p, const Shot& shot) {
-  return shot.cue_rests ? norm(*shot.cue_rests - *p.leave) : infinite;
+  return shot.path.cue_rests ? norm(*shot.path.cue_rests - *p.leave) : infinite;
 }
 
 /// Of the shots that are as likely as the best, to what nobody notices, the one that leaves the cue ball best; then
 /// of the rest, and so on.
 void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
   for (auto rest = shots; !rest.empty();) {
-    const double enough = rest.front().value.value_or(0) - settings::rank::as_likely;
-    const auto unlike = std::ranges::find_if(
-        rest, [&](const Shot& s) { return s.value.value_or(0) < enough || s.scratch != rest.front().scratch; });
+    const double enough = rest.front().robustness.value.value_or(0) - settings::rank::as_likely;
+    const auto unlike = std::ranges::find_if(rest, [&](const Shot& s) {
+      return s.robustness.value.value_or(0) < enough || s.path.scratch != rest.front().path.scratch;
+    });
     std::ranges::stable_sort(rest.begin(), unlike, {}, [&](const Shot& s) { return apart_from_leave(p, s); });
     rest = rest.subspan(static_cast<std::size_t>(unlike - rest.begin()));
   }
@@ -48,12 +49,13 @@ void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
 
 void order(const SearchRequest& request, std::span<Shot> shots) {
   std::stable_sort(shots.begin(), shots.end(), [&](const Shot& a, const Shot& b) {
-    if (a.scratch != b.scratch) return b.scratch;
+    if (a.path.scratch != b.path.scratch) return b.path.scratch;
     const bool first = last_choice(request, b), second = last_choice(request, a);
     if (first != second) return first;
     const double x = merit(request.puzzle(), a), y = merit(request.puzzle(), b);
     if (x != y) return x > y;
-    if (a.first_order != b.first_order) return a.first_order > b.first_order;
+    if (a.robustness.first_order != b.robustness.first_order)
+      return a.robustness.first_order > b.robustness.first_order;
     return a.launch.angle < b.launch.angle;
   });
 }
@@ -73,8 +75,8 @@ void keep_centred(const SearchRequest& request, std::vector<Shot>& shots) {
       if (!is_worse(shot)) better.insert(key(shot));
     std::erase_if(shots, [&](const Shot& shot) { return is_worse(shot) && better.contains(key(shot)); });
   };
-  erase_where_others([](const Shot& shot) { return shot.off_centre; });
-  erase_where_others([](const Shot& shot) { return shot.touches_jaws; });
+  erase_where_others([](const Shot& shot) { return shot.verification.off_centre; });
+  erase_where_others([](const Shot& shot) { return shot.path.touches_jaws; });
 }
 
 /// Between two launches, in deviations of the player.
@@ -87,7 +89,7 @@ double deviations_apart(const SearchRequest& request, const Launch& a, const Lau
 
 /// A ball may pass the point on its way, after fewer cushions: that counts too. One simulation.
 double estimate_on_the_way(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot) {
-  const std::size_t bounces = shot.cushions.size();
+  const std::size_t bounces = shot.path.cushions.size();
   if (request.problem->captures() || request.problem->objects || request.stop || request.route ||
       static_cast<int>(bounces) <= request.cushions().min)
     return 0;
@@ -106,19 +108,20 @@ double shot_at_most(const SearchRequest& request, EvaluationBudget& budget, std:
                     const Shot& shot) {
   using settings::rank::beside;
   // One that misses by the cushions of this shot may touch the second ball after more of them.
-  if (request.problem->carom() && !request.route && static_cast<int>(shot.cushions.size()) < request.cushions().max)
+  if (request.problem->carom() && !request.route &&
+      static_cast<int>(shot.path.cushions.size()) < request.cushions().max)
     return 1;
-  double estimate = shot.success_estimate + estimate_on_the_way(request, budget, shot);
+  double estimate = shot.robustness.success_estimate + estimate_on_the_way(request, budget, shot);
   for (const Shot& other : shots)
     if (&other != &shot && deviations_apart(request, shot.launch, other.launch) < beside)
-      estimate += other.success_estimate;
+      estimate += other.robustness.success_estimate;
   const AimPoint& aim_point = request.problem->aim_point_of(shot);
   // A ball that a jaw or, where another bounce is allowed, a cushion beside the pocket turns away may fall all the
   // same.
-  const int bounces = static_cast<int>(shot.cushions.size());
+  const int bounces = static_cast<int>(shot.path.cushions.size());
   if (aim_point.captures() &&
       (!request.problem->boundary.jaws.empty() || (!request.route && bounces < request.cushions().max)))
-    estimate = std::max(estimate, std::erf(shot.first_order / std::sqrt(2.0)));
+    estimate = std::max(estimate, std::erf(shot.robustness.first_order / std::sqrt(2.0)));
   return success_at_most(request, aim_point, estimate);
 }
 
@@ -136,24 +139,24 @@ double first_merit(const Puzzle& p, const Shot& shot) {
     case Prefer::soft:
       return -shot.launch.speed;
     case Prefer::quick:
-      return -shot.arrival.time;
+      return -shot.path.arrival.time;
     case Prefer::robust:
       break;
   }
-  return shot.first_order;
+  return shot.robustness.first_order;
 }
 
 void rank(const SearchRequest& request, std::vector<Shot>& shots) {
   keep_centred(request, shots);
   // Where shots are ranked by value, that tells of the scratch, and beside such a launch there may be a good one.
   const bool by_value = request.valued && request.puzzle().prefer == Prefer::robust;
-  const auto last = [&](const Shot& shot) { return (shot.scratch && !by_value) || last_choice(request, shot); };
+  const auto last = [&](const Shot& shot) { return (shot.path.scratch && !by_value) || last_choice(request, shot); };
   if (!request.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
   order(request, shots);
 }
 
 void order_by_value(std::span<Shot> shots) {
-  std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.value.value_or(-1); });
+  std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.robustness.value.value_or(-1); });
 }
 
 namespace {
@@ -179,8 +182,9 @@ std::optional<std::size_t> best_above(const SearchRequest& request, EvaluationBu
   for (const Candidate& c : candidates) {
     if (c.at_most <= value - tie) break;
     Shot& shot = shots[c.shot];  // the value of some is known since their stage
-    if (!shot.value) as_struck(request, shot, [&](const SearchRequest& own) { find_success(own, budget, shot); });
-    if (*shot.value > value) value = *shot.value, best = c.shot;
+    if (!shot.robustness.value)
+      as_struck(request, shot, [&](const SearchRequest& own) { find_success(own, budget, shot); });
+    if (*shot.robustness.value > value) value = *shot.robustness.value, best = c.shot;
   }
   return best;
 }
@@ -198,9 +202,10 @@ namespace {
 
 /// The value of a shot to first order, moved to where that is largest.
 double likely_value(const SearchRequest& request, const Shot& shot) {
-  if (shot.scratch && !request.problem->safest()) return 0;
-  const double estimate = request.problem->safest() ? std::max(shot.success_estimate, estimate_in_middle(request, shot))
-                                                    : shot.success_estimate;
+  if (shot.path.scratch && !request.problem->safest()) return 0;
+  const double estimate = request.problem->safest()
+                              ? std::max(shot.robustness.success_estimate, estimate_in_middle(request, shot))
+                              : shot.robustness.success_estimate;
   return estimate - cost_of(shot);
 }
 
@@ -223,7 +228,7 @@ auto moved_from(SearchResult& found, const Shot& shot) {
 /// Returns the value of a shot that was moved, and less than any if it was not.
 double moved_value(SearchResult& found, const Shot& shot) {
   const auto known = moved_from(found, shot);
-  return known == found.moved.end() || !known->shot ? -infinite : *known->shot->value;
+  return known == found.moved.end() || !known->shot ? -infinite : *known->shot->robustness.value;
 }
 
 /// Moves shots that may be worth more than all others are, `most` of them, those first that seem best.
@@ -251,7 +256,7 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
         as_struck(request, shot, [&](const SearchRequest& own) { return make_safest(own, budget, shot, value); });
     found.moved.push_back({c.shot->launch, c.shot->spin, {}});
     if (!hope) continue;
-    value = std::max(value, *shot.value);
+    value = std::max(value, *shot.robustness.value);
     found.moved.back().shot = std::move(shot);
   }
 }
@@ -278,9 +283,10 @@ double value_in_hand(const SearchRequest& request, SearchResult& found) {
   for (const auto& [at_most, at] : likely) {
     Shot* const shot = at;
     if (at_most <= value) break;
-    if (!shot->value && most-- == 0) break;
-    if (!shot->value) as_struck(request, *shot, [&](const SearchRequest& own) { find_success(own, aside, *shot); });
-    value = std::max(value, *shot->value);
+    if (!shot->robustness.value && most-- == 0) break;
+    if (!shot->robustness.value)
+      as_struck(request, *shot, [&](const SearchRequest& own) { find_success(own, aside, *shot); });
+    value = std::max(value, *shot->robustness.value);
   }
   return value;
 }
@@ -306,7 +312,7 @@ void add_robustness(const SearchRequest& request, EvaluationBudget& budget, Sear
   if (request.puzzle().leave && !request.all()) order_by_leave(request.puzzle(), shots);
   for (Shot& shot : std::span(shots).first(request.all() ? shots.size() : 1)) {
     as_struck(request, shot, [&](const SearchRequest& own) {
-      if (!shot.success) find_success(own, budget, shot);
+      if (!shot.robustness.success) find_success(own, budget, shot);
       find_margin(own, budget, shot);
     });
   }

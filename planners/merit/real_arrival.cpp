@@ -74,11 +74,11 @@ std::optional<Arrived> follow(const SearchRequest& request, const Objects::Chain
 
 std::optional<Moved> real_arrival(const SearchRequest& request, const Shot& shot) {
   const Objects::Chain* const chain =
-      shot.then.empty() ? nullptr : request.problem->objects->chain_by(shot.then.front().ball);
+      shot.path.then.empty() ? nullptr : request.problem->objects->chain_by(shot.path.then.front().ball);
   if (!chain) return {};
   return with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
-    const auto arrived =
-        follow(request, *chain, motion, cushion, shot.launch, shot.arrival.time, shot.then.back().cushions.size());
+    const auto arrived = follow(request, *chain, motion, cushion, shot.launch, shot.path.arrival.time,
+                                shot.path.then.back().cushions.size());
     if (!arrived) return {};
     const State<Number>& there = arrived->state;
     if (request.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};

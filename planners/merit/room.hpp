@@ -11,7 +11,7 @@ namespace bankshot::planning {
 /// `high`. Of a pocket, inside the gap of the line's direction; of a point, its disc.
 inline Gap<double> room_beside(const SearchRequest& request, const Shot& shot, const Vec2d& way) {
   const AimPoint& aim_point = request.problem->aim_point_of(shot);
-  const Vec2d off = aim_point.at - shot.arrival.at;
+  const Vec2d off = aim_point.at - shot.path.arrival.at;
   // The line of travel leads to the pocket, so the sign tells on which side of it `way` is.
   const bool to_right = aim_point.captures() && cross(off, way) < 0;
   const Vec2d left = to_right ? -way : way;

@@ -26,11 +26,11 @@ std::optional<Shot> moved(const SearchRequest& request, EvaluationBudget& budget
   if (!proof.holds()) return {};
   Shot& shot = proof.shot;
   add_aftermath(request, budget, shot);
-  shot.planner = from.planner;
-  shot.simulations = from.simulations;
-  shot.moved = true;
+  shot.provenance.planner = from.provenance.planner;
+  shot.provenance.simulations = from.provenance.simulations;
+  shot.provenance.moved = true;
   add_first_order(request, shot);
-  shot.digits = promised_digits(request, shot);
+  shot.verification.digits = promised_digits(request, shot);
   find_success(request, budget, shot);
   return std::move(shot);
 }
@@ -46,12 +46,12 @@ bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& s
   const std::size_t tried = request.all() ? 1 : most_tried;  // a list has many shots
   for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), tried))) {
     auto there = moved(request, budget, shot, launch);
-    if (there && (!best || *there->value > *best->value)) best = std::move(there);
-    if (best && *best->value > value - kept) break;  // it keeps what the map promised
+    if (there && (!best || *there->robustness.value > *best->robustness.value)) best = std::move(there);
+    if (best && *best->robustness.value > value - kept) break;  // it keeps what the map promised
   }
-  if (!best || *best->value < map.own_value() + sure) {
-    if (!shot.success) find_success(request, budget, shot);
-    if (best && *best->value < *shot.value + worth_moving) best.reset();
+  if (!best || *best->robustness.value < map.own_value() + sure) {
+    if (!shot.robustness.success) find_success(request, budget, shot);
+    if (best && *best->robustness.value < *shot.robustness.value + worth_moving) best.reset();
   }
   if (best) shot = std::move(*best);
   return true;

@@ -24,11 +24,11 @@ double moved(const SearchRequest& request, const Shot& shot, const Route& route,
                             {Varied(launch.spin.x), Varied(launch.spin.y), Varied(launch.spin.z)}};
   const auto path = follow_locked(balls, motion, physics.cushion, std::span<const Meeting>(route), start);
   const Body& body = request.problem->boundary_of(request.problem->aim_point_of(shot).ball).body;
-  const auto arrival = arrive_locked(motion, body, path.state, shot.arrival.at, 0, request.stop);
+  const auto arrival = arrive_locked(motion, body, path.state, shot.path.arrival.at, 0, request.stop);
   const Vec2<Varied>& end = arrival.state.at;
   if (request.stop) return std::hypot(end.x.v[0], end.y.v[0]);
   const Vec2<Varied> u = arrival.heading / norm(arrival.heading);
-  return std::abs(cross(u, to<Varied>(shot.arrival.at) - end).v[0]);
+  return std::abs(cross(u, to<Varied>(shot.path.arrival.at) - end).v[0]);
 }
 
 }  // namespace
@@ -36,15 +36,15 @@ double moved(const SearchRequest& request, const Shot& shot, const Route& route,
 void add_sensitivity(const SearchRequest& request, Shot& shot) {
   const Route route = route_with_jaws_of(shot);
   const Physics& physics = request.puzzle().physics;
-  const std::size_t count = VariedPhysics<one_varies>(physics).coefficients(!shot.hits.empty()).size();
+  const std::size_t count = VariedPhysics<one_varies>(physics).coefficients(!shot.path.hits.empty()).size();
   for (std::size_t i = 0; i < count; ++i) {
     VariedPhysics<one_varies> varied(physics);
-    const VariedPhysics<one_varies>::Named named = varied.coefficients(!shot.hits.empty())[i];
+    const VariedPhysics<one_varies>::Named named = varied.coefficients(!shot.path.hits.empty())[i];
     for (Varied* const coefficient : named.at) coefficient->v[0] = 1;
     const bool leans = !varied.level || named.name.starts_with("tilt");
     const double by =
         varied.with_motion(leans, [&](const auto& motion) { return moved(request, shot, route, varied, motion); });
-    shot.sensitivity.push_back({named.name, by});
+    shot.robustness.sensitivity.push_back({named.name, by});
   }
 }
 

@@ -61,8 +61,8 @@ class Chance {
       double worst = least_doubt;
       for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
         if (const double d = doubt(i); d > worst) worst = d, at = i + 1;
-      if (at == 0 ||
-          (!scratches_ && worst < doubt_of_agreed && std::abs(success_of(lines_) - shot_.success_estimate) < agrees))
+      if (at == 0 || (!scratches_ && worst < doubt_of_agreed &&
+                      std::abs(success_of(lines_) - shot_.robustness.success_estimate) < agrees))
         break;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
@@ -72,7 +72,8 @@ class Chance {
  private:
   /// Turns the plane of errors, and sees what the derivatives say of the band.
   void turn() {
-    const Vec2d by_angle = shot_.by_angle * noise_.angle, by_speed = shot_.by_speed * noise_.speed;
+    const Vec2d by_angle = shot_.verification.by_angle * noise_.angle,
+                by_speed = shot_.verification.by_speed * noise_.speed;
     across_ = direction(std::atan2(2 * dot(by_angle, by_speed), dot(by_angle, by_angle) - dot(by_speed, by_speed)) / 2);
     if (is_ideal(request_.puzzle().physics)) across_ = {1, 0};
     const Vec2d most = by_angle * across_.x + by_speed * across_.y, least = by_speed * across_.x - by_angle * across_.y;
@@ -263,9 +264,9 @@ class Chance {
 }  // namespace
 
 void find_success(const SearchRequest& request, EvaluationBudget& budget, Shot& shot) {
-  shot.success = request.puzzle().errs_in_more() ? success_under_all_errors(request, budget, shot)
-                                                 : Chance(request, budget, shot).run();
-  shot.value = *shot.success - cost_of(shot);
+  shot.robustness.success = request.puzzle().errs_in_more() ? success_under_all_errors(request, budget, shot)
+                                                            : Chance(request, budget, shot).run();
+  shot.robustness.value = *shot.robustness.success - cost_of(shot);
 }
 
 }  // namespace bankshot::planning

@@ -34,7 +34,7 @@ bool settled(const SearchRequest& request, const EvaluationBudget& budget, const
 /// The best shot so far, as far as can be told before its success is known.
 const Shot& best_of(const SearchRequest& request, const SearchResult& found) {
   const auto merit = [&](const Shot& s) {
-    return request.puzzle().prefer == Prefer::robust ? s.success_estimate : first_merit(request.puzzle(), s);
+    return request.puzzle().prefer == Prefer::robust ? s.robustness.success_estimate : first_merit(request.puzzle(), s);
   };
   return *std::ranges::max_element(found.shots, {}, merit);
 }
@@ -42,7 +42,7 @@ const Shot& best_of(const SearchRequest& request, const SearchResult& found) {
 /// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.
 bool improvement_wanted(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found) {
   if (request.first() || request.all() || request.route || found.shots.empty() || budget.cut()) return false;
-  const auto sure = [](const Shot& s) { return s.success_estimate > sure_enough; };
+  const auto sure = [](const Shot& s) { return s.robustness.success_estimate > sure_enough; };
   return request.puzzle().prefer != Prefer::robust || std::ranges::none_of(found.shots, sure);
 }
 
@@ -214,7 +214,7 @@ void improve(const SearchRequest& request, EvaluationBudget& budget, SearchResul
   const std::vector<Shot> shots = found.shots;
   for (const Shot& shot : shots) {
     const Candidate candidate = family::candidate_of(request, shot);
-    if (!budget.spent()) family::Family(request, budget, found, candidate, shot.planner).search();
+    if (!budget.spent()) family::Family(request, budget, found, candidate, shot.provenance.planner).search();
   }
 }
 
@@ -249,8 +249,8 @@ bool has_shot(const SearchRequest& stage, const SearchResult& found) {
     return static_cast<int>(n) >= rule.min && static_cast<int>(n) <= rule.max;
   };
   return std::ranges::any_of(found.shots, [&](const Shot& shot) {
-    return inside(shot.cushions.size(), stage.cue_cushions) &&
-           (shot.then.empty() || inside(shot.then.back().cushions.size(), stage.object_cushions));
+    return inside(shot.path.cushions.size(), stage.cue_cushions) &&
+           (shot.path.then.empty() || inside(shot.path.then.back().cushions.size(), stage.object_cushions));
   });
 }
 

@@ -30,11 +30,11 @@ Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, cons
 }
 
 void add_aftermath(const SearchRequest& request, EvaluationBudget& budget, Shot& shot) {
-  if (shot.hits.empty()) return;
+  if (shot.path.hits.empty()) return;
   const Aftermath after = aftermath(request, budget, shot.launch);
-  shot.scratch_pocket = after.scratch_pocket;
-  shot.scratch = after.scratch_pocket.has_value();
-  shot.cue_rests = after.cue_rests;
+  shot.path.scratch_pocket = after.scratch_pocket;
+  shot.path.scratch = after.scratch_pocket.has_value();
+  shot.path.cue_rests = after.cue_rests;
 }
 
 }  // namespace bankshot::planning

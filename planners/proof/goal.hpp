@@ -42,12 +42,13 @@ struct Goal {
   }
   /// Returns whether the first ball may be this one.
   bool allows(int first) const {
-    if (counts && !counts->hits.empty()) return counts->hits.front().ball == first;
+    if (counts && !counts->path.hits.empty()) return counts->path.hits.front().ball == first;
     return !then || then->front().ball == first;
   }
   /// Returns whether the shot may arrive at this aim point.
   bool allows(const SearchRequest& request, const AimPoint& aim_point) const {
-    return !counts || counts->hits.empty() || aim_point.taken_by == request.problem->aim_point_of(*counts).taken_by;
+    return !counts || counts->path.hits.empty() ||
+           aim_point.taken_by == request.problem->aim_point_of(*counts).taken_by;
   }
 
   /// Returns the goal as the puzzle asks.
@@ -66,8 +67,8 @@ struct Goal {
   }
   /// Returns the goal to do as a shot does; the shot must outlive it.
   static Goal along(const Shot& shot, Demand demand = Demand::made) {
-    Goal goal = along(shot.cushions, demand);
-    if (!shot.then.empty()) goal.then = &shot.then;
+    Goal goal = along(shot.path.cushions, demand);
+    if (!shot.path.then.empty()) goal.then = &shot.path.then;
     return goal;
   }
   /// Returns the goal by which success counts a shot: by any cushions that the puzzle allows. The shot must outlive it.

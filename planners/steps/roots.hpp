@@ -31,8 +31,8 @@ class Roots {
         every_root_(spacing.every_root),
         step_(step) {
     for (const Shot& s : found.shots)
-      if (!s.off_centre)
-        roots_.push_back({route_by(s.cushions), request.problem->nearest_aim_point(s.arrival.at), s.launch});
+      if (!s.verification.off_centre)
+        roots_.push_back({route_by(s.path.cushions), request.problem->nearest_aim_point(s.path.arrival.at), s.launch});
   }
 
   /// A node that meets these cushions, and how it misses the aim point.

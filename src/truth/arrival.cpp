@@ -21,14 +21,15 @@ constexpr double same_fall = 1e-9;
 
 /// Returns the goal that a shot claims to reach.
 Goal goal_of(const Shot& claim, double slack = 0) {
-  const int n = static_cast<int>(claim.cushions.size());
-  return {n, n, &claim.cushions, claim.then.empty() ? nullptr : &claim.then, claim.arrival.time, slack};
+  const int n = static_cast<int>(claim.path.cushions.size());
+  return {n,    n, &claim.path.cushions, claim.path.then.empty() ? nullptr : &claim.path.then, claim.path.arrival.time,
+          slack};
 }
 
 /// Returns the goal that the margin of a shot counts: its own cushions up to the first ball, then the puzzle's rules.
 Goal counted(const Shot& claim) {
-  const int n = static_cast<int>(claim.cushions.size());
-  return {n, n, &claim.cushions, nullptr, claim.arrival.time, 0, &claim};
+  const int n = static_cast<int>(claim.path.cushions.size());
+  return {n, n, &claim.path.cushions, nullptr, claim.path.arrival.time, 0, &claim};
 }
 
 Path beside(Run run, double turned, double pushed) {
@@ -138,7 +139,7 @@ double Scene::miss(const Arrived& there) const {
 }
 
 Arrived Scene::replay(const Launch& launch, const Shot& claim, double slack) const {
-  const int n = static_cast<int>(claim.cushions.size());
+  const int n = static_cast<int>(claim.path.cushions.size());
   return judge(*this, run_truth(run(launch, claim.spin, n)), goal_of(claim, slack));
 }
 
@@ -155,14 +156,14 @@ double Scene::creeping(const Path& path, std::size_t arrives) const {
 
 std::optional<Scene::Condition> Scene::condition(const Shot& shot, const Sides& sides) const {
   constexpr double step = 1e-14;  // the truncation error is of this size; the values have 32 digits
-  const int n = static_cast<int>(shot.cushions.size());
+  const int n = static_cast<int>(shot.path.cushions.size());
   Run base = run(shot.launch, shot.spin, n);
-  if (!stops) base.target = shot.arrival.at;
+  if (!stops) base.target = shot.path.arrival.at;
   const auto arrives_in = [&](const Path& path) {
     if (off_of(puzzle.target) != 0) return second_contact(path);
-    if (shot.then.empty()) return arriving(path, n, shot.arrival.time, stops);
-    const int bounces = static_cast<int>(shot.then.back().cushions.size());
-    return arriving_of(path, shot.arriving(), bounces, shot.arrival.time, stops);
+    if (shot.path.then.empty()) return arriving(path, n, shot.path.arrival.time, stops);
+    const int bounces = static_cast<int>(shot.path.then.back().cushions.size());
+    return arriving_of(path, shot.arriving(), bounces, shot.path.arrival.time, stops);
   };
   const Path path = run_truth(base);
   const auto moved = [&](double turned, double pushed) -> std::optional<double> {
@@ -188,13 +189,13 @@ Run Scene::in_double(const Launch& launch, const LaunchSpin& spin, int cushions)
 
 bool Scene::counts(const Launch& launch, const Shot& claim) const {
   if (!(launch.speed > 0)) return false;
-  const int n = static_cast<int>(claim.cushions.size());
+  const int n = static_cast<int>(claim.path.cushions.size());
   return judge(*this, run_truth(run(launch, claim.spin, n)), counted(claim)).made() && !scratches(launch, claim.spin);
 }
 
 bool Scene::seems_to_count(const Launch& launch, const Shot& claim) const {
   if (!(launch.speed > 0)) return false;
-  const int n = static_cast<int>(claim.cushions.size());
+  const int n = static_cast<int>(claim.path.cushions.size());
   return judge(*this, run_double(in_double(launch, claim.spin, n)), counted(claim)).made() &&
          !scratches(launch, claim.spin);
 }
@@ -228,7 +229,7 @@ double Scene::chance(const Shot& shot, int draws) const {
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
   const CushionRule& rule = puzzle.cushions;
   const auto* const sequence = rule.sequence ? &*rule.sequence : nullptr;
-  const Goal goal{rule.min, rule.max, sequence, nullptr, shot.arrival.time, 0, &shot};
+  const Goal goal{rule.min, rule.max, sequence, nullptr, shot.path.arrival.time, 0, &shot};
   const DrawnPhysics physics(puzzle.physics);
   int made = 0;
   for (int i = 0; i < draws; ++i) {

@@ -22,26 +22,27 @@ class ShotCheck {
   std::vector<Check> run() {
     bounds();
     asked_cushions();
-    if (shot_.digits == 0) return std::move(out_);  // rounding decides the number of bounces, so nothing is guaranteed
+    if (shot_.verification.digits == 0)
+      return std::move(out_);  // rounding decides the number of bounces, so nothing is guaranteed
     const Then* const then = then_of(p_.target);
-    if (shot_.then.size() != (then ? 1 + then->links.size() : 0))
-      return fails(Claim::hits, fmt::format("sends {} balls on", shot_.then.size()));
+    if (shot_.path.then.size() != (then ? 1 + then->links.size() : 0))
+      return fails(Claim::hits, fmt::format("sends {} balls on", shot_.path.then.size()));
     const Arrived there = scene_.replay(shot_.launch, shot_, place_);
-    const bool all = there.cushions.size() == shot_.cushions.size();
+    const bool all = there.cushions.size() == shot_.path.cushions.size();
     if (all && !there.in_order)
-      return fails(Claim::cushions, fmt::format("meets {}, not {}", names(there.cushions), names(shot_.cushions)));
+      return fails(Claim::cushions, fmt::format("meets {}, not {}", names(there.cushions), names(shot_.path.cushions)));
     if (!there.why.empty()) return fails(Claim::target, fmt::format("{} after {}", there.why, names(there.cushions)));
     for (std::size_t i = 0; i < there.then.size(); ++i) {
-      const auto &met = there.then[i].cushions, &said = shot_.then[i].cushions;
+      const auto &met = there.then[i].cushions, &said = shot_.path.then[i].cushions;
       if (met != said) return fails(Claim::cushions, fmt::format("sends it to {}, not {}", names(met), names(said)));
     }
     holds(Claim::cushions);
     holds(Claim::target);
     arrives(there);
     condition();
-    if (shot_.margin) margin();
-    if (shot_.success) success();
-    if (shot_.value) value();
+    if (shot_.robustness.margin) margin();
+    if (shot_.robustness.success) success();
+    if (shot_.robustness.value) value();
     return std::move(out_);
   }
 
@@ -68,12 +69,14 @@ class ShotCheck {
   /// Returns the shot with other cushions.
   Shot named(const std::vector<Contact>& cushions) const {
     Shot other = shot_;
-    other.cushions = cushions;
+    other.path.cushions = cushions;
     return other;
   }
 
   /// Returns the allowed relative error: `share`, or more if the shot guarantees fewer digits.
-  double promised(double share) const { return shot_.digits ? std::max(share, std::pow(10, -*shot_.digits)) : share; }
+  double promised(double share) const {
+    return shot_.verification.digits ? std::max(share, std::pow(10, -*shot_.verification.digits)) : share;
+  }
   double place_tolerance() const { return promised(tolerance::exact_miss) * scene_.boundary.diagonal; }
 
   void bounds() {
@@ -101,11 +104,11 @@ class ShotCheck {
 
   void asked_cushions() {
     const CushionRule& rule = p_.cushions;
-    const int n = static_cast<int>(shot_.cushions.size());
+    const int n = static_cast<int>(shot_.path.cushions.size());
     if (n < rule.min || n > rule.max)
       fails(Claim::rule, fmt::format("{} cushions, and {} to {} are asked", n, rule.min, rule.max));
     else if (rule.sequence && !scene_.replay(shot_.launch, named(*rule.sequence), place_).in_order)
-      fails(Claim::rule, fmt::format("{}, and {} is asked", names(shot_.cushions), names(*rule.sequence)));
+      fails(Claim::rule, fmt::format("{}, and {} is asked", names(shot_.path.cushions), names(*rule.sequence)));
     else
       holds(Claim::rule);
   }
@@ -119,20 +122,22 @@ class ShotCheck {
   }
 
   void arrives(const Arrived& there) {
-    const Arrival& said = shot_.arrival;
+    const Arrival& said = shot_.path.arrival;
     const double place = place_ / there.incidence, miss = scene_.miss(there);
     // If no line in this direction leads straight in, there is no exact line to miss.
-    const bool no_line = std::isnan(miss) && shot_.touches_jaws;
-    compare(Claim::miss, no_line ? 0 : std::abs(miss - shot_.miss), place_,
-            fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.miss, miss));
-    if (there.touches_jaws != shot_.touches_jaws)
+    const bool no_line = std::isnan(miss) && shot_.path.touches_jaws;
+    compare(Claim::miss, no_line ? 0 : std::abs(miss - shot_.verification.miss), place_,
+            fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.verification.miss, miss));
+    if (there.touches_jaws != shot_.path.touches_jaws)
       return fails(Claim::form, there.touches_jaws ? "touches jaws and does not say so" : "says that it rattles"),
              void();
-    if (!shot_.off_centre) compare(Claim::centre, miss, place_, "does not reach the centre and does not say so");
+    if (!shot_.verification.off_centre)
+      compare(Claim::centre, miss, place_, "does not reach the centre and does not say so");
     hits(there, place);
     if (there.taken_by.kind != ContactKind::ball)
-      compare(Claim::offset, std::abs(there.offset - shot_.offset), place_,
-              fmt::format("says {:.6g} m and passes the pocket's centre at {:.6g} m", shot_.offset, there.offset));
+      compare(Claim::offset, std::abs(there.offset - shot_.verification.offset), place_,
+              fmt::format("says {:.6g} m and passes the pocket's centre at {:.6g} m", shot_.verification.offset,
+                          there.offset));
     compare(Claim::place, norm(said.at - there.at), place,
             fmt::format("says ({}, {}) and arrives at ({}, {})", said.at.x, said.at.y, there.at.x, there.at.y));
     compare(Claim::time, std::abs(said.time - there.time),
@@ -142,23 +147,23 @@ class ShotCheck {
             promised(tolerance::exact_speed) * std::max(1.0, there.speed),
             fmt::format("says {} m/s and arrives at {} m/s", said.speed, there.speed));
     // The safest launch need not arrive at the required speed, because "made" does not depend on that speed.
-    if (const auto asked = arrival_range(p_); asked && !shot_.moved)
+    if (const auto asked = arrival_range(p_); asked && !shot_.provenance.moved)
       compare(Claim::asked, std::max(asked->low - there.speed, there.speed - asked->high),
               promised(tolerance::exact_speed) * std::max(1.0, asked->high),
               fmt::format("arrives at {} m/s, and {} to {} is asked", there.speed, asked->low, asked->high));
   }
 
   void hits(const Arrived& there, double place) {
-    if (shot_.hits.size() != there.hits.size())
-      return fails(Claim::hits, fmt::format("names {} contacts with balls", shot_.hits.size())), void();
-    for (std::size_t i = 0; i < there.hits.size(); ++i) compare_hit(shot_.hits[i], i, there.hits[i], place);
+    if (shot_.path.hits.size() != there.hits.size())
+      return fails(Claim::hits, fmt::format("names {} contacts with balls", shot_.path.hits.size())), void();
+    for (std::size_t i = 0; i < there.hits.size(); ++i) compare_hit(shot_.path.hits[i], i, there.hits[i], place);
   }
 
   /// Checks contact number `nth` of the shot.
   void compare_hit(const Hit& said, std::size_t nth, const Arrived::Hit& hit, double place) {
     const Contact ball = Contact::ball(hit.ball);
     if (said.ball != hit.ball) return fails(Claim::hits, "meets " + contact_name(p_, ball)), void();
-    const int by = nth == 0 || shot_.then.empty() ? 0 : shot_.then[nth - 1].ball;
+    const int by = nth == 0 || shot_.path.then.empty() ? 0 : shot_.path.then[nth - 1].ball;
     const double offset = -hit.passing.lateral, speed = hit.passing.speed;
     const double as_said = -scene_.boundary_of(by).rim(ball)->radius * std::sin(said.cut);
     compare(Claim::hits, std::abs(as_said - offset), place_,
@@ -174,7 +179,7 @@ class ShotCheck {
   void condition() {
     constexpr double digits = 1e-6;  // relative accuracy that users may rely on
     // If the position has fewer digits, its error turns the normals of round obstacles, whose size is a ball's or more.
-    double allowed = std::max(digits, shot_.digits ? place_ / scene_.boundary.body.radius : 0);
+    double allowed = std::max(digits, shot_.verification.digits ? place_ / scene_.boundary.body.radius : 0);
     // Within rounding of the launch the condition may jump: a cushion may hold the ball on one side of the shot only,
     // or the ball may creep up to a cushion. Any value between is then correct.
     constexpr Scene::Sides sides[] = {{1, 1}, {1, 1, true}, {-1, 1, true}, {1, -1, true}, {-1, -1, true}};
@@ -186,13 +191,13 @@ class ShotCheck {
       const double m = seen->metres;
       truth = truth ? Range{std::min(truth->low, m), std::max(truth->high, m)} : Range{m, m};
       allowed = std::max(allowed, seen->rounding);
-      off = std::max({0.0, truth->low - shot_.condition, shot_.condition - truth->high}) /
+      off = std::max({0.0, truth->low - shot_.verification.condition, shot_.verification.condition - truth->high}) /
             std::max(truth->high, scene_.boundary.extent);
       if (off <= allowed) break;
     }
     if (truth)
       compare(Claim::condition, off, allowed,
-              fmt::format("says {} m and it is {} to {} m", shot_.condition, truth->low, truth->high));
+              fmt::format("says {} m and it is {} to {} m", shot_.verification.condition, truth->low, truth->high));
   }
 
   /// Checks both sides of each end, slightly more than its tolerance away, and launches between 0 and the end.
@@ -201,7 +206,7 @@ class ShotCheck {
     constexpr int places = 50;
     double wrong = 0;
     std::string what;
-    if (shot_.scratch && !is_ideal(p_.physics)) return scratched();
+    if (shot_.path.scratch && !is_ideal(p_.physics)) return scratched();
     const auto end = [&](std::optional<double> m, double turned, double pushed, const char* which) {
       if (!m) return;
       const auto launch = [&](double k, double beyond = 0) {
@@ -236,16 +241,16 @@ class ShotCheck {
       what +=
           fmt::format("{}{} of {:.6g} {}", what.empty() ? "" : "; ", which, turned != 0 ? degrees(*m) : *m, trouble);
     };
-    end(shot_.margin->angle[0], -1, 0, "angle");
-    end(shot_.margin->angle[1], 1, 0, "angle");
-    end(shot_.margin->speed[0], 0, -1, "speed");
-    end(shot_.margin->speed[1], 0, 1, "speed");
+    end(shot_.robustness.margin->angle[0], -1, 0, "angle");
+    end(shot_.robustness.margin->angle[1], 1, 0, "angle");
+    end(shot_.robustness.margin->speed[0], 0, -1, "speed");
+    end(shot_.robustness.margin->speed[1], 0, 1, "speed");
     compare(Claim::margin, wrong, 0, what);
   }
 
   /// Checks that the margins of a shot that scratches are 0.
   void scratched() {
-    const auto& [angle, speed] = *shot_.margin;
+    const auto& [angle, speed] = *shot_.robustness.margin;
     const auto wrong = [](const auto& ends) { return std::ranges::count_if(ends, [](auto m) { return m != 0.0; }); };
     compare(Claim::margin, static_cast<double>(wrong(angle) + wrong(speed)), 0, "is not 0, and the cue ball falls");
   }
@@ -254,17 +259,18 @@ class ShotCheck {
   /// is accepted.
   void value() {
     constexpr double digits = 1e-9, per_contact = 0.005;
-    if (!shot_.success) return compare(Claim::value, HUGE_VAL, digits, "is given without a success");
-    const double without_jaws = *shot_.success - cost_of(shot_) + per_contact * shot_.jaws;
-    const double jaws = shot_.touches_jaws ? std::max(1.0, std::round((without_jaws - *shot_.value) / per_contact)) : 0;
-    compare(Claim::value, std::abs(without_jaws - per_contact * jaws - *shot_.value), digits,
-            fmt::format("says {:.6g} and success less costs is {:.6g}", *shot_.value, without_jaws));
+    if (!shot_.robustness.success) return compare(Claim::value, HUGE_VAL, digits, "is given without a success");
+    const double without_jaws = *shot_.robustness.success - cost_of(shot_) + per_contact * shot_.path.jaws;
+    const double jaws =
+        shot_.path.touches_jaws ? std::max(1.0, std::round((without_jaws - *shot_.robustness.value) / per_contact)) : 0;
+    compare(Claim::value, std::abs(without_jaws - per_contact * jaws - *shot_.robustness.value), digits,
+            fmt::format("says {:.6g} and success less costs is {:.6g}", *shot_.robustness.value, without_jaws));
   }
 
   void success() {
     constexpr int draws = 1000;
     constexpr double deviations = 5;  // standard deviations of the fraction made in these draws
-    const double p = *shot_.success, seen = scene_.chance(shot_, draws);
+    const double p = *shot_.robustness.success, seen = scene_.chance(shot_, draws);
     const double spread = std::sqrt(std::max(seen * (1 - seen), 1.0 / draws) / draws);
     const bool possible = p >= 0 && p <= 1;
     compare(Claim::success, possible ? std::abs(p - seen) : HUGE_VAL, tolerance::success + deviations * spread,

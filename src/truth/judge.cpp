@@ -42,7 +42,7 @@ class Judge {
         point_(point_of(puzzle_.target)),
         pocket_(pocket_of(puzzle_.target)),
         within_(point_ ? point_->within + goal.slack : 0) {
-    if (goal.counts && !goal.counts->hits.empty()) own_ = goal.counts;
+    if (goal.counts && !goal.counts->path.hits.empty()) own_ = goal.counts;
     if (own_ && pocket_) own_pocket_ = pocket_reached(puzzle_, *own_);
     note_order();
   }
@@ -84,7 +84,8 @@ class Judge {
     note_order();
     const int ball = e.contact.index;
     const bool wanted = std::ranges::count(touches_->balls, ball) > 0 &&
-                        !(goal_.then && goal_.then->front().ball != ball) && !(own_ && own_->hits.front().ball != ball);
+                        !(goal_.then && goal_.then->front().ball != ball) &&
+                        !(own_ && own_->path.hits.front().ball != ball);
     if (!wanted || static_cast<int>(met_.size()) < goal_.min) return fails(fmt::format("runs into {}", name(e)));
     return sets_going(e, ball);
   }
@@ -193,7 +194,7 @@ class Judge {
     if (off_ != 0 && !hit_ && e.contact.index == off_) return sets_going(e, off_);
     if ((off_ != 0 && !hit_) || e.ball != 0) return fails(fmt::format("touches {}", name(e)));
     if (!touches_ || std::ranges::count(touches_->balls, e.contact.index) == 0 || !counts() ||
-        (own_ && own_->hits.back().ball != e.contact.index))
+        (own_ && own_->path.hits.back().ball != e.contact.index))
       return fails(fmt::format("runs into {}", name(e)));
     taken(e, e);
     out_.speed = e.passing.speed;

@@ -105,7 +105,7 @@ TEST_CASE("verify: jaws that are touched after the target was passed do not coun
       ShotRequest on = as_request(puzzle, shot);
       on.until = {};
       const Trajectory t = simulate(on);
-      jaws += std::ranges::count(t.events, EventKind::jaw, &Record::kind) > 0 && !shot.touches_jaws;
+      jaws += std::ranges::count(t.events, EventKind::jaw, &Record::kind) > 0 && !shot.path.touches_jaws;
     }
     const Run run = verify(p + "\n", to_json(puzzle, answer, false) + "\n");
     INFO(run.out);

@@ -65,7 +65,9 @@ Outcome by_planner(const Puzzle& p, const SolveOptions& options) {
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
     least = std::min(least, took.count());
   }
-  const double miss = !a.shots.empty() ? a.shots[0].miss : a.nearest ? a.nearest->shot.miss : 1;
+  const double miss = !a.shots.empty() ? a.shots[0].verification.miss
+                      : a.nearest      ? a.nearest->shot.verification.miss
+                                       : 1;
   return {!a.shots.empty() && miss <= 1e-9 * p.table.diagonal(), miss <= p.ball.body.radius,
           static_cast<double>(a.simulations), least};
 }

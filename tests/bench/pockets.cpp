@@ -48,10 +48,10 @@ int main(int argc, char** argv) {
     }
     const Shot& shot = a.shots.front();
     ++solved;
-    offset += shot.offset != 0 && !shot.off_centre;
-    beside += shot.off_centre && !shot.touches_jaws;
-    rattling += shot.touches_jaws;
-    parts += shot.planner == "parts";
+    offset += shot.verification.offset != 0 && !shot.verification.off_centre;
+    beside += shot.verification.off_centre && !shot.path.touches_jaws;
+    rattling += shot.path.touches_jaws;
+    parts += shot.provenance.planner == "parts";
   }
   if (header)
     std::cout << "pockets,physics,seed,puzzles,by_rattle,solved,unsolved,unsolved_clean,unsolved_at_the_end,offset,"

@@ -23,6 +23,6 @@ TEST_CASE("a place of rest on a fold of the map is reached") {
     INFO(a.message);
     REQUIRE(a.status == Status::solved);
     CHECK(check_shot(p, a.shots.front()).problem == "");
-    std::printf("fold at %g m/s: miss %.2g m\n", a.shots.front().launch.speed, a.shots.front().miss);
+    std::printf("fold at %g m/s: miss %.2g m\n", a.shots.front().launch.speed, a.shots.front().verification.miss);
   }
 }

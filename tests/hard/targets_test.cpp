@@ -28,7 +28,7 @@ void check_solved(std::string_view hard) {
     CHECK(a.status == Status::solved);
     if (a.shots.empty()) continue;
     CHECK(check_shot(p, a.shots.front()).problem == "");
-    CHECK(a.shots.front().miss <= 1e-9 * p.table.diagonal());
+    CHECK(a.shots.front().verification.miss <= 1e-9 * p.table.diagonal());
   }
 }
 

@@ -32,7 +32,7 @@ TEST_CASE("a shot that runs exactly along the cushion the ball touches is found"
     REQUIRE(a.status == Status::solved);
     CHECK(degrees(a.shots[0].launch.angle) == Approx(angle).margin(1e-9));
     CHECK(a.shots[0].launch.speed == Approx(speed).epsilon(1e-9));
-    CHECK(a.shots[0].miss <= 1e-9 * p.table.diagonal());
+    CHECK(a.shots[0].verification.miss <= 1e-9 * p.table.diagonal());
     CHECK(test::check_shot(p, a.shots[0]).problem == "");
   }
 }

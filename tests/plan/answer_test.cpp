@@ -32,7 +32,7 @@ bool made(const Puzzle& p, const Shot& shot, double speed, double angle) {
   const auto& target = std::get<PointTarget>(p.target);
   const Trajectory t = simulate(
       ShotRequest{.table = p.table, .physics = p.physics, .ball = p.ball, .launch = {speed, wrap_angle(angle)}});
-  return t.sequence() == shot.cushions && norm(t.events.back().state.at - target.at) <= target.within;
+  return t.sequence() == shot.path.cushions && norm(t.events.back().state.at - target.at) <= target.within;
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ TEST_CASE("a bound that binds is named with the number that would open it") {
   CHECK(says(a.message, "needs"));
   CHECK(says(a.message, "0.2 m/s"));
   REQUIRE(a.nearest);
-  CHECK(a.nearest->shot.miss > 0);
+  CHECK(a.nearest->shot.verification.miss > 0);
   p.speed = {0.1, 10};
   p.angle = Range{0, 0.01};
   CHECK(says(solve(p).message, "aim"));
@@ -83,15 +83,15 @@ TEST_CASE("where the line through a pocket's centre has no room the shot is on t
            .aim = Aim::centre};
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
-  CHECK_FALSE(a.shots[0].off_centre);
-  CHECK(a.shots[0].miss < 1e-9);
-  CHECK(std::abs(a.shots[0].offset) > 1e-3);
+  CHECK_FALSE(a.shots[0].verification.off_centre);
+  CHECK(a.shots[0].verification.miss < 1e-9);
+  CHECK(std::abs(a.shots[0].verification.offset) > 1e-3);
   CHECK_FALSE(says(a.message, "beside"));
   // With aims bounded towards the rail, only a part of the opening is left.
   p.angle = Range{a.shots[0].launch.angle + radians(0.05), radians(90)};
   const Answer beside = solve(p);
   REQUIRE(beside.status == Status::solved);
-  CHECK(beside.shots[0].off_centre);
+  CHECK(beside.shots[0].verification.off_centre);
   CHECK(says(beside.message, "beside the exact line: there it needs an aim outside the bounds"));
 }
 
@@ -111,15 +111,15 @@ TEST_CASE("into a pocket any arrival speed will do, and the shot of the largest 
     const Answer free = solve(p);
     REQUIRE(free.status == Status::solved);
     const Shot& best = free.shots[0];
-    CHECK((best.arrival.speed >= 0.2 - 1e-9 && best.arrival.speed <= 3 + 1e-9));
+    CHECK((best.path.arrival.speed >= 0.2 - 1e-9 && best.path.arrival.speed <= 3 + 1e-9));
     test::check_claims(p, free);
     for (const double speed : {0.2, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
       p.arrive = Range{speed, speed};
       const Answer a = solve(p);
       if (a.shots.empty()) continue;
-      CAPTURE(bank.ball.x, bank.cushions, speed, *best.value, *a.shots[0].value);
-      CHECK(*a.shots[0].value <= *best.value + 0.01);
-      if (speed == 0.5) gained += *best.success - *a.shots[0].success;
+      CAPTURE(bank.ball.x, bank.cushions, speed, *best.robustness.value, *a.shots[0].robustness.value);
+      CHECK(*a.shots[0].robustness.value <= *best.robustness.value + 0.01);
+      if (speed == 0.5) gained += *best.robustness.success - *a.shots[0].robustness.success;
     }
   }
   CHECK(gained > 0.1);  // otherwise nothing was chosen
@@ -132,9 +132,9 @@ TEST_CASE("a ball that passes the point on its way is as likely as it is") {
     "ball": {"at": [0.6800484348540151, 1.2328861295438833],
              "spin": {"top": 0.04016349286834631, "side": 0.5501743267156756}},
     "target": {"point": [0.3752395085952283, 1.1506604279625545]}, "arrive": {"speed": 0.014387817542625482}})");
-  const double best = *solve(p, {.all = true}).shots.at(0).success;
+  const double best = *solve(p, {.all = true}).shots.at(0).robustness.success;
   CHECK(best > 0.99);
-  CHECK(*solve(p).shots.at(0).success > best - 0.005);
+  CHECK(*solve(p).shots.at(0).robustness.success > best - 0.005);
 }
 
 TEST_CASE("where jaws may turn a ball in, nothing is proved by straight lines") {
@@ -144,7 +144,7 @@ TEST_CASE("where jaws may turn a ball in, nothing is proved by straight lines") 
     "cushions": ["bottom", "left", "bottom"], "arrive": {"speed": 2.0900407724829204}})");
   const Answer a = solve(p);
   CHECK_FALSE(says(a.message, "proved"));
-  CHECK((a.status == Status::no_shot || a.shots.at(0).touches_jaws));
+  CHECK((a.status == Status::no_shot || a.shots.at(0).path.touches_jaws));
 }
 
 TEST_CASE("a margin ends before a narrow band that is not made") {
@@ -153,7 +153,7 @@ TEST_CASE("a margin ends before a narrow band that is not made") {
     "target": {"pocket": "top-middle"}, "cushions": 3, "arrive": {"speed": 0.5}, "aim": "centre"})");
   const Answer a = solve(p);
   test::check_claims(p, a);
-  CHECK(*a.shots.at(0).margin->speed[0] > -0.57);
+  CHECK(*a.shots.at(0).robustness.margin->speed[0] > -0.57);
 }
 
 TEST_CASE("a margin is where the shot stops being made") {
@@ -167,13 +167,13 @@ TEST_CASE("a margin is where the shot stops being made") {
     const Answer a = solve(p);
     REQUIRE(a.status == Status::solved);
     const Shot& s = a.shots[0];
-    REQUIRE(s.margin);
+    REQUIRE(s.robustness.margin);
     for (const int side : {0, 1}) {
       INFO("side " << side << ", puzzle " << checked << " of seed 21");
-      REQUIRE(s.margin->angle[static_cast<std::size_t>(side)]);
-      REQUIRE(s.margin->speed[static_cast<std::size_t>(side)]);
-      const double angle = *s.margin->angle[static_cast<std::size_t>(side)],
-                   speed = *s.margin->speed[static_cast<std::size_t>(side)];
+      REQUIRE(s.robustness.margin->angle[static_cast<std::size_t>(side)]);
+      REQUIRE(s.robustness.margin->speed[static_cast<std::size_t>(side)]);
+      const double angle = *s.robustness.margin->angle[static_cast<std::size_t>(side)],
+                   speed = *s.robustness.margin->speed[static_cast<std::size_t>(side)];
       CHECK(made(p, s, s.launch.speed, s.launch.angle + angle * (1 - 1e-5)));
       CHECK(!made(p, s, s.launch.speed, s.launch.angle + angle * (1 + 1e-5)));
       CHECK(made(p, s, s.launch.speed + speed * (1 - 1e-5), s.launch.angle));
@@ -203,7 +203,7 @@ TEST_CASE("the condition is the derivative of the arrival") {
         norm(rest(s.launch.speed, s.launch.angle + h) - rest(s.launch.speed, s.launch.angle - h)) / (2 * h);
     const double by_speed =
         norm(rest(s.launch.speed * (1 + h), s.launch.angle) - rest(s.launch.speed * (1 - h), s.launch.angle)) / (2 * h);
-    CHECK(s.condition == Approx(std::max(by_aim, by_speed)).epsilon(1e-4));
+    CHECK(s.verification.condition == Approx(std::max(by_aim, by_speed)).epsilon(1e-4));
     ++compared;
   }
   CHECK(compared > 20);
@@ -221,10 +221,10 @@ TEST_CASE("preferences choose: the softest is slowest, the quickest soonest") {
   const Shot quick = solve(p, {.robustness = false}).shots.at(0);
   for (const Shot& s : all.shots) {
     CHECK(soft.launch.speed <= s.launch.speed);
-    CHECK(quick.arrival.time <= s.arrival.time);
+    CHECK(quick.path.arrival.time <= s.path.arrival.time);
   }
-  CHECK(soft.arrival.speed == Approx(0.2));
-  CHECK(quick.arrival.speed == Approx(1.5));
+  CHECK(soft.path.arrival.speed == Approx(0.2));
+  CHECK(quick.path.arrival.speed == Approx(1.5));
 }
 
 TEST_CASE("an aim into a cushion that the ball touches is offered like any other") {
@@ -248,10 +248,10 @@ TEST_CASE("an answer warns when its condition leaves fewer digits than an exact 
   const planning::SearchRequest request(p);
   const planning::EvaluationBudget budget(budget_of(p));
   const planning::SearchResult found;
-  Answer a{.status = Status::solved, .shots = {Shot{.condition = 1e3}}};
+  Answer a{.status = Status::solved, .shots = {Shot{.verification = {.condition = 1e3}}}};
   CHECK(!says(planning::message(request, budget, found, a, 1), "digits"));
-  a.shots[0].digits = 8;
+  a.shots[0].verification.digits = 8;
   CHECK(says(planning::message(request, budget, found, a, 1), "leaves 8 digits"));
-  a.shots[0].digits = 0;
+  a.shots[0].verification.digits = 0;
   CHECK(says(planning::message(request, budget, found, a, 1), "up to rounding"));
 }

@@ -38,14 +38,14 @@ TEST_CASE("the best of all shots is that of brute force") {
     const auto forced = test::best_by_force(p, {.grid = {.aim = radians(0.1)}}).best;
     INFO("puzzle " << i << " of seed " << seed);
     REQUIRE(all.status == Status::solved);
-    if (all.shots.front().off_centre) {
+    if (all.shots.front().verification.off_centre) {
       CHECK(!forced);
       continue;
     }
     REQUIRE(forced);
     ++compared;
     const Shot& best = all.shots.front();
-    const double by_solve = cost(p.prefer, best.launch.speed, best.arrival.time),
+    const double by_solve = cost(p.prefer, best.launch.speed, best.path.arrival.time),
                  by_force = cost(p.prefer, forced->launch.speed, forced->time);
     CHECK(by_solve <= by_force * (1 + little));
     CHECK(by_force <= by_solve * (1 + little));
@@ -72,12 +72,13 @@ TEST_CASE("plain solve is hardly ever worse than the first of all, in a few hund
       REQUIRE(best.status == Status::solved);
       REQUIRE(all.status == Status::solved);
       const Shot &a = best.shots.front(), &b = all.shots.front();
-      if (a.off_centre || b.off_centre) continue;
+      if (a.verification.off_centre || b.verification.off_centre) continue;
       ++compared;
       simulations += best.simulations;
-      const double by =
-          robust ? *b.success - *a.success
-                 : cost(prefer, a.launch.speed, a.arrival.time) / cost(prefer, b.launch.speed, b.arrival.time) - 1;
+      const double by = robust ? *b.robustness.success - *a.robustness.success
+                               : cost(prefer, a.launch.speed, a.path.arrival.time) /
+                                         cost(prefer, b.launch.speed, b.path.arrival.time) -
+                                     1;
       worse += by > little;
     }
     INFO("prefer " << static_cast<int>(prefer) << ": " << worse << " of " << compared << ", " << simulations
@@ -101,7 +102,7 @@ TEST_CASE("a shot that may pass its point on the way is not passed over for what
     INFO("from " << x << ", " << y);
     REQUIRE(best.status == Status::solved);
     REQUIRE(all.status == Status::solved);
-    CHECK(*all.shots.front().success > *all.shots[1].success + 0.05);
-    CHECK(*best.shots.front().success > *all.shots.front().success - 0.005);
+    CHECK(*all.shots.front().robustness.success > *all.shots[1].robustness.success + 0.05);
+    CHECK(*best.shots.front().robustness.success > *all.shots.front().robustness.success - 0.005);
   }
 }

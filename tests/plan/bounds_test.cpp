@@ -23,7 +23,7 @@ void check_beside_centre(Puzzle p) {
   INFO(a.message);
   REQUIRE(a.status == Status::solved);
   CHECK(test::check_shot(p, a.shots[0]).problem == "");
-  CHECK(a.shots[0].miss > 1e-9 * p.table.diagonal());
+  CHECK(a.shots[0].verification.miss > 1e-9 * p.table.diagonal());
   CHECK(a.message.find(is_pocket(p.target) ? "beside the exact line" : "beside the middle of the target") !=
         std::string::npos);
 }
@@ -60,7 +60,7 @@ TEST_CASE("an arrival speed of 0 at a pocket has a miss, and it is a number") {
            .arrive = Range{0, 0}};
   const Answer a = solve(p);
   CHECK(!a.shots.empty());
-  for (const Shot& shot : a.shots) CHECK(shot.miss <= 0.1);
+  for (const Shot& shot : a.shots) CHECK(shot.verification.miss <= 0.1);
 }
 
 TEST_CASE("a beside-the-centre shot keeps the arrival speed that was asked") {
@@ -74,7 +74,7 @@ TEST_CASE("a beside-the-centre shot keeps the arrival speed that was asked") {
   p.angle = Range{0, radians(25.9)};
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
-  CHECK(a.shots[0].arrival.speed == Approx(0.8).epsilon(1e-9));
+  CHECK(a.shots[0].path.arrival.speed == Approx(0.8).epsilon(1e-9));
 }
 
 TEST_CASE("a ball frozen to a cushion may be aimed into it") {
@@ -87,7 +87,7 @@ TEST_CASE("a ball frozen to a cushion may be aimed into it") {
     frozen.angle = Range{radians(320), radians(345)};
     const Answer a = solve(frozen);
     REQUIRE(a.status == Status::solved);
-    CHECK(a.shots[0].cushions == std::vector{Contact::rail(0)});
+    CHECK(a.shots[0].path.cushions == std::vector{Contact::rail(0)});
     CHECK(std::tan(a.shots[0].launch.angle) == Approx(-(0.5 - R) / e));
     frozen.angle = Range{radians(350), radians(359)};
     CHECK(solve(frozen).status == Status::no_shot);

@@ -221,7 +221,7 @@ void compare(int puzzles, const Fineness& fine, std::uint64_t seed, Puzzle (*dra
     for (const Found& f : BruteForce(p, fine).run()) {
       const auto same = [&](const Shot& x) {
         const double turned = wrap_angle(x.launch.angle - f.angle + radians(180)) - radians(180);
-        return x.cushions == f.contacts && std::abs(turned) < 10 * fine.root &&
+        return x.path.cushions == f.contacts && std::abs(turned) < 10 * fine.root &&
                std::abs(x.launch.speed - f.speed) < 1000 * fine.root * f.speed;
       };
       ++by_force;

@@ -198,7 +198,7 @@ void compare(int puzzles, std::uint64_t seed, Puzzle (*draw)(test::Random&)) {
     const std::vector<Shot> all = solve(p, {.all = true, .robustness = false}).shots;
     for (const Found& f : BruteForce(p).run()) {
       const auto same = [&](const Shot& x) {
-        return x.cushions == f.contacts &&
+        return x.path.cushions == f.contacts &&
                std::abs(wrap_angle(x.launch.angle - f.angle + radians(180)) - radians(180)) < 1e-7;
       };
       ++by_force;

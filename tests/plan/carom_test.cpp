@@ -31,12 +31,12 @@ TEST_CASE("a direct carom touches the first ball and then the second, as it is c
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   const Shot& s = a.shots.front();
-  CHECK(s.then.empty());
-  REQUIRE(s.hits.size() == 2);
-  CHECK(s.hits[0].ball == 1);
-  CHECK(s.hits[1].ball == 2);
-  CHECK(degrees(s.hits[1].cut) == Approx(20).margin(3));
-  CHECK(s.cushions.size() <= 2);
+  CHECK(s.path.then.empty());
+  REQUIRE(s.path.hits.size() == 2);
+  CHECK(s.path.hits[0].ball == 1);
+  CHECK(s.path.hits[1].ball == 2);
+  CHECK(degrees(s.path.hits[1].cut) == Approx(20).margin(3));
+  CHECK(s.path.cushions.size() <= 2);
 }
 
 TEST_CASE("three cushions before the second ball, wherever the first is touched between them") {
@@ -47,16 +47,17 @@ TEST_CASE("three cushions before the second ball, wherever the first is touched 
   CHECK(all.shots.size() > 5);
   bool before = false, between = false;
   for (const Shot& s : all.shots) {
-    CHECK(s.cushions.size() >= 3);
-    CHECK(s.cushions.size() <= 4);
-    if (!s.moved) CHECK(s.arrival.speed >= 0.2 - 1e-9);  // a default binds shots at their exact launch alone
+    CHECK(s.path.cushions.size() >= 3);
+    CHECK(s.path.cushions.size() <= 4);
+    if (!s.provenance.moved)
+      CHECK(s.path.arrival.speed >= 0.2 - 1e-9);  // a default binds shots at their exact launch alone
     CHECK(test::check_shot(p, s).problem.empty());
-    before = before || s.hits[0].after > 0;
-    between = between || s.hits[0].after == 0;
+    before = before || s.path.hits[0].after > 0;
+    between = between || s.path.hits[0].after == 0;
   }
   CHECK(before);
   CHECK(between);
-  CHECK(*best.shots.front().success >= *all.shots.front().success - 0.005);
+  CHECK(*best.shots.front().robustness.success >= *all.shots.front().robustness.success - 0.005);
 }
 
 TEST_CASE("a carom that no bound allows says how it was searched") {

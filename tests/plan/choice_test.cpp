@@ -27,7 +27,7 @@ TEST_CASE("of a range of spin the one that prefer likes best is used") {
     const auto worth = [&](const Answer& a) {
       REQUIRE(a.status == Status::solved);
       CHECK_THAT(test::check_shot(p, a.shots[0]).problem, Catch::Equals(""));
-      return p.prefer == Prefer::soft ? a.shots[0].launch.speed : a.shots[0].arrival.time;
+      return p.prefer == Prefer::soft ? a.shots[0].launch.speed : a.shots[0].path.arrival.time;
     };
     const double best = worth(solve(p, {.robustness = false}));
     p.spin_range.reset();
@@ -61,7 +61,7 @@ TEST_CASE("margin and chance of a free spin are the shot's own") {
           prefer + R"(", "aim": ")" + aim + "\"}");
       const Answer a = solve(p);
       REQUIRE(a.status == Status::solved);
-      CHECK(*a.shots[0].success > 0);
+      CHECK(*a.shots[0].robustness.success > 0);
       INFO(prefer << ", " << aim);
       test::check_claims(p, a);
       ++shots;
@@ -91,8 +91,8 @@ TEST_CASE("of a range of arrival speeds one that can be reached is found") {
     const Answer a = solve(p, {.robustness = false});
     INFO(a.message);
     REQUIRE(a.status == Status::solved);
-    CHECK(a.shots[0].miss < 1e-9);
-    CHECK(p.arrive->contains(a.shots[0].arrival.speed));
+    CHECK(a.shots[0].verification.miss < 1e-9);
+    CHECK(p.arrive->contains(a.shots[0].path.arrival.speed));
   }
 }
 
@@ -103,9 +103,9 @@ TEST_CASE("the safest launch is made and no less likely than the centred one") {
   const Answer safest = solve(p);
   REQUIRE(centred.status == Status::solved);
   REQUIRE(safest.status == Status::solved);
-  CHECK(*safest.shots[0].success >= *centred.shots[0].success);
-  CHECK(safest.shots[0].cushions == centred.shots[0].cushions);
-  CHECK(safest.shots[0].miss < p.table.pockets[5].radius);
+  CHECK(*safest.shots[0].robustness.success >= *centred.shots[0].robustness.success);
+  CHECK(safest.shots[0].path.cushions == centred.shots[0].path.cushions);
+  CHECK(safest.shots[0].verification.miss < p.table.pockets[5].radius);
 }
 
 TEST_CASE("a no-shot says what would open it") {
@@ -157,5 +157,5 @@ TEST_CASE("puzzles with friction that grows with speed are solved") {
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   CHECK_THAT(test::check_shot(p, a.shots[0]).problem, Catch::Equals(""));
-  CHECK(a.shots[0].miss < 1e-9);
+  CHECK(a.shots[0].verification.miss < 1e-9);
 }

@@ -40,7 +40,7 @@ TEST_CASE("images find every shot that a sweep of the aim finds, and the sweep a
         INFO(test::name(family) << " number " << i << " of seed 4, ideal " << ideal);
         const auto same = [](const Shot& x) {
           return [&x](const Shot& y) {
-            return x.cushions == y.cushions && std::abs(x.launch.angle - y.launch.angle) < 1e-7;
+            return x.path.cushions == y.path.cushions && std::abs(x.launch.angle - y.launch.angle) < 1e-7;
           };
         };
         for (const Shot& shot : b.shots) CHECK(std::any_of(a.shots.begin(), a.shots.end(), same(shot)));
@@ -64,9 +64,10 @@ TEST_CASE("among reflex vertices a finer sweep finds next to nothing more") {
     for (int part = 0; part < 12; ++part) {
       p.angle = Range{radians(30 * part), radians(30 * (part + 1))};
       for (const Shot& shot : solve(p, {.all = true, .robustness = false}).shots) {
-        if (shot.miss > 1e-9 * p.table.diagonal()) continue;  // only these bounds keep the shot from the centre
+        if (shot.verification.miss > 1e-9 * p.table.diagonal())
+          continue;  // only these bounds keep the shot from the centre
         const auto same = [&](const Shot& x) {
-          return x.cushions == shot.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-7;
+          return x.path.cushions == shot.path.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-7;
         };
         ++found;
         missed += std::none_of(whole.shots.begin(), whole.shots.end(), same);

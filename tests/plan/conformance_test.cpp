@@ -65,7 +65,7 @@ TEST_CASE("every planner solves the easy set and what it returns is true") {
     REQUIRE(a.status == Status::solved);
     const test::Checked c = test::check_shot(p, a.shots.at(0));
     CHECK(c.problem == "");
-    CHECK(a.shots[0].miss <= 1e-9 * p.table.diagonal());
+    CHECK(a.shots[0].verification.miss <= 1e-9 * p.table.diagonal());
   }
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("what a planner returns survives a replay in 50 digits") {
     std::vector<Contact> sequence;
     for (const test::TruthEvent& e : path.events)
       if (e.kind == EventKind::cushion) sequence.push_back(e.contact);
-    CHECK(sequence == a.shots[0].cushions);
+    CHECK(sequence == a.shots[0].path.cushions);
     CHECK(norm(path.events.back().state.at - point->at) <= 1e-9 * p.table.diagonal());
     ++replayed;
   }

@@ -22,10 +22,10 @@ TEST_CASE("a custom cushion with Han's law leads to Han's shots") {
     REQUIRE(own.shots.size() == han.shots.size());
     for (std::size_t k = 0; k < own.shots.size(); ++k) {
       const Shot &a = han.shots[k], &b = own.shots[k];
-      CHECK(b.cushions == a.cushions);
-      CHECK(std::abs(b.launch.angle - a.launch.angle) * a.condition < 1e-8);
+      CHECK(b.path.cushions == a.path.cushions);
+      CHECK(std::abs(b.launch.angle - a.launch.angle) * a.verification.condition < 1e-8);
       CHECK(b.launch.speed == Approx(a.launch.speed).epsilon(1e-8));
-      CHECK(b.condition == Approx(a.condition).epsilon(1e-5));
+      CHECK(b.verification.condition == Approx(a.verification.condition).epsilon(1e-5));
     }
     CHECK(own.modelled.at(2) == "custom cushion");
   }

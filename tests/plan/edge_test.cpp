@@ -37,7 +37,7 @@ void check_edges(int puzzles, std::uint64_t seed) {
     const Puzzle p = on_the_edge(random);
     const Answer a = solve(p, {.robustness = false, .suggest = false});
     INFO("puzzle " << i << " of seed " << seed << ": " << write_puzzle(p));
-    for (const Shot& shot : a.shots) ++shots, unpromised += shot.digits == 0;
+    for (const Shot& shot : a.shots) ++shots, unpromised += shot.verification.digits == 0;
     test::check_claims(p, a);
   }
   CHECK(shots > puzzles * 9 / 10);
@@ -61,8 +61,8 @@ TEST_CASE("a ball comes to rest on a cushion's line, or in a corner, without tou
     const Answer a = solve(p, {.robustness = false, .suggest = false});
     INFO("puzzle " << i << ": " << write_puzzle(p) << "\n" << a.message);
     REQUIRE(a.status == Status::solved);
-    CHECK_FALSE(a.shots.front().off_centre);
-    CHECK(a.shots.front().cushions.empty());
+    CHECK_FALSE(a.shots.front().verification.off_centre);
+    CHECK(a.shots.front().path.cushions.empty());
   }
 }
 

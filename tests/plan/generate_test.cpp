@@ -44,7 +44,7 @@ TEST_CASE("generate: puzzles read back to what was solved, and are solved at the
   for (const Generated& g : made(w, 6)) {
     const Puzzle& p = g.puzzle;
     CHECK(g.answer.status == Status::solved);
-    CHECK(g.answer.shots[0].miss <= 1e-9 * p.table.diagonal());
+    CHECK(g.answer.shots[0].verification.miss <= 1e-9 * p.table.diagonal());
     CHECK(p.cushions.min == p.cushions.max);
     CHECK((p.cushions.min >= 1 && p.cushions.max <= 3));
     if (w.ball.body.radius == 0) continue;  // not the table's own ball
@@ -69,13 +69,13 @@ TEST_CASE("generate: kinds, sequences, difficulties and unique shots as wished")
   }
   w.difficulty.reset();
   w.kind = Wish::Kind::stop;
-  for (const Generated& g : made(w, 3)) CHECK(g.answer.shots[0].arrival.speed == 0);
+  for (const Generated& g : made(w, 3)) CHECK(g.answer.shots[0].path.arrival.speed == 0);
   w.kind = Wish::Kind::pass;
-  for (const Generated& g : made(w, 3)) CHECK(g.answer.shots[0].arrival.speed > 0.05);
+  for (const Generated& g : made(w, 3)) CHECK(g.answer.shots[0].path.arrival.speed > 0.05);
   w.kind.reset();
   w.cushions = CushionRule::in_order({Contact::rail(2), Contact::rail(1), Contact::rail(0), Contact::rail(3)});
   for (const Generated& g : made(w, 3))
-    CHECK(g.answer.shots[0].cushions ==
+    CHECK(g.answer.shots[0].path.cushions ==
           std::vector<Contact>{Contact::rail(2), Contact::rail(1), Contact::rail(0), Contact::rail(3)});
   w.cushions = {2, 2, {}};
   w.unique = true;
@@ -85,8 +85,8 @@ TEST_CASE("generate: kinds, sequences, difficulties and unique shots as wished")
 TEST_CASE("generate: difficulty follows the smaller side of the margin and the chance") {
   Shot s;
   const auto of = [&](std::optional<double> down, std::optional<double> up, double success) {
-    s.margin = Margin{{down, up}, {}};
-    s.success = success;
+    s.robustness.margin = Margin{{down, up}, {}};
+    s.robustness.success = success;
     return difficulty(s);
   };
   CHECK(of({}, {}, 1) == Difficulty::easy);

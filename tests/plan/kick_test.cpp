@@ -34,10 +34,10 @@ TEST_CASE("a full hit leads through both centres, a cut ball leaves to the side 
   const Answer full = solved(R"("target": {"ball": "8", "cut": 0}, "cushions": 0)");
   REQUIRE(full.status == Status::solved);
   CHECK_THAT(full.shots.front().launch.angle, WithinAbs(to_8, 1e-12));
-  CHECK(full.shots.front().arrival.speed == Approx(0.5));
+  CHECK(full.shots.front().path.arrival.speed == Approx(0.5));
   const Answer left = solved(R"("target": {"ball": "8", "cut": 30}, "cushions": 0, "speed": 2)");
   REQUIRE(left.status == Status::solved);
-  const Hit& hit = left.shots.front().hits.at(0);
+  const Hit& hit = left.shots.front().path.hits.at(0);
   CHECK(hit.ball == 1);
   CHECK(degrees(hit.cut) == Approx(30));
   CHECK(left.shots.front().launch.angle < to_8);  // it passes to the right of the ball's middle
@@ -55,9 +55,9 @@ TEST_CASE("a ball of another size is met where spheres touch, at the cut that is
       CAPTURE(radius, cut);
       REQUIRE(a.status == Status::solved);
       const Shot& shot = a.shots.front();
-      CHECK(norm(shot.hits.at(0).at - p.others[0].at) == Approx(2 * std::sqrt(radius * p.ball.body.radius)));
-      CHECK(degrees(shot.hits.at(0).cut) == Approx(cut).margin(1e-6));
-      CHECK(shot.miss < 1e-9);
+      CHECK(norm(shot.path.hits.at(0).at - p.others[0].at) == Approx(2 * std::sqrt(radius * p.ball.body.radius)));
+      CHECK(degrees(shot.path.hits.at(0).cut) == Approx(cut).margin(1e-6));
+      CHECK(shot.verification.miss < 1e-9);
       ++solved;
     }
   CHECK(solved == 6);
@@ -73,14 +73,14 @@ TEST_CASE("a ball behind another is reached by a cushion, not through it") {
   kick.cushions = CushionRule::exactly(1);
   const Answer a = solve(kick);
   REQUIRE(a.status == Status::solved);
-  CHECK(a.shots.front().hits.at(0).ball == 2);
+  CHECK(a.shots.front().path.hits.at(0).ball == 2);
 }
 
 TEST_CASE("of several balls each may be touched, and the first contact counts") {
   const Answer a = solved(R"("target": {"ball": "any"}, "cushions": {"max": 1})", {.all = true});
   REQUIRE(a.status == Status::solved);
   bool seen[3] = {};
-  for (const Shot& s : a.shots) seen[s.hits.at(0).ball] = true;
+  for (const Shot& s : a.shots) seen[s.path.hits.at(0).ball] = true;
   CHECK(seen[1]);
   CHECK(seen[2]);
 }
@@ -96,8 +96,8 @@ TEST_CASE("a shot after which the cue ball falls says so, and ranks last") {
     ShotRequest request = as_request(p, s);
     request.until = {};
     const Trajectory t = simulate(request);
-    CHECK(s.scratch == (t.end == EventKind::pocket));
-    CHECK((s.scratch || !scratched));
-    scratched = scratched || s.scratch;
+    CHECK(s.path.scratch == (t.end == EventKind::pocket));
+    CHECK((s.path.scratch || !scratched));
+    scratched = scratched || s.path.scratch;
   }
 }

@@ -38,7 +38,8 @@ TEST_CASE("the chance in the middle of a map is the success of its shot") {
       INFO("puzzle " << i << " of model " << static_cast<int>(model) << ", seed " << seed);
       REQUIRE(map.made.size() == 25);
       CHECK(map.made[12]);
-      CHECK(map.success[12] == Approx(*a.shots[0].success).margin(0.08));  // cells are a fifth of a deviation wide
+      CHECK(map.success[12] ==
+            Approx(*a.shots[0].robustness.success).margin(0.08));  // cells are a fifth of a deviation wide
       ++shots;
     }
   CHECK(shots > 40);

@@ -26,8 +26,9 @@ TEST_CASE("what is not known of the table lowers the chance") {
   const Answer a = solve(known), b = solve(vague), c = solve(exact);
   REQUIRE(a.status == Status::solved);
   CHECK(a.shots[0].launch.angle == b.shots[0].launch.angle);
-  CHECK(b.shots[0].success.value() < a.shots[0].success.value() - 0.05);
-  CHECK(std::abs(c.shots[0].success.value() - a.shots[0].success.value()) < 0.02);  // the draws differ
+  CHECK(b.shots[0].robustness.success.value() < a.shots[0].robustness.success.value() - 0.05);
+  CHECK(std::abs(c.shots[0].robustness.success.value() - a.shots[0].robustness.success.value()) <
+        0.02);  // the draws differ
 }
 
 TEST_CASE("draws have the covariance that they are drawn from, and stay what a table can have") {

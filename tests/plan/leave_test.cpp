@@ -25,10 +25,10 @@ TEST_CASE("where the cue ball rests is where the simulation of all balls leaves 
     const Record& end = end_of(t, 0);
     const bool fell =
         std::ranges::any_of(t.events, [](const Record& e) { return e.kind == EventKind::pocket && e.ball == 0; });
-    CHECK(s.scratch == fell);
-    CHECK(s.cue_rests.has_value() == !fell);
-    if (s.cue_rests) CHECK(norm(*s.cue_rests - end.state.at) < 1e-9);
-    resting += s.cue_rests.has_value();
+    CHECK(s.path.scratch == fell);
+    CHECK(s.path.cue_rests.has_value() == !fell);
+    if (s.path.cue_rests) CHECK(norm(*s.path.cue_rests - end.state.at) < 1e-9);
+    resting += s.path.cue_rests.has_value();
   }
   CHECK(resting > 3);
 }
@@ -41,10 +41,10 @@ TEST_CASE("of shots that are as likely the one is chosen that leaves the cue bal
   REQUIRE(all.shots.size() == robust.shots.size());
   constexpr double as_likely = 0.02 + 1e-12;  // stated in docs/format.md
   const Shot& best = all.shots.front();
-  CHECK(*best.value >= *robust.shots.front().value - as_likely);
+  CHECK(*best.robustness.value >= *robust.shots.front().robustness.value - as_likely);
   for (const Shot& s : all.shots)
-    if (!s.scratch && *s.value >= *robust.shots.front().value - as_likely)
-      CHECK(norm(*best.cue_rests - leave) <= norm(*s.cue_rests - leave) + 1e-12);
+    if (!s.path.scratch && *s.robustness.value >= *robust.shots.front().robustness.value - as_likely)
+      CHECK(norm(*best.path.cue_rests - leave) <= norm(*s.path.cue_rests - leave) + 1e-12);
   CHECK(write_puzzle(read_puzzle(write_puzzle(p))) == write_puzzle(p));
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// Returns the name of a shot as ids are stored: in JSON.
 std::string name_of(const Puzzle& p, const Shot& shot) {
   std::vector<std::string> by;
-  for (const Contact c : shot.then.back().cushions) by.push_back(contact_name(p.table, c));
+  for (const Contact c : shot.path.then.back().cushions) by.push_back(contact_name(p.table, c));
   const std::string& ball = p.others[static_cast<std::size_t>(shot.arriving()) - 1].id;
   return fmt::format(R"("ball {} into {} by [{}]")", ball, pocket_reached(p, shot)->name, fmt::join(by, ", "));
 }

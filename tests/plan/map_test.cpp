@@ -43,7 +43,7 @@ void compare(int puzzles, int cushions, std::uint64_t seed, double most_missed) 
     const std::vector<Shot> all = solve(p, {.planner = "sweep", .all = true, .robustness = false}).shots;
     for (const Shot& shot : mapped(p, fine)) {
       const auto same = [&](const Shot& x) {
-        return x.cushions == shot.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-6;
+        return x.path.cushions == shot.path.cushions && std::abs(x.launch.angle - shot.launch.angle) < 1e-6;
       };
       ++found;
       missed += std::none_of(all.begin(), all.end(), same);

@@ -28,7 +28,7 @@ std::vector<Shot> all_shots(const Puzzle& p) {
 bool made(const planning::SearchRequest& request, const Shot& shot, double turned, double pushed) {
   planning::EvaluationBudget budget(plenty);
   const Launch l{shot.launch.speed + pushed, wrap_angle(shot.launch.angle + turned)};
-  return l.speed > 0 && planning::replay(request, budget, l, planning::Goal::along(shot.cushions)).made;
+  return l.speed > 0 && planning::replay(request, budget, l, planning::Goal::along(shot.path.cushions)).made;
 }
 
 /// Counts the launches inside an end of the margin that are not made, plus one if the launch just beyond the end is
@@ -48,8 +48,8 @@ int wrong_places(const planning::SearchRequest& request, const Shot& shot, std::
 
 int wrong_places(const planning::SearchRequest& request, const Shot& shot) {
   int wrong = 0;
-  for (const auto& end : shot.margin->angle) wrong += wrong_places(request, shot, end, {1, 0});
-  for (const auto& end : shot.margin->speed) wrong += wrong_places(request, shot, end, {0, 1});
+  for (const auto& end : shot.robustness.margin->angle) wrong += wrong_places(request, shot, end, {1, 0});
+  for (const auto& end : shot.robustness.margin->speed) wrong += wrong_places(request, shot, end, {0, 1});
   return wrong;
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("a first-order chance is near success where a ball must rest") {
     for (Shot& shot : all_shots(p)) {
       planning::EvaluationBudget budget(plenty);
       planning::find_success(request, budget, shot);
-      far += std::abs(*shot.success - shot.success_estimate) > 0.01;
+      far += std::abs(*shot.robustness.success - shot.robustness.success_estimate) > 0.01;
       ++compared;
     }
   }
@@ -82,11 +82,12 @@ TEST_CASE("a first-order chance where it is known") {
            .speed = {2, 2}};
   for (const double noise : {0.002, 0.02, 0.2}) {
     p.noise = {.angle = noise, .speed = 0.1};
-    CHECK(all_shots(p).at(0).success_estimate == Approx(std::erf(0.03 / noise / std::sqrt(2.0))).margin(2e-3));
+    CHECK(all_shots(p).at(0).robustness.success_estimate ==
+          Approx(std::erf(0.03 / noise / std::sqrt(2.0))).margin(2e-3));
   }
   // Half of all speeds are below 0.
   p.noise = {.angle = 0, .speed = 1e4};
-  CHECK(all_shots(p).at(0).success_estimate == Approx(0.5).margin(2e-3));
+  CHECK(all_shots(p).at(0).robustness.success_estimate == Approx(0.5).margin(2e-3));
 }
 
 TEST_CASE("the winner is the one with the largest value, and few are computed") {
@@ -107,9 +108,9 @@ TEST_CASE("the winner is the one with the largest value, and few are computed") 
       for (Shot& shot : each) {
         planning::find_success(request, all, shot);
         planning::find_margin(request, all, shot);
-        best = std::max(best, *shot.value);
+        best = std::max(best, *shot.robustness.value);
       }
-      lost += *found.shots.front().value < best;
+      lost += *found.shots.front().robustness.value < best;
       asked += some.simulations();
       full += all.simulations();
       ++puzzles;
@@ -167,9 +168,9 @@ TEST_CASE("a nearest miss is no farther than a scan of 1,000 launches, and has a
       if (asked && r.bounces >= goal.min) least = std::min(least, r.miss);
     }
     if (least < 1e300) {
-      CHECK(a.nearest->shot.miss <= least);
+      CHECK(a.nearest->shot.verification.miss <= least);
       // A path that is nearest at its start is not moved by any error.
-      if (a.nearest->shot.arrival.time > 0) CHECK(a.nearest->shot.condition > 0);
+      if (a.nearest->shot.path.arrival.time > 0) CHECK(a.nearest->shot.verification.condition > 0);
     }
   }
   CHECK(misses > 80);

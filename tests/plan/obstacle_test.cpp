@@ -31,7 +31,7 @@ TEST_CASE("balls away from the path change nothing") {
   REQUIRE(among.status == Status::solved);
   CHECK(among.shots.front().launch.angle == alone.shots.front().launch.angle);
   CHECK(among.shots.front().launch.speed == alone.shots.front().launch.speed);
-  CHECK(among.shots.front().success == alone.shots.front().success);
+  CHECK(among.shots.front().robustness.success == alone.shots.front().robustness.success);
   CHECK(among.simulations == alone.simulations);
   CHECK(among.modelled.back() == "balls");
 }
@@ -59,7 +59,7 @@ TEST_CASE("where a ball hides the middle of a pocket the ball goes in beside it"
     const Answer a = solved(R"("target": {"pocket": "top-middle"}, "cushions": 0, "aim": "centre", "physics": ")" +
                             std::string(physics) + R"(", "others": [{"id": "1", "at": [1.0082, 0.8383]}])");
     REQUIRE(a.status == Status::solved);
-    CHECK(a.shots.front().off_centre);
+    CHECK(a.shots.front().verification.off_centre);
     CHECK(a.message.find(R"(it runs into ball "1" first)") != std::string::npos);
   }
 }

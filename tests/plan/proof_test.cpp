@@ -62,8 +62,8 @@ TEST_CASE("a proof tells an exact shot from one that is made, and from one at an
   CHECK(tried(straight(), beside).failure.reason == FailureReason::inexact);
   const Proof off = tried(straight(), beside, Demand::made);
   CHECK(off.holds());
-  CHECK(off.shot.off_centre);
-  CHECK(off.shot.miss == Approx(0.005).epsilon(0.01));
+  CHECK(off.shot.verification.off_centre);
+  CHECK(off.shot.verification.miss == Approx(0.005).epsilon(0.01));
   CHECK(tried(straight(), faster).failure.reason == FailureReason::inexact);
   CHECK(tried(straight(), faster, Demand::off_centre).failure.reason == FailureReason::inexact);
   CHECK(tried(straight(), faster, Demand::made).holds());
@@ -95,7 +95,7 @@ TEST_CASE("the safest shot keeps the bounds of the aim, and the budget to one pa
     for (const Shot& s : bound.shots) {
       CAPTURE(i, s.launch.angle, aim);
       CHECK(std::abs(s.launch.angle - aim) < 1.0001e-4);
-      moved += s.off_centre;
+      moved += s.verification.off_centre;
     }
     p.angle.reset();
     p.budget = 50;
@@ -116,7 +116,7 @@ TEST_CASE("a nearest miss shows what its launch does, with the spin that was ask
   REQUIRE(a.nearest);
   CHECK(a.nearest->shot.spin.side == 0.25);
   CHECK(a.nearest->why.find("outside the bounds") != std::string::npos);
-  CHECK(a.nearest->shot.miss == Approx(1));  // every aim inside the bounds leads away from the start
+  CHECK(a.nearest->shot.verification.miss == Approx(1));  // every aim inside the bounds leads away from the start
 }
 
 TEST_CASE("a cancelled search ends, and says so") {

@@ -22,8 +22,8 @@ bool at_jaw(Contact c) { return c.kind == ContactKind::jaw; }
 
 bool winds(const Shot& shot, const Puzzle& puzzle) {
   const int pocket = *std::get<PocketTarget>(puzzle.target).pocket;
-  const auto first = std::ranges::find_if(shot.met, at_jaw);
-  return std::any_of(first, shot.met.end(), [&](Contact c) { return !at_jaw(c) || c.jaw_pocket() != pocket; });
+  const auto first = std::ranges::find_if(shot.path.met, at_jaw);
+  return std::any_of(first, shot.path.met.end(), [&](Contact c) { return !at_jaw(c) || c.jaw_pocket() != pocket; });
 }
 
 /// Solves `count` random drops by jaws. With `at_the_end`, they touch only the jaws of their own pocket, after the last
@@ -42,11 +42,11 @@ Counted ask(int count, bool spin, bool at_the_end) {
       continue;
     }
     const Shot& shot = a.shots.front();
-    out.rattling += shot.touches_jaws;
-    out.winding += shot.touches_jaws && winds(shot, drop.puzzle);
-    if (shot.touches_jaws) CHECK(shot.off_centre);
-    if (shot.touches_jaws && spin) CHECK(shot.planner == "rattles");
-    CHECK(std::abs(shot.arrival.speed - drop.puzzle.arrive->low) < 1e-8);
+    out.rattling += shot.path.touches_jaws;
+    out.winding += shot.path.touches_jaws && winds(shot, drop.puzzle);
+    if (shot.path.touches_jaws) CHECK(shot.verification.off_centre);
+    if (shot.path.touches_jaws && spin) CHECK(shot.provenance.planner == "rattles");
+    CHECK(std::abs(shot.path.arrival.speed - drop.puzzle.arrive->low) < 1e-8);
     test::check_claims(drop.puzzle, a);
   }
   return out;

@@ -36,8 +36,8 @@ TEST_CASE("on a table that leans the aim changes steadily, and every physics wit
       const Answer a = solve(bank(leaning(level, {0, rise})));
       REQUIRE(a.status == Status::solved);
       const Shot& shot = a.shots.at(0);
-      CHECK(shot.miss < 1e-9 * 2.84);
-      CHECK(shot.arrival.speed == 0);
+      CHECK(shot.verification.miss < 1e-9 * 2.84);
+      CHECK(shot.path.arrival.speed == 0);
       CHECK(std::abs(shot.launch.angle - before) < 0.1);
       CHECK(shot.launch.angle != before);
       CHECK(std::ranges::find(a.modelled, "tilt") != a.modelled.end());
@@ -51,7 +51,7 @@ TEST_CASE("a tilt as good as none changes nothing that one could see") {
     const Shot flat = solve(bank(level)).shots.at(0), leans = solve(bank(leaning(level, {1e-9, -1e-9}))).shots.at(0);
     CHECK(std::abs(flat.launch.angle - leans.launch.angle) < 1e-6);
     CHECK(flat.launch.speed == Approx(leans.launch.speed).epsilon(1e-6));
-    CHECK(*flat.success == Approx(*leans.success).margin(0.01));
+    CHECK(*flat.robustness.success == Approx(*leans.robustness.success).margin(0.01));
   }
 }
 

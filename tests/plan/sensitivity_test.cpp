@@ -60,7 +60,7 @@ End end_of_shot(const Puzzle& p, const Shot& shot, bool rests) {
 
 /// Returns the shift per unit of the coefficient by central differences [m]; none when the change alters the cushions.
 std::optional<double> by_differences(const Puzzle& p, const Shot& shot, const std::string& name, double step) {
-  const bool rests = shot.arrival.speed == 0;
+  const bool rests = shot.path.arrival.speed == 0;
   Puzzle low = p, high = p;
   change(low.physics, name, -step);
   change(high.physics, name, step);
@@ -78,11 +78,11 @@ struct Seen {
 
 void compare(const Puzzle& p, Seen& seen) {
   const Answer a = solve(p, {.robustness = false, .sensitivity = true, .suggest = false});
-  if (a.shots.empty() || a.shots[0].condition > 1e4 || a.shots[0].touches_jaws) return;
+  if (a.shots.empty() || a.shots[0].verification.condition > 1e4 || a.shots[0].path.touches_jaws) return;
   const Shot& shot = a.shots[0];
-  REQUIRE(!shot.sensitivity.empty());
+  REQUIRE(!shot.robustness.sensitivity.empty());
   ++seen.shots;
-  for (const Sensitivity& s : shot.sensitivity) {
+  for (const Sensitivity& s : shot.robustness.sensitivity) {
     const double step = s.coefficient.starts_with("tilt") ? 1e-7 : s.coefficient == "cushion.height" ? 1e-8 : 1e-6;
     const auto found = by_differences(p, shot, s.coefficient, step);
     const auto finer = by_differences(p, shot, s.coefficient, step / 2);
@@ -127,7 +127,7 @@ TEST_CASE("sensitivity names the coefficients of the laws that a shot depends on
   const auto names = [&] {
     std::vector<std::string> out;
     const Answer answer = solve(p, {.sensitivity = true});
-    for (const Sensitivity& s : answer.shots.at(0).sensitivity) out.push_back(s.coefficient);
+    for (const Sensitivity& s : answer.shots.at(0).robustness.sensitivity) out.push_back(s.coefficient);
     return out;
   };
   CHECK(names() == std::vector<std::string>{"sliding_friction", "rolling_friction", "spinning_friction",
@@ -143,5 +143,5 @@ TEST_CASE("sensitivity names the coefficients of the laws that a shot depends on
   p.physics = ideal_physics();
   CHECK(names().empty());
   p.physics = rolling_physics();
-  CHECK(solve(p).shots.at(0).sensitivity.empty());
+  CHECK(solve(p).shots.at(0).robustness.sensitivity.empty());
 }

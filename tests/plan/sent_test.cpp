@@ -39,14 +39,14 @@ TEST_CASE("a pot sends the ball into the pocket that is asked, at the speed that
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   const Shot& s = a.shots.front();
-  REQUIRE(s.then.size() == 1);
-  CHECK(s.then[0].ball == 1);
-  CHECK(s.then[0].cushions.empty());
-  CHECK(s.hits.at(0).ball == 1);
-  CHECK(s.hits[0].cut > 0);
-  CHECK(s.arrival.speed == Approx(1));
+  REQUIRE(s.path.then.size() == 1);
+  CHECK(s.path.then[0].ball == 1);
+  CHECK(s.path.then[0].cushions.empty());
+  CHECK(s.path.hits.at(0).ball == 1);
+  CHECK(s.path.hits[0].cut > 0);
+  CHECK(s.path.arrival.speed == Approx(1));
   CHECK(pocket_reached(p, s)->name == "top-right");
-  CHECK(s.success > 0.5);
+  CHECK(s.robustness.success > 0.5);
 }
 
 TEST_CASE("a bank names the cushions of the ball that it sends on") {
@@ -54,9 +54,9 @@ TEST_CASE("a bank names the cushions of the ball that it sends on") {
   const Answer a = solve(p, {.all = true});
   REQUIRE(a.status == Status::solved);
   for (const Shot& s : a.shots) {
-    REQUIRE(s.then.size() == 1);
-    CHECK(s.cushions.empty());
-    CHECK(s.then[0].cushions == std::vector{Contact::rail(2)});
+    REQUIRE(s.path.then.size() == 1);
+    CHECK(s.path.cushions.empty());
+    CHECK(s.path.then[0].cushions == std::vector{Contact::rail(2)});
     CHECK(test::check_shot(p, s).problem.empty());
   }
 }
@@ -67,11 +67,12 @@ TEST_CASE("every shot on the table: any ball, any pocket") {
   const Answer a = solve(p, {.all = true});
   CHECK(a.shots.size() > 8);
   for (std::size_t i = 1; i < a.shots.size(); ++i)
-    CHECK((a.shots[i - 1].scratch < a.shots[i].scratch ||
-           (a.shots[i - 1].scratch == a.shots[i].scratch && a.shots[i - 1].success >= a.shots[i].success)));
+    CHECK((a.shots[i - 1].path.scratch < a.shots[i].path.scratch ||
+           (a.shots[i - 1].path.scratch == a.shots[i].path.scratch &&
+            a.shots[i - 1].robustness.success >= a.shots[i].robustness.success)));
   const Answer best = solve(p);
   REQUIRE(best.status == Status::solved);
-  CHECK(*best.shots.front().success >= *a.shots.front().success - 0.01);
+  CHECK(*best.shots.front().robustness.success >= *a.shots.front().robustness.success - 0.01);
 }
 
 TEST_CASE("two shots between which all launches are made are listed once") {
@@ -80,11 +81,11 @@ TEST_CASE("two shots between which all launches are made are listed once") {
     {"id": "1", "at": [1.6, 0.7]}, {"id": "2", "at": [2.0, 0.3]}, {"id": "3", "at": [0.4, 1.0]}, {"id": "4", "at": [1.2, 1.1]},
     {"id": "5", "at": [2.3, 1.0]}, {"id": "6", "at": [1.0, 0.2]}, {"id": "7", "at": [1.8, 1.0]}]})");
   const Answer all = solve(p, {.all = true});
-  const auto by_bottom = [](const Shot& s) { return s.then.front().cushions.size() == 1; };
+  const auto by_bottom = [](const Shot& s) { return s.path.then.front().cushions.size() == 1; };
   CHECK(std::ranges::count_if(all.shots, by_bottom) == 1);
   const auto kept = std::ranges::find_if(all.shots, by_bottom);
   REQUIRE(kept != all.shots.end());
-  CHECK(*kept->success > 0.97);  // the other shot has 0.95
+  CHECK(*kept->robustness.success > 0.97);  // the other shot has 0.95
 }
 
 TEST_CASE("an answer with a ball that is sent on reads back") {
@@ -94,7 +95,7 @@ TEST_CASE("an answer with a ball that is sent on reads back") {
   const std::string text = to_json(p, a, false);
   CHECK(to_json(p, read_answer(text, &p), false) == text);
   CHECK(write_puzzle(read_puzzle(write_puzzle(p))) == write_puzzle(p));
-  CHECK(a.shots.front().arrival.speed == 0);
+  CHECK(a.shots.front().path.arrival.speed == 0);
 }
 
 TEST_CASE("a combination sends one ball onto the next, and that into the pocket") {
@@ -103,12 +104,12 @@ TEST_CASE("a combination sends one ball onto the next, and that into the pocket"
   const Answer a = solve(p, {.all = true});
   REQUIRE(a.status == Status::solved);
   for (const Shot& s : a.shots) {
-    REQUIRE(s.then.size() == 2);
-    CHECK(s.then[0].ball == 1);
+    REQUIRE(s.path.then.size() == 2);
+    CHECK(s.path.then[0].ball == 1);
     CHECK(s.arriving() == 2);
-    REQUIRE(s.hits.size() == 2);
-    CHECK(s.hits[1].ball == 2);
-    CHECK(norm(s.hits[1].at - p.others[1].at) == Approx(2 * p.ball.body.radius));
+    REQUIRE(s.path.hits.size() == 2);
+    CHECK(s.path.hits[1].ball == 2);
+    CHECK(norm(s.path.hits[1].at - p.others[1].at) == Approx(2 * p.ball.body.radius));
     CHECK(test::check_shot(p, s).problem.empty());
   }
   const std::string text = to_json(p, a, false);

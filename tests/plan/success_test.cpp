@@ -64,12 +64,12 @@ void compare(int puzzles, int draws, double bound, std::uint64_t seed) {
       const Puzzle p = test::random_puzzle(random, test::Family::uniform, model).puzzle;
       const Answer a = solve(p);
       if (a.shots.empty()) continue;
-      const double error = std::abs(*a.shots[0].success - by_draws(p, a.shots[0], errors, draws));
+      const double error = std::abs(*a.shots[0].robustness.success - by_draws(p, a.shots[0], errors, draws));
       worst = std::max(worst, error);
       sum += error * error;
       ++n;
       INFO("puzzle " << i << " of seed " << seed << ", model " << static_cast<int>(model) << ": success "
-                     << *a.shots[0].success << " is off by " << error);
+                     << *a.shots[0].robustness.success << " is off by " << error);
       CHECK(error < bound);
     }
   }
@@ -88,7 +88,7 @@ Puzzle straight(double angle_noise, double speed_noise) {
           .noise = {.angle = angle_noise, .speed = speed_noise}};
 }
 
-double chance(const Puzzle& p) { return *solve(p).shots.at(0).success; }
+double chance(const Puzzle& p) { return *solve(p).shots.at(0).robustness.success; }
 
 }  // namespace
 
@@ -119,8 +119,8 @@ TEST_CASE("the chance of success takes no more simulations than are promised") {
       Shot shot = a.shots[0];
       planning::find_success(request, budget, shot);
       CHECK(budget.simulations() <= static_cast<long>(planning::settings::success::most_samples));
-      CHECK(*shot.success >= 0);
-      CHECK(*shot.success <= 1);
+      CHECK(*shot.robustness.success >= 0);
+      CHECK(*shot.robustness.success <= 1);
       ++counted;
     }
   CHECK(counted == 120);  // every puzzle has a shot
@@ -142,8 +142,8 @@ TEST_CASE("errors of spin and of places are counted as plain draws count them") 
     p.noise.at = i % 4 < 2 ? 0.002 : 0;
     const Answer a = solve(p);
     if (a.shots.empty()) continue;
-    const double error = std::abs(*a.shots[0].success - by_all_draws(p, a.shots[0], errors, 20000));
-    INFO("puzzle " << i << ": " << *a.shots[0].success);
+    const double error = std::abs(*a.shots[0].robustness.success - by_all_draws(p, a.shots[0], errors, 20000));
+    INFO("puzzle " << i << ": " << *a.shots[0].robustness.success);
     CHECK(error < 0.015);
     worst = std::max(worst, error);
     ++n;

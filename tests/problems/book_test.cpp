@@ -32,14 +32,14 @@ TEST_CASE("the book: 30 easy, 30 medium, 30 hard and 10 unique puzzles, each par
     const bool unique = number >= 3 * part;
     const Answer a = solve(p, {.all = unique});
     REQUIRE(a.status == Status::solved);
-    CHECK(a.shots[0].miss <= 1e-9 * p.table.diagonal());
+    CHECK(a.shots[0].verification.miss <= 1e-9 * p.table.diagonal());
     if (unique)
       CHECK(a.shots.size() == 1);
     else
       CHECK(difficulty(a.shots[0]) == static_cast<Difficulty>(number / part));
     if (number % part == 0) before = 1;
-    CHECK(*a.shots[0].success <= before + tolerance::success);  // success has this tolerance
-    before = *a.shots[0].success;
+    CHECK(*a.shots[0].robustness.success <= before + tolerance::success);  // success has this tolerance
+    before = *a.shots[0].robustness.success;
   }
   CHECK(number == 100);
 }

@@ -88,9 +88,9 @@ TEST_CASE("the shortest path from pocket to pocket is found among thousands of c
       CAPTURE(length, width, n, a.message, a.simulations);
       REQUIRE(a.status == Status::solved);
       const Shot& shot = a.shots.front();
-      CHECK(shot.cushions.size() == static_cast<std::size_t>(n));
+      CHECK(shot.path.cushions.size() == static_cast<std::size_t>(n));
       // The path ends where the pocket captures, within 1e-9 of the diagonal before its centre.
-      CHECK(shot.arrival.time == Approx(shortest(length, width, n)).margin(1e-8));
+      CHECK(shot.path.arrival.time == Approx(shortest(length, width, n)).margin(1e-8));
       CHECK(shot.launch.angle < radians(90));
       CHECK(a.simulations < 20000);
     }

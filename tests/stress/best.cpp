@@ -121,9 +121,9 @@ Answer timed_solve(const Puzzle& p, bool all, double& us, double& simulations) {
 
 /// Returns the first shot, if it is at the centre; shots beside the centre are not compared.
 std::optional<Contender> contender(const Answer& a) {
-  if (a.shots.empty() || a.shots.front().off_centre) return {};
+  if (a.shots.empty() || a.shots.front().verification.off_centre) return {};
   const Shot& s = a.shots.front();
-  return Contender{s.launch, s.spin, s.arrival.time};
+  return Contender{s.launch, s.spin, s.path.arrival.time};
 }
 
 bool says_so(const std::string& message) {

@@ -107,7 +107,8 @@ std::map<Key, Launch> by_force(const Puzzle& p, double step) {
 std::set<Key> listed(const Puzzle& p, const Answer& a) {
   std::set<Key> out;
   for (const Shot& s : a.shots)
-    out.insert({s.arriving(), static_cast<int>(pocket_reached(p, s) - p.table.pockets.data()), s.then.back().cushions});
+    out.insert(
+        {s.arriving(), static_cast<int>(pocket_reached(p, s) - p.table.pockets.data()), s.path.then.back().cushions});
   return out;
 }
 

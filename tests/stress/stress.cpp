@@ -113,8 +113,8 @@ class Case {
 
  private:
   void best(const Shot& shot) {
-    ++t_.found_by[std::string(shot.planner)];
-    const double miss = shot.miss / made_.puzzle.table.diagonal();
+    ++t_.found_by[std::string(shot.provenance.planner)];
+    const double miss = shot.verification.miss / made_.puzzle.table.diagonal();
     if (miss <= 1e-9) {
       t_.worst_miss = std::max(t_.worst_miss, miss);
       return;

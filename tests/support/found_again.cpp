@@ -21,7 +21,7 @@ FoundAgain find_again(const std::string& family, Model model, int count, std::ui
       found.unsolved.push_back(write_puzzle(made.puzzle));
       continue;
     }
-    found.off_centre += a.shots.front().off_centre;
+    found.off_centre += a.shots.front().verification.off_centre;
     CHECK(check_shot(made.puzzle, a.shots.front()).problem.empty());
     if (i % each_truth == 0) check_claims(made.puzzle, a);
   }

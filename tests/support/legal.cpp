@@ -55,12 +55,12 @@ class Referee {
   /// Lists the ball contacts that must happen, in order.
   void plan(const BallTarget& asked) {
     if (asked.off) {
-      contacts_ = {{0, *asked.off}, {0, own_.hits.back().ball}};
+      contacts_ = {{0, *asked.off}, {0, own_.path.hits.back().ball}};
       return;
     }
-    contacts_ = {{0, own_.hits.front().ball}};
+    contacts_ = {{0, own_.path.hits.front().ball}};
     if (!asked.then) return;
-    int by = own_.hits.front().ball;
+    int by = own_.path.hits.front().ball;
     for (const Link& link : asked.then->links) contacts_.push_back({std::exchange(by, link.ball), link.ball});
   }
 

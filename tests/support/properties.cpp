@@ -32,7 +32,7 @@ struct Answered {
   bool solved() const { return !answer.shots.empty(); }
   const Shot& best() const { return answer.shots.front(); }
   double value() const { return value_of(answer); }
-  double success() const { return solved() ? best().success.value_or(0) : 0; }
+  double success() const { return solved() ? best().robustness.success.value_or(0) : 0; }
   bool budget_ended() const {
     return answer.status == Status::budget || answer.message.find("budget") != std::string::npos;
   }
@@ -64,7 +64,7 @@ std::string words(const Answered& a) {
   if (!a.solved()) return fmt::format("{}: {}", name(a.answer.status), a.answer.message);
   const Shot& s = a.best();
   return fmt::format("{:.4f} at {:.4f} m/s, {:.4f} degrees, {} contacts, success {:.4f}, by {}", a.value(),
-                     s.launch.speed, degrees(s.launch.angle), s.contacts(), a.success(), s.planner);
+                     s.launch.speed, degrees(s.launch.angle), s.contacts(), a.success(), s.provenance.planner);
 }
 
 /// Records by how much `worse` is worse than `better`; fails beyond `allowed`.
@@ -106,7 +106,8 @@ Outcome first_of_all(const Case& c) {
   Outcome o = outcome({c.question}, {&best, &all});
   o.off = best.solved() && all.solved() ? std::abs(best.value() - all.value()) : 1;
   if (best.puzzle.prefer == Prefer::soft) o.off = std::abs(best.best().launch.speed - all.best().launch.speed);
-  if (best.puzzle.prefer == Prefer::quick) o.off = std::abs(best.best().arrival.time - all.best().arrival.time);
+  if (best.puzzle.prefer == Prefer::quick)
+    o.off = std::abs(best.best().path.arrival.time - all.best().path.arrival.time);
   o.failed = o.off > same_of_all;
   o.what = words(best) + "; of all " + words(all);
   return o;
@@ -307,7 +308,7 @@ std::string_view about(char property) {
 double value_of(const Answer& answer) {
   if (answer.shots.empty()) return 0;
   const Shot& best = answer.shots.front();
-  return best.value ? *best.value : best.success.value_or(0) - cost_of(best);
+  return best.robustness.value ? *best.robustness.value : best.robustness.success.value_or(0) - cost_of(best);
 }
 
 std::optional<Case> random_case(char property, Random& r, const QuestionWish& usual) {

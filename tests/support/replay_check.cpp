@@ -86,7 +86,7 @@ double distance_to_path(const ShotRequest& shot, const Trajectory& t, const Vec2
 /// Returns the bound of the puzzle that a launch breaks; empty when it keeps them all.
 std::string bound_broken(const Puzzle& p, const Shot& shot) {
   constexpr double slack = 1e-9;  // rad; an aim is written in degrees
-  const int n = static_cast<int>(shot.cushions.size());
+  const int n = static_cast<int>(shot.path.cushions.size());
   if (shot.launch.speed < p.speed.low || shot.launch.speed > p.speed.high) return "leaves the speed bounds";
   if (p.angle && wrap_angle(shot.launch.angle - p.angle->low + slack) > p.angle->high - p.angle->low + 2 * slack)
     return "leaves the aim's bounds";
@@ -103,14 +103,14 @@ std::string bound_broken(const Puzzle& p, const Shot& shot) {
 Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   const Then& then = *asked.then;
   ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
-  const bool rests = shot.arrival.speed == 0;
-  request.until.time = shot.arrival.time * (1 + 1e-6) + 1e-6;
+  const bool rests = shot.path.arrival.speed == 0;
+  request.until.time = shot.path.arrival.time * (1 + 1e-6) + 1e-6;
   const Trajectory t = simulate(request);
-  const double exact = 1e-9 * p.table.diagonal(), allowed = exact + shot.miss;
-  if (shot.then.size() != 1 + then.links.size() || std::ranges::count(asked.balls, shot.then[0].ball) == 0)
+  const double exact = 1e-9 * p.table.diagonal(), allowed = exact + shot.verification.miss;
+  if (shot.path.then.size() != 1 + then.links.size() || std::ranges::count(asked.balls, shot.path.then[0].ball) == 0)
     return {"sends no ball that is asked", 0};
   for (std::size_t i = 0; i < then.links.size(); ++i)
-    if (shot.then[i + 1].ball != then.links[i].ball) return {"sends another ball than asked", 0};
+    if (shot.path.then[i + 1].ball != then.links[i].ball) return {"sends another ball than asked", 0};
   const int ball = shot.arriving();
   const bool is_point = std::holds_alternative<PointTarget>(then.target);
   std::vector<std::vector<const Record*>> met(1);  // by the cue ball, and by each object ball
@@ -119,26 +119,26 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   const Record* fell = nullptr;
   std::vector<const Record*> in_doubt;  // a point on a cushion line is reached before or after the bounce
   for (const Record& e : t.events) {
-    const bool later = e.time > shot.arrival.time - 1e-12;
+    const bool later = e.time > shot.path.arrival.time - 1e-12;
     if (e.kind == EventKind::ball && !later) {
       const int other = e.ball == on_its_way ? e.contact.index : e.ball;
       const bool ours = e.ball == on_its_way || e.contact.index == on_its_way;
-      if (!ours || met.size() > shot.then.size() || other != shot.then[met.size() - 1].ball)
+      if (!ours || met.size() > shot.path.then.size() || other != shot.path.then[met.size() - 1].ball)
         return {fmt::format("touches another ball at {} s", e.time), 0};
       met.emplace_back();
       on_its_way = other, hit = e.time;
     }
     if (e.kind == EventKind::pocket && e.ball == ball) fell = &e;
-    if (e.kind == EventKind::pocket && e.ball == on_its_way && met.size() <= shot.then.size())
+    if (e.kind == EventKind::pocket && e.ball == on_its_way && met.size() <= shot.path.then.size())
       return {"is pocketed first", 0};
     if (e.kind != EventKind::cushion || e.ball != on_its_way || !(e.time > hit)) continue;
-    const bool at_arrival = hit >= 0 && std::abs(e.time - shot.arrival.time) < 1e-9 * std::max(1.0, e.time);
+    const bool at_arrival = hit >= 0 && std::abs(e.time - shot.path.arrival.time) < 1e-9 * std::max(1.0, e.time);
     if (at_arrival && is_point)
       in_doubt.push_back(&e);
     else if (!fell && (hit < 0 || !later || at_arrival))
       met.back().push_back(&e);
   }
-  met.resize(1 + shot.then.size());
+  met.resize(1 + shot.path.then.size());
   Checked c;
   double miss = 0, speed = 0;
   if (const auto* point = std::get_if<PointTarget>(&then.target)) {
@@ -147,17 +147,17 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
     // Inside the disc, the ball may touch another ball before it is nearest; its path ends there.
     const auto ends = [&](const Record& e) {
       return e.kind == EventKind::ball && (e.ball == ball || e.contact.index == ball) && e.time > hit &&
-             std::abs(e.time - shot.arrival.time) < 1e-9;
+             std::abs(e.time - shot.path.arrival.time) < 1e-9;
     };
     const bool touches = std::ranges::any_of(t.events, ends);
     for (const Leg& leg : t.legs) {
-      if (rests || leg.ball != ball || (touches && miss < 1e300 && leg.begin > shot.arrival.time - 1e-9)) continue;
-      const double s = leg.arc.parameter(shot.arrival.time - leg.begin);
+      if (rests || leg.ball != ball || (touches && miss < 1e300 && leg.begin > shot.path.arrival.time - 1e-9)) continue;
+      const double s = leg.arc.parameter(shot.path.arrival.time - leg.begin);
       if (!(s >= -1e-9) || s > leg.duration + 1e-9) continue;
       const State<double> there = state_on(request, leg, s);
       const double off = norm(there.at - point->at), now = norm(there.velocity);
       const bool as_near = std::abs(off - miss) < exact;  // on both sides of a bounce
-      const bool closer = std::abs(now - shot.arrival.speed) < std::abs(speed - shot.arrival.speed);
+      const bool closer = std::abs(now - shot.path.arrival.speed) < std::abs(speed - shot.path.arrival.speed);
       if (as_near ? closer : off < miss) speed = now;
       miss = std::min(off, miss);
     }
@@ -176,19 +176,19 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   const auto differ = [](const std::vector<Contact>& wanted, const std::vector<const Record*>& hits) {
     return wanted.size() != hits.size() || !same_sequence(wanted, hits, wanted.size());
   };
-  if (differ(shot.cushions, met[0]) || (p.cushions.sequence && differ(*p.cushions.sequence, met[0])))
+  if (differ(shot.path.cushions, met[0]) || (p.cushions.sequence && differ(*p.cushions.sequence, met[0])))
     c.problem = "does not meet the cushions it names, or that are asked";
-  for (std::size_t i = 0; i < shot.then.size(); ++i) {
+  for (std::size_t i = 0; i < shot.path.then.size(); ++i) {
     const CushionRule& rule = then.cushions_of(i);
     auto& its = met[i + 1];
-    const bool last = i + 1 == shot.then.size();
-    for (std::size_t k = 0; last && k < in_doubt.size() && its.size() < shot.then[i].cushions.size(); ++k)
+    const bool last = i + 1 == shot.path.then.size();
+    for (std::size_t k = 0; last && k < in_doubt.size() && its.size() < shot.path.then[i].cushions.size(); ++k)
       its.push_back(in_doubt[k]);
-    if (differ(shot.then[i].cushions, its) || (rule.sequence && differ(*rule.sequence, its)) ||
+    if (differ(shot.path.then[i].cushions, its) || (rule.sequence && differ(*rule.sequence, its)) ||
         static_cast<int>(its.size()) < rule.min || static_cast<int>(its.size()) > rule.max)
       c.problem = "another ball does not meet the cushions it names, or that are asked";
   }
-  if (const auto range = arrival_range(p); range && !rests && !shot.moved) {
+  if (const auto range = arrival_range(p); range && !rests && !shot.provenance.moved) {
     c.speed_error = std::max({0.0, range->low - speed, speed - range->high}) / std::max(1.0, range->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);
   }
@@ -199,7 +199,7 @@ Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
 /// Checks the first contact of the cue ball, or the second of a carom, by a simulation of all balls.
 Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
   ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
-  request.until.time = shot.arrival.time * (1 + 1e-6) + 1e-6;
+  request.until.time = shot.path.arrival.time * (1 + 1e-6) + 1e-6;
   const Trajectory t = simulate(request);
   auto met = std::ranges::find(t.events, EventKind::ball, &Record::kind);
   if (met == t.events.end()) return {"touches no ball", 0};
@@ -218,23 +218,23 @@ Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) 
   const Vec2d apart = met->other.at - met->state.at;
   const double sine = cross(before, apart) / (norm(before) * norm(apart)), reach = norm(apart);
   const double miss = reach * std::abs(sine - std::sin(asked.exact_cut())),
-               allowed = 1e-9 * p.table.diagonal() + shot.miss;
+               allowed = 1e-9 * p.table.diagonal() + shot.verification.miss;
   Checked c;
   if (miss > allowed) c.problem = fmt::format("misses the cut by {} m", miss);
-  const std::size_t n = shot.cushions.size();
+  const std::size_t n = shot.path.cushions.size();
   std::vector<const Record*> bounces;
   for (auto e = t.events.begin(); e != met; ++e)
     if (e->kind == EventKind::cushion && e->ball == 0) bounces.push_back(&*e);
-  if (bounces.size() != n || !same_sequence(shot.cushions, bounces, n) ||
+  if (bounces.size() != n || !same_sequence(shot.path.cushions, bounces, n) ||
       (p.cushions.sequence && !same_sequence(*p.cushions.sequence, bounces, n)))
     c.problem = "does not meet the cushions it names, or that are asked";
-  if (const auto range = arrival_range(p); range && !shot.moved) {
+  if (const auto range = arrival_range(p); range && !shot.provenance.moved) {
     const double off = std::max(range->low - norm(before), norm(before) - range->high);
     c.speed_error = std::max(0.0, off) / std::max(1.0, range->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("touches at {} m/s", norm(before));
   }
-  if (shot.hits.size() != (asked.off ? 2U : 1U) || shot.hits.back().ball != ball ||
-      std::abs(shot.hits.back().cut - std::asin(sine)) > 1e-6)
+  if (shot.path.hits.size() != (asked.off ? 2U : 1U) || shot.path.hits.back().ball != ball ||
+      std::abs(shot.path.hits.back().cut - std::asin(sine)) > 1e-6)
     c.problem = "says another contact";
   if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
   return c;
@@ -247,14 +247,14 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
     return ball->then ? check_sent(p, *ball, shot) : check_touch(p, *ball, shot);
   Checked c;
   ShotRequest request{{}, p.table, p.physics, p.ball, {}, shot.launch, shot.spin, {}};
-  request.until.cushions = static_cast<int>(shot.cushions.size()) + 1;
+  request.until.cushions = static_cast<int>(shot.path.cushions.size()) + 1;
   const Trajectory t = simulate(request);
-  const std::size_t n = shot.cushions.size();
-  const double allowed = 1e-9 * p.table.diagonal() + shot.miss;
+  const std::size_t n = shot.path.cushions.size();
+  const double allowed = 1e-9 * p.table.diagonal() + shot.verification.miss;
   double miss = 0, speed = 0;
   // With a range that includes 0, a shot with arrival speed 0 rests, and any other passes.
   const auto asked = arrival_range(p);
-  const bool rests = asked && asked->low == 0 && (asked->high == 0 || shot.arrival.speed == 0);
+  const bool rests = asked && asked->low == 0 && (asked->high == 0 || shot.path.arrival.speed == 0);
   if (const auto* point = std::get_if<PointTarget>(&p.target)) {
     if (rests) {
       if (t.end != EventKind::rest || static_cast<std::size_t>(t.cushions) != n)
@@ -276,13 +276,13 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
     miss = std::abs(offset - truth::exact_offset(boundary, rim, v, offset));
   }
   for (const Ball& other : p.others)
-    if (nearest_on(t, other.at, shot.arrival.time) < touching_distance(p.ball.body, other.body) - allowed)
+    if (nearest_on(t, other.at, shot.path.arrival.time) < touching_distance(p.ball.body, other.body) - allowed)
       c.problem = "touches ball " + other.id;
   if (miss > allowed) c.problem = fmt::format("misses by {} m", miss);
-  if (!same_sequence(shot.cushions, t, n)) c.problem = "does not meet the cushions it names";
+  if (!same_sequence(shot.path.cushions, t, n)) c.problem = "does not meet the cushions it names";
   if (p.cushions.sequence && !same_sequence(*p.cushions.sequence, t, n)) c.problem = "does not meet the cushions asked";
   if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
-  if (asked && !rests && !shot.moved) {  // a moved shot may leave the root within what counts as made
+  if (asked && !rests && !shot.provenance.moved) {  // a moved shot may leave the root within what counts as made
     const double off = std::max(asked->low - speed, speed - asked->high);
     c.speed_error = std::max(0.0, off) / std::max(1.0, asked->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("arrives at {} m/s", speed);

@@ -45,8 +45,8 @@ Shot touch(const Puzzle& p, double cut) {
   const Vec2d at = p.others[0].at - Vec2d{std::cos(a), std::sin(a)} * (2 * p.ball.body.radius);
   Shot s;
   s.launch = {1.5, 0};
-  s.hits = {{1, a, 1.2, at}};
-  s.arrival = {0.7, 1.2, at};
+  s.path.hits = {{1, a, 1.2, at}};
+  s.path.arrival = {0.7, 1.2, at};
   return s;
 }
 
@@ -171,16 +171,16 @@ TEST_CASE("how full a hit is has Alciatore's names, its share and its cut") {
 TEST_CASE("where the cue ball stops is told by the rails that are nearer, a scratch on a line of its own") {
   Puzzle p = touching();
   Shot s = touch(p, 30);
-  s.cue_rests = Vec2d{0.31, 1.05};
+  s.path.cue_rests = Vec2d{0.31, 1.05};
   CHECK(row(p, s, "cue ball") == "stops 0.31 m from the left rail, 0.22 m from the top rail");
   p.leave = Vec2d{0.31, 1.0};
   CHECK_THAT(row(p, s, "cue ball"), Contains(", 50 mm from where it should be"));
   const Answer stops{.status = Status::solved, .shots = {s}, .message = "one shot found"};
   CHECK_THAT(to_text(p, stops), Contains("\n  cue ball  stops 0.31 m from the left rail") && !Contains("SCRATCH"));
-  s.cue_rests.reset();
-  s.scratch = true;
-  s.scratch_pocket = 3;
-  s.margin = Margin{{0, 0}, {0, 0}};
+  s.path.cue_rests.reset();
+  s.path.scratch = true;
+  s.path.scratch_pocket = 3;
+  s.robustness.margin = Margin{{0, 0}, {0, 0}};
   const Answer falls{.status = Status::solved, .shots = {s}, .message = "one shot found"};
   CHECK_THAT(to_text(p, falls), Contains("\n  SCRATCH: the cue ball falls into " + p.table.pockets[3].name + "\n"));
   CHECK(row(p, s, "margin") == "none, for the cue ball falls");
@@ -192,11 +192,11 @@ TEST_CASE("where the cue ball stops is told by the rails that are nearer, a scra
 TEST_CASE("margins are told by their sides") {
   const Puzzle p = touching();
   Shot s = touch(p, 30);
-  s.margin = Margin{{radians(-0.41), radians(0.0568)}, {-0.4, std::nullopt}};
+  s.robustness.margin = Margin{{radians(-0.41), radians(0.0568)}, {-0.4, std::nullopt}};
   CHECK(row(p, s, "margin") == "up to 0.41 degrees to the right, up to 0.0568 degrees to the left");
   CHECK_THAT(to_text(p, {.status = Status::solved, .shots = {s}}),
              Contains("\n            up to 0.4 m/s slower, any amount faster\n"));
-  s.margin = Margin{{0, radians(1)}, {}};
+  s.robustness.margin = Margin{{0, radians(1)}, {}};
   CHECK(row(p, s, "margin") == "not to the right, up to 1 degrees to the left");
   CHECK_THAT(row(p, s, ""), Contains("any speed makes it"));
 }
@@ -215,7 +215,7 @@ TEST_CASE("a likely miscue and a likely double hit are warned of") {
     CHECK_THAT(row(near, touch(near, 0), "warning"), Contains("likely double hit: the cue ball nearly touches ball"));
     CHECK(warnings(near, touch(near, 60)).empty());
     Shot kick = touch(near, 0);
-    kick.hits[0].after = 1;
+    kick.path.hits[0].after = 1;
     CHECK(!may_double_hit(near, kick));
   }
   const Puzzle frozen = touching(0), far = touching(0.03);
@@ -227,9 +227,9 @@ TEST_CASE("a shot that a player hardly ever makes is hopeless, but not in ideal 
   Puzzle p = touching();
   Shot s = touch(p, 30);
   CHECK(!is_hopeless(p, s));
-  s.success = 0.012;
+  s.robustness.success = 0.012;
   CHECK(!is_hopeless(p, s));
-  s.success = 0.009;
+  s.robustness.success = 0.009;
   CHECK(is_hopeless(p, s));
   p.noise = {0, 0};
   CHECK(!is_hopeless(p, s));

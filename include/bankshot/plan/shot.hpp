@@ -48,24 +48,27 @@ struct Sensitivity {
   double by;                ///< m that the arrival moves per unit of the coefficient; arrival as in by_angle
 };
 
-struct Shot {
-  Launch launch{};
-  LaunchSpin spin{};
-  bool cushion_stick = false;          ///< a cushion law left the ball moving into the cushion; it stayed there
-  std::vector<Contact> cushions{};     ///< cushion contacts in order
-  Arrival arrival{};                   ///< arrival of the ball that reaches the target
-  double miss = 0;                     ///< m, from the replay: to the point, or from the exact line of a pocket or ball
-  double offset = 0;                   ///< m; offset of the line of travel into a pocket (geometry/opening.hpp)
-  bool touches_jaws = false;           ///< it touches the jaws of a pocket (jaw shot)
-  std::vector<Contact> met{};          ///< for a jaw shot: jaws and cushions in order
-  std::vector<Hit> hits{};             ///< hits in order, up to the target
-  std::vector<ObjectBallPath> then{};  ///< object balls in order; the last one arrives. Empty: the cue ball arrives
-  int jaws = 0;                        ///< jaw contacts of all balls of the shot before the target
-  bool scratch = false;                ///< the cue ball falls into a pocket after it has touched the target ball
+/// The motion of the balls of a shot, up to the target and after it.
+struct ShotPath {
+  std::vector<Contact> cushions{};      ///< cushion contacts of the cue ball in order
+  Arrival arrival{};                    ///< arrival of the ball that reaches the target
+  std::vector<Hit> hits{};              ///< hits in order, up to the target
+  std::vector<ObjectBallPath> then{};   ///< object balls in order; the last one arrives. Empty: the cue ball arrives
+  bool touches_jaws = false;            ///< it touches the jaws of a pocket (jaw shot)
+  std::vector<Contact> met{};           ///< for a jaw shot: jaws and cushions in order
+  int jaws = 0;                         ///< jaw contacts of all balls of the shot before the target
+  bool cushion_stick = false;           ///< a cushion law left the ball moving into the cushion; it stayed there
+  bool scratch = false;                 ///< the cue ball falls into a pocket after it has touched the target ball
   std::optional<int> scratch_pocket{};  ///< the pocket of the scratch
   std::optional<Vec2d> cue_rests{};     ///< m; otherwise where the cue ball rests at the end; for shots with hits
-  bool off_centre = false;              ///< it is made off the exact line or point
-  double condition = 0;                 ///< m of arrival per rad of aim or per unit of relative speed; the larger.
+};
+
+/// The evidence of the replay: how exactly it makes the target, and how errors of the launch move the arrival.
+struct Verification {
+  double miss = 0;          ///< m, from the replay: to the point, or from the exact line of a pocket or ball
+  double offset = 0;        ///< m; offset of the line of travel into a pocket (geometry/opening.hpp)
+  bool off_centre = false;  ///< it is made off the exact line or point
+  double condition = 0;     ///< m of arrival per rad of aim or per unit of relative speed; the larger.
   /// Number of guaranteed decimal digits of the arrival, relative to the table's diagonal; none: nine or more. 0:
   /// rounding decides how often the ball bounces at its target.
   std::optional<int> digits{};
@@ -73,19 +76,36 @@ struct Shot {
   /// closest to the target; that point moves only across the line.
   Vec2d by_angle{};  ///< m/rad
   Vec2d by_speed{};  ///< m per m/s
+};
+
+/// The success of the shot in the hands of the player, and the errors that it forgives.
+struct Robustness {
   /// First-order margin in standard deviations of the player. It ranks shots if success is not computed.
   double first_order = 0;
   double success_estimate = 0;  ///< to first order, from one simulation (planners/merit/first_order.hpp)
   std::optional<Margin> margin{};
   std::optional<double> success{};         ///< probability that the shot is made under the puzzle's noise
   std::optional<double> value{};           ///< success minus `cost_of` the shot
-  bool moved = false;                      ///< it was moved off its exact root to increase the value
   std::vector<Sensitivity> sensitivity{};  ///< filled if it was requested
-  std::string planner{};
-  long simulations = 0;  ///< simulations spent until this shot was verified
+};
+
+/// The origin of a shot.
+struct Provenance {
+  std::string planner{};  ///< the step that proposed it
+  long simulations = 0;   ///< simulations spent until this shot was verified
+  bool moved = false;     ///< it was moved off its exact root to increase the value
+};
+
+struct Shot {
+  Launch launch{};
+  LaunchSpin spin{};
+  ShotPath path{};
+  Verification verification{};
+  Robustness robustness{};
+  Provenance provenance{};
 
   /// Returns the number of the ball that reaches the target; 0 is the cue ball.
-  int arriving() const { return then.empty() ? 0 : then.back().ball; }
+  int arriving() const { return path.then.empty() ? 0 : path.then.back().ball; }
   /// Returns the number of contacts with cushions and jaws of all balls of the shot before the target.
   int contacts() const;
 };

@@ -28,7 +28,7 @@ void Tally::add(const Puzzle& puzzle, const Answer& answer) {
   if (answer.status == Status::budget) ++budget;
   if (answer.status != Status::solved) return;
   ++solved;
-  const double miss = answer.shots.front().miss;
+  const double miss = answer.shots.front().verification.miss;
   if (miss > tolerance::exact_miss * puzzle.table.diagonal())
     ++beside;
   else

@@ -42,7 +42,8 @@ std::string summary(const StartMap& map) {
     if (map.answers[i].shots.empty()) continue;
     const Shot& s = map.answers[i].shots.front();
     if (!slowest || s.launch.speed < slowest->launch.speed) slowest = &s, slowest_at = i;
-    if (s.success && (!safest || *s.success > *safest->success)) safest = &s, safest_at = i;
+    if (s.robustness.success && (!safest || *s.robustness.success > *safest->robustness.success))
+      safest = &s, safest_at = i;
   }
   const auto place = [&](std::size_t i) { return fmt::format("({:.3f}, {:.3f})", map.grid.at(i).x, map.grid.at(i).y); };
   std::string out = fmt::format(

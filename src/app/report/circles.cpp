@@ -64,12 +64,12 @@ CirclesForJaws circles_for_jaws(int puzzles, Progress& progress) {
     p.table = make_table(preset, true);
     const Answer between_jaws = bankshot::solve(p, {.suggest = false});
     const Shot& shot = on_circles.shots.front();
-    told.push_back(shot.success.value_or(0));
+    told.push_back(shot.robustness.success.value_or(0));
     with_jaws.push_back(chance_of(p, shot, random));
     if (between_jaws.shots.empty())
       ++none;
     else
-      best.push_back(between_jaws.shots.front().success.value_or(0));
+      best.push_back(between_jaws.shots.front().robustness.success.value_or(0));
     shots.points.push_back({told.back(), with_jaws.back(), with_jaws.back(), with_jaws.back()});
     out.csv += fmt::format("{},{:.4f},{:.4f},{}\n", i, told.back(), with_jaws.back(),
                            between_jaws.shots.empty() ? "" : fmt::format("{:.4f}", best.back()));

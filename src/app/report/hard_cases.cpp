@@ -48,9 +48,9 @@ Tally planned(std::string_view name) {
       continue;
     }
     const Shot& shot = a.shots.front();
-    t.error = std::max(t.error, shot.miss);
-    t.kappa = std::max(t.kappa, shot.condition / p.table.diagonal());
-    t.shares.push_back(shot.miss / (tolerance::exact_miss * p.table.diagonal()));
+    t.error = std::max(t.error, shot.verification.miss);
+    t.kappa = std::max(t.kappa, shot.verification.condition / p.table.diagonal());
+    t.shares.push_back(shot.verification.miss / (tolerance::exact_miss * p.table.diagonal()));
     if (t.shares.back() > 1) ++t.beyond;
   }
   return t;

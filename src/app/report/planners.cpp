@@ -58,8 +58,8 @@ Outcome attempt(Puzzle p, const std::string& planner, long budget) {
   const double diagonal = p.table.diagonal();
   double miss =
       // If there is nothing at all, the miss is the whole table.
-      a.nearest ? std::min(a.nearest->shot.miss, diagonal) : diagonal;
-  for (const Shot& s : a.shots) miss = std::min(miss, s.miss);
+      a.nearest ? std::min(a.nearest->shot.verification.miss, diagonal) : diagonal;
+  for (const Shot& s : a.shots) miss = std::min(miss, s.verification.miss);
   return {miss, static_cast<double>(a.simulations), least, miss <= tolerance::exact_miss * diagonal,
           a.status == Status::budget};
 }

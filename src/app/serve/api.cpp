@@ -91,7 +91,7 @@ constexpr std::size_t most_events = 100000;
 void check_length(const Puzzle& p, const Answer& found) {
   double points = 0;
   for (const Shot& shot : found.shots)
-    points += shot.arrival.time * usual_rate * static_cast<double>(1 + p.others.size());
+    points += shot.path.arrival.time * usual_rate * static_cast<double>(1 + p.others.size());
   if (points > most_rows)
     throw WriteError(fmt::format("the paths would have {:.2g} points, and {:.0g} is the most", points, most_rows));
 }

@@ -33,11 +33,12 @@ std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions
   constexpr double much = 0.05;  // of success probability
   if (aim_of(puzzle) == Aim::safest || answer.shots.size() != 1) return "";
   const Shot& shot = answer.shots.front();
-  if (!is_pocket(puzzle.target) || !shot.success || *shot.success > 1 - much) return "";
+  if (!is_pocket(puzzle.target) || !shot.robustness.success || *shot.robustness.success > 1 - much) return "";
   Puzzle other = puzzle;
   other.aim = Aim::safest;
   const Answer best = bankshot::solve(other, options);
-  if (best.shots.empty() || !(best.shots.front().success.value_or(0) > *shot.success + much)) return "";
+  if (best.shots.empty() || !(best.shots.front().robustness.success.value_or(0) > *shot.robustness.success + much))
+    return "";
   const Shot& s = best.shots.front();
   return fmt::format(
       "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, makes it {} of the time: \"aim\": "

@@ -48,7 +48,8 @@ void check(Pair& pair, const std::string& player) {
     const Answer a = read_answer(pair.answer, puzzle ? &*puzzle : nullptr, &pair.unread);
     pair.status = a.status;
     pair.shots = a.shots.size();
-    pair.beside = puzzle && !a.shots.empty() && a.shots.front().off_centre && !a.shots.front().moved;
+    pair.beside =
+        puzzle && !a.shots.empty() && a.shots.front().verification.off_centre && !a.shots.front().provenance.moved;
     pair.checks = truth::check(puzzle ? &*puzzle : nullptr, pair.id, a);
   } catch (const InvalidInput& e) {
     pair.bad = fmt::format("{}{}{}", e.path, e.path.empty() ? "" : ": ", e.what());

@@ -35,13 +35,13 @@ void write_cushions(JsonWriter& w, const Puzzle& p, const std::vector<Contact>& 
 }
 
 void write_path(JsonWriter& w, const Puzzle& p, const Shot& shot) {
-  write_cushions(w, p, shot.cushions);
-  w.number("miss", shot.miss);
+  write_cushions(w, p, shot.path.cushions);
+  w.number("miss", shot.verification.miss);
   w.key("arrival");
   w.open('{');
-  w.number("time", shot.arrival.time);
-  w.number("speed", shot.arrival.speed);
-  write_point(w, shot.arrival.at);
+  w.number("time", shot.path.arrival.time);
+  w.number("speed", shot.path.arrival.speed);
+  write_point(w, shot.path.arrival.at);
   w.close('}');
 }
 
@@ -69,9 +69,9 @@ void write_contact(JsonWriter& w, const Puzzle& p, const Hit& hit) {
 
 /// Writes where the cue ball comes to rest, or the pocket that it falls into.
 void write_cue_rests(JsonWriter& w, const Puzzle& p, const Shot& shot) {
-  if (shot.cue_rests) write_point(w, *shot.cue_rests, "cue_rests");
-  if (shot.scratch_pocket && !is_ideal(p.physics))
-    w.string("cue_rests", p.table.pockets[static_cast<std::size_t>(*shot.scratch_pocket)].name);
+  if (shot.path.cue_rests) write_point(w, *shot.path.cue_rests, "cue_rests");
+  if (shot.path.scratch_pocket && !is_ideal(p.physics))
+    w.string("cue_rests", p.table.pockets[static_cast<std::size_t>(*shot.path.scratch_pocket)].name);
 }
 
 void write_then(JsonWriter& w, const Puzzle& p, std::span<const ObjectBallPath> then, const Pocket* pocket) {
@@ -108,35 +108,35 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   w.close('}');
   write_path(w, p, shot);
   const Pocket* const pocket = why ? nullptr : pocket_reached(p, shot);
-  if (pocket && shot.then.empty()) w.string("pocket", pocket->name);
-  if (shot.offset != 0 && !why) w.number("offset", shot.offset);
-  if (!shot.hits.empty() && !why) write_hits(w, p, shot.hits), write_contact(w, p, shot.hits.front());
-  if (!shot.then.empty() && !why) write_then(w, p, shot.then, pocket);
-  if (shot.scratch && !why) w.boolean("scratch", true);
+  if (pocket && shot.path.then.empty()) w.string("pocket", pocket->name);
+  if (shot.verification.offset != 0 && !why) w.number("offset", shot.verification.offset);
+  if (!shot.path.hits.empty() && !why) write_hits(w, p, shot.path.hits), write_contact(w, p, shot.path.hits.front());
+  if (!shot.path.then.empty() && !why) write_then(w, p, shot.path.then, pocket);
+  if (shot.path.scratch && !why) w.boolean("scratch", true);
   if (!why) write_cue_rests(w, p, shot);
-  if (shot.touches_jaws && !why) w.boolean("rattles", true);
-  if (shot.moved && !why) w.string("aim", "safest");
-  if (shot.off_centre && !shot.moved && !why) w.boolean("off_centre", true);
-  w.number("condition", shot.condition);
-  if (shot.digits) w.integer("digits", *shot.digits);
-  if (shot.margin) {
+  if (shot.path.touches_jaws && !why) w.boolean("rattles", true);
+  if (shot.provenance.moved && !why) w.string("aim", "safest");
+  if (shot.verification.off_centre && !shot.provenance.moved && !why) w.boolean("off_centre", true);
+  w.number("condition", shot.verification.condition);
+  if (shot.verification.digits) w.integer("digits", *shot.verification.digits);
+  if (shot.robustness.margin) {
     w.key("margin");
     w.open('{');
-    write_bounds(w, "angle", shot.margin->angle, degrees(1));
-    write_bounds(w, "speed", shot.margin->speed, 1);
+    write_bounds(w, "angle", shot.robustness.margin->angle, degrees(1));
+    write_bounds(w, "speed", shot.robustness.margin->speed, 1);
     w.close('}');
   }
-  if (shot.success) w.number("success", *shot.success);
-  if (shot.value) w.number("value", *shot.value);
-  if (!shot.sensitivity.empty()) {
+  if (shot.robustness.success) w.number("success", *shot.robustness.success);
+  if (shot.robustness.value) w.number("value", *shot.robustness.value);
+  if (!shot.robustness.sensitivity.empty()) {
     w.key("sensitivity");
     w.open('{');
-    for (const Sensitivity& s : shot.sensitivity) w.number(s.coefficient, s.by);
+    for (const Sensitivity& s : shot.robustness.sensitivity) w.number(s.coefficient, s.by);
     w.close('}');
   }
   if (path) write_points(w, p, shot);
-  w.string("planner", shot.planner);
-  w.integer("simulations", shot.simulations);
+  w.string("planner", shot.provenance.planner);
+  w.integer("simulations", shot.provenance.simulations);
   if (why) w.string("why", *why);
   w.close('}');
 }

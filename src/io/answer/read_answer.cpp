@@ -63,45 +63,45 @@ Hit read_hit(const Reader& r, const Puzzle& p) {
 }
 
 void read_cue_rests(const Reader& r, const Puzzle& p, Shot& s) {
-  if (!r.is_string()) return void(s.cue_rests = r.point());
+  if (!r.is_string()) return void(s.path.cue_rests = r.point());
   std::vector<std::string_view> names;
   for (const Pocket& pocket : p.table.pockets) names.push_back(pocket.name);
-  s.scratch_pocket = static_cast<int>(r.word("pocket", names));
+  s.path.scratch_pocket = static_cast<int>(r.word("pocket", names));
 }
 
 Shot read_shot(const Reader& r, const Puzzle& p) {
   Shot s;
   s.launch = {r.need("speed").positive(), wrap_angle(radians(r.need("angle").number()))};
   s.spin = read_spin(r.need("spin"), p);
-  s.cushions = read_contacts(r.need("cushions"), p.table);
-  s.miss = r.need("miss").at_least(0);
-  if (const auto v = r.find("offset")) s.offset = v->number();
+  s.path.cushions = read_contacts(r.need("cushions"), p.table);
+  s.verification.miss = r.need("miss").at_least(0);
+  if (const auto v = r.find("offset")) s.verification.offset = v->number();
   if (const auto v = r.find("hits"))
-    for (const Reader& hit : v->items()) s.hits.push_back(read_hit(hit, p));
+    for (const Reader& hit : v->items()) s.path.hits.push_back(read_hit(hit, p));
   for (auto v = r.find("then"); v; v = v->find("then"))
-    s.then.push_back({read_ball(*v, p), read_contacts(v->need("cushions"), p.table)});
-  if (const auto v = r.find("scratch")) s.scratch = v->boolean();
+    s.path.then.push_back({read_ball(*v, p), read_contacts(v->need("cushions"), p.table)});
+  if (const auto v = r.find("scratch")) s.path.scratch = v->boolean();
   if (const auto v = r.find("cue_rests")) read_cue_rests(*v, p, s);
-  if (const auto v = r.find("rattles")) s.touches_jaws = v->boolean();
-  if (const auto v = r.find("off_centre")) s.off_centre = v->boolean();
-  if (r.find("aim")) s.moved = s.off_centre = true;
+  if (const auto v = r.find("rattles")) s.path.touches_jaws = v->boolean();
+  if (const auto v = r.find("off_centre")) s.verification.off_centre = v->boolean();
+  if (r.find("aim")) s.provenance.moved = s.verification.off_centre = true;
   const Reader arrival = r.need("arrival");
-  s.arrival = {arrival.need("time").at_least(0), arrival.need("speed").at_least(0), arrival.need("at").point()};
+  s.path.arrival = {arrival.need("time").at_least(0), arrival.need("speed").at_least(0), arrival.need("at").point()};
   if (const auto v = r.find("pocket")) {
     const Pocket* reached = pocket_reached(p, s);
     if (!reached || v->text() != reached->name)
       v->fail("is not the pocket that this shot reaches" + (reached ? ", " + reached->name : ""));
   }
-  s.condition = r.need("condition").at_least(0);
-  if (const auto v = r.find("digits")) s.digits = static_cast<int>(std::min(v->count(), 9L));
+  s.verification.condition = r.need("condition").at_least(0);
+  if (const auto v = r.find("digits")) s.verification.digits = static_cast<int>(std::min(v->count(), 9L));
   if (const auto m = r.find("margin"))
-    s.margin = Margin{read_bounds(m->need("angle"), radians(1)), read_bounds(m->need("speed"), 1)};
-  if (const auto v = r.find("success")) s.success = v->number();
-  if (const auto v = r.find("value")) s.value = v->number();
+    s.robustness.margin = Margin{read_bounds(m->need("angle"), radians(1)), read_bounds(m->need("speed"), 1)};
+  if (const auto v = r.find("success")) s.robustness.success = v->number();
+  if (const auto v = r.find("value")) s.robustness.value = v->number();
   if (const auto v = r.find("sensitivity"))
-    for (const auto& [coefficient, by] : v->members()) s.sensitivity.push_back({coefficient, by.number()});
-  s.planner = r.need("planner").text();
-  s.simulations = r.need("simulations").count();
+    for (const auto& [coefficient, by] : v->members()) s.robustness.sensitivity.push_back({coefficient, by.number()});
+  s.provenance.planner = r.need("planner").text();
+  s.provenance.simulations = r.need("simulations").count();
   return s;
 }
 

@@ -18,11 +18,12 @@ std::string row(const Puzzle& p, const Answer& a) {
   if (a.shots.empty()) return std::string(name(a.status)) + ",,,,,,,,,,,,";
   const Shot& s = a.shots.front();
   std::string cushions;
-  for (const Contact c : s.cushions) cushions += (cushions.empty() ? "" : " ") + contact_name(p.table, c);
-  const Margin m = s.margin.value_or(Margin{});
+  for (const Contact c : s.path.cushions) cushions += (cushions.empty() ? "" : " ") + contact_name(p.table, c);
+  const Margin m = s.robustness.margin.value_or(Margin{});
   return fmt::format("solved,{},{},{},{},{},{},{},{},{},{},{},{}", s.launch.speed, exact_degrees(s.launch.angle),
-                     cushions, s.arrival.time, s.arrival.speed, number(s.success), number(m.angle[0], degrees(1)),
-                     number(m.angle[1], degrees(1)), number(m.speed[0]), number(m.speed[1]), s.miss, s.condition);
+                     cushions, s.path.arrival.time, s.path.arrival.speed, number(s.robustness.success),
+                     number(m.angle[0], degrees(1)), number(m.angle[1], degrees(1)), number(m.speed[0]),
+                     number(m.speed[1]), s.verification.miss, s.verification.condition);
 }
 
 }  // namespace

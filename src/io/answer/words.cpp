@@ -59,16 +59,16 @@ std::string hit_words(const Puzzle& p, const Hit& hit, int by = 0) {
 }
 
 std::string arrival_words(const Puzzle& p, const Shot& s) {
-  const auto [time, speed, at] = s.arrival;
-  const std::string who = s.then.empty() ? "" : contact_name(p, Contact::ball(s.arriving())) + " ";
+  const auto [time, speed, at] = s.path.arrival;
+  const std::string who = s.path.then.empty() ? "" : contact_name(p, Contact::ball(s.arriving())) + " ";
   if (const Pocket* pocket = pocket_reached(p, s)) {
     const State<double> end = state_on_arrival(p, s);
     return fmt::format("{}falls into {} after {:.2f} s at {:.2f} m/s, {}", who, pocket->name, time, speed,
                        speed > 0 ? beside(end.at, end.velocity, pocket->place()) : "at its rim");
   }
-  if (!s.hits.empty() && s.then.empty())
-    return fmt::format("meets {}, after {:.2f} s at {:.2f} m/s", hit_words(p, s.hits.back()), time, speed);
-  const std::string off = distance_words(s.miss, p.table);
+  if (!s.path.hits.empty() && s.path.then.empty())
+    return fmt::format("meets {}, after {:.2f} s at {:.2f} m/s", hit_words(p, s.path.hits.back()), time, speed);
+  const std::string off = distance_words(s.verification.miss, p.table);
   const std::string where = off == "exact" ? (speed == 0 ? "exactly on" : "exactly over") : off + " off";
   return speed == 0 ? fmt::format("{}rests {} the point after {:.2f} s", who, where, time)
                     : fmt::format("{}passes {} the point after {:.2f} s at {:.2f} m/s", who, where, time, speed);
@@ -114,9 +114,10 @@ std::string distance_words(double metres, const Table& table) {
 
 std::string success_words(const Shot& shot) {
   constexpr double nearly = 0.995, hardly = 0.005;
-  const double success = *shot.success;
+  const double success = *shot.robustness.success;
   const auto fails = [](const auto& sides) { return sides[0] || sides[1]; };
-  const bool may_fail = success < 1 || (shot.margin && (fails(shot.margin->angle) || fails(shot.margin->speed)));
+  const bool may_fail = success < 1 || (shot.robustness.margin &&
+                                        (fails(shot.robustness.margin->angle) || fails(shot.robustness.margin->speed)));
   if (success >= nearly && may_fail) return "over 99 %";
   if (success <= hardly && success > 0) return "under 1 %";
   return fmt::format("{:.0f} %", 100 * success);
@@ -133,7 +134,7 @@ std::string place_words(const Table& table, const Vec2d& at) {
 
 std::string nearest_words(const Answer::Nearest& nearest, const Table& table) {
   const Launch& l = nearest.shot.launch;
-  const std::string off = distance_words(nearest.shot.miss, table);
+  const std::string off = distance_words(nearest.shot.verification.miss, table);
   return fmt::format("{:.2f} degrees at {:.2f} m/s: {}; it {}", degrees(l.angle), l.speed,
                      off == "exact" ? "right on the target" : off + " off", nearest.why);
 }
@@ -226,13 +227,13 @@ std::string player_words(const Noise& n) {
 
 namespace {
 
-bool is_carom(const Shot& shot) { return shot.then.empty() && shot.hits.size() > 1; }
+bool is_carom(const Shot& shot) { return shot.path.then.empty() && shot.path.hits.size() > 1; }
 
 /// Returns the cue ball's cushions before and after the first ball of a carom. For other shots, the first list holds
 /// all cushions and the second is empty.
 std::array<std::vector<Contact>, 2> around_first_ball(const Shot& shot) {
-  const auto& all = shot.cushions;
-  const auto split = is_carom(shot) ? all.begin() + shot.hits.front().after : all.end();
+  const auto& all = shot.path.cushions;
+  const auto split = is_carom(shot) ? all.begin() + shot.path.hits.front().after : all.end();
   return {std::vector<Contact>{all.begin(), split}, {split, all.end()}};
 }
 
@@ -242,17 +243,17 @@ std::string cushion_words(const Puzzle& p, const Shot& shot) {
   };
   const auto [first, then] = around_first_ball(shot);
   if (!is_carom(shot)) return named(first);
-  return fmt::format("{}; off {}: {}", named(first), contact_name(p, Contact::ball(shot.hits.front().ball)),
+  return fmt::format("{}; off {}: {}", named(first), contact_name(p, Contact::ball(shot.path.hits.front().ball)),
                      named(then));
 }
 
 /// Returns what the shot does to other balls, followed by `aim`.
 std::string target_of(const Puzzle& p, const Shot& shot, const std::string& aim) {
   const auto name = [&](int ball) { return contact_name(p, Contact::ball(ball)); };
-  if (shot.hits.empty()) return aim;
-  if (shot.then.empty()) return "onto " + name(shot.hits.back().ball);
+  if (shot.path.hits.empty()) return aim;
+  if (shot.path.then.empty()) return "onto " + name(shot.path.hits.back().ball);
   std::string to;
-  for (const ObjectBallPath& sent : shot.then)
+  for (const ObjectBallPath& sent : shot.path.then)
     to += (to.empty() ? "to send " : "onto ") + name(sent.ball) + " " +
           (sent.cushions.empty() ? "" : "by " + cushion_names(p.table, sent.cushions) + " ");
   return to + aim;
@@ -272,7 +273,7 @@ std::vector<std::string> sensitivity_words(const Puzzle& p, const Shot& shot) {
                             {"frequency_ratio", 0.1, "0.1 of"},
                             {"", 0.01, "0.01 of"}};
   std::vector<std::pair<double, std::string>> lines;
-  for (const Sensitivity& s : shot.sensitivity) {
+  for (const Sensitivity& s : shot.robustness.sensitivity) {
     const Step& step = *std::ranges::find_if(
         steps, [&](const Step& one) { return s.coefficient.find(one.in_name) != std::string::npos; });
     const std::string off = distance_words(s.by * step.by, p.table);
@@ -291,17 +292,17 @@ std::vector<std::string> sensitivity_words(const Puzzle& p, const Shot& shot) {
 
 std::string title_words(const Puzzle& p, const Shot& shot) {
   const Pocket* pocket = pocket_reached(p, shot);
-  const std::string aim = pocket                   ? "into " + pocket->name
-                          : shot.arrival.speed > 0 ? "through the ring"
-                                                   : "to rest in the ring";
+  const std::string aim = pocket                        ? "into " + pocket->name
+                          : shot.path.arrival.speed > 0 ? "through the ring"
+                                                        : "to rest in the ring";
   const std::string to = target_of(p, shot, aim);
   constexpr std::size_t most_named = 5;
-  if (shot.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.cushions.size(), to);
+  if (shot.path.cushions.size() > most_named) return fmt::format("By {} cushions {}", shot.path.cushions.size(), to);
   const auto [first, then] = around_first_ball(shot);
   const std::string start = first.empty() ? (shot.spin.masse == 0 ? "Straight " : "In a curve ")
                                           : "By " + cushion_names(p.table, first) + " ";
   if (!is_carom(shot)) return start + to;
-  return start + "off " + contact_name(p, Contact::ball(shot.hits.front().ball)) + " " +
+  return start + "off " + contact_name(p, Contact::ball(shot.path.hits.front().ball)) + " " +
          (then.empty() ? "" : "by " + cushion_names(p.table, then) + " ") + to;
 }
 
@@ -309,25 +310,27 @@ namespace {
 
 /// Adds the touched balls with their fullness, and the ghost ball of the first hit.
 void add_hits(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
-  if (is_carom(shot)) rows.push_back({"touches", hit_words(p, shot.hits.front())});
-  for (std::size_t i = 0; i < shot.then.size(); ++i) {
-    rows.push_back({i == 0 ? "touches" : "onto", hit_words(p, shot.hits[i], i == 0 ? 0 : shot.then[i - 1].ball)});
-    if (!shot.then[i].cushions.empty())
-      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.then[i].cushions)});
+  if (is_carom(shot)) rows.push_back({"touches", hit_words(p, shot.path.hits.front())});
+  for (std::size_t i = 0; i < shot.path.then.size(); ++i) {
+    rows.push_back(
+        {i == 0 ? "touches" : "onto", hit_words(p, shot.path.hits[i], i == 0 ? 0 : shot.path.then[i - 1].ball)});
+    if (!shot.path.then[i].cushions.empty())
+      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.path.then[i].cushions)});
   }
-  if (!shot.hits.empty()) rows.push_back({"ghost", "ball " + place_words(p.table, shot.hits.front().at)});
+  if (!shot.path.hits.empty()) rows.push_back({"ghost", "ball " + place_words(p.table, shot.path.hits.front().at)});
 }
 
 /// Adds the leave of the cue ball, or its scratch.
 void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
-  if (shot.scratch)
-    rows.push_back(
-        {scratch_row, "the cue ball falls into " +
-                          (shot.scratch_pocket ? p.table.pockets[static_cast<std::size_t>(*shot.scratch_pocket)].name
-                                               : std::string("a pocket"))});
-  if (!shot.cue_rests) return;
-  std::string stops = "stops " + place_words(p.table, *shot.cue_rests);
-  if (p.leave) stops += ", " + distance_words(norm(*shot.cue_rests - *p.leave), p.table) + " from where it should be";
+  if (shot.path.scratch)
+    rows.push_back({scratch_row, "the cue ball falls into " +
+                                     (shot.path.scratch_pocket
+                                          ? p.table.pockets[static_cast<std::size_t>(*shot.path.scratch_pocket)].name
+                                          : std::string("a pocket"))});
+  if (!shot.path.cue_rests) return;
+  std::string stops = "stops " + place_words(p.table, *shot.path.cue_rests);
+  if (p.leave)
+    stops += ", " + distance_words(norm(*shot.path.cue_rests - *p.leave), p.table) + " from where it should be";
   rows.push_back({"cue ball", stops});
 }
 
@@ -335,21 +338,22 @@ void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
 
 std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   const ShotRequest r = as_request(p, shot);
-  std::vector<Row> rows{{"aim", aim_words(r, shot.cushions.empty() ? pocket_reached(p, shot) : nullptr)},
+  std::vector<Row> rows{{"aim", aim_words(r, shot.path.cushions.empty() ? pocket_reached(p, shot) : nullptr)},
                         {"speed", speed_words(r)}};
   if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
   for (std::string& warning : warnings(p, shot)) rows.push_back({"warning", std::move(warning)});
-  rows.push_back({"cushions", cushion_words(p, shot) + (shot.touches_jaws ? "; and off the jaws of a pocket" : "")});
+  rows.push_back(
+      {"cushions", cushion_words(p, shot) + (shot.path.touches_jaws ? "; and off the jaws of a pocket" : "")});
   add_hits(p, shot, rows);
   rows.push_back({"arrives", arrival_words(p, shot)});
   add_leave(p, shot, rows);
-  if (shot.success) rows.push_back({"success", success_words(shot) + " for " + player_words(p.noise)});
-  if (shot.margin && shot.scratch && !is_ideal(p.physics))
+  if (shot.robustness.success) rows.push_back({"success", success_words(shot) + " for " + player_words(p.noise)});
+  if (shot.robustness.margin && shot.path.scratch && !is_ideal(p.physics))
     rows.push_back({"margin", "none, for the cue ball falls"});
-  else if (shot.margin)
-    for (Row& row : margin_rows(*shot.margin)) rows.push_back(std::move(row));
+  else if (shot.robustness.margin)
+    for (Row& row : margin_rows(*shot.robustness.margin)) rows.push_back(std::move(row));
   rows.push_back({"note", "0.1 degrees of aim moves the arrival by " +
-                              distance_words(norm(shot.by_angle) * radians(0.1), p.table)});
+                              distance_words(norm(shot.verification.by_angle) * radians(0.1), p.table)});
   for (const std::string& line : sensitivity_words(p, shot)) rows.push_back({"", line});
   return rows;
 }

@@ -110,7 +110,7 @@ std::string draw(const Puzzle& p, const StartMap& m, Theme theme) {
     if (const Shot* s = shot_from(m, i)) {
       slowest = std::min(slowest, s->launch.speed);
       fastest = std::max(fastest, s->launch.speed);
-      success = success || s->success;
+      success = success || s->robustness.success;
     }
   std::vector<LegendEntry> chance, speed;
   for (int i = 0; i <= 4; ++i) {
@@ -122,9 +122,10 @@ std::string draw(const Puzzle& p, const StartMap& m, Theme theme) {
   }
   Chapter page{"", "", {}};
   if (success)
-    page.plates.push_back({heat(p, m, chance, "chance", theme, [](const Shot& s) { return s.success.value_or(0); }),
-                           "How robust? The chance that the best shot from here is made",
-                           {}});
+    page.plates.push_back(
+        {heat(p, m, chance, "chance", theme, [](const Shot& s) { return s.robustness.success.value_or(0); }),
+         "How robust? The chance that the best shot from here is made",
+         {}});
   const double decades = fastest > slowest ? std::log(fastest / slowest) : 1;
   page.plates.push_back({heat(p, m, speed, "speed", theme,
                               [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }),

@@ -134,8 +134,8 @@ void draw_tag(Canvas& c, const Ball& ball, const Trajectory& t, int number, std:
 }
 
 void draw_band(Canvas& c, const Puzzle& p, const Shot& shot) {
-  if (!shot.margin || !shot.margin->angle[0] || !shot.margin->angle[1]) return;
-  const double low = *shot.margin->angle[0], high = *shot.margin->angle[1];
+  if (!shot.robustness.margin || !shot.robustness.margin->angle[0] || !shot.robustness.margin->angle[1]) return;
+  const double low = *shot.robustness.margin->angle[0], high = *shot.robustness.margin->angle[1];
   constexpr int strips = 8, pieces = 8;
   // The strips are opaque inside a translucent group, so that overlaps and seams are not visible.
   c.add(R"(<g opacity="0.2" fill="{0}" stroke="{0}" stroke-width="0.6">)", c.c.band);

@@ -45,31 +45,31 @@ void draw_balls(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle
 Trajectory draw_sent(Canvas& c, const ShotRequest& r, const Trajectory& all, const Shot& shot,
                      const PictureStyle& style) {
   Trajectory t;
-  for (std::size_t i = 0; i < shot.then.size(); ++i) {
-    const Ball& ball = ball_of(r, shot.then[i].ball);
-    t = path_of(all, shot.then[i].ball);
+  for (std::size_t i = 0; i < shot.path.then.size(); ++i) {
+    const Ball& ball = ball_of(r, shot.path.then[i].ball);
+    t = path_of(all, shot.path.then[i].ball);
     draw_path(c, ball, t, {.colour = colour_of(c, ball), .width = 0.8 * line_width(style), .numbers = false});
-    draw_other(c, ball, i + 1 < shot.then.size() ? shot.hits[i + 1].at : shot.arrival.at, 0.6);
+    draw_other(c, ball, i + 1 < shot.path.then.size() ? shot.path.hits[i + 1].at : shot.path.arrival.at, 0.6);
   }
   return t;
 }
 
 /// Draws the cue ball's path to where it stops or falls, dashed, with a symbol at its end.
 void draw_leave(Canvas& c, ShotRequest request, const Shot& shot, const PictureStyle& style) {
-  if (!shot.cue_rests && !(shot.scratch_pocket && !is_ideal(request.physics))) return;
+  if (!shot.path.cue_rests && !(shot.path.scratch_pocket && !is_ideal(request.physics))) return;
   request.until = {};
   const Trajectory all = simulate(request), whole = path_of(all, 0);
   draw_path(c, request.ball, whole,
             {.colour = c.c.paths[0], .width = 0.6 * line_width(style), .dashed = true, .ghosts = false});
-  const Vec2d at = shot.cue_rests ? *shot.cue_rests : end_of(whole, 0).state.at;
-  draw_stop(c, request.ball, at, shot.cue_rests.has_value());
+  const Vec2d at = shot.path.cue_rests ? *shot.path.cue_rests : end_of(whole, 0).state.at;
+  draw_stop(c, request.ball, at, shot.path.cue_rests.has_value());
 }
 
 void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
   const ShotRequest request = as_request(p, shot);
   const Trajectory all = simulate(request), t = path_of(all, 0);
   const Pocket* pocket = pocket_reached(p, shot);
-  const auto aim = pocket && shot.cushions.empty() && aims_into(request, *pocket)
+  const auto aim = pocket && shot.path.cushions.empty() && aims_into(request, *pocket)
                        ? std::nullopt
                        : sight(p.table, p.ball.at, direction(shot.launch.angle));
   draw_table(c, style.words, aim);
@@ -79,8 +79,8 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   draw_leave(c, request, shot, style);
   draw_path(c, p.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
-  draw_ball(c, p.ball, shot.then.empty() ? shot.arrival.at : shot.hits.front().at, 0.6);
-  const Trajectory arriving = shot.then.empty() ? t : draw_sent(c, request, all, shot, style);
+  draw_ball(c, p.ball, shot.path.then.empty() ? shot.path.arrival.at : shot.path.hits.front().at, 0.6);
+  const Trajectory arriving = shot.path.then.empty() ? t : draw_sent(c, request, all, shot, style);
   draw_balls(c, p, shot, style);
   draw_opening(c, p, shot, arriving.events.back().state.velocity);
   if (style.words) draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot), t), &request);
@@ -88,9 +88,9 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
 
 std::string listed(const Puzzle& p, const Shot& s) {
   std::string names;
-  for (const Contact cushion : s.cushions) names += (names.empty() ? "" : ", ") + contact_name(p.table, cushion);
+  for (const Contact cushion : s.path.cushions) names += (names.empty() ? "" : ", ") + contact_name(p.table, cushion);
   return fmt::format("{}: {:.1f}°, {:.2f} m/s{}", names.empty() ? "straight" : names, degrees(s.launch.angle),
-                     s.launch.speed, s.success ? ", success " + success_words(s) : "");
+                     s.launch.speed, s.robustness.success ? ", success " + success_words(s) : "");
 }
 
 /// Draws several shots: the best in front, unlisted ones faint behind.
@@ -129,7 +129,7 @@ void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& 
     const Shot& s = a.nearest->shot;
     draw_path(c, p.ball, path_of(p, s),
               {.colour = c.c.aim, .width = line_width(style), .dashed = true, .numbers = style.words});
-    draw_ball(c, p.ball, s.arrival.at, 0.4);
+    draw_ball(c, p.ball, s.path.arrival.at, 0.4);
     rows.push_back({"nearest", nearest_words(*a.nearest, p.table)});
   }
   draw_standing(c, p);

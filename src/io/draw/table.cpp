@@ -152,13 +152,14 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
 
 void draw_opening(Canvas& c, const Puzzle& p, const Shot& shot, const Vec2d& heading) {
   const Pocket* const pocket = pocket_reached(p, shot);
-  if (!pocket || shot.touches_jaws || !(norm(heading) > 0)) return;
+  if (!pocket || shot.path.touches_jaws || !(norm(heading) > 0)) return;
   const auto aim_points = aim_points_of(p);
   const auto aim_point =
-      std::ranges::min_element(aim_points, {}, [&](const AimPoint& m) { return m.apart(shot.arrival.at); });
+      std::ranges::min_element(aim_points, {}, [&](const AimPoint& m) { return m.apart(shot.path.arrival.at); });
   const Vec2d u = heading / norm(heading), left = perpendicular(u);
-  const Gap<double> gap = aim_point->opening.gap(u, shot.offset);
-  const Vec2d across = aim_point->at + u * dot(u, (pocket->jaws ? pocket->jaws->at : shot.arrival.at) - aim_point->at);
+  const Gap<double> gap = aim_point->opening.gap(u, shot.verification.offset);
+  const Vec2d across =
+      aim_point->at + u * dot(u, (pocket->jaws ? pocket->jaws->at : shot.path.arrival.at) - aim_point->at);
   c.line({across + left * gap.low, across + left * gap.high}, "polyline",
          fmt::format(R"(fill="none" stroke="{}" stroke-width="3" stroke-linecap="round")", c.c.target));
 }

@@ -11,9 +11,9 @@
 namespace bankshot {
 
 int Shot::contacts() const {
-  std::size_t cushions_met = cushions.size();
-  for (const ObjectBallPath& ball : then) cushions_met += ball.cushions.size();
-  return static_cast<int>(cushions_met) + jaws;
+  std::size_t cushions_met = path.cushions.size();
+  for (const ObjectBallPath& ball : path.then) cushions_met += ball.cushions.size();
+  return static_cast<int>(cushions_met) + path.jaws;
 }
 
 double cost_of(const Launch& launch, const LaunchSpin& spin) {
@@ -36,15 +36,15 @@ bool may_double_hit(const Puzzle& p, const Shot& shot) {
   // Billiards Digest, January 2006); most cubes measure 22 mm. The limit of the fullness is an assumption.
   constexpr double chalk = 0.022, frozen = 1e-6;  // m
   constexpr double fairly_full = 0.5;
-  if (shot.hits.empty() || shot.hits.front().after > 0) return false;
-  const Ball& other = p.others[static_cast<std::size_t>(shot.hits.front().ball) - 1];
+  if (shot.path.hits.empty() || shot.path.hits.front().after > 0) return false;
+  const Ball& other = p.others[static_cast<std::size_t>(shot.path.hits.front().ball) - 1];
   const double gap = norm(other.at - p.ball.at) - 2 * std::sqrt(p.ball.body.radius * other.body.radius);
-  return gap > frozen && gap <= chalk && fullness(p, shot.hits.front()) >= fairly_full;
+  return gap > frozen && gap <= chalk && fullness(p, shot.path.hits.front()) >= fairly_full;
 }
 
 bool is_hopeless(const Puzzle& p, const Shot& shot) {
   constexpr double hopeless = 0.01;
-  return !is_ideal(p.physics) && !p.noise.none() && shot.success && *shot.success < hopeless;
+  return !is_ideal(p.physics) && !p.noise.none() && shot.robustness.success && *shot.robustness.success < hopeless;
 }
 
 std::vector<std::string> warnings(const Puzzle& p, const Shot& shot) {
@@ -55,13 +55,13 @@ std::vector<std::string> warnings(const Puzzle& p, const Shot& shot) {
         tip_of(shot.spin, 1).from_centre(), miscue_limit));
   if (may_double_hit(p, shot))
     out.push_back("likely double hit: the cue ball nearly touches " +
-                  contact_name(p, Contact::ball(shot.hits.front().ball)) + ", so lift the cue or cut it thinner");
+                  contact_name(p, Contact::ball(shot.path.hits.front().ball)) + ", so lift the cue or cut it thinner");
   return out;
 }
 
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {
   ShotRequest r{p.id, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
-  r.until.time = shot.arrival.time;
+  r.until.time = shot.path.arrival.time;
   r.settled = p.settled;
   return r;
 }
@@ -72,7 +72,7 @@ const Pocket* pocket_reached(const Puzzle& p, const Shot& shot) {
   const PocketTarget* const target = pocket_of(p.target);
   if (!target || p.table.pockets.empty()) return nullptr;
   if (target->pocket) return &p.table.pockets[static_cast<std::size_t>(*target->pocket)];
-  const auto off_rim = [&](const Pocket& k) { return std::abs(norm(shot.arrival.at - k.at) - k.radius); };
+  const auto off_rim = [&](const Pocket& k) { return std::abs(norm(shot.path.arrival.at - k.at) - k.radius); };
   return &*std::ranges::min_element(p.table.pockets, {}, off_rim);
 }
 
