@@ -19,7 +19,6 @@ endfunction()
 bankshot_headers(nlohmann_json::nlohmann_json nlohmann/json.hpp nlohmann-json3-dev)
 bankshot_headers(fmt::fmt fmt/format.h libfmt-dev)
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
-bankshot_headers(CLI11::CLI11 CLI/CLI.hpp libcli11-dev)
 bankshot_headers(Eigen3::Eigen Eigen/Core libeigen3-dev)
 bankshot_headers(Ceres::ceres ceres/jet.h libceres-dev)
 # Exceptions as WebAssembly has them: by way of JavaScript, which is the default, they cost up to seven times.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The C interface (include/bankshot/bankshot.h): the answers of the server's API, and many launches of one scene.
+// The C interface (include/bankshot/bankshot.h): the answers of src/service, and many launches of one scene.
 #include "bankshot/bankshot.h"
 
 #include <atomic>
@@ -8,13 +8,13 @@
 #include <cstring>
 #include <new>
 
-#include "app/serve/api.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "bindings/many.hpp"
 #include "bindings/verified.hpp"
+#include "service/answers.hpp"
 
-namespace serve = bankshot::app::serve;
+namespace service = bankshot::service;
 
 struct bankshot_scene {
   bankshot::ShotRequest request;
@@ -37,7 +37,7 @@ bool hand_out(std::string_view text, bankshot_text* out) {
 }
 
 std::string trouble(const std::string& path, const std::string& reason) {
-  return serve::refusal(400, path, reason).body;
+  return service::refusal(400, path, reason).body;
 }
 
 /// Calls `f`, which returns a status and a text, and converts exceptions to a status.
@@ -60,7 +60,7 @@ bankshot_status guarded(bankshot_text* out, const F& f) noexcept {
   }
 }
 
-serve::Query query_of(const char* flags) { return serve::query_of(flags ? flags : "", '&'); }
+service::Query query_of(const char* flags) { return service::query_of(flags ? flags : "", '&'); }
 
 std::string text_of(const char* data, std::size_t length) {
   if (!data && length > 0) throw InvalidInput("", "there is no text at NULL");
@@ -69,7 +69,7 @@ std::string text_of(const char* data, std::size_t length) {
 
 using Result = std::pair<bankshot_status, std::string>;
 
-Result result_of(serve::Reply reply) {
+Result result_of(service::Reply reply) {
   return {reply.status == 200 ? BANKSHOT_DONE : BANKSHOT_BAD_INPUT, std::move(reply.body)};
 }
 
@@ -78,7 +78,7 @@ template <class F>
 Result unhurried(const F& f) {
   const std::atomic<bool> never{false};
   const std::atomic<const char*> why{nullptr};
-  return result_of(f(serve::Limit{never, why}));
+  return result_of(f(service::Limit{never, why}));
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ const char* bankshot_version() { return BANKSHOT_VERSION; }
 bankshot_status bankshot_solve(const char* puzzle, size_t length, const char* flags, bankshot_text* answer) {
   return guarded(answer, [&]() -> Result {
     Result r = unhurried(
-        [&](const serve::Limit& limit) { return serve::solve(query_of(flags), text_of(puzzle, length), limit); });
+        [&](const service::Limit& limit) { return service::solve(query_of(flags), text_of(puzzle, length), limit); });
     constexpr std::string_view solved = "\"status\":\"solved\"";
     if (r.first == BANKSHOT_DONE && r.second.find(solved) == std::string::npos) r.first = BANKSHOT_NOTHING;
     return r;
@@ -97,13 +97,13 @@ bankshot_status bankshot_solve(const char* puzzle, size_t length, const char* fl
 }
 
 bankshot_status bankshot_simulate(const char* shot, size_t length, const char* flags, bankshot_text* path) {
-  return guarded(path, [&] { return result_of(serve::simulate(query_of(flags), text_of(shot, length))); });
+  return guarded(path, [&] { return result_of(service::simulate(query_of(flags), text_of(shot, length))); });
 }
 
 bankshot_status bankshot_map(const char* puzzle, size_t length, const char* flags, bankshot_text* map) {
   return guarded(map, [&] {
     return unhurried(
-        [&](const serve::Limit& limit) { return serve::map(query_of(flags), text_of(puzzle, length), limit); });
+        [&](const service::Limit& limit) { return service::map(query_of(flags), text_of(puzzle, length), limit); });
   });
 }
 
@@ -116,7 +116,7 @@ bankshot_status bankshot_verify(const char* puzzle, size_t puzzle_length, const 
 }
 
 bankshot_status bankshot_schema(const char* document, bankshot_text* schema) {
-  return guarded(schema, [&] { return result_of(serve::schema({{"document", document ? document : "puzzle"}})); });
+  return guarded(schema, [&] { return result_of(service::schema({{"document", document ? document : "puzzle"}})); });
 }
 
 void bankshot_free(char* data) { std::free(data); }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The answers of the server's API for JavaScript: the engine of the npm package, and of a page without a server. It is
+// The answers of src/service for JavaScript: the engine of the npm package, and of a page without a server. It is
 // built only by emscripten.
 #include <emscripten.h>
 
 #include <cstring>
 
-#include "app/serve/api.hpp"
+#include "service/answers.hpp"
 
-namespace bankshot::app::serve {
+namespace bankshot::service {
 namespace {
 
 /// Answers a request. It cannot be cancelled; the caller can end its worker instead.
@@ -27,11 +27,11 @@ Reply reply_to(std::string_view path, const Query& query, const std::string& bod
 }
 
 }  // namespace
-}  // namespace bankshot::app::serve
+}  // namespace bankshot::service
 
 /// Returns the status, a line break and the body; the caller frees the text.
 extern "C" EMSCRIPTEN_KEEPALIVE char* bankshot_ask(const char* path, const char* query, const char* body) {
-  using namespace bankshot::app::serve;
+  using namespace bankshot::service;
   const Reply reply = reply_to(path, query_of(query, '\n'), body);
   return strdup((std::to_string(reply.status) + '\n' + reply.body).c_str());
 }

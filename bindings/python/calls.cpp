@@ -3,10 +3,10 @@
 
 #include <chrono>
 
-#include "app/map/map_of.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bindings/in_parallel.hpp"
 #include "bindings/python/interrupt.hpp"
+#include "service/start_map.hpp"
 
 namespace py = pybind11;
 
@@ -14,7 +14,7 @@ namespace bankshot::python {
 namespace {
 
 Solved solved_until(const std::string& text, const SolveFlags& flags, const std::atomic<bool>& stop) {
-  Solved out{flags.read(text), {}, !flags.no_timing, flags.path};
+  Solved out{flags.read(text), {}, flags};
   SolveOptions options = flags.solve_options();
   options.cancelled = &stop;
   out.answer = solve(out.puzzle, options);
@@ -76,8 +76,8 @@ auto each(std::size_t count, int threads, py::object tell, const Make& make) {
 void check(const SolveFlags& flags) {
   if (flags.options.all && flags.options.first) throw InvalidInput("", "all excludes first");
   try {
-    app::solve::check(flags);
-  } catch (const std::runtime_error& e) {  // thrown by the command line's check
+    service::check(flags);
+  } catch (const service::BadOption& e) {
     throw InvalidInput("", e.what());
   }
 }
@@ -91,13 +91,13 @@ Texts solve_lines(const Texts& lines, const SolveFlags& flags, int threads, py::
               [&](std::size_t i, const std::atomic<bool>& stop) { return answer_line(lines[i], flags, stop); });
 }
 
-Texts generate_lines(const app::generate::Wishes& wishes, long count, int threads) {
-  const Wish wish = app::generate::read_wish(wishes);
+Texts generate_lines(const service::Wishes& wishes, long count, int threads) {
+  const Wish wish = service::read_wish(wishes);
   const auto made = each(static_cast<std::size_t>(count), threads, py::none(), [&](std::size_t i, const auto&) {
-    return app::generate::make(wishes, wish, static_cast<long>(i) + 1);
+    return service::make(wishes, wish, static_cast<long>(i) + 1);
   });
   Texts lines;
-  for (const app::generate::Made& m : made) {
+  for (const service::Made& m : made) {
     if (m.line.empty())
       throw NotFound("puzzle " + std::to_string(lines.size() + 1) + " was not found: " + m.tries.text());
     lines.push_back(m.line);
@@ -111,7 +111,7 @@ std::string map(const std::string& text, int columns, int rows, const SolveFlags
     const Puzzle puzzle = flags.read(text);
     SolveOptions options = flags.solve_options();
     options.cancelled = &stop;
-    return to_csv(puzzle, app::map::map_of(puzzle, columns, rows, options));
+    return to_csv(puzzle, service::start_map(puzzle, columns, rows, options));
   });
 }
 

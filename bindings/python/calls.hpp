@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "app/generate/wishes.hpp"
-#include "app/solve/solve_flags.hpp"
 #include "bankshot/plan/answer.hpp"
+#include "service/solve_flags.hpp"
+#include "service/wishes.hpp"
 #if BANKSHOT_LEARN
 #include "bankshot/learn/fit.hpp"
 #endif
@@ -20,16 +20,16 @@
 namespace bankshot::python {
 
 using Texts = std::vector<std::string>;
-using app::solve::SolveFlags;
+using service::SolveFlags;
 
 /// A puzzle and its answer.
 struct Solved {
   Puzzle puzzle;
   Answer answer;
-  bool timing, path;
+  SolveFlags flags;
 
-  std::string json() const { return to_json(puzzle, answer, timing, path); }
-  std::string text() const { return to_text(puzzle, answer); }
+  std::string json() const { return to_json(puzzle, answer, !flags.no_timing, flags.path); }
+  std::string text() const { return service::text_of(puzzle, answer, flags); }
 };
 
 /// Throws InvalidInput for invalid flags.
@@ -45,7 +45,7 @@ struct NotFound : std::runtime_error {
 };
 
 /// Returns puzzles, one per line. Throws NotFound.
-Texts generate_lines(const app::generate::Wishes& wishes, long count, int threads);
+Texts generate_lines(const service::Wishes& wishes, long count, int threads);
 
 /// Returns as CSV the starts from which a shot can be made.
 std::string map(const std::string& text, int columns, int rows, const SolveFlags& flags);

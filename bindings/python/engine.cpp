@@ -8,14 +8,13 @@
 
 #include <cmath>
 
-#include "app/files.hpp"
-#include "app/serve/api.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bindings/many.hpp"
 #include "bindings/python/calls.hpp"
 #include "bindings/python/interrupt.hpp"
 #include "bindings/verified.hpp"
+#include "service/answers.hpp"
 
 namespace py = pybind11;
 
@@ -125,7 +124,7 @@ void translate(std::exception_ptr thrown) {
   } catch (const InvalidInput& e) {
     const Answer answer = invalid_answer("", e);  // its reason names the line for text that is not JSON
     raise(answer.error->path, answer.error->reason);
-  } catch (const app::FileError& e) {  // an invalid wish of `generate`
+  } catch (const service::BadOption& e) {  // an invalid wish of `generate`
     raise("", e.what());
   } catch (const NotFound& e) {
     PyErr_SetString(PyExc_LookupError, e.what());
@@ -195,11 +194,11 @@ PYBIND11_MODULE(_engine, m) {
       "count"_a, "threads"_a, py::kw_only(), "seed"_a, "table"_a, "physics"_a, "cushions"_a, "target"_a, "balls"_a,
       "then"_a, "difficulty"_a, "unique"_a);
   m.def("schema", [](const std::string& document) {
-    const app::serve::Reply reply = app::serve::schema({{"document", document}});
+    const service::Reply reply = service::schema({{"document", document}});
     if (reply.status != 200) throw InvalidInput("", "\"" + document + "\" is no document");
     return reply.body;
   });
-  m.def("tables", [] { return app::serve::tables({}).body; });
+  m.def("tables", [] { return service::tables({}).body; });
 #if BANKSHOT_LEARN
   m.def(
       "fit",

@@ -10,6 +10,7 @@
 #include "app/files.hpp"
 #include "bankshot/plan/answer.hpp"
 #include "io/json/reader.hpp"
+#include "service/options.hpp"
 
 namespace bankshot::app {
 namespace {
@@ -65,6 +66,8 @@ int main(int argc, char** argv) {
     return commands.at(app.get_subcommands().front()->get_name())();
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
+    return refuse(std::string(e.what()) + "; see bankshot --help", json);
+  } catch (const bankshot::service::BadOption& e) {
     return refuse(std::string(e.what()) + "; see bankshot --help", json);
   } catch (const WriteError& e) {
     return refuse(e.what(), false);

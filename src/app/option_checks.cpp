@@ -15,12 +15,6 @@ std::string file_or_output(const std::string& text) {
   return text.starts_with("--") ? "\"" + text + "\" is an option, not a file" : "";
 }
 
-std::string whole_number(const std::string& text) {
-  constexpr std::size_t most_digits = 18;  // fits a long
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits && text.size() <= most_digits ? "" : "\"" + text + "\" must be a whole number, at least 0";
-}
-
 int threads_for(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }

@@ -12,8 +12,6 @@ namespace bankshot::app {
 std::string file_name(const std::string& text);
 /// Checks a file name likewise, but "-" may stand for standard output.
 std::string file_or_output(const std::string& text);
-/// Checks for a whole number of at least 0; CLI11's own check prints its bounds with 309 digits.
-std::string whole_number(const std::string& text);
 
 /// Returns `jobs`, or the number of the machine's threads for 0.
 int threads_for(int jobs);

@@ -14,6 +14,7 @@
 #include "app/gzip.hpp"
 #include "app/interrupt.hpp"
 #include "app/option_checks.hpp"
+#include "app/options.hpp"
 
 namespace bankshot::app::batch {
 namespace {
@@ -22,7 +23,7 @@ constexpr int by_signal = 128;  ///< an exit code of 128 + n means that signal n
 
 struct Arguments {
   std::string file, output = "-", cost;
-  solve::SolveFlags flags;
+  service::SolveFlags flags;
   int threads = 0;
   std::optional<Part> part{};  ///< the only part of the input to solve, if set
   bool resume = false, quiet = false, strict = false, json = true;
@@ -186,8 +187,8 @@ int run_part(const Arguments& a) {
 }
 
 int run(Arguments a) {
-  if (const std::string list = solve::list_asked(a.flags); !list.empty()) return print(list), done;
-  solve::check(a.flags);
+  if (const std::string list = service::list_asked(a.flags); !list.empty()) return print(list), done;
+  service::check(a.flags);
   a.threads = threads_for(a.threads);
   if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");
   const Interrupts watch;
@@ -248,7 +249,7 @@ Run add(CLI::App& app) {
   command->add_flag("--resume", a->resume, "Go on where an earlier run of this command was cut off");
   command->add_flag("--quiet", a->quiet, "Nothing on standard error but errors");
   command->add_flag("--strict", a->strict, "Exit code 1 when a line was invalid");
-  solve::add_solve_flags(*command, a->flags);
+  add_options(*command, service::options_of(a->flags));
   command->add_flag("--json", a->json, "Answers are JSON with or without it");
   command->add_option("--cost", a->cost, "Write where the time went to this file (CSV)")->check(file_name);
   const auto no_picture = [](const std::string&) {

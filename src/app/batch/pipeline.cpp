@@ -56,7 +56,7 @@ std::string answer_to_bad(std::string_view line, long number, InvalidInput e) {
   return to_json(invalid_answer(read_id(line), e, read_about(line)));
 }
 
-Parsed parse(const Lines& lines, const solve::SolveFlags& flags) {
+Parsed parse(const Lines& lines, const service::SolveFlags& flags) {
   Parsed p;
   p.puzzles.reserve(lines.lines.size());
   p.bad.resize(lines.lines.size());
@@ -88,7 +88,7 @@ void add_solving(Cost& cost, const std::vector<Answer>& answers, double seconds)
   cost.search += seconds - (certify + robustness) * scale;
 }
 
-void work(Chunk& c, const solve::SolveFlags& flags, bool gzip, bool measure) {
+void work(Chunk& c, const service::SolveFlags& flags, bool gzip, bool measure) {
   Laps laps(measure);
   const Parsed parsed = parse(c.in, flags);
   laps.add_to(c.cost.parse);
@@ -175,7 +175,7 @@ void run_pipeline(Batch& b) {
   if (read_error) std::rethrow_exception(read_error);
 }
 
-std::string answer_line(const Lines& lines, std::size_t i, const solve::SolveFlags& flags) {
+std::string answer_line(const Lines& lines, std::size_t i, const service::SolveFlags& flags) {
   const std::string_view line = lines.line(i);
   try {
     const Puzzle puzzle = flags.read(line);

@@ -8,7 +8,7 @@
 #include "app/batch/lines.hpp"
 #include "app/batch/output.hpp"
 #include "app/batch/tally.hpp"
-#include "app/solve/solve_flags.hpp"
+#include "service/solve_flags.hpp"
 
 namespace bankshot::app::batch {
 
@@ -16,7 +16,7 @@ struct Batch {
   LineReader& in;
   Output& out;
   Journal* journal;  ///< null if the output cannot be resumed
-  const solve::SolveFlags& flags;
+  const service::SolveFlags& flags;
   int threads;
   Progress& progress;
   Journal::Mark at;      ///< how far the batch has come
@@ -28,6 +28,6 @@ struct Batch {
 void run_pipeline(Batch& batch);
 
 /// Returns the answer to one line as `solve --json` prints it, except that errors name the line of the file.
-std::string answer_line(const Lines& lines, std::size_t i, const solve::SolveFlags& flags);
+std::string answer_line(const Lines& lines, std::size_t i, const service::SolveFlags& flags);
 
 }  // namespace bankshot::app::batch

@@ -10,30 +10,31 @@
 #include "app/batch/output.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
-#include "app/generate/wishes.hpp"
 #include "app/gzip.hpp"
 #include "app/option_checks.hpp"
+#include "service/options.hpp"
+#include "service/wishes.hpp"
 
 namespace bankshot::app::generate {
 namespace {
 
-struct Arguments : Wishes {
+struct Arguments : service::Wishes {
   long count = 0;
   std::string out = "-";
 };
 
 int run(const Arguments& a) {
-  const Wish wish = read_wish(a);
+  const Wish wish = service::read_wish(a);
   batch::Output out(a.out);  // reports a name that cannot be written before the work begins
   if (out.regular()) out.cut(0);
   // The first block is a single puzzle, so that an impossible wish is reported after the tries of one puzzle.
   constexpr long block = 64;
   for (long done_so_far = 0; done_so_far < a.count;) {
-    std::vector<Made> made(static_cast<std::size_t>(std::min(done_so_far ? block : 1, a.count - done_so_far)));
+    std::vector<service::Made> made(static_cast<std::size_t>(std::min(done_so_far ? block : 1, a.count - done_so_far)));
     tbb::parallel_for(std::size_t{0}, made.size(),
-                      [&](std::size_t i) { made[i] = make(a, wish, done_so_far + static_cast<long>(i) + 1); });
+                      [&](std::size_t i) { made[i] = service::make(a, wish, done_so_far + static_cast<long>(i) + 1); });
     std::string lines;
-    const auto missing = std::find_if(made.begin(), made.end(), [](const Made& m) { return m.line.empty(); });
+    const auto missing = std::find_if(made.begin(), made.end(), [](const service::Made& m) { return m.line.empty(); });
     for (auto m = made.begin(); m != missing; ++m, ++done_so_far) lines += m->line;
     if (!lines.empty()) out.write(out.gzip() ? gzipped(lines) : lines);
     if (missing == made.end()) continue;
@@ -65,8 +66,8 @@ std::string help() {
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("generate", "Make puzzles that have a shot");
-  command->add_option("--count", a->count, "How many")->required()->check(whole_number);
-  command->add_option("--seed", a->seed, "Other seeds, other puzzles")->required()->check(whole_number);
+  command->add_option("--count", a->count, "How many")->required()->check(service::whole_number);
+  command->add_option("--seed", a->seed, "Other seeds, other puzzles")->required()->check(service::whole_number);
   command->add_option("--table", a->table, "A table's name, or its JSON")->capture_default_str();
   command->add_option("--physics", a->physics, "A physics' name, or its JSON")->capture_default_str();
   command
@@ -77,7 +78,7 @@ Run add(CLI::App& app) {
           "--target", a->target,
           "pocket, stop (rest at a point) or pass (through a point), else one of these is drawn; kick (touch a\n"
           "ball), pot (send one into a pocket), carom (touch one and then another)")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kinds), std::end(kinds))));
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(service::kinds), std::end(service::kinds))));
   command->add_option("--balls", a->balls, "Other balls on the table; 0 is three with kick, pot and carom")
       ->check(CLI::Range(0, 21));
   command->add_option("--then", a->then, "As --cushions, of the ball that is sent into a pocket")

@@ -11,12 +11,13 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
-#include "app/map/map_of.hpp"
 #include "app/option_checks.hpp"
 #include "app/picture.hpp"
 #include "bankshot/draw/map.hpp"
 #include "bankshot/scene/json.hpp"
 #include "io/answer/words.hpp"
+#include "service/options.hpp"
+#include "service/start_map.hpp"
 
 namespace bankshot::app::map {
 namespace {
@@ -62,7 +63,7 @@ int run(const Arguments& a) {
     Puzzle puzzle = read_puzzle(text);
     if (a.budget >= 0) puzzle.budget = a.budget;
     for (const std::string& path : a.out) write_file(path, "");
-    const StartMap map = map_of(puzzle, a.grid[0], a.grid[1], {.robustness = !a.no_robustness});
+    const StartMap map = service::start_map(puzzle, a.grid[0], a.grid[1], {.robustness = !a.no_robustness});
     write_outputs(
         a.out, [&] { return to_csv(puzzle, map); }, [&] { return draw(puzzle, map, a.theme); });
     print(summary(map));
@@ -87,7 +88,7 @@ Run add(CLI::App& app) {
       ->required();
   command->add_option("--grid", a->grid, "Columns and rows of starts")->required()->check(CLI::Range(1, most));
   add_output_option(*command, a->out, "a heat map");
-  command->add_option("--budget", a->budget, "Simulations to spend on a start at most")->check(whole_number);
+  command->add_option("--budget", a->budget, "Simulations to spend on a start at most")->check(service::whole_number);
   add_theme_flag(*command, a->theme);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
   explain(*command,

@@ -8,10 +8,10 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/picture.hpp"
-#include "app/scene_flags.hpp"
 #include "bankshot/draw/acceptance.hpp"
 #include "bankshot/simulate/acceptance.hpp"
 #include "io/json/reader.hpp"
+#include "service/scene_words.hpp"
 
 namespace bankshot::app::pocket {
 namespace {
@@ -50,7 +50,7 @@ std::string summary(const std::vector<Acceptance>& windows) {
 }
 
 int run(const Arguments& a) {
-  const Scene scene = read_scene_flags(a.table, "spin");
+  const Scene scene = service::read_scene_words(a.table, "spin");
   const int pocket = find_pocket(scene.table, a.pocket);
   for (const std::string& path : a.out) write_file(path, "");
   std::vector<Acceptance> windows;

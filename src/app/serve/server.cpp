@@ -8,13 +8,18 @@
 #include <thread>
 
 #include "app/files.hpp"
-#include "app/serve/api.hpp"
 #include "app/serve/desk.hpp"
 #include "app/serve/door.hpp"
 #include "app/serve/listener.hpp"
 #include "app/serve/page.hpp"
+#include "service/answers.hpp"
 
 namespace bankshot::app::serve {
+
+using service::Limit;
+using service::Query;
+using service::refusal;
+using service::Reply;
 namespace {
 
 constexpr std::size_t largest_body = 1 << 20;         // bytes
@@ -138,16 +143,16 @@ struct Server::Parts {
   }
 
   void rooms() {
-    work("/api/solve", solve);
-    work("/api/map", map);
-    work("/api/launches", launches);
+    work("/api/solve", service::solve);
+    work("/api/map", service::map);
+    work("/api/launches", service::launches);
     work("/api/simulate",
-         [](const Query& query, const std::string& body, const Limit&) { return simulate(query, body); });
+         [](const Query& query, const std::string& body, const Limit&) { return service::simulate(query, body); });
     http.Get("/api/tables", [](const httplib::Request& request, httplib::Response& response) {
-      put(response, tables(query_of(request)));
+      put(response, service::tables(query_of(request)));
     });
     http.Get("/api/schema", [](const httplib::Request& request, httplib::Response& response) {
-      put(response, schema(query_of(request)));
+      put(response, service::schema(query_of(request)));
     });
     for (const PageFile& file : page_files())
       http.Get(std::string(file.path), [file](const httplib::Request&, httplib::Response& response) {

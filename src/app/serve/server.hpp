@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The HTTP server around the answers (api.hpp): limits, refusals and the page's files.
+// The HTTP server around the answers (service/answers.hpp): limits, refusals and the page's files.
 #pragma once
 
 #include <cstddef>

@@ -8,12 +8,13 @@
 #include "app/files.hpp"
 #include "app/option_checks.hpp"
 #include "app/picture.hpp"
-#include "app/simulate/csv_of.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/answer.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/camera.hpp"
+#include "service/options.hpp"
+#include "service/path_table.hpp"
 
 namespace bankshot::app::simulate {
 namespace {
@@ -100,7 +101,15 @@ std::string recording_of(const Arguments& a, const ShotRequest& request, const T
   return write_recording(film(request, t, {.rate = a.record, .noise = a.noise * mm, .drop = a.drop}, random)) + "\n";
 }
 
-constexpr double most_rows = 1e7;  // about a gigabyte
+/// Returns the path as CSV. Throws WriteError if it would be longer than about a gigabyte.
+std::string csv_of(const Arguments& a, const ShotRequest& request, const Trajectory& t) {
+  constexpr double most_rows = 1e7;
+  try {
+    return service::path_table(request, t, a.rate, most_rows);
+  } catch (const service::TooLong& e) {
+    throw WriteError(e.what());
+  }
+}
 
 int run(const Arguments& a) {
   const std::string text = read_file(a.file);
@@ -109,9 +118,9 @@ int run(const Arguments& a) {
     const Trajectory t = bankshot::simulate(request);
     const auto write = [&] {
       a.picture.write([&](const PictureStyle& style) { return draw(request, t, style); });
-      if (!a.csv.empty() && a.csv != "-") write_file(a.csv, csv_of(request, t, a.rate, most_rows));
+      if (!a.csv.empty() && a.csv != "-") write_file(a.csv, csv_of(a, request, t));
     };
-    print_after(write, a.csv == "-"   ? csv_of(request, t, a.rate, most_rows)
+    print_after(write, a.csv == "-"   ? csv_of(a, request, t)
                        : a.record > 0 ? recording_of(a, request, t)
                        : a.json       ? to_json(request, t) + "\n"
                                       : text_of(request, t));
@@ -148,7 +157,7 @@ Run add(CLI::App& app) {
       ->needs(record);
   command->add_option("--seed", a->seed, "Other seeds, other errors of a recording")
       ->needs(record)
-      ->check(whole_number);
+      ->check(service::whole_number);
   explain(*command,
           "A shot is a scene and a launch; a puzzle with a shot of its answer is one too, and its other keys are not\n"
           "read. It ends at rest, in a pocket, or where \"until\" says. A name that ends in .gz is packed.",

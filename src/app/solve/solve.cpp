@@ -6,18 +6,18 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/option_checks.hpp"
+#include "app/options.hpp"
 #include "app/picture.hpp"
-#include "app/solve/solve_flags.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/scene/json.hpp"
-#include "io/answer/words.hpp"
+#include "service/solve_flags.hpp"
 
 namespace bankshot::app::solve {
 namespace {
 
 struct Arguments {
   std::string file = "-", csv;
-  SolveFlags flags;
+  service::SolveFlags flags;
   PictureFlags picture;
   bool json = false;
 };
@@ -28,27 +28,9 @@ int invalid(const Arguments& a, const std::string& text, const InvalidInput& e) 
   return bad_input;
 }
 
-/// Returns a line for the reader if aiming off the exact line would raise success considerably; else an empty text.
-std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions& options) {
-  constexpr double much = 0.05;  // of success probability
-  if (aim_of(puzzle) == Aim::safest || answer.shots.size() != 1) return "";
-  const Shot& shot = answer.shots.front();
-  if (!is_pocket(puzzle.target) || !shot.robustness.success || *shot.robustness.success > 1 - much) return "";
-  Puzzle other = puzzle;
-  other.aim = Aim::safest;
-  const Answer best = bankshot::solve(other, options);
-  if (best.shots.empty() || !(best.shots.front().robustness.success.value_or(0) > *shot.robustness.success + much))
-    return "";
-  const Shot& s = best.shots.front();
-  return fmt::format(
-      "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, makes it {} of the time: \"aim\": "
-      "\"safest\"\n",
-      degrees(s.launch.angle), s.launch.speed, success_words(s));
-}
-
 int run(const Arguments& a) {
-  if (const std::string list = list_asked(a.flags); !list.empty()) return print(list), done;
-  check(a.flags);
+  if (const std::string list = service::list_asked(a.flags); !list.empty()) return print(list), done;
+  service::check(a.flags);
   const std::string text = read_file(a.file);
   try {
     const Puzzle puzzle = a.flags.read(text);
@@ -59,7 +41,7 @@ int run(const Arguments& a) {
     };
     print_after(write, a.csv == "-" ? to_csv(puzzle, answer, a.flags.options.all)
                        : a.json     ? to_json(puzzle, answer, !a.flags.no_timing, a.flags.path) + "\n"
-                                    : to_text(puzzle, answer) + safer(puzzle, answer, a.flags.solve_options()));
+                                    : service::text_of(puzzle, answer, a.flags));
     return answer.status == Status::solved ? done : nothing_solved;
   } catch (const InvalidInput& e) {
     return invalid(a, text, e);
@@ -72,7 +54,7 @@ Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("solve", "Find the aim and the speed for a puzzle");
   command->add_option("puzzle", a->file, "A puzzle in JSON; - reads standard input")->capture_default_str();
-  add_solve_flags(*command, a->flags);
+  add_options(*command, service::options_of(a->flags));
   add_picture_flags(*command, a->picture);
   command
       ->add_option(

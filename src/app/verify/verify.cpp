@@ -11,8 +11,8 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/line_file.hpp"
-#include "app/solve/solve_flags.hpp"
 #include "bankshot/scene/json.hpp"
+#include "service/solve_flags.hpp"
 #include "truth/claims.hpp"
 
 namespace bankshot::app::verify {
@@ -39,7 +39,7 @@ void check(Pair& pair, const std::string& player) {
   std::optional<Puzzle> puzzle;
   try {
     puzzle = read_puzzle(pair.puzzle);
-    solve::set_player(*puzzle, player);
+    service::set_player(*puzzle, player);
   } catch (const InvalidInput&) {
     // The answer must say so.
   }
@@ -146,7 +146,7 @@ std::vector<Pair> next_pairs(LineFile& puzzles, LineFile& answers, std::size_t m
 }
 
 int run(const std::string& puzzle_file, const std::string& answer_file, const std::string& player) {
-  solve::check_player(player);
+  service::check_player(player);
   if (puzzle_file == "-" && answer_file == "-") throw FileError("puzzles and answers cannot both be standard input");
   LineFile puzzles(puzzle_file), answers(answer_file);
   constexpr std::size_t block = 2000;  // keeps all cores busy and memory bounded

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "app/generate/wishes.hpp"
+#include "service/wishes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "app/files.hpp"
-#include "app/scene_flags.hpp"
 #include "bankshot/scene/json.hpp"
 #include "io/json/reader.hpp"
+#include "service/options.hpp"
+#include "service/scene_words.hpp"
 
-namespace bankshot::app::generate {
+namespace bankshot::service {
 namespace {
 
 int whole(const std::string& text) {
@@ -35,7 +35,7 @@ CushionRule read_rule(const std::string& text, const Table& table, std::string_v
   for (std::string word; std::getline(words, word, ',');) {
     const auto it = std::find(all.begin(), all.end(), word);
     if (it == all.end())
-      throw FileError(fmt::format("{}: {} is neither a number, LOW-HIGH nor a cushion{}", flag, quote(word),
+      throw BadOption(fmt::format("{}: {} is neither a number, LOW-HIGH nor a cushion{}", flag, quote(word),
                                   known_words(word, names)));
     contacts.push_back(Contact::rail(static_cast<int>(it - all.begin())));
   }
@@ -46,7 +46,7 @@ CushionRule read_rule(const std::string& text, const Table& table, std::string_v
 
 Wish read_wish(const Wishes& a) {
   Wish w;
-  const Scene scene = read_scene_flags(a.table, a.physics, "--");
+  const Scene scene = read_scene_words(a.table, a.physics, "--");
   w.table = scene.table, w.physics = scene.physics, w.ball = scene.ball;
   w.cushions = read_rule(a.cushions, w.table, "--cushions");
   w.then = read_rule(a.then, w.table, "--then");
@@ -56,11 +56,11 @@ Wish read_wish(const Wishes& a) {
   for (std::size_t i = 0; i < std::size(kinds); ++i)
     if (a.target == kinds[i]) w.kind = static_cast<Wish::Kind>(i);
   if ((w.kind == Wish::Kind::pocket || w.kind == Wish::Kind::pot) && w.table.pockets.empty())
-    throw FileError("--target " + a.target + ": this table has no pockets");
+    throw BadOption("--target " + a.target + ": this table has no pockets");
   if (a.then != "0" && w.kind != Wish::Kind::pot)
-    throw FileError("--then: is of the ball that is sent into a pocket, with --target pot");
+    throw BadOption("--then: is of the ball that is sent into a pocket, with --target pot");
   if (w.kind == Wish::Kind::stop && deceleration(w.physics) == 0)
-    throw FileError("--target stop: without friction no ball comes to rest");
+    throw BadOption("--target stop: without friction no ball comes to rest");
   w.unique = a.unique;
   return w;
 }
@@ -76,4 +76,4 @@ Made make(const Wishes& a, const Wish& w, long number) {
   return made;
 }
 
-}  // namespace bankshot::app::generate
+}  // namespace bankshot::service

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/serve/api.hpp"
+#include "service/answers.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 
-#include "app/files.hpp"
-#include "app/map/map_of.hpp"
-#include "app/option_checks.hpp"
-#include "app/simulate/csv_of.hpp"
-#include "app/solve/solve_flags.hpp"
 #include "bankshot/draw/map.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/launch_map.hpp"
@@ -19,19 +14,13 @@
 #include "io/format/schema.hpp"
 #include "io/json/reader.hpp"
 #include "io/json/writer.hpp"
+#include "service/path_table.hpp"
+#include "service/solve_flags.hpp"
+#include "service/start_map.hpp"
 #include "sim/geometry/mouth.hpp"
 
-namespace bankshot::app::serve {
+namespace bankshot::service {
 namespace {
-
-/// Parses the query as if it were typed, so that the command line's own definitions check it and say what is wrong.
-void parse(CLI::App& command, const Query& query) {
-  std::vector<std::string> words;
-  for (const auto& [name, value] : query) words.push_back("--" + name + (value.empty() ? "" : "=" + value));
-  std::ranges::reverse(words);
-  command.set_help_flag();
-  command.parse(words);
-}
 
 /// Returns the reply of `f`; an exception that `f` throws for bad input becomes a refusal with status 400.
 template <class F>
@@ -40,9 +29,9 @@ Reply answer(const F& f) {
     return f();
   } catch (const InvalidInput& e) {
     return refusal(400, e.path, e.what());
-  } catch (const WriteError& e) {  // the answer would be too long
+  } catch (const TooLong& e) {
     return refusal(400, "", e.what());
-  } catch (const CLI::ParseError& e) {
+  } catch (const BadOption& e) {
     return refusal(400, "", e.what());
   }
 }
@@ -84,7 +73,7 @@ void write_preset(JsonWriter& w, const TablePreset& preset) {
   w.close('}');
 }
 
-/// Limits on the size of an answer: a small request may ask for gigabytes, since a slow ball rolls for days.
+/// Limits on the size of an answer.
 constexpr double most_rows = 1e6;
 constexpr std::size_t most_events = 100000;
 
@@ -93,21 +82,10 @@ void check_length(const Puzzle& p, const Answer& found) {
   for (const Shot& shot : found.shots)
     points += shot.path.arrival.time * usual_rate * static_cast<double>(1 + p.others.size());
   if (points > most_rows)
-    throw WriteError(fmt::format("the paths would have {:.2g} points, and {:.0g} is the most", points, most_rows));
+    throw TooLong(fmt::format("the paths would have {:.2g} points, and {:.0g} is the most", points, most_rows));
 }
 
 }  // namespace
-
-Query query_of(std::string_view flags, char between) {
-  Query query;
-  while (!flags.empty()) {
-    const std::string_view one = flags.substr(0, flags.find(between));
-    const std::size_t end = std::min(one.find('='), one.size());
-    if (!one.empty()) query.emplace_back(one.substr(0, end), one.substr(std::min(end + 1, one.size())));
-    flags.remove_prefix(std::min(one.size() + 1, flags.size()));
-  }
-  return query;
-}
 
 Reply refusal(int status, const std::string& path, const std::string& reason) {
   JsonWriter w;
@@ -117,11 +95,9 @@ Reply refusal(int status, const std::string& path, const std::string& reason) {
 
 Reply solve(const Query& query, const std::string& body, const Limit& limit) {
   return answer([&] {
-    app::solve::SolveFlags flags;
-    CLI::App command;
-    app::solve::add_solve_flags(command, flags);
-    parse(command, query);
-    app::solve::check(flags);
+    SolveFlags flags;
+    read(query, options_of(flags));
+    check(flags);
     const Puzzle puzzle = flags.read(body);
     SolveOptions options = flags.solve_options();
     options.cancelled = &limit.stop;
@@ -134,37 +110,28 @@ Reply solve(const Query& query, const std::string& body, const Limit& limit) {
 
 Reply simulate(const Query& query, const std::string& body) {
   return answer([&] {
-    CLI::App command;
     double rate = usual_rate;
     bool csv = false;
-    command.add_flag("--csv", csv);
-    command.add_option("--rate", rate)->check(CLI::Range(1e-3, 1e3));
-    parse(command, query);
+    read(query, std::array{Option{"csv", &csv}, Option{"rate", &rate, "", rates}});
     const ShotRequest shot = read_shot(body);
     const Trajectory t = bankshot::simulate(shot);
-    if (csv) return Reply{200, app::simulate::csv_of(shot, t, rate, most_rows), "text/csv"};
+    if (csv) return Reply{200, path_table(shot, t, rate, most_rows), "text/csv"};
     if (t.events.size() > most_events)
-      throw WriteError(fmt::format("the shot has {} events, and {} is the most", t.events.size(), most_events));
+      throw TooLong(fmt::format("the shot has {} events, and {} is the most", t.events.size(), most_events));
     return Reply{200, to_json(shot, t) + "\n"};
   });
 }
 
 Reply map(const Query& query, const std::string& body, const Limit& limit) {
   return answer([&] {
-    CLI::App command;
     std::vector<int> grid{40, 20};
     bool svg = false, no_robustness = false;
     long budget = -1;
-    constexpr int most = 200;
-    command.add_option("--grid", grid)->delimiter(',')->expected(2)->check(CLI::Range(1, most));
-    command.add_flag("--svg", svg);
-    command.add_option("--budget", budget)->check(whole_number);
-    command.add_flag("--no-robustness", no_robustness);
-    parse(command, query);
+    read(query, std::array{Option{"grid", &grid, "", {1, 200}}, Option{"svg", &svg}, Option{"budget", &budget},
+                           Option{"no-robustness", &no_robustness}});
     Puzzle puzzle = read_puzzle(body);
     if (budget >= 0) puzzle.budget = budget;
-    const StartMap map =
-        app::map::map_of(puzzle, grid[0], grid[1], {.robustness = !no_robustness, .cancelled = &limit.stop});
+    const StartMap map = start_map(puzzle, grid[0], grid[1], {.robustness = !no_robustness, .cancelled = &limit.stop});
     if (limit.stop) return refusal(503, "", limit.why.load());
     if (svg) return Reply{200, draw(puzzle, map, Theme::light), "image/svg+xml"};
     return Reply{200, to_csv(puzzle, map), "text/csv"};
@@ -173,14 +140,11 @@ Reply map(const Query& query, const std::string& body, const Limit& limit) {
 
 Reply launches(const Query& query, const std::string& body, const Limit& limit) {
   return answer([&] {
-    CLI::App command;
-    std::vector<double> angle, speed;
+    std::vector<double> angle(2), speed(2);
     std::vector<int> grid{100, 50};
-    constexpr int most = 400;
-    command.add_option("--angle", angle)->delimiter(',')->expected(2)->required()->check(CLI::Range(-360.0, 720.0));
-    command.add_option("--speed", speed)->delimiter(',')->expected(2)->required()->check(CLI::Range(0.0, 30.0));
-    command.add_option("--grid", grid)->delimiter(',')->expected(2)->check(CLI::Range(1, most));
-    parse(command, query);
+    read(query, std::array{Option{.name = "angle", .target = &angle, .range = {-360, 720}, .required = true},
+                           Option{.name = "speed", .target = &speed, .range = {0, 30}, .required = true},
+                           Option{.name = "grid", .target = &grid, .range = {1, 400}}});
     if (!(angle[0] < angle[1])) return refusal(400, "", "--angle: the first must be less than the second");
     if (!(speed[0] < speed[1])) return refusal(400, "", "--speed: the first must be less than the second");
     const LaunchGrid asked{{radians(angle[0]), radians(angle[1])}, {speed[0], speed[1]}, grid[0], grid[1]};
@@ -192,8 +156,7 @@ Reply launches(const Query& query, const std::string& body, const Limit& limit) 
 
 Reply tables(const Query& query) {
   return answer([&] {
-    CLI::App command;
-    parse(command, query);
+    read(query, {});
     JsonWriter w;
     w.open('[');
     for (const TablePreset& preset : table_presets()) write_preset(w, preset);
@@ -204,10 +167,8 @@ Reply tables(const Query& query) {
 
 Reply schema(const Query& query) {
   return answer([&] {
-    CLI::App command;
     std::string document = "puzzle";
-    command.add_option("--document", document);
-    parse(command, query);
+    read(query, std::array{Option{"document", &document}});
     const auto known = format::documents();
     if (std::ranges::find(known, document) == known.end())
       return refusal(400, "", quote(document) + " is no document" + known_words(document, known));
@@ -215,4 +176,4 @@ Reply schema(const Query& query) {
   });
 }
 
-}  // namespace bankshot::app::serve
+}  // namespace bankshot::service

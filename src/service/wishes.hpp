@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The flags of `generate` as text, and the puzzles made from them.
+// The options of `generate` as text, and the puzzles made from them.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 #include "bankshot/plan/generate.hpp"
 
-namespace bankshot::app::generate {
+namespace bankshot::service {
 
 /// Names in the order of Wish::Kind.
 inline constexpr const char* kinds[] = {"pocket", "stop", "pass", "kick", "pot", "carom"};
 
-/// Values of the flags with the same names; an empty one means any.
+/// Values of the options with the same names; an empty one means any.
 struct Wishes {
   std::uint64_t seed = 0;
   std::string table = "pool-9ft", physics = "spin", cushions = "1-3", then = "0", difficulty, target;
@@ -21,7 +21,7 @@ struct Wishes {
   bool unique = false;
 };
 
-/// Turns the flags into a wish. Throws FileError, which names the flag.
+/// Turns the options into a wish. Throws BadOption, which names the option.
 Wish read_wish(const Wishes& wishes);
 
 /// One puzzle as a line of text; an empty line if none was found, and `tries` says why.
@@ -32,4 +32,4 @@ struct Made {
 /// Makes puzzle `number`, counted from 1.
 Made make(const Wishes& wishes, const Wish& wish, long number);
 
-}  // namespace bankshot::app::generate
+}  // namespace bankshot::service

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "app/solve/solve_flags.hpp"
+#include "service/solve_flags.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/option_checks.hpp"
 #include "bankshot/scene/json.hpp"
 #include "io/answer/words.hpp"
 #include "io/json/reader.hpp"
 
-namespace bankshot::app::solve {
+namespace bankshot::service {
 
 SolveOptions SolveFlags::solve_options() const {
   SolveOptions o = options;
@@ -39,18 +37,22 @@ std::string SolveFlags::words() const {
   return out;
 }
 
-void add_solve_flags(CLI::App& command, SolveFlags& flags) {
-  command.add_option("--planner", flags.options.planner, "Which planner; 'list' names them")->capture_default_str();
-  CLI::Option* all = command.add_flag("--all", flags.options.all, "Every distinct shot, best first");
-  command.add_flag("--first", flags.options.first, "The first shot found, not the best")->excludes(all);
-  command.add_option("--budget", flags.budget, "Simulations to spend at most")->check(whole_number);
-  command.add_option("--noise", flags.noise,
-                     "Whose errors, by name, in place of the puzzle's; 'list' tells who they are");
-  command.add_flag("--no-timing", flags.no_timing, "Leave out time_us: same input, same bytes");
-  command.add_flag("--no-robustness", flags.no_robustness, "Leave out margin and success");
-  command.add_flag("--sensitivity", flags.options.sensitivity,
-                   "Each shot with how far a wrong coefficient of the table moves its arrival");
-  command.add_flag("--path", flags.path, "Each shot in JSON with the points of its path");
+std::vector<Option> options_of(SolveFlags& flags) {
+  return {
+      {"planner", &flags.options.planner, "Which planner; 'list' names them"},
+      {"all", &flags.options.all, "Every distinct shot, best first"},
+      {.name = "first",
+       .target = &flags.options.first,
+       .help = "The first shot found, not the best",
+       .excludes = "all"},
+      {"budget", &flags.budget, "Simulations to spend at most"},
+      {"noise", &flags.noise, "Whose errors, by name, in place of the puzzle's; 'list' tells who they are"},
+      {"no-timing", &flags.no_timing, "Leave out time_us: same input, same bytes"},
+      {"no-robustness", &flags.no_robustness, "Leave out margin and success"},
+      {"sensitivity", &flags.options.sensitivity,
+       "Each shot with how far a wrong coefficient of the table moves its arrival"},
+      {"path", &flags.path, "Each shot in JSON with the points of its path"},
+  };
 }
 
 namespace {
@@ -59,7 +61,7 @@ namespace {
 void check_name(const std::string& flag, std::string_view what, const std::string& wanted,
                 const std::vector<std::string_view>& names) {
   if (std::find(names.begin(), names.end(), wanted) == names.end())
-    throw CLI::ValidationError(flag, fmt::format("{} is no {}{}", quote(wanted), what, known_words(wanted, names)));
+    throw BadOption(fmt::format("{}: {} is no {}{}", flag, quote(wanted), what, known_words(wanted, names)));
 }
 
 std::string list_of_planners() {
@@ -103,4 +105,30 @@ std::string list_asked(const SolveFlags& flags) {
   return flags.noise == list ? list_of_players() : "";
 }
 
-}  // namespace bankshot::app::solve
+namespace {
+
+/// Returns a line for the reader if aiming off the exact line would raise success considerably; else an empty text.
+std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions& options) {
+  constexpr double much = 0.05;  // of success probability
+  if (aim_of(puzzle) == Aim::safest || answer.shots.size() != 1) return "";
+  const Shot& shot = answer.shots.front();
+  if (!is_pocket(puzzle.target) || !shot.robustness.success || *shot.robustness.success > 1 - much) return "";
+  Puzzle other = puzzle;
+  other.aim = Aim::safest;
+  const Answer best = bankshot::solve(other, options);
+  if (best.shots.empty() || !(best.shots.front().robustness.success.value_or(0) > *shot.robustness.success + much))
+    return "";
+  const Shot& s = best.shots.front();
+  return fmt::format(
+      "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, makes it {} of the time: \"aim\": "
+      "\"safest\"\n",
+      degrees(s.launch.angle), s.launch.speed, success_words(s));
+}
+
+}  // namespace
+
+std::string text_of(const Puzzle& puzzle, const Answer& answer, const SolveFlags& flags) {
+  return to_text(puzzle, answer) + safer(puzzle, answer, flags.solve_options());
+}
+
+}  // namespace bankshot::service

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The server's answers, independent of HTTP: the documents of the command line, selected by paths and flags. An answer
-// is the bytes that the command prints with the same flags.
+// Answers to requests: JSON and options in, JSON or text out. The server and the bindings give them to others. An
+// answer is the bytes that the command of the same name prints with the same options.
 #pragma once
 
 #include <atomic>
 #include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-namespace bankshot::app::serve {
+#include "service/options.hpp"
 
-/// Flags such as `?all&budget=500`: names as after `--`, and their values.
-using Query = std::vector<std::pair<std::string, std::string>>;
-/// Splits flags such as "all&budget=500" at `between`.
-Query query_of(std::string_view flags, char between);
+namespace bankshot::service {
 
 struct Reply {
   int status = 200;
@@ -30,7 +24,7 @@ struct Limit {
   const std::atomic<bool>& stop;
   const std::atomic<const char*>& why;  ///< the reason in words, once stopped
 };
-/// Takes the flags of `solve` and answers in JSON. A search that is stopped answers with what it has.
+/// Takes the options of `solve` and answers in JSON. A search that is stopped answers with what it has.
 Reply solve(const Query& query, const std::string& body, const Limit& limit);
 Reply simulate(const Query& query, const std::string& body);
 /// Takes `?grid=40,20` and returns a table, or a picture with `svg`.
@@ -42,4 +36,4 @@ Reply tables(const Query& query);
 /// Takes `?document=shot` and returns what `bankshot schema` prints.
 Reply schema(const Query& query);
 
-}  // namespace bankshot::app::serve
+}  // namespace bankshot::service

@@ -4,9 +4,9 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/plan/start_map.hpp"
 
-namespace bankshot::app::map {
+namespace bankshot::service {
 
 /// Solves the puzzle from each start on a grid, on all cores.
-StartMap map_of(const Puzzle& puzzle, int columns, int rows, const SolveOptions& options);
+StartMap start_map(const Puzzle& puzzle, int columns, int rows, const SolveOptions& options);
 
-}  // namespace bankshot::app::map
+}  // namespace bankshot::service

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "app/scene_flags.hpp"
+#include "service/scene_words.hpp"
 
 #include <fmt/format.h>
 
-#include "app/files.hpp"
 #include "bankshot/scene/json.hpp"
 #include "io/json/document.hpp"
+#include "service/options.hpp"
 
-namespace bankshot::app {
+namespace bankshot::service {
 
 std::string as_json(const std::string& text) { return text.starts_with('{') ? text : write_json(Json(text)); }
 
-Scene read_scene_flags(const std::string& table, const std::string& physics, std::string_view dashes) {
+Scene read_scene_words(const std::string& table, const std::string& physics, std::string_view dashes) {
   try {
     return read_scene(as_json(table), as_json(physics));
   } catch (const InvalidInput& e) {
-    throw FileError(e.path.empty() ? fmt::format("{0}table or {0}physics: {1}", dashes, e.what())
+    throw BadOption(e.path.empty() ? fmt::format("{0}table or {0}physics: {1}", dashes, e.what())
                                    : fmt::format("{}{}: {}", dashes, e.path.substr(1), e.what()));
   }
 }
 
-}  // namespace bankshot::app
+}  // namespace bankshot::service

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The flags that `solve` and `batch` share.
+// The options that `solve` and `batch` share, and their answers.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bankshot/plan/planner.hpp"
+#include "service/options.hpp"
 
-namespace CLI {
-class App;
-}
-
-namespace bankshot::app::solve {
+namespace bankshot::service {
 
 struct SolveFlags {
   SolveOptions options;
@@ -26,9 +24,10 @@ struct SolveFlags {
   std::string words() const;
 };
 
-void add_solve_flags(CLI::App& command, SolveFlags& flags);
+/// Returns the options; `flags` must outlive them.
+std::vector<Option> options_of(SolveFlags& flags);
 
-/// Throws a usage error if the planner or the player is mistyped, before any input is read.
+/// Throws BadOption if the planner or the player is mistyped, before any input is read.
 void check(const SolveFlags& flags);
 void check_player(const std::string& name);
 /// Gives the puzzle the errors of the player named; leaves it unchanged if `name` is empty.
@@ -36,4 +35,7 @@ void set_player(Puzzle& puzzle, const std::string& name);
 /// Returns the list that a flag such as --planner list prints instead of an answer; empty if none asks for one.
 std::string list_asked(const SolveFlags& flags);
 
-}  // namespace bankshot::app::solve
+/// Returns the answer as text for a person. If another aim would raise success considerably, it says so.
+std::string text_of(const Puzzle& puzzle, const Answer& answer, const SolveFlags& flags);
+
+}  // namespace bankshot::service

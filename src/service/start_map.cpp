@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "app/map/map_of.hpp"
+#include "service/start_map.hpp"
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/batch.hpp"
 
-namespace bankshot::app::map {
+namespace bankshot::service {
 
-StartMap map_of(const Puzzle& puzzle, int columns, int rows, const SolveOptions& options) {
+StartMap start_map(const Puzzle& puzzle, int columns, int rows, const SolveOptions& options) {
   StartMap map{StartGrid(puzzle, columns, rows), {}, {}};
   const Boundary boundary(puzzle.table, puzzle.ball.body, puzzle.others);
   std::vector<Puzzle> asked;
@@ -25,4 +25,4 @@ StartMap map_of(const Puzzle& puzzle, int columns, int rows, const SolveOptions&
   return map;
 }
 
-}  // namespace bankshot::app::map
+}  // namespace bankshot::service
