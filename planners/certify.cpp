@@ -48,7 +48,7 @@ bool make_room(const SearchRequest& request, std::vector<Shot>& shots, const Sho
 
 /// Returns the error [m] that rounding can cause at an arrival (simulate/simulator.hpp, property 6).
 double rounding(const SearchRequest& request, const Shot& shot) {
-  const bool integrated = std::holds_alternative<Mathavan2010>(request.puzzle().physics.cushion);
+  const bool integrated = impact_tolerance(request.puzzle().physics.cushion);
   const double pieces = is_level(request.puzzle().physics) ? 1 : tolerance::pieces_rounding;
   const double unit = integrated ? tolerance::impact : tolerance::simulation_error * 0x1p-53 * pieces;
   return unit * (1 + static_cast<double>(shot.path.cushions.size())) *

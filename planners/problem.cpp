@@ -13,7 +13,7 @@ namespace bankshot::planning {
 namespace {
 
 Physics roughly(Physics p) {
-  if (auto* m = std::get_if<Mathavan2010>(&p.cushion)) m->tolerance = std::max(m->tolerance, tolerance::rough_impact);
+  if (double* const error = impact_tolerance(p.cushion)) *error = std::max(*error, tolerance::rough_impact);
   return p;
 }
 

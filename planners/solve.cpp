@@ -29,8 +29,8 @@ using planning::Wanted;
 std::vector<std::string> modelled(const Puzzle& p, const std::vector<Shot>& shots) {
   std::vector<std::string> out{is_ideal(p.physics) ? "ideal" : "rolling"};
   if (carries_spin(p.physics)) out.insert(out.begin(), "sliding");
-  constexpr const char* cushions[] = {"mirror", "han2005", "mathavan2010", "stronge", "custom cushion"};
-  out.push_back(cushions[p.physics.cushion.index()]);
+  const CushionModel& cushion = model_of(p.physics.cushion);
+  out.push_back(std::string(cushion.key) + (cushion.in_files ? "" : " cushion"));
   if (std::any_of(shots.begin(), shots.end(), [](const Shot& s) { return s.path.cushion_stick; }))
     out.push_back("cushion-stick");
   if (!p.table.pockets.empty()) out.push_back("pockets");

@@ -147,17 +147,19 @@ double score(const ModelScore& law, const std::vector<Prediction>& predictions) 
   return any ? law.predicted : law.fitted;
 }
 
-/// Returns the law that best predicts shots left out. mathavan2010 is not tried: its impacts are integrated, which
-/// would take about ten times as long.
+/// Returns the law that best predicts shots left out. Laws whose impacts are integrated are not tried: that would take
+/// about ten times as long.
 Tried best_model(const Recordings& all, const Given& given, const FitWish& wish, Fit& out, Work& work,
                  const std::function<void(double)>& progress) {
-  constexpr const char* models[] = {"han2005", "stronge"};
+  std::vector<std::string> models;
+  for (const CushionModel& model : cushion_registry)
+    if (model.tried_by_fit) models.emplace_back(model.key);
   constexpr FitWish::BySpeed laws[] = {FitWish::BySpeed::constant, FitWish::BySpeed::linear};
-  constexpr double tries = std::size(models) * std::size(laws);
+  const auto tries = static_cast<double>(models.size() * std::size(laws));
   const int group = wish.holdout > 0 ? wish.holdout : std::max(1, static_cast<int>(all.size()) / 4);
   std::optional<Tried> best;
   double least = forever;
-  for (const char* model : models)
+  for (const std::string& model : models)
     for (const FitWish::BySpeed restitution : laws) {
       FitWish one = wish;
       one.model = model, one.restitution = restitution;

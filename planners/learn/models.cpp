@@ -35,35 +35,27 @@ Physics with_laws(Physics p, const FitWish& wish, const Body& body) {
   SlideRoll& cloth = std::get<SlideRoll>(p.motion);
   cloth.rolling_friction = by_speed(cloth.rolling_friction, wish.rolling);
   const Restitution e = by_speed(restitution(p), wish.restitution);
-  const Han2005 usual = std::get<Han2005>(spin_physics(body).cushion);
-  double height = usual.height, friction = usual.friction;
-  std::visit(
-      [&](auto& c) {
-        if constexpr (requires { c.height; }) height = c.height, friction = c.friction;
-        if constexpr (requires { c.restitution; }) c.restitution = e;
-      },
-      p.cushion);
-  if (wish.model == "mirror") p.cushion = Mirror{e};
-  if (wish.model == "han2005") p.cushion = Han2005{height, e, friction};
-  if (wish.model == "stronge") p.cushion = Stronge{height, e, friction};
-  if (wish.model == "mathavan2010")
-    p.cushion = Mathavan2010{
-        .height = height, .restitution = e, .friction = friction, .sliding_friction = cloth.sliding_friction};
-  if (auto* law = std::get_if<Mathavan2010>(&p.cushion))
-    law->tolerance = std::max(law->tolerance, settings::learn::impact);
+  std::visit([&](auto& law) { law.restitution = e; }, p.cushion);
+  if (const auto model = find_cushion_model(wish.model)) {
+    CushionVariant start = spin_physics(body).cushion;
+    take_coefficients(start, p.cushion);
+    p.cushion = default_cushion(*model);
+    take_coefficients(p.cushion, start);
+    if (double* const of_cloth = cloth_friction(p.cushion)) *of_cloth = cloth.sliding_friction;
+  }
+  if (double* const error = impact_tolerance(p.cushion)) *error = std::max(*error, settings::learn::impact);
   return p;
 }
 
 void restore_tolerance(Physics& p) {
-  if (auto* law = std::get_if<Mathavan2010>(&p.cushion)) law->tolerance = tolerance::impact;
+  if (double* const error = impact_tolerance(p.cushion)) *error = tolerance::impact;
 }
 
 std::string model_name(const Physics& p) {
-  constexpr const char* names[] = {"mirror", "han2005", "mathavan2010", "stronge", "custom"};
   const Restitution& e = restitution(p);
-  return std::string(names[p.cushion.index()]) + (e.constant()        ? ""
-                                                  : e.per_speed2 != 0 ? ", restitution by speed squared"
-                                                                      : ", restitution by speed");
+  return std::string(model_of(p.cushion).key) + (e.constant()        ? ""
+                                                 : e.per_speed2 != 0 ? ", restitution by speed squared"
+                                                                     : ", restitution by speed");
 }
 
 }  // namespace bankshot::planning

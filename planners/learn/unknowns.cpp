@@ -21,9 +21,8 @@ ShotRequest with_launch(ShotRequest s, const LaunchUnknowns& u) {
 }
 
 std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, bool meets_balls) {
-  const double R = body.radius;
   // Bounds are wider than the range of real tables; a guess is how much tables differ.
-  const Fittable known[] = {
+  std::vector<Fittable> known{
       {"sliding_friction", 0.02, 1, 0.1, 0},
       {"rolling_friction", 1e-4, 0.1, 0.005, 0},
       {"rolling_friction.at_rest", 1e-4, 0.1, 0.005, 0},
@@ -35,9 +34,6 @@ std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, 
       {"cushion.restitution.at_rest", 0.05, 1, 0.15, 0},
       {"cushion.restitution.per_speed", -0.5, 1, 0.1, 0},
       {"cushion.restitution.per_speed2", -0.5, 0.5, 0.05, 0},
-      {"cushion.friction", 1e-3, 1, 0.1, 0},
-      {"cushion.height", 1.02 * R, 1.9 * R, 0.1 * R, 0},
-      {"cushion.frequency_ratio", 1.001, 1.999, 0.3, 0},
       {"ball_ball.restitution", 0.5, 1, 0.05, 0},
       {"ball_ball.friction", 0, 1, 0.05, 0},
       {"ball_ball.friction.a", 0, 0.2, 0.01, 0},
@@ -46,11 +42,15 @@ std::vector<Fittable> coefficients_of(const Physics& physics, const Body& body, 
       {"tilt.x", -0.05, 0.05, 0.005, 0},
       {"tilt.y", -0.05, 0.05, 0.005, 0},
   };
+  for (const CushionCoefficient* c : cushion_coefficients) {
+    const double scale = c->scale(body.radius);
+    known.push_back({std::string(c->name), c->fit_low * scale, c->fit_high * scale, c->spread * scale, 0});
+  }
   std::vector<Fittable> out;
   VariedPhysics<one_varies> varied(physics);
   for (const auto& named : varied.coefficients(meets_balls)) {
     const auto found = std::ranges::find(known, named.name, &Fittable::name);
-    if (found == std::end(known)) continue;
+    if (found == known.end()) continue;
     out.push_back(*found);
     out.back().start = std::clamp(named.at.front()->a, found->low, found->high);
     // A slope of 0 has no direction, so it has no derivatives.

@@ -44,7 +44,7 @@ NewtonResult newton(const LockedAim& aim, EvaluationBudget& budget, const Launch
   NewtonResult result{from};
   Launch& at = result.launch;
   Launch before = from;
-  bool rough = std::holds_alternative<Mathavan2010>(aim.request.problem->rough.cushion);  // until the root is near
+  bool rough = impact_tolerance(aim.request.problem->rough.cushion);  // until the root is near
   double least = std::numeric_limits<double>::infinity();
   const auto end = [&](NewtonStatus status) { return result.status = status, result; };
   for (int& i = result.iterations; i < most_steps; ++i) {

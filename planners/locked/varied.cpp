@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "planners/locked/varied.hpp"
 
+#include <array>
+#include <cstddef>
+
 #include "planners/settings.hpp"
 
 namespace bankshot::planning {
 namespace {
 
 template <class C>
-RestitutionOf<C> varied(const Restitution& e) {
-  return {C(e.at_rest), C(e.per_speed), C(e.per_speed2)};
+VariedLaw<C> varied_law(const CustomCushion& law) {
+  return law;
+}
+template <class C, template <class> class Law>
+VariedLaw<C> varied_law(const Law<double>& law) {
+  return typename VariedAs<C, Law<double>>::type{with_numbers<C>(law)};
 }
 
 template <class C>
 VariedCushion<C> varied(const CushionVariant& cushion) {
-  struct Of {
-    VariedLaw<C> operator()(const Mirror& c) const { return MirrorOf<C>{varied<C>(c.restitution)}; }
-    VariedLaw<C> operator()(const Han2005& c) const {
-      return Han2005Of<C>{C(c.height), varied<C>(c.restitution), C(c.friction)};
-    }
-    VariedLaw<C> operator()(const Mathavan2010& c) const {
-      return VariedMathavan<C>{
-          {C(c.height), varied<C>(c.restitution), C(c.friction), C(c.sliding_friction), c.tolerance}};
-    }
-    VariedLaw<C> operator()(const Stronge& c) const {
-      return StrongeOf<C>{C(c.height), varied<C>(c.restitution), C(c.friction), C(c.frequency_ratio)};
-    }
-    VariedLaw<C> operator()(const CustomCushion& c) const { return c; }
-  };
-  return {std::visit(Of{}, cushion)};
+  return {std::visit([](const auto& law) { return varied_law<C>(law); }, cushion)};
 }
 
 template <class C>
@@ -52,20 +45,29 @@ bool varies(const C& x) {
   return false;
 }
 
-/// Bounces with derivatives by the first M of nine numbers: velocity, spin, restitution at this speed, height,
-/// friction, friction of the cloth.
-template <int M, class C>
-void bounce_in(const VariedMathavan<C>& law, const Body& body, State<C>& s, const Vec2d& away) {
+constexpr int of_ball = 6;  // velocity, spin, and the restitution at this speed
+template <template <class> class Law, class C>
+constexpr int of_impact = of_ball + static_cast<int>(count_numbers<Law<C>>());
+
+/// Bounces with derivatives by the first M of the numbers of the ball and of the law.
+template <int M, template <class> class Law, class C>
+void bounce_in(const Chained<Law, C>& law, const Body& body, State<C>& s, const Vec2d& away) {
   using Few = Dual<M>;
-  const C before[] = {s.velocity.x, s.velocity.y, s.spin.x,
-                      s.spin.y,     s.spin.z,     law.restitution(-dot(to<C>(away), s.velocity)),
-                      law.height,   law.friction, law.sliding_friction};
+  std::array<C, of_impact<Law, C>> before{s.velocity.x, s.velocity.y, s.spin.x,
+                                          s.spin.y,     s.spin.z,     law.restitution(-dot(to<C>(away), s.velocity))};
+  std::size_t next = of_ball;
+  for_each_number(law, [&](const C& number) { before[next++] = number; });
   const auto few = [&](int k) {
     const double its = before[static_cast<std::size_t>(k)].a;
     return k < M ? Few(its, k) : Few(its);
   };
   State<Few> end{to<Few>(value(s.at)), {few(0), few(1)}, {few(2), few(3), few(4)}};
-  Mathavan2010Of<Few>{few(6), {few(5)}, few(7), few(8), law.tolerance}.bounce(body, end, away);
+  Law<Few> of_few;
+  of_few.restitution = {few(5)};
+  of_few.tolerance = law.tolerance;
+  int k_of_law = of_ball;
+  for_each_number(of_few, [&](Few& number) { number = few(k_of_law++); });
+  of_few.bounce(body, end, away);
   const auto chain = [&](C& out, const Few& of) {
     out = C(of.a);
     for (std::size_t k = 0; k < M; ++k) out += (before[k] - before[k].a) * of.v[k];
@@ -79,13 +81,20 @@ void bounce_in(const VariedMathavan<C>& law, const Body& body, State<C>& s, cons
 
 }  // namespace
 
-template <class C>
-void VariedMathavan<C>::bounce(const Body& body, State<C>& s, const Vec2d& away) const {
-  constexpr int of_ball = 6, all = 9;
-  if (varies(this->height) || varies(this->friction) || varies(this->sliding_friction))
-    bounce_in<all>(*this, body, s, away);
+template <template <class> class Law, class C>
+void Chained<Law, C>::bounce(const Body& body, State<C>& s, const Vec2d& away) const {
+  bool any = false;
+  for_each_number(*this, [&](const C& number) { any = any || varies(number); });
+  if (any)
+    bounce_in<of_impact<Law, C>>(*this, body, s, away);
   else
     bounce_in<of_ball>(*this, body, s, away);
+}
+
+template <class C>
+template <class N>
+void VariedCushion<C>::bounce(const Body& body, State<C>& s, const Vec2<N>& away) const {
+  std::visit([&](const auto& cushion) { cushion.bounce(body, s, away); }, law);
 }
 
 template <int N>
@@ -112,7 +121,10 @@ std::vector<typename VariedPhysics<N>::Named> VariedPhysics<N>::coefficients(boo
   RollingFrictionOf<C>& rolling = motion.rolling_friction;
   if (spins) {
     out.push_back({"sliding_friction", {&motion.sliding_friction}});
-    if (auto* c = std::get_if<VariedMathavan<C>>(&cushion.law)) out.back().at.push_back(&c->sliding_friction);
+    const auto add = [&]([[maybe_unused]] auto& law) {
+      if constexpr (requires { law.sliding_friction; }) out.back().at.push_back(&law.sliding_friction);
+    };
+    std::visit(add, cushion.law);
   }
   if (rolling.per_speed.a == 0) {
     out.push_back({spins ? "rolling_friction" : "friction", {&rolling.at_rest}});
@@ -124,14 +136,12 @@ std::vector<typename VariedPhysics<N>::Named> VariedPhysics<N>::coefficients(boo
   const std::string of_cushion = spins ? "cushion." : "";
   std::visit(
       [&](auto& law) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(law)>, CustomCushion>)
+        if constexpr (!std::is_same_v<std::decay_t<decltype(law)>, CustomCushion>) {
           restitution(of_cushion + "restitution", law.restitution);
-        if constexpr (requires { law.height; }) {
-          out.push_back({"cushion.friction", {&law.friction}});
-          out.push_back({"cushion.height", {&law.height}});
+          for_each_coefficient(law, [&](const CushionCoefficient& c, C& place) {
+            out.push_back({std::string(c.name), {&place}});
+          });
         }
-        if constexpr (requires { law.frequency_ratio; })
-          out.push_back({"cushion.frequency_ratio", {&law.frequency_ratio}});
       },
       cushion.law);
   if (meets_balls) {
@@ -150,9 +160,15 @@ std::vector<typename VariedPhysics<N>::Named> VariedPhysics<N>::coefficients(boo
   return out;
 }
 
-template struct VariedMathavan<Dual<one_varies>>;
-template struct VariedMathavan<Dual<launch_varies>>;
-template struct VariedMathavan<Dual<all_vary>>;
+template <int N>
+using Varies = VariedCushion<Dual<N>>;
+template void Varies<one_varies>::bounce(const Body&, State<Dual<one_varies>>&, const Vec2d&) const;
+template void Varies<one_varies>::bounce(const Body&, State<Dual<one_varies>>&, const Vec2<Dual<one_varies>>&) const;
+template void Varies<launch_varies>::bounce(const Body&, State<Dual<launch_varies>>&, const Vec2d&) const;
+template void Varies<launch_varies>::bounce(const Body&, State<Dual<launch_varies>>&,
+                                            const Vec2<Dual<launch_varies>>&) const;
+template void Varies<all_vary>::bounce(const Body&, State<Dual<all_vary>>&, const Vec2d&) const;
+template void Varies<all_vary>::bounce(const Body&, State<Dual<all_vary>>&, const Vec2<Dual<all_vary>>&) const;
 template struct VariedPhysics<one_varies>;
 template struct VariedPhysics<launch_varies>;
 template struct VariedPhysics<all_vary>;

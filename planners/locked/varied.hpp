@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -12,27 +13,42 @@
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/scene/physics.hpp"
 
-namespace bankshot::planning {
+namespace bankshot {
+namespace planning {
 
-/// mathavan2010, whose impact is integrated: quick in the few numbers that one impact depends on, whose derivatives are
-/// then chained with theirs.
-template <class C>
-struct VariedMathavan : Mathavan2010Of<C> {
+/// A law whose impact is integrated. The impact runs quickly, with derivatives by the few numbers that it depends on;
+/// these are then chained with theirs.
+template <template <class> class Law, class C>
+struct Chained : Law<C> {
   void bounce(const Body& body, State<C>& s, const Vec2d& away) const;
   void bounce(const Body& body, State<C>& s, const Vec2<C>& away) const { bounce(body, s, value(away)); }
 };
 
+/// The law of the registry with coefficients of type C. A custom cushion has none.
+template <class C, class Law>
+struct VariedAs {
+  using type = Law;
+};
+template <class C, template <class> class Law>
+struct VariedAs<C, Law<double>> {
+  using type = std::conditional_t<CushionRow<Law<double>>::model.integrated, Chained<Law, C>, Law<C>>;
+};
+template <class C, class Variant>
+struct VariedVariant;
+template <class C, class... Law>
+struct VariedVariant<C, std::variant<Law...>> {
+  using type = std::variant<typename VariedAs<C, Law>::type...>;
+};
 template <class C>
-using VariedLaw = std::variant<MirrorOf<C>, Han2005Of<C>, VariedMathavan<C>, StrongeOf<C>, CustomCushion>;
+using VariedLaw = typename VariedVariant<C, CushionVariant>::type;
 
 template <class C>
 struct VariedCushion {
   VariedLaw<C> law;
 
+  /// N is double or C. All laws together are long to compile, so this is compiled once.
   template <class N>
-  void bounce(const Body& body, State<C>& s, const Vec2<N>& away) const {
-    std::visit([&](const auto& cushion) { cushion.bounce(body, s, away); }, law);
-  }
+  void bounce(const Body& body, State<C>& s, const Vec2<N>& away) const;
 };
 template <class C>
 VariedCushion<C> of_rail(const RailCushion& rail, const VariedCushion<C>& cushion) {
@@ -71,4 +87,9 @@ struct VariedPhysics {
 /// For the sensitivity of a shot; for the launch of a recorded one; for a launch and the coefficients of its physics.
 inline constexpr int one_varies = 1, launch_varies = 8, all_vary = 28;
 
-}  // namespace bankshot::planning
+}  // namespace planning
+
+template <template <class> class Law, class C>
+struct CushionRow<planning::Chained<Law, C>> : CushionRow<Law<C>> {};
+
+}  // namespace bankshot

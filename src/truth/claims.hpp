@@ -5,7 +5,7 @@
 //   time       the position error at the ball's speed
 //   speed      on arrival, `exact_speed` or the guaranteed digits
 //   condition  1e-6; with fewer digits, the position error over the ball's radius
-// A shot that guarantees no digits is checked only for its bounds. With mathavan2010, the replay integrates impacts 1e7
+// A shot that guarantees no digits is checked only for its bounds. Where impacts are integrated, the replay does so 1e7
 // times finer than the solver.
 #pragma once
 

@@ -16,8 +16,8 @@ using Dual = bankshot::Dual<7>;
 
 /// Returns the relative error of one step of the simulator, by rounding or integration.
 double error_of_a_step(const Physics& p) {
-  const auto* integrated = std::get_if<Mathavan2010>(&p.cushion);
-  return integrated ? integrated->tolerance : 0x1p-53 * (is_level(p) ? 1 : tolerance::pieces_rounding);
+  const double* const integrated = impact_tolerance(p.cushion);
+  return integrated ? *integrated : 0x1p-53 * (is_level(p) ? 1 : tolerance::pieces_rounding);
 }
 
 using Step = Eigen::Matrix<double, 7, 7>;

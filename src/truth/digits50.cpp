@@ -17,7 +17,7 @@ constexpr double fine_impact = 1e-20;
 }  // namespace
 
 Physics refined(Physics p) {
-  if (auto* m = std::get_if<Mathavan2010>(&p.cushion)) m->tolerance = fine_impact;
+  if (double* const error = impact_tolerance(p.cushion)) *error = fine_impact;
   return p;
 }
 

@@ -183,7 +183,7 @@ Cases tables() {
     for (const Vec2d& by : {Vec2d{0, 0}, Vec2d{1e-3, -1}, Vec2d{-100, 37}, Vec2d{1e4, -1e4}}) {
       if (norm(by) > 1e6 * s) continue;  // far from the origin, a small table has too few digits left
       Physics physics = spin_physics({radius * s});
-      std::get<Han2005>(physics.cushion).height = 1.25 * radius * s;
+      std::get<UsualCushion>(physics.cushion).height = 1.25 * radius * s;
       std::get<SlideRoll>(physics.motion).spinning_friction = 0.015;
       const ShotRequest shot{.table = polygon_table({Vec2d{0, 0} * s + by, Vec2d{2, 0} * s + by,
                                                      Vec2d{2.25, 1} * s + by, Vec2d{0, 1.125} * s + by}),
@@ -220,8 +220,9 @@ Cases friction_by_speed() {
   return out;
 }
 
-/// Cushions after mathavan2010. The cases have natural roll, whose slip on the cloth is 0; side spin that the nose
-/// removes in the end; paths nearly along the cushion; and straight impacts, where both slips reach 0 at one instant.
+/// Cushions whose impacts are integrated. The cases have natural roll, whose slip on the cloth is 0; side spin that the
+/// nose removes in the end; paths nearly along the cushion; and straight impacts, where both slips reach 0 at one
+/// instant.
 Cases integrated_impacts() {
   Cases out;
   for (const double aim : {270.0, 269.999999, 250.0, 225.0, 200.0, 183.0, 180.01})
@@ -229,7 +230,7 @@ Cases integrated_impacts() {
       for (const LaunchSpin& spin : {LaunchSpin{.top = 1}, LaunchSpin{}, LaunchSpin{.top = 1, .side = 1.2},
                                      LaunchSpin{.top = -0.5, .side = -0.4}}) {
         ShotRequest shot = spin_shot({1.2, 0.3}, 1.5, aim, spin);
-        shot.physics.cushion = Mathavan2010{.height = 1.28 * R, .restitution = Restitution{e}};
+        shot.physics.cushion = FullestCushion{.height = 1.28 * R, .restitution = Restitution{e}};
         out.push_back(hard(fmt::format("aim {}, restitution {}, top {}, side {}", aim, e, spin.top, spin.side), shot));
         out.back().cushions = 4;
       }

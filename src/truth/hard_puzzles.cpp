@@ -69,7 +69,7 @@ struct Fold {
 
 ShotRequest launch(const Fold& c, double degrees_) {
   ShotRequest shot = spin_shot({0.5, 0.3}, c.speed, degrees_, {.side = c.side});
-  std::get<Han2005>(shot.physics.cushion).restitution = Restitution{c.restitution};
+  std::get<UsualCushion>(shot.physics.cushion).restitution = Restitution{c.restitution};
   std::get<SlideRoll>(shot.physics.motion).rolling_friction = 0.05;
   return shot;
 }

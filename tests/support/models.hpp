@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Every motion and every cushion, with the ranges of their parameters, for the conformance suites. A new model needs
-// one more overload of `draw` and one more name in the list.
+// Every motion and every cushion, with the ranges of their parameters, for the conformance suites. A new motion needs
+// one more overload of `draw` and one more name in the list. Cushions come from their registry.
 #pragma once
 
 #include <tuple>
 
-#include "bankshot/contact/custom.hpp"
-#include "bankshot/contact/han2005.hpp"
-#include "bankshot/contact/mathavan2010.hpp"
-#include "bankshot/contact/mirror.hpp"
-#include "bankshot/contact/stronge.hpp"
+#include "bankshot/contact/cushion_registry.hpp"
 #include "bankshot/motion/ideal.hpp"
 #include "bankshot/motion/rolling.hpp"
 #include "bankshot/motion/slide_roll.hpp"
@@ -26,17 +22,25 @@ inline constexpr Body body{ball_radius};
 struct Dragging : SlideRoll {};
 
 using Motions = std::tuple<Ideal, Rolling, SlideRoll, Dragging>;
-using Cushions = std::tuple<Mirror, Han2005, Mathavan2010, Stronge, CustomCushion>;
+template <class... Law>
+std::tuple<Law...> tuple_of(const std::variant<Law...>&);
+using Cushions = decltype(tuple_of(CushionVariant{}));
 
 /// Allowed error of the integration of an impact, as a fraction of |v| + R|ω| (mathavan2010_digits_test.cpp); 0 for a
 /// formula.
 template <class Cushion>
-inline constexpr double integration_error = 0;
-template <>
-inline constexpr double integration_error<Mathavan2010> = 10 * tolerance::impact;
+inline constexpr double integration_error = CushionRow<Cushion>::model.integrated ? 10 * tolerance::impact : 0;
 
+/// Draws a model. Without an overload below, a cushion has coefficients between the bounds of a fit.
 template <class Model>
-Model draw(Random& r);
+Model draw(Random& r) {
+  Model law;
+  law.restitution = Restitution{r.uniform(0, 1)};
+  for_each_coefficient(law, [&](const CushionCoefficient& c, double& number) {
+    number = r.uniform(c.fit_low, c.fit_high) * c.scale(ball_radius);
+  });
+  return law;
+}
 
 template <>
 inline Ideal draw<Ideal>(Random&) {

@@ -27,23 +27,13 @@ void same(const Restitution& a, const Restitution& b) {
   CHECK(a.per_speed == b.per_speed);
   CHECK(a.per_speed2 == b.per_speed2);
 }
-void same(const Mirror& a, const Mirror& b) { same(a.restitution, b.restitution); }
-void same(const Han2005& a, const Han2005& b) {
+template <template <class> class Law>
+void same(const Law<double>& a, const Law<double>& b) {
   same(a.restitution, b.restitution);
-  CHECK(a.height == b.height);
-  CHECK(a.friction == b.friction);
-}
-void same(const Stronge& a, const Stronge& b) {
-  same(a.restitution, b.restitution);
-  CHECK(a.friction == b.friction);
-  CHECK(a.height == b.height);
-  CHECK(a.frequency_ratio == b.frequency_ratio);
-}
-void same(const Mathavan2010& a, const Mathavan2010& b) {
-  same(a.restitution, b.restitution);
-  CHECK(a.height == b.height);
-  CHECK(a.friction == b.friction);
-  CHECK(a.sliding_friction == b.sliding_friction);
+  std::vector<double> ours, theirs;
+  for_each_number(a, [&](double number) { ours.push_back(number); });
+  for_each_number(b, [&](double number) { theirs.push_back(number); });
+  CHECK(ours == theirs);
 }
 void same(const CustomCushion&, const CustomCushion&) { FAIL("no preset has a cushion of one's own"); }
 

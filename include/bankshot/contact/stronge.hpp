@@ -16,7 +16,7 @@
 // The vertical velocity after the impact is dropped, because the ball stays on the cloth. Cloth friction during the
 // impact is left out. For e < 1/Ω, the theory's cases are continued as step integration of the same springs gives them
 // (continuous, any e).
-// Limitation: at e below about tan²θ the ball may be left moving into the cushion; then vn = 0, as for han2005.
+// Limitation: at e below about tan²θ the ball may be left moving into the cushion; then vn = 0.
 #pragma once
 
 #include <cmath>

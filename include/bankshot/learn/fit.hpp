@@ -22,8 +22,8 @@ struct FitWish {
   /// Names of the fitted parameters (see `fit_names()`); empty: all coefficients of the physics, without tilt and
   /// camera.
   std::vector<std::string> free{};
-  /// Cushion model: mirror, han2005, mathavan2010 or stronge. "any" takes the one of han2005 and stronge that predicts
-  /// left-out shots best. Empty keeps the recordings' own.
+  /// Cushion model: a key of contact/cushion_registry.hpp. "any" takes the one that predicts left-out shots best, of
+  /// those that the registry lets a fit try. Empty keeps the recordings' own.
   std::string model{};
   /// Dependence of the cushions' restitution and of the rolling friction on speed; `square` is for restitution only.
   enum class BySpeed { as_given, constant, linear, square };

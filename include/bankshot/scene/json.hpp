@@ -8,7 +8,7 @@
 //     table    a name of table_presets(), {"length", "width", "pockets"} or {"vertices", "names", "pockets"};
 //              pockets "none", "six" (then also "mouth": {"corner", "middle"}) or [{"name", "at", "radius"}, ...]
 //     physics  "ideal", "rolling", "spin" (the default), or {"model": one of them, coefficients}; those of "spin" hold
-//              "cushion": {"model": "han2005", "mathavan2010", "mirror" or "stronge", coefficients}
+//              "cushion": {"model": a key of contact/cushion_registry.hpp, coefficients}
 //     ball     {"at": [x, y], "radius", "mass", "spin": {"top", "side", "masse"}}; a spin may be a range [low, high]
 //     target   {"point": [x, y], "within"}, {"pocket": a name or "any"}, {"ball": names, "cut", "within", "then"} or
 //              {"carom": [first, second], "cut", "within"}

@@ -39,8 +39,8 @@ BallBall collisions(const Physics& physics);
 
 inline Physics ideal_physics() { return {Ideal{}, Mirror{.restitution = 1}}; }
 inline Physics rolling_physics() { return {Rolling{}, Mirror{}}; }
-/// Returns the default physics: sliding, rolling and spin on cloth, and cushions after Han 2005. The spinning friction
-/// is scaled to the ball's radius R, and so is the nose height [m], 1.28 R, unless it is given.
+/// Returns the default physics: sliding, rolling and spin on cloth, and the usual cushions. The spinning friction is
+/// scaled to the ball's radius R, and so is the nose height [m], 1.28 R, unless it is given.
 Physics spin_physics(const Body& body = {}, std::optional<double> nose_height = {});
 
 /// Returns the gravitational acceleration [m/s²]; 0 in `ideal` physics, which has no weight.
@@ -68,7 +68,7 @@ decltype(auto) with_physics(const Physics& p, F&& f) {
         if constexpr (std::decay_t<decltype(motion)>::straight) {
           return f(motion, std::get<Mirror>(p.cushion));
         } else {
-          if (const auto* han = std::get_if<Han2005>(&p.cushion)) return f(motion, *han);
+          if (const auto* usual = std::get_if<UsualCushion>(&p.cushion)) return f(motion, *usual);
           return f(motion, AnyCushion{p.cushion});
         }
       },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Tests on random impacts the properties that every cushion model must have: a law that breaks one of them makes
-// simulations or plans wrong. A cushion is any type with bounce(body, State<double>&, normal), such as Mirror, Han2005,
+// simulations or plans wrong. A cushion is any type with bounce(body, State<double>&, normal), such as Mirror,
 // CustomCushion or a user's own.
 //
 //   for (const Promise& p : try_promises(cushion, body)) std::puts(p.kept() ? "kept" : p.what);

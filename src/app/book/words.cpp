@@ -42,10 +42,9 @@ std::string scene(const Puzzle& p) {
                                            : fmt::format("{} sides", p.table.vertices.size());
   for (const TablePreset& t : table_presets())
     if (make_table(t).vertices == p.table.vertices) out = t.name;
-  out += is_ideal(p.physics)                                       ? ", no friction"
-         : !carries_spin(p.physics)                                ? ", rolling"
-         : std::holds_alternative<Mathavan2010>(p.physics.cushion) ? ", spin after Mathavan"
-                                                                   : ", spin";
+  out += is_ideal(p.physics)        ? ", no friction"
+         : !carries_spin(p.physics) ? ", rolling"
+                                    : fmt::format(", spin{}", model_of(p.physics.cushion).caption);
   if (p.spin.top != 0) out += fmt::format(", top {:.2g}", p.spin.top);
   if (p.spin.side != 0) out += fmt::format(", side {:.2g}", p.spin.side);
   return out + (p.spin.masse != 0 ? fmt::format(", massé {:.2g}", p.spin.masse) : "");

@@ -25,6 +25,14 @@ FitWish::BySpeed read_by_speed(const std::string& word) {
   return static_cast<FitWish::BySpeed>(std::ranges::find(by_speed, word) - std::begin(by_speed));
 }
 
+/// Returns the keys of the models that a fit may try, or of all that files can describe.
+std::vector<std::string> models(bool tried) {
+  std::vector<std::string> out;
+  for (const CushionModel& model : cushion_registry)
+    if (tried ? model.tried_by_fit : model.in_files) out.emplace_back(model.key);
+  return out;
+}
+
 struct Arguments {
   std::string file = "-", out, model, restitution = by_speed[0], rolling = by_speed[0];
   std::vector<std::string> free;
@@ -80,11 +88,11 @@ Run add(CLI::App& app) {
                    "What is fitted, such as cushion.friction, tilt or camera.scale; with none all of the physics")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command
-      ->add_option("--model", a->model,
-                   "The cushions' law: mirror, han2005, mathavan2010, stronge; any tries han2005 and stronge, and "
-                   "takes the better")
-      ->check(CLI::IsMember({"mirror", "han2005", "mathavan2010", "stronge", "any"}));
+  std::vector<std::string> known = models(false);
+  const std::string about = fmt::format("The cushions' law: {}; any tries {}, and takes the better",
+                                        fmt::join(known, ", "), fmt::join(models(true), " and "));
+  known.emplace_back("any");
+  command->add_option("--model", a->model, about)->check(CLI::IsMember(known));
   const std::vector<std::string> words(std::begin(by_speed), std::end(by_speed));
   command->add_option("--restitution", a->restitution, "How the cushions' restitution depends on speed")
       ->capture_default_str()

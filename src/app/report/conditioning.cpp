@@ -18,7 +18,7 @@ constexpr int most_cushions = 20;
 constexpr double radius = 0.028575;
 
 struct Scene {
-  const char* name;
+  std::string name;
   Table table;
   Physics physics;
   double low, high;  ///< launch speed [m/s]
@@ -41,13 +41,13 @@ Table with_pins() {
 std::vector<Scene> scenes() {
   const Table plain = rectangle_table(2.54, 1.27);
   Physics lively = spin_physics();  // with hardly any loss the ball meets twenty cushions
-  std::get<Han2005>(lively.cushion).restitution = Restitution{0.98};
+  std::get<UsualCushion>(lively.cushion).restitution = Restitution{0.98};
   std::get<SlideRoll>(lively.motion).rolling_friction = 0.001;
   Physics mirrors = lively;
   mirrors.cushion = Mirror{0.98};
   return {{"rectangle, ideal", plain, ideal_physics(), 1, 1},
           {"rectangle, spin, mirror cushions", plain, mirrors, 6, 10},
-          {"rectangle, spin, han2005", plain, lively, 6, 10},
+          {"rectangle, " + spin_with(usual_cushion), plain, lively, 6, 10},
           {"rectangle with a row of pins, ideal", with_pins(), ideal_physics(), 1, 1}};
 }
 

@@ -78,8 +78,9 @@ std::string add_derivatives(const Settings& settings, Section& s, Progress& prog
     for (const Puzzle& p : suite(spin_physics(), level, 4 * settings.shots))
       if (p.cushions.sequence) puzzles.push_back(p);
   std::string csv = "method,puzzles,step,simulations,seconds,miss_low_10,miss_median,miss_high_90\n", text;
-  Panel time{"one root, spin, han2005", {"processor time [s]", true}, {"miss [m]", true}, {}},
-      simulations{"one root, spin, han2005", {"simulations", true}, {"miss [m]", true}, {}};
+  const std::string title = "one root, " + spin_with(usual_cushion);
+  Panel time{title, {"processor time [s]", true}, {"miss [m]", true}, {}},
+      simulations{title, {"simulations", true}, {"miss [m]", true}, {}};
   for (const Way& way : ways) {
     const Approach a = measure(way, puzzles, csv);
     Curve by_time{way.name, {}}, by_simulations{way.name, {}};

@@ -20,18 +20,22 @@ constexpr int most_cushions = 5;
 constexpr int puzzles_a_shot = 25;  // puzzles with pockets for each shot of a point
 
 struct Model {
-  const char* name;
+  std::string name;
   Physics physics;
 };
 
 /// Returns the models, cheapest first; the last is the reference.
 std::vector<Model> models_in_order() {
-  Physics mirrors = spin_physics(), springs = spin_physics(), fullest = spin_physics();
-  mirrors.cushion = Mirror{};
-  springs.cushion = Stronge{};
-  fullest.cushion = Mathavan2010{};
-  return {{"ideal", ideal_physics()},        {"rolling", rolling_physics()}, {"spin, mirror", mirrors},
-          {"spin, han2005", spin_physics()}, {"spin, stronge", springs},     {"spin, mathavan2010", fullest}};
+  std::vector<Model> out{{"ideal", ideal_physics()}, {"rolling", rolling_physics()}};
+  const auto add = [&](std::size_t i) {
+    out.push_back({spin_with(cushion_registry[i]), spin_physics()});
+    out.back().physics.cushion = default_cushion(i);
+  };
+  const std::size_t reference = *find_cushion_model(fullest_cushion.key);
+  for (std::size_t i = 0; i < cushion_registry.size(); ++i)
+    if (cushion_registry[i].in_files && i != reference) add(i);
+  add(reference);
+  return out;
 }
 
 /// A ball that rolls and comes to rest after exactly n cushions in the fullest model.
@@ -141,7 +145,7 @@ Panel steepness(const std::vector<Model>& all, std::string& csv, std::string& to
 }
 
 constexpr const char* about =
-    "Random shots of a rolling ball that rests after 1 to 5 cushions in the fullest model, spin with mathavan2010. "
+    "Random shots of a rolling ball that rests after 1 to 5 cushions in the fullest model, spin with {}. "
     "Each simpler model is "
     "asked for the launch to the same place by the same cushions, and its answer is played in the fullest; the miss is "
     "where the ball "
@@ -156,7 +160,7 @@ constexpr const char* about =
 Section models(const Settings& settings, Progress& progress) {
   const std::vector<Model> all = models_in_order();
   progress.begin("models", all.size() * most_cushions + circle_steps);
-  Section s{.name = "2-models", .title = "Models", .about = about};
+  Section s{.name = "2-models", .title = "Models", .about = fmt::format(about, fullest_cushion.key)};
   s.table = {
       {"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
   std::string csv = "model,cushions,miss_m,seconds_a_shot,seconds_an_answer\n";

@@ -17,20 +17,20 @@ namespace {
 constexpr double floor_of_figure = 1e-17;  // m: a miss of 0 is drawn here
 
 struct Kind {
-  const char* name;
+  std::string name;
   Physics physics;
   int share;      ///< only one in so many puzzles is used, if this physics is slow
   double budget;  ///< most simulations
 };
 
 std::vector<Kind> kinds(const Settings& settings) {
-  Physics mathavan = spin_physics();
-  mathavan.cushion = Mathavan2010{};
+  Physics fullest = spin_physics();
+  fullest.cushion = FullestCushion{};
   const double most = settings.shots < 3 ? 100 : settings.quick ? 3e3 : 3e4;
   return {{"ideal", ideal_physics(), 1, most},
           {"rolling", rolling_physics(), 1, most},
-          {"spin, han2005", spin_physics(), 1, most},
-          {"spin, mathavan2010", mathavan, 3, most / 10}};
+          {spin_with(usual_cushion), spin_physics(), 1, most},
+          {spin_with(fullest_cushion), fullest, 3, most / 10}};
 }
 
 std::vector<long> budgets(double most) {
@@ -197,7 +197,7 @@ Section planners(const Settings& settings, Progress& progress) {
       if (!planner.bends && !is_straight(kind.physics)) continue;
       curves.push_back(measure(kind, std::string(planner.name), sets, csv));
       const Setting& last = curves.back().settings.back();
-      if (std::string_view(kind.name) != "spin, han2005") continue;
+      if (kind.name != spin_with(usual_cushion)) continue;
       if (planner.name == "auto")
         ours = last;
       else if (best_name.empty() || last.solved > best.solved ||
@@ -211,10 +211,10 @@ Section planners(const Settings& settings, Progress& progress) {
   const std::string derivatives = add_derivatives(settings, s, progress);
   s.figure.columns = 3;
   s.caption = fmt::format(
-      "{} puzzles a level ({} with mathavan2010). Left and middle: median miss; right: share solved, at the median "
+      "{} puzzles a level ({} with {}). Left and middle: median miss; right: share solved, at the median "
       "number of simulations "
       "spent.",
-      settings.shots, std::max(1, settings.shots / all.back().share));
+      settings.shots, std::max(1, settings.shots / all.back().share), fullest_cushion.key);
   s.conclusion = fmt::format(
       "With spin auto solves {:.0f} % in {} and {} simulations (medians), the next best, {}, {:.0f} % in {} and {}; "
       "the median root is "

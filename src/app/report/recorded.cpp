@@ -18,17 +18,21 @@ constexpr double mm = 1000;
 using BySpeed = FitWish::BySpeed;
 
 struct Law {
-  const char* name;
-  const char* cushion;
+  std::string name, cushion;
   BySpeed by_speed;  ///< how restitution and rolling friction depend on the speed
 };
 
-constexpr Law laws[] = {{"mirror", "mirror", BySpeed::constant},
-                        {"han2005", "han2005", BySpeed::constant},
-                        {"stronge", "stronge", BySpeed::constant},
-                        {"han2005, by speed", "han2005", BySpeed::linear},
-                        {"stronge, by speed", "stronge", BySpeed::linear}};
-constexpr std::size_t quick_laws = 3;
+/// Returns the laws to try; with `quick`, those that do not depend on the speed.
+std::vector<Law> laws_to_try(bool quick) {
+  std::vector<Law> out;
+  for (const CushionModel& model : cushion_registry)
+    if (model.in_files && !model.integrated)
+      out.push_back({std::string(model.key), std::string(model.key), BySpeed::constant});
+  for (const CushionModel& model : cushion_registry)
+    if (model.tried_by_fit && !quick)
+      out.push_back({std::string(model.key) + ", by speed", std::string(model.key), BySpeed::linear});
+  return out;
+}
 
 struct Result {
   const Law* law;
@@ -36,6 +40,14 @@ struct Result {
 
   double predicted() const { return median_rms(fit.predictions); }
 };
+
+/// Returns the models whose impacts are integrated.
+std::string integrated_models() {
+  std::string out;
+  for (const CushionModel& model : cushion_registry)
+    if (model.integrated) out += (out.empty() ? "" : " and ") + std::string(model.key);
+  return out;
+}
 
 constexpr std::size_t percent = 100;
 
@@ -51,7 +63,7 @@ Result measure(const Law& law, std::span<const Recording> recordings, int holdou
 }
 
 template <class Measured>
-Curve share_within(const char* name, const std::vector<Measured>& all) {
+Curve share_within(const std::string& name, const std::vector<Measured>& all) {
   std::vector<double> rms;
   for (const Measured& m : all)
     if (m.samples > 0) rms.push_back(mm * m.rms);
@@ -96,7 +108,7 @@ constexpr const char* about =
     "Shots that a camera tracked. For each law of the cushions the table's coefficients and all launches are fitted to "
     "all shots; then a quarter of the shots is left out at a time, the coefficients are fitted to the others, and each "
     "shot left out is predicted from its first part, to 0.25 s after its first bounce. Distances are root mean squares "
-    "over a shot's samples at the same time. Cushions after mathavan2010, whose impacts are integrated, take about "
+    "over a shot's samples at the same time. Cushions after {}, whose impacts are integrated, take about "
     "ten times as long and are not tried. By speed: restitution and rolling friction may change with the "
     "speed. The time is that of learning from all shots, by the clock on the wall, with as many threads as there are "
     "cores.";
@@ -106,12 +118,13 @@ constexpr const char* about =
 Section recorded(std::span<const Recording> recordings, const Settings& settings, Progress& progress) {
   constexpr std::size_t groups = 4;
   const int holdout = static_cast<int>(std::max<std::size_t>(1, recordings.size() / groups));
-  const auto tried = std::span(laws).first(settings.quick ? quick_laws : std::size(laws));
+  const std::vector<Law> tried = laws_to_try(settings.quick);
   progress.begin("recorded shots", percent * tried.size());
   std::vector<Result> results;
   for (const Law& law : tried) results.push_back(measure(law, recordings, holdout, progress));
 
-  Section s{.name = "8-recorded", .title = "Models against real shots", .about = about};
+  Section s{
+      .name = "8-recorded", .title = "Models against real shots", .about = fmt::format(about, integrated_models())};
   const std::string long_ones = fmt::format("{} and more cushions", many_cushions);
   s.table = {{"cushions", "followed, median", long_ones, "predicted, median", "sigma", "time of a fit"}, {}, 1};
   std::string csv = "model,shots,rms_median_mm,rms_many_mm,predictions,predicted_median_mm,sigma_mm,seconds\n";

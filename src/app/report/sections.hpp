@@ -4,9 +4,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "app/report/page.hpp"
 #include "app/report/progress.hpp"
+#include "bankshot/contact/cushion_registry.hpp"
 
 namespace bankshot {
 struct Recording;
@@ -18,6 +20,11 @@ struct Settings {
   bool quick = false;
   int shots = 0;  ///< shots per point of a curve; other quantities that grow with the effort follow from it
 };
+
+inline constexpr CushionModel usual_cushion = CushionRow<UsualCushion>::model;
+inline constexpr CushionModel fullest_cushion = CushionRow<FullestCushion>::model;
+/// Returns the name of the physics `spin` with cushions of this model.
+inline std::string spin_with(const CushionModel& cushion) { return "spin, " + std::string(cushion.key); }
 
 Section simulators(const Settings& settings, Progress& progress);  ///< simulators.cpp, with troubles.cpp
 Section models(const Settings& settings, Progress& progress);

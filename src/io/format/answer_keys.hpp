@@ -4,6 +4,7 @@
 #pragma once
 
 #include "io/format/key.hpp"
+#include "io/format/scene_keys.hpp"
 
 namespace bankshot::format {
 
@@ -124,6 +125,7 @@ inline constexpr Key error_keys[] = {
 };
 inline constexpr Object error{"error", "What is wrong with a puzzle.", error_keys};
 
+inline constexpr Text modelled_example{R"(["sliding", "rolling", ")", usual_cushion, R"(", "pockets"])"};
 inline constexpr Key answer_keys[] = {
     {"id", "string | number", "", "none", R"("two-rail-1")", "the puzzle's"},
     {"status",
@@ -136,8 +138,7 @@ inline constexpr Key answer_keys[] = {
      statuses},
     {"shots", "[{answer_shot}]", "", required, "[]", "best first; all of them with --all"},
     {"nearest", "{answer_shot} | null", "", required, "null", "the closest miss of a `no-shot`"},
-    {"modelled", "[string]", "", "not of `invalid`", R"(["sliding", "rolling", "han2005", "pockets"])",
-     "what the simulation holds"},
+    {"modelled", "[string]", "", "not of `invalid`", modelled_example, "what the simulation holds"},
     {"simulations", "whole", "", "not of `invalid`", "31", "spent, search and proof", at_least(0)},
     {"time_us", "number", "µs", "left out with --no-timing", "14.2", "of the search, without margin and success",
      at_least(0)},

@@ -18,6 +18,8 @@
 // clang-format on
 #pragma once
 
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -47,6 +49,18 @@ struct Key {
   std::string_view meaning{};
   Bounds bounds{};
   std::span<const std::string_view> words{};
+};
+
+/// A short text put together at compile time, for rows that hold a name from elsewhere.
+struct Text {
+  char letters[64]{};
+  std::size_t size = 0;
+
+  consteval Text(std::initializer_list<std::string_view> parts) {
+    for (const std::string_view part : parts)
+      for (const char letter : part) letters[size++] = letter;
+  }
+  constexpr operator std::string_view() const { return {letters, size}; }
 };
 
 struct Object {

@@ -3,6 +3,10 @@
 // The objects of a scene (table, physics, balls), key by key (format/key.hpp explains the rows).
 #pragma once
 
+#include <array>
+#include <cstddef>
+
+#include "bankshot/contact/cushion_registry.hpp"
 #include "io/format/key.hpp"
 
 namespace bankshot::format {
@@ -11,7 +15,26 @@ inline constexpr std::string_view table_names[] = {"pool-7ft",     "pool-8ft",  
                                                    "snooker-12ft", "carom-10ft", "seed"};
 inline constexpr std::string_view layouts[] = {"none", "six"};
 inline constexpr std::string_view physics_names[] = {"ideal", "rolling", "spin"};
-inline constexpr std::string_view cushion_models[] = {"han2005", "mathavan2010", "mirror", "stronge"};
+/// The keys of the cushion laws that files can describe, in alphabetical order.
+inline constexpr auto cushion_models = [] {
+  constexpr std::size_t size = [] {
+    std::size_t n = 0;
+    for (const CushionModel& model : cushion_registry) n += model.in_files;
+    return n;
+  }();
+  std::array<std::string_view, size> out{};
+  std::size_t n = 0;
+  for (const CushionModel& model : cushion_registry) {
+    if (!model.in_files) continue;
+    std::size_t at = n++;
+    for (; at > 0 && model.key < out[at - 1]; --at) out[at] = out[at - 1];
+    out[at] = model.key;
+  }
+  return out;
+}();
+/// The keys of the default law, and of one for examples.
+inline constexpr std::string_view usual_cushion = CushionRow<UsualCushion>::model.key;
+inline constexpr std::string_view other_cushion = CushionRow<FullestCushion>::model.key;
 
 // The table.
 
@@ -109,41 +132,46 @@ inline constexpr Key bounce_of_speed_keys[] = {
 inline constexpr Object restitution_of_speed{
     "restitution_of_speed", "Restitution a + b·v + c·v² at the speed v towards the cushion.", bounce_of_speed_keys};
 
-inline constexpr Key cushion_keys[] = {
-    {"model", "word", "", R"("han2005")", R"("mathavan2010")", "the law of a bounce", {}, cushion_models},
-    {"restitution", "number | {restitution_of_speed}", "", "0.85", "0.9",
-     "speed after a square bounce over the speed before", between(0, 1)},
-    {"friction", "number", "", "0.2", "0.14", "between ball and cushion", at_least(0)},
-    {"height", "number", "m",
-     "1.28 R of the preset's ball, else of the largest ball; carom-10ft 0.037, snooker-12ft 0.03675", "0.0366",
-     "of the nose over the cloth, between R and 2 R"},
-    {"frequency_ratio", "number", "", "1.8", "1.7",
-     "of `stronge` alone: how fast the rubber gives across over how fast it gives along, between 1 and 2",
-     between(1, 2)},
-};
+inline constexpr Text usual_model{"\"", usual_cushion, "\""}, other_model{"\"", other_cushion, "\""};
+/// Returns the row of a coefficient. The radius of a ball is not known here, so it bounds nothing.
+constexpr Key key_of(const CushionCoefficient& c) {
+  return {
+      c.key(), "number", c.unit, c.fallback, c.example, c.meaning, c.in_ball_radii ? Bounds{} : between(c.low, c.high)};
+}
+inline constexpr auto cushion_keys = [] {
+  constexpr std::size_t own = 2;
+  std::array<Key, own + std::size(cushion_coefficients)> out{
+      {{"model", "word", "", usual_model, other_model, "the law of a bounce", {}, cushion_models},
+       {"restitution", "number | {restitution_of_speed}", "", "0.85", "0.9",
+        "speed after a square bounce over the speed before", between(0, 1)}}};
+  for (std::size_t i = 0; i < std::size(cushion_coefficients); ++i) out[own + i] = key_of(*cushion_coefficients[i]);
+  return out;
+}();
 inline constexpr Object cushion{"cushion", "What a bounce does with speed and spin.", cushion_keys};
 
 inline constexpr Key gravity_key{"g", "number", "m/s²", "9.81", "9.8", "gravity", positive};
 
-inline constexpr std::string_view coefficient_names[] = {"sliding_friction",
-                                                         "rolling_friction",
-                                                         "rolling_friction.at_rest",
-                                                         "rolling_friction.per_speed",
-                                                         "spinning_friction",
-                                                         "friction",
-                                                         "restitution",
-                                                         "cushion.restitution",
-                                                         "cushion.restitution.at_rest",
-                                                         "cushion.restitution.per_speed",
-                                                         "cushion.restitution.per_speed2",
-                                                         "cushion.friction",
-                                                         "cushion.height",
-                                                         "cushion.frequency_ratio",
-                                                         "ball_ball.restitution",
-                                                         "ball_ball.friction",
-                                                         "ball_ball.friction.a",
-                                                         "ball_ball.friction.b",
-                                                         "ball_ball.friction.c"};
+inline constexpr auto coefficient_names = [] {
+  constexpr std::string_view before[] = {"sliding_friction",
+                                         "rolling_friction",
+                                         "rolling_friction.at_rest",
+                                         "rolling_friction.per_speed",
+                                         "spinning_friction",
+                                         "friction",
+                                         "restitution",
+                                         "cushion.restitution",
+                                         "cushion.restitution.at_rest",
+                                         "cushion.restitution.per_speed",
+                                         "cushion.restitution.per_speed2"};
+  constexpr std::string_view after[] = {"ball_ball.restitution", "ball_ball.friction", "ball_ball.friction.a",
+                                        "ball_ball.friction.b", "ball_ball.friction.c"};
+  std::array<std::string_view, std::size(before) + std::size(cushion_coefficients) + std::size(after)> out{};
+  std::size_t n = 0;
+  for (const std::string_view name : before) out[n++] = name;
+  for (const CushionCoefficient* c : cushion_coefficients) out[n++] = c->name;
+  for (const std::string_view name : after) out[n++] = name;
+  return out;
+}();
 inline constexpr Key covariance_keys[] = {
     {"names",
      "[word]",
@@ -206,6 +234,7 @@ inline constexpr Key rolling_keys[] = {
 inline constexpr Object rolling{"rolling", "The ball rolls from the start, and cushions are mirrors that take speed.",
                                 rolling_keys};
 
+inline constexpr Text cushion_example{R"({"model": ")", other_cushion, R"(", "friction": 0.14})"};
 inline constexpr Key spin_keys[] = {
     {"model", "word", "", required, R"("spin")", "", {}, only_spin},
     {"sliding_friction", "number", "", "0.2", "0.22", "between ball and cloth while it slides", at_least(0)},
@@ -214,7 +243,7 @@ inline constexpr Key spin_keys[] = {
     {"spinning_friction", "number", "", "(4/9 per metre) R", "0.0127", "how fast spin about the vertical dies out",
      at_least(0)},
     gravity_key,
-    {"cushion", "{cushion}", "", "han2005", R"({"model": "mathavan2010", "friction": 0.14})", "what a bounce does"},
+    {"cushion", "{cushion}", "", usual_cushion, cushion_example, "what a bounce does"},
     {"ball_ball", "{ball_ball}", "", "restitution 0.95, friction 0.05", R"({"friction": 0.06})",
      "what a contact of two balls does"},
     covariance_key,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/scene/read_physics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/format/scene_keys.hpp"
@@ -34,27 +36,40 @@ RollingFriction read_rolling_friction(const Reader& r) {
   return f;
 }
 
-/// Reads a cushion. In mathavan2010, the cloth's `sliding_friction` also acts during the impact.
-decltype(Physics::cushion) read_cushion(const Reader& r, Han2005 han, double sliding_friction) {
-  r.only(format::cushion);
-  std::size_t which = 0;
-  if (const auto v = r.find("model")) {
-    which = v->word("cushion model", format::cushion_models);
+/// Returns the models that have a coefficient, for an error message.
+std::string models_with(const CushionCoefficient& coefficient) {
+  std::string out;
+  for (std::size_t i = 0; i < cushion_registry.size(); ++i) {
+    CushionVariant law = default_cushion(i);
+    if (find_coefficient(law, coefficient))
+      out += fmt::format("{}\"{}\"", out.empty() ? "" : " and ", cushion_registry[i].key);
   }
-  if (const auto v = r.find("restitution")) han.restitution = read_restitution(*v);
-  r.read(format::cushion["friction"], han.friction);
-  r.read(format::cushion["height"], han.height);
-  Stronge stronge{han.height, han.restitution, han.friction};
-  if (const auto v = r.find("frequency_ratio"); v && which != 3) v->fail("is for the model \"stronge\" alone");
-  r.read(format::cushion["frequency_ratio"], stronge.frequency_ratio);
-  if (which == 3) return stronge;
-  if (which == 2) return Mirror{han.restitution};
-  if (which == 1)
-    return Mathavan2010{.height = han.height,
-                        .restitution = han.restitution,
-                        .friction = han.friction,
-                        .sliding_friction = sliding_friction};
-  return han;
+  return out;
+}
+
+/// Reads a cushion. The cloth's `sliding_friction` may act during an impact, too. A coefficient of the usual law may
+/// stand with any model, so that another one can be tried by its name alone.
+CushionVariant read_cushion(const Reader& r, CushionVariant usual, double sliding_friction) {
+  r.only(format::cushion);
+  CushionVariant law = usual;
+  if (const auto v = r.find("model")) {
+    const std::string_view key = format::cushion_models[v->word("cushion model", format::cushion_models)];
+    law = default_cushion(*find_cushion_model(key));
+    take_coefficients(law, usual);
+  }
+  if (const auto v = r.find("restitution")) {
+    const Restitution e = read_restitution(*v);
+    std::visit([&](auto& its) { its.restitution = e; }, law);
+  }
+  for (const CushionCoefficient* c : cushion_coefficients) {
+    double* const own = find_coefficient(law, *c);
+    double* const place = own ? own : find_coefficient(usual, *c);
+    if (const auto v = r.find(std::string(c->key())); v && !place)
+      v->fail("is for the model " + models_with(*c) + " alone");
+    if (place) r.read(format::key_of(*c), *place);
+  }
+  if (double* const of_cloth = cloth_friction(law)) *of_cloth = sliding_friction;
+  return law;
 }
 
 CoefficientErrors read_covariance(const Reader& r) {
@@ -88,14 +103,13 @@ double usual_nose(const Reader& table, const Ball& ball, const std::vector<Ball>
 Physics read_spin_physics(const Reader* r, const Body& body, double nose) {
   Physics p = spin_physics(body, nose);
   SlideRoll& motion = std::get<SlideRoll>(p.motion);
-  Han2005& cushion = std::get<Han2005>(p.cushion);
   if (!r) return p;
   r->only(format::spin_physics);
   r->read(format::spin_physics["sliding_friction"], motion.sliding_friction);
   if (const auto v = r->find("rolling_friction")) motion.rolling_friction = read_rolling_friction(*v);
   r->read(format::spin_physics["spinning_friction"], motion.spinning_friction);
   r->read(format::spin_physics["g"], motion.g);
-  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, cushion, motion.sliding_friction);
+  if (const auto v = r->find("cushion")) p.cushion = read_cushion(*v, p.cushion, motion.sliding_friction);
   if (const auto v = r->find("covariance")) p.errors = read_covariance(*v);
   if (const auto v = r->find("ball_ball")) {
     v->only(format::ball_ball);

@@ -119,19 +119,11 @@ Json physics_json(const Physics& p) {
     return with_errors(std::move(j), p);
   }
   const SlideRoll& m = std::get<SlideRoll>(p.motion);
-  if (std::holds_alternative<CustomCushion>(p.cushion))
+  if (!model_of(p.cushion).in_files)
     throw InvalidInput("/physics/cushion", "a custom cushion is a function: JSON has no words for it");
-  Json cushion{{"model", "mirror"}, {"restitution", bounce}};
-  if (const auto* h = std::get_if<Han2005>(&p.cushion))
-    cushion = {{"model", "han2005"}, {"restitution", bounce}, {"friction", h->friction}, {"height", h->height}};
-  if (const auto* c = std::get_if<Mathavan2010>(&p.cushion))
-    cushion = {{"model", "mathavan2010"}, {"restitution", bounce}, {"friction", c->friction}, {"height", c->height}};
-  if (const auto* c = std::get_if<Stronge>(&p.cushion))
-    cushion = {{"model", "stronge"},
-               {"restitution", bounce},
-               {"friction", c->friction},
-               {"height", c->height},
-               {"frequency_ratio", c->frequency_ratio}};
+  Json cushion{{"model", model_of(p.cushion).key}, {"restitution", bounce}};
+  const auto write = [&](const CushionCoefficient& c, double number) { cushion[std::string(c.key())] = number; };
+  std::visit([&](const auto& law) { for_each_coefficient(law, write); }, p.cushion);
   Json j{{"model", "spin"},
          {"sliding_friction", m.sliding_friction},
          {"rolling_friction", of_speed(m.rolling_friction)},

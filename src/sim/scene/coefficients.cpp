@@ -17,27 +17,20 @@ Places of_restitution(Restitution& e, std::string_view part) {
   return {};
 }
 
-Places of_cushion(Physics& p, std::string_view name) {
-  constexpr std::string_view restitution = "restitution";
-  return std::visit(
-      [&](auto& law) -> Places {
-        if constexpr (requires { law.restitution; })
-          if (name.starts_with(restitution)) return of_restitution(law.restitution, name.substr(restitution.size()));
-        if constexpr (requires { law.height; }) {
-          if (name == "friction") return {&law.friction};
-          if (name == "height") return {&law.height};
-        }
-        if constexpr (requires { law.frequency_ratio; })
-          if (name == "frequency_ratio") return {&law.frequency_ratio};
-        return {};
-      },
-      p.cushion);
+Places of_cushion(Physics& p, std::string_view key) {
+  constexpr std::string_view e = "restitution";
+  if (key.starts_with(e))
+    return std::visit([&](auto& law) { return of_restitution(law.restitution, key.substr(e.size())); }, p.cushion);
+  for (const CushionCoefficient* c : cushion_coefficients)
+    if (c->key() == key)
+      if (double* const place = find_coefficient(p.cushion, *c)) return {place};
+  return {};
 }
 
 Places of_cloth(Physics& p, SlideRoll& cloth, std::string_view name) {
   RollingFriction& rolling = cloth.rolling_friction;
   if (name == "sliding_friction") {
-    if (auto* law = std::get_if<Mathavan2010>(&p.cushion)) return {&cloth.sliding_friction, &law->sliding_friction};
+    if (double* const its = cloth_friction(p.cushion)) return {&cloth.sliding_friction, its};
     return {&cloth.sliding_friction};
   }
   if (name == "rolling_friction" || name == "rolling_friction.at_rest") return {&rolling.at_rest};
@@ -55,9 +48,11 @@ Places of_balls(BallBall& law, std::string_view name) {
 }
 
 double kept(std::string_view name, double value, const Body& body) {
-  constexpr double inside = 1e-6;  // relative to the radius; a nose at R or 2 R is invalid
-  if (name == "cushion.height") return std::clamp(value, (1 + inside) * body.radius, (2 - inside) * body.radius);
-  if (name == "cushion.frequency_ratio") return std::clamp(value, 1 + inside, 2 - inside);
+  for (const CushionCoefficient* c : cushion_coefficients) {
+    if (c->name != name) continue;
+    const double inside = c->open ? 1e-6 : 0;  // an open end itself is invalid
+    return std::clamp(value, (c->low + inside) * c->scale(body.radius), (c->high - inside) * c->scale(body.radius));
+  }
   if (name.ends_with("restitution") || name.ends_with("restitution.at_rest")) return std::clamp(value, 0.0, 1.0);
   return name.find("restitution.") == std::string_view::npos ? std::max(value, 0.0) : value;
 }

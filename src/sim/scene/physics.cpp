@@ -7,7 +7,7 @@ namespace bankshot {
 
 Physics spin_physics(const Body& body, std::optional<double> nose_height) {
   return {SlideRoll{.spinning_friction = 4.0 / 9 * body.radius},
-          Han2005{.height = nose_height.value_or(1.28 * body.radius)}};
+          UsualCushion{.height = nose_height.value_or(1.28 * body.radius)}};
 }
 
 double gravity(const Physics& p) {

@@ -125,18 +125,19 @@ void check_pockets(const Table& t, const Boundary& b) {
   }
 }
 
-void check_nose(const Physics& physics, const Body& body) {
+void check_cushion(const CushionVariant& cushion, const Body& body) {
   const double R = body.radius;
-  const auto check = [&](double height) {
-    if (!(height > R && height < 2 * R))
-      fail("/physics/cushion/height",
-           fmt::format("the nose of the cushions, {} m over the cloth, must lie between the ball's radius {} m and its "
-                       "diameter {} m",
-                       height, R, 2 * R));
+  const auto check = [&](const CushionCoefficient& c, double its) {
+    if (c.allows(its, R)) return;
+    const std::string path = fmt::format("/physics/cushion/{}", c.key());
+    if (&c == &cushion_coefficient::height)
+      fail(path, fmt::format("the nose of the cushions, {} m over the cloth, must lie between the ball's radius {} m "
+                             "and its diameter {} m",
+                             its, R, 2 * R));
+    if (!std::isfinite(c.high)) fail(path, fmt::format("{} must be at least {}", its, c.low * c.scale(R)));
+    fail(path, fmt::format("{} must be between {} and {}", its, c.low * c.scale(R), c.high * c.scale(R)));
   };
-  if (const auto* han = std::get_if<Han2005>(&physics.cushion)) check(han->height);
-  if (const auto* mathavan = std::get_if<Mathavan2010>(&physics.cushion)) check(mathavan->height);
-  if (const auto* stronge = std::get_if<Stronge>(&physics.cushion)) check(stronge->height);
+  std::visit([&](const auto& law) { for_each_coefficient(law, check); }, cushion);
 }
 
 void check_physics(const Physics& physics, const Body& body) {
@@ -154,14 +155,11 @@ void check_physics(const Physics& physics, const Body& body) {
            fmt::format("{} s/m is too small to compute with; at least {:g}, or 0", slope, tolerance::slowest));
     if (const auto* own = std::get_if<CustomCushion>(&physics.cushion); own && !own->law)
       fail("/physics/cushion", "a custom cushion needs a law");
-    check_nose(physics, body);
-    if (const auto* s = std::get_if<Stronge>(&physics.cushion);
-        s && !(s->frequency_ratio > 1 && s->frequency_ratio < 2))
-      fail("/physics/cushion/frequency_ratio", fmt::format("{} must be between 1 and 2", s->frequency_ratio));
-    const auto* c = std::get_if<Mathavan2010>(&physics.cushion);
-    if (c && c->sliding_friction != m->sliding_friction)
+    check_cushion(physics.cushion, body);
+    const double* const its = cloth_friction(physics.cushion);
+    if (its && *its != m->sliding_friction)
       fail("/physics/cushion", fmt::format("the cloth's sliding friction is {} during an impact and {} between two",
-                                           c->sliding_friction, m->sliding_friction));
+                                           *its, m->sliding_friction));
   }
   const Vec2d& tilt = physics.tilt;
   if (!(std::abs(tilt.x) <= 1 && std::abs(tilt.y) <= 1))
@@ -264,7 +262,7 @@ void check_others(const Table& table, const Boundary& boundary, const Ball& stru
         fail(path + "/id", fmt::format("\"{}\" is taken; names of balls are unique and not \"cue\"", ball.id));
     check_body(ball.body, path);
     if (!(ball.body.radius > 0)) fail(path + "/radius", "0 must be greater than 0");
-    check_nose(physics, ball.body);
+    check_cushion(physics.cushion, ball.body);
     const std::optional<Boundary> own =
         ball.body == struck.body ? std::nullopt : std::optional(Boundary(table, ball.body));
     check_stands(table, own ? *own : boundary, ball, path + "/at");
