@@ -1,9 +1,10 @@
 // Tests the page as a person uses it, from the server and from a file.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
-import { answered, drag, launch, open, serve, ways } from './browser.mjs';
+import { answered, drag, launch, open, program, serve, ways } from './browser.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const server = await serve();
@@ -39,6 +40,13 @@ for (const { name, url } of await ways(server))
       assert.equal(await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle), 'none');
       await page.click('#undo');
       await answered(page);
+    });
+
+    test('offers the cushion laws of the engine, the default chosen', async () => {
+      const laws = page.locator('select[name=cushion]');
+      const known = JSON.parse(execFileSync(program, ['schema', 'shot'], { encoding: 'utf8' })).$defs.cushion.properties;
+      assert.deepEqual(await laws.locator('option').allTextContents(), known.model.enum);
+      assert.equal(await laws.inputValue(), known.model.default);
     });
 
     test('what is only looked at is not what is played', async () => {

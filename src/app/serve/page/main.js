@@ -309,10 +309,19 @@ function listen() {
   });
 }
 
+/** Offers the cushion laws that the engine knows. @param {{enum: string[], default: string}} laws from its schema */
+function offer(laws) {
+  state.first.cushion = laws.default;
+  scene = state.read();
+  controls.options(form.elements.cushion, laws.enum, scene.cushion);
+}
+
 document.body.classList.toggle('embed', new URLSearchParams(location.search).has('embed'));
 $('inches').checked = units.inches;
-tables = await ask('tables');
+const [known, schema] = await Promise.all([ask('tables'), ask('schema?document=shot')]);
+tables = known;
 if (Array.isArray(tables)) {
+  offer(schema.$defs.cushion.properties.model);
   listen();
   rebuild();
 } else {

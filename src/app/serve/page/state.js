@@ -10,7 +10,7 @@ import { wrapped } from './units.js';
 export const first = {
   table: 'pool-9ft',
   physics: 'spin',
-  cushion: 'han2005',
+  cushion: '', // the engine's default, once it was asked
   sliding: 0.2,
   rolling: 0.01,
   restitution: 0.85,

@@ -26,7 +26,8 @@ async function deskFor(work) {
 answerBy(async (path, body, kind, signal) => {
   const [name, query = ''] = path.split('?');
   const flags = [...new URLSearchParams(query)].map(([k, v]) => `${k}=${v}\n`).join('');
-  const desk = await deskFor(name + (path.includes('first') ? ' first' : ''));
+  const work = name === 'schema' ? 'tables' : name; // the page asks for both at once, as it opens
+  const desk = await deskFor(work + (path.includes('first') ? ' first' : ''));
   const limit = AbortSignal.timeout(longest);
   try {
     return await desk.ask({ name, flags, body: body ?? '' }, AbortSignal.any([signal, limit]));
