@@ -128,6 +128,14 @@ std::string presets() {
   return out + "\n";
 }
 
+/// Returns the Markdown table of the cushion laws.
+std::string cushion_laws() {
+  std::string out = "### cushion laws\n\n| model | law | source |\n|---|---|---|\n";
+  for (const CushionModel& model : cushion_registry)
+    if (model.in_files) out += fmt::format("| `{}` | {} | {} |\n", model.key, model.about, model.source);
+  return out + "\n";
+}
+
 }  // namespace
 
 std::span<const std::string_view> documents() {
@@ -156,7 +164,7 @@ std::string markdown(std::string_view document) {
       if (key.type != later) out += row(key);
     out += "\n";
   }
-  return document == puzzle.name ? out + presets() : out;
+  return document == puzzle.name ? out + presets() + cushion_laws() : out;
 }
 
 }  // namespace bankshot::format
