@@ -29,7 +29,7 @@ template <class T>
 T even_square(const Physics& physics, const T& square) {
   using std::sqrt;
   const auto* const motion = std::get_if<SlideRoll>(&physics.motion);
-  const Drag<double> drag{deceleration(physics), motion ? motion->rolling_friction.per_speed * motion->g : 0};
+  const detail::Drag<double> drag{deceleration(physics), motion ? motion->rolling_friction.per_speed * motion->g : 0};
   return drag.none() || !(square > T(0)) ? square : T(drag.length(T(sqrt(square)), T(0)) * (2 * drag.constant));
 }
 

@@ -22,12 +22,12 @@ class Clearance {
   /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
   void arc(int ball, const Arc<double>& arc, double t, std::span<const Meeting> before, Contact next) {
     if (!(t > 0)) return;
-    const Reach<double> reach(arc, t, 0);
+    const detail::Reach<double> reach(arc, t, 0);
     const auto keeps_from = [&](const Circle& c) {
       const double near = c.radius + room_.on_the_way;
       if (near < 0 || reach.misses(c.centre, near)) return;    // something else is nearer
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
-      if (!inside) on_the_way(norm(arc.position(closest_time(arc, t, c.centre)) - c.centre) - c.radius);
+      if (!inside) on_the_way(norm(arc.position(detail::closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
     each_in_the_way(aim_.request.problem->boundary_of(ball), before, next, aim_.aim_point.taken_by, keeps_from);
   }

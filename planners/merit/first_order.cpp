@@ -97,13 +97,13 @@ class Path {
   void leg(int ball, const Arc<Number>& arc, const Number& t, std::span<const Meeting> before, Contact next) {
     if (!(t > 0)) return;
     const Boundary& boundary = request_.problem->boundary_of(ball);
-    std::optional<Reach<double>> reach;
+    std::optional<detail::Reach<double>> reach;
     if (!boundary.balls.empty()) reach.emplace(value(arc), t.a, settings::first_order::far_ball * boundary.diagonal);
     const auto keeps_from = [&](const Circle& c) {
       if (c.contact.kind == ContactKind::ball && reach->misses(c.centre, c.radius)) return;
       const Vec2d start = value(arc.at) - c.centre;
       if (norm(start) < c.radius) return;  // such a ball must first come out
-      const double nearest = closest_time(value(arc), t.a, c.centre);
+      const double nearest = detail::closest_time(value(arc), t.a, c.centre);
       const Vec2<Number> there = arc.position(nearest < t.a ? Number(nearest) : t);
       limits_.keep(norm(there - to<Number>(c.centre)) - c.radius);
     };

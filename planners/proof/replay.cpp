@@ -100,7 +100,7 @@ class Follower {
   }
 
   double look_at(const Vec2d& target) {
-    const double t = closest_time(sim_.arc(), sim_.travelled(), target);
+    const double t = detail::closest_time(sim_.arc(), sim_.travelled(), target);
     const State<double> there = sim_.on_arc(t);
     const double miss = norm(there.at - target);
     closest_ = t;

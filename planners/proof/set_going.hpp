@@ -160,7 +160,7 @@ class SetGoing {
     if (request_.stop || !all_set() || !counts()) return false;
     for (const AimPoint& aim_point : request_.problem->aim_points) {
       if (aim_point.captures() || aim_point.ball != number()) continue;
-      const double t = closest_time(arc, travelled, aim_point.at);
+      const double t = detail::closest_time(arc, travelled, aim_point.at);
       const State<double> there = on_path(t);
       const double miss = norm(there.at - aim_point.at);
       if (miss < out_.miss) {

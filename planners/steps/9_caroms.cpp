@@ -134,7 +134,7 @@ class Caroms {
     for (;;) {
       SidePass pass{launch, forever, false};
       const auto look = [&](const Arc<double>& arc, double travelled) {
-        const double t = closest_time(arc, travelled, aim_point_.at);
+        const double t = detail::closest_time(arc, travelled, aim_point_.at);
         const Vec2d off = aim_point_.at - arc.position(t);
         if (norm(off) < pass.distance) pass.distance = norm(off), pass.left = is_left(arc.velocity_at(t), off);
       };

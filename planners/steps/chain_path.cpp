@@ -68,7 +68,7 @@ void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, i
     Pass pass{0, false};
     State<double> passing = sent;
     const auto look = [&](const Arc<double>& arc, double travelled) {
-      const double t = closest_time(arc, travelled, place.at);
+      const double t = detail::closest_time(arc, travelled, place.at);
       const Vec2d off = place.at - arc.position(t), v = arc.velocity_at(t);
       if (!(norm(off) < nearest) || !(norm(v) > 0)) return;
       nearest = norm(off), pass = pass_of(place, v / norm(v), off);

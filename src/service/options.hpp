@@ -33,7 +33,7 @@ struct Option {
   std::string_view name;  ///< without dashes
   Target target;
   std::string_view help{};
-  Range range{};             ///< allowed numbers; for numbers alone
+  Range range{};  ///< allowed numbers; for numbers alone
   bool required = false;
   std::string_view excludes{};  ///< the name of an option that cannot be given as well
 };

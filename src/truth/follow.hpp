@@ -62,7 +62,7 @@ inline Contact towards(const Event& e) {
 template <class T, class Sim>
 Passing passing_of(const Run& run, const Event& e, const Sim& sim) {
   if (e.kind == EventKind::horizon) return {};
-  if (run.target) return passing<T>(sim, closest_time(sim.arc(), sim.travelled(), *run.target), *run.target);
+  if (run.target) return passing<T>(sim, detail::closest_time(sim.arc(), sim.travelled(), *run.target), *run.target);
   if (e.kind != EventKind::pocket && e.kind != EventKind::jaw && e.kind != EventKind::ball) return {};
   Passing p = passing<T>(sim, sim.travelled(), run.boundary.rim(towards(e))->centre);
   p.miss = std::abs(p.lateral);

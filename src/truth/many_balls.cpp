@@ -77,8 +77,9 @@ Path run_all(const Run& run) {
       const auto look = [&](int ball, const T& began, const State<T>& start, const Arc<T>& arc, const T& travelled) {
         last[static_cast<std::size_t>(ball)] = {began, arc, travelled};
         if (ball == 0) return;
-        const Passing p =
-            run.target ? passing<T>(arc, began, closest_time(arc, travelled, *run.target), *run.target) : Passing{};
+        const Passing p = run.target
+                              ? passing<T>(arc, began, detail::closest_time(arc, travelled, *run.target), *run.target)
+                              : Passing{};
         path.events.push_back(note<T>({EventKind::slide_to_roll}, T(began + arc.seconds(travelled)), start, p, ball));
       };
       BallEvent e = sim.step(T(forever), look);

@@ -19,7 +19,7 @@ constexpr std::uint64_t seed = 41;
 constexpr int cases = 200;
 
 struct Roll {
-  Incline<double> law;
+  detail::Incline<double> law;
   Vec2d w;
 };
 Roll draw(Random& r, double share) {

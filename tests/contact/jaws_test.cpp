@@ -35,7 +35,7 @@ struct Impact {
 
 template <class T, class Cushion>
 State<T> bounced_at(const Boundary& boundary, const Cushion& cushion, Contact jaw, State<T> s) {
-  bounce_at(boundary, cushion, jaw, s);
+  detail::bounce_at(boundary, cushion, jaw, s);
   return s;
 }
 

@@ -17,11 +17,11 @@ namespace {
 
 /// Returns v and Rω after the impact.
 template <class T>
-std::array<T, 5> bounced(const test::Arrival& a, double tolerance, mathavan::Course* course = nullptr) {
+std::array<T, 5> bounced(const test::Arrival& a, double tolerance, ImpactCourse* course = nullptr) {
   Mathavan2010 cushion = a.cushion;
   cushion.tolerance = tolerance;
   State<T> s = a.state<T>();
-  const mathavan::Course c = cushion.course(a.body, s, test::away_from_cushion);
+  const ImpactCourse c = cushion.course(a.body, s, test::away_from_cushion);
   if (course) *course = c;
   const T R(a.body.radius);
   return {s.velocity.x, s.velocity.y, R * s.spin.x, R * s.spin.y, R * s.spin.z};
@@ -77,7 +77,7 @@ TEST_CASE("mathavan2010 in 50 digits: random impacts at three tolerances", "[hea
     const test::Arrival a = test::random_arrival(random, i % families);
     const auto truth = bounced<Digits>(a, 1e-20);
     for (int k = 0; k < 3; ++k) {
-      mathavan::Course course;
+      ImpactCourse course;
       const double off = distance(truth, digits(bounced<double>(a, tolerances[k], &course))) / size(a);
       INFO("seed " << seed << ", impact " << i << ", " << a.name << ": v " << a.velocity.x << ' ' << a.velocity.y
                    << ", top " << a.spin.top << ", side " << a.spin.side << ", e " << a.cushion.restitution.at_rest

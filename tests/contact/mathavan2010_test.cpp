@@ -107,7 +107,7 @@ TEST_CASE("mathavan2010: energy, scale, mirror image and direction of the cushio
     const double R = a.body.radius, e = a.cushion.restitution.at_rest;
     const State<double> s = a.state<double>();
     State<double> out = s;
-    const mathavan::Course course = a.cushion.course(a.body, out, away_from_cushion);
+    const ImpactCourse course = a.cushion.course(a.body, out, away_from_cushion);
     const double size = std::sqrt(2.5 * energy(s, R)), before = energy(s, R);
     REQUIRE(!course.jams);
     steps += course.steps;
@@ -191,7 +191,7 @@ using Five = Dual<5>;
 
 /// Computes the impact of a ball whose vx, vy, top, side and masse are the variables x.
 template <class T>
-State<T> impact(const Mathavan2010& cushion, const Body& body, const T (&x)[5], mathavan::Course& course) {
+State<T> impact(const Mathavan2010& cushion, const Body& body, const T (&x)[5], ImpactCourse& course) {
   const Vec2<T> v{x[0], x[1]}, rolled = perpendicular(v) / T(body.radius), along = v / T(body.radius);
   State<T> s{{T(0), T(0)}, v, {rolled.x * x[2] + along.x * x[4], rolled.y * x[2] + along.y * x[4], norm(along) * x[3]}};
   course = cushion.course(body, s, away_from_cushion);
@@ -223,7 +223,7 @@ Slope ridders(const Mathavan2010& cushion, const Body& body, const double (&x)[5
       double y[5];
       std::copy(std::begin(x), std::end(x), y);
       y[variable] += k == 0 ? -h : h;
-      mathavan::Course course;
+      ImpactCourse course;
       side[k] = list(impact<double>(cushion, body, y, course), body.radius);
       out.smooth = out.smooth && test::sequence(course) == switches;
     }
@@ -252,7 +252,7 @@ TEST_CASE("mathavan2010: dual numbers agree with differences where the switches 
     const double x[5] = {a.velocity.x / speed, a.velocity.y / speed, a.spin.top, a.spin.side, a.spin.masse};
     Five dual[5];
     for (int k = 0; k < 5; ++k) dual[k] = Five(x[k], k);
-    mathavan::Course course;
+    ImpactCourse course;
     const auto derivative = list(impact<Five>(a.cushion, a.body, dual, course), a.body.radius);
     for (const Five& d : derivative)
       REQUIRE((std::isfinite(d.a) && std::ranges::all_of(d.v, [](double slope_k) { return std::isfinite(slope_k); })));

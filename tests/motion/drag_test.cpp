@@ -20,7 +20,7 @@ struct Rolled {
 };
 
 /// Integrates v' = -(A + B v), s' = v by the classical Runge-Kutta method.
-Rolled integrate(const Drag<double>& d, double v, double seconds, int steps) {
+Rolled integrate(const detail::Drag<double>& d, double v, double seconds, int steps) {
   double s = 0;
   const double h = seconds / steps;
   const auto f = [&](double w) { return -(d.constant + d.linear * w); };
@@ -37,7 +37,7 @@ Rolled integrate(const Drag<double>& d, double v, double seconds, int steps) {
 TEST_CASE("speed, length and time of a rolling ball agree with an integration") {
   test::Random random(5);
   for (int i = 0; i < 300; ++i) {
-    const Drag<double> d{random.log_uniform(0.01, 1), random.log_uniform(1e-6, 10)};
+    const detail::Drag<double> d{random.log_uniform(0.01, 1), random.log_uniform(1e-6, 10)};
     const double v0 = random.log_uniform(0.01, 10), rest = d.seconds(v0, 0.0), t = rest * random.uniform(0.01, 0.95);
     const Rolled exact = integrate(d, v0, t, 2000);
     INFO("A " << d.constant << " B " << d.linear << " v0 " << v0 << " t " << t);
@@ -53,8 +53,8 @@ TEST_CASE("no digit is lost where the growth of friction vanishes") {
   double worst = 0;
   for (int i = 0; i < 1000; ++i) {
     const double a = random.log_uniform(0.01, 1), b = random.log_uniform(1e-18, 10), v0 = random.log_uniform(1e-3, 10);
-    const Drag<double> d{a, b};
-    const Drag<Digits50> exact{a, b};
+    const detail::Drag<double> d{a, b};
+    const detail::Drag<Digits50> exact{a, b};
     const double s = d.length(v0, 0.0) * random.uniform(0, 1);
     const Digits50 v = exact.speed_after(Digits50(v0), Digits50(s));
     const double of_speed =
@@ -66,7 +66,7 @@ TEST_CASE("no digit is lost where the growth of friction vanishes") {
     CHECK(of_rest < 2e-15);
   }
   INFO("worst " << worst);
-  const Drag<double> none{0.1, 1e-15};
+  const detail::Drag<double> none{0.1, 1e-15};
   CHECK(none.length(2.0, 0.0) == Approx(2.0 * 2.0 / 0.2).epsilon(1e-13));
   CHECK(none.seconds(2.0, 0.0) == Approx(20.0).epsilon(1e-13));
 }
@@ -77,7 +77,7 @@ TEST_CASE("derivatives of a slowed speed, also where rounding keeps Newton's met
   double worst = 0;
   for (int i = 0; i < 3000; ++i) {
     const double a = random.log_uniform(0.01, 1), b = random.log_uniform(1e-6, 10), v0 = random.log_uniform(1e-3, 10);
-    const Drag<double> d{a, b};
+    const detail::Drag<double> d{a, b};
     const double s = d.length(v0, 0.0) * random.uniform(0.05, 0.95);
     const Dual dual = d.speed_after(Dual(v0, 0), Dual(s, 1));
     // s = L(v0) − L(v) with L' = v/(A + B v), so dv/dv0 = v0 (A + B v)/(v (A + B v0)), dv/ds = −(A + B v)/v.
@@ -101,7 +101,7 @@ TEST_CASE("an arc with drag ends at rest, and its derivatives are those of its n
   CHECK(arc.parameter(arc.seconds(0.3 * arc.duration)) == Approx(0.3 * arc.duration).epsilon(1e-13));
 
   using Dual = bankshot::Dual<1>;
-  const Drag<Dual::Scalar> drag = arc.drag;
+  const detail::Drag<Dual::Scalar> drag = arc.drag;
   const Dual v0(2.0, 0);
   const double s = 3, h = 1e-5;
   CHECK(drag.speed_after(v0, Dual(s)).v[0] ==

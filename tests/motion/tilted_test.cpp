@@ -145,7 +145,8 @@ TEST_CASE("rolling straight up or down a slope is a level roll with another fric
     m.rise = {rise, 0};
     const State<double> s{{0, 0}, {way * v, 0}, natural_roll(Vec2d{way * v, 0}, body.radius)};
     const Rest found = run(m, s);
-    const Drag<double> drag{(m.rolling_friction.at_rest + way * rise * 5 / 7) * g, m.rolling_friction.per_speed * g};
+    const detail::Drag<double> drag{(m.rolling_friction.at_rest + way * rise * 5 / 7) * g,
+                                    m.rolling_friction.per_speed * g};
     INFO("draw " << i << " of seed " << seed);
     CHECK(found.rests_at.x == Approx(way * drag.length(v, 0.0)).epsilon(1e-11));
     CHECK(found.rests == Approx(drag.seconds(v, 0.0)).epsilon(1e-11));
@@ -253,7 +254,7 @@ TEST_CASE("a path that grazes is met where it falls through 0, or else where it 
   // A gap of (t − 1)² − depth that closes at 2 (1 − t), met by its chord where the path opens it again.
   const auto met = [](double depth, double chord) {
     const auto gap = [&](double t) { return std::pair((t - 1) * (t - 1) - depth, 2 * (1 - t)); };
-    return time_on_path(
+    return detail::time_on_path(
         chord, 0.0, 2.0, [](double t) { return t; }, gap);
   };
   CHECK(met(1e-10, 1 + 1e-6) == Approx(1 - 1e-5).epsilon(1e-12));

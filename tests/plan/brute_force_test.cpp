@@ -57,7 +57,7 @@ class BruteForce {
       bool in_place = true;
       for (;;) {
         const Event e = sim.step();
-        const double t = closest_time(sim.arc(), sim.travelled(), target_);
+        const double t = detail::closest_time(sim.arc(), sim.travelled(), target_);
         const Vec2d off = target_ - sim.arc().position(t), v = sim.arc().tangent(t);
         if (t > 0 && t < sim.travelled() && norm(off) < nearest) {
           nearest = norm(off);

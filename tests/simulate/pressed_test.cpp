@@ -121,7 +121,7 @@ TEST_CASE("the forces on two contacts settle in a few sweeps, those on many in s
   for (int i = 0; i < 1000; ++i) {
     // A row, bent at random, in which each ball is driven along the row.
     const int balls = i % 2 ? 3 : r.integer(4, 8);
-    std::vector<Pressed<double>> contacts;
+    std::vector<detail::Pressed<double>> contacts;
     std::vector<Vec2d> rates(1, {r.uniform(0, 1), 0});
     std::vector<double> masses(1, r.uniform(0.1, 0.2));
     for (int b = 1; b < balls; ++b) {
@@ -130,18 +130,18 @@ TEST_CASE("the forces on two contacts settle in a few sweeps, those on many in s
       masses.push_back(r.uniform(0.1, 0.2));
     }
     const std::vector<Vec2d> own = rates;
-    const auto settled = Forces<double>(contacts, rates, masses).settle(balls == 3 ? 8 : 400);
+    const auto settled = detail::Forces<double>(contacts, rates, masses).settle(balls == 3 ? 8 : 400);
     INFO("number " << i << " of seed " << seed << ", " << balls << " balls");
     REQUIRE(settled.settled);
     std::vector<Vec2d> forced = own;
-    for (const Pressed<double>& c : contacts) {
+    for (const detail::Pressed<double>& c : contacts) {
       const auto first = static_cast<std::size_t>(c.first), second = static_cast<std::size_t>(c.second);
       REQUIRE(c.force >= 0);
       forced[first] -= c.normal * (c.force / masses[first]);
       forced[second] += c.normal * (c.force / masses[second]);
     }
-    for (const Pressed<double>& c : contacts) {
-      const double parts = parting_rate<double>(c, forced);
+    for (const detail::Pressed<double>& c : contacts) {
+      const double parts = detail::parting_rate<double>(c, forced);
       REQUIRE(parts > -1e-13);
       if (c.force > 0) REQUIRE(parts < 1e-13);
     }

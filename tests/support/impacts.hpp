@@ -78,7 +78,7 @@ inline Arrival random_arrival(Random& r, int family) {
 
 /// Returns the contacts that slid, in order. I is the cushion and C the cloth; a lower-case letter means that the
 /// contact sticks, 0 that the cloth carries no force. The bar | stands between compression and restitution.
-inline std::string sequence(const mathavan::Course& c) {
+inline std::string sequence(const ImpactCourse& c) {
   std::string out;
   bool back = false;
   for (int i = 0; i < std::min(c.modes, static_cast<int>(c.mode.size())); ++i) {

@@ -16,6 +16,7 @@
 #pragma once
 
 #include "bankshot/contact/cushion_frame.hpp"
+#include "bankshot/contact/impact_course.hpp"
 #include "bankshot/contact/restitution.hpp"
 #include "bankshot/detail/mathavan2010/impact.hpp"
 #include "bankshot/numbers/tolerances.hpp"
@@ -37,14 +38,14 @@ struct Mathavan2010Of {
 
   /// Does what bounce() does, and returns how the impact went.
   template <class T, class N>
-  mathavan::Course course(const Body& body, State<T>& s, const Vec2<N>& normal) const {
+  ImpactCourse course(const Body& body, State<T>& s, const Vec2<N>& normal) const {
     const Vec2<T> away = to<T>(normal);
     InCushionFrame<T> f = into_frame(s, away);
-    const double approach = mathavan::as_double(f.vn);
+    const double approach = detail::mathavan::as_double(f.vn);
     const double radius = body.radius;
     const T R(radius);
-    const double w2 = mathavan::as_double(T(f.wn * f.wn + f.wt * f.wt + f.wz * f.wz)) * radius * radius;
-    const double fast = std::sqrt(mathavan::as_double(dot(s.velocity, s.velocity)) + w2);
+    const double w2 = detail::mathavan::as_double(T(f.wn * f.wn + f.wt * f.wt + f.wz * f.wz)) * radius * radius;
+    const double fast = std::sqrt(detail::mathavan::as_double(dot(s.velocity, s.velocity)) + w2);
     if (!(approach > 0)) return {};
     const T e = restitution(f.vn);
     if (!(approach > bankshot::tolerance::along * fast)) {
@@ -55,11 +56,11 @@ struct Mathavan2010Of {
     // The paper's axes: y into the cushion, x = y × z = −t. Mass 1, radius 1, approach speed 1.
     const NoseAngle<Coefficient<T, C>> angle(height, radius);
     const T sine(angle.sine), cosine(angle.cosine);
-    const mathavan::Nose<T> nose(sine, cosine, T(friction), T(sliding_friction));
+    const detail::mathavan::Nose<T> nose(sine, cosine, T(friction), T(sliding_friction));
     const T by = T(1) / T(approach), spin = R * by;
     T vx = -f.vt * by, vy = f.vn * by, wx = -f.wt * spin, wy = f.wn * spin, wz = f.wz * spin;
     const Vec2<T> cushion{vx + wy * sine - wz * cosine, wx - vy * sine}, cloth{vx - wy, vy + wx};
-    mathavan::Impact<T> impact(nose, cushion, cloth, vy, tolerance, negligible * tolerance * fast / approach);
+    detail::mathavan::Impact<T> impact(nose, cushion, cloth, vy, tolerance, negligible * tolerance * fast / approach);
     impact.run(e);
     recover(nose, impact.cushion_slip() - cushion, impact.cloth_slip() - cloth, impact.vy(), vx, vy, wx, wy, wz);
     if (impact.course().jams && vy > T(0)) vy = T(0);
@@ -73,8 +74,8 @@ struct Mathavan2010Of {
 
   /// Computes the velocities from the changes of the slips, which are linear in the friction impulses along x.
   template <class T>
-  static void recover(const mathavan::Nose<T>& nose, const Vec2<T>& cushion, const Vec2<T>& cloth, const T& vy_after,
-                      T& vx, T& vy, T& wx, T& wy, T& wz) {
+  static void recover(const detail::mathavan::Nose<T>& nose, const Vec2<T>& cushion, const Vec2<T>& cloth,
+                      const T& vy_after, T& vx, T& vy, T& wx, T& wy, T& wz) {
     const T a(3.5), b = nose.beta, by = T(1) / (a * a - b * b);
     const T at_cushion = (b * cloth.x - a * cushion.x) * by, at_cloth = (b * cushion.x - a * cloth.x) * by;
     vx -= at_cushion + at_cloth;

@@ -12,7 +12,7 @@
 #include "bankshot/detail/roots/meeting.hpp"
 #include "bankshot/simulate/ball_track.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 template <class T, class Motion>
 struct BallsInPlay {
@@ -159,4 +159,4 @@ struct BallsInPlay {
   }
 };
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

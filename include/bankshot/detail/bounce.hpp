@@ -6,7 +6,7 @@
 #include "bankshot/contact/any_cushion.hpp"
 #include "bankshot/geometry/boundary.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 template <class T, class Cushion>
 [[gnu::always_inline]] inline void bounce_at(const Boundary& boundary, const Cushion& cushion, Contact contact,
@@ -20,4 +20,4 @@ template <class T, class Cushion>
     cushion.bounce(boundary.body, s, w->normal);
 }
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

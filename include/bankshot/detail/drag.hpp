@@ -13,7 +13,7 @@
 
 #include "bankshot/numbers/scalar.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// Largest argument for which series are summed. Beyond it, the closed forms lose at most two bits to cancellation.
 inline constexpr double where_series_converge = 1;
@@ -115,4 +115,4 @@ struct Drag {
   }
 };
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

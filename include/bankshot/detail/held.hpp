@@ -14,7 +14,7 @@
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// Turns a sliding ball's arc into a piece along the cushion. Its speed across the cushion must be 0 already, and its
 /// acceleration the whole friction. If the arc is a piece already, friction keeps its direction. `n` points across the
@@ -53,4 +53,4 @@ void hold_slip_in_corner(Arc<T>& arc) {
   if (arc.end == PhaseEnd::roll) arc.duration = arc.duration * Real<T>(1.4);
 }
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

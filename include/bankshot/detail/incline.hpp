@@ -24,7 +24,7 @@
 #include "bankshot/numbers/scalar.hpp"
 #include "bankshot/numbers/vec.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// K is the type of the coefficients: T, or T without derivatives.
 template <class K>
@@ -206,4 +206,4 @@ class Glide {
   std::size_t terms_ = 0;  ///< index of the last coefficient
 };
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

@@ -14,7 +14,7 @@
 #include "bankshot/detail/balls_in_play.hpp"
 #include "bankshot/detail/pressed.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 template <class T, class Motion>
 class LastingContacts {
@@ -300,4 +300,4 @@ class LastingContacts {
   std::vector<char> joined_;  ///< per ball: it needs no further check
 };
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

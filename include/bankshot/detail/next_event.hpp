@@ -14,7 +14,7 @@
 #include "bankshot/detail/roots/roots.hpp"
 #include "bankshot/simulate/event.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 template <class N>
 struct NextEvent {
@@ -276,4 +276,4 @@ T lift_event(const Boundary& boundary, const NextEvent<Real<T>>& next, const Arc
   }
 }
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

@@ -18,7 +18,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// Decides on numbers N without derivatives; the states that it moves may have some.
 template <class N>
@@ -197,4 +197,4 @@ class OnCushions {
   Contact held_[2];  ///< contacts among them that friction drives it into
 };
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

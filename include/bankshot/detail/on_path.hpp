@@ -11,7 +11,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/motion/arc.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// Returns the time of a graze: the path may only come close to the thing that its chord meets. It is the time at which
 /// the gap falls through 0 or, if only the chord meets the thing, the time at which the gap is least. Returns the
@@ -109,4 +109,4 @@ T lift_on_path(const Motion& motion, const Boundary& boundary, const State<T>& s
   }
 }
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

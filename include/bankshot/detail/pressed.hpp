@@ -29,7 +29,7 @@
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// Returns the acceleration where the arc begins, including that of a drag.
 template <class T>
@@ -228,4 +228,4 @@ class Forces {
   N rounding_{0};  ///< N, rounding error of the largest force
 };
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

@@ -71,7 +71,7 @@ struct Arc {
   bool bends = false;  ///< the acceleration need not be along the velocity
   Press pressed = Press::none;
   bool chord = false;  ///< chord of a path that is no parabola; the motion's `follow` gives the path
-  Drag<T> drag{};
+  detail::Drag<T> drag{};
   Vec2<T> taken{};  ///< m/s²: friction less acceleration of a sliding ball; friction turns the ball even where a
                     ///< cushion or other balls keep it from moving the centre
 

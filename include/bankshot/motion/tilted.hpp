@@ -51,12 +51,12 @@ struct TiltedOf : SlideRollOf<C> {
     }
     Vec2<T> beyond;
     if (piece.last) {
-      const Stop<T> stop = stop_on(phase.law, phase.w);
+      const detail::Stop<T> stop = detail::stop_on(phase.law, phase.w);
       out.duration = stop.time;
       beyond = stop.beyond;
       out.end = phase.slides ? PhaseEnd::roll : phase.stays ? PhaseEnd::rest : PhaseEnd::piece;
     } else {
-      const Glide<T, K<T>> glide(phase.law, phase.w, N(piece.step));
+      const detail::Glide<T, K<T>> glide(phase.law, phase.w, N(piece.step));
       out.duration = glide.time(T(1));
       beyond = glide.beyond(T(1));
       out.end = PhaseEnd::piece;
@@ -75,17 +75,17 @@ struct TiltedOf : SlideRollOf<C> {
     const bool whole = value(t) == value(arc.duration);
     Vec2<T> w = phase.w, beyond{T(0), T(0)};
     if (piece.last && whole) {
-      beyond = stop_on(phase.law, w).beyond;
+      beyond = detail::stop_on(phase.law, w).beyond;
       w = {T(0), T(0)};
     } else {
-      const Glide<T, K<T>> glide(phase.law, w, N(piece.step));
+      const detail::Glide<T, K<T>> glide(phase.law, w, N(piece.step));
       const T covered = glide.time(T(1));
       if (piece.last && value(t) > value(covered)) {
         // Beyond the series: all that is left now, less what is left then.
-        const Stop<T> stop = stop_on(phase.law, w);
+        const detail::Stop<T> stop = detail::stop_on(phase.law, w);
         const T left = stop.time - t;
-        w = before_stop(phase.law, w, left);
-        beyond = stop.beyond + (phase.w - w) * left - stop_on(phase.law, w).beyond;
+        w = detail::before_stop(phase.law, w, left);
+        beyond = stop.beyond + (phase.w - w) * left - detail::stop_on(phase.law, w).beyond;
       } else {
         const T here = whole ? T(1) : glide.at(t);
         beyond = glide.beyond(here);
@@ -193,7 +193,7 @@ struct TiltedOf : SlideRollOf<C> {
   /// by the acceleration `weight`.
   template <class T>
   struct Phase {
-    Incline<K<T>> law;
+    detail::Incline<K<T>> law;
     Vec2<T> w;
     Real<T> share;
     Vec2<T> weight;
@@ -272,7 +272,7 @@ struct TiltedOf : SlideRollOf<C> {
   template <class T>
   Piece piece_of(const Body& body, const Phase<T>& phase) const {
     const auto number = [](const auto& v) { return static_cast<double>(value(v)); };
-    const Incline<K<T>>& law = phase.law;
+    const detail::Incline<K<T>>& law = phase.law;
     const double m = number(law.friction), a = number(law.pull), b = number(law.drag);
     const double across = number(cross(value(law.down), value(phase.w)));
     const double along = number(dot(value(law.down), value(phase.w)));

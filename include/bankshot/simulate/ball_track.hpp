@@ -44,25 +44,25 @@ class BallTrack {
   /// Finds what ends the arc within `limit` seconds. The result's time is the arc's parameter. `straight`: the arc does
   /// not bend.
   template <bool straight>
-  NextEvent<Number> find(const T& limit) {
+  detail::NextEvent<Number> find(const T& limit) {
     limit_ = arc_.parameter(limit);
-    return EventFinder<straight, Number>{*boundary_, cushions_, value(arc_)}.next(value(limit_));
+    return detail::EventFinder<straight, Number>{*boundary_, cushions_, value(arc_)}.next(value(limit_));
   }
 
   template <class Motion>
-  NextEvent<Number> next(const Motion& motion, const T& limit) {
+  detail::NextEvent<Number> next(const Motion& motion, const T& limit) {
     begin(motion);
     return find<Motion::straight>(limit);
   }
 
   /// Returns the time of what `next` found, with its derivatives.
   template <class Motion>
-  T when(const Motion& motion, const NextEvent<Number>& next) const {
+  T when(const Motion& motion, const detail::NextEvent<Number>& next) const {
     if constexpr (has_chords<Motion>)
       if (arc_.chord && next.event.contact && next.time != Number(0))
-        return lift_on_path(motion, *boundary_, state_, arc_, next.event.contact, cushions_.on(next.event.contact),
-                            false, next.time);
-    return lift_event(*boundary_, next, arc_, cushions_.on(next.event.contact), limit_);
+        return detail::lift_on_path(motion, *boundary_, state_, arc_, next.event.contact,
+                                    cushions_.on(next.event.contact), false, next.time);
+    return detail::lift_event(*boundary_, next, arc_, cushions_.on(next.event.contact), limit_);
   }
 
   /// Moves the ball along the arc.
@@ -94,7 +94,7 @@ class BallTrack {
     set_out(motion);
     travelled_ = T(0);
     if (const Wall* const w = boundary_->line(contact); has_derivatives<T> && w) {
-      travelled_ = lift_line(arc_, w->normal, w->offset, false, Number(0));
+      travelled_ = detail::lift_line(arc_, w->normal, w->offset, false, Number(0));
       state_ = advance(motion, boundary_->body, before_, arc_, travelled_);
     }
     bounce(cushion, contact);
@@ -109,14 +109,14 @@ class BallTrack {
   /// Adds a little velocity. A ball that rolls goes on rolling.
   template <class Motion>
   void nudge(const Motion& motion, const Vec2<T>& velocity) {
-    const bool rolls = !slides(arc_);
+    const bool rolls = !detail::slides(arc_);
     state_.velocity += velocity;
     if (rolls) motion.roll(boundary_->body, state_);
   }
 
   /// Adds the acceleration that others give the centre all along the arc.
   void press(const Vec2<T>& push, const Number& longest) {
-    bankshot::press(arc_, push, longest);
+    detail::press(arc_, push, longest);
     cushions_.let_go(*boundary_, value(state_.at), value(push));
   }
   /// Keeps the ball at this cushion, which the centre is on, all along the arc.
@@ -163,7 +163,7 @@ class BallTrack {
     const Body& body = boundary_->body;
     cushions_.settle(*boundary_, contact, state_.at);
     cushions_.bounces(squared_scale(state_, body.radius));
-    bounce_at(*boundary_, cushion, contact, state_);
+    detail::bounce_at(*boundary_, cushion, contact, state_);
     const Vec2<Number> v = value(state_.velocity);
     if (cushions_.is_rounding(dot(v, v))) state_.velocity = {T(0), T(0)};
     if (cushions_.is_still(squared_scale(state_, body.radius))) {
@@ -178,7 +178,7 @@ class BallTrack {
   Arc<T> arc_;
   T limit_{0};  ///< limit of the arc's parameter
   T travelled_{0};
-  OnCushions<Number> cushions_;
+  detail::OnCushions<Number> cushions_;
 };
 
 }  // namespace bankshot

@@ -65,7 +65,7 @@ N time_to_line(const Arc<N>& arc, const Wall& w) {
   using std::sqrt;
   const N speed = dot(w.normal, arc.velocity), a = dot(w.normal, arc.acceleration);
   const N gap = dot(w.normal, arc.at) - N(w.offset);
-  if (!(speed < N(0))) return first_descent(gap > N(0) ? gap : N(0), speed, a);
+  if (!(speed < N(0))) return detail::first_descent(gap > N(0) ? gap : N(0), speed, a);
   // Without acceleration no square is taken, since it would underflow for the slowest approach.
   if (a == N(0)) return gap / -speed;
   const N discriminant = speed * speed - 2 * a * gap;
@@ -78,8 +78,8 @@ N time_to_contact(const Boundary& boundary, const Arc<N>& arc, Contact contact) 
   const Circle* const rim = boundary.rim(contact);
   if (!rim) return N(forever);
   if (contact.kind == ContactKind::ball)
-    return first_touch(arc, rim->centre, rim->radius, boundary.touch, arc.duration);
-  return first_entry(arc, rim->centre, rim->radius, arc.duration);
+    return detail::first_touch(arc, rim->centre, rim->radius, boundary.touch, arc.duration);
+  return detail::first_entry(arc, rim->centre, rim->radius, arc.duration);
 }
 
 /// Returns the time at which a contact is met, with the derivatives of the arc. A gap that counted as 0 adds none.
@@ -87,12 +87,12 @@ template <class T, class Motion>
 T lift_contact(const Motion& motion, const Boundary& boundary, const State<T>& start, const Arc<T>& arc,
                Contact contact, const Real<T>& t) {
   if constexpr (has_chords<Motion>)
-    if (arc.chord) return lift_on_path(motion, boundary, start, arc, contact, false, true, t);
+    if (arc.chord) return detail::lift_on_path(motion, boundary, start, arc, contact, false, true, t);
   const Wall* const w = boundary.line(contact);
-  if (!w) return lift_circle(arc, boundary.rim(contact)->centre, t);
+  if (!w) return detail::lift_circle(arc, boundary.rim(contact)->centre, t);
   const bool beyond = !(dot(w->normal, value(arc.at)) - Real<T>(w->offset) > 0);
   const bool away = !(dot(w->normal, value(arc.velocity)) < 0);
-  return lift_line(arc, w->normal, w->offset, beyond && away, t);
+  return detail::lift_line(arc, w->normal, w->offset, beyond && away, t);
 }
 
 /// Lets two balls collide. The path goes on with the ball that was hit, from where it stood; in a carom, with the
@@ -149,7 +149,7 @@ LockedPath<T> follow_locked(const RouteBallsOf<C>& balls, const Motion& motion, 
     if (contact.kind == ContactKind::ball)
       meet_ball(balls, contact, path);
     else
-      bounce_at(boundary, cushion, contact, path.state);
+      detail::bounce_at(boundary, cushion, contact, path.state);
   }
   return path;
 }
@@ -181,14 +181,14 @@ LockedArrival<T> arrive_locked(const Motion& motion, const Body& body, State<T> 
     T t = arc.duration;
     bool arrived = false;
     if (capture > 0 && !stop) {
-      const Number entry = first_entry(plain, target, capture, plain.duration);
+      const Number entry = detail::first_entry(plain, target, capture, plain.duration);
       arrived = entry <= plain.duration && entry < Number(forever);
-      if (arrived) t = lift_circle(arc, target, entry);
+      if (arrived) t = detail::lift_circle(arc, target, entry);
     }
     if (!arrived && !stop) {
-      const Number nearest = closest_time(plain, plain.duration, target);
+      const Number nearest = detail::closest_time(plain, plain.duration, target);
       arrived = nearest < plain.duration;
-      if (arrived) t = nearest > Number(0) ? lift_closest(arc, target, nearest) : T(0);
+      if (arrived) t = nearest > Number(0) ? detail::lift_closest(arc, target, nearest) : T(0);
     }
     if (t < T(forever)) watch(arc, t);
     time += arc.seconds(t);

@@ -86,7 +86,7 @@ class ManyBalls {
   }
 
  private:
-  using Ball = typename BallsInPlay<T, Motion>::Ball;
+  using Ball = typename detail::BallsInPlay<T, Motion>::Ball;
   static constexpr double never = forever;
   /// Order of events in one instant.
   enum class Rank { pocket, meeting, bounce, phase };
@@ -134,7 +134,7 @@ class ManyBalls {
     return sqrt(launch2);
   }
 
-  static Rank rank_of(const NextEvent<Number>& next) {
+  static Rank rank_of(const detail::NextEvent<Number>& next) {
     if (next.event.kind == EventKind::pocket) return Rank::pocket;
     if (next.event.kind == EventKind::ball) return Rank::meeting;
     return next.event.bounces() ? Rank::bounce : Rank::phase;
@@ -176,7 +176,7 @@ class ManyBalls {
 
   /// Returns the speed at which the two that are due to meet come nearer.
   Number approach(const Due& due) const {
-    const Apart<Number> apart = in_.seen(due.first, due.second, due.time);
+    const detail::Apart<Number> apart = in_.seen(due.first, due.second, due.time);
     return -dot(apart.at, apart.velocity) / norm(apart.at);
   }
 
@@ -212,7 +212,7 @@ class ManyBalls {
       s.track.meet_also(in_.motion, cushion_, second);
       return {ball, {bounce_off(second), second, true}};
     }
-    const NextEvent<Number> next = s.next;
+    const detail::NextEvent<Number> next = s.next;
     const T parameter = s.track.when(in_.motion, next);
     in_.now = s.began + s.track.arc().seconds(parameter);
     const bool pressed = s.track.arc().pressed == Press::rolls && !s.track.arc().chord;
@@ -238,7 +238,7 @@ class ManyBalls {
     return {ball, next.event};
   }
 
-  BallEvent bounce(std::size_t i, const NextEvent<Number>& next) {
+  BallEvent bounce(std::size_t i, const detail::NextEvent<Number>& next) {
     Ball& s = in_.balls[i];
     Contact first = next.event.contact, second = next.second;
     if (second && s.track.approach(second) > s.track.approach(first)) std::swap(first, second);
@@ -292,7 +292,7 @@ class ManyBalls {
     if (in_.stay_apart(i, j) || !a.in_play || !b.in_play || (!a.moves && !b.moves) || lasting_.is_held(i, j))
       return Number(never);
     const Number now = value(in_.now), limit = std::min<Number>(a.due, b.due) - now;
-    const Number t = first_meeting(in_.seen(i, j, now), in_.reach(i, j), limit, in_.rounding);
+    const Number t = detail::first_meeting(in_.seen(i, j, now), in_.reach(i, j), limit, in_.rounding);
     return t < never ? now + t : Number(never);
   }
 
@@ -313,7 +313,7 @@ class ManyBalls {
     };
     const auto both = [&](const Number& when) { return std::pair(there(i, when), there(j, when)); };
     const Number last = std::min<Number>(in_.balls[i].due, in_.balls[j].due);
-    return time_on_path(time, value(in_.now), last, both, [&](const auto& balls) {
+    return detail::time_on_path(time, value(in_.now), last, both, [&](const auto& balls) {
       const Vec2<Number> d = balls.second.at - balls.first.at, v = balls.second.velocity - balls.first.velocity;
       const Number apart = norm(d);
       return std::pair<Number, Number>(apart - in_.reach(i, j), -dot(d, v) / apart);
@@ -331,7 +331,7 @@ class ManyBalls {
       };
       const Vec2<T> d = at(in_.balls[j]) - at(in_.balls[i]);
       const T f = dot(d, d) * 0.5;
-      const Apart<Number> apart = in_.seen(i, j, time);
+      const detail::Apart<Number> apart = in_.seen(i, j, time);
       const Number slope = dot(apart.at, apart.velocity);
       return slope == 0 ? T(time) : T(T(time) - (f - value(f)) / slope);
     }
@@ -339,8 +339,8 @@ class ManyBalls {
 
   Cushion cushion_;
   BallBall law_;
-  BallsInPlay<T, Motion> in_;
-  LastingContacts<T, Motion> lasting_;
+  detail::BallsInPlay<T, Motion> in_;
+  detail::LastingContacts<T, Motion> lasting_;
   std::vector<Number> meetings_;  ///< s, per pair, lower number first; on the diagonal, the earliest of the row
   std::vector<std::size_t> changed_;
   std::vector<char> fresh_;   ///< per ball: its arc is new

@@ -79,7 +79,7 @@ class Simulator {
 
  private:
   using Number = Real<T>;
-  using Next = NextEvent<Number>;
+  using Next = detail::NextEvent<Number>;
 
   Event happens(const Next& next) {
     if (next.event.bounces()) return first_of_instant(next);

@@ -9,15 +9,15 @@ namespace {
 
 /// Returns the clock σ at the moment `until`. The component of w across the slope shrinks by e^−Mσ. The boost of (|w|,
 /// w) along the slope makes |w| + w·down shrink by e^−(M − pull)σ, which gives σ.
-double clock_at(const Incline<double>& law, const Vec2d& w, double until) {
-  const Vec2d later = before_stop(law, w, stop_on(law, w).time - until);
+double clock_at(const detail::Incline<double>& law, const Vec2d& w, double until) {
+  const Vec2d later = detail::before_stop(law, w, detail::stop_on(law, w).time - until);
   const auto sum = [&](const Vec2d& v) { return norm(v) + dot(law.down, v); };
   return std::log(sum(w) / sum(later)) / (law.friction - law.pull);
 }
 
 }  // namespace
 
-Slipped series(const Incline<double>& law, const Vec2d& w, double until, int terms, int steps) {
+Slipped series(const detail::Incline<double>& law, const Vec2d& w, double until, int terms, int steps) {
   const double h = clock_at(law, w, until) / steps;
   const auto size = static_cast<std::size_t>(terms);
   std::vector<double> on(size), across(size), speed(size);
@@ -47,7 +47,7 @@ Slipped series(const Incline<double>& law, const Vec2d& w, double until, int ter
   return out;
 }
 
-Slipped perturbed(const Incline<double>& law, const Vec2d& w) {
+Slipped perturbed(const detail::Incline<double>& law, const Vec2d& w) {
   const double q = norm(w), M = law.friction;
   const Vec2d ahead = w / q, down = law.down * (law.pull / M);
   const double along = dot(down, ahead);
@@ -56,14 +56,14 @@ Slipped perturbed(const Incline<double>& law, const Vec2d& w) {
   return {q / M * (1 + along), ahead * (way * (1 + along)) + aside * (way / 2), {0, 0}};
 }
 
-Slipped exactly(const Incline<double>& law, const Vec2d& w) {
-  const Stop<double> stop = stop_on(law, w);
+Slipped exactly(const detail::Incline<double>& law, const Vec2d& w) {
+  const detail::Stop<double> stop = detail::stop_on(law, w);
   return {stop.time, stop.beyond + w * stop.time, {0, 0}};
 }
 
-Slipped exactly(const Incline<double>& law, const Vec2d& w, double until) {
+Slipped exactly(const detail::Incline<double>& law, const Vec2d& w, double until) {
   const Slipped whole = exactly(law, w);
-  const Vec2d later = before_stop(law, w, whole.time - until);
+  const Vec2d later = detail::before_stop(law, w, whole.time - until);
   return {until, whole.moved - exactly(law, later).moved, later};
 }
 

@@ -20,18 +20,18 @@ struct Slipped {
 };
 
 /// Uses `terms` terms of the series in each step; the friction must not grow with the speed.
-Slipped series(const Incline<double>& law, const Vec2d& w, double until, int terms, int steps);
+Slipped series(const detail::Incline<double>& law, const Vec2d& w, double until, int terms, int steps);
 
 /// Integrates until a given moment in equal steps.
-Slipped dormand_prince(const Incline<double>& law, const Vec2d& w, double until, int steps);
+Slipped dormand_prince(const detail::Incline<double>& law, const Vec2d& w, double until, int steps);
 /// Integrates until w is 0, with `tolerance` absolute and relative.
-Slipped dormand_prince_to_stop(const Incline<double>& law, const Vec2d& w, double tolerance);
+Slipped dormand_prince_to_stop(const detail::Incline<double>& law, const Vec2d& w, double tolerance);
 
 /// Follows the ball until w is 0.
-Slipped perturbed(const Incline<double>& law, const Vec2d& w);
+Slipped perturbed(const detail::Incline<double>& law, const Vec2d& w);
 
 /// Evaluates the closed forms of incline.hpp, until w is 0 or until an earlier moment.
-Slipped exactly(const Incline<double>& law, const Vec2d& w);
-Slipped exactly(const Incline<double>& law, const Vec2d& w, double until);
+Slipped exactly(const detail::Incline<double>& law, const Vec2d& w);
+Slipped exactly(const detail::Incline<double>& law, const Vec2d& w, double until);
 
 }  // namespace bankshot::app::report

@@ -257,7 +257,7 @@ class Run {
 using Sliding = std::array<double, 4>;
 using DormandPrince = boost::numeric::odeint::runge_kutta_dopri5<Sliding>;
 
-auto rate_on(const Incline<double>& law) {
+auto rate_on(const detail::Incline<double>& law) {
   return [law](const Sliding& y, Sliding& rate, double) {
     const double by = -(law.friction / std::hypot(y[2], y[3]) + law.drag);
     rate = {y[2], y[3], by * y[2] + law.pull * law.down.x, by * y[3] + law.pull * law.down.y};
@@ -266,7 +266,7 @@ auto rate_on(const Incline<double>& law) {
 
 }  // namespace
 
-Slipped dormand_prince(const Incline<double>& law, const Vec2d& w, double until, int steps) {
+Slipped dormand_prince(const detail::Incline<double>& law, const Vec2d& w, double until, int steps) {
   DormandPrince stepper;
   Sliding y{0, 0, w.x, w.y};
   const double h = until / steps;
@@ -274,7 +274,7 @@ Slipped dormand_prince(const Incline<double>& law, const Vec2d& w, double until,
   return {until, {y[0], y[1]}, {y[2], y[3]}};
 }
 
-Slipped dormand_prince_to_stop(const Incline<double>& law, const Vec2d& w, double tolerance) {
+Slipped dormand_prince_to_stop(const detail::Incline<double>& law, const Vec2d& w, double tolerance) {
   auto stepper = boost::numeric::odeint::make_controlled(tolerance, tolerance, DormandPrince());
   Sliding y{0, 0, w.x, w.y};
   // Below this speed the remaining way is, as a share of the whole way, as small as the tolerance.

@@ -38,7 +38,7 @@ const Boundary& open_cloth() {
 struct Shot {
   Tilted motion;
   State<double> start;
-  Incline<double> law;
+  detail::Incline<double> law;
   Vec2d w;       ///< slip of a slide, velocity of a roll
   double share;  ///< change of the velocity per change of w
   Vec2d truth, rest;

@@ -25,7 +25,7 @@ namespace {
 double time_to_length(const Arc<double>& arc, double duration, double metres) {
   double low = 0, high = duration;
   if (!(length(arc, high) > metres)) return forever;
-  if (!arc.bends) return arc.seconds(time_at_length(arc, metres));
+  if (!arc.bends) return arc.seconds(detail::time_at_length(arc, metres));
   for (double t = low + (high - low) / 2; t > low && t < high; t = low + (high - low) / 2)
     (length(arc, t) < metres ? low : high) = t;
   return high;

@@ -10,7 +10,7 @@
 #include "bankshot/detail/mathavan2010/slide.hpp"
 #include "bankshot/detail/mathavan2010/straight.hpp"
 
-namespace bankshot::mathavan {
+namespace bankshot::detail::mathavan {
 
 inline constexpr int most_steps = 2000;
 
@@ -33,7 +33,7 @@ class Impact : private Straight<T> {
     if (as_double(target) > 0) phase(-1, target, as_double(restitution));
   }
 
-  const Course& course() const { return course_; }
+  const ImpactCourse& course() const { return course_; }
   const T& vy() const { return vy_; }
   Vec2<T> cushion_slip() const { return Base::slip(e_.cushion); }
   Vec2<T> cloth_slip() const { return Base::slip(e_.cloth); }
@@ -59,7 +59,7 @@ class Impact : private Straight<T> {
     for (;;) {
       if (course_.steps++ > most_steps) course_.jams = true;
       e_.begin();
-      if (!(as_double(e_.vy_rate[0]) < 0)) course_.jams = true;
+      if (!(as_double(e_.vy_rate[0]) < 0)) course_.jams = true;  // the approach would not slow down
       // A cushion that sticks leaves the cloth no load only if no friction force is consistent.
       if (!e_.cushion.moves() && as_double(e_.q[0]) < 0) course_.jams = true;
       if (course_.jams) return;
@@ -205,4 +205,4 @@ class Impact : private Straight<T> {
   Slide<T> slide_;
 };
 
-}  // namespace bankshot::mathavan
+}  // namespace bankshot::detail::mathavan

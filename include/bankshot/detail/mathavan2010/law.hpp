@@ -13,7 +13,7 @@
 
 #include "bankshot/numbers/vec.hpp"
 
-namespace bankshot::mathavan {
+namespace bankshot::detail::mathavan {
 
 /// Constants of an impact.
 template <class T>
@@ -85,4 +85,4 @@ inline Forces<T> forces(const Nose<T>& nose, const Sliding& slides, const Vec2<T
   });
 }
 
-}  // namespace bankshot::mathavan
+}  // namespace bankshot::detail::mathavan

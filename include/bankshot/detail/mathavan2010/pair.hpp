@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace bankshot::mathavan {
+namespace bankshot::detail::mathavan {
 
 template <class T>
 struct Pair {
@@ -37,4 +37,4 @@ struct Pair<double> {
 };
 #endif
 
-}  // namespace bankshot::mathavan
+}  // namespace bankshot::detail::mathavan

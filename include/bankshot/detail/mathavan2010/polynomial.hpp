@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace bankshot::mathavan {
+#include "bankshot/numbers/scalar.hpp"
+
+namespace bankshot::detail::mathavan {
 
 /// Returns the number itself, without derivatives or further digits. Decisions are taken on it.
 template <class T>
@@ -107,4 +109,4 @@ double first_outside(double length, const F& outside) {
   return high;
 }
 
-}  // namespace bankshot::mathavan
+}  // namespace bankshot::detail::mathavan

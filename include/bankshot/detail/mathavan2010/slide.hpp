@@ -19,7 +19,7 @@
 #include "bankshot/detail/mathavan2010/pair.hpp"
 #include "bankshot/detail/mathavan2010/polynomial.hpp"
 
-namespace bankshot::mathavan {
+namespace bankshot::detail::mathavan {
 
 template <class T>
 using PairSeries = std::array<Pair<T>, max_order<T> + 1>;
@@ -137,4 +137,4 @@ struct Slide {
   }
 };
 
-}  // namespace bankshot::mathavan
+}  // namespace bankshot::detail::mathavan

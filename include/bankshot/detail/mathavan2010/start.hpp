@@ -13,7 +13,7 @@
 #include "bankshot/detail/mathavan2010/polynomial.hpp"
 #include "bankshot/numbers/vec.hpp"
 
-namespace bankshot::mathavan {
+namespace bankshot::detail::mathavan {
 
 enum class Slip {
   sticks,  ///< is 0 and stays 0
@@ -201,4 +201,4 @@ struct Start {
   Contact<T>& contact(std::size_t k) { return k == 0 ? cushion : cloth; }
 };
 
-}  // namespace bankshot::mathavan
+}  // namespace bankshot::detail::mathavan

@@ -7,7 +7,7 @@
 
 #include "bankshot/detail/mathavan2010/switches.hpp"
 
-namespace bankshot::mathavan {
+namespace bankshot::detail::mathavan {
 
 template <class T>
 class Straight : protected Switches<T> {
@@ -106,4 +106,4 @@ class Straight : protected Switches<T> {
   static constexpr double share = 0.1;  ///< share of the tolerance that one straight step may use
 };
 
-}  // namespace bankshot::mathavan
+}  // namespace bankshot::detail::mathavan

@@ -6,23 +6,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "bankshot/contact/impact_course.hpp"
 #include "bankshot/detail/mathavan2010/start.hpp"
 
-namespace bankshot::mathavan {
-
-/// Bit set: the cushion slides (bit 0), the cloth slides (bit 1), the cloth carries nothing (bit 2), and the ball is on
-/// its way back (bit 3).
-using Mode = unsigned char;
-
-struct Course {
-  bool jams = false;  ///< vy' >= 0 before the ball stops, no consistent forces, or too many steps
-  int steps = 0;
-  int modes = 0;
-  std::array<Mode, 16> mode{};  ///< first sixteen modes, in order
-};
+namespace bankshot::detail::mathavan {
 
 template <class T>
 class Switches {
@@ -54,7 +43,7 @@ class Switches {
     const auto bits =
         (e_.cushion.moves() ? 1u : 0u) | (e_.cloth.moves() ? 2u : 0u) | (e_.lifted ? 4u : 0u) | (sign_ < 0 ? 8u : 0u);
     if (course_.modes < static_cast<int>(course_.mode.size()))
-      course_.mode[static_cast<std::size_t>(course_.modes)] = static_cast<Mode>(bits);
+      course_.mode[static_cast<std::size_t>(course_.modes)] = static_cast<ImpactCourse::Mode>(bits);
     ++course_.modes;
   }
 
@@ -133,7 +122,7 @@ class Switches {
   T vy_{}, work_{0}, target_{0};
   int sign_ = 1;  ///< 1 in compression, −1 in restitution
   Start<T> e_;
-  Course course_;
+  ImpactCourse course_;
 };
 
-}  // namespace bankshot::mathavan
+}  // namespace bankshot::detail::mathavan

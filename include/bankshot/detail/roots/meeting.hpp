@@ -14,7 +14,7 @@
 
 #include "bankshot/detail/roots/roots.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// Returns a bound on how fast the velocity on an arc changes [m/s²].
 template <class N>
@@ -148,4 +148,4 @@ N first_meeting(const Apart<N>& pair, N reach, const N& limit, const Rounding<N>
   return t > rough - found && t < limit && abs(gap) < off ? t : rough;
 }
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

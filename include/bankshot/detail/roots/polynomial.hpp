@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// c[0] + c[1] t + ... + c[N] t^N
 template <class T, int N>
@@ -104,4 +104,4 @@ T first_descent_of(const Polynomial<T, N>& f, const T& limit) {
   return T(std::numeric_limits<double>::infinity());
 }
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

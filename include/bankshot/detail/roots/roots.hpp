@@ -13,7 +13,7 @@
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
-namespace bankshot {
+namespace bankshot::detail {
 
 /// Returns the first t >= 0 at which gap + speed t + acceleration t²/2 falls through 0; `forever` if never. It is
 /// inlined because every search for a cushion uses it, and calls would cost a tenth of a shot.
@@ -216,4 +216,4 @@ T closest_time(const Arc<T>& arc, const T& duration, const Vec2d& point) {
   return best;
 }
 
-}  // namespace bankshot
+}  // namespace bankshot::detail

@@ -111,14 +111,16 @@ struct Quartic {
   }
 };
 
-Apart<double> apart_of(const Case& c) {
+detail::Apart<double> apart_of(const Case& c) {
   const Arc<double> still{{0, 0}, {0, 0}, {0, 0}, forever};
   Arc<double> moves{c.d, c.v, c.a, forever};
   moves.bends = true;
   return {still, 0, moves, 0};
 }
 
-double found_by(const Case& c) { return first_meeting(apart_of(c), c.reach, c.limit, Rounding<double>{0, 0}); }
+double found_by(const Case& c) {
+  return detail::first_meeting(apart_of(c), c.reach, c.limit, detail::Rounding<double>{0, 0});
+}
 
 }  // namespace
 
@@ -171,8 +173,8 @@ TEST_CASE("meetings of two balls are those of 50 digits: none lost, none made up
 namespace {
 
 bool excluded_until(const Case& c, double limit) {
-  const Apart<double> p = apart_of(c);
-  return cannot_meet(p.at, p.velocity, p.bend, c.reach, limit, Rounding<double>{0, 0});
+  const detail::Apart<double> p = apart_of(c);
+  return detail::cannot_meet(p.at, p.velocity, p.bend, c.reach, limit, detail::Rounding<double>{0, 0});
 }
 
 }  // namespace
@@ -190,7 +192,7 @@ TEST_CASE("no pair that the bound excludes is found to meet") {
       for (const double limit : {c.limit, t, t * (1 + 1e-7), c.limit / 10}) {
         if (!(limit < forever) || !excluded_until(c, limit)) continue;
         ++excluded;
-        REQUIRE(first_meeting(apart_of(c), c.reach, limit, Rounding<double>{0, 0}) == forever);
+        REQUIRE(detail::first_meeting(apart_of(c), c.reach, limit, detail::Rounding<double>{0, 0}) == forever);
       }
     }
     std::printf("%s: %d excluded\n", names[static_cast<int>(family)], excluded);
