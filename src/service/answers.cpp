@@ -74,15 +74,15 @@ void write_preset(JsonWriter& w, const TablePreset& preset) {
 }
 
 /// Limits on the size of an answer.
-constexpr double most_rows = 1e6;
+constexpr double most_points = 1e6;
 constexpr std::size_t most_events = 100000;
 
 void check_length(const Puzzle& p, const Answer& found) {
   double points = 0;
   for (const Shot& shot : found.shots)
     points += shot.path.arrival.time * usual_rate * static_cast<double>(1 + p.others.size());
-  if (points > most_rows)
-    throw TooLong(fmt::format("the paths would have {:.2g} points, and {:.0g} is the most", points, most_rows));
+  if (points > most_points)
+    throw TooLong(fmt::format("the paths would have {:.2g} points, and {:.0g} is the most", points, most_points));
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ Reply simulate(const Query& query, const std::string& body) {
     read(query, std::array{Option{"csv", &csv}, Option{"rate", &rate, "", rates}});
     const ShotRequest shot = read_shot(body);
     const Trajectory t = bankshot::simulate(shot);
-    if (csv) return Reply{200, path_table(shot, t, rate, most_rows), "text/csv"};
+    if (csv) return Reply{200, path_table(shot, t, rate, most_points), "text/csv"};
     if (t.events.size() > most_events)
       throw TooLong(fmt::format("the shot has {} events, and {} is the most", t.events.size(), most_events));
     return Reply{200, to_json(shot, t) + "\n"};
