@@ -57,13 +57,13 @@ inline constexpr Object contact{"contact", "How the cue ball hits the object bal
 inline constexpr std::string_view answer_aims[] = {"safest"};
 
 inline constexpr Key sent_keys[] = {
-    {"ball", "string", "", required, R"("8")", "which"},
+    {"ball", "string", "", required, R"("8")", "its id"},
     {"cushions", "[string]", "", required, R"(["bottom"])", "its bounces in order"},
     {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that takes it"},
     {"then", "{sent}", "", "of a combination", R"({"ball": "5", "cushions": [], "pocket": "top-right"})",
-     "the ball that it touches, and sends on"},
+     "the next ball of the combination"},
 };
-inline constexpr Object sent{"sent", "What a ball does that was touched.", sent_keys};
+inline constexpr Object sent{"sent", "What an object ball does.", sent_keys};
 
 inline constexpr Key answer_shot_keys[] = {
     {"speed", "number", "m/s", required, "2.1", "of the launch", at_least(0)},
@@ -71,7 +71,7 @@ inline constexpr Key answer_shot_keys[] = {
     {"spin", "{answer_spin}", "", required, R"({"top": 0, "side": 0})", "at launch"},
     {"tip", "{tip}", "", required, R"({"right": 0, "up": 0})", "where the cue meets the ball"},
     {"cushions", "[string]", "", required, R"(["bottom", "right"])", "the bounces in order"},
-    {"miss", "number", "m", required, "3.1e-13", "how far a replay is off", at_least(0)},
+    {"miss", "number", "m", required, "3.1e-13", "how far the replay passes from the point or exact line", at_least(0)},
     {"arrival", "{arrival}", "", required, R"({"time": 2.31, "speed": 0.5, "at": [2.5, 1.24]})", "at the target"},
     {"pocket", "string", "", "of a shot into a pocket", R"("top-right")", "the name of the pocket that it reaches"},
     {"offset", "number", "m", "0", "-0.0124",
@@ -79,7 +79,7 @@ inline constexpr Key answer_shot_keys[] = {
     {"hits", "[{hit}]", "", "none", R"([{"ball": "8", "cut": 30, "speed": 0.5, "at": [1.85, 0.61]}])",
      "contacts with other balls in order, up to the target"},
     {"then", "{sent}", "", "none", R"({"ball": "8", "cushions": ["bottom"], "pocket": "top-right"})",
-     "the ball that the cue ball sends on"},
+     "what the object ball does"},
     {"contact", "{contact}", "", "of a shot that hits a ball", R"({"fullness": 0.5, "ghost": [1.85, 0.61]})",
      "the first contact with a ball"},
     {"scratch", "boolean", "", "false", "true", "the cue ball falls into a pocket afterwards"},
@@ -111,12 +111,12 @@ inline constexpr Key answer_shot_keys[] = {
     {"path", "[place]", "s, m, m", "with --path", "[[0, 0.635, 0.4], [0.0167, 0.66, 0.37]]",
      "[t, x, y] 60 times a second and at every event"},
     {"paths", "<[place]>", "s, m, m", "with --path, where other balls move",
-     R"({"8": [[0.71, 1.6, 0.7], [0.73, 1.62, 0.71]]})", "the same of the other balls that move"},
+     R"({"8": [[0.71, 1.6, 0.7], [0.73, 1.62, 0.71]]})", "paths of the other balls that move"},
     {"planner", "string", "", required, R"("images")", "the step that found it"},
-    {"simulations", "whole", "", required, "9", "spent until it was proved", at_least(0)},
+    {"simulations", "whole", "", required, "9", "spent until it was verified", at_least(0)},
     {"why", "string", "", "of `nearest` alone", R"("ends 0.2 m short")", "what is wrong with a miss"},
 };
-inline constexpr Object answer_shot{"answer_shot", "What to do, and the proof.", answer_shot_keys};
+inline constexpr Object answer_shot{"answer_shot", "What to do, with its evidence.", answer_shot_keys};
 
 inline constexpr Key error_keys[] = {
     {"path", "string", "", required, R"("/ball/at/0")",
@@ -133,13 +133,13 @@ inline constexpr Key answer_keys[] = {
      "",
      required,
      R"("solved")",
-     "`no-shot`: proved, or searched as `message` says; `budget`: ran out of it",
+     "`no-shot`: certified, or searched as `message` says; `budget`: the search ended too soon",
      {},
      statuses},
     {"shots", "[{answer_shot}]", "", required, "[]", "best first; all of them with --all"},
     {"nearest", "{answer_shot} | null", "", required, "null", "the closest miss of a `no-shot`"},
     {"modelled", "[string]", "", "not of `invalid`", modelled_example, "what the simulation holds"},
-    {"simulations", "whole", "", "not of `invalid`", "31", "spent, search and proof", at_least(0)},
+    {"simulations", "whole", "", "not of `invalid`", "31", "spent on the search and on replays", at_least(0)},
     {"time_us", "number", "µs", "left out with --no-timing", "14.2", "of the search, without margin and success",
      at_least(0)},
     {"settled", "<point>", "m", "without `settle`", R"({"8": [-1.2e-5, 0]})",
@@ -149,6 +149,6 @@ inline constexpr Key answer_keys[] = {
     {"message", "string", "", required, R"("made by bottom, right")", "one sentence for a person"},
     {"about", "any", "", "none", R"({"title": "The long bank"})", "the puzzle's"},
 };
-inline constexpr Object answer{"answer", "What `solve --json` prints, and `batch` a line.", answer_keys};
+inline constexpr Object answer{"answer", "What `solve --json` prints, and `batch` prints for each line.", answer_keys};
 
 }  // namespace bankshot::format

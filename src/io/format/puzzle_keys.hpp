@@ -30,7 +30,7 @@ inline constexpr Key count_keys[] = {
     {"min", "whole", "", "0", "1", "", between(0, max_cushions)},
     {"max", "whole", "", "3, or min where that is more", "3", "", between(0, max_cushions)},
 };
-inline constexpr Object count{"count", "So many cushions, from `min` to `max`.", count_keys};
+inline constexpr Object count{"count", "A number of cushions, from `min` to `max`.", count_keys};
 
 inline constexpr Key then_cushions_key{"cushions",
                                        "whole | [string] | {count}",
@@ -40,25 +40,24 @@ inline constexpr Key then_cushions_key{"cushions",
                                        "bounces of that ball: how many, which in order, or from `min` to `max`",
                                        between(0, max_cushions)};
 inline constexpr Key then_point_keys[] = {point_keys[0], point_keys[1], then_cushions_key};
-inline constexpr Object then_point{"then_point", "The ball that was touched passes over a point, or stops on it.",
+inline constexpr Object then_point{"then_point", "The object ball passes over a point, or stops on it.",
                                    then_point_keys};
 inline constexpr Key then_pocket_keys[] = {to_pocket_keys[0], then_cushions_key};
-inline constexpr Object then_pocket{"then_pocket", "The ball that was touched falls into a pocket.", then_pocket_keys};
+inline constexpr Object then_pocket{"then_pocket", "The object ball falls into a pocket.", then_pocket_keys};
 inline constexpr Key then_ball_keys[] = {
     {"ball", "string", "", required, R"("5")", "the next ball by its id"},
-    {"cushions", "whole | [string] | {count}", "", "0", "1", "bounces of the ball that touches it",
+    {"cushions", "whole | [string] | {count}", "", "0", "1", "bounces of the ball that hits it",
      between(0, max_cushions)},
     {"then", "{then_point} | {then_pocket} | {then_ball}", "", required, R"({"pocket": "top-right"})",
      "where that ball is to go"},
 };
-inline constexpr Object then_ball{"then_ball", "A combination: the ball that was touched sends another on.",
-                                  then_ball_keys};
+inline constexpr Object then_ball{"then_ball", "A combination: the object ball hits another ball.", then_ball_keys};
 
 inline constexpr Key to_ball_keys[] = {
     {"ball", "string | [string]", "", required, R"("8")",
      "a ball by its id, some of them, or `any`: the first that the cue ball touches"},
     {"cut", "number", "degrees", "any", "30",
-     "from the line of travel to the line of centres; above 0 the object ball leaves to the left", between(-90, 90)},
+     "from the line of travel to the line of centres; above 0, the object ball leaves to the left", between(-90, 90)},
     {"within", "number", "degrees", "5 with `cut`, else any", "2",
      "how far off the cut, or off a full hit, still counts as made", positive},
     {"pocket", "string", "", "none", R"("top-right")", R"(short for `"then": {"pocket": …}`)"},
@@ -71,7 +70,7 @@ inline constexpr Key carom_keys[] = {
     {"carom", "[string]", "", required, R"(["red", "yellow"])",
      "two balls by their ids: the cue ball touches the first and then the second; `cushions` counts all that it "
      "meets before the second"},
-    {"cut", "number", "degrees", "any", "30", "at the second; as of one ball", between(-90, 90)},
+    {"cut", "number", "degrees", "any", "30", "at the second ball; measured as with one ball", between(-90, 90)},
     {"within", "number", "degrees", "5 with `cut`, else any", "2", "how far off the cut still counts as made",
      positive},
     {"order", later, "", R"("given")", R"("any")", "in which order the two balls may be touched"},
@@ -81,11 +80,18 @@ inline constexpr Object carom{"carom", "Touch one ball and then another.", carom
 inline constexpr Key arrive_keys[] = {
     {"speed", "range", "m/s", required, "1.5", "at the target; 0 rests there", at_least(0)},
 };
-inline constexpr Object arrive{"arrive", "How fast the ball is to be at its target.", arrive_keys};
+inline constexpr Object arrive{"arrive", "The ball's speed at its target.", arrive_keys};
 
 inline constexpr std::string_view player_names[] = {"pro", "league", "beginner"};
 inline constexpr Key noise_keys[] = {
-    {"player", "word", "", "none", R"("league")", "whose errors those are that are not given", {}, player_names},
+    {"player",
+     "word",
+     "",
+     "none",
+     R"("league")",
+     "whose errors stand in for those that are not given",
+     {},
+     player_names},
     {"angle", "number", "degrees", "0.125", "0.3", "of aim", at_least(0)},
     {"speed", "number", "m/s", "0.075", "0.1", "of launch speed", at_least(0)},
     {"speed_share", "number", "", "0.03 without `speed`, else 0", "0.05",
@@ -100,11 +106,11 @@ inline constexpr Object noise{"noise", "How far a player is off, one standard de
 
 inline constexpr Key leave_keys[] = {
     {"leave", "point", "m", required, "[1.9, 0.6]",
-     "where the cue ball should rest: of shots that are within 0.02 of the best value, the one that leaves it "
-     "nearest"},
+     "where the cue ball should rest; among shots within 0.02 of the best value, the one that leaves it nearest is "
+     "best"},
 };
-inline constexpr Object leave{"leave", "The likeliest shot, with an eye to the next one; with a ball as target.",
-                              leave_keys};
+inline constexpr Object leave{
+    "leave", "The likeliest shot that also leaves a good position; only with a ball as target.", leave_keys};
 
 inline constexpr Key budget_keys[] = {
     {"simulations", "whole", "", required, "20000", "at most; 0 is allowed", at_least(0)},
@@ -150,8 +156,8 @@ inline constexpr auto puzzle_keys = with_scene_keys({
      "what the ball is to reach"},
     {"cushions", "whole | [string] | {count}", "", R"({"min": 0, "max": 3})", R"(["bottom", "right"])",
      "bounces before the target: how many, which in order, or from `min` to `max`", between(0, max_cushions)},
-    {"arrive", "{arrive}", "", "a point: 0; a ball: 0.5; a pocket: [0.2, 3]", R"({"speed": 0.5})",
-     "speed at the target, in `ideal` of the launch too; not with a launch speed that is fixed"},
+    {"arrive", "{arrive}", "", "a point: 0; a ball: [0.1, 5], with `cut` 0.5; a carom: [0.2, 5]; a pocket: [0.2, 3]",
+     R"({"speed": 0.5})", "speed at the target, in `ideal` of the launch too; not with a launch speed that is fixed"},
     {"speed", "range", "m/s", "[0.1, 10]", "[0.5, 6]", "of the launch; one number fixes it", at_least(0)},
     {"angle", "pair", "degrees", "every aim", "[350, 20]",
      "bounds of the aim, from the first anticlockwise to the second, at most a turn", between(-720, 720)},
@@ -160,7 +166,7 @@ inline constexpr auto puzzle_keys = with_scene_keys({
      "",
      R"("robust")",
      R"("soft")",
-     "which shot is best: that of the largest value, the slowest or the quickest to arrive",
+     "which shot is best: the one with the largest value, the slowest, or the quickest to arrive",
      {},
      preferences},
     {"aim",
@@ -184,6 +190,7 @@ inline constexpr auto puzzle_keys = with_scene_keys({
     {"budget", "{budget}", "", "100000 for each six pairs of a ball and a pocket", R"({"simulations": 20000})",
      "how long to search"},
 });
-inline constexpr Object puzzle{"puzzle", "What is asked: the input of `solve`, a line of `batch`.", puzzle_keys};
+inline constexpr Object puzzle{"puzzle", "The question: the input of `solve`, and one line of the input of `batch`.",
+                               puzzle_keys};
 
 }  // namespace bankshot::format

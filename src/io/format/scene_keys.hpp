@@ -51,7 +51,7 @@ inline constexpr Key pocket_keys[] = {
     {"name", "string", "", required, R"("well")", "unique, and not `any`"},
     {"at", "point", "m", required, "[1.2, 0.6]", "its centre"},
     {"radius", "number", "m", required, "0.06",
-     "a ball whose centre comes as near as this falls; 0 only for a ball of radius 0", at_least(0)},
+     "a ball falls when its centre comes this close; 0 only for a ball of radius 0", at_least(0)},
 };
 inline constexpr Object pocket{"pocket", "A pocket of your own.", pocket_keys};
 
@@ -61,16 +61,13 @@ inline constexpr Key own_cushion_keys[] = {
     {"friction", "number", "", "the physics'", "0.25", "between ball and cushion; only with the physics `spin`",
      at_least(0)},
 };
-inline constexpr Object own_cushion{"own_cushion", "What the cushion of one rail has of its own.", own_cushion_keys};
+inline constexpr Object own_cushion{"own_cushion", "Values that the cushion of one rail has of its own.",
+                                    own_cushion_keys};
 
 inline constexpr Key pockets_key{"pockets",  "word | [{pocket}]",       "", R"("none")",
                                  R"("six")", "`six` needs a rectangle", {}, layouts};
-inline constexpr Key mouth_key{"mouth",
-                               "{mouth}",
-                               "",
-                               "pool-7ft's, scaled with the ball",
-                               R"({"corner": 0.115})",
-                               "of the layout `six`, and of no other"};
+inline constexpr Key mouth_key{
+    "mouth", "{mouth}", "", "pool-7ft's, scaled with the ball", R"({"corner": 0.115})", "only with the layout `six`"};
 inline constexpr Key jaws_key{"jaws", "boolean", "", "false", "true", "the cushions end in jaws at the pockets `six`"};
 inline constexpr Key tilt_key{
     "tilt", "pair", "", "[0, 0]", "[0.002, 0]", "rise of the cloth per metre, along x and y", between(-1, 1)};
@@ -79,7 +76,7 @@ inline constexpr Key own_cushions_key{"cushions",
                                       "",
                                       "all as in the physics",
                                       R"({"top": {"restitution": 0.8}})",
-                                      "what single cushions have of their own"};
+                                      "values of single cushions, by name"};
 
 inline constexpr Key rectangle_keys[] = {
     {"length", "number", "m", required, "2.54", "from nose to nose, along x", positive},
@@ -191,7 +188,7 @@ inline constexpr Key covariance_key{
     "",
     "they are exact",
     R"({"names": ["cushion.friction"], "matrix": [[0.0001]]})",
-    "how well the coefficients are known, written by `fit`: `success` is then the chance with all that they may be"};
+    "how well the coefficients are known, written by `fit`; `success` then allows for all values that they may have"};
 
 inline constexpr std::string_view only_ideal[] = {"ideal"}, only_rolling[] = {"rolling"}, only_spin[] = {"spin"};
 inline constexpr Key ideal_keys[] = {
@@ -203,8 +200,8 @@ inline constexpr Key rolling_balls_keys[] = {
     {"restitution", "number", "", "0.95", "1", "speed at which two balls part over that at which they met",
      between(0, 1)},
 };
-inline constexpr Object rolling_balls{"rolling_balls", "What a contact of two balls does that roll on at once.",
-                                      rolling_balls_keys};
+inline constexpr Object rolling_balls{
+    "rolling_balls", "What a contact of two balls does, after which both roll at once.", rolling_balls_keys};
 
 inline constexpr Key friction_of_slip_keys[] = {
     {"a", "number", "", required, "0.00995", "a of a + b exp(−c·s)", at_least(0)},
@@ -258,10 +255,11 @@ inline constexpr Key spins_keys[] = {
     {"masse", "range", "natural roll", "0", "0.2",
      "massé, spin about the line of travel: positive curves to the right"},
 };
-inline constexpr Object spins{"spins",
-                              "Spin at launch, each ω R / v; a pair [low, high] leaves the choice to the planner. A "
-                              "tip beside the ball (2/5 R √(top² + side²) over R) is `invalid` in a puzzle.",
-                              spins_keys};
+inline constexpr Object spins{
+    "spins",
+    "Spin at launch, each ω R / v; a pair [low, high] leaves the choice to the planner. Spin that no tip on the ball "
+    "can give (2/5 R √(top² + side²) above R) is `invalid` in a puzzle.",
+    spins_keys};
 
 inline constexpr Key ball_keys[] = {
     {"at", "point", "m", required, "[0.635, 0.4]",

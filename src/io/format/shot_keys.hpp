@@ -18,7 +18,7 @@ inline constexpr Object launch_spin{"launch_spin", "Spin at launch, each ω R / 
 inline constexpr Key launch_keys[] = {
     {"speed", "number", "m/s", required, "2.1", "", at_least(0)},
     {"angle", "number", "degrees", required, "312.4", "anticlockwise from +x"},
-    {"spin", "{launch_spin}", "", "the ball's", R"({"side": 0.5})", "goes before the ball's"},
+    {"spin", "{launch_spin}", "", "the ball's", R"({"side": 0.5})", "takes precedence over the ball's"},
 };
 inline constexpr Object launch{
     "launch", "How the ball leaves. The other keys of an answer's shot may stand here and are not read.", launch_keys,
@@ -29,11 +29,12 @@ inline constexpr Key until_keys[] = {
     {"cushions", "whole", "", "none; 100 in `ideal`", "3", "bounces", between(1, 1000000)},
     {"length", "number", "m", "none", "4", "of the path", at_least(0)},
 };
-inline constexpr Object until{"until", "When to stop looking; else where the ball rests or falls.", until_keys};
+inline constexpr Object until{"until", "When the simulation stops; without it, where the ball rests or falls.",
+                              until_keys};
 
 inline constexpr auto shot_keys = with_scene_keys({
     {"shot", "{launch}", "", required, R"({"speed": 2.1, "angle": 312.4})", "how the ball leaves"},
-    {"until", "{until}", "", "the end", R"({"cushions": 3})", "when to stop looking"},
+    {"until", "{until}", "", "the end", R"({"cushions": 3})", "when the simulation stops"},
 });
 inline constexpr Object shot{"shot",
                              "The input of `simulate`. The other keys of a puzzle may stand here too and are not read.",
