@@ -141,7 +141,8 @@ TEST_CASE("report says which law of the cushions explains recorded shots", "[hea
       run_program("report --quick --sections recorded --recordings " + recordings.path + " -o \"" + folder.path + "\"");
   CHECK(run.exit == 0);
   CHECK_THAT(run.err, Contains(":5: ") && Contains("1 of 5 lines were left out"));
-  CHECK_THAT(run.out, Contains("Models against real shots: Cushions after stronge explain these shots best: of 4 "));
+  CHECK_THAT(run.out, Contains("Models against real shots: The cushion law stronge explains these shots best. ") &&
+                          Contains(" Of 4 shots that go on after their first part, it predicts half within "));
   CHECK(std::count(run.out.begin(), run.out.end(), '\n') == 1);  // this section alone
   check_csv(folder.read("8-recorded-shots.csv"));
   const std::string csv = folder.read("8-recorded.csv"), markdown = folder.read("report.md");

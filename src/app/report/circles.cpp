@@ -83,12 +83,12 @@ CirclesForJaws circles_for_jaws(int puzzles, Progress& progress) {
   int off = 0;
   for (std::size_t i = 0; i < told.size(); ++i) off += std::abs(told[i] - with_jaws[i]) > 0.1;
   out.told = fmt::format(
-      " Of {} shots into pockets that plain circles choose, circles say that {:.0f} % are made, and between jaws "
-      "{:.0f} "
-      "% are; {:.0f} % are off by more than 10. The best shots between jaws make {:.0f} %{}.",
+      " On tables with plain circles for pockets {} shots were chosen. Circles give them a mean success of {:.0f} %; "
+      "between jaws it is {:.0f} %. For {:.0f} % of these shots the two differ by more than 10 percentage points. The "
+      "best shots between jaws have a mean success of {:.0f} %{}.",
       told.size(), mean(told), mean(with_jaws), told.empty() ? 0 : 100.0 * off / static_cast<double>(told.size()),
-      mean(best), none > 0 ? fmt::format(", but {} puzzles then have none", none) : "");
-  out.panel = {"chance of a shot into a pocket that is chosen on circles",
+      mean(best), none > 0 ? fmt::format(", but {} puzzles then have no shot", none) : "");
+  out.panel = {"success of a shot into a pocket that is chosen on circles",
                {"as told on circles", false, Range{0, 1}},
                {"between jaws", false, Range{0, 1}},
                {shots, {"as told", {{0, 0, 0, 0}, {1, 1, 1, 1}}, Curve::Style::dashes}}};

@@ -126,14 +126,13 @@ Panel panel(const Scene& scene, const Losses& l, double most) {
   return p;
 }
 
+constexpr const char* question = "How many cushions can a path meet before rounding spoils it?";
 constexpr const char* about =
-    "The place of the n-th bounce in double against 50 digits, and the digits that the bound 4 · 2⁻⁵³ · size · κ "
-    "allows to be lost. "
-    "Between straight cushions κ grows like a power of the number of bounces; each reflex vertex, which the ball meets "
-    "as an arc of its "
-    "own radius, multiplies it. An answer is asked for to 1e-9 of the diagonal, so about seven of the sixteen digits "
-    "may go; where a "
-    "shot's condition leaves fewer, the answer's message says how many.";
+    "The place of the n-th bounce in double is compared with 50 digits. The bound 4 · 2⁻⁵³ · size · κ says how "
+    "many digits may be lost. Between straight cushions κ grows like a power of the number of bounces. A ball "
+    "meets a reflex vertex as an arc of its own radius, and each reflex vertex multiplies κ. An answer must be "
+    "exact to 1e-9 of the diagonal, so about seven of the sixteen digits may be lost. Where the condition of a "
+    "shot leaves fewer digits, the answer's message says how many.";
 
 }  // namespace
 
@@ -141,13 +140,14 @@ Section conditioning(const Settings& settings, Progress& progress) {
   const std::vector<Scene> all = scenes();
   const int shots = 2 * settings.shots;
   progress.begin("conditioning", all.size() * static_cast<std::size_t>(shots));
-  Section s{.name = "4-conditioning", .title = "Conditioning", .about = about};
+  Section s{.name = "4-conditioning", .title = "Conditioning", .question = question, .about = about};
   s.table = {{"table and physics", "after 5", "10", "15", "20 cushions", "allowed after 20", "parted by 20",
               "worst of the bound", "too few digits from"},
              {}};
   std::string csv = "scene,shot,cushions,error_m,kappa\n",
               medians = "scene,cushions,shots,parted,lost_low_10,lost_median,lost_high_90,allowed_median\n", weak;
   double worst = 0;
+  std::size_t weak_scenes = 0;
   for (const Scene& scene : all) {
     const Losses l = measure(scene, shots, csv, progress);
     const double unit = 0x1p-53 * Boundary(scene.table, {radius}).extent / scene.table.diagonal(),
@@ -168,21 +168,20 @@ Section conditioning(const Settings& settings, Progress& progress) {
     s.table.rows.push_back(row);
     s.figure.panels.push_back(panel(scene, l, most));
     worst = std::max(worst, l.worst_ratio);
-    if (last)
-      weak += fmt::format("{}in the scene “{}” only through {}", weak.empty() ? "" : ", ", scene.name, last - 1);
+    if (!last) continue;
+    ++weak_scenes;
+    weak += fmt::format(" In the scene “{}” they keep them only through {}.", scene.name, last - 1);
   }
   share_y(s.figure.panels);
   s.figure.columns = 2;
   s.caption = fmt::format(
-      "Decimal digits lost, of the sixteen of a double: medians of {} shots with 10–90 % bands. Parted: the events are "
-      "no longer those "
-      "of 50 digits, so there is no error to measure. A curve ends where no shot met more cushions.",
+      "Decimal digits lost, of the sixteen of a double, as medians of {} shots with 10–90 % bands. Parted shots have "
+      "other events than in 50 digits, so there is no error to measure. A curve ends where no shot met more cushions.",
       shots);
   s.conclusion = fmt::format(
-      "The error is at most {:.0f} % of what κ allows, and half of the shots keep the nine digits of an exact answer "
-      "through 20 "
-      "cushions, or as many as they meet{}{}.",
-      100 * worst, weak.empty() ? " in every scene" : ", but ", weak);
+      "The largest rounding error is {:.0f} % of its bound. In {} of {} scenes half of the shots keep the nine digits "
+      "of an exact answer through 20 cushions, or through as many as they meet.{}",
+      100 * worst, all.size() - weak_scenes, all.size(), weak);
   s.data = {{s.name, medians}, {s.name + "-shots", csv}};
   return s;
 }

@@ -91,9 +91,8 @@ std::string add_derivatives(const Settings& settings, Section& s, Progress& prog
     time.curves.push_back(by_time);
     simulations.curves.push_back(by_simulations);
     const double *n = first_exact(a, a.simulations), *t = first_exact(a, a.seconds);
-    text += fmt::format("{}{}", text.empty() ? "" : ", ",
-                        n ? fmt::format("{} simulations ({}) with {}", *n, short_time(*t), way.name)
-                          : fmt::format("not at all with {}", way.name));
+    text += n ? fmt::format(" “{}” needs {} simulations ({}) in the median.", way.name, *n, short_time(*t))
+              : fmt::format(" “{}” finds no exact root in the median.", way.name);
     progress.step();
   }
   Panel legend;

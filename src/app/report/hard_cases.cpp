@@ -67,22 +67,20 @@ Curve as_points(const std::string& name, const std::vector<Tally>& all, std::siz
   return c;
 }
 
+constexpr const char* question = "Do the error bounds hold in scenes that are built to break them?";
 constexpr const char* about =
-    "The scenes of tests/hard, each of which aims at one way in which numbers break. A simulated shot is held against "
-    "50 digits and its "
-    "bound, 4 · 2⁻⁵³ · size · κ, where κ is measured with the dual numbers of the run itself and an impact that is "
-    "integrated puts its tolerance in place of 2⁻⁵³; a puzzle is held to a "
-    "miss of 1e-9 of the "
-    "table's diagonal, replayed. A tie is a pair of events nearer to each other than the bound: then either order is "
-    "right, and the "
-    "paths may part.";
+    "Each scene of tests/hard aims at one way in which numbers break. A simulated shot is compared with 50 "
+    "digits. Its error must keep the bound 4 · 2⁻⁵³ · size · κ, where the dual numbers of the run itself measure "
+    "κ. An integrated impact puts its tolerance in place of 2⁻⁵³. The replay of a puzzle's answer must miss by at "
+    "most 1e-9 of the table's diagonal. A tie is a pair of events closer to each other than the bound. Either "
+    "order is then right, and the paths may part.";
 
 }  // namespace
 
 Section hard_cases(const Settings&, Progress& progress) {
   const auto classes = truth::hard_classes(), puzzles = truth::hard_puzzle_classes();
   progress.begin("hard cases", classes.size() + puzzles.size());
-  Section s{.name = "5-hard-cases", .title = "Hard cases", .about = about};
+  Section s{.name = "5-hard-cases", .title = "Hard cases", .question = question, .about = about};
   std::vector<Tally> all;
   for (const auto name : classes) all.push_back(simulated(name)), progress.step();
   for (const auto name : puzzles) all.push_back(planned(name)), progress.step();
@@ -115,14 +113,16 @@ Section hard_cases(const Settings&, Progress& progress) {
   s.figure.panels.push_back(p);
   s.figure.row_height = 430;
   s.figure.left = 190;
-  s.caption = "Largest and median error of each class over its bound; an error of exactly 0 is drawn at 1e-9.";
+  s.caption = "Largest and median error of each class over its bound. An error of exactly 0 is drawn at 1e-9.";
   s.conclusion =
       beyond == 0
           ? fmt::format(
-                "All {} hard cases keep their bound, {} of them at ties; the nearest comes to {:.0f} % of it ({}).",
-                cases, ties, 100 * worst->worst(), worst->name)
-          : fmt::format("{} of {} hard cases break their bound; the worst is {:.2g} times it ({}).", beyond, cases,
-                        worst->worst(), worst->name);
+                "All {} hard cases keep their bound, {} of them at ties. The closest, in the class “{}”, comes to "
+                "{:.0f} % of it.",
+                cases, ties, worst->name, 100 * worst->worst())
+          : fmt::format(
+                "{} of {} hard cases break their bound. The worst, in the class “{}”, is {:.2g} times the bound.",
+                beyond, cases, worst->name, worst->worst());
   s.data.push_back({s.name, csv});
   return s;
 }

@@ -3,6 +3,7 @@
 // Section 2: cost of each level of physics, and how far its answers miss when the fullest one is the truth.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/circles.hpp"
@@ -138,29 +139,44 @@ Panel steepness(const std::vector<Model>& all, std::string& csv, std::string& to
     panel.curves.push_back(curve);
   }
   told = fmt::format(
-      " Over the angle of incidence no cushion jumps: from one tenth of a degree to the next what it takes "
-      "changes by at most {:.2g}°.",
+      " No cushion law jumps: from one tenth of a degree of incidence to the next, the angle lost changes by at most "
+      "{:.2g}°.",
       jump);
   return panel;
 }
 
+/// Compares the simpler models, all but the last, with the fullest one.
+std::string in_words(const std::vector<Model>& all, const std::vector<Result>& results) {
+  const auto simpler_end = results.end() - 1;
+  const auto miss = [](const Result& r) { return r.miss.median; };
+  const auto cost = [](const Result& r) { return r.seconds.median; };
+  const auto [nearest, farthest] = std::ranges::minmax_element(results.begin(), simpler_end, {}, miss);
+  const auto [cheapest, dearest] = std::ranges::minmax_element(results.begin(), simpler_end, {}, cost);
+  const auto name = [&](auto result) { return all[static_cast<std::size_t>(result - results.begin())].name; };
+  return fmt::format(
+      "A shot planned with a simpler model misses in the fullest one. After three cushions the nearest ({}) misses by "
+      "{} in the median, and the farthest ({}) by {}. A simulated shot costs {} to {} in the simpler models and {} in "
+      "the fullest.",
+      name(nearest), short_length(nearest->miss.median), name(farthest), short_length(farthest->miss.median),
+      short_time(cheapest->seconds.median), short_time(dearest->seconds.median),
+      short_time(results.back().seconds.median));
+}
+
+constexpr const char* question =
+    "How simple may the physics be, and by how much does a shot planned with a simpler model miss?";
 constexpr const char* about =
-    "Random shots of a rolling ball that rests after 1 to 5 cushions in the fullest model, spin with {}. "
-    "Each simpler model is "
-    "asked for the launch to the same place by the same cushions, and its answer is played in the fullest; the miss is "
-    "where the ball "
-    "then rests. The model ideal knows no friction and is given the right speed. All cushions have the restitution "
-    "0.85. Air is in none "
-    "of them: at 5 m/s its drag is about 0.10 m/s², as much as rolling friction, and the Magnus force about 0.07 m/s², "
-    "8 mm over 2.5 m; "
-    "below 2 m/s both are negligible.";
+    "Random shots of a rolling ball rest after 1 to 5 cushions in the fullest model, which is spin with {}. Each simpler model is asked for the launch to the same place by the same cushions. Its answer "
+    "is played in the fullest model; the miss is how far from that place the ball rests. The model ideal knows no "
+    "friction and is given the right speed. All cushions have a restitution of 0.85. No model has air. At 5 m/s "
+    "the drag of air is about 0.10 m/s², as much as rolling friction. The Magnus force is then about 0.07 m/s², "
+    "which moves a ball by 8 mm over 2.5 m. Below 2 m/s both are negligible.";
 
 }  // namespace
 
 Section models(const Settings& settings, Progress& progress) {
   const std::vector<Model> all = models_in_order();
   progress.begin("models", all.size() * most_cushions + circle_steps);
-  Section s{.name = "2-models", .title = "Models", .about = fmt::format(about, fullest_cushion.key)};
+  Section s{.name = "2-models", .title = "Models", .question = question, .about = fmt::format(about, fullest_cushion.key)};
   s.table = {
       {"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
   std::string csv = "model,cushions,miss_m,seconds_a_shot,seconds_an_answer\n";
@@ -208,14 +224,8 @@ Section models(const Settings& settings, Progress& progress) {
   s.figure.panels.push_back(steepness(all, sweep, smooth));
   s.figure.columns = 2;
   s.figure.row_height = 300;
-  s.caption = fmt::format("Medians of {} shots a point, with 10–90 % bands on the left.", settings.shots);
-  s.conclusion = "After three cushions ";
-  for (std::size_t k = 0; k + 1 < all.size(); ++k)
-    s.conclusion += fmt::format("{}{} misses by {} at {} a shot", k ? ", " : "", all[k].name,
-                                short_length(at_three[k].miss.median), short_time(at_three[k].seconds.median));
-  s.conclusion +=
-      fmt::format(", and {}, the reference, costs {}.", all.back().name, short_time(at_three.back().seconds.median));
-  s.conclusion += circles.told + smooth;
+  s.caption = fmt::format("Medians of {} shots per point, with 10–90 % bands on the left.", settings.shots);
+  s.conclusion = in_words(all, at_three) + circles.told + smooth;
   s.data = {
       {s.name, medians}, {s.name + "-shots", csv}, {s.name + "-circles", circles.csv}, {s.name + "-incidence", sweep}};
   return s;

@@ -8,10 +8,9 @@ namespace {
 
 constexpr const char* title = "Speed against error";
 constexpr const char* question =
-    "How fast are the simulators and planners of bankshot, how wrong are they, and where do their numbers stop being "
-    "good enough? Every "
-    "error is measured against a reference that does not use the method it judges; every time is processor time of one "
-    "thread.";
+    "How fast are the simulators and planners of bankshot, how wrong are they, and where do their numbers stop "
+    "being good enough? Every error is measured against a reference that does not use the method it judges. Every "
+    "time is processor time of one thread.";
 
 constexpr const char* styles = R"(
 :root { color-scheme: light; --ink: #1a1a1a; --soft: #5c5c5c; --line: #d8d8d8; --accent: #0b5d3b; }
@@ -30,7 +29,8 @@ nav ol { margin: 0; padding: 0; list-style: none; display: flex; flex-wrap: wrap
 a { color: var(--accent); text-decoration: none; }
 a:hover { text-decoration: underline; }
 section { margin-top: 3.6rem; }
-.conclusion { border-left: 3px solid var(--accent); padding: 0.1rem 0 0.1rem 1rem; margin: 0 0 1.1rem; font-size: 1.06rem; }
+.conclusion { border-left: 3px solid var(--accent); padding: 0.1rem 0 0.1rem 1rem; margin: 1.1rem 0 0; font-size: 1.06rem; }
+.question { font-style: italic; font-size: 1.06rem; }
 figure { margin: 1.4rem 0; }
 figure svg { display: block; width: 100%; height: auto; }
 figure svg text, table, .data { font-family: "Source Sans 3", "Helvetica Neue", Arial, "Liberation Sans", sans-serif; }
@@ -100,13 +100,14 @@ std::string table_html(const Numbers& t) {
 
 std::string section_html(const Section& s, std::size_t number, const std::string& figure) {
   std::string out = fmt::format(
-      "<section id=\"{}\">\n<h2><span class=\"number\">{}</span>{}</h2>\n<p class=\"conclusion\">{}</p>\n<p>{}</p>\n",
-      s.name, number, escaped(s.title), escaped(s.conclusion), escaped(s.about));
+      "<section id=\"{}\">\n<h2><span class=\"number\">{}</span>{}</h2>\n<p class=\"question\">{}</p>\n<p>{}</p>\n",
+      s.name, number, escaped(s.title), escaped(s.question), escaped(s.about));
   if (!figure.empty())
     out += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", inlined(figure, s), escaped(s.caption));
   out += table_html(s.table) + "<p class=\"data\">Raw data:";
   for (const Csv& c : s.data) out += fmt::format(" <a href=\"{0}.csv\">{0}.csv</a>", c.name);
-  return out + "</p>\n</section>\n";
+  return out + fmt::format("</p>\n<p class=\"conclusion\"><strong>Conclusion.</strong> {}</p>\n</section>\n",
+                           escaped(s.conclusion));
 }
 
 std::string in_cell(std::string text) {
@@ -156,11 +157,11 @@ std::string to_markdown(const Page& page, const std::vector<std::string>& figure
   std::string out = fmt::format("# {}\n\n{}\n\n*{}*\n", title, question, page.caption);
   for (std::size_t i = 0; i < page.sections.size(); ++i) {
     const Section& s = page.sections[i];
-    out += fmt::format("\n## {}. {}\n\n**{}**\n\n{}\n", i + 1, s.title, s.conclusion, s.about);
+    out += fmt::format("\n## {}. {}\n\n{}\n\n{}\n", i + 1, s.title, s.question, s.about);
     if (!figures[i].empty()) out += fmt::format("\n![{}](figures/{}.svg)\n\n*{}*\n", s.title, s.name, s.caption);
     out += "\n" + table_markdown(s.table) + "\nRaw data:";
     for (const Csv& c : s.data) out += fmt::format(" [{0}.csv]({0}.csv)", c.name);
-    out += "\n";
+    out += fmt::format("\n\n**Conclusion.** {}\n", s.conclusion);
   }
   return out;
 }

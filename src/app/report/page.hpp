@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The report as a page that opens offline, and as Markdown. Each section has a paragraph on what was measured, one
-// figure, one table, and one sentence that follows from the numbers.
+// The report as a page that opens offline, and as Markdown. Each section opens with a question and says what was
+// measured. One figure and one table follow, and a conclusion from the numbers in a few plain sentences.
 #pragma once
 
 #include <string>
@@ -26,11 +26,12 @@ struct Csv {
 struct Section {
   std::string name{};  ///< base name of its files
   std::string title{};
-  std::string about{};  ///< what was measured, and how
+  std::string question{};  ///< that the section answers
+  std::string about{};     ///< what was measured, and how
   Figure figure{};
   std::string caption{};
   Numbers table{};
-  std::string conclusion{};  ///< one sentence, from the numbers
+  std::string conclusion{};  ///< a few sentences for a layman, from the numbers
   std::vector<Csv> data{};
 };
 

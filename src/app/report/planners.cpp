@@ -161,25 +161,23 @@ void add_rows(const std::string& kind, const std::vector<Curves>& all, Numbers& 
   }
 }
 
+constexpr const char* question = "Which planner finds the shots, and what does it cost?";
 constexpr const char* about =
-    "A fixed suite of puzzles made from random shots on a 9-foot table: a ball must rest at a point (pass through it "
-    "in ideal) after 1 "
-    "or 2 cushions (easy), 3 (medium), 4 or 5 (hard), the sequence given in every other one. Every planner gets every "
-    "budget of "
-    "simulations; the miss is that of the best shot a replay confirmed, or of the nearest one when there is none, and "
-    "the whole table "
-    "when there is not even that, so failures stay in the medians. Solved: a miss of at most 1e-9 of the diagonal. "
-    "Curves: medians over "
-    "all levels, one point a budget. Last row: one root along one sequence from the seed of its image, with "
-    "derivatives by dual numbers, "
-    "by differences, and without any.";
+    "A fixed suite of puzzles is made from random shots on a 9-foot table. A ball must rest at a point, or pass "
+    "through it in ideal. Easy puzzles have 1 or 2 cushions, and medium ones 3. Hard ones have 4 or 5. Every "
+    "other puzzle gives the sequence of cushions. Every planner gets every budget of simulations. The miss is "
+    "that of the best verified shot, or of the nearest miss where there is no shot. Where there is not even that, "
+    "the miss is the whole table, so that failures stay in the medians. Solved means a miss of at most 1e-9 of "
+    "the diagonal. Curves are medians over all levels, with one point per budget. The last row of the figure "
+    "seeks one root along one sequence, from the seed of its image. It compares derivatives by dual numbers, "
+    "derivatives by differences, and none.";
 
 }  // namespace
 
 Section planners(const Settings& settings, Progress& progress) {
   const std::vector<Kind> all = kinds(settings);
   progress.begin("planners", all.size() * bankshot::planners().size() + derivatives_steps);
-  Section s{.name = "3-planners", .title = "Planners", .about = about};
+  Section s{.name = "3-planners", .title = "Planners", .question = question, .about = about};
   s.table = {{"physics", "planner", "easy", "medium", "hard", "miss, median", "90 %", "simulations, median", "90 %",
               "time, median", "90 %"},
              {},
@@ -211,14 +209,13 @@ Section planners(const Settings& settings, Progress& progress) {
   const std::string derivatives = add_derivatives(settings, s, progress);
   s.figure.columns = 3;
   s.caption = fmt::format(
-      "{} puzzles a level ({} with {}). Left and middle: median miss; right: share solved, at the median "
-      "number of simulations "
-      "spent.",
+      "{} puzzles per level ({} with {}). Left and middle: the median miss. Right: the share solved, at the "
+      "median number of simulations spent.",
       settings.shots, std::max(1, settings.shots / all.back().share), fullest_cushion.key);
   s.conclusion = fmt::format(
-      "With spin auto solves {:.0f} % in {} and {} simulations (medians), the next best, {}, {:.0f} % in {} and {}; "
-      "the median root is "
-      "exact after {}.",
+      "With spin, auto solves {:.0f} % of the puzzles, in a median of {} and {} simulations. The next best, {}, solves "
+      "{:.0f} % in {} and {} simulations. The cost of one root along a known sequence "
+      "depends on the derivatives.{}",
       ours.solved, short_time(ours.seconds.median), short_count(ours.simulations.median), best_name, best.solved,
       short_time(best.seconds.median), short_count(best.simulations.median), derivatives);
   s.data.insert(s.data.begin(), {{s.name, csv.settings}, {s.name + "-puzzles", csv.puzzles}});

@@ -76,42 +76,41 @@ Curve share_within(const std::string& name, const std::vector<Measured>& all) {
   return curve;
 }
 
-/// Names the shots whose prediction is off by more than three times the median.
+/// Counts the shots whose prediction is off by more than three times the median, and names the worst.
 std::string failures(const Result& best) {
   constexpr double far = 3;
-  std::string out;
+  const Prediction* worst = nullptr;
   int others = 0;
   for (const Prediction& p : best.fit.predictions) {
     if (p.samples == 0 || p.rms <= far * best.predicted()) continue;
-    constexpr int named = 6;
-    if (++others <= named)
-      out += fmt::format("{}{} ({})", out.empty() ? "" : ", ", p.id.empty() ? "one without a name" : p.id,
-                         short_length(p.rms));
+    ++others;
+    if (!worst || p.rms > worst->rms) worst = &p;
   }
-  return out.empty() ? " It predicts none worse than three times that."
-                     : fmt::format(" It fails on {} of them, more than three times as far off: {}.", others, out);
+  return worst ? fmt::format(" It is more than three times as far off on {} of them. The worst is {} ({}).", others,
+                             worst->id.empty() ? "one without a name" : worst->id, short_length(worst->rms))
+               : " It predicts none worse than three times that.";
 }
 
 std::string conclusion(const std::vector<Result>& results) {
   const auto had = [](const Prediction& p) { return p.samples > 0; };
   const Result& best = *std::ranges::min_element(results, {}, &Result::predicted);
   const auto predicted = std::ranges::count_if(best.fit.predictions, had);
-  if (predicted == 0) return "No shot goes on beyond its first part, so that no law could be tried by predicting.";
+  if (predicted == 0) return "No shot goes on after its first part, so no law could be tried by prediction.";
   return fmt::format(
-      "Cushions after {} explain these shots best: of {} that go on after their first part, half are predicted within "
-      "{} by what other shots taught, and half of all shots are followed within {}.{}",
-      best.law->name, predicted, short_length(best.predicted()), short_length(median_rms(best.fit.shots)),
+      "The cushion law {} explains these shots best. It follows half of all shots within {}. Of {} shots that go on "
+      "after their first part, it predicts half within {} from what other shots taught.{}",
+      best.law->name, short_length(median_rms(best.fit.shots)), predicted, short_length(best.predicted()),
       failures(best));
 }
 
+constexpr const char* question = "Which cushion law explains shots on a real table?";
 constexpr const char* about =
-    "Shots that a camera tracked. For each law of the cushions the table's coefficients and all launches are fitted to "
-    "all shots; then a quarter of the shots is left out at a time, the coefficients are fitted to the others, and each "
-    "shot left out is predicted from its first part, to 0.25 s after its first bounce. Distances are root mean squares "
-    "over a shot's samples at the same time. Cushions after {}, whose impacts are integrated, take about "
-    "ten times as long and are not tried. By speed: restitution and rolling friction may change with the "
-    "speed. The time is that of learning from all shots, by the clock on the wall, with as many threads as there are "
-    "cores.";
+    "A camera tracked these shots. For each cushion law the table's coefficients and all launches are fitted to "
+    "all shots. Then a quarter of the shots is left out at a time, and the coefficients are fitted to the others. "
+    "Each shot left out is predicted from its first part, which ends 0.25 s after its first bounce. Distances are "
+    "root mean squares over a shot's samples at the same time. Laws whose impacts are integrated ({}) take about ten times as long and is not tried. By speed: restitution and rolling friction may "
+    "change with the speed. The time is that of learning from all shots, by wall clock, with as many threads as "
+    "there are cores.";
 
 }  // namespace
 
@@ -123,8 +122,7 @@ Section recorded(std::span<const Recording> recordings, const Settings& settings
   std::vector<Result> results;
   for (const Law& law : tried) results.push_back(measure(law, recordings, holdout, progress));
 
-  Section s{
-      .name = "8-recorded", .title = "Models against real shots", .about = fmt::format(about, integrated_models())};
+  Section s{.name = "8-recorded", .title = "Models against real shots", .question = question, .about = fmt::format(about, integrated_models())};
   const std::string long_ones = fmt::format("{} and more cushions", many_cushions);
   s.table = {{"cushions", "followed, median", long_ones, "predicted, median", "sigma", "time of a fit"}, {}, 1};
   std::string csv = "model,shots,rms_median_mm,rms_many_mm,predictions,predicted_median_mm,sigma_mm,seconds\n";
@@ -151,7 +149,7 @@ Section recorded(std::span<const Recording> recordings, const Settings& settings
   }
   s.figure.panels = {predicted, followed};
   s.figure.columns = 2;
-  s.caption = fmt::format("The share of {} shots that is not farther off than that.", recordings.size());
+  s.caption = fmt::format("The share of {} shots that is off by no more than that.", recordings.size());
   s.conclusion = conclusion(results);
   s.data = {{s.name, csv}, {s.name + "-shots", each}};
   return s;

@@ -145,14 +145,14 @@ Panel panel(const char* title, const char* axis, std::vector<Measured> curves) {
   return p;
 }
 
+constexpr const char* question =
+    "What makes a shot take longer: more cushions, more edges, a longer path or more digits?";
 constexpr const char* about =
-    "One shot, with everything held but one thing: the number of cushions on a rectangle, the edges of a regular "
-    "polygon (5 cushions), "
-    "the size of the table (5 cushions, so the path is longer, a ball of 1 mm, and friction that hardly slows it), the "
-    "digits of the "
-    "arithmetic (5 cushions). For the length two stepping simulators are shown as well. Growth is the exponent p of "
-    "time ~ xᵖ over the "
-    "upper half of the range.";
+    "One quantity grows, and all others are held. It is the number of cushions on a rectangle, the edges of a "
+    "regular polygon, the size of the table, or the digits of the arithmetic. All but the first have 5 cushions. "
+    "On a larger table the path is longer; there the ball has 1 mm, and friction hardly slows it. For the length "
+    "two stepping simulators are shown as well. Growth is the exponent p of time ~ xᵖ over the upper half of the "
+    "range. With 1 the time doubles where x doubles; with 0 it does not grow.";
 
 }  // namespace
 
@@ -174,7 +174,7 @@ Section scaling(const Settings& settings, Progress& progress) {
   all.push_back({by_digits(ideal, ideal_physics(), shots), by_digits(spin, spin_physics(), shots)});
   progress.step();
 
-  Section s{.name = "6-scaling", .title = "Scaling", .about = about};
+  Section s{.name = "6-scaling", .title = "Scaling", .question = question, .about = about};
   constexpr const char* titles[] = {"cushions", "edges of the table, 5 cushions", "length of the path, 5 cushions",
                                     "digits, 5 cushions"};
   constexpr const char* axes[] = {"cushions", "edges", "length [m], about", "decimal digits"};
@@ -194,12 +194,12 @@ Section scaling(const Settings& settings, Progress& progress) {
   s.caption = fmt::format("Medians of {} shots with 10–90 % bands.", shots);
   const double thousand = all[0][1].seconds.back().median / all[0][1].x.back(),
                digits = all[3][1].seconds[2].median / all[3][1].seconds[0].median;
+  const auto doubled = [](const Measured& m) { return std::exp2(growth(m)); };
   s.conclusion = fmt::format(
-      "A shot's cost grows with cushions to the power {} ({} each with spin) and with edges to the power {}, not with "
-      "the length of the "
-      "path (power {}, where stepping has {}); 50 digits cost {:.0f} times a double.",
-      short_power(growth(all[0][1])), short_time(thousand), short_power(growth(all[1][1])),
-      short_power(growth(all[2][0])), short_power(growth(all[2][1])), digits);
+      "Twice as many cushions make a shot take {:.1f} times as long, and twice as many edges {:.1f} times. With spin "
+      "each cushion takes {}. A path of twice the length takes {:.1f} times as long, where stepping takes {:.1f} "
+      "times. A shot in 50 digits takes {:.0f} times as long as in double.",
+      doubled(all[0][1]), doubled(all[1][1]), short_time(thousand), doubled(all[2][0]), doubled(all[2][1]), digits);
   s.data.push_back({s.name, csv});
   return s;
 }

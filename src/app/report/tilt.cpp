@@ -236,21 +236,22 @@ Panel slopes(int count, Numbers& table, Tables& csv, Progress& progress) {
   return panel;
 }
 
+constexpr const char* question = "What does it cost to follow a ball exactly on a table that leans?";
 constexpr const char* about =
-    "A ball slides, or rolls, on a cloth that rises by 0.1 to 10 mm a metre, and meets nothing: where is it when that "
-    "ends? The truth is the simulator in 50 digits, which the tests hold against closed forms with exponentials. Ours "
-    "are a closed form for the end, a power series for moments between, and chords of the path, on which cushions and "
-    "balls are found; “simulated” pays for all of them, “closed form” for none. Dormand–Prince (Boost.Odeint) "
-    "keeps a tolerance until the direction of friction is lost, and goes straight on from there; it looks for no "
-    "events. The level closed form, perturbed to first order in the slope, is as cheap as can be. Third panel: the "
-    "same "
-    "number of equal steps for each method, half way to the stop, against the closed form; the chord's error is its "
+    "A ball slides or rolls on a cloth that rises by 0.1 to 10 mm per metre, and meets nothing. The quantity "
+    "compared is its place when that motion ends. The truth is the simulator in 50 digits, which tests compare "
+    "with closed forms with exponentials. Our simulator has a closed form for the end and a power series for "
+    "moments before it. It finds cushions and balls on chords of the path. “Simulated” pays for all of this, "
+    "“closed form” for the end alone. Dormand–Prince (Boost.Odeint) keeps a tolerance until the direction of "
+    "friction is lost, and goes straight on from there. It looks for no events. The closed form of a level table, "
+    "perturbed to first order in the slope, is as cheap as can be. In the third panel each method takes the same "
+    "number of equal steps half way to the stop, and is compared with the closed form. The chord's error is its "
     "distance from the path of one piece of that length.";
 
 }  // namespace
 
 Section tilt(const Settings& settings, Progress& progress) {
-  Section s{.name = "7-tilt", .title = "Tilt", .about = about};
+  Section s{.name = "7-tilt", .title = "Tilt", .question = question, .about = about};
   progress.begin("tilt", 10);
   s.table = {{"motion", "method", "tolerance, or order", "error, median", "error, 90 %", "time"}, {}, 2};
   Tables csv;
@@ -273,15 +274,15 @@ Section tilt(const Settings& settings, Progress& progress) {
   s.figure.columns = 2;
   s.figure.row_height = 300;
   s.caption = fmt::format(
-      "Medians of {} shots with 10–90 % bands; tolerances of 1e-3 to 1e-14. Table: of Dormand–Prince the first "
-      "tolerance whose median error is within 1 nm; of orders, between the two finest points above rounding, the error "
-      "at the first and the last point of the curve.",
+      "Medians of {} shots with 10–90 % bands. Tolerances go from 1e-3 to 1e-14. For Dormand–Prince the table has the "
+      "first tolerance whose median error is within 1 nm. Orders are measured between the two finest points above "
+      "rounding, and their errors are those at the first and the last point of the curve.",
       settings.shots);
   const Costs &slide = both[0], &roll = both[1];
   s.conclusion = fmt::format(
-      "The closed form answers in {} (slide) and {} (roll) where Dormand–Prince takes {} and {} for 1 nm, and a "
-      "simulated shot, which also looks for events along all its chords, takes {} and {} with errors of {} and {}; "
-      "a perturbed level path is off by {} and {}.",
+      "The closed form says in {} where a slide ends and in {} where a roll ends. Dormand–Prince takes {} and {} for "
+      "an error of 1 nm. A simulated shot also looks for events along all its chords, and takes {} and {}. Its errors "
+      "are {} and {}. A level path with a correction for the slope is off by {} and {}.",
       short_time(slide.alone), short_time(roll.alone), short_time(slide.theirs), short_time(roll.theirs),
       short_time(slide.ours), short_time(roll.ours), short_length(slide.error), short_length(roll.error),
       short_length(slide.perturbed), short_length(roll.perturbed));

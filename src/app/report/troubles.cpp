@@ -140,11 +140,11 @@ std::string in_words(std::span<const Panel> panels) {
   constexpr double large = 0.1, small = 1e-3;
   const auto say = [&](double step) {
     return fmt::format(
-        "{:.2g} % of the energy, wrong bounces in {:.2g} % of the corners and {:.2g} % of the pockets passed over",
-        100 * at(0, step), at(1, step), at(2, step));
+        " With steps of {} its energy is off by {:.2g} %. It then bounces wrongly in {:.2g} % of the corners and "
+        "passes over {:.2g} % of the pockets.",
+        short_time(step), 100 * at(0, step), at(1, step), at(2, step));
   };
-  return fmt::format(" Last row: the seed article's Euler method is wrong by {} with steps of {}, and by {} with {}.",
-                     say(large), short_time(large), say(small), short_time(small));
+  return " The last row shows the seed article's Euler method among others." + say(large) + say(small);
 }
 
 }  // namespace
