@@ -87,7 +87,7 @@ inline constexpr CushionCoefficient frequency_ratio{
     .unit = "",
     .fallback = "1.8",
     .example = "1.7",
-    .meaning = "only with `stronge`: frequency of the rubber's spring across over that of its spring along",
+    .meaning = "of `stronge` alone: how fast the rubber gives across over how fast it gives along, between 1 and 2",
     .low = 1,
     .high = 2,
     .fit_low = 1.001,

@@ -165,7 +165,8 @@ std::string in_words(const std::vector<Model>& all, const std::vector<Result>& r
 constexpr const char* question =
     "How simple may the physics be, and by how much does a shot planned with a simpler model miss?";
 constexpr const char* about =
-    "Random shots of a rolling ball rest after 1 to 5 cushions in the fullest model, which is spin with {}. Each simpler model is asked for the launch to the same place by the same cushions. Its answer "
+    "Random shots of a rolling ball rest after 1 to 5 cushions in the fullest model, which is spin with {}. Each "
+    "simpler model is asked for the launch to the same place by the same cushions. Its answer "
     "is played in the fullest model; the miss is how far from that place the ball rests. The model ideal knows no "
     "friction and is given the right speed. All cushions have a restitution of 0.85. No model has air. At 5 m/s "
     "the drag of air is about 0.10 m/s², as much as rolling friction. The Magnus force is then about 0.07 m/s², "
@@ -176,7 +177,8 @@ constexpr const char* about =
 Section models(const Settings& settings, Progress& progress) {
   const std::vector<Model> all = models_in_order();
   progress.begin("models", all.size() * most_cushions + circle_steps);
-  Section s{.name = "2-models", .title = "Models", .question = question, .about = fmt::format(about, fullest_cushion.key)};
+  Section s{
+      .name = "2-models", .title = "Models", .question = question, .about = fmt::format(about, fullest_cushion.key)};
   s.table = {
       {"model", "cushions", "time per shot", "time per answer", "answered", "miss, 10 %", "median", "90 %"}, {}, 2};
   std::string csv = "model,cushions,miss_m,seconds_a_shot,seconds_an_answer\n";

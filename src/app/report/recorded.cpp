@@ -108,7 +108,8 @@ constexpr const char* about =
     "A camera tracked these shots. For each cushion law the table's coefficients and all launches are fitted to "
     "all shots. Then a quarter of the shots is left out at a time, and the coefficients are fitted to the others. "
     "Each shot left out is predicted from its first part, which ends 0.25 s after its first bounce. Distances are "
-    "root mean squares over a shot's samples at the same time. Laws whose impacts are integrated ({}) take about ten times as long and is not tried. By speed: restitution and rolling friction may "
+    "root mean squares over a shot's samples at the same time. Laws whose impacts are integrated ({}) take about ten "
+    "times as long and are not tried. By speed: restitution and rolling friction may "
     "change with the speed. The time is that of learning from all shots, by wall clock, with as many threads as "
     "there are cores.";
 
@@ -122,7 +123,10 @@ Section recorded(std::span<const Recording> recordings, const Settings& settings
   std::vector<Result> results;
   for (const Law& law : tried) results.push_back(measure(law, recordings, holdout, progress));
 
-  Section s{.name = "8-recorded", .title = "Models against real shots", .question = question, .about = fmt::format(about, integrated_models())};
+  Section s{.name = "8-recorded",
+            .title = "Models against real shots",
+            .question = question,
+            .about = fmt::format(about, integrated_models())};
   const std::string long_ones = fmt::format("{} and more cushions", many_cushions);
   s.table = {{"cushions", "followed, median", long_ones, "predicted, median", "sigma", "time of a fit"}, {}, 1};
   std::string csv = "model,shots,rms_median_mm,rms_many_mm,predictions,predicted_median_mm,sigma_mm,seconds\n";
