@@ -93,7 +93,7 @@ void read(const Query& query, std::span<const Option> options) {
     if (option == options.end()) {
       std::vector<std::string_view> names;
       for (const Option& known : options) names.push_back(known.name);
-      throw BadOption(quote(name) + " is no option here" + (names.empty() ? "" : known_words(name, names)));
+      throw BadOption(fmt::format("--{} is no option here{}", name, names.empty() ? "" : known_words(name, names)));
     }
     std::visit(Reader(*option, value), option->target);
   }

@@ -44,7 +44,8 @@ for (const { name, url } of await ways(server))
 
     test('offers the cushion laws of the engine, the default chosen', async () => {
       const laws = page.locator('select[name=cushion]');
-      const known = JSON.parse(execFileSync(program, ['schema', 'shot'], { encoding: 'utf8' })).$defs.cushion.properties;
+      const known = JSON.parse(execFileSync(program, ['schema', 'shot'], { encoding: 'utf8' })).$defs.cushion
+        .properties;
       assert.deepEqual(await laws.locator('option').allTextContents(), known.model.enum);
       assert.equal(await laws.inputValue(), known.model.default);
     });

@@ -1,7 +1,7 @@
 // Twenty scenes to begin with, from the book of examples. Each is an address as the page writes it.
 
 /** @type {[string, string][]} */
-export const gallery = [
+const gallery = [
   ['One cushion, easy', 'table=pool-8ft&ball=1.271,0.155&target=top-middle&most=1'],
   ['Across the table', 'physics=rolling&ball=1.591,0.578&target=bottom-middle&most=1'],
   ['Two cushions into the middle', 'table=pool-8ft&ball=1.558,0.254&target=bottom-middle&least=2'],
@@ -32,3 +32,12 @@ export const gallery = [
   ['In the way', 'ball=0.5,0.4&target=top-right&most=3&others=1.4,0.85,1.9,0.6,1,0.2'],
   ['What should I play?', 'ball=0.6,0.5&target=another ball&most=2&others=1.7,0.4,2.1,0.95,1.2,1'],
 ];
+
+/** Lists the scenes. @param {HTMLSelectElement} select @param {(address: string) => void} choose */
+export function hang(select, choose) {
+  for (const [name, address] of gallery) select.append(new Option(name, address));
+  select.addEventListener('change', () => {
+    if (select.value) choose(select.value);
+    select.value = '';
+  });
+}

@@ -7,7 +7,7 @@ import { $ } from './controls.js';
 import { holding, pointIn } from './drag.js';
 import { ask, forget, latest } from './engine.js';
 import { finish, follow, hits, outcome, turns } from './follow.js';
-import { gallery } from './gallery.js';
+import { hang } from './gallery.js';
 import { firstCushion, lead, note, paint } from './paint.js';
 import { play, stop } from './play.js';
 import * as save from './save.js';
@@ -289,11 +289,7 @@ function listen() {
   pressed('png', () => save.png(svg));
   closer.listen();
   on('inches', 'change', () => (units.useInches($('inches').checked), answered(last, '')));
-  for (const [name, address] of gallery) $('gallery').append(new Option(name, address));
-  on('gallery', 'change', () => {
-    if ($('gallery').value) change(() => (scene = state.read($('gallery').value)));
-    $('gallery').value = '';
-  });
+  hang($('gallery'), (address) => change(() => (scene = state.read(address))));
   svg.addEventListener('dblclick', (event) => {
     if (!event.target.classList.contains('cloth')) return;
     change(() => scene.others.push(inside(table, pointIn(svg, event))));
@@ -309,19 +305,14 @@ function listen() {
   });
 }
 
-/** Offers the cushion laws that the engine knows. @param {{enum: string[], default: string}} laws from its schema */
-function offer(laws) {
-  state.first.cushion = laws.default;
-  scene = state.read();
-  controls.options(form.elements.cushion, laws.enum, scene.cushion);
-}
-
 document.body.classList.toggle('embed', new URLSearchParams(location.search).has('embed'));
 $('inches').checked = units.inches;
 const [known, schema] = await Promise.all([ask('tables'), ask('schema?document=shot')]);
 tables = known;
 if (Array.isArray(tables)) {
-  offer(schema.$defs.cushion.properties.model);
+  const laws = state.laws(schema);
+  scene = state.read();
+  controls.options(form.elements.cushion, laws, scene.cushion);
   listen();
   rebuild();
 } else {

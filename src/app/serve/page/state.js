@@ -36,6 +36,13 @@ export const first = {
   pacing: 0.075,
 };
 
+/** Takes the default cushion law from the engine's schema of a shot. @returns {string[]} names of all laws */
+export function laws(schema) {
+  const model = schema.$defs.cushion.properties.model;
+  first.cushion = model.default;
+  return model.enum;
+}
+
 /** The target: pot any object ball, by at most `most` cushions. */
 export const anyBall = 'another ball';
 
