@@ -23,9 +23,7 @@ const Body ball{.radius = 0.125};
 const Table table = rectangle_table(3, 2);
 
 /// Returns a straight arc without friction.
-Arc<double> straight(const Vec2d& at, const Vec2d& velocity) {
-  return {at, velocity, {0, 0}, forever, PhaseEnd::none};
-}
+Arc<double> straight(const Vec2d& at, const Vec2d& velocity) { return {at, velocity, {0, 0}, forever, PhaseEnd::none}; }
 
 NextEvent<double> next(const Boundary& boundary, const Arc<double>& arc, double horizon = forever) {
   const OnCushions<double> cushions(dot(arc.velocity, arc.velocity));

@@ -198,10 +198,10 @@ TEST_CASE("a steep friction at the cushion lifts the ball off the cloth") {
     o.load();
     return o.e_.lifted;
   };
-  CHECK(lifts({0, -1}));         // sin θ < μw cos θ
+  CHECK(lifts({0, -1}));  // sin θ < μw cos θ
   CHECK(!lifts({0, 1}));
   CHECK(!lifts({1, 0}));
-  CHECK(lifts({0.8, -0.6}));     // 0.1 < 0.2 · 0.995 · 0.6
+  CHECK(lifts({0.8, -0.6}));  // 0.1 < 0.2 · 0.995 · 0.6
   CHECK(!lifts({0.9, -0.435}));
 }
 

@@ -28,7 +28,8 @@ TEST_CASE("the mouth of a pocket is mirrored across the table, and begins and en
       CHECK((back.x < 0 || back.x > size.x || back.y < 0 || back.y > size.y));
       // The pocket's own line of symmetry: reversed points lie as far from its centre.
       for (std::size_t k = 0; k < 3; ++k)
-        CHECK(norm(points[k] - table.pockets[i].at) == Approx(norm(points[5 - k] - table.pockets[i].at)).epsilon(1e-12));
+        CHECK(norm(points[k] - table.pockets[i].at) ==
+              Approx(norm(points[5 - k] - table.pockets[i].at)).epsilon(1e-12));
     }
   }
 }

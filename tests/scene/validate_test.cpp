@@ -53,10 +53,10 @@ TEST_CASE("each rule of a scene names the value that breaks it") {
   };
   CHECK(polygon({{0, 0}, {3, 0}}) == "/table/vertices");
   CHECK(polygon({{0, 0}, {3, 0}, {3, not_a_number}, {0, 2}}) == "/table/vertices/2/1");
-  CHECK(polygon({{0, 0}, {3, 0}, {3, 0}, {0, 2}}) == "/table/vertices/1");   // no length
-  CHECK(polygon({{0, 0}, {0, 2}, {3, 2}, {3, 0}}) == "/table/vertices");     // clockwise
-  CHECK(polygon({{0, 0}, {3, 0}, {1, 0}, {0, 2}}) == "/table/vertices/1");   // turns back on itself
-  CHECK(polygon({{0, 0}, {3, 2}, {3, 0}, {0, 2}}) == "/table/vertices/2");   // edge 2 crosses edge 0
+  CHECK(polygon({{0, 0}, {3, 0}, {3, 0}, {0, 2}}) == "/table/vertices/1");  // no length
+  CHECK(polygon({{0, 0}, {0, 2}, {3, 2}, {3, 0}}) == "/table/vertices");    // clockwise
+  CHECK(polygon({{0, 0}, {3, 0}, {1, 0}, {0, 2}}) == "/table/vertices/1");  // turns back on itself
+  CHECK(polygon({{0, 0}, {3, 2}, {3, 0}, {0, 2}}) == "/table/vertices/2");  // edge 2 crosses edge 0
   CHECK(broken_by([](Scene& s) { s.table.cushions[2] = "bottom"; }) == "/table/names/2");
   CHECK(broken_by([](Scene& s) { s.table.cushions[2] = "v1"; }) == "/table/names");
   CHECK(broken_by([](Scene& s) { s.table.pockets[3].name = "any"; }) == "/table/pockets/3/name");
