@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
   CLI::App app("bankshot: finds the launch speed and angle for a shot in cue sports", "bankshot");
   app.set_version_flag("--version", "bankshot " BANKSHOT_VERSION);
   app.require_subcommand(1);
-  explain(app, "`bankshot help COMMAND` tells about one. docs/format.md has the format of puzzles.",
+  explain(app, "`bankshot help COMMAND` describes a command. docs/format.md has the format of puzzles.",
           {{"bankshot solve puzzle.json", "the aim and the speed, as text"},
            {"bankshot solve puzzle.json --json --all", "every shot, as JSON"},
            {"bankshot help solve", "all that solve can do"}},

@@ -87,12 +87,11 @@ void add_picture_flags(CLI::App& command, PictureFlags& flags) {
   command.add_option("--svg", flags.svg, "Write a picture to this file")->check([](const std::string& path) {
     return path.ends_with(".png") ? "\"" + path + "\" is a PNG: that is --png" : file_name(path);
   });
-  command.add_option("--png", flags.png, "The same as PNG, to a name that ends in .png")
-      ->check([](const std::string& path) {
-        return path.ends_with(".png") ? picture_name(path) : "\"" + path + "\" must end in .png";
-      });
+  command.add_option("--png", flags.png, "Write the picture as PNG to this file")->check([](const std::string& path) {
+    return path.ends_with(".png") ? picture_name(path) : "\"" + path + "\" must end in .png";
+  });
   add_theme_flag(command, flags.style.theme);
-  command.add_flag("--animate", flags.style.moving, "The balls in the SVG move, in real time and over and over");
+  command.add_flag("--animate", flags.style.moving, "Let the balls in the SVG move, in real time, again and again");
 }
 
 }  // namespace bankshot::app

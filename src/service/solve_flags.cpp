@@ -39,19 +39,18 @@ std::string SolveFlags::words() const {
 
 std::vector<Option> options_of(SolveFlags& flags) {
   return {
-      {"planner", &flags.options.planner, "Which planner; 'list' names them"},
+      {"planner", &flags.options.planner, "The planner; 'list' names them"},
       {"all", &flags.options.all, "Every distinct shot, best first"},
       {.name = "first",
        .target = &flags.options.first,
        .help = "The first shot found, not the best",
        .excludes = "all"},
-      {"budget", &flags.budget, "Simulations to spend at most"},
-      {"noise", &flags.noise, "Whose errors, by name, in place of the puzzle's; 'list' tells who they are"},
-      {"no-timing", &flags.no_timing, "Leave out time_us: same input, same bytes"},
+      {"budget", &flags.budget, "The most simulations to spend"},
+      {"noise", &flags.noise, "A player by name, instead of the puzzle's noise; 'list' describes them"},
+      {"no-timing", &flags.no_timing, "Leave out time_us, so that equal input gives equal bytes"},
       {"no-robustness", &flags.no_robustness, "Leave out margin and success"},
-      {"sensitivity", &flags.options.sensitivity,
-       "Each shot with how far a wrong coefficient of the table moves its arrival"},
-      {"path", &flags.path, "Each shot in JSON with the points of its path"},
+      {"sensitivity", &flags.options.sensitivity, "Add how far a wrong coefficient of the table moves the arrival"},
+      {"path", &flags.path, "Add the points of its path to each shot in JSON"},
   };
 }
 
@@ -120,7 +119,7 @@ std::string safer(const Puzzle& puzzle, const Answer& answer, const SolveOptions
     return "";
   const Shot& s = best.shots.front();
   return fmt::format(
-      "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, makes it {} of the time: \"aim\": "
+      "  safer     {:.2f} degrees at {:.2f} m/s, off the exact line, has success {}: \"aim\": "
       "\"safest\"\n",
       degrees(s.launch.angle), s.launch.speed, success_words(s));
 }

@@ -165,8 +165,8 @@ TEST_CASE("a batch that cannot be is refused with the reason in one line") {
       {"IN -o IN", "is the input too, and would be overwritten"},
       {"IN -o /dev/full", "/dev/full: cannot be written: No space left on device; answers written: 0"},
       {"IN >/dev/full", "standard output: cannot be written: No space left on device"},
-      {"IN --resume", "--resume needs the file to go on with"},
-      {"IN --resume -o /dev/null", "/dev/null: is no file that can be gone on with"},
+      {"IN --resume", "--resume needs the file to continue"},
+      {"IN --resume -o /dev/null", "/dev/null: is no file that can be resumed"},
       {"IN --svg x.svg", "a batch draws no pictures"},
       {"IN -j -1", "--threads"},
       {"IN --planner imge", "did you mean \"image\"?"},
@@ -195,7 +195,7 @@ TEST_CASE("a full disk loses nothing: a later --resume completes the output") {
   const auto stopped = run_shell("ulimit -f 200; PROGRAM " + batch + in.quoted() + " -o " + out.quoted());
   CHECK(stopped.exit == 2);
   CHECK_THAT(stopped.err,
-             Contains("cannot be written: File too large; answers written: ") && Contains("--resume goes on"));
+             Contains("cannot be written: File too large; answers written: ") && Contains("--resume continues"));
   const std::string part = out.text();
   REQUIRE(!part.empty());
   CHECK(part.size() < whole.size());
@@ -204,7 +204,7 @@ TEST_CASE("a full disk loses nothing: a later --resume completes the output") {
 
   const auto again = run_program(batch + in.quoted() + " -o " + out.quoted());
   CHECK(again.exit == 2);
-  CHECK_THAT(again.err, Contains("of a batch that was cut off: --resume goes on with it"));
+  CHECK_THAT(again.err, Contains("of a batch that was interrupted: --resume continues it"));
   CHECK((out.text() == part));
   const std::string resume = " --resume -o " + out.quoted();
   const auto other_flags = run_program(batch + "--all " + in.quoted() + resume);
@@ -238,7 +238,7 @@ TEST_CASE("resume knows an output that is whole, begins where there is none, and
   CHECK_THAT(again.err, Contains("is whole already"));
   const auto wrong = run_program("batch " + other.quoted() + resume);
   CHECK(wrong.exit == 2);
-  CHECK_THAT(wrong.err, Contains(".progress is missing, and it is not all of the answer to this input"));
+  CHECK_THAT(wrong.err, Contains(".progress is missing, and it is not the whole answer to this input"));
   CHECK((out.text() == whole));
   CHECK(run_program("batch --quiet " + other.quoted() + " -o " + out.quoted()).exit ==
         0);  // without --resume it is written anew

@@ -116,5 +116,5 @@ TEST_CASE("generate: what cannot be is refused or given up") {
 
 TEST_CASE("generate: its help says what the difficulties are") {
   CHECK_THAT(run_program("generate --help").out,
-             Contains("at least 90 % of tries, and 0.25 degrees") && Contains("less than 40 %"));
+             Contains("at least 90 % of tries, and still made with 0.25 degrees") && Contains("less than 40 %"));
 }

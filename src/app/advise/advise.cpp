@@ -46,23 +46,23 @@ int run(const Arguments& a) {
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("advise", "Learn a player's noise from attempts, and choose shots by it");
-  command->add_option("attempts", a->file, "Recordings, one JSON a line; - reads standard input")
-      ->capture_default_str();
-  command->add_option("--shots", a->shots, "Puzzles, one JSON a line: which of them should this player choose?")
+  command->add_option("attempts", a->file, "Attempts, one per line; - reads standard input")->capture_default_str();
+  command->add_option("--shots", a->shots, "Puzzles, one per line, from which this player may choose")
       ->check(CLI::ExistingFile);
-  command->add_option("-o,--output", a->out, "Write the noise alone to this file: a puzzle's \"noise\"")
+  command->add_option("-o,--output", a->out, "Write the noise alone to this file, for a puzzle's \"noise\"")
       ->check(file_or_output);
-  command->add_option("-j,--jobs", a->jobs, "Threads; 0: as many as the machine has")->capture_default_str();
-  command->add_flag("--quiet", a->quiet, "No summary on standard error");
+  command->add_option("-j,--jobs", a->jobs, "Threads; 0: one per core")->capture_default_str();
+  command->add_flag("--quiet", a->quiet, "Write no summary to standard error");
   explain(
       *command,
       "An attempt is a recording (docs/recordings.md) with the \"shot\" or the \"puzzle\" that was meant, and what\n"
-      "happened: a \"track\", a \"rest\", or only whether it was \"made\". Its physics is taken to be known: fit it\n"
-      "first. Standard output gets one line of JSON: how far this player is off in aim, speed and spin, with\n"
-      "intervals of 95 %, what is off on average (too hard, too far to the left), each attempt's errors, and of\n"
-      "--shots each puzzle's best shot for this player, likeliest first.",
+      "happened: a \"track\", a \"rest\", or only whether it was \"made\". Its physics counts as known, so fit it "
+      "first.\n"
+      "Standard output gets one line of JSON: the errors of this player in aim, speed and spin, with intervals of\n"
+      "95 %; the errors on average (too hard, too far to the left); the errors of each attempt; and for --shots the\n"
+      "best shot of each puzzle for this player, likeliest first.",
       {{"bankshot advise attempts.jsonl -o noise.json", "the player's noise"},
-       {"bankshot advise attempts.jsonl --shots puzzles.jsonl", "and which shots to choose"}},
+       {"bankshot advise attempts.jsonl --shots puzzles.jsonl", "the noise, and which shots to choose"}},
       "0 done; 2 bad input or usage.");
   return [a] { return run(*a); };
 }

@@ -97,9 +97,10 @@ Journal::Mark go_on(Journal& journal, LineReader& in, Output& out, const std::st
 /// Begins a new output; refuses to discard the answers of a run that was cut off.
 Journal::Mark begin(Journal& journal, Output& out) {
   if (const auto mark = journal.last(out.name()); mark && out.size() > 0)
-    throw FileError(fmt::format(
-        "{} holds the first {} answers of a batch that was cut off: --resume goes on with it; remove it to begin again",
-        out.name(), grouped(mark->read.lines)));
+    throw FileError(
+        fmt::format("{} holds the first {} answers of a batch that was interrupted: --resume continues it; remove it "
+                    "to start again",
+                    out.name(), grouped(mark->read.lines)));
   journal.begin();
   out.cut(0);
   return {};
@@ -122,8 +123,8 @@ void close_part(const Arguments& a, const LineReader& in, const Journal::Mark& a
   if (!std::filesystem::exists(partial) && is_done(a)) return;  // another run completed it in the meantime
   if (Kept kept(partial); !kept.holds(at.written, at.crc) || !kept.at_end())
     throw WriteError(fmt::format(
-        "{}: is not what was written to it, as where another bankshot writes to it too, or a disk fails; the same "
-        "command with --resume goes on behind what is right",
+        "{}: is not what was written to it; perhaps another bankshot writes to it too, or a disk fails; the same "
+        "command with --resume continues after what is right",
         partial));
   // The part ends after its last line; a part without lines ends where it begins.
   const ReadMark& to = at.read.bytes > in.begun().bytes ? at.read : in.begun();
@@ -140,7 +141,7 @@ int run_batch(const Arguments& a, LineReader& in, Output& out, Journal* journal,
   Progress progress(kept, in.share(), !a.quiet && isatty(STDERR_FILENO) == 1);
   Cost cost;
   Batch batch{in, out, journal, a.flags, a.threads, progress, from, a.cost.empty() ? nullptr : &cost};
-  const std::string how_to_go_on = journal ? "; the same command with --resume goes on" : "";
+  const std::string how_to_go_on = journal ? "; the same command with --resume continues" : "";
   try {
     run_pipeline(batch);
     if (!interrupted()) {
@@ -190,12 +191,12 @@ int run(Arguments a) {
   if (const std::string list = service::list_asked(a.flags); !list.empty()) return print(list), done;
   service::check(a.flags);
   a.threads = threads_for(a.threads);
-  if (a.resume && a.output == "-") throw FileError("--resume needs the file to go on with: -o SHOTS.jsonl");
+  if (a.resume && a.output == "-") throw FileError("--resume needs the file to continue: -o SHOTS.jsonl");
   const Interrupts watch;
   if (a.part) return run_part(a);
   LineReader in(a.file, a.output.ends_with(".gz"));
   Output out(a.output);
-  if (a.resume && !out.regular()) throw FileError(fmt::format("{}: is no file that can be gone on with", a.output));
+  if (a.resume && !out.regular()) throw FileError(fmt::format("{}: is no file that can be resumed", a.output));
   if (in.same_file(out.descriptor()))
     throw FileError(fmt::format("{}: is the input too, and would be overwritten", a.output));
   if (!out.regular()) return run_batch(a, in, out, nullptr, {});
@@ -206,7 +207,7 @@ int run(Arguments a) {
     if (interrupted()) return by_signal + interrupted();
     if (!whole)
       throw FileError(fmt::format(
-          "{}: cannot be gone on with: {} is missing, and it is not all of the answer to this input with these flags",
+          "{}: cannot be resumed: {} is missing, and it is not the whole answer to this input with these flags",
           a.output, progress_file));
     if (!a.quiet) std::cerr << a.output << ": is whole already\n";
     return a.strict && invalid > 0 ? some_fail : done;
@@ -220,38 +221,39 @@ int run(Arguments a) {
 
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("batch", "Solve many puzzles, one a line");
+  CLI::App* command = app.add_subcommand("batch", "Solve many puzzles, one per line");
   explain(
       *command,
-      "Each line is answered by one line, in order; one that is no puzzle is answered \"invalid\". While a batch\n"
-      "runs, SHOTS.jsonl.progress stands beside its output: after a kill, a full disk or Ctrl-C the same command\n"
-      "with --resume checks the input and the flags against it and goes on; a few hundred puzzles are solved again\n"
-      "at most. A packed output (.gz) is a row of gzip members of 64 lines.",
+      "Each line is answered by one line, in order. A line that is no puzzle is answered \"invalid\". While a batch\n"
+      "runs, SHOTS.jsonl.progress stands beside its output. After a kill, a full disk or Ctrl-C, the same command\n"
+      "with --resume checks the input and the flags against that file and continues; at most a few hundred puzzles\n"
+      "are solved again. A packed output (.gz) consists of gzip members of 64 lines.",
       {{"bankshot batch puzzles.jsonl -o shots.jsonl", "the best shot of each"},
-       {"bankshot batch puzzles.jsonl -o shots.jsonl --resume", "goes on where that was cut off"},
+       {"bankshot batch puzzles.jsonl -o shots.jsonl --resume", "continues where that was interrupted"},
        {"bankshot batch puzzles.jsonl --part 3/64 -o shots-3.jsonl",
         "the fourth of 64 parts; bankshot merge joins them"},
-       {"bankshot batch puzzles.jsonl -o all.jsonl.gz --all --strict", "every shot, packed; 1 where a line is bad"}},
+       {"bankshot batch puzzles.jsonl -o all.jsonl.gz --all --strict",
+        "every shot, packed; exit code 1 if a line is invalid"}},
       "0 done; 1 a line was invalid (--strict); 2 bad input or usage; 128 + n ended by signal n.");
   command->add_option("puzzles", a->file, "A puzzle in JSON on each line; - reads standard input, *.gz is unpacked")
       ->required();
-  command->add_option("-o,--output", a->output, "Write the answers here, one a line; *.gz is packed")
+  command->add_option("-o,--output", a->output, "Write the answers here, one per line; *.gz is packed")
       ->capture_default_str();
-  command->add_option("-j,--threads", a->threads, "Threads; 0: one for each core")
+  command->add_option("-j,--threads", a->threads, "Threads; 0: one per core")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
   command
       ->add_option_function<std::string>(
           "--part", [a](const std::string& part) { a->part = part_of(part); },
-          "Only part K of N, from 0, line by line; bare, as Slurm or MPI numbers this process")
+          "Answer only part K of N, counted from 0; without K/N, the part that Slurm or MPI gives this process")
       ->expected(0, 1)
       ->type_name("K/N");
-  command->add_flag("--resume", a->resume, "Go on where an earlier run of this command was cut off");
-  command->add_flag("--quiet", a->quiet, "Nothing on standard error but errors");
-  command->add_flag("--strict", a->strict, "Exit code 1 when a line was invalid");
+  command->add_flag("--resume", a->resume, "Continue where an earlier run of this command was interrupted");
+  command->add_flag("--quiet", a->quiet, "Write nothing but errors to standard error");
+  command->add_flag("--strict", a->strict, "End with exit code 1 if a line was invalid");
   add_options(*command, service::options_of(a->flags));
   command->add_flag("--json", a->json, "Answers are JSON with or without it");
-  command->add_option("--cost", a->cost, "Write where the time went to this file (CSV)")->check(file_name);
+  command->add_option("--cost", a->cost, "Write the time that each stage took to this file (CSV)")->check(file_name);
   const auto no_picture = [](const std::string&) {
     throw CLI::ValidationError("--svg", "a batch draws no pictures; bankshot solve --svg draws one");
   };

@@ -40,7 +40,7 @@ std::optional<Journal::Mark> mark_of(const std::string& line) {
 Journal::Journal(const std::string& output, const std::string& flags, const std::string& input)
     : path_(path_for(output)),
       header_{"bankshot " BANKSHOT_VERSION
-              " is not done with the file beside this one; the same command with --resume goes on",
+              " is not done with the file beside this one; the same command with --resume continues",
               "flags: " + flags, "input: " + input} {
   lock(output);
   read();

@@ -148,13 +148,14 @@ Run add(CLI::App& app) {
   CLI::App* command = app.add_subcommand("merge", "Put the parts of a batch together");
   explain(*command,
           "Parts are what `bankshot batch --part K/N` wrote, in any order. Each is checked against the file .part\n"
-          "beside it: is it whole, of the same input and flags, and is none missing? Which are is told as Slurm\n"
-          "wants it. The result has the bytes of a batch in one go, and is there whole or not at all.",
+          "beside it: it must be whole and of the same input and flags, and no part may be missing. A message names\n"
+          "missing or damaged parts as a Slurm array. The result has the bytes of a batch in one go. It appears whole\n"
+          "or not at all.",
           {{"bankshot merge shots-*.jsonl -o shots.jsonl", "all parts, in their order"}},
           "0 done; 2 a part is missing, damaged or of another batch.");
   command->add_option("parts", a->parts, "The outputs of the parts; *.gz is unpacked")->required();
   command->add_option("-o,--output", a->output, "Write the answers here; *.gz is packed")->required();
-  command->add_flag("--quiet", a->quiet, "Nothing on standard error but errors");
+  command->add_flag("--quiet", a->quiet, "Write nothing but errors to standard error");
   return [a] { return run(*a); };
 }
 

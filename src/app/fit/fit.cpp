@@ -79,47 +79,46 @@ int run(const Arguments& a) {
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("fit", "Learn a table's physics from recorded shots");
-  command->add_option("recordings", a->file, "Recordings, one JSON a line; - reads standard input")
-      ->capture_default_str();
-  command->add_option("-o,--output", a->out, "Write the physics alone to this file: every command takes it")
+  command->add_option("recordings", a->file, "Recordings, one per line; - reads standard input")->capture_default_str();
+  command->add_option("-o,--output", a->out, "Write the physics alone to this file, for use in puzzles and shots")
       ->check(file_or_output);
   command
       ->add_option("--free", a->free,
-                   "What is fitted, such as cushion.friction, tilt or camera.scale; with none all of the physics")
+                   "What to fit, such as cushion.friction, tilt or camera.scale; without it all of the physics")
       ->delimiter(',')
       ->allow_extra_args(false);
   std::vector<std::string> known = models(false);
-  const std::string about = fmt::format("The cushions' law: {}; any tries {}, and takes the better",
-                                        fmt::join(known, ", "), fmt::join(models(true), " and "));
+  const std::string about = fmt::format("The cushion law: {}; any takes the better of {}", fmt::join(known, ", "),
+                                        fmt::join(models(true), " and "));
   known.emplace_back("any");
   command->add_option("--model", a->model, about)->check(CLI::IsMember(known));
   const std::vector<std::string> words(std::begin(by_speed), std::end(by_speed));
-  command->add_option("--restitution", a->restitution, "How the cushions' restitution depends on speed")
+  command->add_option("--restitution", a->restitution, "How the restitution of cushions depends on the speed")
       ->capture_default_str()
       ->check(CLI::IsMember(words));
-  command->add_option("--rolling", a->rolling, "How rolling friction does, without a square")
+  command->add_option("--rolling", a->rolling, "How rolling friction depends on the speed")
       ->capture_default_str()
       ->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end() - 1)));
-  command->add_option("--holdout", a->holdout, "Leave so many shots out at a time, and predict them")
+  command->add_option("--holdout", a->holdout, "Leave this many shots out at a time, and predict them")
       ->check(CLI::Range(0, 1000000));
-  command->add_flag("--predict", a->predict, "Predict each shot from its first part, 0.25 s beyond its first bounce");
-  command->add_option("-j,--jobs", a->jobs, "Threads; 0: as many as the machine has")->capture_default_str();
+  command->add_flag("--predict", a->predict, "Predict each shot from its first part, to 0.25 s after its first bounce");
+  command->add_option("-j,--jobs", a->jobs, "Threads; 0: one per core")->capture_default_str();
   command
-      ->add_option("--svg", a->picture, "Draw each shot, where its balls were seen, and how far that is from its path")
+      ->add_option("--svg", a->picture,
+                   "Draw each shot, where its balls were seen, and how far those places are from its path")
       ->check(picture_name);
   add_theme_flag(*command, a->style.theme);
-  command->add_flag("--quiet", a->quiet, "No bar and no summary on standard error");
+  command->add_flag("--quiet", a->quiet, "Write no progress bar and no summary to standard error");
   explain(
       *command,
       "A recording is a scene and where its balls were seen: {\"table\":, \"ball\":, \"track\": {\"cue\": [[t, x, y], "
       "...]}}\n"
       "(docs/recordings.md). Standard output gets one line of JSON: the physics, each coefficient with its standard\n"
-      "error, each shot's launch, and in words what the recordings could not tell; that is held where it was. Lines\n"
-      "that are no recording are told and left out.",
-      {{"bankshot fit recordings.jsonl -o physics.json", "all coefficients, from what the shots' tracks say"},
-       {"bankshot fit recordings.jsonl --model any --holdout 5",
-        "the cushions that predict best what they have not seen"},
-       {"bankshot fit recordings.jsonl --free cushion.friction,tilt", "these alone"}},
+      "error, the launch of each shot, and in words what the recordings could not tell. Such a coefficient keeps its\n"
+      "value. Lines that are no recording are reported and left out.",
+      {{"bankshot fit recordings.jsonl -o physics.json", "all coefficients"},
+       {"bankshot fit recordings.jsonl --model any --holdout 5", "the cushion law that best predicts shots left out"},
+       {"bankshot fit recordings.jsonl --free cushion.friction,tilt", "these coefficients alone"}},
       "0 done; 2 bad input or usage.");
   return [a] { return run(*a); };
 }

@@ -49,15 +49,15 @@ int run(const Arguments& a) {
 
 std::string help() {
   return fmt::format(
-      "Every puzzle was solved before it is printed, by `solve`, at its target's centre. The same seed and wishes\n"
-      "give the same puzzles; a larger --count goes on where a smaller one ends. Difficulty, of the best shot and\n"
-      "a player with the default noise (0.125 degrees, 0.075 m/s):\n"
-      "  easy    made in at least {:.0f} % of tries, and {:.2g} degrees of aim to both sides still make it\n"
-      "  hard    made in less than {:.0f} % of tries, or less than {:.3g} degrees to one side\n"
+      "`solve` has solved every puzzle, at the centre of its target, before it is printed. The same seed and wishes\n"
+      "give the same puzzles; a larger --count continues the list of a smaller one. Difficulty is that of the best\n"
+      "shot for a player with the default noise (0.125 degrees, 0.075 m/s):\n"
+      "  easy    made in at least {:.0f} % of tries, and still made with {:.2g} degrees of aim to both sides\n"
+      "  hard    made in less than {:.0f} % of tries, or with less than {:.3g} degrees to one side\n"
       "  medium  between\n"
-      "--unique: `solve --all` finds exactly one shot. With spin its completeness is measured, not proved.\n"
-      "A puzzle is given up after {} tries; standard error says what became of them. Its difficulty stands in the\n"
-      "key \"about\".",
+      "--unique: `solve --all` finds exactly one shot. With spin that search may miss shots; how many was measured.\n"
+      "A puzzle is given up after {} tries; standard error says what became of them. The key \"about\" holds the\n"
+      "difficulty.",
       100 * easy_success, degrees(easy_margin), 100 * hard_success, degrees(hard_margin), Wish{}.tries);
 }
 
@@ -66,35 +66,37 @@ std::string help() {
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("generate", "Make puzzles that have a shot");
-  command->add_option("--count", a->count, "How many")->required()->check(service::whole_number);
-  command->add_option("--seed", a->seed, "Other seeds, other puzzles")->required()->check(service::whole_number);
-  command->add_option("--table", a->table, "A table's name, or its JSON")->capture_default_str();
-  command->add_option("--physics", a->physics, "A physics' name, or its JSON")->capture_default_str();
+  command->add_option("--count", a->count, "How many puzzles")->required()->check(service::whole_number);
+  command->add_option("--seed", a->seed, "Seed of the random puzzles")->required()->check(service::whole_number);
+  command->add_option("--table", a->table, "A table by its name or as JSON")->capture_default_str();
+  command->add_option("--physics", a->physics, "The physics by its name or as JSON")->capture_default_str();
   command
       ->add_option("--cushions", a->cushions, "A number; LOW-HIGH, a number drawn for each puzzle; or names: top,left")
       ->capture_default_str();
   command
       ->add_option(
           "--target", a->target,
-          "pocket, stop (rest at a point) or pass (through a point), else one of these is drawn; kick (touch a\n"
-          "ball), pot (send one into a pocket), carom (touch one and then another)")
+          "pocket, stop (rest at a point), pass (through a point), kick (touch a ball), pot (a ball into a pocket)\n"
+          "or carom (touch one ball and then another); without it one of the first three is drawn")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(service::kinds), std::end(service::kinds))));
-  command->add_option("--balls", a->balls, "Other balls on the table; 0 is three with kick, pot and carom")
+  command
+      ->add_option("--balls", a->balls,
+                   "Other balls on the table; 0 means three for kick, pot and carom, and none otherwise")
       ->check(CLI::Range(0, 21));
-  command->add_option("--then", a->then, "As --cushions, of the ball that is sent into a pocket")
+  command->add_option("--then", a->then, "Cushions of the object ball of a pot, as for --cushions")
       ->capture_default_str();
-  command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; else any")
+  command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; without it any")
       ->check(CLI::IsMember({"easy", "medium", "hard"}));
-  command->add_flag("--unique", a->unique, "Puzzles with exactly one shot");
-  command->add_option("-o,--output", a->out, "Write to this file, packed where it ends in .gz; - is standard output")
+  command->add_flag("--unique", a->unique, "Only puzzles with exactly one shot");
+  command->add_option("-o,--output", a->out, "Write to this file, packed if its name ends in .gz; - is standard output")
       ->capture_default_str();
   explain(*command, help(),
           {{"bankshot generate --count 20 --seed 1 -o puzzles.jsonl", "20 puzzles on a 9-foot table"},
            {"bankshot generate --count 3 --seed 7 --table carom-10ft --cushions 3 --difficulty easy",
-            "three easy ones by three cushions"},
+            "three easy puzzles with three cushions"},
            {"bankshot generate --count 5 --seed 3 --target pot --cushions 0 --then 1", "five banks"},
            {"bankshot generate --count 5 --seed 3 --table carom-10ft --target carom --cushions 3-6 --balls 2",
-            "five of three-cushion billiards"}},
+            "five puzzles of three-cushion billiards"}},
           "0 done; 1 a puzzle was not found; 2 bad input or usage.");
   return [a] { return run(*a); };
 }

@@ -130,10 +130,10 @@ std::string fish(const CLI::App& app) {
 
 Run add_completion(CLI::App& app) {
   auto shell = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("completion", "Print what a shell needs to complete the program's lines");
-  command->add_option("shell", *shell, "Which shell")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  explain(*command, "An installed bankshot brings them along.",
-          {{"bankshot completion bash > bankshot.bash", "to be sourced by ~/.bashrc"}}, "0 done; 2 bad usage.");
+  CLI::App* command = app.add_subcommand("completion", "Print completions for a shell");
+  command->add_option("shell", *shell, "The shell")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  explain(*command, "An installed bankshot already has them in place.",
+          {{"bankshot completion bash > bankshot.bash", "for ~/.bashrc to source"}}, "0 done; 2 bad usage.");
   return [shell, &app] {
     print(*shell == "bash" ? bash(app) : *shell == "zsh" ? zsh(app) : fish(app));
     return done;

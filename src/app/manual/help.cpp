@@ -9,8 +9,8 @@ namespace bankshot::app::manual {
 
 Run add_help(CLI::App& app) {
   auto wanted = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("help", "Tell about a command");
-  command->add_option("command", *wanted, "Its name; without, what there is");
+  CLI::App* command = app.add_subcommand("help", "Describe a command");
+  command->add_option("command", *wanted, "Its name; without one, all commands");
   explain(*command, "The same as COMMAND --help.", {{"bankshot help solve", "all that solve can do"}},
           "0 done; 2 there is no such command.");
   return [wanted, &app] {

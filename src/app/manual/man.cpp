@@ -75,10 +75,10 @@ Run add_man(CLI::App& app) {
   };
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("man", "Print the manual page of the program, or of a command");
-  command->add_option("command", a->wanted, "Its name; without, the program");
+  command->add_option("command", a->wanted, "Its name; without one, the program");
   command->add_option("-o,--output", a->folder, "Write the pages of the program and of all commands into this folder");
-  explain(*command, "The pages are installed; this prints them in the language of man(7).",
-          {{"bankshot man solve > bankshot-solve.1", "to be read by man -l"}}, "0 done; 2 there is no such command.");
+  explain(*command, "The pages are installed with the program. This command prints them in the format of man(7).",
+          {{"bankshot man solve > bankshot-solve.1", "for man -l to read"}}, "0 done; 2 there is no such command.");
   return [a, &app] {
     std::map<std::string, std::string> pages{{"", page(app, nullptr)}};
     for (const CLI::App* c : commands(app)) pages[c->get_name()] = page(*c, &app);

@@ -82,21 +82,22 @@ int run(const Arguments& a) {
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   constexpr int most = 10000;  // columns or rows
-  CLI::App* command =
-      app.add_subcommand("map", "Solve a puzzle from every start on a grid: where can this shot be made from?");
-  command->add_option("puzzle", a->file, "A puzzle in JSON, its ball anywhere on the table; - reads standard input")
+  CLI::App* command = app.add_subcommand("map", "Show from where on the table a shot can be made");
+  command
+      ->add_option("puzzle", a->file, "A puzzle in JSON, with its ball anywhere on the table; - reads standard input")
       ->required();
   command->add_option("--grid", a->grid, "Columns and rows of starts")->required()->check(CLI::Range(1, most));
   add_output_option(*command, a->out, "a heat map");
-  command->add_option("--budget", a->budget, "Simulations to spend on a start at most")->check(service::whole_number);
+  command->add_option("--budget", a->budget, "The most simulations to spend on a start")->check(service::whole_number);
   add_theme_flag(*command, a->theme);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
-  explain(*command,
-          "The grid covers all places of the ball's centre; each start is the middle of a cell. Starts in a cushion,\n"
-          "in a pocket or at the target already are left out and counted.",
-          {{"bankshot map puzzle.json --grid 40 20 -o map.svg", "a picture"},
-           {"bankshot map puzzle.json --grid 8 4 -o map.csv -o map.svg", "a table and a picture"}},
-          "0 done; 1 no start has a shot; 2 bad input or usage.");
+  explain(
+      *command,
+      "The grid covers all places of the ball's centre; each start is the middle of a cell. Starts in a cushion, in a\n"
+      "pocket or already at the target are left out and counted.",
+      {{"bankshot map puzzle.json --grid 40 20 -o map.svg", "a picture"},
+       {"bankshot map puzzle.json --grid 8 4 -o map.csv -o map.svg", "a table and a picture"}},
+      "0 done; 1 no start has a shot; 2 bad input or usage.");
   return [a] { return run(*a); };
 }
 

@@ -66,9 +66,9 @@ int run(const Arguments& a) {
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   constexpr double slowest = 0.01, fastest = 30;  // m/s
-  CLI::App* command = app.add_subcommand("pocket", "What does a pocket take? Its acceptance window");
-  command->add_option("table", a->table, "A table's name, or its JSON")->required();
-  command->add_option("pocket", a->pocket, "One of its pockets, as top-left")->required();
+  CLI::App* command = app.add_subcommand("pocket", "Show which lines of a ball a pocket takes");
+  command->add_option("table", a->table, "A table by its name or as JSON")->required();
+  command->add_option("pocket", a->pocket, "One of its pockets, such as top-left")->required();
   command->add_option("--speed", a->speeds, "Speeds of the ball, three mouths before the pocket [m/s]")
       ->check(CLI::Range(slowest, fastest))
       ->capture_default_str();

@@ -124,7 +124,7 @@ int run(const Arguments& a) {
   make_folder(folder / "figures");
   const bool gnuplot = has_gnuplot();
   const Settings settings{a.quick, a.shots > 0 ? a.shots : a.quick ? quick_shots : full_shots};
-  const Page page{fmt::format("{}; {} run, {} shots a point", machine(), a.quick ? "quick" : "full", settings.shots),
+  const Page page{fmt::format("{}; {} run, {} shots per point", machine(), a.quick ? "quick" : "full", settings.shots),
                   measure_all(folder, parts, settings)};
   const std::vector<std::string> figures = draw(folder, page.sections, gnuplot);
   write_file((folder / "report.md").string(), to_markdown(page, figures));
@@ -141,18 +141,18 @@ Run add(CLI::App& app) {
   command->add_option("-o,--output", a->folder, "The folder to write index.html, report.md, figures and CSV files into")
       ->required()
       ->check(file_name);
-  command->add_flag("--quick", a->quick, "Fewer shots and coarser ranges: under a minute");
+  command->add_flag("--quick", a->quick, "Use fewer shots and coarser ranges: under a minute");
 #if BANKSHOT_LEARN
   command->add_option("--recordings", a->recordings,
-                      "Tracked shots, one JSON a line: a section more says which law of the cushions explains them");
+                      "Recordings, one per line; an extra section says which cushion law explains them");
 #endif
-  command->add_option("--sections", a->sections, "These alone")
+  command->add_option("--sections", a->sections, "Measure these sections alone")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(part_names()));
-  command->add_option("--shots", a->shots, "Shots a point of a curve")->group("");  // for tests
+  command->add_option("--shots", a->shots, "Shots per point of a curve")->group("");  // for tests
   explain(
-      *command, "The page opens offline. Every figure has its CSV beside it; docs/csv.md has their columns.",
+      *command, "The page opens offline. Every figure has its CSV beside it; docs/csv.md describes their columns.",
       {
         {"bankshot report -o report --quick", "in under a minute"},
 #if BANKSHOT_LEARN

@@ -28,10 +28,10 @@ int run(const Arguments& a) {
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("schema", "Print the format of a file as a JSON Schema (draft 2020-12)");
-  command->add_option("document", a->document, "Which")
+  command->add_option("document", a->document, "The kind of file")
       ->type_name("TEXT:{puzzle,shot,answer,recording}")
       ->capture_default_str();
-  command->add_flag("--markdown", a->markdown, "The tables of docs/format.md instead");
+  command->add_flag("--markdown", a->markdown, "Print the tables of docs/format.md instead");
   explain(
       *command,
       "What a schema refuses, the program refuses too. The program also knows geometry: whether a ball lies on the\n"

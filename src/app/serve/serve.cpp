@@ -52,10 +52,10 @@ int run(const Arguments& a) {
 
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("serve", "The table in a browser, and answers over HTTP");
-  command->add_option("--host", a->server.host, "Listen at this address; any but loopback lets others in")
+  CLI::App* command = app.add_subcommand("serve", "Show the table in a browser, and answer over HTTP");
+  command->add_option("--host", a->server.host, "Listen at this address; any but loopback lets other machines in")
       ->capture_default_str();
-  command->add_option("--port", a->server.port, "At this port; 0 is any that is free")
+  command->add_option("--port", a->server.port, "Listen at this port; 0 takes any free one")
       ->capture_default_str()
       ->check(CLI::Range(0, 65535));
   command->add_option("--time-limit", a->server.time_limit, "Seconds a request may take")
@@ -64,14 +64,15 @@ Run add(CLI::App& app) {
   command->add_flag("--open", a->open, "Open the page in a browser");
   explain(
       *command,
-      "POST a puzzle to /api/solve, a shot to /api/simulate, a puzzle to /api/map?grid=40,20 (from where can it be\n"
-      "made?) or /api/launches?angle=30,40&speed=2,4 (by which launches?); GET /api/tables and\n"
-      "/api/schema?document=puzzle. Flags are query parameters of the same names (?all&path&budget=500), and the\n"
-      "answer to /api/solve is the bytes of `bankshot solve --json` with the same flags. What is wrong with a\n"
-      "request is answered with 400 and {\"path\", \"reason\"}; a search that takes longer than the limit ends with\n"
-      "what it has, and one whose client goes away ends; 503 and Retry-After ask to come back. A body has at most\n"
-      "1 MB, and a request 10 s to arrive. One with the header Bankshot-Page ends older ones with the same. Pages\n"
-      "from elsewhere may not ask.",
+      "POST a puzzle to /api/solve, /api/map?grid=40,20 (from where can it be made?) or\n"
+      "/api/launches?angle=30,40&speed=2,4 (by which launches?). POST a shot to /api/simulate. GET /api/tables and\n"
+      "/api/schema?document=puzzle. Flags are query parameters of the same names (?all&path&budget=500). The answer\n"
+      "to /api/solve has the bytes of `bankshot solve --json` with the same flags. A faulty request is answered with\n"
+      "400 and {\"path\", \"reason\"}. A search that exceeds the time limit ends with what it has; one whose client "
+      "has\n"
+      "gone ends too. 503 and Retry-After ask the client to come back. A body has at most 1 MB, and a request may\n"
+      "take 10 s to arrive. A request with the header Bankshot-Page ends older ones with the same value. Pages from\n"
+      "other origins are refused.",
       {{"bankshot serve --open", "the page"},
        {"curl --json @puzzle.json 'localhost:8080/api/solve?all'", "every shot, from another program"}},
       "0 ended by Ctrl-C or a polite kill; 2 bad usage, or the port is taken.");

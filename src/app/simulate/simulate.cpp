@@ -139,7 +139,9 @@ Run add(CLI::App& app) {
   CLI::App* command = app.add_subcommand("simulate", "Simulate one shot and list its events");
   command->add_option("shot", a->file, "A shot in JSON; - reads standard input")->capture_default_str();
   add_picture_flags(*command, a->picture);
-  command->add_option("--csv", a->csv, "Write t,ball,x,y,vx,vy,wx,wy,wz to this file; - writes it in the text's place")
+  command
+      ->add_option("--csv", a->csv,
+                   "Write the path as t,ball,x,y,vx,vy,wx,wy,wz to this file; - prints it instead of the text")
       ->check(file_or_output);
   command->add_option("--rate", a->rate, "Rows per second of the CSV")
       ->capture_default_str()
@@ -147,25 +149,26 @@ Run add(CLI::App& app) {
   command->add_flag("--json", a->json, "One line of JSON instead of text");
   CLI::Option* const record =
       command
-          ->add_option("--record", a->record, "Print what a camera would see, so often a second: a recording for fit")
+          ->add_option("--record", a->record, "Print what a camera with this frame rate would see: a recording for fit")
           ->check(CLI::Range(1.0, 1e4));
-  command->add_option("--noise", a->noise, "mm by which each coordinate of a recording errs, one standard deviation")
+  command->add_option("--noise", a->noise, "Standard deviation of each coordinate of a recording, in mm")
       ->check(CLI::Range(0.0, 100.0))
       ->needs(record);
   command->add_option("--drop", a->drop, "Share of a recording's samples that are missing")
       ->check(CLI::Range(0.0, 0.99))
       ->needs(record);
-  command->add_option("--seed", a->seed, "Other seeds, other errors of a recording")
+  command->add_option("--seed", a->seed, "Seed of the errors of a recording")
       ->needs(record)
       ->check(service::whole_number);
-  explain(*command,
-          "A shot is a scene and a launch; a puzzle with a shot of its answer is one too, and its other keys are not\n"
-          "read. It ends at rest, in a pocket, or where \"until\" says. A name that ends in .gz is packed.",
-          {{"bankshot simulate shot.json", "its events, one a line"},
-           {"bankshot simulate shot.json --csv - --rate 100", "its path, 100 points a second"},
-           {"bankshot simulate shot.json --record 60 --noise 2 --drop 0.1", "what a camera would see of it"},
-           {"bankshot simulate shot.json --json --svg shot.svg", "its events as JSON, and a picture"}},
-          "0 done; 2 bad input or usage.");
+  explain(
+      *command,
+      "A shot is a scene and a launch. A puzzle with a shot of its answer is one too; its other keys are not read.\n"
+      "The shot ends at rest, in a pocket, or as \"until\" says. A file whose name ends in .gz is packed.",
+      {{"bankshot simulate shot.json", "its events, one per line"},
+       {"bankshot simulate shot.json --csv - --rate 100", "its path, 100 points per second"},
+       {"bankshot simulate shot.json --record 60 --noise 2 --drop 0.1", "what a camera would see of it"},
+       {"bankshot simulate shot.json --json --svg shot.svg", "its events as JSON, and a picture"}},
+      "0 done; 2 bad input or usage.");
   return [a] {
     output_is_free(a->csv, a->json);
     return run(*a);

@@ -59,26 +59,27 @@ Run add(CLI::App& app) {
   command
       ->add_option(
           "--csv", a->csv,
-          "Write the path, t,ball,x,y,vx,vy,wx,wy,wz, to this file; - writes it in the text's place; with --all "
-          "the last column is the shot's number")
+          "Write the path as t,ball,x,y,vx,vy,wx,wy,wz to this file; - prints it instead of the text; with --all "
+          "a last column numbers the shots")
       ->check(file_or_output);
   command->add_flag("--json", a->json, "One line of JSON instead of text");
-  explain(*command,
-          "Where to aim is told in diamonds: where the line of aim crosses the line of diamonds, 94 mm (3 11/16\n"
-          "inches, as the WPA has it) behind the nose of the cushion. They count from 0 at the left or at the bottom,\n"
-          "to 8 on long rails and 4 on short ones. Speeds are named after Alciatore: soft touch below 1 mph, slow\n"
-          "below 2, medium below 4, fast below 7, power shot below 10, powerful break from 25; a lag goes from the\n"
-          "head string to the foot cushion and back to the head cushion. docs/format.md says what a puzzle and an "
-          "answer hold, `bankshot schema` prints it as a JSON\n"
-          "Schema. A name that ends in .gz is packed.",
-          {{"bankshot solve puzzle.json", "the best shot, as text"},
-           {"bankshot solve puzzle.json --svg shot.svg", "and a picture of it"},
-           {"bankshot solve puzzle.json --json --all --path", "every shot with its path, as JSON"},
-           {"bankshot solve puzzle.json --csv -", "the path as a table"},
-           {"bankshot solve puzzle.json --noise league", "the best shot of a league player"},
-           {"bankshot solve --noise list", "the players, and where their errors come from"},
-           {"bankshot solve --planner list", "the planners"}},
-          "0 solved; 1 no shot, or the budget ran out; 2 bad input or usage.");
+  explain(
+      *command,
+      "The aim is given in diamonds: the point where the line of aim crosses the line of diamonds, 94 mm (3 11/16\n"
+      "inches, by the rules of the WPA) behind the nose of the cushion. Diamonds count from 0 at the left or at the\n"
+      "bottom, to 8 on long rails and to 4 on short ones. Names of speeds are those of Alciatore: soft touch below\n"
+      "1 mph, slow below 2, medium below 4, fast below 7, power shot below 10, powerful break from 25. The lag speed\n"
+      "just takes a ball from the head string to the foot cushion and back to the head cushion.\n"
+      "docs/format.md has the format of puzzles and answers; `bankshot schema` prints it as a JSON Schema. A file\n"
+      "whose name ends in .gz is packed.",
+      {{"bankshot solve puzzle.json", "the best shot, as text"},
+       {"bankshot solve puzzle.json --svg shot.svg", "the best shot and a picture of it"},
+       {"bankshot solve puzzle.json --json --all --path", "every shot with its path, as JSON"},
+       {"bankshot solve puzzle.json --csv -", "the path as a table"},
+       {"bankshot solve puzzle.json --noise league", "the best shot of a league player"},
+       {"bankshot solve --noise list", "the players, and where their errors come from"},
+       {"bankshot solve --planner list", "the planners"}},
+      "0 solved; 1 no shot, or the budget ran out; 2 bad input or usage.");
   return [a] {
     output_is_free(a->csv, a->json);
     return run(*a);

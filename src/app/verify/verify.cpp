@@ -177,18 +177,19 @@ Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("verify", "Replay every shot of many answers in 50 digits and check what they claim");
-  command->add_option("puzzles", a->puzzles, "Puzzles, one JSON a line; - reads standard input")->required();
+  command->add_option("puzzles", a->puzzles, "Puzzles, one per line; - reads standard input")->required();
   command->add_option("shots", a->answers, "Their answers, line by line in the same order; - reads standard input")
       ->required();
-  command->add_option("--noise", a->player, "The player whom `batch --noise` named");
+  command->add_option("--noise", a->player, "The player that `batch --noise` named");
   explain(
       *command,
-      "Checked of each shot: launch speed and aim inside their bounds, the spin, the cushions (as asked, and as\n"
-      "met), the target made with nothing in the way, its miss, place, time and speed of arrival, condition,\n"
-      "both ends of each margin and 50 launches inside, success against 1,000 seeded draws, and value. A place may be "
-      "off\n"
-      "by 1e-9 of the table's diagonal, or by what rounding does under the shot's condition where that is more. An\n"
-      "answer that fails is a line FILE:LINE: ID. A name that ends in .gz is unpacked.",
+      "These are checked for each shot: launch speed and aim inside their bounds, the spin, the cushions (as asked "
+      "and\n"
+      "as met), the target made with nothing in the way, its miss, place, time and speed of arrival, condition, both\n"
+      "ends of each margin and 50 launches inside, success against 1,000 seeded draws, and value. A place may be off "
+      "by\n"
+      "1e-9 of the table's diagonal, or by what rounding does under the shot's condition if that is more. An answer\n"
+      "that fails is printed as FILE:LINE: ID. A file whose name ends in .gz is unpacked.",
       {{"bankshot verify puzzles.jsonl shots.jsonl", "the claims, and how far off the worst is"}},
       "0 every claim holds; 1 some answer fails; 2 a file is bad, or bad usage.");
   return [a] { return run(a->puzzles, a->answers, a->player); };
