@@ -36,11 +36,11 @@ std::string explain(const SearchRequest& request, const Failure& f) {
     case FailureReason::fell_short:
       return "stops before the target";
     case FailureReason::wrong_cushion:
-      return fmt::format("meets cushion {} out of turn", cushion());
+      return fmt::format("meets cushion {} out of order", cushion());
     case FailureReason::extra_cushion:
       return fmt::format("meets cushion {} before the target", cushion());
     case FailureReason::in_place:
-      return fmt::format("is launched into {}, where it stands", cushion());
+      return fmt::format("is launched into {}, which it already touches", cushion());
     case FailureReason::pocketed:
       return fmt::format("falls into pocket {} first", cushion());
     case FailureReason::hit_ball:
@@ -53,7 +53,7 @@ std::string explain(const SearchRequest& request, const Failure& f) {
       return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
     case FailureReason::too_slow:
       if (request.stop && deceleration(request.puzzle().physics) == 0)
-        return "never stops, for the rolling friction is 0";
+        return "never stops, because the rolling friction is 0";
       return fmt::format("needs {:.4g} m/s or less, and the bound is {:.4g} m/s", f.speed, v.low);
     case FailureReason::too_long:
       return fmt::format("needs a longer path than a launch at {:.4g} m/s can roll", v.high);
@@ -90,17 +90,17 @@ std::string reasons(const SearchRequest& request, const SearchResult& found) {
   std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.times > b.times; });
   std::string out;
   for (std::size_t i = 0; i < std::min(settings::most_reasons_named, by_count.size()); ++i)
-    out += fmt::format("{}it {} ({} of those tried)", i ? "; " : "", explain(request, by_count[i].failure),
+    out += fmt::format("{}it {} ({} of the launches tried)", i ? "; " : "", explain(request, by_count[i].failure),
                        by_count[i].times);
   if (by_count.size() > settings::most_reasons_named)
     out += fmt::format("; and {} other reason{}", by_count.size() - settings::most_reasons_named,
                        by_count.size() > settings::most_reasons_named + 1 ? "s" : "");
   if (!out.empty()) return out;
-  return found.proved ? "no path has the bounces asked" : "no launch was found that reaches the target as asked";
+  return found.proved ? "no path has the cushions asked for" : "no launch was found that reaches the target as asked";
 }
 
 std::string asked_cushions(const CushionRule& c) {
-  if (c.sequence) return "the cushions asked, in that order";
+  if (c.sequence) return "the cushions asked for, in that order";
   if (c.min == c.max) return fmt::format("exactly {} cushion{}", c.min, c.min == 1 ? "" : "s");
   return fmt::format("{} to {} cushions", c.min, c.max);
 }
@@ -109,8 +109,7 @@ std::string asked_cushions(const CushionRule& c) {
 std::string uncertain(const SearchRequest& request, const Shot& shot) {
   if (!shot.verification.digits) return "";
   if (*shot.verification.digits == 0) return "; how often it bounces at its target is up to rounding";
-  return fmt::format("; its condition leaves {} digits: in exact numbers the arrival may be {:.1g} m off",
-                     *shot.verification.digits,
+  return fmt::format("; rounding leaves {} digits: the true arrival may be {:.1g} m away", *shot.verification.digits,
                      request.problem->boundary.diagonal * std::pow(10, -*shot.verification.digits));
 }
 
@@ -122,10 +121,10 @@ std::string why_beside(const SearchRequest& request, const Shot& shot) {
   const auto root = newton({own, route, request.problem->aim_point_of(shot)}, aside, shot.launch, settings::wide);
   const auto& cuts = request.problem->aim_point_of(shot).cuts;
   const bool any_cut = cuts && cuts->high - cuts->low >= 2 * request.problem->aim_point_of(shot).reach;
-  const std::string where = fmt::format("; it is made beside the {}: ", request.problem->drops() ? "exact line"
-                                                                        : cuts && !any_cut       ? "cut that is asked"
-                                                                        : cuts                   ? "middle of the ball"
-                                                                               : "middle of the target");
+  const std::string where = fmt::format("; it is made off the {}: ", request.problem->drops() ? "exact line"
+                                                                     : cuts && !any_cut       ? "cut that is asked"
+                                                                     : cuts                   ? "middle of the ball"
+                                                                                              : "middle of the target");
   if (!root) return where + "no launch by its cushions leads there";
   const Proof proof = prove(own, aside, root.launch, Goal::along(shot, Demand::exact));
   return where + "there it " + explain(request, proof.failure);
@@ -133,7 +132,7 @@ std::string why_beside(const SearchRequest& request, const Shot& shot) {
 
 std::string solved(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found,
                    const Answer& a, std::size_t distinct) {
-  std::string text = request.first() ? "the first shot found, there may be better ones"
+  std::string text = request.first() ? "the first shot found; there may be better ones"
                      : distinct == 1 ? "one shot found"
                      : request.all() ? fmt::format("{} distinct shots found", distinct)
                                      : fmt::format("the best of {} shots found; --all prints each", distinct);
@@ -142,7 +141,7 @@ std::string solved(const SearchRequest& request, const EvaluationBudget& budget,
   if (found.plenty && !request.first()) text += "; the search stopped there, so others were not compared";
   if (a.shots.front().path.touches_jaws)
     text += request.problem->safest() ? "; it touches the jaws of a pocket"
-                                      : "; it counts on jaws, since none was found that touches none";
+                                      : "; it touches the jaws of a pocket, because no shot was found that avoids them";
   if (a.shots.front().verification.off_centre && !a.shots.front().provenance.moved && !request.problem->safest())
     text +=
         as_struck(request, a.shots.front(), [&](const SearchRequest& own) { return why_beside(own, a.shots.front()); });
@@ -158,7 +157,7 @@ std::string solved(const SearchRequest& request, const EvaluationBudget& budget,
   if (budget.cut() && found.not_searched >= 0)
     text += fmt::format("; not all shots by {} cushions or more were searched", found.not_searched);
   if (found.improvement_sought && !budget.cut())
-    text += fmt::format("; routes narrower than {:.0f}° of aim were not all looked at: there may be a better one",
+    text += fmt::format("; not all routes narrower than {:.0f}° of aim were searched, so there may be a better one",
                         degrees(settings::automatic::improvement.narrowest));
   if (request.all() && !found.complete && !budget.cut())
     text += "; there may be more: shots in a narrow range of aims can be missed";
@@ -167,16 +166,16 @@ std::string solved(const SearchRequest& request, const EvaluationBudget& budget,
 
 std::string no_shot(const SearchRequest& request, const SearchResult& found) {
   if (const Contact ball = request.problem->covering())
-    return fmt::format("proved: {} covers the target", contact_name(request.puzzle(), ball));
+    return fmt::format("certified: {} covers the target", contact_name(request.puzzle(), ball));
   if (found.proved)
-    return fmt::format("proved: every path with {} was tried, and {}", asked_cushions(request.cushions()),
+    return fmt::format("certified: every path with {} was tried, and {}", asked_cushions(request.cushions()),
                        reasons(request, found));
   const Range& v = request.speed;
   const std::string speeds = v.fixed() ? fmt::format("the launch speed {:.4g} m/s", v.low)
                                        : fmt::format("launch speeds {:.4g} to {:.4g} m/s", v.low, v.high);
   const std::string how = !request.problem->objects  ? ""
                           : request.problem->carom() ? ", a grid of aims across the first ball"
-                                                     : ", one root of each chain of routes";
+                                                     : ", one launch per route";
   return fmt::format("searched {} and aims {} with {}{}: {}", speeds, aims(request), asked_cushions(request.cushions()),
                      how, reasons(request, found));
 }

@@ -129,7 +129,7 @@ class ShotCheck {
     compare(Claim::miss, no_line ? 0 : std::abs(miss - shot_.verification.miss), place_,
             fmt::format("says {:.6g} m and misses by {:.6g} m", shot_.verification.miss, miss));
     if (there.touches_jaws != shot_.path.touches_jaws)
-      return fails(Claim::form, there.touches_jaws ? "touches jaws and does not say so" : "says that it rattles"),
+      return fails(Claim::form, there.touches_jaws ? "touches jaws and does not say so" : "says that it touches jaws"),
              void();
     if (!shot_.verification.off_centre)
       compare(Claim::centre, miss, place_, "does not reach the centre and does not say so");

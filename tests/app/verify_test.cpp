@@ -113,7 +113,7 @@ TEST_CASE("verify: jaws that are touched after the target was passed do not coun
     // An answer that claims a jaw shot for a shot without jaws is refused.
     Json lies = Json::parse(to_json(puzzle, answer, false));
     lies["shots"][0]["rattles"] = true;
-    CHECK_THAT(verify(p + "\n", lies.dump() + "\n").out, Contains("form: says that it rattles"));
+    CHECK_THAT(verify(p + "\n", lies.dump() + "\n").out, Contains("form: says that it touches jaws"));
   }
   CHECK(jaws > 0);
 }

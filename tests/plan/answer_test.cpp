@@ -37,12 +37,12 @@ bool made(const Puzzle& p, const Shot& shot, double speed, double angle) {
 
 }  // namespace
 
-TEST_CASE("a no-shot on a convex table without obstacles is proved, and says what failed") {
+TEST_CASE("a no-shot on a convex table without obstacles is certified, and says what failed") {
   Puzzle p = plain(ideal_physics());
   p.cushions = CushionRule::in_order({Contact::rail(0), Contact::rail(2), Contact::rail(0), Contact::rail(0)});
   const Answer a = solve(p);
   CHECK(a.status == Status::no_shot);
-  CHECK(says(a.message, "proved"));
+  CHECK(says(a.message, "certified"));
   REQUIRE(a.nearest);
   CHECK_FALSE(a.nearest->why.empty());
 }
@@ -137,13 +137,13 @@ TEST_CASE("a ball that passes the point on its way is as likely as it is") {
   CHECK(*solve(p).shots.at(0).robustness.success > best - 0.005);
 }
 
-TEST_CASE("where jaws may turn a ball in, nothing is proved by straight lines") {
+TEST_CASE("where jaws may turn a ball in, nothing is certified by straight lines") {
   // A shot by these cushions drops off the jaws; no line leads straight into the pocket.
   const Puzzle p = read_puzzle(R"({"table": "pool-8ft", "physics": "rolling",
     "ball": {"at": [0.5226075263862454, 0.09239981811862226]}, "target": {"pocket": "top-middle"},
     "cushions": ["bottom", "left", "bottom"], "arrive": {"speed": 2.0900407724829204}})");
   const Answer a = solve(p);
-  CHECK_FALSE(says(a.message, "proved"));
+  CHECK_FALSE(says(a.message, "certified"));
   CHECK((a.status == Status::no_shot || a.shots.at(0).path.touches_jaws));
 }
 

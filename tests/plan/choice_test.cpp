@@ -130,7 +130,7 @@ TEST_CASE("a no-shot names the bound of the speed, from either side") {
   };
   CHECK_THAT(message(R"("cushions": 5, "speed": [0.1, 1]})"), Catch::Contains("would do it, and the bound is 1 m/s"));
   CHECK_THAT(message(R"("cushions": 2, "speed": [8, 9], "arrive": {"speed": 0.3}})"),
-             Catch::Contains("would do it, and the bound is 8 m/s") && !Catch::Contains("no path has the bounces"));
+             Catch::Contains("would do it, and the bound is 8 m/s") && !Catch::Contains("no path has the cushions"));
 }
 
 TEST_CASE("in ideal physics the ball keeps the speed that is asked at its target") {

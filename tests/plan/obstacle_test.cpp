@@ -42,14 +42,14 @@ TEST_CASE("a ball in the way is named, and that its absence would open the shot"
   CHECK(a.status == Status::no_shot);
   CHECK(a.message.find(R"(it runs into ball "8" first)") != std::string::npos);
   CHECK(a.message.find(R"(without ball "8" there is a shot)") != std::string::npos);
-  CHECK(a.message.find("proved") == std::string::npos);
+  CHECK(a.message.find("certified") == std::string::npos);
 }
 
 TEST_CASE("a ball on the target is said to cover it") {
   const Answer a =
       solved(R"("target": {"point": [1.9, 0.4]}, "others": [{"id": "8", "at": [1.87, 0.42]}], "physics": "rolling")");
   CHECK(a.status == Status::no_shot);
-  CHECK(a.message.find(R"(proved: ball "8" covers the target)") != std::string::npos);
+  CHECK(a.message.find(R"(certified: ball "8" covers the target)") != std::string::npos);
   CHECK(a.simulations == 0);
 }
 

@@ -138,7 +138,7 @@ TEST_CASE("distances are told as people tell them") {
 TEST_CASE("the tip's place has words, and a warning beyond half the radius") {
   CHECK(tip_words(shot(1, 0)) == "in the centre");
   CHECK(tip_words(shot(1, 0, {.top = -0.5, .side = 1})) == "5.7 mm below the centre, 11.4 mm to the right");
-  CHECK_THAT(tip_words(shot(1, 0, {.side = -1.3})), Contains("14.9 mm to the left; it may slip off, 52 %"));
+  CHECK_THAT(tip_words(shot(1, 0, {.side = -1.3})), Contains("14.9 mm to the left; a miscue is likely: 52 %"));
   CHECK(may_miscue({.top = 1.3}));
   CHECK(!may_miscue({.top = 0.9, .side = 0.8}));
   ShotRequest rolling = shot(1, 0);
@@ -183,7 +183,7 @@ TEST_CASE("where the cue ball stops is told by the rails that are nearer, a scra
   s.robustness.margin = Margin{{0, 0}, {0, 0}};
   const Answer falls{.status = Status::solved, .shots = {s}, .message = "one shot found"};
   CHECK_THAT(to_text(p, falls), Contains("\n  SCRATCH: the cue ball falls into " + p.table.pockets[3].name + "\n"));
-  CHECK(row(p, s, "margin") == "none, for the cue ball falls");
+  CHECK(row(p, s, "margin") == "none, because the cue ball falls into a pocket");
   Puzzle polygon = p;
   polygon.table = polygon_table({{0, 0}, {2, 0}, {1, 1.5}});
   CHECK(place_words(polygon.table, {1, 0.5}) == "at x = 1.00 m, y = 0.50 m");

@@ -82,12 +82,13 @@ Run add(CLI::App& app) {
   command->add_option("-o,--output", a->page, "Write the page to this file, .html or .svg")
       ->required()
       ->check(page_name);
-  explain(*command,
-          "As many puzzles as there are, in their order. The headings say what is in it: how hard (see `bankshot help\n"
-          "generate`), and which have one answer. A puzzle whose \"about\" holds a \"title\" is headed by it.",
-          {{"bankshot book puzzles.jsonl -o book.html", "a page for a browser or a printer"},
-           {"bankshot book puzzles.jsonl -o book.svg", "one large picture"}},
-          "0 done; 1 no puzzle was solved; 2 bad input or usage.");
+  explain(
+      *command,
+      "The page has all puzzles in their order. Headings say how hard the puzzles are (see `bankshot help generate`)\n"
+      "and which have one answer. If the \"about\" of a puzzle holds a \"title\", that is its heading.",
+      {{"bankshot book puzzles.jsonl -o book.html", "a page for a browser or a printer"},
+       {"bankshot book puzzles.jsonl -o book.svg", "one large picture"}},
+      "0 done; 1 no puzzle was solved; 2 bad input or usage.");
   return [a] { return run(*a); };
 }
 

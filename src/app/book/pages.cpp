@@ -25,7 +25,7 @@ std::string subtitle(std::span<const Entry> book) {
   const auto solved = std::count_if(book.begin(), book.end(), [](const Entry& e) { return e.solved; });
   const bool all = solved == static_cast<long>(book.size());
   return (all ? "every answer" : fmt::format("{} answer{}", solved, solved == 1 ? "" : "s")) +
-         std::string(" found by bankshot and proved by a forward simulation");
+         std::string(" found by bankshot and verified by a simulation");
 }
 
 constexpr std::string_view style =

@@ -191,7 +191,7 @@ std::string tip_words(const ShotRequest& r) {
   if (text.empty()) text = "in the centre";
   if (!carries_spin(r.physics)) return text + ", so that it rolls from the start";
   if (may_miscue(s))
-    raised += fmt::format("; it may slip off, {:.0f} % of the radius from the centre, where half is the limit",
+    raised += fmt::format("; a miscue is likely: {:.0f} % of the radius from the centre, where half is the limit",
                           100 * tip_of(s, 1).from_centre());
   return text + raised;
 }
@@ -315,7 +315,7 @@ void add_hits(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
     rows.push_back(
         {i == 0 ? "touches" : "onto", hit_words(p, shot.path.hits[i], i == 0 ? 0 : shot.path.then[i - 1].ball)});
     if (!shot.path.then[i].cushions.empty())
-      rows.push_back({"which", "goes by " + cushion_names(p.table, shot.path.then[i].cushions)});
+      rows.push_back({"bank", "off " + cushion_names(p.table, shot.path.then[i].cushions)});
   }
   if (!shot.path.hits.empty()) rows.push_back({"ghost", "ball " + place_words(p.table, shot.path.hits.front().at)});
 }
@@ -349,7 +349,7 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   add_leave(p, shot, rows);
   if (shot.robustness.success) rows.push_back({"success", success_words(shot) + " for " + player_words(p.noise)});
   if (shot.robustness.margin && shot.path.scratch && !is_ideal(p.physics))
-    rows.push_back({"margin", "none, for the cue ball falls"});
+    rows.push_back({"margin", "none, because the cue ball falls into a pocket"});
   else if (shot.robustness.margin)
     for (Row& row : margin_rows(*shot.robustness.margin)) rows.push_back(std::move(row));
   rows.push_back({"note", "0.1 degrees of aim moves the arrival by " +
