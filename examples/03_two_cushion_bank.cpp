@@ -17,7 +17,7 @@ int main() {
                       .prefer = Prefer::soft};
   const Answer answer = solve(puzzle, {.all = true});
   for (const Shot& shot : answer.shots) {
-    fmt::print("{:8.4f} degrees  {:.4f} m/s  chance {:.2f} ", degrees(shot.launch.angle), shot.launch.speed,
+    fmt::print("{:8.4f} degrees  {:.4f} m/s  success {:.2f} ", degrees(shot.launch.angle), shot.launch.speed,
                *shot.robustness.success);
     for (const Contact cushion : shot.path.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
     fmt::print("\n");

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
                       .prefer = Prefer::soft};
   const Answer answer = solve(puzzle, {.all = true});
   for (const Shot& shot : answer.shots) {
-    fmt::print("{:8.3f} degrees  {:.3f} m/s  chance {:.2f} ", degrees(shot.launch.angle), shot.launch.speed,
+    fmt::print("{:8.3f} degrees  {:.3f} m/s  success {:.2f} ", degrees(shot.launch.angle), shot.launch.speed,
                *shot.robustness.success);
     for (const Contact cushion : shot.path.cushions) fmt::print(" {}", contact_name(puzzle.table, cushion));
     fmt::print("\n");

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     const Answer answer = solve(puzzle);
     const Shot& shot = answer.shots.at(0);
     const char* name = aim == Aim::centre ? "centre" : "safest";
-    fmt::print("{}: {:.3f} degrees, {:.3f} m/s, rests {:.0f} mm beside the point, chance {:.2f}\n", name,
+    fmt::print("{}: {:.3f} degrees, {:.3f} m/s, rests {:.0f} mm beside the point, success {:.2f}\n", name,
                degrees(shot.launch.angle), shot.launch.speed, 1e3 * shot.verification.miss, *shot.robustness.success);
     paths.push_back({name, simulate(as_request(puzzle, shot))});
   }

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     const Answer answer = solve(puzzle);
     const Shot& shot = answer.shots.at(0);
     const char* name = own ? "soft rail" : "han2005";
-    fmt::print("{}: {:.2f} degrees, {:.2f} m/s, chance {:.2f}\n", name, degrees(shot.launch.angle), shot.launch.speed,
+    fmt::print("{}: {:.2f} degrees, {:.2f} m/s, success {:.2f}\n", name, degrees(shot.launch.angle), shot.launch.speed,
                *shot.robustness.success);
     paths.push_back({name, simulate(as_request(puzzle, shot))});
   }

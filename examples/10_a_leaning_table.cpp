@@ -20,8 +20,8 @@ Trajectory to_rest(const Puzzle& puzzle, const Launch& launch) {
 }
 
 void tell(const char* name, const Shot& shot) {
-  fmt::print("{}: aim {:.2f} degrees, {:.2f} m/s, chance {:.2f}\n", name, degrees(shot.launch.angle), shot.launch.speed,
-             *shot.robustness.success);
+  fmt::print("{}: aim {:.2f} degrees, {:.2f} m/s, success {:.2f}\n", name, degrees(shot.launch.angle),
+             shot.launch.speed, *shot.robustness.success);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ bool is_made(const Puzzle& puzzle, const Physics& truth, Launch launch, Random& 
          fell->contact.index == std::get<PocketTarget>(puzzle.target).pocket;
 }
 
-double chance(Puzzle puzzle, const Physics& planned, const Physics& truth) {
+double success(Puzzle puzzle, const Physics& planned, const Physics& truth) {
   puzzle.physics = planned;
   const Answer answer = solve(puzzle);
   if (answer.shots.empty()) return 0;
@@ -68,9 +68,9 @@ int main(int argc, char** argv) {
   double usual = 0, learnt = 0, known = 0;
   for (int i = 0; i < puzzles; ++i) {
     const Puzzle puzzle = generate(wish, random).value().puzzle;
-    usual += chance(puzzle, scene.physics, truth) / puzzles;
-    learnt += chance(puzzle, fit.physics, truth) / puzzles;
-    known += chance(puzzle, truth, truth) / puzzles;
+    usual += success(puzzle, scene.physics, truth) / puzzles;
+    learnt += success(puzzle, fit.physics, truth) / puzzles;
+    known += success(puzzle, truth, truth) / puzzles;
   }
   fmt::print("banks made: planned with usual values {:.0f} %, as learnt {:.0f} %, as it is {:.0f} %\n", 100 * usual,
              100 * learnt, 100 * known);

@@ -37,7 +37,7 @@ int main(void) {
   }
   speed = number(answer.data, "\"speed\":");
   angle = number(answer.data, "\"angle\":");
-  printf("aim %.3f degrees, speed %.3f m/s, chance %.2f\n", angle, speed, number(answer.data, "\"success\":"));
+  printf("aim %.3f degrees, speed %.3f m/s, success %.2f\n", angle, speed, number(answer.data, "\"success\":"));
 
   if (bankshot_verify(puzzle, strlen(puzzle), answer.data, answer.length, &report) == BANKSHOT_DONE)
     printf("every claim of it holds\n");

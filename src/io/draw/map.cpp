@@ -105,26 +105,26 @@ std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<co
 
 std::string draw(const Puzzle& p, const StartMap& m, Theme theme) {
   double slowest = HUGE_VAL, fastest = 0;
-  bool success = false;
+  bool has_success = false;
   for (std::size_t i = 0; i < m.starts.size(); ++i)
     if (const Shot* s = shot_from(m, i)) {
       slowest = std::min(slowest, s->launch.speed);
       fastest = std::max(fastest, s->launch.speed);
-      success = success || s->robustness.success;
+      has_success = has_success || s->robustness.success;
     }
-  std::vector<LegendEntry> chance, speed;
+  std::vector<LegendEntry> success, speed;
   for (int i = 0; i <= 4; ++i) {
     const double part = i / 4.0;
-    chance.push_back({fmt::format("{:.0f} %", 100 * part), colour(part)});
+    success.push_back({fmt::format("{:.0f} %", 100 * part), colour(part)});
     // Slow is light, so that both maps are light at good starts. The scale is even in ln speed.
     if (i == 0 ? fastest > 0 : fastest > slowest)
       speed.push_back({fmt::format("{:.3g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
   }
   Chapter page{"", "", {}};
-  if (success)
+  if (has_success)
     page.plates.push_back(
-        {heat(p, m, chance, "chance", theme, [](const Shot& s) { return s.robustness.success.value_or(0); }),
-         "How robust? The chance that the best shot from here is made",
+        {heat(p, m, success, "success", theme, [](const Shot& s) { return s.robustness.success.value_or(0); }),
+         "How robust? The success of the best shot from here",
          {}});
   const double decades = fastest > slowest ? std::log(fastest / slowest) : 1;
   page.plates.push_back({heat(p, m, speed, "speed", theme,

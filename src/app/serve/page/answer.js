@@ -53,7 +53,7 @@ export function words(shot, aim, length) {
     ['tip', tip || 'in the centre'],
     ['arrives', `after ${shot.arrival.time.toFixed(2)} s at ${shot.arrival.speed.toFixed(2)} m/s`],
   ];
-  if (shot.success !== undefined) rows.push(['chance', percent(shot.success)]);
+  if (shot.success !== undefined) rows.push(['success', percent(shot.success)]);
   if (shot.margin?.angle.every((v) => v !== null)) {
     const [less, more] = shot.margin.angle.map((v) => Math.abs(v).toFixed(2));
     rows.push(['margin', `${less}° to the right, ${more}° to the left`]);

@@ -105,7 +105,7 @@ function show() {
   drawTip({ side: scene.side, top: scene.top });
   $('tip').toggleAttribute('aria-disabled', scene.physics !== 'spin' || scene.choose);
   const sent = scene.target === state.anyBall;
-  const any = sent ? 'of the ball that is sent on' : 'any order; click cushions to set one';
+  const any = sent ? 'cushions of the object ball' : 'any order; click cushions to set one';
   $('order').firstElementChild.textContent = (!sent && scene.order.join(', then ')) || any;
   $('unordered').hidden = sent || scene.order.length === 0;
   form.elements.least.disabled = sent || scene.order.length > 0;

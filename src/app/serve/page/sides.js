@@ -13,7 +13,7 @@ function question(scene, { cushions, then, speed }) {
   return { ...state.puzzle(scene), cushions, ...target, ...fixed };
 }
 
-const none = 'knows no such shot';
+const none = 'has no such shot';
 
 const lower = (words) => words[0].toLowerCase() + words.slice(1);
 const launch = ({ angle, speed }) => `${angle.toFixed(2)}° at ${speed.toFixed(2)} m/s`;
