@@ -24,7 +24,7 @@ void check_beside_centre(Puzzle p) {
   REQUIRE(a.status == Status::solved);
   CHECK(test::check_shot(p, a.shots[0]).problem == "");
   CHECK(a.shots[0].verification.miss > 1e-9 * p.table.diagonal());
-  CHECK(a.message.find(is_pocket(p.target) ? "beside the exact line" : "beside the middle of the target") !=
+  CHECK(a.message.find(is_pocket(p.target) ? "off the exact line" : "off the middle of the target") !=
         std::string::npos);
 }
 

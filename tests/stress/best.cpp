@@ -127,7 +127,7 @@ std::optional<Contender> contender(const Answer& a) {
 }
 
 bool says_so(const std::string& message) {
-  for (const char* words : {"better", "not compared", "not looked at"})
+  for (const char* words : {"better", "not compared", "not all routes"})
     if (message.find(words) != std::string::npos) return true;
   return false;
 }
