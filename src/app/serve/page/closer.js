@@ -104,8 +104,8 @@ export class Closer {
     if (!shot) return;
     if (!this.aimed) say('');
     if (!$('mirror').checked) return;
-    if (shot.then) return say('No mirror image: this shot moves an object ball.');
-    if (!shot.cushions.length) return say('Straight: a mirror image changes nothing.');
+    if (shot.then) return say('No mirror: this shot moves an object ball.');
+    if (!shot.cushions.length) return say('Straight: a mirror changes nothing.');
     const [scene, table] = [this.page.scene(), this.page.table()];
     const to = scene.target === 'point' ? scene.point : shot.arrival.at;
     const launch = { ...shot, angle: mirrorAim(table, scene.ball, to, shot.cushions) };
