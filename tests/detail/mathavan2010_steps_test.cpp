@@ -131,7 +131,7 @@ TEST_CASE("the series of a slide agrees with an integration over the normal impu
     s.vy[0] = from.vy;
     s.work[0] = 0;
     constexpr double unit = 0.05;
-    const std::size_t clock = i % 2;
+    const auto clock = static_cast<std::size_t>(i % 2);
     s.expand(nose, {true, true, false}, order, clock, unit, 1);
     // dP = unit (r / r0) dσ gives the impulse that σ = 1 stands for.
     double impulse = 0;

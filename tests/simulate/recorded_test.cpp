@@ -14,8 +14,6 @@ using namespace bankshot;
 
 namespace {
 
-constexpr double g = 9.81;
-
 /// A ball that rolls on a table of 3 m by 2 m.
 ShotRequest rolling_shot(double speed, double angle = 0) {
   return {.table = rectangle_table(3, 2), .ball = {.at = {1, 1}}, .launch = {speed, angle}};
