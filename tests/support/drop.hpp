@@ -11,7 +11,7 @@
 namespace bankshot::test {
 
 /// Returns how far the exact line lies to the left of the line of travel of a ball that enters a pocket at `at` [m]; v
-/// need not be a unit vector. The opening comes from the library; tests/unit/opening_test.cpp checks it against its
+/// need not be a unit vector. The opening comes from the library; tests/geometry/opening_test.cpp checks it against its
 /// definition.
 inline double left_of_drop(const Boundary& boundary, Contact pocket, const Vec2d& at, const Vec2d& v) {
   const Circle& rim = *boundary.rim(pocket);
