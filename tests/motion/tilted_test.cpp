@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bankshot/detail/drag.hpp"
+#include "bankshot/detail/on_path.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/simulator.hpp"

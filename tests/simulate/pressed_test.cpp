@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bankshot/detail/pressed.hpp"
 #include "bankshot/numbers/random.hpp"
 #include "bankshot/simulate/many_balls.hpp"
 #include "support/catch.hpp"
