@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // JSON text: parsed without loss, read with the path of what is wrong, and written with the shortest decimals.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -85,10 +87,10 @@ TEST_CASE("a quotation is on one line and of a readable length, between whole ch
   CHECK(quote(Json("a\nb")) == R"("a\nb")");
   CHECK(quote_key("a\nb") == R"(a\nb)");
   const std::string cut = quote(Json(std::string(100, 'x')));
-  CHECK(cut == '"' + std::string(59, 'x') + "…");
+  CHECK(cut == fmt::format("\"{}…", std::string(59, 'x')));
   std::string umlauts;
   for (int i = 0; i < 50; ++i) umlauts += "ü";
-  CHECK(quote_key(umlauts) == umlauts.substr(0, 60) + "…");  // 60 bytes are 30 characters
+  CHECK(quote_key(umlauts) == fmt::format("{}…", umlauts.substr(0, 60)));  // 60 bytes are 30 characters
 }
 
 TEST_CASE("the writer puts commas between values, and escapes what JSON must") {

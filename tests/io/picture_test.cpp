@@ -2,6 +2,8 @@
 //
 // The parts of a picture: pixels of places, escaped words, colours that can be told apart, and what is drawn of tables,
 // paths, balls and captions.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -114,8 +116,8 @@ TEST_CASE("a table has six holes, and the diamonds that no pocket covers") {
   Canvas c(pool.table, {});
   draw_table(c, true);
   const std::string svg = c.document("");
-  for (const Pocket& p : pool.table.pockets) CHECK_THAT(svg, Contains(">" + p.name + "<"));
-  for (const std::string& name : pool.table.cushions) CHECK_THAT(svg, Contains(">" + name + "<"));
+  for (const Pocket& p : pool.table.pockets) CHECK_THAT(svg, Contains(fmt::format(">{}<", p.name)));
+  for (const std::string& name : pool.table.cushions) CHECK_THAT(svg, Contains(fmt::format(">{}<", name)));
   // Between the corners: seven on each long rail, without the one at the middle pocket, and three on each short one.
   CHECK(count(svg, "l4 5l-4 5l-4-5z") == 2 * 6 + 2 * 3);
   Canvas holes(pool.table, {});
@@ -132,7 +134,7 @@ TEST_CASE("a path is one line with a numbered ball at each bounce") {
   const std::string svg = c.document("");
   CHECK(count(svg, "<polyline") == 1);
   CHECK(count(svg, "<circle") == t.cushions);
-  for (int k = 1; k <= t.cushions; ++k) CHECK_THAT(svg, Contains(">" + std::to_string(k) + "</text>"));
+  for (int k = 1; k <= t.cushions; ++k) CHECK_THAT(svg, Contains(fmt::format(">{}</text>", k)));
   Canvas plain(pool.table, {});
   draw_path(plain, shot.ball, t, {.colour = "teal", .dashed = true, .ghosts = false});
   CHECK(count(plain.document(""), "<circle") == 0);
