@@ -125,7 +125,7 @@ TEST_CASE("the flags of solve set the puzzle's budget and player, and can be typ
   set_player(unchanged, "");
   CHECK(unchanged.noise == before);
   SolveFlags list;
-  list.options.planner = "list";
+  list.options.planner = std::string("list");
   for (const PlannerInfo& p : planners()) CHECK_THAT(list_asked(list), Contains(std::string(p.name)));
   CHECK(list_asked(flags).empty());
 }
@@ -139,21 +139,20 @@ TEST_CASE("an answer as text names the shot") {
 }
 
 TEST_CASE("wishes are read by name, and impossible ones are refused by their option") {
-  Wishes wishes{.seed = 3, .cushions = "1-2", .difficulty = {}, .target = "pocket"};
-  const Wish wish = read_wish(wishes);
+  const auto by = [](const std::string& cushions, const std::string& target) {
+    return Wishes{.cushions = cushions, .difficulty = {}, .target = target};
+  };
+  const Wish wish = read_wish(by("1-2", "pocket"));
   CHECK((wish.cushions.min == 1 && wish.cushions.max == 2));
   CHECK(wish.kind == Wish::Kind::pocket);
-  wishes.cushions = "top,left";
-  CHECK(read_wish(wishes).cushions.sequence == std::vector{Contact::rail(2), Contact::rail(3)});
-  wishes.cushions = "tpo";
-  CHECK_THAT(wrong([&] { read_wish(wishes); }), Catch::StartsWith("--cushions: ") && Contains("\"top\""));
-  wishes.cushions = "1";
-  wishes.table = "carom-10ft";
-  CHECK_THAT(wrong([&] { read_wish(wishes); }), Contains("no pockets"));
-  wishes = {.physics = "ideal", .difficulty = {}, .target = "stop"};
-  CHECK_THAT(wrong([&] { read_wish(wishes); }), Contains("without friction"));
-  wishes = {.then = "1", .difficulty = {}, .target = "kick"};
-  CHECK_THAT(wrong([&] { read_wish(wishes); }), Catch::StartsWith("--then"));
+  CHECK(read_wish(by("top,left", "pocket")).cushions.sequence == std::vector{Contact::rail(2), Contact::rail(3)});
+  CHECK_THAT(wrong([&] { read_wish(by("tpo", "pocket")); }), Catch::StartsWith("--cushions: ") && Contains("\"top\""));
+  const Wishes carom{.table = "carom-10ft", .difficulty = {}, .target = "pocket"};
+  CHECK_THAT(wrong([&] { read_wish(carom); }), Contains("no pockets"));
+  const Wishes endless{.physics = "ideal", .difficulty = {}, .target = "stop"};
+  CHECK_THAT(wrong([&] { read_wish(endless); }), Contains("without friction"));
+  const Wishes kick{.then = "1", .difficulty = {}, .target = "kick"};
+  CHECK_THAT(wrong([&] { read_wish(kick); }), Catch::StartsWith("--then"));
 }
 
 TEST_CASE("a puzzle that is made has its number, and is the same again") {
