@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bankshot/motion/arc.hpp"
+#include "bankshot/numbers/angle.hpp"
 #include "bankshot/scene/body.hpp"
 
 namespace bankshot {
@@ -39,19 +40,5 @@ State<T> launched(const Vec2d& at, double radius, const Vec2<T>& velocity, const
   if (spin.side != 0) s.spin.z = norm(v) * T(spin.side);
   return s;
 }
-
-/// Returns the unit vector at `angle`. A component below the rounding of the angle itself becomes 0, so that 270°
-/// runs exactly along a cushion although no double is 3π/2.
-Vec2d direction(double angle);
-
-/// Returns `angle` reduced to [0, 2π).
-double wrap_angle(double angle);
-
-/// Returns the degrees that convert back to exactly `angle`, if any do. The result of `degrees` may be off by a
-/// rounding, so an angle that is written and read repeatedly would drift.
-double exact_degrees(double angle);
-
-constexpr double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
-constexpr double degrees(double radians) { return radians * (180 / 3.14159265358979323846); }
 
 }  // namespace bankshot

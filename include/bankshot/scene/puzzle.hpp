@@ -13,19 +13,13 @@
 #include <vector>
 
 #include "bankshot/geometry/contact.hpp"
+#include "bankshot/numbers/range.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/physics.hpp"
 #include "bankshot/scene/table.hpp"
 #include "bankshot/scene/target.hpp"
 
 namespace bankshot {
-
-/// A closed range; `[a, a]` fixes the value.
-struct Range {
-  double low, high;
-  bool fixed() const { return low == high; }
-  bool contains(double v) const { return low <= v && v <= high; }
-};
 
 enum class Prefer { robust, soft, quick };
 /// centre: the exact root. safest: may deviate from it to increase the value, as long as the shot counts as made.

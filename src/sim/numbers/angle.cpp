@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "bankshot/scene/ball.hpp"
+#include "bankshot/numbers/angle.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace bankshot {
