@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "bankshot/contact/custom.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/scene.hpp"

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/planner.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/locked/newton.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/settings.hpp"
 

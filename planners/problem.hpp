@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/shot.hpp"
 #include "bankshot/scene/puzzle.hpp"

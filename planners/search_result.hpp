@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/plan/shot.hpp"
 #include "bankshot/scene/target.hpp"
 #include "bankshot/simulate/route.hpp"

@@ -3,6 +3,7 @@
 // The state of the cue ball right after the launch: the one place where a launch becomes motion.
 #pragma once
 
+#include "bankshot/motion/launched.hpp"
 #include "planners/search_request.hpp"
 
 namespace bankshot::planning {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "planners/family/family.hpp"
+#include "bankshot/geometry/aim_point.hpp"
 
 #include <algorithm>
 #include <cmath>

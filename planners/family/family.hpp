@@ -22,6 +22,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/certify.hpp"
 #include "planners/family/point.hpp"
 #include "planners/family/settings.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "planners/locked/arrival.hpp"
 

@@ -8,6 +8,7 @@
 // the ball is as near as the pocket is wide.
 #pragma once
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/scene/target.hpp"
 #include "planners/images/affine.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/images/exact_line.hpp"
 #include "planners/settings.hpp"

@@ -23,6 +23,7 @@
 #include <queue>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/images/affine.hpp"
 #include "planners/search_request.hpp"
 

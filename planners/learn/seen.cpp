@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "planners/learn/seen.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 #include <algorithm>
 #include <cmath>

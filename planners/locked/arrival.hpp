@@ -5,6 +5,8 @@
 
 #include <optional>
 
+#include "bankshot/geometry/aim_point.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/residual.hpp"
 #include "planners/start.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "bankshot/detail/roots/roots.hpp"
 #include "bankshot/simulate/locked.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/locked/in_the_way.hpp"
 #include "planners/start.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {

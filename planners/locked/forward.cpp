@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "planners/locked/forward.hpp"
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/settings.hpp"
 

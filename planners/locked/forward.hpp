@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/locked/residual.hpp"
 
 namespace bankshot::planning {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/settings.hpp"

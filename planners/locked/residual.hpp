@@ -21,6 +21,7 @@
 #include <optional>
 #include <span>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "planners/evaluation_budget.hpp"
 #include "planners/locked/unknown.hpp"

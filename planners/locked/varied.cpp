@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "planners/locked/varied.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 #include <array>
 #include <cstddef>

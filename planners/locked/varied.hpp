@@ -12,6 +12,7 @@
 #include "bankshot/contact/any_cushion.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/scene/physics.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace bankshot {
 namespace planning {

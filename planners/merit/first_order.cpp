@@ -6,8 +6,10 @@
 #include <limits>
 #include <optional>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/locked.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/in_the_way.hpp"
 #include "planners/merit/limits.hpp"
 #include "planners/merit/real_arrival.hpp"

@@ -10,6 +10,7 @@
 // numbers, which no budget is charged.
 #pragma once
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/plan/shot.hpp"
 #include "planners/locked/residual.hpp"
 #include "planners/merit/limits.hpp"

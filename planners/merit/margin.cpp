@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/line_search.hpp"
 #include "planners/merit/first_order.hpp"

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/evaluation_budget.hpp"
 #include "planners/search_request.hpp"
 #include "planners/search_result.hpp"

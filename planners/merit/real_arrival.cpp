@@ -8,6 +8,7 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/many_balls.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {

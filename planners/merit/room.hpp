@@ -3,6 +3,7 @@
 // What a target offers beside a shot.
 #pragma once
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/search_request.hpp"
 
 namespace bankshot::planning {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bankshot/simulate/locked.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/varied.hpp"
 #include "planners/start.hpp"
 

@@ -12,6 +12,7 @@
 // Cost: most_samples simulations at most, most_samples_of_balls once the cue ball is seen to fall. Guarantee: none;
 // docs/evidence.md has what was measured.
 #include "planners/merit/success.hpp"
+#include "bankshot/geometry/aim_point.hpp"
 
 #include <algorithm>
 #include <array>

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/family/family.hpp"
 #include "planners/family/settings.hpp"
 #include "planners/merit/connected.hpp"

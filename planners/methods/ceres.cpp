@@ -5,6 +5,7 @@
 // Seeds: the images of unfold.hpp with their routes; on tables with reflex vertices also a fan of
 // aims with the routes their traces meet. Cost: about ten locked simulations a seed. Guarantee: none beyond the
 // proof; it finds the root its seed leads to.
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/images/refine.hpp"
 #include "planners/locked/levenberg_marquardt.hpp"
 #include "planners/methods/methods.hpp"

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "planners/images/aim.hpp"
 #include "planners/images/window.hpp"

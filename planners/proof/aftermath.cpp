@@ -3,6 +3,7 @@
 
 #include "bankshot/simulate/many_balls.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/search_request.hpp"
 
 namespace bankshot::planning {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/proof/replay.hpp"
 
 namespace bankshot::planning {

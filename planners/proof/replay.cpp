@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/proof/aftermath.hpp"
 #include "planners/proof/set_going.hpp"
 #include "planners/start.hpp"

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/many_balls.hpp"
 #include "planners/proof/goal.hpp"
 #include "planners/proof/line_of_travel.hpp"

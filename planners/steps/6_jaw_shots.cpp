@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/certify.hpp"
 #include "planners/line_search.hpp"

@@ -17,7 +17,9 @@
 #include <vector>
 
 #include "bankshot/contact/ball_ball.hpp"
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/certify.hpp"
 #include "planners/locked/newton.hpp"
 #include "planners/start.hpp"

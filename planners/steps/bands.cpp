@@ -11,6 +11,7 @@
 // between are followed too. Cost: two simulations an aim, some 100 aims a speed, band and ball. Guarantee: none beyond
 // the proof; a route narrower than the step of aims between two others is passed over.
 #include "planners/steps/bands.hpp"
+#include "bankshot/geometry/aim_point.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/start.hpp"
 #include "planners/steps/to_ball.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/evaluation_budget.hpp"
 #include "planners/search_request.hpp"
 

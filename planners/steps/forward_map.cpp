@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "planners/steps/forward_map.hpp"
+#include "bankshot/geometry/aim_point.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/steps/steps.hpp"
 
 namespace bankshot::planning::steps {

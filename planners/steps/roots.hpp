@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/locked/newton.hpp"
 #include "planners/search_result.hpp"
 #include "planners/stop.hpp"

@@ -7,9 +7,11 @@
 #include <iterator>
 #include <random>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/coefficients.hpp"
 #include "bankshot/simulate/many_balls.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "truth/judge.hpp"
 #include "truth/line_in.hpp"
 

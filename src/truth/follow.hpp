@@ -5,6 +5,7 @@
 
 #include "bankshot/detail/roots/roots.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "truth/run.hpp"
 
 namespace bankshot::truth {

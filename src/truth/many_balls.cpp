@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "truth/many_balls.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_dec_float.hpp>

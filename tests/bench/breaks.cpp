@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bankshot/simulate/many_balls.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "support/random_balls.hpp"
 
 using namespace bankshot;

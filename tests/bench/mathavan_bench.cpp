@@ -9,6 +9,7 @@
 
 #include "bankshot/contact/han2005.hpp"
 #include "bankshot/contact/mathavan2010.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "support/random_puzzle.hpp"
 

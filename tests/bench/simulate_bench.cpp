@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/random_puzzle.hpp"
 

@@ -2,6 +2,8 @@
 //
 // Requirements on every cushion: no energy gained, no ball driven further into it, the same result in a mirror and
 // turned, twice as much from twice as much, the place unchanged, derivatives, and the limits of restitution.
+#include "bankshot/contact/any_cushion.hpp"
+#include "bankshot/contact/custom.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "bankshot/contact/mirror.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "support/catch.hpp"
 #include "support/impacts.hpp"
 #include "support/program.hpp"

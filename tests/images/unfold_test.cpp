@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/random.hpp"
 #include "bankshot/scene/scene.hpp"
 #include "planners/images/affine.hpp"

@@ -3,6 +3,7 @@
 // Reads JSON text into a Puzzle and writes it back: every field, the defaults, and the rules behind them.
 #include <nlohmann/json.hpp>
 
+#include "bankshot/contact/ball_ball.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"

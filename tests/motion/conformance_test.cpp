@@ -4,6 +4,7 @@
 // other without a jump, derivatives. Also tests the closed forms of a ball that slides and rolls.
 #include <limits>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"

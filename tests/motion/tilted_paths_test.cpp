@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bankshot/simulate/trajectory.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "support/catch.hpp"
 #include "support/incline_forms.hpp"
 #include "support/random_shot.hpp"

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "bankshot/contact/any_cushion.hpp"
 #include "bankshot/detail/drag.hpp"
 #include "bankshot/detail/on_path.hpp"
+#include "bankshot/motion/tilted.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/simulator.hpp"

@@ -7,9 +7,11 @@
 #include <cmath>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 #include "support/seed.hpp"

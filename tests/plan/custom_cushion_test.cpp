@@ -2,6 +2,7 @@
 //
 // A custom cushion that follows Han's law gives the same plans as Han's cushion, and impossible uses are refused with a
 // message.
+#include "bankshot/contact/custom.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"

@@ -3,6 +3,7 @@
 // The parts of a search: evaluations, the targets of a puzzle, searches in one dimension, Newton's method.
 #include <cmath>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "planners/evaluation_budget.hpp"
 #include "planners/line_search.hpp"

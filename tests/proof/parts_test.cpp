@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "planners/proof/bounds.hpp"
 #include "planners/proof/goal.hpp"
 #include "planners/proof/line_of_travel.hpp"

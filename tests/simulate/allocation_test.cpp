@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/physics.hpp"

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/numbers/dual.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/simulator.hpp"

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bankshot/contact/any_cushion.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/many_balls.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "support/catch.hpp"
 #include "support/random_balls.hpp"
 #include "support/random_shot.hpp"

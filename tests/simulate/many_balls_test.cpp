@@ -5,6 +5,7 @@
 // simulator of one ball.
 #include "bankshot/simulate/many_balls.hpp"
 #include "bankshot/scene/json.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,6 +5,7 @@
 // be met where a piece ends, and a horizon may fall between pieces.
 #include <cstdio>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "support/against_truth.hpp"

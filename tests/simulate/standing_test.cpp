@@ -3,6 +3,7 @@
 // Checks that the simulator of one ball meets resting balls where and when the simulator of many balls does.
 #include "bankshot/simulate/many_balls.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "support/catch.hpp"
 #include "support/random_balls.hpp"
 

@@ -21,6 +21,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/random.hpp"
 #include "bankshot/simulate/many_balls.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace {
 

@@ -15,6 +15,7 @@
 
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "support/random_shot.hpp"
 #include "support/truth.hpp"
 

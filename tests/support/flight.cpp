@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "support/drop.hpp"
 
 namespace bankshot::test {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "bankshot/geometry/boundary.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/random_puzzle.hpp"
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bankshot/contact/mathavan2010.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "support/random_puzzle.hpp"
 

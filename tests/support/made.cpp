@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "support/drop.hpp"
 #include "support/truth.hpp"

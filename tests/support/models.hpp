@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "bankshot/contact/cushion_registry.hpp"
+#include "bankshot/contact/custom.hpp"
+#include "bankshot/contact/han2005.hpp"
 #include "bankshot/motion/ideal.hpp"
 #include "bankshot/motion/rolling.hpp"
 #include "bankshot/motion/slide_roll.hpp"

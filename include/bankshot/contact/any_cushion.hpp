@@ -7,7 +7,12 @@
 #include <variant>
 
 #include "bankshot/contact/cushion_registry.hpp"
+#include "bankshot/contact/custom.hpp"
+#include "bankshot/contact/han2005.hpp"
+#include "bankshot/contact/mathavan2010.hpp"
+#include "bankshot/contact/mirror.hpp"
 #include "bankshot/contact/rail_cushion.hpp"
+#include "bankshot/contact/stronge.hpp"
 #include "bankshot/numbers/dual.hpp"
 
 namespace bankshot {

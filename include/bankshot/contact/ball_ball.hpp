@@ -13,101 +13,76 @@
 
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/scene/laws.hpp"
 
 namespace bankshot {
 
-/// Friction coefficient a + b exp(−c s) at the slip speed s [m/s].
 template <class C>
-struct BallFrictionOf {
-  C fast{0.05};  ///< a, >= 0: friction at fast slip
-  C more{0};     ///< b: additional friction at slow slip
-  C fades{0};    ///< c [s/m], >= 0: rate at which b fades
-
-  constexpr BallFrictionOf() = default;
-  constexpr BallFrictionOf(const C& constant) : fast(constant) {}
-  constexpr BallFrictionOf(const C& a, const C& b, const C& c) : fast(a), more(b), fades(c) {}
-  friend bool operator==(const BallFrictionOf&, const BallFrictionOf&) = default;
-
-  bool constant() const { return value(more) == 0; }
-  bool none() const { return constant() && value(fast) == 0; }
-  template <class T>
-  T operator()(const T& slip) const {
-    using std::exp;
-    using K = Coefficient<T, C>;
-    if (constant()) return T(K(fast));
-    const T power = slip * T(K(fades));
-    const Real<T> at = exp(-value(power));
-    // exp(−p) and its derivative, −exp(−p)
-    if constexpr (has_derivatives<T>)
-      return T(K(fast)) + T(K(more)) * (T(at) - (power - T(value(power))) * at);
-    else
-      return T(K(fast)) + T(K(more)) * at;
-  }
-};
-using BallFriction = BallFrictionOf<double>;
+template <class T>
+inline T BallFrictionOf<C>::operator()(const T& slip) const {
+  using std::exp;
+  using K = Coefficient<T, C>;
+  if (constant()) return T(K(fast));
+  const T power = slip * T(K(fades));
+  const Real<T> at = exp(-value(power));
+  // exp(−p) and its derivative, −exp(−p)
+  if constexpr (has_derivatives<T>)
+    return T(K(fast)) + T(K(more)) * (T(at) - (power - T(value(power))) * at);
+  else
+    return T(K(fast)) + T(K(more)) * at;
+}
 
 template <class C>
-struct BallBallOf {
-  C restitution{0.95};  ///< e, in [0, 1]
-  BallFrictionOf<C> friction{};
-  bool lasts = true;  ///< slow contacts persist
+template <class T>
+inline T BallBallOf<C>::approach(const State<T>& first, const State<T>& second, const Vec2<T>& n) {
+  return dot(first.velocity - second.velocity, n);
+}
 
-  friend bool operator==(const BallBallOf&, const BallBallOf&) = default;
-
-  /// Returns the speed at which the two come nearer [m/s]; n as above.
-  template <class T>
-  static T approach(const State<T>& first, const State<T>& second, const Vec2<T>& n) {
-    return dot(first.velocity - second.velocity, n);
+template <class C>
+template <class T>
+inline void BallBallOf<C>::collide(const Body& body1, State<T>& first, const Body& body2, State<T>& second) const {
+  using std::sqrt;
+  using Number = Real<T>;
+  using K = Coefficient<T, C>;
+  const Vec2<T> between = second.at - first.at, n = between / norm(between), t = perpendicular(n);
+  const T closing = approach(first, second, n);
+  const bool slow = lasts && value(closing) < Number(tolerance::slow_contact);
+  const Number m1(body1.mass), m2(body2.mass), mass = m1 * m2 / (m1 + m2);
+  const T normal = closing * T(K(slow ? K(1) : K(K(1) + K(restitution)))) * mass;
+  T along(0), up(0);  // parts of the impulse T ŵ_t
+  if (!slow && !friction.none()) {
+    const auto surface = [&](const T& first_spin, const T& second_spin) {
+      return T(first_spin * Number(body1.radius) + second_spin * Number(body2.radius));
+    };
+    const T wx = surface(first.spin.x, second.spin.x), wy = surface(first.spin.y, second.spin.y);
+    const T slip_along = dot(first.velocity - second.velocity, t) + surface(first.spin.z, second.spin.z);
+    const T slip_up = wx * n.y - wy * n.x;
+    // Squares are compared, because a root of 0 has no derivative.
+    const T slip2 = slip_along * slip_along + slip_up * slip_up;
+    const T most = normal * (friction.constant() ? T(K(friction.fast))
+                             : value(slip2) > 0  ? friction(T(sqrt(slip2)))
+                                                 : friction(T(Number(0))));
+    const Number sticks = mass * Number(2) / Number(7);
+    const bool slides = value(slip2) * sticks * sticks > value(most) * value(most);
+    const T share = slides ? T(most / sqrt(slip2)) : T(sticks);
+    along = slip_along * share;
+    up = slip_up * share;
   }
+  const Vec2<T> push = n * normal + t * along;
+  first.velocity -= push * T(Number(1) / m1);
+  second.velocity += push * T(Number(1) / m2);
+  turn(body1, first, n, along, up);
+  turn(body2, second, n, along, up);
+}
 
-  /// Applies the impact to both balls where they are.
-  template <class T>
-  void collide(const Body& body1, State<T>& first, const Body& body2, State<T>& second) const {
-    using std::sqrt;
-    using Number = Real<T>;
-    using K = Coefficient<T, C>;
-    const Vec2<T> between = second.at - first.at, n = between / norm(between), t = perpendicular(n);
-    const T closing = approach(first, second, n);
-    const bool slow = lasts && value(closing) < Number(tolerance::slow_contact);
-    const Number m1(body1.mass), m2(body2.mass), mass = m1 * m2 / (m1 + m2);
-    const T normal = closing * T(K(slow ? K(1) : K(K(1) + K(restitution)))) * mass;
-    T along(0), up(0);  // parts of the impulse T ŵ_t
-    if (!slow && !friction.none()) {
-      const auto surface = [&](const T& first_spin, const T& second_spin) {
-        return T(first_spin * Number(body1.radius) + second_spin * Number(body2.radius));
-      };
-      const T wx = surface(first.spin.x, second.spin.x), wy = surface(first.spin.y, second.spin.y);
-      const T slip_along = dot(first.velocity - second.velocity, t) + surface(first.spin.z, second.spin.z);
-      const T slip_up = wx * n.y - wy * n.x;
-      // Squares are compared, because a root of 0 has no derivative.
-      const T slip2 = slip_along * slip_along + slip_up * slip_up;
-      const T most = normal * (friction.constant() ? T(K(friction.fast))
-                               : value(slip2) > 0  ? friction(T(sqrt(slip2)))
-                                                   : friction(T(Number(0))));
-      const Number sticks = mass * Number(2) / Number(7);
-      const bool slides = value(slip2) * sticks * sticks > value(most) * value(most);
-      const T share = slides ? T(most / sqrt(slip2)) : T(sticks);
-      along = slip_along * share;
-      up = slip_up * share;
-    }
-    const Vec2<T> push = n * normal + t * along;
-    first.velocity -= push * T(Number(1) / m1);
-    second.velocity += push * T(Number(1) / m2);
-    turn(body1, first, n, along, up);
-    turn(body2, second, n, along, up);
-  }
-
- private:
-  /// Changes the spin by n × P = −along ẑ − up (n_y, −n_x, 0), as above.
-  template <class T>
-  static void turn(const Body& body, State<T>& s, const Vec2<T>& n, const T& along, const T& up) {
-    using Number = Real<T>;
-    const T by(Number(5) / (Number(2) * Number(body.mass) * Number(body.radius)));
-    s.spin.x -= by * up * n.y;
-    s.spin.y += by * up * n.x;
-    s.spin.z -= by * along;
-  }
-};
-using BallBall = BallBallOf<double>;
+template <class C>
+template <class T>
+inline void BallBallOf<C>::turn(const Body& body, State<T>& s, const Vec2<T>& n, const T& along, const T& up) {
+  using Number = Real<T>;
+  const T by(Number(5) / (Number(2) * Number(body.mass) * Number(body.radius)));
+  s.spin.x -= by * up * n.y;
+  s.spin.y += by * up * n.x;
+  s.spin.z -= by * along;
+}
 
 }  // namespace bankshot

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The registry of cushion laws: one row for each alternative of `CushionVariant`. A law's own header holds its
-// equations and its numbers. A row says how files, fits, reports and documents know the law; all of them loop over the
-// rows, so that a law is named in these two headers alone.
+// The registry of cushion laws: the data of each law, and one row for each alternative of `CushionVariant`. A row says
+// how files, fits, reports and documents know the law; all of them loop over the rows. The equations of a law are in
+// the header of its name. A law is named here, there, and in the list of includes of contact/any_cushion.hpp.
 //
 //   for (const CushionModel& model : cushion_registry) std::puts(model.key.data());
 //   for_each_coefficient(law, [](const CushionCoefficient& c, double value) { ... });
@@ -16,13 +16,81 @@
 #include <type_traits>
 #include <variant>
 
-#include "bankshot/contact/custom.hpp"
-#include "bankshot/contact/han2005.hpp"
-#include "bankshot/contact/mathavan2010.hpp"
-#include "bankshot/contact/mirror.hpp"
-#include "bankshot/contact/stronge.hpp"
+#include "bankshot/contact/restitution.hpp"
+#include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/numbers/vec.hpp"
+#include "bankshot/scene/body.hpp"
 
 namespace bankshot {
+
+// The laws. Each bounces a ball off a cushion; `away` is a unit vector that points away from the cushion, into the
+// table.
+
+template <class T>
+struct State;
+struct ImpactCourse;
+
+/// Reverses the normal velocity, multiplied by the restitution (contact/mirror.hpp).
+template <class C>
+struct MirrorOf {
+  RestitutionOf<C> restitution{};
+
+  template <class T, class N>
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const;
+};
+using Mirror = MirrorOf<double>;
+
+/// Friction at the nose, sticking or sliding (contact/han2005.hpp).
+template <class C>
+struct Han2005Of {
+  C height{1.28 * 0.028575};  ///< h [m], R < h < 2R
+  RestitutionOf<C> restitution{};
+  C friction{0.2};  ///< f, between ball and cushion
+
+  template <class T, class N>
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const;
+};
+using Han2005 = Han2005Of<double>;
+
+/// Friction at the nose and at the cloth, integrated over the impact (contact/mathavan2010.hpp).
+template <class C>
+struct Mathavan2010Of {
+  C height{1.28 * 0.028575};  ///< h [m], R < h < 2R
+  RestitutionOf<C> restitution{};
+  C friction{0.2};          ///< μw, between ball and cushion
+  C sliding_friction{0.2};  ///< μs, between ball and cloth, as in the motion
+  double tolerance = bankshot::tolerance::impact;
+
+  template <class T, class N>
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const;
+  /// Does what bounce() does, and returns how the impact went.
+  template <class T, class N>
+  ImpactCourse course(const Body& body, State<T>& s, const Vec2<N>& away) const;
+};
+using Mathavan2010 = Mathavan2010Of<double>;
+
+/// Friction at a nose whose rubber gives across as well as along (contact/stronge.hpp).
+template <class C>
+struct StrongeOf {
+  C height{1.28 * 0.028575};  ///< h [m], R < h < 2R
+  RestitutionOf<C> restitution{};
+  C friction{0.2};         ///< μ, between ball and cushion
+  C frequency_ratio{1.8};  ///< Ω, 1 < Ω < 2: frequency of the spring across over that of the spring along
+
+  template <class T, class N>
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const;
+};
+using Stronge = StrongeOf<double>;
+
+/// A law of your own (contact/custom.hpp).
+class CushionLaw;
+struct CustomCushion {
+  const CushionLaw* law = nullptr;  ///< must outlive every physics it is part of
+  Restitution restitution{};        ///< approximate share of vn that comes back; planners start from it
+
+  template <class T, class N>
+  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const;
+};
 
 using CushionVariant = std::variant<Mirror, Han2005, Mathavan2010, Stronge, CustomCushion>;
 

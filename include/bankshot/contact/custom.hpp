@@ -25,7 +25,8 @@
 #include <utility>
 
 #include "bankshot/contact/cushion_frame.hpp"
-#include "bankshot/contact/restitution.hpp"
+#include "bankshot/contact/cushion_registry.hpp"
+#include "bankshot/motion/arc.hpp"
 
 namespace bankshot {
 
@@ -46,55 +47,53 @@ class CushionLawOf final : public CushionLaw {
   F f_;
 };
 
-struct CustomCushion {
-  const CushionLaw* law = nullptr;  ///< must outlive every physics it is part of
-  Restitution restitution{};        ///< approximate share of vn that comes back; planners start from it
+namespace detail::custom {
 
-  template <class T, class N>
-  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
-    InCushionFrame<T> f = into_frame(s, away);
-    if (!(value(f.vn) > 0)) return;
-    const Numbers<T> before{f.vn, f.vt, f.wn, f.wt, f.wz};
-    Numbers<double> plain;
-    for (std::size_t i = 0; i < plain.size(); ++i) plain[i] = static_cast<double>(value(before[i]));
-    const Numbers<double> out = after(body, plain);
-    Numbers<T> result;
-    for (std::size_t i = 0; i < out.size(); ++i) result[i] = T(out[i]);
-    if constexpr (has_derivatives<T>) add_derivatives(body, before, plain, result);
-    f = {result[0], result[1], result[2], result[3], result[4]};
-    if (value(f.vn) > 0) f.vn = T(0);
-    out_of_frame(f, away, s);
+template <class T>
+using Numbers = std::array<T, 5>;
+
+inline Numbers<double> after(const CushionLaw& law, const Body& body, const Numbers<double>& x) {
+  InCushionFrame<double> f{x[0], x[1], x[2], x[3], x[4]};
+  law.impact(body, f);
+  if (!std::isfinite(f.vn + f.vt + f.wn + f.wt + f.wz))
+    throw std::domain_error("the law of a custom cushion gave a number that is not finite");
+  return {f.vn, f.vt, f.wn, f.wt, f.wz};
+}
+
+/// Adds to each result the derivatives of the inputs, times those of the law.
+template <class T>
+void add_derivatives(const CushionLaw& law, const Body& body, const Numbers<T>& before, const Numbers<double>& at,
+                     Numbers<T>& result) {
+  constexpr double step = 1e-5;  // relative to the size; truncation and rounding errors are then about equal
+  const double v = std::hypot(at[0], at[1]) + body.radius * std::hypot(at[2], at[3], at[4]);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    double h = step * (i < 2 ? v : v / body.radius);
+    if (i == 0) h = std::min(h, at[0] / 2);  // the law is asked only about balls that move into the cushion
+    Numbers<double> low = at, high = at;
+    low[i] -= h;
+    high[i] += h;
+    const Numbers<double> a = after(law, body, low), b = after(law, body, high);
+    const T change = before[i] - T(at[i]);  // 0, with the derivatives of the input
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] += change * ((b[k] - a[k]) / (high[i] - low[i]));
   }
+}
 
- private:
-  template <class T>
-  using Numbers = std::array<T, 5>;
+}  // namespace detail::custom
 
-  Numbers<double> after(const Body& body, const Numbers<double>& x) const {
-    InCushionFrame<double> f{x[0], x[1], x[2], x[3], x[4]};
-    law->impact(body, f);
-    if (!std::isfinite(f.vn + f.vt + f.wn + f.wt + f.wz))
-      throw std::domain_error("the law of a custom cushion gave a number that is not finite");
-    return {f.vn, f.vt, f.wn, f.wt, f.wz};
-  }
-
-  /// Adds to each result the derivatives of the inputs, times those of the law.
-  template <class T>
-  void add_derivatives(const Body& body, const Numbers<T>& before, const Numbers<double>& at,
-                       Numbers<T>& result) const {
-    constexpr double step = 1e-5;  // relative to the size; truncation and rounding errors are then about equal
-    const double v = std::hypot(at[0], at[1]) + body.radius * std::hypot(at[2], at[3], at[4]);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      double h = step * (i < 2 ? v : v / body.radius);
-      if (i == 0) h = std::min(h, at[0] / 2);  // the law is asked only about balls that move into the cushion
-      Numbers<double> low = at, high = at;
-      low[i] -= h;
-      high[i] += h;
-      const Numbers<double> a = after(body, low), b = after(body, high);
-      const T change = before[i] - T(at[i]);  // 0, with the derivatives of the input
-      for (std::size_t k = 0; k < result.size(); ++k) result[k] += change * ((b[k] - a[k]) / (high[i] - low[i]));
-    }
-  }
-};
+template <class T, class N>
+inline void CustomCushion::bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
+  InCushionFrame<T> f = into_frame(s, away);
+  if (!(value(f.vn) > 0)) return;
+  const detail::custom::Numbers<T> before{f.vn, f.vt, f.wn, f.wt, f.wz};
+  detail::custom::Numbers<double> plain;
+  for (std::size_t i = 0; i < plain.size(); ++i) plain[i] = static_cast<double>(value(before[i]));
+  const detail::custom::Numbers<double> out = detail::custom::after(*law, body, plain);
+  detail::custom::Numbers<T> result;
+  for (std::size_t i = 0; i < out.size(); ++i) result[i] = T(out[i]);
+  if constexpr (has_derivatives<T>) detail::custom::add_derivatives(*law, body, before, plain, result);
+  f = {result[0], result[1], result[2], result[3], result[4]};
+  if (value(f.vn) > 0) f.vn = T(0);
+  out_of_frame(f, away, s);
+}
 
 }  // namespace bankshot

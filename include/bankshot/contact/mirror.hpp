@@ -4,23 +4,17 @@
 // velocity and the spin. Restitution 1 is the law of mirrors.
 #pragma once
 
-#include "bankshot/contact/restitution.hpp"
+#include "bankshot/contact/cushion_registry.hpp"
 #include "bankshot/motion/arc.hpp"
 
 namespace bankshot {
 
 template <class C>
-struct MirrorOf {
-  RestitutionOf<C> restitution{};
-
-  /// `normal` is a unit vector that points away from the cushion, into the table.
-  template <class T, class N>
-  void bounce(const Body&, State<T>& s, const Vec2<N>& normal) const {
-    const T impulse = restitution.rebound(T(-dot(normal, s.velocity)));
-    s.velocity.x += impulse * normal.x;
-    s.velocity.y += impulse * normal.y;
-  }
-};
-using Mirror = MirrorOf<double>;
+template <class T, class N>
+inline void MirrorOf<C>::bounce(const Body&, State<T>& s, const Vec2<N>& away) const {
+  const T impulse = restitution.rebound(T(-dot(away, s.velocity)));
+  s.velocity.x += impulse * away.x;
+  s.velocity.y += impulse * away.y;
+}
 
 }  // namespace bankshot

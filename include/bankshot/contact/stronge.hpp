@@ -23,7 +23,8 @@
 #include <limits>
 
 #include "bankshot/contact/cushion_frame.hpp"
-#include "bankshot/contact/restitution.hpp"
+#include "bankshot/contact/cushion_registry.hpp"
+#include "bankshot/motion/arc.hpp"
 
 namespace bankshot {
 
@@ -155,47 +156,38 @@ class Across {
   Number quarter_;
 };
 
+template <class K>
+K root(const K& x) {
+  using std::sqrt;
+  return sqrt(x);
+}
+
 }  // namespace stronge
 
 template <class C>
-struct StrongeOf {
-  C height{1.28 * 0.028575};  ///< h [m], R < h < 2R
-  RestitutionOf<C> restitution{};
-  C friction{0.2};         ///< μ, between ball and cushion
-  C frequency_ratio{1.8};  ///< Ω, 1 < Ω < 2: frequency of the spring across over that of the spring along
-
-  template <class T, class N>
-  void bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
-    using std::sqrt;
-    using Number = Real<T>;
-    using K = Coefficient<T, C>;
-    InCushionFrame<T> f = into_frame(s, away);
-    if (!(value(f.vn) > Number(0))) return;
-    const Number R(body.radius), turn = Number(5.0 / 2);
-    const K rise = K(K(height) - K(R)) / K(R), length = root(K(rise * rise + K(Number(1))));
-    const K cosine = K(Number(1)) / length, sine = rise / length;
-    const T a = f.vn * cosine, e = restitution(f.vn);
-    const T sd = f.vn * sine + f.wt * R, st = f.vt + (f.wz * cosine - f.wn * sine) * R;
-    const T slip2 = sd * sd + st * st;
-    const stronge::Across<T> across(T(K(friction)), e, T(K(frequency_ratio)));
-    const T share = value(slip2) > Number(0) ? across.share(sqrt(slip2) / a) : across.share_at_rest();
-    const T jd = sd * share, jt = st * share;
-    f.vn -= (e + T(Number(1))) * a * cosine + jd * sine;
-    f.vt -= jt;
-    f.wt -= jd * (turn / R);
-    f.wn += jt * sine * (turn / R);
-    f.wz -= jt * cosine * (turn / R);
-    if (value(f.vn) > Number(0)) f.vn = T(Number(0));
-    out_of_frame(f, away, s);
-  }
-
- private:
-  template <class K>
-  static K root(const K& x) {
-    using std::sqrt;
-    return sqrt(x);
-  }
-};
-using Stronge = StrongeOf<double>;
+template <class T, class N>
+inline void StrongeOf<C>::bounce(const Body& body, State<T>& s, const Vec2<N>& away) const {
+  using std::sqrt;
+  using Number = Real<T>;
+  using K = Coefficient<T, C>;
+  InCushionFrame<T> f = into_frame(s, away);
+  if (!(value(f.vn) > Number(0))) return;
+  const Number R(body.radius), turn = Number(5.0 / 2);
+  const K rise = K(K(height) - K(R)) / K(R), length = stronge::root(K(rise * rise + K(Number(1))));
+  const K cosine = K(Number(1)) / length, sine = rise / length;
+  const T a = f.vn * cosine, e = restitution(f.vn);
+  const T sd = f.vn * sine + f.wt * R, st = f.vt + (f.wz * cosine - f.wn * sine) * R;
+  const T slip2 = sd * sd + st * st;
+  const stronge::Across<T> across(T(K(friction)), e, T(K(frequency_ratio)));
+  const T share = value(slip2) > Number(0) ? across.share(sqrt(slip2) / a) : across.share_at_rest();
+  const T jd = sd * share, jt = st * share;
+  f.vn -= (e + T(Number(1))) * a * cosine + jd * sine;
+  f.vt -= jt;
+  f.wt -= jd * (turn / R);
+  f.wn += jt * sine * (turn / R);
+  f.wz -= jt * cosine * (turn / R);
+  if (value(f.vn) > Number(0)) f.vn = T(Number(0));
+  out_of_frame(f, away, s);
+}
 
 }  // namespace bankshot

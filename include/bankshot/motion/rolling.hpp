@@ -6,6 +6,7 @@
 #pragma once
 
 #include "bankshot/motion/arc.hpp"
+#include "bankshot/scene/laws.hpp"
 
 namespace bankshot {
 
@@ -19,18 +20,6 @@ template <class T, class A>
   const T speed = sqrt(speed2);
   return {at, velocity, velocity * T(-a / speed), speed / a, PhaseEnd::rest};
 }
-
-/// Rolling friction μr = at_rest + per_speed · v, dimensionless.
-template <class C>
-struct RollingFrictionOf {
-  C at_rest{0.01};
-  C per_speed{0};  ///< s/m, >= 0; unless it is 0, at_rest is greater than 0
-
-  constexpr RollingFrictionOf() = default;
-  constexpr RollingFrictionOf(const C& constant) : at_rest(constant) {}
-  constexpr RollingFrictionOf(const C& rest, const C& slope) : at_rest(rest), per_speed(slope) {}
-};
-using RollingFriction = RollingFrictionOf<double>;
 
 /// Returns the rolling phase with friction that grows with the speed.
 template <class T, class C>
@@ -47,30 +36,21 @@ Arc<T> rolling_arc(const Vec2<T>& at, const Vec2<T>& velocity, const RollingFric
 }
 
 template <class C>
-struct RollingOf {
-  C friction{0.01};  ///< μr, dimensionless, >= 0
-  double g = 9.81;   ///< m/s², > 0
+template <class T>
+inline Arc<T> RollingOf<C>::arc(const Body&, const State<T>& s) const {
+  return rolling_arc(s.at, s.velocity, Coefficient<T, C>(Coefficient<T, C>(friction) * g));
+}
 
-  static constexpr bool straight = true;
+template <class C>
+template <class T>
+inline void RollingOf<C>::finish(const Body&, State<T>& s, const Arc<T>& arc) const {
+  if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
+}
 
-  template <class T>
-  Arc<T> arc(const Body&, const State<T>& s) const {
-    return rolling_arc(s.at, s.velocity, Coefficient<T, C>(Coefficient<T, C>(friction) * g));
-  }
-  template <class T>
-  void turn(const Body&, State<T>&, const Arc<T>&, const T&) const {}
-  template <class T>
-  void finish(const Body&, State<T>& s, const Arc<T>& arc) const {
-    if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
-  }
-  template <class T>
-  void roll(const Body&, State<T>&) const {}
-  template <class T>
-  Vec3<T> spin(const Body& body, const State<T>& s) const {
-    return natural_roll(s.velocity, body.radius);
-  }
-  C deceleration() const { return friction * g; }
-};
-using Rolling = RollingOf<double>;
+template <class C>
+template <class T>
+inline Vec3<T> RollingOf<C>::spin(const Body& body, const State<T>& s) const {
+  return natural_roll(s.velocity, body.radius);
+}
 
 }  // namespace bankshot

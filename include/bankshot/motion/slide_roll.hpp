@@ -11,106 +11,97 @@
 // 12 v0²/(49 μs g) = 0.499 m, at 5/7 v0.
 #pragma once
 
+#include "bankshot/motion/arc.hpp"
 #include "bankshot/motion/rolling.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot {
 
-/// Motion of a ball that slides and rolls. The ball needs a radius, because slip does.
 template <class C>
-struct SlideRollOf {
-  C sliding_friction{0.2};                  ///< μs
-  RollingFrictionOf<C> rolling_friction{};  ///< μr
-  C spinning_friction{4.0 / 9 * 0.028575};  ///< μsp, dimensionless
-  double g = 9.81;                          ///< m/s²
+template <class T>
+inline Vec2<T> SlideRollOf<C>::slip(const Body& body, const State<T>& s) {
+  const Real<T> R(body.radius);
+  return {s.velocity.x - R * s.spin.y, s.velocity.y + R * s.spin.x};
+}
 
-  static constexpr bool straight = false;
+template <class C>
+template <class T>
+inline Arc<T> SlideRollOf<C>::arc(const Body& body, const State<T>& s) const {
+  using std::sqrt;
+  using Number = Real<T>;
+  using K = Coefficient<T, C>;
+  const Vec2<T> u = slip(body, s);
+  const T slip2 = dot(u, u);
+  constexpr double still = tolerance::slip * tolerance::slip;
+  if (!(value(slip2) > still * squared_scale(s, body.radius)))
+    return rolling_arc(s.at, s.velocity, rolling_friction, g);
+  if (value(sliding_friction) == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
+  const K a = K(sliding_friction) * g;
+  const T size = sqrt(slip2);
+  return {s.at, s.velocity, u * T(-a / size), size * Number(2) / K(Number(7) * a), PhaseEnd::roll, true};
+}
 
-  /// Returns the velocity of the ball's lowest point over the cloth.
-  template <class T>
-  static Vec2<T> slip(const Body& body, const State<T>& s) {
-    const Real<T> R(body.radius);
-    return {s.velocity.x - R * s.spin.y, s.velocity.y + R * s.spin.x};
-  }
-
-  template <class T>
-  Arc<T> arc(const Body& body, const State<T>& s) const {
-    using std::sqrt;
-    using Number = Real<T>;
-    using K = Coefficient<T, C>;
-    const Vec2<T> u = slip(body, s);
-    const T slip2 = dot(u, u);
-    constexpr double still = tolerance::slip * tolerance::slip;
-    if (!(value(slip2) > still * squared_scale(s, body.radius)))
-      return rolling_arc(s.at, s.velocity, rolling_friction, g);
-    if (value(sliding_friction) == 0) return {s.at, s.velocity, {T(0), T(0)}, T(forever), PhaseEnd::none};
-    const K a = K(sliding_friction) * g;
-    const T size = sqrt(slip2);
-    return {s.at, s.velocity, u * T(-a / size), size * Number(2) / K(Number(7) * a), PhaseEnd::roll, true};
-  }
-
-  template <class T>
-  void turn(const Body& body, State<T>& s, const Arc<T>& arc, const T& t) const {
-    using Number = Real<T>;
-    if (arc.bends && arc.pressed != Press::rolls) {
-      // ẑ × û (5 μs g / 2R) t, with û taken from the friction −μs g û.
-      const T by_radius = t * Number(Number(2.5) / body.radius);
-      s.spin.x += (arc.acceleration.y + arc.taken.y) * by_radius;
-      s.spin.y -= (arc.acceleration.x + arc.taken.x) * by_radius;
-    } else if (arc.end != PhaseEnd::none) {
-      roll(body, s);
-    }
-    fade(body, s, t);
-  }
-
-  /// Lets the spin about the vertical fade for t seconds.
-  template <class T>
-  void fade(const Body& body, State<T>& s, const T& t) const {
-    using Number = Real<T>;
-    const T lost = t * Coefficient<T, C>(Number(2.5) * spinning_friction * g / body.radius);
-    if (value(s.spin.z) > value(lost))
-      s.spin.z -= lost;
-    else if (value(s.spin.z) < -value(lost))
-      s.spin.z += lost;
-    else
-      s.spin.z = T(0);
-  }
-
-  template <class T>
-  void finish(const Body& body, State<T>& s, const Arc<T>& arc) const {
-    if (arc.end == PhaseEnd::piece) return;
-    if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
-    if (arc.pressed == Press::slides)
-      s.velocity -= slip(body, s) * T(Real<T>(2) / Real<T>(7));
-    else if (arc.bends && value(dot(arc.taken, arc.taken)) > Real<T>(0))
-      slow_to_roll(body, s);
+template <class C>
+template <class T>
+inline void SlideRollOf<C>::turn(const Body& body, State<T>& s, const Arc<T>& arc, const T& t) const {
+  using Number = Real<T>;
+  if (arc.bends && arc.pressed != Press::rolls) {
+    // ẑ × û (5 μs g / 2R) t, with û taken from the friction −μs g û.
+    const T by_radius = t * Number(Number(2.5) / body.radius);
+    s.spin.x += (arc.acceleration.y + arc.taken.y) * by_radius;
+    s.spin.y -= (arc.acceleration.x + arc.taken.x) * by_radius;
+  } else if (arc.end != PhaseEnd::none) {
     roll(body, s);
   }
+  fade(body, s, t);
+}
 
-  template <class T>
-  static void roll(const Body& body, State<T>& s) {
-    s.spin.x = -s.velocity.y / Real<T>(body.radius);
-    s.spin.y = s.velocity.x / Real<T>(body.radius);
-  }
-  template <class T>
-  Vec3<T> spin(const Body&, const State<T>& s) const {
-    return s.spin;
-  }
-  /// Returns the deceleration of a slow ball [m/s²].
-  C deceleration() const { return rolling_friction.at_rest * g; }
+template <class C>
+template <class T>
+inline void SlideRollOf<C>::fade(const Body& body, State<T>& s, const T& t) const {
+  using Number = Real<T>;
+  const T lost = t * Coefficient<T, C>(Number(2.5) * spinning_friction * g / body.radius);
+  if (value(s.spin.z) > value(lost))
+    s.spin.z -= lost;
+  else if (value(s.spin.z) < -value(lost))
+    s.spin.z += lost;
+  else
+    s.spin.z = T(0);
+}
 
- private:
-  /// Takes from the speed its share, 2/7, of the slip that is left after it turned (held.hpp, pressed.hpp). Otherwise
-  /// the last of the slip would come back as energy. The ball moves along a cushion, which took the part across it.
-  template <class T>
-  static void slow_to_roll(const Body& body, State<T>& s) {
-    const T speed2 = dot(s.velocity, s.velocity);
-    if (!(value(speed2) > Real<T>(0))) return;
-    // The velocity is along the cushion already, and stays exactly so.
-    const T part = dot(slip(body, s), s.velocity) / speed2;
-    s.velocity -= s.velocity * T(part * (Real<T>(2) / Real<T>(7)));
-  }
-};
-using SlideRoll = SlideRollOf<double>;
+template <class C>
+template <class T>
+inline void SlideRollOf<C>::finish(const Body& body, State<T>& s, const Arc<T>& arc) const {
+  if (arc.end == PhaseEnd::piece) return;
+  if (arc.end == PhaseEnd::rest) s.velocity = {T(0), T(0)};
+  if (arc.pressed == Press::slides)
+    s.velocity -= slip(body, s) * T(Real<T>(2) / Real<T>(7));
+  else if (arc.bends && value(dot(arc.taken, arc.taken)) > Real<T>(0))
+    slow_to_roll(body, s);
+  roll(body, s);
+}
+
+template <class C>
+template <class T>
+inline void SlideRollOf<C>::roll(const Body& body, State<T>& s) {
+  s.spin.x = -s.velocity.y / Real<T>(body.radius);
+  s.spin.y = s.velocity.x / Real<T>(body.radius);
+}
+
+template <class C>
+template <class T>
+inline Vec3<T> SlideRollOf<C>::spin(const Body&, const State<T>& s) const {
+  return s.spin;
+}
+
+template <class C>
+template <class T>
+inline void SlideRollOf<C>::slow_to_roll(const Body& body, State<T>& s) {
+  const T speed2 = dot(s.velocity, s.velocity);
+  if (!(value(speed2) > Real<T>(0))) return;
+  // The velocity is along the cushion already, and stays exactly so.
+  const T part = dot(slip(body, s), s.velocity) / speed2;
+  s.velocity -= s.velocity * T(part * (Real<T>(2) / Real<T>(7)));
+}
 
 }  // namespace bankshot

@@ -113,9 +113,6 @@ struct ShotRequest {
 /// Returns the name of a contact: that on the table, or `ball "8"` for a ball.
 std::string contact_name(const Puzzle& puzzle, Contact contact);
 
-/// Returns the aim points of the balls that must reach the target.
-std::vector<AimPoint> aim_points_of(const Puzzle& puzzle);
-
 /// Returns the target as the end of a sentence about a ball: "into top-right", "to rest in the ring", "through the
 /// ring", "onto ball "8"".
 std::string target_words(const Puzzle& puzzle);

@@ -14,6 +14,7 @@
 #include "bankshot/detail/next_event.hpp"
 #include "bankshot/detail/on_path.hpp"
 #include "bankshot/detail/pressed.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace bankshot {
 

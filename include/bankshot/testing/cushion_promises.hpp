@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <random>
 
+#include "bankshot/contact/any_cushion.hpp"
 #include "bankshot/motion/arc.hpp"
 
 namespace bankshot {

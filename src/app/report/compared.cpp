@@ -3,8 +3,10 @@
 
 #include <cmath>
 
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace bankshot::app::report {
 namespace {

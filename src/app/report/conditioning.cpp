@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/report/sections.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/plan/generate.hpp"
 #include "bankshot/scene/ball.hpp"

@@ -13,6 +13,7 @@
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace bankshot::app::report {
 namespace {

@@ -7,8 +7,10 @@
 
 #include "app/report/compared.hpp"
 #include "app/report/sections.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/plan/generate.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "truth/condition.hpp"
 
 namespace bankshot::app::report {

@@ -10,6 +10,7 @@
 #include "app/report/forces.hpp"
 #include "app/report/inclines.hpp"
 #include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace bankshot::app::report {
 namespace {

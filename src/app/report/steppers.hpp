@@ -17,6 +17,7 @@
 #pragma once
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/motion/arc.hpp"
 #include "bankshot/scene/physics.hpp"
 
 namespace bankshot::app::report {

@@ -7,9 +7,12 @@
 
 #include "app/report/inclines.hpp"
 #include "app/report/sections.hpp"
+#include "bankshot/contact/any_cushion.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/numbers/random.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "truth/run.hpp"
 
 namespace bankshot::app::report {

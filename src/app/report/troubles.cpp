@@ -8,9 +8,11 @@
 #include <span>
 
 #include "app/report/compared.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/plan/generate.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/trajectory.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace bankshot::app::report {
 namespace {

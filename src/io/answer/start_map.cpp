@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/geometry/boundary.hpp"
 
 namespace bankshot {

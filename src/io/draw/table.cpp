@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "sim/geometry/mouth.hpp"
 

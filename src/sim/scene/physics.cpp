@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/scene/physics.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 #include <algorithm>
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/tip.hpp"

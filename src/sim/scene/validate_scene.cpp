@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/geometry/opening.hpp"
 #include "bankshot/numbers/tolerances.hpp"
 
 namespace bankshot::validation {

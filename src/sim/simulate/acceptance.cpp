@@ -8,8 +8,10 @@
 #include <iterator>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace bankshot {
 namespace {

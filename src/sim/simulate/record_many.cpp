@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "bankshot/simulate/many_balls.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "sim/simulate/path_length.hpp"
 
 namespace bankshot {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bankshot/simulate/trajectory.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 
 namespace bankshot {
 namespace {

@@ -6,8 +6,10 @@
 #include <span>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/motion/launched.hpp"
 #include "bankshot/simulate/each.hpp"
 #include "bankshot/simulate/simulator.hpp"
+#include "bankshot/simulate/with_physics.hpp"
 #include "sim/scene/validate_launch.hpp"
 #include "sim/simulate/path_length.hpp"
 #include "sim/simulate/record_many.hpp"
