@@ -14,12 +14,12 @@ int main(int argc, char** argv) {
   Puzzle puzzle{.table = scene.table, .physics = scene.physics, .ball = scene.ball};
   puzzle.ball.at = {0.635, 0.4};
   const Vec2d places[] = {{1.6, 0.7}, {2.0, 0.3}, {0.4, 1.0}, {1.2, 1.1}, {2.3, 1.0}, {1.0, 0.2}, {1.8, 1.0}};
-  BallTarget target;
+  ObjectBallTarget target;
   for (const Vec2d& at : places) {
     target.balls.push_back(static_cast<int>(target.balls.size()) + 1);
     puzzle.others.push_back({at, scene.ball.body, std::to_string(target.balls.back())});
   }
-  target.then = Then{PocketTarget{}, CushionRule{0, 2, {}}};
+  target.then = {PocketTarget{}, CushionRule{0, 2, {}}};
   puzzle.target = target;
   puzzle.cushions = CushionRule::exactly(0);
 

@@ -55,8 +55,8 @@ LaunchSpin draw_spin(Random& r, const Physics& physics) {
 
 Wish::Kind kind_of(const Puzzle& p) {
   if (then_of(p.target)) return Wish::Kind::pot;
-  if (off_of(p.target) != 0) return Wish::Kind::carom;
-  if (std::holds_alternative<BallTarget>(p.target)) return Wish::Kind::kick;
+  if (first_of_carom(p.target) != 0) return Wish::Kind::carom;
+  if (is_ball(p.target)) return Wish::Kind::kick;
   if (is_pocket(p.target)) return Wish::Kind::pocket;
   const auto asked = arrival_range(p);
   return asked && asked->high == 0 ? Wish::Kind::stop : Wish::Kind::pass;
@@ -129,10 +129,9 @@ PocketTarget some_pocket(Random& r, const Wish& w) {
 }
 
 Target draw_ball(Random& r, const Wish& w) {
-  BallTarget target{.balls = {1}};
-  if (w.kind == Wish::Kind::carom) target = {.balls = {2}, .off = 1};
-  if (w.kind == Wish::Kind::pot) target.then = Then{some_pocket(r, w), w.then, {}};
-  return target;
+  if (w.kind == Wish::Kind::carom) return CaromTarget{1, {.balls = {2}}};
+  if (w.kind == Wish::Kind::pot) return ObjectBallTarget{{1}, {some_pocket(r, w), w.then, {}}};
+  return BallTarget{.balls = {1}};
 }
 
 /// Draws balls and a target at random, for wishes that hardly any random shot meets.
@@ -173,7 +172,7 @@ bool is_sound(const Puzzle& p, const Boundary& boundary) {
 /// to find one.
 bool has_quick_shot(Puzzle p) {
   // In simulations; a carom is looked for among all aims across its first ball.
-  const long quick = off_of(p.target) != 0 ? 50000 : 2000;
+  const long quick = first_of_carom(p.target) != 0 ? 50000 : 2000;
   p.budget = std::min(budget_of(p), quick);
   return solve(p, {.robustness = false, .suggest = false}).status == Status::solved;
 }

@@ -45,7 +45,7 @@ ShotRequest scene_of(const Puzzle& p) {
 }  // namespace
 
 Objects::Objects(const Puzzle& p) {
-  const auto& target = std::get<BallTarget>(p.target);
+  const Then* const then = then_of(p.target);
   const auto object_of = [&](int k) {
     const auto known = std::ranges::find(all, k, &Object::ball);
     if (known != all.end()) return &*known;
@@ -54,10 +54,10 @@ Objects::Objects(const Puzzle& p) {
     standing.push_back({k, &all.back().own, ball.at});
     return &all.back();
   };
-  for (const int first : target.off ? std::vector{*target.off} : target.balls) {
+  for (const int first : touched_first(p.target)) {
     std::vector<int> numbers{first};
-    if (target.then)
-      for (const Link& link : target.then->links) numbers.push_back(link.ball);
+    if (then)
+      for (const Link& link : then->links) numbers.push_back(link.ball);
     Chain& chain = chains.emplace_back();
     chain.moving.emplace_back(p.table, p.ball.body, p.others, numbers);
     for (const int k : numbers) {
@@ -76,8 +76,8 @@ Problem::Problem(const Puzzle& p)
     : puzzle(p),
       boundary(p.table, p.ball.body, p.others),
       cleared(p.others.empty() ? std::nullopt : std::optional(Boundary(p.table, p.ball.body))),
-      objects(then_of(p.target) || off_of(p.target) ? std::make_shared<const Objects>(p) : nullptr),
-      whole(std::holds_alternative<BallTarget>(p.target) ? std::make_shared<const Starts>(scene_of(p)) : nullptr),
+      objects(then_of(p.target) || first_of_carom(p.target) ? std::make_shared<const Objects>(p) : nullptr),
+      whole(is_ball(p.target) ? std::make_shared<const Starts>(scene_of(p)) : nullptr),
       rough(roughly(p.physics)),
       aim_points(then_of(p.target) ? aim_points_of(p) : aim_points_of(p.target, boundary)),
       touched(touched_by(boundary, p.ball.at)) {}

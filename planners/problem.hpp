@@ -67,7 +67,7 @@ struct Problem {
   /// Returns what the object balls are to do; null if the cue ball itself goes to the target.
   const Then* then() const { return then_of(puzzle.target); }
   /// Returns whether the cue ball goes off a first ball to another.
-  bool carom() const { return off_of(puzzle.target) != 0; }
+  bool carom() const { return first_of_carom(puzzle.target) != 0; }
   RouteBalls balls() const {
     if (!objects) return {boundary};
     return {boundary, objects->standing, collisions(puzzle.physics), carom()};

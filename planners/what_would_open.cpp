@@ -54,22 +54,10 @@ std::string of_speed(const Puzzle& puzzle, Search& search) {
   return "";
 }
 
-/// Returns the numbers of balls that a target names.
-std::vector<int*> named_by(Target& target) {
-  std::vector<int*> out;
-  auto* const balls = std::get_if<BallTarget>(&target);
-  if (!balls) return out;
-  for (int& ball : balls->balls) out.push_back(&ball);
-  if (balls->off) out.push_back(&*balls->off);
-  if (balls->then)
-    for (Link& link : balls->then->links) out.push_back(&link.ball);
-  return out;
-}
-
 /// Returns the puzzle without one ball, or without all; balls that the target names stay.
 Puzzle without(const Puzzle& puzzle, std::optional<std::size_t> taken) {
   Puzzle p = puzzle;
-  const std::vector<int*> targets = named_by(p.target);
+  const std::vector<int*> targets = balls_of(p.target);
   p.others.clear();
   std::vector<int> renumbered(puzzle.others.size() + 1);
   for (std::size_t i = 0; i < puzzle.others.size(); ++i) {

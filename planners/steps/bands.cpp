@@ -143,7 +143,7 @@ class Bands {
     if (request_.cushions().max == 0 && request_.spin.masse == 0) {
       const Vec2d way = first.at - request_.puzzle().ball.at;
       const double half = widest * std::asin(std::min(1.0, first.reach / norm(way))), to = std::atan2(way.y, way.x);
-      out.push_back({{{0, path_.touch_of(1)}}, {to - half, to + half}});
+      out.push_back({{{0, path_.contact_with(1)}}, {to - half, to + half}});
       return out;
     }
     std::vector<double> fan;
@@ -168,7 +168,7 @@ class Bands {
                  Route touched = joined(before, route);
                  const auto left = [&](double aim) { return path_.left_of(touched, ball, place, launch(aim)); };
                  const std::vector<Range> inside = passing(aims, track, widest * place.reach, left);
-                 touched.push_back({path_.number(ball), path_.touch_of(ball + 1)});
+                 touched.push_back({path_.number(ball), path_.contact_with(ball + 1)});
                  for (const Range& range : inside) out.push_back({touched, range});
                });
   }

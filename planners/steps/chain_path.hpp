@@ -55,7 +55,7 @@ class ChainPath {
   int last() const { return static_cast<int>(chain_.balls.size()); }
   const CushionRule& rule(int n) const;
   int number(int n) const { return is_struck(n) ? 0 : object(n).ball; }
-  Contact touch_of(int n) const { return Contact::ball(object(n).ball); }
+  Contact contact_with(int n) const { return Contact::ball(object(n).ball); }
   /// The ball that it must touch.
   Place next_of(int n) const;
 

@@ -64,7 +64,7 @@ bool Falls::by_replays(const SearchRequest& brought, const Fall& fall) {
 /// Rad per ln speed that keep the cut of the last ball.
 double Falls::turn_of(const Fall& fall) {
   const int last = path_.last();
-  const auto touch = std::ranges::find(fall.route, path_.touch_of(last), &Meeting::with);
+  const auto touch = std::ranges::find(fall.route, path_.contact_with(last), &Meeting::with);
   const Route before(fall.route.begin(), touch);
   const auto left = [&](double log_speed, double angle) {
     return path_.left_of(before, last - 1, path_.next_of(last - 1),

@@ -31,7 +31,7 @@ void aim_at_place(Puzzle& p, const SearchRequest& whole) {
 
 Vec2d& place_of(Target& target) {
   if (auto* const point = std::get_if<PointTarget>(&target)) return point->at;
-  return std::get<PointTarget>(std::get<BallTarget>(target).then->target).at;
+  return std::get<PointTarget>(std::get<ObjectBallTarget>(target).then.target).at;
 }
 
 std::vector<int> numbers_of(const Objects::Chain& chain) {
@@ -69,7 +69,7 @@ Part before_last(const SearchRequest& whole, const Objects::Chain& chain) {
   };
   Then before{PointTarget{}, then.links.back().cushions, {then.links.begin(), then.links.end() - 1}};
   for (Link& link : before.links) link.ball = number(link.ball);
-  out.puzzle.target = BallTarget{.balls = {number(chain.balls.front()->ball)}, .then = std::move(before)};
+  out.puzzle.target = ObjectBallTarget{.balls = {number(chain.balls.front()->ball)}, .then = std::move(before)};
   aim_at_place(out.puzzle, whole);
   return out;
 }

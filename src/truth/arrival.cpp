@@ -111,7 +111,7 @@ double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
 Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.body, p.others), physics_(refined(p.physics)) {
   const auto asked = arrival_range(p);
   stops = point_of(p.target) && asked && asked->high == 0;
-  if (!then_of(p.target) && off_of(p.target) == 0) return;
+  if (!then_of(p.target) && first_of_carom(p.target) == 0) return;
   all_ = {{}, p.table, p.physics, p.ball, p.others, {}, {}, {}};
   for (int k = 1; k <= static_cast<int>(p.others.size()); ++k)
     others_.emplace_back(p.table, p.others[static_cast<std::size_t>(k) - 1].body, p.others, std::array{k});
@@ -135,8 +135,8 @@ const Boundary& Scene::boundary_of(int ball) const {
 double Scene::miss(const Arrived& there) const {
   if (!there.taken_by) return there.passed;
   const Circle& rim = *boundary_of(there.ball).rim(there.taken_by);
-  if (const auto* ball = std::get_if<BallTarget>(&puzzle.target); ball && !ball->then)
-    return std::abs(there.offset + rim.radius * std::sin(ball->exact_cut()));
+  if (const BallTarget* const touch = touch_of(puzzle.target))
+    return std::abs(there.offset + rim.radius * std::sin(touch->exact_cut()));
   return std::abs(there.offset - exact_offset(boundary_of(there.ball), rim, there.heading, there.offset));
 }
 
@@ -162,7 +162,7 @@ std::optional<Scene::Condition> Scene::condition(const Shot& shot, const Sides& 
   Run base = run(shot.launch, shot.spin, n);
   if (!stops) base.target = shot.path.arrival.at;
   const auto arrives_in = [&](const Path& path) {
-    if (off_of(puzzle.target) != 0) return second_contact(path);
+    if (first_of_carom(puzzle.target) != 0) return second_contact(path);
     if (shot.path.then.empty()) return arriving(path, n, shot.path.arrival.time, stops);
     const int bounces = static_cast<int>(shot.path.then.back().cushions.size());
     return arriving_of(path, shot.arriving(), bounces, shot.path.arrival.time, stops);
@@ -205,8 +205,7 @@ bool Scene::seems_to_count(const Launch& launch, const Shot& claim) const {
 /// Scratches do not count in `ideal` physics, where no ball comes to rest and the cue ball would usually fall in the
 /// end.
 bool Scene::may_scratch() const {
-  return std::holds_alternative<BallTarget>(puzzle.target) && !puzzle.table.pockets.empty() &&
-         !is_ideal(puzzle.physics);
+  return is_ball(puzzle.target) && !puzzle.table.pockets.empty() && !is_ideal(puzzle.physics);
 }
 
 bool Scene::scratches(const Launch& launch, const LaunchSpin& spin) const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "truth/arrival.hpp"
@@ -36,8 +37,9 @@ class Judge {
       : scene_(scene),
         puzzle_(scene.puzzle),
         goal_(goal),
-        touches_(std::get_if<BallTarget>(&puzzle_.target)),
-        off_(off_of(puzzle_.target)),
+        first_(touched_first(puzzle_.target)),
+        touches_(touch_of(puzzle_.target)),
+        off_(first_of_carom(puzzle_.target)),
         then_(then_of(puzzle_.target)),
         point_(point_of(puzzle_.target)),
         pocket_(pocket_of(puzzle_.target)),
@@ -83,8 +85,7 @@ class Judge {
     if (e.kind != EventKind::ball) return fails("touches no ball");
     note_order();
     const int ball = e.contact.index;
-    const bool wanted = std::ranges::count(touches_->balls, ball) > 0 &&
-                        !(goal_.then && goal_.then->front().ball != ball) &&
+    const bool wanted = std::ranges::count(first_, ball) > 0 && !(goal_.then && goal_.then->front().ball != ball) &&
                         !(own_ && own_->path.hits.front().ball != ball);
     if (!wanted || static_cast<int>(met_.size()) < goal_.min) return fails(fmt::format("runs into {}", name(e)));
     return sets_going(e, ball);
@@ -240,6 +241,7 @@ class Judge {
   const Scene& scene_;
   const Puzzle& puzzle_;
   const Goal& goal_;
+  std::vector<int> first_;  ///< balls one of which the cue ball must touch first
   const BallTarget* touches_;
   int off_;  ///< the first ball of a carom; 0 if there is none
   const Then* then_;

@@ -253,7 +253,7 @@ TEST_CASE("players are told by all their errors") {
 TEST_CASE("a question about another ball tells its cushions") {
   Puzzle p = touching();
   const auto asks = [&](const Then& then) {
-    p.target = BallTarget{.balls = {1}, .then = then};
+    p.target = ObjectBallTarget{.balls = {1}, .then = then};
     return target_words(p);
   };
   CHECK(asks({.target = PocketTarget{5}}) == "to send ball \"8\" into top-right");

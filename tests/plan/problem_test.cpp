@@ -36,7 +36,7 @@ Puzzle combination() {
   then.target = PocketTarget{0};
   then.links = {{CushionRule::exactly(0), 2}};
   then.cushions = CushionRule::exactly(1);
-  p.target = BallTarget{.balls = {1}, .then = then};
+  p.target = ObjectBallTarget{.balls = {1}, .then = then};
   p.arrive = {};
   return p;
 }

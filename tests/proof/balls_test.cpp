@@ -20,7 +20,7 @@ Puzzle straight(double distance) {
   p.others = {{{2, 1}, p.ball.body, "1"}};
   Then then;
   then.target = PointTarget{{2 + distance, 1}, 0.01};
-  p.target = BallTarget{.balls = {1}, .then = then};
+  p.target = ObjectBallTarget{.balls = {1}, .then = then};
   p.arrive = Range{0, 0};
   return p;
 }

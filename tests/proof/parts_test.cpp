@@ -36,7 +36,7 @@ Puzzle combination() {
   Then then;
   then.target = PocketTarget{0};
   then.links = {{CushionRule::exactly(1), 2}};
-  p.target = BallTarget{.balls = {1}, .then = then};
+  p.target = ObjectBallTarget{.balls = {1}, .then = then};
   return p;
 }
 

@@ -45,12 +45,12 @@ Puzzle layout(Random& r, int balls) {
     if (boundary.clearance(at) > p.ball.body.radius / 2 && std::ranges::all_of(places, apart)) places.push_back(at);
   }
   p.ball.at = places.front();
-  BallTarget target;
+  ObjectBallTarget target;
   for (int k = 1; k <= balls; ++k) {
     p.others.push_back({places[static_cast<std::size_t>(k)], p.ball.body, std::to_string(k)});
     target.balls.push_back(k);
   }
-  target.then = Then{PocketTarget{}, CushionRule{0, most_cushions, {}}, {}};
+  target.then = {PocketTarget{}, CushionRule{0, most_cushions, {}}, {}};
   p.target = target;
   p.cushions = CushionRule::exactly(0);
   return p;

@@ -37,7 +37,7 @@ class Referee {
  public:
   Referee(const Puzzle& p, const Shot& own, const ShotRequest& played)
       : p_(p), own_(own), played_(played), t_(simulate(played)), bounces_(&p.cushions) {
-    if (const auto* asked = std::get_if<BallTarget>(&p.target)) plan(*asked);
+    if (is_ball(p.target)) plan();
     const auto asked = arrival_range(p);
     rests_ = asked && asked->high == 0;
     if (const PointTarget* point = point_of(p.target)) point_ = *point;
@@ -46,22 +46,23 @@ class Referee {
   bool legal() {
     if (!reaches()) return false;
     const auto scratch = [](const Record& e) { return e.kind == EventKind::pocket && e.ball == 0; };
-    return !std::holds_alternative<BallTarget>(p_.target) || std::ranges::none_of(t_.events, scratch);
+    return !is_ball(p_.target) || std::ranges::none_of(t_.events, scratch);
   }
 
  private:
   enum class Verdict { open, made, failure };
 
   /// Lists the ball contacts that must happen, in order.
-  void plan(const BallTarget& asked) {
-    if (asked.off) {
-      contacts_ = {{0, *asked.off}, {0, own_.path.hits.back().ball}};
+  void plan() {
+    if (const int first = first_of_carom(p_.target)) {
+      contacts_ = {{0, first}, {0, own_.path.hits.back().ball}};
       return;
     }
     contacts_ = {{0, own_.path.hits.front().ball}};
-    if (!asked.then) return;
+    const Then* const then = then_of(p_.target);
+    if (!then) return;
     int by = own_.path.hits.front().ball;
-    for (const Link& link : asked.then->links) contacts_.push_back({std::exchange(by, link.ball), link.ball});
+    for (const Link& link : then->links) contacts_.push_back({std::exchange(by, link.ball), link.ball});
   }
 
   bool ends_at_contact() const { return !contacts_.empty() && !then_of(p_.target); }
@@ -107,7 +108,7 @@ class Referee {
     if (all_touched()) return Verdict::failure;
     const auto [striker, struck] = contacts_[done_];
     if (std::minmax(e.ball, e.contact.index) != std::minmax(striker, struck)) return Verdict::failure;
-    const bool carom = off_of(p_.target) != 0, last = done_ + 1 == contacts_.size();
+    const bool carom = first_of_carom(p_.target) != 0, last = done_ + 1 == contacts_.size();
     if ((!carom || last) && !bounces_.enough()) return Verdict::failure;
     if (last && ends_at_contact()) return within_cut(e) ? Verdict::made : Verdict::failure;
     ++done_;
@@ -119,7 +120,7 @@ class Referee {
   }
 
   bool within_cut(const Record& e) const {
-    const auto& asked = std::get<BallTarget>(p_.target);
+    const BallTarget& asked = *touch_of(p_.target);
     if (asked.any_contact()) return true;
     Vec2d before = start_state(played_).velocity;
     for (const Leg& leg : t_.legs)

@@ -45,8 +45,8 @@ bool is_hard(const Made& made) {
 }
 
 bool is_exact(const Made& made) {
-  const auto* ball = std::get_if<BallTarget>(&made.puzzle.target);
-  if (ball && ball->within >= any_touch) return false;  // any touch makes it
+  const BallTarget* const touch = touch_of(made.puzzle.target);
+  if (touch && touch->within >= any_touch) return false;  // any touch makes it
   if (!is_pocket(made.puzzle.target)) return true;
   if (then_of(made.puzzle.target)) return false;  // the last drop is as it fell, rarely on the exact line
   const Puzzle& p = made.puzzle;

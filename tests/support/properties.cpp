@@ -279,7 +279,7 @@ Mirrored mirror_of(const Case& c) {
 
 bool is_whole(const Json& question) {
   const auto puzzle = valid_puzzle(question);
-  return puzzle && !(is_ideal(puzzle->physics) && std::holds_alternative<BallTarget>(puzzle->target));
+  return puzzle && !(is_ideal(puzzle->physics) && is_ball(puzzle->target));
 }
 
 }  // namespace

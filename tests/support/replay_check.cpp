@@ -100,8 +100,8 @@ std::string bound_broken(const Puzzle& p, const Shot& shot) {
 }
 
 /// Checks the object balls by a simulation of all balls.
-Checked check_sent(const Puzzle& p, const BallTarget& asked, const Shot& shot) {
-  const Then& then = *asked.then;
+Checked check_sent(const Puzzle& p, const ObjectBallTarget& asked, const Shot& shot) {
+  const Then& then = asked.then;
   ShotRequest request{{}, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
   const bool rests = shot.path.arrival.speed == 0;
   request.until.time = shot.path.arrival.time * (1 + 1e-6) + 1e-6;
@@ -203,8 +203,9 @@ Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) 
   const Trajectory t = simulate(request);
   auto met = std::ranges::find(t.events, EventKind::ball, &Record::kind);
   if (met == t.events.end()) return {"touches no ball", 0};
-  if (asked.off) {
-    if (met->ball != 0 || met->contact.index != *asked.off) return {"touches another ball first", 0};
+  const int first = first_of_carom(p.target);
+  if (first != 0) {
+    if (met->ball != 0 || met->contact.index != first) return {"touches another ball first", 0};
     met = std::ranges::find(std::next(met), t.events.end(), EventKind::ball, &Record::kind);
     if (met == t.events.end() || met->ball != 0) return {"no second ball", 0};
   }
@@ -233,7 +234,7 @@ Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) 
     c.speed_error = std::max(0.0, off) / std::max(1.0, range->high);
     if (c.speed_error > 1e-9) c.problem = fmt::format("touches at {} m/s", norm(before));
   }
-  if (shot.path.hits.size() != (asked.off ? 2U : 1U) || shot.path.hits.back().ball != ball ||
+  if (shot.path.hits.size() != (first != 0 ? 2U : 1U) || shot.path.hits.back().ball != ball ||
       std::abs(shot.path.hits.back().cut - std::asin(sine)) > 1e-6)
     c.problem = "says another contact";
   if (const std::string broken = bound_broken(p, shot); !broken.empty()) c.problem = broken;
@@ -243,8 +244,8 @@ Checked check_touch(const Puzzle& p, const BallTarget& asked, const Shot& shot) 
 }  // namespace
 
 Checked check_shot(const Puzzle& p, const Shot& shot) {
-  if (const auto* ball = std::get_if<BallTarget>(&p.target))
-    return ball->then ? check_sent(p, *ball, shot) : check_touch(p, *ball, shot);
+  if (const auto* sends = std::get_if<ObjectBallTarget>(&p.target)) return check_sent(p, *sends, shot);
+  if (const BallTarget* const touch = touch_of(p.target)) return check_touch(p, *touch, shot);
   Checked c;
   ShotRequest request{{}, p.table, p.physics, p.ball, {}, shot.launch, shot.spin, {}};
   request.until.cushions = static_cast<int>(shot.path.cushions.size()) + 1;

@@ -205,7 +205,7 @@ Made sends(Random& r, Model model, int before, int after, Wanted wanted, std::si
         continue;
       const auto* point = std::get_if<PointTarget>(&s->then.target);
       if ((wanted == Wanted::pocket && point) || (wanted == Wanted::rest && (!point || s->arrival > 0))) continue;
-      p.target = BallTarget{.balls = {s->ball}, .then = s->then};
+      p.target = ObjectBallTarget{.balls = {s->ball}, .then = s->then};
       p.arrive.reset();
       p.speed = {made.launch.speed / 2, made.launch.speed * 2};
       if (s->arrival > 0 && r.chance(0.3))
@@ -277,8 +277,8 @@ Made caroms(Random& r, Model model, int bounces) {
       const Vec2d apart = second.other.at - second.state.at;
       const double cut = std::atan2(cross(before, apart), dot(before, apart)), speed = norm(before);
       if (!(speed > 1e-2) || !(std::abs(cut) < radians(89.99))) continue;
-      BallTarget target{.balls = {second.contact.index}, .off = met->first->contact.index};
-      if (r.chance(0.5)) target.cut = cut, target.within = radians(5.0);
+      CaromTarget target{met->first->contact.index, {.balls = {second.contact.index}}};
+      if (r.chance(0.5)) target.second.cut = cut, target.second.within = radians(5.0);
       p.target = target;
       p.arrive.reset();
       p.speed = {made.launch.speed / 2, made.launch.speed * 2};

@@ -66,39 +66,54 @@ struct Then {
 
 inline constexpr double any_touch = radians(90.0);  ///< rad; every cut is within this angle of a full hit
 
-/// The cue ball touches one of these balls. This is its first contact with a ball, in a carom the second. The cut is
-/// the angle from its velocity just before the hit to the line of centres, anticlockwise.
+/// The cue ball touches one of these balls. This is its first contact with a ball. The cut is the angle from its
+/// velocity just before the hit to the line of centres, anticlockwise.
 struct BallTarget {
   std::vector<int> balls{};        ///< k stands for the k-th of `others`, from 1
   std::optional<double> cut{};     ///< rad, between ±90°; above 0 the object ball leaves to the left
   std::optional<double> within{};  ///< rad; largest error of the cut, or of a full hit, that counts as made
-  std::optional<Then> then{};      ///< object-ball path, which replaces the cut
-  std::optional<int> off{};        ///< in a carom, the ball that is touched first
 
   /// Returns the cut [rad]; without a cut, that of a full hit.
   double exact_cut() const { return cut.value_or(0); }
   /// Returns the tolerance of the cut [rad]. The default is 5° if a cut is given; otherwise any contact counts.
   double cut_within() const { return within ? *within : cut ? radians(5.0) : any_touch; }
   /// Returns true if any contact counts.
-  bool any_contact() const { return !then && cut_within() >= any_touch; }
+  bool any_contact() const { return cut_within() >= any_touch; }
 };
 
-using Target = std::variant<PointTarget, PocketTarget, BallTarget>;
+/// The cue ball touches a first ball, and then a second.
+struct CaromTarget {
+  int first = 0;        ///< number of the ball that is touched first
+  BallTarget second{};  ///< the second contact; it names one ball
+};
+
+/// The cue ball touches one of these balls, which reaches a point or a pocket. With links it is a combination.
+struct ObjectBallTarget {
+  std::vector<int> balls{};  ///< as in BallTarget
+  Then then{};
+};
+
+using Target = std::variant<PointTarget, PocketTarget, BallTarget, CaromTarget, ObjectBallTarget>;
+
+// These functions tell what is asked of the balls, whatever the kind of target.
 
 /// Returns true if a ball must fall into a pocket to reach the target.
 bool is_pocket(const Target& target);
+/// Returns true if the cue ball must touch a ball.
+bool is_ball(const Target& target);
 /// Return the point or pocket that the cue ball or an object ball must reach; null for other kinds of target.
 const PointTarget* point_of(const Target& target);
 const PocketTarget* pocket_of(const Target& target);
-/// Returns the first ball of a carom; 0 if there is none.
-inline int off_of(const Target& target) {
-  const auto* ball = std::get_if<BallTarget>(&target);
-  return ball ? ball->off.value_or(0) : 0;
-}
 /// Returns the object-ball path; null if the cue ball itself reaches the target.
-inline const Then* then_of(const Target& target) {
-  const auto* ball = std::get_if<BallTarget>(&target);
-  return ball && ball->then ? &*ball->then : nullptr;
-}
+const Then* then_of(const Target& target);
+/// Returns the contact at which the cue ball's path ends; null if it ends at a point or a pocket, or an object ball
+/// goes on.
+const BallTarget* touch_of(const Target& target);
+/// Returns the first ball of a carom; 0 if there is none.
+int first_of_carom(const Target& target);
+/// Returns the balls one of which the cue ball must touch first; none if it need not touch any.
+std::vector<int> touched_first(const Target& target);
+/// Returns pointers to all ball numbers in a target.
+std::vector<int*> balls_of(Target& target);
 
 }  // namespace bankshot

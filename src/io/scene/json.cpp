@@ -110,37 +110,40 @@ void read_then(const Reader& r, const Table& table, const std::vector<Ball>& oth
   then.target = read_pocket(r, table);
 }
 
-BallTarget read_ball_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
-  r.only(format::to_ball);
-  BallTarget t{.balls = read_balls(r.need("ball"), others)};
+BallTarget read_touch(const Reader& r, std::vector<int> balls, const format::Bounds& within) {
+  BallTarget t{.balls = std::move(balls)};
   if (const auto v = r.find("cut")) t.cut = radians(v->number());
-  if (const auto v = r.find("within")) t.within = radians(v->number(format::to_ball["within"].bounds));
+  if (const auto v = r.find("within")) t.within = radians(v->number(within));
+  return t;
+}
+
+Target read_ball_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
+  r.only(format::to_ball);
+  std::vector<int> balls = read_balls(r.need("ball"), others);
   const auto then = r.find("then"), pocket = r.find("pocket");
   if (then && pocket) pocket->fail("is short for \"then\" with that pocket, which stands beside it");
   if (then || pocket)
     for (const char* key : {"cut", "within"})
       if (const auto other = r.find(key))
         other->fail(fmt::format("stands beside \"{}\", which says where the ball is to go", then ? "then" : "pocket"));
-  if (pocket) t.then.emplace().target = read_pocket(r, table);
-  if (then) {
-    read_then(*then, table, others, t.then.emplace());
-    // "any" excludes the balls of later combination links.
-    if (const Reader ball = r.need("ball"); ball.is_string() && ball.text() == "any")
-      for (const Link& link : t.then->links) std::erase(t.balls, link.ball);
-  }
-  return t;
+  if (pocket) return ObjectBallTarget{std::move(balls), {.target = read_pocket(r, table)}};
+  if (!then) return read_touch(r, std::move(balls), format::to_ball["within"].bounds);
+  ObjectBallTarget sends{.balls = std::move(balls)};
+  read_then(*then, table, others, sends.then);
+  // "any" excludes the balls of later combination links.
+  if (const Reader ball = r.need("ball"); ball.is_string() && ball.text() == "any")
+    for (const Link& link : sends.then.links) std::erase(sends.balls, link.ball);
+  return sends;
 }
 
-BallTarget read_carom(const Reader& r, const std::vector<Ball>& others) {
+CaromTarget read_carom(const Reader& r, const std::vector<Ball>& others) {
   r.only(format::carom);
   const Reader pair = r.need("carom");
   if (!pair.is_array() || pair.size() != 2) pair.fail("must be a pair of balls");
   if (others.empty()) pair.fail("cannot be touched: there are no \"others\"");
   const auto balls = pair.items();
-  BallTarget t{.balls = {read_ball(balls[1], others)}, .off = read_ball(balls[0], others)};
-  if (const auto v = r.find("cut")) t.cut = radians(v->number());
-  if (const auto v = r.find("within")) t.within = radians(v->number(format::carom["within"].bounds));
-  return t;
+  const int second = read_ball(balls[1], others), first = read_ball(balls[0], others);
+  return {first, read_touch(r, {second}, format::carom["within"].bounds)};
 }
 
 Target read_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {

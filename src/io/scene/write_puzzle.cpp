@@ -38,18 +38,28 @@ Json then_json(const Then& then, const Puzzle& p, std::size_t n = 0) {
   return j;
 }
 
-Json json_of(const BallTarget& target, const Puzzle& p) {
+Json names_of(const std::vector<int>& balls, const Puzzle& p) {
   Json names = Json::array();
-  if (target.off) names.push_back(id_of(p, *target.off));
-  for (const int k : target.balls) names.push_back(id_of(p, k));
-  Json j{{target.off ? "carom" : "ball", names.size() == 1 ? names.front() : names}};
-  if (target.then) {
-    j["then"] = then_json(*target.then, p);
-  } else {
-    if (target.cut) j["cut"] = exact_degrees(*target.cut);
-    if (target.within) j["within"] = exact_degrees(*target.within);
-  }
+  for (const int k : balls) names.push_back(id_of(p, k));
+  return names.size() == 1 ? names.front() : names;
+}
+
+Json with_cut(Json j, const BallTarget& target) {
+  if (target.cut) j["cut"] = exact_degrees(*target.cut);
+  if (target.within) j["within"] = exact_degrees(*target.within);
   return j;
+}
+
+Json json_of(const BallTarget& target, const Puzzle& p) {
+  return with_cut({{"ball", names_of(target.balls, p)}}, target);
+}
+
+Json json_of(const CaromTarget& target, const Puzzle& p) {
+  return with_cut({{"carom", names_of({target.first, target.second.balls.front()}, p)}}, target.second);
+}
+
+Json json_of(const ObjectBallTarget& target, const Puzzle& p) {
+  return {{"ball", names_of(target.balls, p)}, {"then", then_json(target.then, p)}};
 }
 
 Json target_json(const Puzzle& p) {
@@ -114,7 +124,9 @@ std::string write_puzzle(const Puzzle& p, std::string_view table, std::string_vi
                .cushions = p.cushions};
   plain.ball.at = p.ball.at;
   if (auto* point = std::get_if<PointTarget>(&plain.target)) point->within = PointTarget{}.within;
-  if (auto* ball = std::get_if<BallTarget>(&plain.target)) ball->within.reset(), ball->cut.reset();
+  const auto forget = [](BallTarget& touch) { touch.within.reset(), touch.cut.reset(); };
+  if (auto* ball = std::get_if<BallTarget>(&plain.target)) forget(*ball);
+  if (auto* carom = std::get_if<CaromTarget>(&plain.target)) forget(carom->second);
   const Json said = question_json(p), untold = question_json(plain);
   Json j{{"table", parse_document(table)}, {"physics", parse_document(physics)}};
   const auto same = [](const Json& said_so, const Json& otherwise, const std::string& key) {

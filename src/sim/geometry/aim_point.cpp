@@ -23,7 +23,7 @@ AimPoint aim_point_of(const Circle& ball, const BallTarget& asked) {
 }  // namespace
 
 std::vector<AimPoint> aim_points_of(const Target& target, const Boundary& boundary) {
-  if (const auto* asked = std::get_if<BallTarget>(&target)) {
+  if (const BallTarget* const asked = touch_of(target)) {
     std::vector<AimPoint> aim_points;
     for (const int k : asked->balls) aim_points.push_back(aim_point_of(*boundary.rim(Contact::ball(k)), *asked));
     return aim_points;
@@ -51,8 +51,7 @@ std::vector<AimPoint> aim_points_of(const Puzzle& p) {
   if (!then) return aim_points_of(p.target, Boundary(p.table, p.ball.body, p.others));
   const Target target = std::visit([](const auto& t) { return Target(t); }, then->target);
   std::vector<AimPoint> all;
-  const std::vector<int>& first = std::get<BallTarget>(p.target).balls;
-  for (const int k : then->links.empty() ? first : std::vector{then->links.back().ball}) {
+  for (const int k : then->links.empty() ? touched_first(p.target) : std::vector{then->links.back().ball}) {
     const Body& body = p.others[static_cast<std::size_t>(k) - 1].body;
     for (AimPoint aim_point : aim_points_of(target, Boundary(p.table, body, p.others, std::array{k}))) {
       aim_point.ball = k;

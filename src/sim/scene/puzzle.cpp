@@ -17,25 +17,23 @@ std::optional<Range> arrival_range(const Puzzle& p) {
   if (is_ideal(p.physics) || p.speed.fixed()) return {};
   if (p.arrive) return p.arrive;
   constexpr Range rests{0, 0}, touches{0.5, 0.5}, any_contact{0.1, 5}, caroms{0.2, 5}, drops{0.2, 3};
-  if (off_of(p.target)) return caroms;
-  if (const auto* ball = std::get_if<BallTarget>(&p.target); ball && !ball->then)
-    return ball->cut ? touches : any_contact;
+  if (first_of_carom(p.target)) return caroms;
+  if (const BallTarget* const touch = touch_of(p.target)) return touch->cut ? touches : any_contact;
   return is_pocket(p.target) ? drops : rests;
 }
 
 Aim aim_of(const Puzzle& p) {
   if (p.aim) return *p.aim;
-  const auto* ball = std::get_if<BallTarget>(&p.target);
-  const bool contact = ball && !ball->then && !ball->cut;
+  const BallTarget* const touch = touch_of(p.target);
+  const bool contact = touch && !touch->cut;
   return p.prefer == Prefer::robust && (contact || is_pocket(p.target)) ? Aim::safest : Aim::centre;
 }
 
 long budget_of(const Puzzle& p) {
   if (p.budget) return *p.budget;
   constexpr long usual = 100'000, most = 2'000'000, usual_pairs = 6;
-  const auto* ball = std::get_if<BallTarget>(&p.target);
   const PocketTarget* const pocket = pocket_of(p.target);
-  const std::size_t balls = ball && !ball->off ? ball->balls.size() : 1,
+  const std::size_t balls = std::max<std::size_t>(1, touched_first(p.target).size()),
                     pockets = pocket && !pocket->pocket ? p.table.pockets.size() : 1;
   return std::min(most, usual * std::max(usual_pairs, static_cast<long>(balls * pockets)) / usual_pairs);
 }

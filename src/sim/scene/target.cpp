@@ -19,6 +19,43 @@ const PointTarget* point_of(const Target& target) { return arrival_at<PointTarge
 const PocketTarget* pocket_of(const Target& target) { return arrival_at<PocketTarget>(target); }
 
 bool is_pocket(const Target& target) { return pocket_of(target) != nullptr; }
+bool is_ball(const Target& target) { return touch_of(target) || then_of(target); }
+
+const Then* then_of(const Target& target) {
+  const auto* sends = std::get_if<ObjectBallTarget>(&target);
+  return sends ? &sends->then : nullptr;
+}
+
+const BallTarget* touch_of(const Target& target) {
+  const auto* carom = std::get_if<CaromTarget>(&target);
+  return carom ? &carom->second : std::get_if<BallTarget>(&target);
+}
+
+int first_of_carom(const Target& target) {
+  const auto* carom = std::get_if<CaromTarget>(&target);
+  return carom ? carom->first : 0;
+}
+
+std::vector<int> touched_first(const Target& target) {
+  if (const int first = first_of_carom(target)) return {first};
+  if (const auto* sends = std::get_if<ObjectBallTarget>(&target)) return sends->balls;
+  const BallTarget* const touched = touch_of(target);
+  return touched ? touched->balls : std::vector<int>{};
+}
+
+std::vector<int*> balls_of(Target& target) {
+  std::vector<int*> all;
+  const auto add = [&](std::vector<int>& balls) {
+    for (int& ball : balls) all.push_back(&ball);
+  };
+  if (auto* touched = std::get_if<BallTarget>(&target)) add(touched->balls);
+  if (auto* carom = std::get_if<CaromTarget>(&target)) all.push_back(&carom->first), add(carom->second.balls);
+  if (auto* sends = std::get_if<ObjectBallTarget>(&target)) {
+    add(sends->balls);
+    for (Link& link : sends->then.links) all.push_back(&link.ball);
+  }
+  return all;
+}
 
 namespace {
 
@@ -48,16 +85,26 @@ std::string bank_words(const CushionRule& rule, const Puzzle& p) {
   return names;
 }
 
-std::string words_of(const BallTarget& target, const Puzzle& p) {
-  std::string balls;
-  for (const int k : target.balls) balls += (balls.empty() ? "" : " or ") + contact_name(p, Contact::ball(k));
-  if (target.off) return "off " + contact_name(p, Contact::ball(*target.off)) + " onto " + balls;
-  if (!target.then) return "onto " + balls;
+std::string words_of(const std::vector<int>& balls, const Puzzle& p) {
+  std::string names;
+  for (const int k : balls) names += (names.empty() ? "" : " or ") + contact_name(p, Contact::ball(k));
+  return names;
+}
+
+std::string words_of(const BallTarget& target, const Puzzle& p) { return "onto " + words_of(target.balls, p); }
+
+std::string words_of(const CaromTarget& target, const Puzzle& p) {
+  return "off " + contact_name(p, Contact::ball(target.first)) + ' ' + words_of(target.second, p);
+}
+
+std::string words_of(const ObjectBallTarget& target, const Puzzle& p) {
+  const Then& then = target.then;
   std::string by;
-  for (const Link& link : target.then->links)
+  for (const Link& link : then.links)
     by += bank_words(link.cushions, p) + " onto " + contact_name(p, Contact::ball(link.ball)) + " and that";
-  by += bank_words(target.then->cushions_of(target.then->links.size()), p);
-  return "to send " + balls + by + " " + std::visit([&](const auto& t) { return words_of(t, p); }, target.then->target);
+  by += bank_words(then.cushions_of(then.links.size()), p);
+  return "to send " + words_of(target.balls, p) + by + ' ' +
+         std::visit([&](const auto& t) { return words_of(t, p); }, then.target);
 }
 
 }  // namespace

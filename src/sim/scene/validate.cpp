@@ -50,10 +50,10 @@ void check_number(const Puzzle& p, int k, const std::string& path) {
 }
 
 /// Checks that every combination link touches a different ball.
-void check_links(const Puzzle& p, const BallTarget& asked) {
+void check_links(const Puzzle& p, const ObjectBallTarget& asked) {
   std::vector<int> before = asked.balls;
   std::string path = "/target/then";
-  for (const Link& link : asked.then->links) {
+  for (const Link& link : asked.then.links) {
     check_number(p, link.ball, path + "/ball");
     if (std::ranges::count(before, link.ball) > 0)
       fail(path + "/ball", contact_name(p, Contact::ball(link.ball)) + " is touched before");
@@ -62,25 +62,27 @@ void check_links(const Puzzle& p, const BallTarget& asked) {
   }
 }
 
-void check_balls(const Puzzle& p, const BallTarget& asked) {
-  if (asked.off) {
-    check_number(p, *asked.off, "/target/carom/0");
-    if (asked.balls.size() != 1) fail("/target/carom", "must be a pair of balls");
-    if (asked.balls.front() == *asked.off)
-      fail("/target/carom/1", contact_name(p, Contact::ball(*asked.off)) + " is the first, too");
-    if (asked.then) fail("/target/then", "a carom ends at its second ball");
+void check_balls(const Puzzle& p, const std::vector<int>& balls) {
+  if (balls.empty()) fail("/target/ball", "there must be a ball to touch");
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    check_number(p, balls[i], "/target/ball");
+    if (std::ranges::count(balls, balls[i]) > 1)
+      fail(at("/target/ball", i), contact_name(p, Contact::ball(balls[i])) + " is listed twice");
   }
-  if (asked.balls.empty()) fail("/target/ball", "there must be a ball to touch");
-  for (std::size_t i = 0; i < asked.balls.size(); ++i) {
-    const int k = asked.balls[i];
-    check_number(p, k, asked.off ? "/target/carom/1" : "/target/ball");
-    if (std::ranges::count(asked.balls, k) > 1)
-      fail(at("/target/ball", i), contact_name(p, Contact::ball(k)) + " is listed twice");
-  }
+}
+
+void check_carom(const Puzzle& p, const CaromTarget& asked) {
+  check_number(p, asked.first, "/target/carom/0");
+  if (asked.second.balls.size() != 1) fail("/target/carom", "must be a pair of balls");
+  const int second = asked.second.balls.front();
+  check_number(p, second, "/target/carom/1");
+  if (second == asked.first) fail("/target/carom/1", contact_name(p, Contact::ball(second)) + " is the first, too");
+}
+
+void check_cut(const BallTarget& asked) {
   if (!(std::abs(asked.exact_cut()) < radians(90.0)))
     fail("/target/cut", fmt::format("{:g}° must be inside -90° and 90°", degrees(*asked.cut)));
   if (!(asked.cut_within() > 0)) fail("/target/within", "must be greater than 0");
-  if (asked.then) check_links(p, asked);
 }
 
 void check_cushions(const CushionRule& c, const Boundary& boundary, const std::string& path) {
@@ -96,7 +98,12 @@ void check_cushions(const CushionRule& c, const Boundary& boundary, const std::s
 }
 
 void check_target(const Puzzle& p, const Boundary& boundary) {
-  if (const auto* asked = std::get_if<BallTarget>(&p.target)) check_balls(p, *asked);
+  if (const auto* carom = std::get_if<CaromTarget>(&p.target))
+    check_carom(p, *carom);
+  else if (is_ball(p.target))
+    check_balls(p, touched_first(p.target));
+  if (const BallTarget* const touch = touch_of(p.target)) check_cut(*touch);
+  if (const auto* sends = std::get_if<ObjectBallTarget>(&p.target)) check_links(p, *sends);
   std::string path = "/target";
   if (const Then* const then = then_of(p.target))
     for (std::size_t n = 0; n <= then->links.size(); ++n) {
@@ -138,7 +145,7 @@ void validate(const Puzzle& p) {
                                 : "in ideal physics no ball comes to rest");
   }
   if (p.leave) {
-    if (!std::holds_alternative<BallTarget>(p.target))
+    if (!is_ball(p.target))
       fail("/prefer/leave", "is where the cue ball rests after it has touched another, and no ball is the target");
     if (is_ideal(p.physics)) fail("/prefer/leave", "in ideal physics no ball comes to rest");
     check_inside(boundary, *p.leave, "/prefer/leave", "the centre of the cue ball");
