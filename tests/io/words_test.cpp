@@ -161,6 +161,7 @@ TEST_CASE("a raised cue gives the spin that its words tell") {
 TEST_CASE("how full a hit is has Alciatore's names, its share and its cut") {
   const Puzzle p = touching();
   CHECK(row(p, touch(p, 0), "arrives") == "meets ball \"8\", full hit (100 %), after 0.70 s at 1.20 m/s");
+  CHECK_THAT(row(p, touch(p, 6.3), "arrives"), Contains("nearly full hit (89 %), cutting it 6.3 degrees to the left"));
   CHECK_THAT(row(p, touch(p, 14.5), "arrives"), Contains("3/4-ball hit (75 %), cutting it 14.5 degrees to the left"));
   CHECK_THAT(row(p, touch(p, -30), "arrives"), Contains("half-ball hit (50 %), cutting it 30.0 degrees to the right"));
   CHECK_THAT(row(p, touch(p, 48.6), "arrives"), Contains("1/4-ball hit (25 %), cutting it 48.6 degrees to the left"));
@@ -196,6 +197,8 @@ TEST_CASE("margins are told by their sides") {
   CHECK(row(p, s, "margin") == "up to 0.41 degrees to the right, up to 0.0568 degrees to the left");
   CHECK_THAT(to_text(p, {.status = Status::solved, .shots = {s}}),
              Contains("\n            up to 0.4 m/s slower, any amount faster\n"));
+  s.robustness.margin->speed = {-0.4, 26};
+  CHECK_THAT(row(p, s, ""), Contains("any amount faster"));  // no player is as fast
   s.robustness.margin = Margin{{0, radians(1)}, {}};
   CHECK(row(p, s, "margin") == "not to the right, up to 1 degrees to the left");
   CHECK_THAT(row(p, s, ""), Contains("any speed makes it"));

@@ -44,6 +44,8 @@ std::string beside(const Vec2d& at, const Vec2d& aim, const Vec2d& centre) {
 
 /// Returns the nearest of D. Alciatore's names for the fullness of a hit.
 std::string_view fullness_words(double full) {
+  constexpr double whole = 0.985;  // shown as 99 % or more
+  if (full > 7.0 / 8 && full < whole) return "nearly full hit";
   constexpr std::string_view names[] = {"thin hit", "1/4-ball hit", "half-ball hit", "3/4-ball hit", "full hit"};
   return names[static_cast<std::size_t>(std::lround(4 * std::clamp(full, 0.0, 1.0)))];
 }
@@ -81,6 +83,13 @@ std::string side_of_margin(const std::optional<double>& by, double unit, std::st
   if (!by) return fmt::format("any amount {}", way);
   const double most = std::abs(*by) * unit;
   return most < least ? fmt::format("not {}", way) : fmt::format("up to {:.3g} {} {}", most, unit_words, way);
+}
+
+/// Returns the margin without an upper limit of the speed if the limit is faster than every allowed launch.
+Margin playable(const Puzzle& p, const Shot& s) {
+  Margin m = *s.robustness.margin;
+  if (m.speed[1] && s.launch.speed + *m.speed[1] > std::max(p.speed.high, Puzzle{}.speed.high)) m.speed[1].reset();
+  return m;
 }
 
 std::vector<Row> margin_rows(const Margin& m) {
@@ -351,7 +360,7 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
   if (shot.robustness.margin && shot.path.scratch && !is_ideal(p.physics))
     rows.push_back({"margin", "none, because the cue ball falls into a pocket"});
   else if (shot.robustness.margin)
-    for (Row& row : margin_rows(*shot.robustness.margin)) rows.push_back(std::move(row));
+    for (Row& row : margin_rows(playable(p, shot))) rows.push_back(std::move(row));
   rows.push_back({"note", "0.1 degrees of aim moves the arrival by " +
                               distance_words(norm(shot.verification.by_angle) * radians(0.1), p.table)});
   for (const std::string& line : sensitivity_words(p, shot)) rows.push_back({"", line});

@@ -118,6 +118,8 @@ BallTarget read_touch(const Reader& r, std::vector<int> balls, const format::Bou
 }
 
 Target read_ball_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {
+  if (const auto v = r.find("cushions"))
+    v->fail("has no place here: those of the object ball stand in \"then\", those of the cue ball beside \"target\"");
   r.only(format::to_ball);
   std::vector<int> balls = read_balls(r.need("ball"), others);
   const auto then = r.find("then"), pocket = r.find("pocket");
