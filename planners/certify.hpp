@@ -27,7 +27,7 @@ void keep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
 bool certify_root(const LockedAim& aim, EvaluationBudget& budget, SearchResult& found, const Launch& root,
                   std::string_view step);
 
-/// See Shot::digits.
+/// See Verification::digits.
 std::optional<int> promised_digits(const SearchRequest& request, const Shot& shot);
 
 }  // namespace bankshot::planning

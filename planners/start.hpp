@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of the cue ball right after the launch: the one place where a launch becomes motion.
+// The state of the cue ball right after the launch.
 #pragma once
 
 #include "bankshot/motion/launched.hpp"

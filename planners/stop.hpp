@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// When a search stops: this is the one place that says so. A step asks before each thing it tries.
+// The rules by which steps stop. A step asks before each thing it tries; some steps have rules of their own besides.
 //   satisfied      a shot was found, and no other is wanted
 //   over           nothing more may be tried: satisfied, or the budget is spent
 //   enough_seeds   a step that proposes seed after seed may stop: there are shots enough to choose from

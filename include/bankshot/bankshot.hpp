@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Includes the public interface: scenes, simulation, plans and drawings. Programs that need less can include single
-// headers; bankshot/detail/ is internal to them. Headers of plan/ need the CMake target bankshot::planners, the others
-// need bankshot::sim.
+// headers; bankshot/detail/ is internal to them. Simulation needs the CMake target bankshot::sim, JSON, CSV, text and
+// pictures need bankshot::io, and headers of plan/ need bankshot::planners, which brings both.
 #pragma once
 
 #include "bankshot/contact/custom.hpp"   // user-defined cushions

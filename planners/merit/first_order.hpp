@@ -18,10 +18,10 @@
 namespace bankshot::planning {
 
 struct FirstOrder {
-  Vec2d by_angle{};             ///< m/rad, see Shot::by_angle
+  Vec2d by_angle{};             ///< m/rad, see Verification::by_angle
   Vec2d by_log_speed{};         ///< m per unit of ln speed
-  double margin = 0;            ///< in standard deviations, see Shot::first_order
-  double success_estimate = 0;  ///< see Shot::success_estimate
+  double margin = 0;            ///< in standard deviations, see Robustness::first_order
+  double success_estimate = 0;  ///< see Robustness::success_estimate
 };
 
 /// Of a launch along a route; `at` is where it arrives, or the aim point where no replay has told.

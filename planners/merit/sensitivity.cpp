@@ -13,7 +13,7 @@ namespace {
 
 using Varied = Dual<one_varies>;
 
-/// m per unit of the coefficient that varies: as Shot::by_angle, how far the arrival moves.
+/// m per unit of the coefficient that varies: as Verification::by_angle, how far the arrival moves.
 template <class Motion>
 double moved(const SearchRequest& request, const Shot& shot, const Route& route,
              const VariedPhysics<one_varies>& physics, const Motion& motion) {

@@ -3,7 +3,7 @@
 // Planner `auto`: the cheapest sure step first. Images are exact where paths unfold; a sweep of the
 // aim adds what they cannot see (reflex vertices, dead cushions); Levenberg–Marquardt and then a
 // global search are for what is left, and are not run when the images proved that nothing is.
-// With spin images are only seeds: the steps of planners/steps follow, in the order of their numbers.
+// With spin images are only seeds: the steps of planners/steps follow.
 #include <algorithm>
 #include <functional>
 #include <iterator>

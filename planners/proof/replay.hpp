@@ -15,8 +15,8 @@ namespace bankshot::planning {
 
 struct Replay {
   bool made = false;  ///< in the contract's sense: within reach, after the bounces asked
-  double miss = std::numeric_limits<double>::infinity();  ///< m, see Shot::miss
-  double offset = 0;                                      ///< m, see Shot::offset
+  double miss = std::numeric_limits<double>::infinity();  ///< m, see Verification::miss
+  double offset = 0;                                      ///< m, see Verification::offset
   Arrival arrival;
   Failure failure;                     ///< if it is not made
   std::vector<Hit> hits{};             ///< contacts with balls, in order, up to the target
@@ -24,8 +24,8 @@ struct Replay {
   bool touches_jaws = false;           ///< it touched the jaws of a pocket
   std::vector<Contact> met{};          ///< after a jaw contact, if `contacts` is given: all that it bounced off
   int bounces = 0;                     ///< at arrival, or at the failure
-  bool cushion_stick = false;          ///< see Shot::cushion_stick
-  int jaws = 0;                        ///< see Shot::jaws
+  bool cushion_stick = false;          ///< see ShotPath::cushion_stick
+  int jaws = 0;                        ///< see ShotPath::jaws
 };
 
 /// Replays a launch. `contacts` receives the bounces, if it is not null.

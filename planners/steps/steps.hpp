@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What `auto` tries, in order, each where those before it found nothing (docs/architecture.md lists the steps).
-// A step reads the question, charges the budget, and adds to the search result; its number is in the name of its file.
+// The steps of `auto` (docs/architecture.md lists them). methods/auto.cpp decides when each runs; the numbers in the
+// names of files tell their usual order. A step reads the request, charges the budget, and adds to the search result.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One file per command: each adds its command to the command line and returns the function to run.
+// The registry of commands. Each adds its options to the command line and returns the function to run.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,56 +20,22 @@ struct Example {
 void explain(CLI::App& command, const std::string& text, const std::vector<Example>& examples,
              const std::string& exit_codes);
 
-// Each command has a folder and a namespace of its own.
-namespace solve {
-Run add(CLI::App& app);
-}
-namespace batch {
-Run add(CLI::App& app);
-}
-namespace merge {
-Run add(CLI::App& app);
-}
-namespace simulate {
-Run add(CLI::App& app);
-}
-namespace verify {
-Run add(CLI::App& app);
-}
-namespace generate {
-Run add(CLI::App& app);
-}
-namespace map {
-Run add(CLI::App& app);
-}
-namespace pocket {
-Run add(CLI::App& app);
-}
-namespace report {
-Run add(CLI::App& app);
-}
-namespace book {
-Run add(CLI::App& app);
-}
-namespace schema {
-Run add(CLI::App& app);
-}
-namespace serve {
-Run add(CLI::App& app);
-}
+// The commands, in the order of `--help`. Each has a namespace of its name with a function `add`, and nearly each a
+// folder. `help`, `man` and `completion` are generated from the command line's own definitions.
 #if BANKSHOT_LEARN
-namespace fit {
-Run add(CLI::App& app);
-}
-namespace advise {
-Run add(CLI::App& app);
-}
+#define BANKSHOT_LEARNING(row) row(fit) row(advise)
+#else
+#define BANKSHOT_LEARNING(row)
 #endif
-// These are generated from the command line's own definitions.
-namespace manual {
-Run add_help(CLI::App& app);
-Run add_man(CLI::App& app);
-Run add_completion(CLI::App& app);
-}  // namespace manual
+#define BANKSHOT_COMMANDS(row)                                                                                         \
+  row(solve) row(simulate) row(batch) row(verify) row(generate) row(map) row(pocket) row(book) row(report) row(schema) \
+      row(serve) row(merge) BANKSHOT_LEARNING(row) row(help) row(man) row(completion)
+
+#define BANKSHOT_DECLARE(name) \
+  namespace name {             \
+  Run add(CLI::App& app);      \
+  }
+BANKSHOT_COMMANDS(BANKSHOT_DECLARE)
+#undef BANKSHOT_DECLARE
 
 }  // namespace bankshot::app

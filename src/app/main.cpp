@@ -48,18 +48,9 @@ int main(int argc, char** argv) {
            {"bankshot solve puzzle.json --json --all", "every shot, as JSON"},
            {"bankshot help solve", "all that solve can do"}},
           "0 done; 1 nothing solved, or some shot fails; 2 bad input or usage.");
-  const std::map<std::string, Run> commands {
-    {"solve", solve::add(app)}, {"simulate", simulate::add(app)}, {"batch", batch::add(app)},
-        {"verify", verify::add(app)}, {"generate", generate::add(app)}, {"map", map::add(app)},
-        {"pocket", pocket::add(app)}, {"book", book::add(app)}, {"report", report::add(app)},
-        {"schema", schema::add(app)}, {"serve", serve::add(app)}, {"merge", merge::add(app)},
-#if BANKSHOT_LEARN
-        {"fit", fit::add(app)}, {"advise", advise::add(app)},
-#endif
-        {"help", manual::add_help(app)}, {"man", manual::add_man(app)}, {
-      "completion", manual::add_completion(app)
-    }
-  };
+#define BANKSHOT_ADD(name) {#name, name::add(app)},
+  const std::map<std::string, Run> commands{BANKSHOT_COMMANDS(BANKSHOT_ADD)};
+#undef BANKSHOT_ADD
   try {
     if (argc > 1) check_command(argv[1], commands);
     app.parse(argc, argv);

@@ -30,7 +30,7 @@ class Scene {
     bool beyond = false;
   };
   struct Condition {
-    double metres;    ///< see Shot::condition
+    double metres;    ///< see Verification::condition
     double rounding;  ///< its relative error by rounding, if the ball creeps up to a cushion
   };
   /// Returns the condition by differences in 50 digits; none if no launch beside the shot meets the same events.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A cushion of any law, chosen at each bounce. It serves motions that take so long to compute that the choice costs
-// nothing noticeable.
+// A cushion of any law, chosen at each bounce. Simulations with the usual law do not use it; those with any other law
+// of spin do, and those of leaning tables. Callers are so compiled once for all of them.
 #pragma once
 
 #include <variant>

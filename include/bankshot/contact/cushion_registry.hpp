@@ -2,7 +2,8 @@
 //
 // The registry of cushion laws: the data of each law, and one row for each alternative of `CushionVariant`. A row says
 // how files, fits, reports and documents know the law; all of them loop over the rows. The equations of a law are in
-// the header of its name. A law is named here, there, and in the list of includes of contact/any_cushion.hpp.
+// the header of its name. A law of balls with spin is named here, there, and in the list of
+// includes of contact/any_cushion.hpp.
 //
 //   for (const CushionModel& model : cushion_registry) std::puts(model.key.data());
 //   for_each_coefficient(law, [](const CushionCoefficient& c, double value) { ... });

@@ -6,7 +6,7 @@
 //   pockets  capture circles
 //   balls    other balls at rest: a centre at the touching distance (scene/body.hpp) touches one
 //   jaws     the jaws of each pocket, if the table has them. A centre beyond a wall's line is between the jaws of some
-//            pocket and can meet nothing else.
+//            pocket and meets only those, the pocket and other balls.
 // Each part stores its contact (contact.hpp).
 #pragma once
 

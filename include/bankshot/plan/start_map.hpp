@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Maps from which starts a puzzle can be solved: the puzzle is solved from every point of a grid.
+// A map of the starts from which a puzzle can be solved, as data. `bankshot map` and the bindings compute it: they
+// solve the puzzle from every point of a grid.
 #pragma once
 
 #include <string>

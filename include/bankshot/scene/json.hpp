@@ -12,10 +12,10 @@
 //     ball     {"at": [x, y], "radius", "mass", "spin": {"top", "side", "masse"}}; a spin may be a range [low, high]
 //     target   {"point": [x, y], "within"}, {"pocket": a name or "any"}, {"ball": names, "cut", "within", "then"} or
 //              {"carom": [first, second], "cut", "within"}
-//     cushions a number, a list of names, or {"min", "max"};  arrive {"speed"};  speed, angle ranges
+//     cushions a number, a list of names, or {"min", "max"};  arrive {"speed"};  speed a range;  angle [from, to]
 //     prefer "robust" "soft" "quick" {"leave"};  aim "centre" "safest";  noise {"angle", "speed"} or a player;
 //            budget {"simulations"}
-//   shot     table, ball and "shot": {"speed", "angle", "spin"} are required; optional: id physics until. A puzzle
+//   shot     table, ball and "shot": {"speed", "angle"} are required; optional: its "spin", id physics until. A puzzle
 //            joined with a shot of its answer is also valid; other keys of the two are ignored.
 //     until    {"time", "cushions", "length"}: where to stop
 // docs/format.md lists every key with its default; `bankshot schema` prints them as a JSON Schema. A range is

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The laws that a scene follows, as data. They are chosen once per scene; `with_physics` (simulate/with_physics.hpp)
-// then calls a generic function with their concrete types.
+// then calls a generic function with the concrete motion, and with the concrete cushion where it is the usual one.
 #pragma once
 
 #include <optional>

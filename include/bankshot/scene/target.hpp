@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The target of a puzzle, as the puzzle gives it. Planners do not distinguish kinds of targets: they use the target's
-// aim points (geometry/aim_point.hpp).
+// The target of a puzzle, as the puzzle gives it. Planners use its aim points (geometry/aim_point.hpp) and the
+// functions below. Its kinds matter to the format, to defaults and validation, and to the 50-digit judge.
 #pragma once
 
 #include <optional>

@@ -8,7 +8,7 @@
 #include "app/files.hpp"
 #include "app/manual/options.hpp"
 
-namespace bankshot::app::manual {
+namespace bankshot::app::completion {
 namespace {
 
 /// Puts `text` into single quotes for a shell.
@@ -128,7 +128,7 @@ std::string fish(const CLI::App& app) {
 
 }  // namespace
 
-Run add_completion(CLI::App& app) {
+Run add(CLI::App& app) {
   auto shell = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("completion", "Print completions for a shell");
   command->add_option("shell", *shell, "The shell")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
@@ -140,4 +140,4 @@ Run add_completion(CLI::App& app) {
   };
 }
 
-}  // namespace bankshot::app::manual
+}  // namespace bankshot::app::completion

@@ -5,9 +5,9 @@
 #include "app/files.hpp"
 #include "io/json/reader.hpp"
 
-namespace bankshot::app::manual {
+namespace bankshot::app::help {
 
-Run add_help(CLI::App& app) {
+Run add(CLI::App& app) {
   auto wanted = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("help", "Describe a command");
   command->add_option("command", *wanted, "Its name; without one, all commands");
@@ -32,4 +32,4 @@ Run add_help(CLI::App& app) {
   };
 }
 
-}  // namespace bankshot::app::manual
+}  // namespace bankshot::app::help

@@ -11,7 +11,7 @@
 #include "app/manual/options.hpp"
 #include "io/json/reader.hpp"
 
-namespace bankshot::app::manual {
+namespace bankshot::app::man {
 namespace {
 
 /// Escapes `text` so that roff prints it unchanged.
@@ -69,7 +69,7 @@ std::string page(const CLI::App& command, const CLI::App* parent) {
 
 }  // namespace
 
-Run add_man(CLI::App& app) {
+Run add(CLI::App& app) {
   struct Arguments {
     std::string wanted, folder;
   };
@@ -94,4 +94,4 @@ Run add_man(CLI::App& app) {
   };
 }
 
-}  // namespace bankshot::app::manual
+}  // namespace bankshot::app::man
