@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The aim points of a target, built once for a table and a ball. They tell where seeds aim, what counts as reached, how
-// wide the target is, and the miss. Only the readers and writers of the format and the 50-digit checker, which shares
-// no code, distinguish kinds of targets.
+// wide the target is, and the miss.
 //   point   the centre passes within `within` of it, or comes to rest there: one aim point
 //   pocket  the ball falls into it: one aim point for each arc of its circle where a ball can enter, usually one; "any
 //           pocket" has those of every pocket
