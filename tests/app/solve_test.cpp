@@ -32,7 +32,7 @@ TEST_CASE("solve prints what a player needs") {
        {"solved: ", "aim       diamond ", " of 8 on the top rail", "degrees", "speed     medium: ", "m/s", "mph",
         "lag speed", "tip       11.4 mm above the centre", "top, right", "falls into bottom-middle after",
         "of its middle as the ball rolls",
-        "for a player whose standard errors are 0.125 degrees of aim and 0.075 m/s together with 3 % of speed",
+        "for a player who errs by 0.125 degrees of aim and 0.075 m/s together with 3 % of speed",
         "margin", "0.1 degrees of aim moves the arrival by"})
     CHECK_THAT(run.out, Contains(part));
 }
@@ -239,7 +239,7 @@ TEST_CASE("option --noise sets the player, and lists who they are") {
   puzzle["noise"] = "league";
   CHECK(run_program("solve --json --no-timing", puzzle.dump()).out ==
         run_program("solve --json --no-timing --noise league", bank).out);
-  CHECK_THAT(run_program("solve --noise league", bank).out, Contains("for a good league player whose standard errors"));
+  CHECK_THAT(run_program("solve --noise league", bank).out, Contains("for a good league player who errs by"));
 }
 
 TEST_CASE("a shot that is hardly ever made is possible, not playable") {

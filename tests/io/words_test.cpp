@@ -246,7 +246,7 @@ TEST_CASE("players are told by all their errors") {
   CHECK(noise_words(Puzzle{}.noise) == "0.125 degrees of aim and 0.075 m/s together with 3 % of speed");
   CHECK(noise_words({.angle = radians(0.2), .speed = 0, .speed_share = 0.05, .tip = 0.0015}) ==
         "0.2 degrees of aim, 5 % of speed and 1.5 mm of where the tip meets the ball");
-  CHECK_THAT(player_words({}), Catch::StartsWith("a player whose standard errors are"));
+  CHECK_THAT(player_words({}), Catch::StartsWith("a player who errs by"));
   REQUIRE(players().size() == 3);
   for (const Player& player : players())
     CHECK_THAT(player_words(player.noise), Catch::StartsWith(std::string(player.about) + " whose"));

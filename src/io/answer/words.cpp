@@ -231,7 +231,7 @@ std::string player_words(const Noise& n) {
   };
   const auto known = std::ranges::find_if(all, is_same);
   if (n.none()) return "a player without errors";
-  return (known == all.end() ? "a player" : std::string(known->about)) + " whose standard errors are " + noise_words(n);
+  return (known == all.end() ? "a player" : std::string(known->about)) + " who errs by " + noise_words(n);
 }
 
 namespace {

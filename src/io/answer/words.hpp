@@ -49,7 +49,7 @@ std::string title_words(const Puzzle& puzzle, const Shot& shot);
 
 /// Returns the errors as text: "0.125 degrees of aim and 0.075 m/s of speed".
 std::string noise_words(const Noise& noise);
-/// Returns the player as text: "a good league player whose standard errors are 0.2 degrees of aim and 5 % of speed".
+/// Returns the player as text: "a good league player who errs by 0.2 degrees of aim and 5 % of speed".
 std::string player_words(const Noise& noise);
 
 /// The label of the scratch row, which is written without column alignment.

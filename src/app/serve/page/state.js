@@ -32,7 +32,7 @@ export const first = {
   choose: false, // the planner chooses the spin
   slowest: 0.1,
   fastest: 10,
-  aiming: 0.125, // a player's standard errors: degrees, m/s
+  aiming: 0.125, // how far a player errs: degrees, m/s
   pacing: 0.075,
 };
 
