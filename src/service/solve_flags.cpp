@@ -72,8 +72,7 @@ std::string list_of_planners() {
 std::string list_of_players() {
   std::string out;
   for (const Player& p : players())
-    out += fmt::format("{:<10}{}: errs by {}\n{:<10}from: {}\n", p.name, p.about, noise_words(p.noise), "",
-                       p.source);
+    out += fmt::format("{:<10}{}: errs by {}\n{:<10}from: {}\n", p.name, p.about, noise_words(p.noise), "", p.source);
   return out;
 }
 

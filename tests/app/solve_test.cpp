@@ -28,12 +28,11 @@ TEST_CASE("solve prints what a player needs") {
   const auto run = run_program("solve", bank);
   CHECK(run.exit == 0);
   CHECK(run.err.empty());
-  for (const char* part :
-       {"solved: ", "aim       diamond ", " of 8 on the top rail", "degrees", "speed     medium: ", "m/s", "mph",
-        "lag speed", "tip       11.4 mm above the centre", "top, right", "falls into bottom-middle after",
-        "of its middle as the ball rolls",
-        "for a player who errs by 0.125 degrees of aim and 0.075 m/s together with 3 % of speed",
-        "margin", "0.1 degrees of aim moves the arrival by"})
+  for (const char* part : {"solved: ", "aim       diamond ", " of 8 on the top rail", "degrees",
+                           "speed     medium: ", "m/s", "mph", "lag speed", "tip       11.4 mm above the centre",
+                           "top, right", "falls into bottom-middle after", "of its middle as the ball rolls",
+                           "for a player who errs by 0.125 degrees of aim and 0.075 m/s together with 3 % of speed",
+                           "margin", "0.1 degrees of aim moves the arrival by"})
     CHECK_THAT(run.out, Contains(part));
 }
 

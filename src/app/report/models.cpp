@@ -151,12 +151,14 @@ std::string in_words(const std::vector<Model>& all, const std::vector<Result>& r
   const auto simpler_end = results.end() - 1;
   const auto miss = [](const Result& r) { return r.miss.median; };
   const auto cost = [](const Result& r) { return r.seconds.median; };
-  const auto [nearest, farthest] = std::ranges::minmax_element(results.begin(), simpler_end, {}, miss);
+  const auto [nearest, farthest] = std::ranges::minmax_element(results.begin() + 1, simpler_end, {}, miss);
   const auto [cheapest, dearest] = std::ranges::minmax_element(results.begin(), simpler_end, {}, cost);
   const auto name = [&](auto result) { return all[static_cast<std::size_t>(result - results.begin())].name; };
   return fmt::format(
-      "A shot planned with a simpler model misses in the fullest one. After three cushions the nearest ({}) misses by "
-      "{} in the median, and the farthest ({}) by {}. A simulated shot costs {} to {} in the simpler models and {} in "
+      "A shot planned with a simpler model misses in the fullest one. After three cushions the nearest that chooses "
+      "its "
+      "own speed ({}) misses by {} in the median, and the farthest ({}) by {}. A simulated shot costs {} to {} in the "
+      "simpler models and {} in "
       "the fullest.",
       name(nearest), short_length(nearest->miss.median), name(farthest), short_length(farthest->miss.median),
       short_time(cheapest->seconds.median), short_time(dearest->seconds.median),

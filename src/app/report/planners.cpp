@@ -164,7 +164,7 @@ void add_rows(const std::string& kind, const std::vector<Curves>& all, Numbers& 
 constexpr const char* question = "Which planner finds the shots, and what does it cost?";
 constexpr const char* about =
     "A fixed suite of puzzles is made from random shots on a 9-foot table. A ball must rest at a point, or pass "
-    "through it in ideal. Easy puzzles have 1 or 2 cushions, and medium ones 3. Hard ones have 4 or 5. Every "
+    "through it in ideal. Easy puzzles have 1 or 2 cushions, and medium ones 3. Long ones have 4 or 5. Every "
     "other puzzle gives the sequence of cushions. Every planner gets every budget of simulations. The miss is "
     "that of the best verified shot, or of the nearest miss where there is no shot. Where there is not even that, "
     "the miss is the whole table, so that failures stay in the medians. Solved means a miss of at most 1e-9 of "
