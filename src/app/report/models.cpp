@@ -146,7 +146,7 @@ Panel steepness(const std::vector<Model>& all, std::string& csv, std::string& to
   return panel;
 }
 
-/// Compares the simpler models, all but the last, with the fullest one.
+/// Compares the simpler models, all but the last, with the fullest one. The first, `ideal`, is given the right speed.
 std::string in_words(const std::vector<Model>& all, const std::vector<Result>& results) {
   const auto simpler_end = results.end() - 1;
   const auto miss = [](const Result& r) { return r.miss.median; };
