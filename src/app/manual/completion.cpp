@@ -11,6 +11,8 @@
 namespace bankshot::app::completion {
 namespace {
 
+using namespace manual;
+
 /// Puts `text` into single quotes for a shell.
 std::string in_quotes(const std::string& text) {
   std::string out = "'";

@@ -14,6 +14,8 @@
 namespace bankshot::app::man {
 namespace {
 
+using namespace manual;
+
 /// Escapes `text` so that roff prints it unchanged.
 std::string plain(const std::string& text) {
   std::string out;
