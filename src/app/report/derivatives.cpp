@@ -63,10 +63,10 @@ Approach measure(const Way& way, const std::vector<Puzzle>& puzzles, std::string
   return out;
 }
 
-/// Returns the entry of `of` at the first step whose median miss is exact; null if there is none.
-const double* first_exact(const Approach& a, const std::vector<double>& of) {
+/// Returns the entry of `of` at the first step whose median miss is below `exact` [m]; null if there is none.
+const double* first_exact(const Approach& a, const std::vector<double>& of, double exact) {
   for (std::size_t k = 0; k < a.miss.size(); ++k)
-    if (a.miss[k].median < tolerance::exact_miss) return &of[k];
+    if (a.miss[k].median < exact) return &of[k];
   return nullptr;
 }
 
@@ -90,7 +90,8 @@ std::string add_derivatives(const Settings& settings, Section& s, Progress& prog
     }
     time.curves.push_back(by_time);
     simulations.curves.push_back(by_simulations);
-    const double *n = first_exact(a, a.simulations), *t = first_exact(a, a.seconds);
+    const double exact = tolerance::exact_miss * puzzles.front().table.diagonal();
+    const double *n = first_exact(a, a.simulations, exact), *t = first_exact(a, a.seconds, exact);
     text += n ? fmt::format(" “{}” needs {} simulations ({}) in the median.", way.name, *n, short_time(*t))
               : fmt::format(" “{}” finds no exact root in the median.", way.name);
     progress.step();
