@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Records what this build answers, byte by byte, and compares it with what another build answered: a change of structure
-// must change nothing. The record holds one digest per answer, so that it stays small.
+// Records what this build answers, byte by byte, and compares it with what another build answered: a change of
+// structure must change nothing. The record holds one digest per answer, so that it stays small.
 //   characterise --out before.txt [--count 200] [--seed 1] [--only pot/] [-j 2]
 //   characterise --against before.txt
 //   characterise --show spin/han2005/level/jaws/pot/1/best/free 17
-// Puzzles are drawn for each combination of physics, cushion law, tilt, jaws, target, number of object balls, search and
-// route, and for each random family (support/families.hpp); the rest are long paths, and budgets that end a search at
-// every count of simulations. The draws are seeded and use nothing of the planners. An answer includes its message, its
-// nearest miss and its count of simulations. Batches with 1, 2 and 8 threads must give the same bytes.
-// Budgets are small, since a shot that is not found characterises a search as well.
+// Puzzles are drawn for each combination of physics, cushion law, tilt, jaws, target, number of object balls, search
+// and route, and for each random family (support/families.hpp); the rest are long paths, and budgets that end a search
+// at every count of simulations. The draws are seeded and use nothing of the planners. An answer includes its message,
+// its nearest miss and its count of simulations. Batches with 1, 2 and 8 threads must give the same bytes. Budgets are
+// small, since a shot that is not found characterises a search as well.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -64,10 +64,10 @@ struct Law {
   const char *physics, *cushion;
   bool slow = false;  ///< impacts are integrated
 };
-constexpr Law laws[] = {{"ideal", "mirror"},  {"rolling", "mirror"}, {"spin", "mirror"},
-                        {"spin", "han2005"},  {"spin", "stronge"},   {"spin", "mathavan2010", true}};
-constexpr const char* targets[] = {"pass", "rest", "pocket",      "any-pocket", "touch", "cut",
-                                   "carom", "pot", "bank", "combination", "send"};
+constexpr Law laws[] = {{"ideal", "mirror"}, {"rolling", "mirror"}, {"spin", "mirror"},
+                        {"spin", "han2005"}, {"spin", "stronge"},   {"spin", "mathavan2010", true}};
+constexpr const char* targets[] = {"pass",  "rest", "pocket", "any-pocket",  "touch", "cut",
+                                   "carom", "pot",  "bank",   "combination", "send"};
 constexpr const char* searches[] = {"first", "best", "all"};
 
 struct Combination {
@@ -156,8 +156,8 @@ void add_combinations(std::vector<Kind>& kinds) {
             for (const char* search : searches)
               for (const bool route : {false, true})
                 if (const Combination c{law, leans, jaws, target, others, search, route}; c.exists())
-                  kinds.push_back({c.name(), [c](Random& r) { return read_puzzle(question_of(r, c).dump()); },
-                                   search_of(c)});
+                  kinds.push_back(
+                      {c.name(), [c](Random& r) { return read_puzzle(question_of(r, c).dump()); }, search_of(c)});
 }
 
 // Families, long paths and ended searches.
@@ -229,7 +229,7 @@ void answer_all(const Kind& kind, const Options& options, const See& see) {
   const bool few = kind.name.starts_with("long/");
   for (int i = 0; i < (few ? std::min(options.count, 3) : options.count); ++i) {
     Random random(digest(kind.name) ^ (options.seed * 1'000'003 + static_cast<std::uint64_t>(i)));
-    Answered a{.puzzle = kind.draw(random)};
+    Answered a{kind.draw(random), {}, {}};
     a.answer = solve(a.puzzle, kind.search);
     a.text = to_json(a.puzzle, a.answer, false);
     see(i, a);
