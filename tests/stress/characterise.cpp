@@ -119,7 +119,7 @@ Json question_of(Random& r, const Combination& c) {
   Json question{{"table", {{"preset", "pool-9ft"}, {"jaws", c.jaws}}}, {"physics", {{"model", c.law.physics}}}};
   if (c.leans) question["table"]["tilt"] = {r.uniform(-3e-3, 3e-3), 1e-3};
   if (std::string(c.law.physics) == "spin") question["physics"]["cushion"] = {{"model", c.law.cushion}};
-  const Scene scene = preset_scene("pool-9ft");
+  const Scene scene = read_scene(question["table"].dump(), question["physics"].dump());
   std::vector<Ball> balls;
   for (int k = 0; k <= c.others; ++k) {
     const auto at = free_place(r, scene.table, balls, scene.ball.body);
@@ -137,6 +137,11 @@ Json question_of(Random& r, const Combination& c) {
   if (std::string(c.law.physics) == "spin") question["ball"]["spin"] = {{"top", r.integer(-5, 10) / 10.0}};
   question["budget"] = {{"simulations", c.slow() ? 150 : 1500}};
   return question;
+}
+
+Puzzle puzzle_of(Random& r, const Combination& c) {
+  for (;;)
+    if (auto puzzle = valid_puzzle(question_of(r, c))) return *puzzle;
 }
 
 SolveOptions search_of(const Combination& c) {
@@ -157,7 +162,7 @@ void add_combinations(std::vector<Kind>& kinds) {
               for (const bool route : {false, true})
                 if (const Combination c{law, leans, jaws, target, others, search, route}; c.exists())
                   kinds.push_back(
-                      {c.name(), [c](Random& r) { return read_puzzle(question_of(r, c).dump()); }, search_of(c)});
+                      {c.name(), [c](Random& r) { return puzzle_of(r, c); }, search_of(c)});
 }
 
 // Families, long paths and ended searches.
@@ -198,7 +203,7 @@ void add_rest(std::vector<Kind>& kinds) {
       kinds.push_back({fmt::format("budget/{}/{}", target, search),
                        [c, budget = std::make_shared<std::atomic<long>>(0)](Random&) {
                          Random same(7);
-                         Puzzle p = read_puzzle(question_of(same, c).dump());
+                         Puzzle p = puzzle_of(same, c);
                          p.budget = ++*budget;
                          return p;
                        },
@@ -334,7 +339,7 @@ int compare_threads(const Options& options) {
   const Combination c{laws[3], false, true, "bank", 3, "best", false};
   Random random(options.seed);
   std::vector<Puzzle> puzzles;
-  for (int i = 0; i < options.count; ++i) puzzles.push_back(read_puzzle(question_of(random, c).dump()));
+  for (int i = 0; i < options.count; ++i) puzzles.push_back(puzzle_of(random, c));
   std::vector<std::string> texts;
   for (const int threads : {1, 2, 8}) {
     const std::vector<Answer> answers = solve_batch(puzzles, {.threads = threads});
