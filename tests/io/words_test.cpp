@@ -249,7 +249,7 @@ TEST_CASE("players are told by all their errors") {
   CHECK_THAT(player_words({}), Catch::StartsWith("a player who errs by"));
   REQUIRE(players().size() == 3);
   for (const Player& player : players())
-    CHECK_THAT(player_words(player.noise), Catch::StartsWith(std::string(player.about) + " whose"));
+    CHECK_THAT(player_words(player.noise), Catch::StartsWith(std::string(player.about) + " who errs by"));
   CHECK(player_words({0, 0}) == "a player without errors");
 }
 
