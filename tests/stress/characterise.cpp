@@ -161,8 +161,7 @@ void add_combinations(std::vector<Kind>& kinds) {
             for (const char* search : searches)
               for (const bool route : {false, true})
                 if (const Combination c{law, leans, jaws, target, others, search, route}; c.exists())
-                  kinds.push_back(
-                      {c.name(), [c](Random& r) { return puzzle_of(r, c); }, search_of(c)});
+                  kinds.push_back({c.name(), [c](Random& r) { return puzzle_of(r, c); }, search_of(c)});
 }
 
 // Families, long paths and ended searches.

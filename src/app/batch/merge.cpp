@@ -135,7 +135,7 @@ int run(const Arguments& a) {
   if (!a.quiet) {
     long lines = 0, invalid = 0;
     for (const Found& part : found) lines += part.record.output.lines, invalid += part.record.invalid;
-    std::cerr << fmt::format("bankshot: {} answers of {} parts{}\n", batch::grouped(lines), found.size(),
+    std::cerr << fmt::format("{} answer{} of {} parts{}\n", batch::grouped(lines), lines == 1 ? "" : "s", found.size(),
                              invalid > 0 ? fmt::format(", {} invalid", batch::grouped(invalid)) : "");
   }
   return done;
