@@ -43,7 +43,7 @@ std::string short_number(double x) {
 }
 
 std::string short_count(double x) {
-  if (!(x >= 100)) return fmt::format("{:.2g}", x);
+  if (!(x >= 99.5)) return fmt::format("{:.2g}", x);
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   std::string digits = fmt::format("{:.0f}", std::round(x / unit) * unit);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
@@ -59,12 +59,13 @@ struct Unit {
   const char* name;
 };
 
-/// Formats x in the largest unit of which there is at least one.
+/// Formats x in the largest unit of which there is at least one, to three digits.
 template <std::size_t n>
 std::string in_units(double x, const Unit (&units)[n]) {
+  constexpr double nearly_one = 0.9995;  // 999.5 of the next unit would be written as 1e+03
   if (x == 0 || !std::isfinite(x)) return short_number(x);
   for (const Unit& u : units)
-    if (std::abs(x) >= u.size) return fmt::format("{:.3g} {}", x / u.size, u.name);
+    if (std::abs(x) >= nearly_one * u.size) return fmt::format("{:.3g} {}", x / u.size, u.name);
   return fmt::format("{:.1e} {}", x / units[n - 1].size, units[n - 1].name);
 }
 
