@@ -54,7 +54,7 @@ CirclesForJaws circles_for_jaws(int puzzles, Progress& progress) {
   std::vector<double> told, with_jaws, best;
   int none = 0;
   for (int i = 0; i < puzzles; ++i) {
-    if (i % (puzzles / circle_steps) == 0) progress.step();
+    for (int k = circle_steps * i / puzzles; k < circle_steps * (i + 1) / puzzles; ++k) progress.step();
     Random random(15, static_cast<std::uint64_t>(i));
     constexpr const char* tables[] = {"pool-7ft", "pool-9ft", "snooker-12ft"};
     const TablePreset& preset = *find_table_preset(tables[random.integer(0, 2)]);
