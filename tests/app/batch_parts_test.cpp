@@ -68,7 +68,7 @@ std::vector<std::string> split(const std::string& text) {
   return out;
 }
 
-/// What a reader gave: its lines, and where each chunk ended.
+/// The lines that a reader gave, and where each chunk ended.
 struct Read {
   std::vector<std::string> lines;
   std::vector<ReadMark> ends;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the commands share before they begin to work: gzip files, lines of files, signals, processor time, and checks of
-// file names.
+// Parts that the commands share before they begin to work: gzip files, lines of files, signals, processor time, and
+// checks of file names.
 #include "app/clock.hpp"
 #include "app/gzip.hpp"
 #include "app/interrupt.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What `report` measures, by its parts: the forces that steppers integrate, the suite of puzzles, one root with and
-// without derivatives, the troubles of steppers, and circles in place of jaws.
+// The measurements of `report`, by their parts: the forces that steppers integrate, the suite of puzzles, one root with
+// and without derivatives, the troubles of steppers, and circles in place of jaws.
 #include "app/report/circles.hpp"
 #include "app/report/derivatives.hpp"
 #include "app/report/forces.hpp"

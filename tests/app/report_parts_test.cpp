@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How `report` writes: numbers in words, spreads, figures as gnuplot draws them, the page in HTML and Markdown, and its
-// progress.
+// The writing of `report`: numbers in words, spreads, figures as gnuplot draws them, the page in HTML and Markdown, and
+// its progress.
 #include "app/report/figure.hpp"
 #include "app/report/measure.hpp"
 #include "app/report/page.hpp"

@@ -41,7 +41,7 @@ class Ends {
     goes();
   }
 
-  /// What the client does.
+  /// Sends bytes as the client.
   bool sends(const std::string& bytes) const {
     return send(sockets_.client, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
   }
@@ -163,7 +163,7 @@ TEST_CASE("a request that does not begin is not waited for, nor at a server that
   int asked = 0;
   CHECK(!ends.connection.begins([&] { return ++asked < 3; }));
   CHECK(asked == 3);
-  // What came with the last request begins the next one, although nothing more arrives.
+  // Bytes that came with the last request begin the next one, although nothing more arrives.
   ends.says("two");
   REQUIRE(ends.connection.begins(stays_open));
   char one = 0;

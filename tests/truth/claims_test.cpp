@@ -220,7 +220,7 @@ TEST_CASE("an answer has the form of its status") {
   none.nearest = Answer::Nearest{{}, "why"};
   CHECK(off(none, &p) == std::set{Claim::form});
 
-  // What cannot be read is `invalid`, with a reason.
+  // An answer to text that cannot be read is `invalid`, with a reason.
   Answer invalid = invalid_answer("", InvalidInput("/ball", "is missing"));
   CHECK(off(invalid, nullptr).empty());
   CHECK(off(invalid, &p).contains(Claim::status));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What counts as made, told on paths that are written by hand, event by event.
+// The judge decides what counts as made. Here it judges paths that are written by hand, event by event.
 #include "truth/judge.hpp"
 
 #include <cmath>
