@@ -114,7 +114,7 @@ TEST_CASE("the words of examples stand below each other, or on a line of their o
 
 TEST_CASE("an option of a request sets its variable by the name after two dashes") {
   Wanted w;
-  CHECK(wrong_of(w, "--flag --text abc --count 12 --number -0.5 --pair 1.5,2 --sizes 1,2,9") == "");
+  CHECK(wrong_of(w, "--flag --text abc --count 12 --number -0.5 --pair 1.5,2 --sizes 1,2,9").empty());
   CHECK(w.flag);
   CHECK(w.text == "abc");
   CHECK(w.with_default == "usual");

@@ -58,10 +58,15 @@ Page small_page() {
   return {"machine & commit", {s, other}};
 }
 
+std::string path_of_programs() {
+  const char* const path = std::getenv("PATH");
+  return path ? path : "";
+}
+
 /// A folder before the others of PATH that holds a gnuplot of our own; with no text there is no other program at all.
 class OwnGnuplot {
  public:
-  explicit OwnGnuplot(const std::string& script) : folder_("gnuplot"), before_(std::getenv("PATH")) {
+  explicit OwnGnuplot(const std::string& script) : folder_("gnuplot"), before_(path_of_programs()) {
     std::filesystem::create_directories(folder_.path);
     const std::string file = folder_.path + "/gnuplot";
     if (!script.empty()) {
