@@ -26,6 +26,7 @@
 #include "app/files.hpp"
 #include "app/gzip.hpp"
 #include "app/interrupt.hpp"
+#include "app/random_text.hpp"
 #include "app/scratch_file.hpp"
 #include "bankshot/numbers/random.hpp"
 #include "bankshot/numbers/tolerances.hpp"
@@ -35,7 +36,9 @@ using namespace bankshot;
 using namespace bankshot::app;
 using namespace bankshot::app::batch;
 using Catch::Contains;
+using test::random_text;
 using test::ScratchFile;
+using test::split;
 using Json = nlohmann::json;
 
 namespace {
@@ -48,24 +51,6 @@ std::uint32_t crc_of(std::string_view text) {
     for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xedb88320U : 0U);
   }
   return ~crc;
-}
-
-/// Draws a text of lines of very different lengths; the last one may lack its line break.
-std::string random_text(Random& draw, int lines) {
-  std::string text;
-  for (int i = 0; i < lines; ++i) {
-    const int size = draw.chance(0.01) ? draw.integer(0, 500000) : draw.chance(0.3) ? 0 : draw.integer(0, 60);
-    text += std::string(static_cast<std::size_t>(size), static_cast<char>(draw.integer('!', '~'))) + "\n";
-  }
-  if (!text.empty() && draw.chance(0.5)) text.pop_back();
-  return text;
-}
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> out;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) out.push_back(line);
-  return out;
 }
 
 /// The lines that a reader gave, and where each chunk ended.

@@ -21,6 +21,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/random_text.hpp"
 #include "app/scratch_file.hpp"
 #include "bankshot/numbers/random.hpp"
 #include "support/catch.hpp"
@@ -28,30 +29,13 @@
 using namespace bankshot;
 using namespace bankshot::app;
 using Catch::Contains;
+using test::random_text;
 using test::ScratchFile;
+using test::split;
 
 namespace {
 
 constexpr std::size_t piece_size = 256 << 10;  // bytes that a ByteReader reads at once
-
-/// Draws a text of short, long and blank lines; the last one may lack its line break.
-std::string random_text(Random& draw, int lines) {
-  std::string text;
-  for (int i = 0; i < lines; ++i) {
-    const int size = draw.chance(0.02) ? draw.integer(0, 400000) : draw.chance(0.3) ? 0 : draw.integer(0, 60);
-    text += std::string(static_cast<std::size_t>(size), static_cast<char>(draw.integer('!', '~'))) + "\n";
-  }
-  if (!text.empty() && draw.chance(0.5)) text.pop_back();
-  return text;
-}
-
-/// Splits a text at its line breaks, which the last line may lack.
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> out;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) out.push_back(line);
-  return out;
-}
 
 /// Unpacks one gzip member by zlib alone.
 std::string unpacked(const std::string& packed, std::size_t size) {

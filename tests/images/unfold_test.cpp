@@ -16,8 +16,10 @@
 #include "planners/images/unfold.hpp"
 #include "planners/images/window.hpp"
 #include "support/catch.hpp"
+#include "support/straight.hpp"
 
 using namespace bankshot;
+using bankshot::test::straight;
 using namespace bankshot::planning;
 
 namespace {
@@ -48,15 +50,6 @@ std::vector<double> distances(const Puzzle& p, int least, int most) {
         out.push_back(norm(Vec2d{mirrored(to.x, 3, i), mirrored(to.y, 2, j)} - p.ball.at));
   std::ranges::sort(out);
   return out;
-}
-
-/// Returns a puzzle with a ball that rolls 1 m straight to a point.
-Puzzle straight() {
-  Puzzle p{.table = rectangle_table(2, 1), .physics = rolling_physics(), .ball = {.at = {0.5, 0.5}}};
-  p.target = PointTarget{{1.5, 0.5}, 0.01};
-  p.arrive = Range{0.5, 0.5};
-  p.cushions = CushionRule::exactly(0);
-  return p;
 }
 
 }  // namespace

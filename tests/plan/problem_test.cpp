@@ -12,20 +12,13 @@
 #include "planners/start.hpp"
 #include "planners/stop.hpp"
 #include "support/catch.hpp"
+#include "support/straight.hpp"
 
 using namespace bankshot;
+using bankshot::test::straight;
 using namespace bankshot::planning;
 
 namespace {
-
-/// Returns a puzzle with a ball that rolls 1 m straight to a point.
-Puzzle straight() {
-  Puzzle p{.table = rectangle_table(2, 1), .physics = rolling_physics(), .ball = {.at = {0.5, 0.5}}};
-  p.target = PointTarget{{1.5, 0.5}, 0.01};
-  p.arrive = Range{0.5, 0.5};
-  p.cushions = CushionRule::exactly(0);
-  return p;
-}
 
 /// Returns a puzzle in which ball 1 sends ball 2 into a pocket.
 Puzzle combination() {
