@@ -76,7 +76,7 @@ Problem::Problem(const Puzzle& p)
     : puzzle(p),
       boundary(p.table, p.ball.body, p.others),
       cleared(p.others.empty() ? std::nullopt : std::optional(Boundary(p.table, p.ball.body))),
-      objects(then_of(p.target) || first_of_carom(p.target) ? std::make_shared<const Objects>(p) : nullptr),
+      objects(goes_on_after_contact(p.target) ? std::make_shared<const Objects>(p) : nullptr),
       whole(is_ball(p.target) ? std::make_shared<const Starts>(scene_of(p)) : nullptr),
       rough(roughly(p.physics)),
       aim_points(then_of(p.target) ? aim_points_of(p) : aim_points_of(p.target, boundary)),

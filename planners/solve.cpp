@@ -153,7 +153,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     throw InvalidInput(
         "", fmt::format("the planner \"{}\" does not do physics with spin or a tilted table, where paths bend",
                         method.info.name));
-  if ((then_of(puzzle.target) || first_of_carom(puzzle.target) != 0) && options.planner != "auto")
+  if (goes_on_after_contact(puzzle.target) && options.planner != "auto")
     throw InvalidInput("", fmt::format("the planner \"{}\" sets no other ball going", method.info.name));
   if (!options.robustness && !puzzle.aim && aim_of(puzzle) == Aim::safest) {
     Puzzle centred = puzzle;

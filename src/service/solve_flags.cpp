@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bankshot/scene/json.hpp"
+#include "io/answer/launch_words.hpp"
 #include "io/answer/words.hpp"
 #include "io/json/reader.hpp"
 

@@ -111,7 +111,7 @@ double apart(const TruthEvent& a, const TruthEvent& b, bool stops) {
 Scene::Scene(const Puzzle& p) : puzzle(p), boundary(p.table, p.ball.body, p.others), physics_(refined(p.physics)) {
   const auto asked = arrival_range(p);
   stops = point_of(p.target) && asked && asked->high == 0;
-  if (!then_of(p.target) && first_of_carom(p.target) == 0) return;
+  if (!goes_on_after_contact(p.target)) return;
   all_ = {{}, p.table, p.physics, p.ball, p.others, {}, {}, {}};
   for (int k = 1; k <= static_cast<int>(p.others.size()); ++k)
     others_.emplace_back(p.table, p.others[static_cast<std::size_t>(k) - 1].body, p.others, std::array{k});

@@ -28,7 +28,7 @@ const PlayerError& of(const Advice& advice, const std::string& name) {
 const test::Player steady{
     {{"angle", {radians(0.2), radians(0.1)}}, {"speed", {0.06, 0.03}}, {"side", {0.05, -0.03}}, {"top", {0.04, 0.02}}}};
 
-TEST_CASE("noise and bias of a player are within what a hundred tracked attempts can tell") {
+TEST_CASE("noise and bias of a player are within what a hundred tracked attempts can tell", "[heavy]") {
   constexpr std::uint64_t seed = 31;
   Random random(seed);
   const Advice advice = advise(attempts_of(steady, {.attempts = 100}, random));
@@ -63,7 +63,7 @@ TEST_CASE("what an inexact track errs is not the player's") {
 // Side spin that dies before the next cushion leaves no trace, and a fit that is led there stays there. The aim then
 // absorbs the effect of the side spin at the cushion and claims a tenth of that error. Such attempts would make a
 // player's aim seem too wild.
-TEST_CASE("an attempt claims no more of its launch than its track tells") {
+TEST_CASE("an attempt claims no more of its launch than its track tells", "[heavy]") {
   constexpr std::uint64_t seed = 36;
   constexpr int attempts = 200;
   Random random(seed);

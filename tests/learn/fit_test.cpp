@@ -65,7 +65,7 @@ TEST_CASE("of noisy shots each coefficient is within its errors, and outliers ar
   CHECK(static_cast<double>(outliers) / static_cast<double>(outliers + samples) == Approx(0.05).epsilon(0.4));
 }
 
-TEST_CASE("a shot that the laws cannot follow makes the camera no worse") {
+TEST_CASE("a shot that the laws cannot follow makes the camera no worse", "[heavy]") {
   Random random(24);
   const Physics truth = random_table(random, carom_ball);
   Filmed f = filmed(truth, {.shots = 8, .seconds = 3}, random);
@@ -93,7 +93,7 @@ TEST_CASE("the physics of a fit takes the place of a puzzle's, and says how well
   CHECK(read.physics.errors->covariance == fit.physics.errors->covariance);
 }
 
-TEST_CASE("what the shots cannot tell is held, and named") {
+TEST_CASE("what the shots cannot tell is held, and named", "[heavy]") {
   Random random(14);
   const Physics truth = random_table(random, carom_ball);
   const Filmed f = filmed(truth, {.shots = 6, .camera = {.rate = 60, .noise = 1e-3}, .bounces = false}, random);
@@ -184,7 +184,8 @@ TEST_CASE("of all laws the one that predicts best what was left out is taken", "
   CHECK(message_of(fit).find("Cushions after stronge") != std::string::npos);
 }
 
-TEST_CASE("a ball that stands beside a cushion was not struck into it, though laws that are wrong would like that") {
+TEST_CASE("a ball that stands beside a cushion was not struck into it, though laws that are wrong would like that",
+          "[heavy]") {
   Random random(19);
   const Physics truth = random_table(random, carom_ball);
   ShotRequest s{.table = preset_scene("carom-10ft").table, .physics = truth, .ball = preset_scene("carom-10ft").ball};

@@ -273,7 +273,7 @@ TEST_CASE("the covariance of coefficients is the inverse of what the shots tell 
   CHECK(unlikelihood(shots.back(), common) > at_truth);
 }
 
-TEST_CASE("a table is learnt, and predicts a shot that it was not taught") {
+TEST_CASE("a table is learnt, and predicts a shot that it was not taught", "[heavy]") {
   const Filmed f = shots_of(7, {.noise = 1e-3});
   Recordings taught;
   for (const Recording& r : f.recordings) taught.push_back(&r);

@@ -35,13 +35,7 @@ struct NoseAngle {
   N sine, cosine;
   template <class C>
   NoseAngle(const C& height, double radius)
-      : sine((N(height) - radius) / radius), cosine(root((N(1) - sine) * (N(1) + sine))) {}
-
- private:
-  static N root(const N& x) {
-    using std::sqrt;
-    return sqrt(x);
-  }
+      : sine((N(height) - radius) / radius), cosine(square_root(N((N(1) - sine) * (N(1) + sine)))) {}
 };
 
 }  // namespace bankshot

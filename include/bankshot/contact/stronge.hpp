@@ -156,12 +156,6 @@ class Across {
   Number quarter_;
 };
 
-template <class K>
-K root(const K& x) {
-  using std::sqrt;
-  return sqrt(x);
-}
-
 }  // namespace stronge
 
 template <class C>
@@ -173,7 +167,7 @@ inline void StrongeOf<C>::bounce(const Body& body, State<T>& s, const Vec2<N>& a
   InCushionFrame<T> f = into_frame(s, away);
   if (!(value(f.vn) > Number(0))) return;
   const Number R(body.radius), turn = Number(5.0 / 2);
-  const K rise = K(K(height) - K(R)) / K(R), length = stronge::root(K(rise * rise + K(Number(1))));
+  const K rise = K(K(height) - K(R)) / K(R), length = square_root(K(rise * rise + K(Number(1))));
   const K cosine = K(Number(1)) / length, sine = rise / length;
   const T a = f.vn * cosine, e = restitution(f.vn);
   const T sd = f.vn * sine + f.wt * R, st = f.vt + (f.wz * cosine - f.wn * sine) * R;

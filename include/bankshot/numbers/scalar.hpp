@@ -14,6 +14,7 @@
 // -ffp-contract=off, and this header warns if it is missing.
 #pragma once
 
+#include <cmath>
 #include <type_traits>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -59,6 +60,13 @@ const Real<T>& value(const T& x) {
     return value(x.a);
   else
     return x;
+}
+
+/// Returns the square root, of any of the three kinds.
+template <class T>
+T square_root(const T& x) {
+  using std::sqrt;
+  return sqrt(x);
 }
 
 }  // namespace bankshot

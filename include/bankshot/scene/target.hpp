@@ -111,6 +111,9 @@ const Then* then_of(const Target& target);
 const BallTarget* touch_of(const Target& target);
 /// Returns the first ball of a carom; 0 if there is none.
 int first_of_carom(const Target& target);
+/// Returns true if the cue ball's contact with a ball is not the end: an object ball goes on, or the cue ball goes on
+/// to a second ball.
+bool goes_on_after_contact(const Target& target);
 /// Returns the balls one of which the cue ball must touch first; none if it need not touch any.
 std::vector<int> touched_first(const Target& target);
 /// Returns pointers to all ball numbers in a target.

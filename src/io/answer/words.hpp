@@ -30,27 +30,8 @@ std::string place_words(const Table& table, const Vec2d& at);
 /// Describes the nearest miss: its launch, its distance from the target, and the failure reason.
 std::string nearest_words(const Answer::Nearest& nearest, const Table& table);
 
-/// Returns true if the line of aim runs into this pocket.
-bool aims_into(const ShotRequest& shot, const Pocket& pocket);
-
-/// Returns the diamond that the line of aim crosses (sights.hpp), or where the line enters the pocket that it runs
-/// into.
-std::string aim_words(const ShotRequest& shot, const Pocket* straight_into = nullptr);
-
-/// Returns the speed by name, in m/s, in miles per hour and in lags. One lag is the speed that brings a ball from the
-/// head string to the foot cushion and back to the head cushion.
-std::string speed_words(const ShotRequest& shot);
-
-/// Returns where the tip meets the ball and how far the cue is raised, with a warning beyond the miscue limit.
-std::string tip_words(const ShotRequest& shot);
-
 /// Returns the title of a shot, such as "By top, right into bottom-middle".
 std::string title_words(const Puzzle& puzzle, const Shot& shot);
-
-/// Returns the errors as text: "0.125 degrees of aim and 0.075 m/s of speed".
-std::string noise_words(const Noise& noise);
-/// Returns the player as text: "a good league player who errs by 0.2 degrees of aim and 5 % of speed".
-std::string player_words(const Noise& noise);
 
 /// The label of the scratch row, which is written without column alignment.
 inline constexpr std::string_view scratch_row = "SCRATCH";

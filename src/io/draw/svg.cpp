@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "io/answer/launch_words.hpp"
 #include "io/draw/caption.hpp"
 #include "io/draw/moving.hpp"
 #include "io/draw/path.hpp"

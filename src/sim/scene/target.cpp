@@ -36,6 +36,8 @@ int first_of_carom(const Target& target) {
   return carom ? carom->first : 0;
 }
 
+bool goes_on_after_contact(const Target& target) { return then_of(target) || first_of_carom(target) != 0; }
+
 std::vector<int> touched_first(const Target& target) {
   if (const int first = first_of_carom(target)) return {first};
   if (const auto* sends = std::get_if<ObjectBallTarget>(&target)) return sends->balls;
