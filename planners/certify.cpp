@@ -91,7 +91,7 @@ std::optional<Shot> firm_beside(const SearchRequest& request, EvaluationBudget& 
     for (const auto& [aim, speed] : {std::pair{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}}) {
       Proof proof = prove(request, budget, turned(shot.launch, t, aim, speed), goal);
       if (!proof.holds()) continue;
-      add_first_order(request, proof.shot);
+      add_first_order(request, proof.shot, budget.work());
       if (is_firm(request, budget, proof.shot)) return std::move(proof.shot);
     }
   }
@@ -114,7 +114,7 @@ Proof without_last_bounce(const SearchRequest& request, EvaluationBudget& budget
       proof.replayed && goal.demand == Demand::exact && request.problem->centred(proof.shot.verification.miss) &&
       static_cast<int>(proof.shot.path.cushions.size()) == goal.max && arrives_on_a_line(request, proof.shot);
   if (!at_target) return proof;
-  add_first_order(request, proof.shot);
+  add_first_order(request, proof.shot, budget.work());
   if (auto beside = firm_beside(request, budget, goal, proof.shot)) return {*std::move(beside), {}, true};
   return proof;
 }
@@ -142,7 +142,7 @@ bool certify(const SearchRequest& request, EvaluationBudget& budget, SearchResul
     // A launch that is made only by rounding is no shot. Examples are a cushion that ends at a pocket's circle, and a
     // contact that would leave the cue ball standing. A ball that rolls along a rail arrives alike, but may bounce
     // differently.
-    add_first_order(request, proof.shot);
+    add_first_order(request, proof.shot, budget.work());
     if (!is_firm(request, budget, proof.shot, settings::edge::unmoved)) return false;
   }
   keep(request, budget, found, std::move(proof.shot), goal, step);
@@ -152,7 +152,7 @@ bool certify(const SearchRequest& request, EvaluationBudget& budget, SearchResul
 void keep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Shot shot, const Goal& goal,
           std::string_view step) {
   if (!make_room(request, found.shots, shot)) return;
-  add_first_order(request, shot);
+  add_first_order(request, shot, budget.work());
   const bool looked_at = goal.demand == Demand::exact && arrives_on_a_line(request, shot) && step != steps::word::along;
   shot.verification.digits = !looked_at || make_firm(request, budget, goal, shot) ? promised_digits(request, shot) : 0;
   add_aftermath(request, budget, shot);
@@ -161,7 +161,7 @@ void keep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
   found.shots.push_back(std::move(shot));
 }
 
-bool certify_root(const LockedAim& aim, EvaluationBudget& budget, SearchResult& found, const Launch& root,
+bool certify_root(const Branch& aim, EvaluationBudget& budget, SearchResult& found, const Launch& root,
                   std::string_view step) {
   const int bounces = bounces_of(aim.route);
   if (!aim.request.starts() && certify(aim.request, budget, found, root, bounces, step)) return true;

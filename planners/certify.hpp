@@ -24,7 +24,7 @@ void keep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
           std::string_view step);
 
 /// Verifies a root along a route likewise; a root that is no shot is kept as a candidate.
-bool certify_root(const LockedAim& aim, EvaluationBudget& budget, SearchResult& found, const Launch& root,
+bool certify_root(const Branch& aim, EvaluationBudget& budget, SearchResult& found, const Launch& root,
                   std::string_view step);
 
 /// See Verification::digits.

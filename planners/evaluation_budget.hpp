@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cstddef>
 
+#include "bankshot/simulate/work.hpp"
+
 namespace bankshot::planning {
 
 /// Bounces that cost as much as one simulation: a longer path counts as several.
@@ -18,6 +20,10 @@ class EvaluationBudget {
   /// `cancelled`, if not null, ends the search as soon as it is true; it must outlive this.
   explicit EvaluationBudget(long budget, const std::atomic<bool>* cancelled = nullptr)
       : budget_(budget), limit_(budget), cancelled_(cancelled) {}
+  /// Makes a budget for what does not count against another one. Both count the same work.
+  EvaluationBudget(long budget, EvaluationBudget& beside) : EvaluationBudget(budget) { work_ = beside.work_; }
+  EvaluationBudget(const EvaluationBudget&) = delete;
+  EvaluationBudget& operator=(const EvaluationBudget&) = delete;
 
   /// Counts `times` paths with so many bounces each.
   void charge(std::size_t bounces, long times = 1) {
@@ -51,12 +57,17 @@ class EvaluationBudget {
   bool measures = false;  ///< time the verification; this costs two readings of the clock each
   double proof_us = 0;
 
+  /// The work of all paths, also of those that are not counted as simulations.
+  Work& work() { return *work_; }
+
  private:
   long simulations_ = 0;
   long budget_;
   long limit_;  ///< for the part that is searched now
   const std::atomic<bool>* cancelled_;
   bool cut_ = false;
+  Work own_{};
+  Work* work_ = &own_;
 };
 
 }  // namespace bankshot::planning

@@ -115,9 +115,10 @@ std::string uncertain(const SearchRequest& request, const Shot& shot) {
 }
 
 /// Says why a shot is not on the exact line or point: what its route meets there.
-std::string why_beside(const SearchRequest& request, const Shot& shot) {
+std::string why_beside(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot) {
   const Route route = route_of(shot);
-  EvaluationBudget aside(settings::most_spent_on_words);  // the words of an answer do not count against the budget
+  EvaluationBudget aside(settings::most_spent_on_words,
+                         budget);  // the words of an answer do not count against the budget
   const SearchRequest own = request.pinned || request.one_unknown() ? request : request.asking(shot.path.arrival.speed);
   const auto root = newton({own, route, request.problem->aim_point_of(shot)}, aside, shot.launch, settings::wide);
   const auto& cuts = request.problem->aim_point_of(shot).cuts;
@@ -131,8 +132,8 @@ std::string why_beside(const SearchRequest& request, const Shot& shot) {
   return where + "there it " + explain(request, proof.failure);
 }
 
-std::string solved(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found,
-                   const Answer& a, std::size_t distinct) {
+std::string solved(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found, const Answer& a,
+                   std::size_t distinct) {
   std::string text = request.first() ? "the first shot found; there may be better ones"
                      : distinct == 1 ? "one shot found"
                      : request.all() ? fmt::format("{} distinct shots found", distinct)
@@ -144,8 +145,8 @@ std::string solved(const SearchRequest& request, const EvaluationBudget& budget,
     text += request.problem->safest() ? "; it touches the jaws of a pocket"
                                       : "; it touches the jaws of a pocket, because no shot was found that avoids them";
   if (a.shots.front().verification.off_centre && !a.shots.front().provenance.moved && !request.problem->safest())
-    text +=
-        as_struck(request, a.shots.front(), [&](const SearchRequest& own) { return why_beside(own, a.shots.front()); });
+    text += as_struck(request, a.shots.front(),
+                      [&](const SearchRequest& own) { return why_beside(own, budget, a.shots.front()); });
   const Shot& best = a.shots.front();
   if (best.path.scratch_pocket)
     text +=
@@ -193,8 +194,8 @@ std::string caveats(const SearchRequest& request) {
 
 }  // namespace
 
-std::string message(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found,
-                    const Answer& a, std::size_t distinct) {
+std::string message(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found, const Answer& a,
+                    std::size_t distinct) {
   std::string text;
   if (a.status == Status::solved)
     text = solved(request, budget, found, a, distinct);
@@ -209,12 +210,13 @@ std::string message(const SearchRequest& request, const EvaluationBudget& budget
   return text;
 }
 
-void add_nearest(const SearchRequest& request, const SearchResult& found, bool scan, Answer& a) {
-  const auto launch = a.status == Status::no_shot ? nearest_launch(request, found, scan) : std::nullopt;
+void add_nearest(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found, bool scan,
+                 Answer& a) {
+  const auto launch = a.status == Status::no_shot ? nearest_launch(request, budget, found, scan) : std::nullopt;
   if (!launch) return;
-  EvaluationBudget aside(2);  // the nearest miss does not count against the budget
+  EvaluationBudget aside(2, budget);  // the nearest miss does not count against the budget
   Proof proof = prove(request, aside, *launch, Goal::of(request));
-  add_first_order(request, proof.shot);
+  add_first_order(request, proof.shot, aside.work());
   proof.shot.provenance.planner = "none";
   a.nearest = Answer::Nearest{std::move(proof.shot), why(request, proof)};
 }

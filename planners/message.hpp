@@ -13,10 +13,11 @@
 namespace bankshot::planning {
 
 /// Returns the message. `distinct`: number of shots found, of which the answer may hold only the best.
-std::string message(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found,
-                    const Answer& a, std::size_t distinct);
+std::string message(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found, const Answer& a,
+                    std::size_t distinct);
 
 /// Adds the closest miss of a search without a shot (nearest.hpp), replayed. `scan`: look beyond what the search met.
-void add_nearest(const SearchRequest& request, const SearchResult& found, bool scan, Answer& a);
+void add_nearest(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found, bool scan,
+                 Answer& a);
 
 }  // namespace bankshot::planning

@@ -25,11 +25,12 @@ struct Miss {
 
 class Scan {
  public:
-  explicit Scan(const SearchRequest& request)
+  Scan(const SearchRequest& request, EvaluationBudget& budget)
       : request_(request),
         goal_(Goal::of(request)),
         aims_(request.puzzle().angle.value_or(whole_turn)),
-        speeds_(request.puzzle().speed) {
+        speeds_(request.puzzle().speed),
+        aside_(std::numeric_limits<long>::max(), budget) {
     speeds_.low = std::max(speeds_.low, settings::slowest_of_fastest * speeds_.high);
     if (request.one_unknown() || is_ideal(request.puzzle().physics)) speeds_.low = speeds_.high = request.fixed_speed();
   }
@@ -107,14 +108,15 @@ class Scan {
   const SearchRequest& request_;
   Goal goal_;
   Range aims_, speeds_;
-  EvaluationBudget aside_{std::numeric_limits<long>::max()};
+  EvaluationBudget aside_;
   std::array<Miss, starts> best_{};
 };
 
 }  // namespace
 
-std::optional<Launch> nearest_launch(const SearchRequest& request, const SearchResult& found, bool scan) {
-  Scan tries(request);
+std::optional<Launch> nearest_launch(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found,
+                                     bool scan) {
+  Scan tries(request, budget);
   if (found.nearest.launch.speed > 0) tries.look(found.nearest.launch);
   for (const Candidate& candidate : found.candidates) tries.look(candidate.launch);
   if (scan) {

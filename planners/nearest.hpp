@@ -12,6 +12,7 @@
 namespace bankshot::planning {
 
 /// Returns none if no launch is allowed; without `scan` only what the search remembers is tried.
-std::optional<Launch> nearest_launch(const SearchRequest& request, const SearchResult& found, bool scan);
+std::optional<Launch> nearest_launch(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found,
+                                     bool scan);
 
 }  // namespace bankshot::planning

@@ -150,12 +150,12 @@ inline constexpr double settled = 1e-14, longest_step = 0.5;
 inline constexpr double beyond = 1.1;
 }  // namespace speed_near
 
-namespace forward {
+namespace discover {
 /// Distance, as a share of the diagonal: a leg that begins this far past the target no longer leads to it.
 inline constexpr double behind = 0.05;
 /// Bend of a ball that slides, beside its line of travel, as a share of the way to a mouth.
 inline constexpr double bends = 0.3;
-}  // namespace forward
+}  // namespace discover
 
 namespace roots {
 /// Most cells from a node to a root that it may seed; neighbouring nodes overlap, so that no root between them is lost.

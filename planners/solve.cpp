@@ -65,15 +65,16 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 /// Makes the answer from the result of a search: success, margins and words.
-Answer finish(const SearchRequest& request, const EvaluationBudget& budget, SearchResult& found,
-              const SolveOptions& options, double time_us) {
+Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const SolveOptions& options,
+              double time_us) {
   Answer a{.id = request.puzzle().id, .about = request.puzzle().about};
   a.simulations = budget.simulations();
   a.time_us = time_us;
   a.cost.certify_us = budget.proof_us;
   a.status = !found.shots.empty() ? Status::solved : budget.cut() ? Status::budget : Status::no_shot;
-  planning::add_nearest(request, found, options.suggest, a);
-  EvaluationBudget aside(std::numeric_limits<long>::max());  // rating the shots does not count against the budget
+  planning::add_nearest(request, budget, found, options.suggest, a);
+  EvaluationBudget aside(std::numeric_limits<long>::max(),
+                         budget);  // rating the shots does not count against the budget
   if ((options.robustness || request.problem->safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
     if (request.puzzle().prefer == Prefer::robust && !request.all() && !request.problem->safest())
@@ -91,10 +92,12 @@ Answer finish(const SearchRequest& request, const EvaluationBudget& budget, Sear
   if (!request.all() && distinct > 1) found.shots.resize(1);
   if (options.sensitivity)
     for (Shot& shot : found.shots)
-      planning::as_struck(request, shot, [&](const SearchRequest& own) { planning::add_sensitivity(own, shot); });
+      planning::as_struck(request, shot,
+                          [&](const SearchRequest& own) { planning::add_sensitivity(own, shot, budget.work()); });
   a.shots = std::move(found.shots);
   a.modelled = modelled(request.puzzle(), a.shots);
   a.message = planning::message(request, budget, found, a, distinct);
+  a.cost.work = budget.work();
   return a;
 }
 
@@ -129,6 +132,7 @@ std::string hint(const Puzzle& puzzle, const SearchRequest& request, EvaluationB
   const auto looser = [&](const Puzzle& p) {
     Answer a = solve(p, plain);
     spent += a.simulations;
+    budget.work() += a.cost.work;
     return a;
   };
   const auto is_asked = [&](const Shot& shot) {

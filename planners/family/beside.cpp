@@ -20,7 +20,7 @@ using namespace settings::family;
 namespace {
 
 /// rad that move the arrival across by the aim point's reach.
-double across(const LockedAim& a, const Point& p) {
+double across(const Branch& a, const Point& p) {
   return a.aim_point.reach / (p.off[0].by[aim] * a.request.problem->boundary.diagonal);
 }
 

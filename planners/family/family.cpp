@@ -127,7 +127,7 @@ Family::Tried Family::attempt(const Point& p) {
   t.proof = prove(request_, budget_, launch_of(p.x), Goal::exactly(request_, bounces_of(aim_.route)));
   if (t.made() && request_.puzzle().prefer == Prefer::robust) {
     budget_.charge(aim_.route.size());
-    add_first_order(request_, t.proof->shot);
+    add_first_order(request_, t.proof->shot, budget_.work());
     t.merit = likely_value(t.proof->shot);
   }
   return t;

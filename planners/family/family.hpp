@@ -130,7 +130,7 @@ class Family {
   SearchResult& found_;
   const Candidate& start_;
   std::string_view step_;
-  LockedAim aim_;
+  Branch aim_;
   Box box_, wide_;
   Vary vary_;
   Vector scale_;

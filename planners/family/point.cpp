@@ -43,11 +43,11 @@ Value value_of(const Dual<N>& d) {
 }
 
 template <int N>
-std::optional<Point> look_at(const LockedAim& a, const Vector& x) {
+std::optional<Point> look_at(const Branch& a, const Vector& x, Work& work) {
   using T = Dual<N>;
   const SearchRequest& request = a.request;
-  const auto arrival = arrival_of(a, start_at<N>(request, x), request.puzzle().physics);
-  if (!arrival || !(dot(arrival->heading, arrival->heading) > T(0))) return {};
+  const auto arrival = arrival_of(a, start_at<N>(request, x), request.puzzle().physics, work);
+  if (!arrival) return {};
   Point p{x};
   p.time = value_of<N>(arrival->time);
   const T diagonal(request.problem->boundary.diagonal);
@@ -75,10 +75,10 @@ Launch launch_of(const Vector& x) { return {std::exp(x[log_speed]), wrap_angle(x
 
 LaunchSpin spin_of(const Vector& x) { return {x[top], x[side], x[masse]}; }
 
-std::optional<Point> look(const LockedAim& a, EvaluationBudget& budget, const Vector& x, Vary vary) {
+std::optional<Point> look(const Branch& a, EvaluationBudget& budget, const Vector& x, Vary vary) {
   if (budget.spent()) return {};
   budget.charge(a.route.size());
-  return vary == Vary::launch ? look_at<2>(a, x) : look_at<coordinates>(a, x);
+  return vary == Vary::launch ? look_at<2>(a, x, budget.work()) : look_at<coordinates>(a, x, budget.work());
 }
 
 }  // namespace bankshot::planning::family

@@ -42,6 +42,6 @@ struct Point {
 enum class Vary { launch, spin_too };
 
 /// One locked simulation with dual numbers; none where the path never gets to its last leg.
-std::optional<Point> look(const LockedAim& aim, EvaluationBudget& budget, const Vector& x, Vary vary);
+std::optional<Point> look(const Branch& aim, EvaluationBudget& budget, const Vector& x, Vary vary);
 
 }  // namespace bankshot::planning::family

@@ -12,7 +12,7 @@
 
 namespace bankshot::planning {
 
-bool refine_aim(const LockedAim& aim, EvaluationBudget& budget, SearchResult& found, double angle, double length,
+bool refine_aim(const Branch& aim, EvaluationBudget& budget, SearchResult& found, double angle, double length,
                 std::string_view step, const RootFinder& find) {
   const auto speed = speed_at(aim, budget, angle, length);
   if (!speed) return false;
@@ -40,7 +40,7 @@ void refine_images(const SearchRequest& request, EvaluationBudget& budget, Searc
       std::pair key{images.route(*image), image->aim_point};
       if (!straight && settled.contains(key)) continue;
       if (key.first.empty() && share != settings::restitution_shares.front()) continue;  // no cushion bends the path
-      const LockedAim aim{request, key.first, request.problem->aim_points[image->aim_point]};
+      const Branch aim{request, key.first, request.problem->aim_points[image->aim_point]};
       if (refine_aim(aim, budget, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));
     }
     if (straight || !images.whole()) return;

@@ -74,7 +74,7 @@ Advice advise(std::span<const Attempt> attempts, const AdviseWish& wish) {
   const double noise = noise_of(seen);
   const int threads = std::max(1, wish.threads);
   std::vector<Evidence> evidence(attempts.size());
-  std::vector<Work> works(attempts.size());
+  std::vector<Spent> works(attempts.size());
   for_each_index(attempts.size(), threads,
                  [&](std::size_t i) { evidence[i] = evidence_of(attempts[i], noise, works[i]); });
   Advice out;

@@ -79,7 +79,7 @@ class Fits {
 
 /// Fits bounce by bounce from the intended launch, and with more and with less side. Side spin that dies before a
 /// cushion leaves no trace, so a fit that is led there stays there.
-void fit_from_meant(Seen& seen, const Common& common, Fits& fits, Work& work) {
+void fit_from_meant(Seen& seen, const Common& common, Fits& fits, Spent& work) {
   for (const double aside : {0.0, much_aside, -much_aside}) {
     if (aside != 0 && !carries_spin(common.base)) break;
     seen.launch = seen.expected;
@@ -90,7 +90,7 @@ void fit_from_meant(Seen& seen, const Common& common, Fits& fits, Work& work) {
 
 /// Fits from the launch found, with more and with less side, since the whole track now decides. Fits also from no side
 /// and a prior around none, because the intended side would draw it up to where it just survives.
-void fit_around(Seen& seen, const Common& common, Fits& fits, Work& work) {
+void fit_around(Seen& seen, const Common& common, Fits& fits, Spent& work) {
   const LaunchUnknowns found = seen.launch;
   for (const double aside : {0.0, little_aside, -little_aside, much_aside, -much_aside}) {
     if (aside != 0 && !carries_spin(common.base)) return;
@@ -107,7 +107,7 @@ void fit_around(Seen& seen, const Common& common, Fits& fits, Work& work) {
 }
 
 /// Fits launches to the observations; the intended launch is only a weak prior.
-Fits measure(Seen& seen, const Common& common, const LaunchUnknowns& aim, Work& work) {
+Fits measure(Seen& seen, const Common& common, const LaunchUnknowns& aim, Spent& work) {
   for (const LaunchIndex k : {angle, speed, top, side, masse}) seen.expected[k] = aim[k];
   for (Eigen::Index i = 0; i < error_size; ++i)
     seen.spread[own[static_cast<std::size_t>(i)]] = errors_of_a_player * usual_error()(i);
@@ -218,7 +218,7 @@ void tell_errors(const Seen& seen, const Common& common, std::span<const Fitted>
 }
 
 /// Draws launches around the intended one, with three widths, and replays each.
-std::vector<Draw> draw(const Puzzle& puzzle, const LaunchUnknowns& aim, Work& work) {
+std::vector<Draw> draw(const Puzzle& puzzle, const LaunchUnknowns& aim, Spent& work) {
   constexpr double widths[] = {1, 2, 4};  // usual errors
   constexpr int each = 400;
   const LaunchError unit = usual_error();
@@ -249,7 +249,7 @@ LaunchError usual_error() {
   return {usual.angle, usual.speed, spin, spin};
 }
 
-Evidence evidence_of(const Attempt& attempt, double noise, Work& work) {
+Evidence evidence_of(const Attempt& attempt, double noise, Spent& work) {
   Evidence out{.error = {.id = attempt.seen.scene.id}};
   const auto found = meant(attempt);
   if (!found) return out.error.left_out = true, out;

@@ -36,6 +36,6 @@ struct Evidence {
 };
 
 /// `noise` [m]: standard error of one coordinate, if the recording gives none.
-Evidence evidence_of(const Attempt& attempt, double noise, Work& work);
+Evidence evidence_of(const Attempt& attempt, double noise, Spent& work);
 
 }  // namespace bankshot::planning

@@ -35,7 +35,7 @@ std::vector<std::string> names_asked(const std::vector<Fittable>& known, const s
   return out;
 }
 
-FittedShot fitted_shot(const Seen& seen, const Common& common, Work& work) {
+FittedShot fitted_shot(const Seen& seen, const Common& common, Spent& work) {
   const ShotRequest shot = with_launch(seen.recording.scene, seen.launch);
   FittedShot out{
       .id = shot.id, .start = seen.launch[start_time], .at = shot.ball.at, .launch = shot.launch, .spin = shot.spin};
@@ -48,7 +48,7 @@ FittedShot fitted_shot(const Seen& seen, const Common& common, Work& work) {
   return out;
 }
 
-std::vector<FittedShot> fitted_shots(const Learnt& l, Work& work) {
+std::vector<FittedShot> fitted_shots(const Learnt& l, Spent& work) {
   std::vector<FittedShot> out;
   for (const Seen& seen : l.shots) out.push_back(fitted_shot(seen, l.common, work));
   return out;
@@ -129,7 +129,7 @@ struct Tried {
 };
 
 /// Learns from all shots; `group` 0: no shots are left out and predicted.
-Tried try_out(const Recordings& all, const Asked& asked, int group, Work& work,
+Tried try_out(const Recordings& all, const Asked& asked, int group, Spent& work,
               const std::function<void(double)>& progress) {
   const double fits = 1 + (group > 0 ? std::ceil(static_cast<double>(all.size()) / group) : 0);
   const auto begin = std::chrono::steady_clock::now();
@@ -149,7 +149,7 @@ double score(const ModelScore& law, const std::vector<Prediction>& predictions) 
 
 /// Returns the law that best predicts shots left out. Laws whose impacts are integrated are not tried: that would take
 /// about ten times as long.
-Tried best_model(const Recordings& all, const Given& given, const FitWish& wish, Fit& out, Work& work,
+Tried best_model(const Recordings& all, const Given& given, const FitWish& wish, Fit& out, Spent& work,
                  const std::function<void(double)>& progress) {
   std::vector<std::string> models;
   for (const CushionModel& model : cushion_registry)
@@ -194,7 +194,7 @@ Fit fit(std::span<const Recording> recordings, const FitWish& wish) {
   };
   const Given given = given_by(all);
   Fit out;
-  Work work;
+  Spent work;
   Tried tried = wish.model == "any" ? best_model(all, given, wish, out, work, progress)
                                     : try_out(all, asked(given, wish), wish.holdout, work, progress);
   Learnt& l = tried.learnt;

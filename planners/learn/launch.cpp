@@ -14,7 +14,7 @@ namespace {
 using namespace settings::learn;
 
 /// Returns the times at which the cue ball meets a cushion, a jaw or a ball, by the recording's clock.
-std::vector<double> bounces(const Seen& seen, const Common& common, Work& work) {
+std::vector<double> bounces(const Seen& seen, const Common& common, Spent& work) {
   std::vector<double> times;
   const auto shot = play(seen, common, seen.last - seen.launch[start_time] + after_bounce, work);
   if (!shot) return times;
@@ -30,7 +30,7 @@ bool same(const std::vector<Told>& a, const std::vector<Told>& b) {
 }
 
 /// Returns the end of the window after the first bounce later than `later_than`; forever if that is all there is.
-double next_window(const Seen& seen, const Common& common, double later_than, Work& work) {
+double next_window(const Seen& seen, const Common& common, double later_than, Spent& work) {
   const auto times = bounces(seen, common, work);
   const auto next = std::ranges::upper_bound(times, later_than);
   return next == times.end() || *next + after_bounce >= seen.last ? forever : *next + after_bounce;
@@ -38,7 +38,7 @@ double next_window(const Seen& seen, const Common& common, double later_than, Wo
 
 /// Returns the end of the first window. If the track shows a bounce, it is the same for all launches, so that they
 /// compare.
-double first_window(const Seen& seen, const Common& common, Work& work) {
+double first_window(const Seen& seen, const Common& common, Spent& work) {
   if (seen.bounced == forever) return next_window(seen, common, -forever, work);
   return seen.bounced + after_bounce < seen.last ? seen.bounced + after_bounce : forever;
 }
@@ -97,7 +97,7 @@ struct Candidate {
 };
 
 /// Returns the launches that fit the first part, best first.
-std::vector<Candidate> candidates(Seen& seen, const Common& common, Work& work) {
+std::vector<Candidate> candidates(Seen& seen, const Common& common, Spent& work) {
   std::vector<Candidate> found;
   const Recording& r = seen.recording;
   const double begins = r.tracks.empty() || r.tracks.front().samples.empty() ? 0 : r.tracks.front().samples[0].time;
@@ -128,7 +128,7 @@ bool alike(const LaunchUnknowns& a, const LaunchUnknowns& b) {
 }
 
 /// Returns whether the ball bounces before its first sample.
-bool bounces_unseen(const Seen& seen, const Common& common, Work& work) {
+bool bounces_unseen(const Seen& seen, const Common& common, Spent& work) {
   const auto& tracks = seen.recording.tracks;
   if (tracks.empty() || tracks.front().ball != 0 || tracks.front().samples.empty()) return false;
   const auto times = bounces(seen, common, work);
@@ -137,7 +137,7 @@ bool bounces_unseen(const Seen& seen, const Common& common, Work& work) {
 
 /// Fits the launch anew; the former one stays unless `better(distance)`. Returns whether it was replaced.
 template <class Better>
-bool replaced(Seen& seen, const Common& common, Work& work, const Better& better) {
+bool replaced(Seen& seen, const Common& common, Spent& work, const Better& better) {
   const double until = seen.window;
   const LaunchUnknowns launch = seen.launch;
   const std::vector<Told> told = seen.told;
@@ -148,7 +148,7 @@ bool replaced(Seen& seen, const Common& common, Work& work, const Better& better
 
 }  // namespace
 
-std::optional<Trajectory> play(const Seen& seen, const Common& common, std::optional<double> seconds, Work& work) {
+std::optional<Trajectory> play(const Seen& seen, const Common& common, std::optional<double> seconds, Spent& work) {
   ++work.simulations;
   ShotRequest shot = with_launch(seen.recording.scene, seen.launch);
   shot.physics = common.physics();
@@ -160,7 +160,7 @@ std::optional<Trajectory> play(const Seen& seen, const Common& common, std::opti
   }
 }
 
-bool tell(Seen& seen, const Common& common, Work& work) {
+bool tell(Seen& seen, const Common& common, Spent& work) {
   constexpr double beyond = 0.1;  // s; a contact just after the window may move into it during the fit
   const double until = std::max(0.0, std::min(seen.window, seen.last) - seen.launch[start_time]) + beyond;
   const bool to_rest = seen.window >= seen.last &&
@@ -174,7 +174,7 @@ bool tell(Seen& seen, const Common& common, Work& work) {
   return true;
 }
 
-double fit_window(Seen& seen, const Common& common, Work& work) {
+double fit_window(Seen& seen, const Common& common, Spent& work) {
   double off = forever;
   for (int round = 0; round < 3; ++round) {
     const std::vector<Told> before = seen.told;
@@ -185,7 +185,7 @@ double fit_window(Seen& seen, const Common& common, Work& work) {
   return off;
 }
 
-double fit_on(Seen& seen, const Common& common, double until, Work& work) {
+double fit_on(Seen& seen, const Common& common, double until, Spent& work) {
   seen.window = std::min(until, first_window(seen, common, work));
   for (;;) {
     const double off = fit_window(seen, common, work);
@@ -194,14 +194,14 @@ double fit_on(Seen& seen, const Common& common, double until, Work& work) {
   }
 }
 
-bool fit_farther(Seen& seen, const Common& common, Work& work) {
+bool fit_farther(Seen& seen, const Common& common, Spent& work) {
   if (seen.window == forever) return false;
   seen.window = next_window(seen, common, seen.window, work);
   fit_window(seen, common, work);
   return true;
 }
 
-double fit_anew(Seen& seen, const Common& common, double until, Work& work) {
+double fit_anew(Seen& seen, const Common& common, double until, Spent& work) {
   Candidate best{forever, seen.launch, forever};
   std::vector<LaunchUnknowns> tried;
   for (const Candidate& c : candidates(seen, common, work)) {
@@ -217,7 +217,7 @@ double fit_anew(Seen& seen, const Common& common, double until, Work& work) {
   return best.off;
 }
 
-double fit_side(Seen& seen, const Common& common, Work& work) {
+double fit_side(Seen& seen, const Common& common, Spent& work) {
   double best = fit_window(seen, common, work);
   constexpr double hardly = 0.06, some = 0.12, much = 0.4;
   if (!carries_spin(common.base) || std::abs(seen.launch[side]) > hardly) return best;
@@ -233,13 +233,13 @@ double fit_side(Seen& seen, const Common& common, Work& work) {
   return best;
 }
 
-bool look_again(Seen& seen, const Common& common, Work& work) {
+bool look_again(Seen& seen, const Common& common, Spent& work) {
   const double off = fit_side(seen, common, work);
   constexpr double clearly = 0.98;
   return is_off(seen, common) && replaced(seen, common, work, [&](double now) { return now < clearly * off; });
 }
 
-bool look_for_usual(Seen& seen, const Common& common, Work& work) {
+bool look_for_usual(Seen& seen, const Common& common, Spent& work) {
   if (seen.left_out || !bounces_unseen(seen, common, work)) return false;
   const double off = fit_window(seen, common, work);
   return replaced(seen, common, work, [&](double now) {
@@ -247,7 +247,7 @@ bool look_for_usual(Seen& seen, const Common& common, Work& work) {
   });
 }
 
-double fit_first_part(Seen& seen, const Common& common, Work& work) {
+double fit_first_part(Seen& seen, const Common& common, Spent& work) {
   const std::vector<Candidate> found = candidates(seen, common, work);
   if (found.empty()) return forever;
   seen.launch = found.front().launch;

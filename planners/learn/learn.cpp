@@ -20,13 +20,13 @@ namespace {
 using namespace settings::learn;
 
 /// Calls `f(seen, work)` for all shots; returns how many calls returned true.
-int count_shots(Shots& shots, int threads, const std::function<bool(Seen&, Work&)>& f, Work& work) {
+int count_shots(Shots& shots, int threads, const std::function<bool(Seen&, Spent&)>& f, Spent& work) {
   std::vector<Seen*> list;
   for (Seen& seen : shots) list.push_back(&seen);
-  std::vector<Work> works(list.size());
+  std::vector<Spent> works(list.size());
   std::atomic<int> count = 0;
   for_each_index(list.size(), threads, [&](std::size_t i) { count += f(*list[i], works[i]); });
-  for (const Work& w : works) work.simulations += w.simulations, work.restarts += w.restarts;
+  for (const Spent& w : works) work.simulations += w.simulations, work.restarts += w.restarts;
   return count;
 }
 
@@ -81,17 +81,17 @@ void leave_out_lost(Learnt& l) {
   for (Seen& seen : l.shots) seen.left_out = false;  // if most shots seem wrong, the coefficients are wrong
 }
 
-void solve(Learnt& l, Work& work) {
+void solve(Learnt& l, Spent& work) {
   leave_out_lost(l);
   solve_all(l.shots, l.common, work);
 }
 
 /// Fits launches and coefficients in turn, until no badly fitting launch is replaced by a better one.
-void settle(Learnt& l, int threads, Work& work) {
+void settle(Learnt& l, int threads, Spent& work) {
   constexpr int rounds = 3;
   for (int round = 0, changed = 1; round < rounds && changed > 0; ++round) {
     solve(l, work);
-    const auto again = [&](Seen& seen, Work& its) {
+    const auto again = [&](Seen& seen, Spent& its) {
       const bool better = look_again(seen, l.common, its) || look_for_usual(seen, l.common, its);
       tell(seen, l.common, its);
       return better;
@@ -154,14 +154,14 @@ bool move_coefficients(Learnt& l, Shaken how, Random& random) {
 
 /// Starts the fit again from near by and keeps what is better, because paths have kinks at which a fit may stop. It
 /// ends after `most_in_vain` tries without gain.
-void shake(Learnt& l, Shaken how, int most_in_vain, int threads, Work& work) {
+void shake(Learnt& l, Shaken how, int most_in_vain, int threads, Spent& work) {
   const int tries = 4 * most_in_vain;
   Random random(1);
   for (int i = 0, in_vain = 0; i < tries && in_vain < most_in_vain; ++i) {
     const Kept before(l);
     const double cost = cost_of(l);
     if (!move_coefficients(l, how, random)) return;
-    const auto again = [&](Seen& seen, Work& its) {
+    const auto again = [&](Seen& seen, Spent& its) {
       if (how == Shaken::together && seen.left_out) return fit_side(seen, l.common, its) < forever;
       return look_again(seen, l.common, its);
     };
@@ -180,16 +180,16 @@ void shake(Learnt& l, Shaken how, int most_in_vain, int threads, Work& work) {
 
 /// Moves the coefficients widely first, for those that may be far off, then by many small steps, which cost little.
 /// Without the small ones some fits stop at a kink, three standard errors off or more.
-void shake(Learnt& l, int threads, Work& work) {
+void shake(Learnt& l, int threads, Spent& work) {
   constexpr int wide_in_vain = 2, small_in_vain = 6;
   shake(l, Shaken::each, wide_in_vain, threads, work);
   if (!l.astray) shake(l, Shaken::together, small_in_vain, threads, work);
 }
 
 /// Fits from bounce to bounce: the coefficients are learnt from launches that are certain before long paths are used.
-void follow(Learnt& l, int threads, Work& work) {
-  const auto begin = [&](Seen& seen, Work& its) { return fit_first_part(seen, l.common, its) < forever; };
-  const auto farther = [&](Seen& seen, Work& its) {
+void follow(Learnt& l, int threads, Spent& work) {
+  const auto begin = [&](Seen& seen, Spent& its) { return fit_first_part(seen, l.common, its) < forever; };
+  const auto farther = [&](Seen& seen, Spent& its) {
     look_again(seen, l.common, its);
     if (!fit_farther(seen, l.common, its)) return false;
     look_again(seen, l.common, its);
@@ -205,7 +205,7 @@ bool is_fine(const std::string& name) { return name.ends_with(".per_speed") || n
 
 /// Fits while outliers are not yet known. Coefficients start at the values of the physics, and in a further `attempt`
 /// as far off as tables differ.
-Learnt first_fit(const Recordings& recordings, const Asked& asked, int attempt, Work& work) {
+Learnt first_fit(const Recordings& recordings, const Asked& asked, int attempt, Spent& work) {
   const bool balls = std::ranges::any_of(recordings, [](const Recording* r) { return !r->scene.others.empty(); });
   Learnt l{.common = {asked.base, coefficients_of(asked.base, recordings.front()->scene.ball.body, balls)},
            .noise = noise_of(recordings)};
@@ -238,7 +238,7 @@ Learnt first_fit(const Recordings& recordings, const Asked& asked, int attempt, 
   return l;
 }
 
-void finish(Learnt& l, int threads, Work& work) {
+void finish(Learnt& l, int threads, Spent& work) {
   if (l.astray) {
     shake(l, threads, work);
     weigh(l);
@@ -255,7 +255,7 @@ void finish(Learnt& l, int threads, Work& work) {
 
 }  // namespace
 
-Learnt learn(const Recordings& recordings, const Asked& asked, Work& work,
+Learnt learn(const Recordings& recordings, const Asked& asked, Spent& work,
              const std::function<void(double)>& progress) {
   Learnt best = first_fit(recordings, asked, 0, work);
   progress(0.5);

@@ -25,6 +25,7 @@ struct Learnt {
 };
 
 /// `progress` gets the share that is done.
-Learnt learn(const Recordings& recordings, const Asked& asked, Work& work, const std::function<void(double)>& progress);
+Learnt learn(const Recordings& recordings, const Asked& asked, Spent& work,
+             const std::function<void(double)>& progress);
 
 }  // namespace bankshot::planning

@@ -60,7 +60,7 @@ class LeastSquares {
   double* values() { return launch(shots_.size()); }
 
   /// Solves the problem and stores the launches with their shots.
-  ceres::Solver::Summary solve(Work& work) {
+  ceres::Solver::Summary solve(Spent& work) {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     work.simulations += static_cast<long>(summary.iterations.size() * costs_.size());
@@ -108,7 +108,7 @@ Linearised linear(const Seen& seen, const Common& common) {
 
 }  // namespace
 
-double solve_launch(Seen& seen, const Common& common, Work& work) {
+double solve_launch(Seen& seen, const Common& common, Spent& work) {
   LeastSquares squares({&seen}, common);
   if (!common.values.empty()) squares.problem.SetParameterBlockConstant(squares.values());
   squares.options.linear_solver_type = ceres::DENSE_QR;
@@ -117,7 +117,7 @@ double solve_launch(Seen& seen, const Common& common, Work& work) {
   return std::sqrt(2 * squares.solve(work).final_cost / squares.problem.NumResiduals());
 }
 
-void solve_all(Shots& shots, Common& common, Work& work) {
+void solve_all(Shots& shots, Common& common, Spent& work) {
   if (shots.empty() || common.names.empty()) return;
   const std::vector<Seen*> teachers = that_teach(shots);
   LeastSquares squares(teachers, common);

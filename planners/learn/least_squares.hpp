@@ -10,10 +10,10 @@
 namespace bankshot::planning {
 
 /// Fits the launch alone, up to the window, along the stored contacts. Returns the root mean square distance in sigmas.
-double solve_launch(Seen& seen, const Common& common, Work& work);
+double solve_launch(Seen& seen, const Common& common, Spent& work);
 
 /// Fits the coefficients together with the launches of all shots that are not left out.
-void solve_all(Shots& shots, Common& common, Work& work);
+void solve_all(Shots& shots, Common& common, Spent& work);
 
 /// Returns −2 log of the likelihood of the observations, integrated over the launches around this one (Laplace's
 /// approximation), up to a constant that all launches of the shot share. A sample that is not followed, as after a ball

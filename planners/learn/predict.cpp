@@ -8,7 +8,7 @@
 
 namespace bankshot::planning {
 
-Prediction predict(const Recording& recording, const Common& common, double noise, Work& work) {
+Prediction predict(const Recording& recording, const Common& common, double noise, Spent& work) {
   Recording unseen = recording;  // a prediction must not know what the ball met later
   unseen.cushions.reset();
   Seen seen(unseen, noise);
@@ -31,7 +31,7 @@ Prediction predict(const Recording& recording, const Common& common, double nois
   return out;
 }
 
-std::vector<Prediction> held_out(const Recordings& all, const Asked& asked, int group, Work& work,
+std::vector<Prediction> held_out(const Recordings& all, const Asked& asked, int group, Spent& work,
                                  const std::function<void(double)>& progress) {
   std::vector<Prediction> out;
   const auto size = static_cast<std::size_t>(group);

@@ -45,7 +45,8 @@ struct Common {
   Physics physics() const;
 };
 
-struct Work {
+/// Counts the cost of a fit.
+struct Spent {
   long simulations = 0, restarts = 0;
 };
 

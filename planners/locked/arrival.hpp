@@ -8,20 +8,21 @@
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/residual.hpp"
+#include "planners/locked/trace.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
 
-/// Its time is since the launch. None when it never gets to its last leg.
+/// Where a branch leads.
+inline Destination destination(const Branch& b) {
+  return {b.request.problem->boundary_of(b.aim_point.ball).body, b.aim_point.at, b.aim_point.capture(), b.request.stop};
+}
+
+/// Returns the arrival of a branch; none if it never gets to its last leg (trace.hpp).
 template <class T>
-std::optional<LockedArrival<T>> arrival_of(const LockedAim& a, const State<T>& start, const Physics& physics) {
-  return with_physics(physics, [&](const auto& motion, const auto& cushion) -> std::optional<LockedArrival<T>> {
-    const auto path = follow_locked(a.request.problem->balls(), motion, cushion, a.route, start);
-    if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > T(0))) return {};
-    auto arrival = arrive_locked(motion, a.request.problem->boundary_of(path.ball).body, path.state, a.aim_point.at,
-                                 a.aim_point.capture(), a.request.stop);
-    arrival.time += path.time;
-    return arrival;
+std::optional<LockedArrival<T>> arrival_of(const Branch& b, const State<T>& start, const Physics& physics, Work& work) {
+  return with_physics(physics, [&](const auto& motion, const auto& cushion) {
+    return trace(b.request.problem->balls(), motion, cushion, b.route, start, destination(b), work);
   });
 }
 
@@ -53,7 +54,7 @@ T beside_exact(const AimPoint& aim_point, const Vec2<T>& u, const Vec2<T>& off) 
 
 /// The N residuals of residual.hpp; false where the ball arrives with no direction.
 template <int N, class T>
-bool residuals_of(const LockedAim& a, const LockedArrival<T>& arrival, T* r) {
+bool residuals_of(const Branch& a, const LockedArrival<T>& arrival, T* r) {
   const Vec2<T>& heading = arrival.heading;
   if (!(dot(heading, heading) > T(0))) return false;
   const T diagonal(a.request.problem->boundary.diagonal);

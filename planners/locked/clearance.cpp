@@ -16,12 +16,12 @@ namespace {
 
 class Clearance {
  public:
-  explicit Clearance(const LockedAim& aim) : aim_(aim), room_{aim.aim_point.reach, infinite} {}
+  explicit Clearance(const Branch& aim) : aim_(aim), room_{aim.aim_point.reach, infinite} {}
 
   const Room& room() const { return room_; }
 
-  /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
-  void arc(int ball, const Arc<double>& arc, double t, std::span<const Meeting> before, Contact next) {
+  void arc(std::size_t leg, const Arc<double>& arc, double t) {
+    reached_ = arc.position(t);
     if (!(t > 0)) return;
     const detail::Reach<double> reach(arc, t, 0);
     const auto keeps_from = [&](const Circle& c) {
@@ -30,14 +30,16 @@ class Clearance {
       const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
       if (!inside) on_the_way(norm(arc.position(detail::closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
-    each_in_the_way(aim_.request.problem->boundary_of(ball), before, next, aim_.aim_point.taken_by, keeps_from);
+    each_in_the_way(aim_.request.problem->boundary_of(aim_.ball(leg)), aim_.before(leg), aim_.next(leg),
+                    aim_.aim_point.taken_by, keeps_from);
   }
 
-  void bounce(const Meeting& meeting, const Vec2d& at) {
+  void met(std::size_t leg, const State<double>&) {
+    const Meeting& meeting = aim_.route[leg];
     const Boundary& boundary = aim_.request.problem->boundary_of(meeting.ball);
     const Wall* const line = boundary.line(meeting.with);
     if (!line) return;
-    const double along = dot(line->along, at);
+    const double along = dot(line->along, reached_);
     on_the_way(std::min(along - dot(line->along, line->from), dot(line->along, line->to) - along) + boundary.touch);
   }
 
@@ -60,8 +62,9 @@ class Clearance {
   void on_the_way(double metres) { room_.on_the_way = std::min(room_.on_the_way, metres); }
   void at_aim_point(double metres) { room_.at_aim_point = std::min(room_.at_aim_point, metres); }
 
-  const LockedAim& aim_;
+  const Branch& aim_;
   Room room_;
+  Vec2d reached_{};  ///< end of the last arc
 };
 
 }  // namespace
@@ -71,38 +74,21 @@ double hidden(const Opening& opening, const Vec2d& u) {
   return std::max(0.0, std::min(dot(opening.first, u), dot(opening.last, u)) / opening.radius);
 }
 
-std::optional<double> clearance(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch) {
+std::optional<double> clearance(const Branch& aim, EvaluationBudget& budget, const Launch& launch) {
   const auto r = room(aim, budget, launch);
   return r ? std::optional(r->least()) : std::nullopt;
 }
 
-std::optional<Room> room(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch) {
+std::optional<Room> room(const Branch& aim, EvaluationBudget& budget, const Launch& launch) {
   const SearchRequest& request = aim.request;
   if (budget.spent()) return {};
   budget.charge(aim.route.size());
   return with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<Room> {
     Clearance out(aim);
-    State<double> state = start_of(request, launch);
-    std::span<const Meeting> before;
-    for (const Meeting& meeting : aim.route) {
-      Vec2d met = state.at;
-      const auto watch = [&](const Arc<double>& arc, double t) {
-        out.arc(meeting.ball, arc, t, before, meeting.with);
-        met = arc.position(t);
-      };
-      const auto path =
-          follow_locked(request.problem->balls(), motion, cushion, std::span<const Meeting>(&meeting, 1), state, watch);
-      if (path.end != LockedEnd::complete) return {};
-      out.bounce(meeting, met);
-      state = path.state;
-      before = aim.route.first(before.size() + 1);
-    }
-    if (!(dot(state.velocity, state.velocity) > 0)) return {};
-    const auto watch = [&](const Arc<double>& arc, double t) { out.arc(aim.aim_point.ball, arc, t, before, {}); };
-    const auto arrival = arrive_locked(motion, request.problem->boundary_of(aim.aim_point.ball).body, state,
-                                       aim.aim_point.at, aim.aim_point.capture(), request.stop, watch);
-    if (!(dot(arrival.heading, arrival.heading) > 0)) return {};
-    out.arrival(arrival);
+    const auto arrival = trace(request.problem->balls(), motion, cushion, aim.route, start_of(request, launch),
+                               destination(aim), budget.work(), out);
+    if (!arrival) return {};
+    out.arrival(*arrival);
     return out.room();
   });
 }

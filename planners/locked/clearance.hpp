@@ -27,12 +27,12 @@ struct Room {
 };
 
 /// None where the path never gets to its last leg.
-std::optional<Room> room(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch);
+std::optional<Room> room(const Branch& aim, EvaluationBudget& budget, const Launch& launch);
 
 /// Sine of the turn after which a line in direction u would first see some of an opening; 0 where it does.
 double hidden(const Opening& opening, const Vec2d& u);
 
 /// The least room.
-std::optional<double> clearance(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch);
+std::optional<double> clearance(const Branch& aim, EvaluationBudget& budget, const Launch& launch);
 
 }  // namespace bankshot::planning

@@ -13,6 +13,6 @@
 namespace bankshot::planning {
 
 /// The further cushions, in order, by which it falls into its aim point; none where it does not.
-std::optional<std::vector<Contact>> falls_by(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch);
+std::optional<std::vector<Contact>> falls_by(const Branch& aim, EvaluationBudget& budget, const Launch& launch);
 
 }  // namespace bankshot::planning

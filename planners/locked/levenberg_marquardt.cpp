@@ -27,8 +27,9 @@ template <int N>
 struct Residual {
   using Scalar = double;
   enum { NUM_RESIDUALS = N, NUM_PARAMETERS = N };
-  const LockedAim& aim;
+  const Branch& aim;
   double fixed_speed;
+  Work& work;
 
   bool operator()(const double* x, double* r, double* jacobian) const {
     if (!jacobian) return evaluate(x, r);
@@ -47,7 +48,7 @@ struct Residual {
   bool evaluate(const T* x, T* r) const {
     using std::exp;
     const T speed = N == 2 ? T(exp(x[N - 1])) : T(fixed_speed);
-    const auto arrival = arrival_of(aim, start_of(aim.request, x[0], speed), aim.request.puzzle().physics);
+    const auto arrival = arrival_of(aim, start_of(aim.request, x[0], speed), aim.request.puzzle().physics, work);
     if (!arrival || !residuals_of<N>(aim, *arrival, r))
       std::fill(r, r + N, T(settings::levenberg_marquardt::nowhere));  // flat and high: it turns back or gives up
     return true;
@@ -55,9 +56,9 @@ struct Residual {
 };
 
 template <int N>
-std::optional<Launch> minimise(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed) {
+std::optional<Launch> minimise(const Branch& aim, EvaluationBudget& budget, const Launch& seed) {
   using namespace settings::levenberg_marquardt;
-  const Residual<N> residual{aim, seed.speed};
+  const Residual<N> residual{aim, seed.speed, budget.work()};
   ::ceres::TinySolver<Residual<N>> solver;
   if (budget.spent()) return {};
   // It costs one simulation, and two for each iteration.
@@ -80,7 +81,7 @@ std::optional<Launch> minimise(const LockedAim& aim, EvaluationBudget& budget, c
 
 }  // namespace
 
-std::optional<Launch> solve_locked(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed) {
+std::optional<Launch> solve_locked(const Branch& aim, EvaluationBudget& budget, const Launch& seed) {
   return aim.request.one_unknown() ? minimise<1>(aim, budget, seed) : minimise<2>(aim, budget, seed);
 }
 

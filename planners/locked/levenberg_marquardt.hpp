@@ -11,7 +11,7 @@
 namespace bankshot::planning {
 
 /// A launch near a root, moved onto it; none where that does not converge.
-std::optional<Launch> solve_locked(const LockedAim& aim, EvaluationBudget& budget, const Launch& seed);
+std::optional<Launch> solve_locked(const Branch& aim, EvaluationBudget& budget, const Launch& seed);
 
 /// The root nearest in aim to the seed over all aim points.
 std::optional<Launch> refine(const SearchRequest& request, EvaluationBudget& budget, const Launch& seed,

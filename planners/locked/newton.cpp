@@ -38,7 +38,7 @@ std::optional<Step> newton_step(const Linear& l, bool one_unknown) {
               (l.by_aim(1) * l.r[0] - l.by_aim(0) * l.r[1]) / det};
 }
 
-NewtonResult newton(const LockedAim& aim, EvaluationBudget& budget, const Launch& from, const Unknowns& unknowns,
+NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const Launch& from, const Unknowns& unknowns,
                     const Known& known) {
   using namespace settings::newton;
   NewtonResult result{from};

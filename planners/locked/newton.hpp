@@ -29,12 +29,12 @@ struct NewtonResult {
 /// Asked after each step where it led, how long it was, in longest steps, and what it followed: true to give up.
 using Known = std::function<bool(const Launch&, double size, const Linear&)>;
 
-NewtonResult newton(const LockedAim& aim, EvaluationBudget& budget, const Launch& from, const Unknowns& unknowns,
+NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const Launch& from, const Unknowns& unknowns,
                     const Known& known = {});
 
 /// The same inside a neighbourhood of where it starts.
-inline NewtonResult newton(const LockedAim& aim, EvaluationBudget& budget, const Launch& from,
-                           const Neighbourhood& near, const Known& known = {}) {
+inline NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const Launch& from, const Neighbourhood& near,
+                           const Known& known = {}) {
   return newton(aim, budget, from, unknowns_of(aim.request, near), known);
 }
 

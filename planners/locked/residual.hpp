@@ -28,10 +28,16 @@
 
 namespace bankshot::planning {
 
-struct LockedAim {
+/// The causal ancestry of an arrival at an aim point: the ordered meetings that lead to it. What other balls do is
+/// context. Legs are counted from 0; each ends at its meeting, the last one at the aim point.
+struct Branch {
   const SearchRequest& request;
   std::span<const Meeting> route;
   AimPoint aim_point;
+
+  int ball(std::size_t leg) const { return leg < route.size() ? route[leg].ball : aim_point.ball; }
+  Contact next(std::size_t leg) const { return leg < route.size() ? route[leg].with : Contact{}; }
+  std::span<const Meeting> before(std::size_t leg) const { return route.first(leg); }
 };
 
 /// Residuals and their derivatives at one launch: as many as there are unknowns, the rest is 0.
@@ -51,11 +57,11 @@ struct Linear {
 
 /// One locked simulation with dual numbers; none where the path never gets to its last leg, or the budget is spent.
 /// Roughly: impacts are integrated no more finely than a seed needs.
-std::optional<Linear> linearise(const LockedAim& aim, EvaluationBudget& budget, const Launch& launch,
+std::optional<Linear> linearise(const Branch& aim, EvaluationBudget& budget, const Launch& launch,
                                 bool roughly = false);
 
 /// By how much the squared speed of arrival exceeds the one asked [m²/s²], both as residual [1] counts them, at an
 /// angle and a squared launch speed. One locked simulation, no finer than a seed needs.
-std::optional<double> excess_speed2(const LockedAim& aim, EvaluationBudget& budget, double angle, double square);
+std::optional<double> excess_speed2(const Branch& aim, EvaluationBudget& budget, double angle, double square);
 
 }  // namespace bankshot::planning

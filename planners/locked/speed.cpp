@@ -21,7 +21,7 @@ double step_of_speed(const Linear& l, bool stop) {
 
 }  // namespace
 
-std::optional<double> speed_near(const LockedAim& aim, EvaluationBudget& budget, double angle, double guess) {
+std::optional<double> speed_near(const Branch& aim, EvaluationBudget& budget, double angle, double guess) {
   if (aim.request.one_unknown()) return guess;
   using namespace settings::speed_near;
   double speed = guess, low = 0, high = infinite;
@@ -44,7 +44,7 @@ std::optional<double> speed_near(const LockedAim& aim, EvaluationBudget& budget,
   return {};
 }
 
-std::optional<double> speed_at(const LockedAim& aim, EvaluationBudget& budget, double angle, double length) {
+std::optional<double> speed_at(const Branch& aim, EvaluationBudget& budget, double angle, double length) {
   const SearchRequest& request = aim.request;
   if (request.one_unknown()) return request.fixed_speed();
   using namespace settings::speed_at;

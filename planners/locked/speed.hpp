@@ -11,9 +11,9 @@ namespace bankshot::planning {
 
 /// To some 2 %, of a path some `length` metres long: secants in the square of the speed, bracketed; falling short
 /// counts as too slow. None where no speed gets there. About four locked simulations.
-std::optional<double> speed_at(const LockedAim& aim, EvaluationBudget& budget, double angle, double length);
+std::optional<double> speed_at(const Branch& aim, EvaluationBudget& budget, double angle, double length);
 
 /// Exactly, by Newton's method from a speed near it.
-std::optional<double> speed_near(const LockedAim& aim, EvaluationBudget& budget, double angle, double guess);
+std::optional<double> speed_near(const Branch& aim, EvaluationBudget& budget, double angle, double guess);
 
 }  // namespace bankshot::planning

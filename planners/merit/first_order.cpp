@@ -11,6 +11,7 @@
 #include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/in_the_way.hpp"
+#include "planners/locked/trace.hpp"
 #include "planners/merit/limits.hpp"
 #include "planners/merit/real_arrival.hpp"
 #include "planners/merit/room.hpp"
@@ -43,37 +44,30 @@ Gap<Number> sides(const Boundary& boundary, const AimPoint& aim_point, const Vec
 /// One locked path with derivatives, and what limits it.
 class Path {
  public:
-  Path(const LockedAim& aim, const Launch& launch, const Noise& unit)
+  Path(const Branch& aim, const Launch& launch, const Noise& unit)
       : aim_(aim), request_(aim.request), launch_(launch), unit_(unit), limits_(launch, unit) {}
 
   const Limits& limits() const { return limits_; }
 
-  /// Follows the route and then the ball up to where it is abreast of `at`, or enters the circle around it; false where
-  /// it never gets to the last leg.
+  /// Follows the branch up to where the ball is abreast of `at`, or enters the circle around it; false where a leg does
+  /// not lead to its meeting.
   template <class Motion, class Cushion>
-  bool run(const Motion& motion, const Cushion& cushion, const Vec2d& at, double capture) {
-    State<Number> state = dual_start<Number, 2>(request_, launch_);
-    std::span<const Meeting> before;
+  bool run(const Motion& motion, const Cushion& cushion, const Vec2d& at, double capture, Work& work) {
     bool complete = true;
-    for (const Meeting& meeting : aim_.route) {
-      const auto watch = [&](const Arc<Number>& arc, const Number& t) {
-        leg(meeting.ball, arc, t, before, meeting.with);
-        if (meeting.with.kind == ContactKind::ball) touches(arc, t, meeting);
-      };
-      const auto path = follow_locked(request_.problem->balls(), motion, cushion, std::span<const Meeting>(&meeting, 1),
-                                      state, watch);
-      complete = complete && path.end == LockedEnd::complete;
-      state = path.state;
-      bounce(meeting, state.at);
-      before = aim_.route.first(before.size() + 1);
-    }
-    const auto watch = [&](const Arc<Number>& arc, const Number& t) { leg(aim_.aim_point.ball, arc, t, before, {}); };
-    const auto arrival = arrive_locked(motion, boundary_of_arrival().body, state, at, capture, request_.stop, watch);
-    if (!(dot(arrival.heading, arrival.heading) > Number(0))) return false;
-    request_.stop ? rests(arrival, at) : passes(arrival, at, rolling_square(motion, arrival.state));
+    const auto arrival =
+        trace(request_.problem->balls(), motion, cushion, aim_.route, dual_start<Number, 2>(request_, launch_),
+              {boundary_of_arrival().body, at, capture, request_.stop}, work, *this, &complete);
+    if (!arrival) return false;
+    request_.stop ? rests(*arrival, at) : passes(*arrival, at, rolling_square(motion, arrival->state));
     arrives_ = true;
     return complete;
   }
+
+  void arc(std::size_t leg, const Arc<Number>& arc, const Number& t) {
+    keeps_clear(leg, arc, t);
+    if (aim_.next(leg).kind == ContactKind::ball) touches(arc, t, aim_.route[leg]);
+  }
+  void met(std::size_t leg, const State<Number>& after) { bounce(aim_.route[leg], after.at); }
 
   /// m: how far it passes from where it was to arrive.
   double beside() const { return arrives_ ? beside_ : std::numeric_limits<double>::infinity(); }
@@ -95,10 +89,10 @@ class Path {
  private:
   const Boundary& boundary_of_arrival() const { return request_.problem->boundary_of(aim_.aim_point.ball); }
 
-  /// An arc of a ball on the way to the meeting `next`, or on the last leg (none).
-  void leg(int ball, const Arc<Number>& arc, const Number& t, std::span<const Meeting> before, Contact next) {
+  /// What the ball must keep from on an arc of a leg.
+  void keeps_clear(std::size_t leg, const Arc<Number>& arc, const Number& t) {
     if (!(t > 0)) return;
-    const Boundary& boundary = request_.problem->boundary_of(ball);
+    const Boundary& boundary = request_.problem->boundary_of(aim_.ball(leg));
     std::optional<detail::Reach<double>> reach;
     if (!boundary.balls.empty()) reach.emplace(value(arc), t.a, settings::first_order::far_ball * boundary.diagonal);
     const auto keeps_from = [&](const Circle& c) {
@@ -109,7 +103,7 @@ class Path {
       const Vec2<Number> there = arc.position(nearest < t.a ? Number(nearest) : t);
       limits_.keep(norm(there - to<Number>(c.centre)) - c.radius);
     };
-    each_in_the_way(boundary, before, next, aim_.aim_point.taken_by, keeps_from);
+    each_in_the_way(boundary, aim_.before(leg), aim_.next(leg), aim_.aim_point.taken_by, keeps_from);
   }
 
   /// The ball that is met must be touched: on an arc that ends there, between its two sides.
@@ -190,7 +184,7 @@ class Path {
     out_.by_log_speed = {end.x.v[1], end.y.v[1]};
   }
 
-  const LockedAim& aim_;
+  const Branch& aim_;
   const SearchRequest& request_;
   const Launch& launch_;
   const Noise& unit_;
@@ -202,11 +196,11 @@ class Path {
   double beside_ = 0;
 };
 
-Path path_to(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
+Path path_to(const Branch& aim, const Launch& launch, const Vec2d& at, Work& work) {
   Path path(aim, launch, aim.request.puzzle().noise);
   // A replay may have met what rounding lets the locked path miss: the derivatives are the best there are.
   with_physics(aim.request.puzzle().physics,
-               [&](const auto& motion, const auto& cushion) { return path.run(motion, cushion, at, 0); });
+               [&](const auto& motion, const auto& cushion) { return path.run(motion, cushion, at, 0, work); });
   return path;
 }
 
@@ -221,11 +215,7 @@ Vec2d by_deviation(const SearchRequest& request, const Launch& launch, const Lin
 
 }  // namespace
 
-FirstOrder first_order(const LockedAim& aim, const Launch& launch, const Vec2d& at) {
-  return path_to(aim, launch, at).first_order();
-}
-
-double success_on_aim_point(const LockedAim& aim, const Launch& launch, const Linear& l) {
+double success_on_aim_point(const Branch& aim, const Launch& launch, const Linear& l) {
   const SearchRequest& request = aim.request;
   const auto within = [&](double deviation) { return std::erf(aim.aim_point.reach / (std::sqrt(2.0) * deviation)); };
   const Vec2d across = by_deviation(request, launch, l, 0);
@@ -245,37 +235,37 @@ double estimate_of_passing(const SearchRequest& request, const AimPoint& aim_poi
   return half_below(aim_point.reach - lateral) + half_below(aim_point.reach + lateral);
 }
 
-std::optional<Limits> limits_of(const LockedAim& aim, const Launch& launch, const Noise& unit) {
+std::optional<Limits> limits_of(const Branch& aim, const Launch& launch, const Noise& unit, Work& work) {
   Path path(aim, launch, unit);
   const bool arrives = with_physics(aim.request.puzzle().physics, [&](const auto& motion, const auto& cushion) {
-    return path.run(motion, cushion, aim.aim_point.at, aim.aim_point.capture());
+    return path.run(motion, cushion, aim.aim_point.at, aim.aim_point.capture(), work);
   });
   return arrives ? std::optional(path.limits()) : std::nullopt;
 }
 
-double estimate_in_middle(const SearchRequest& request, const Shot& shot) {
+double estimate_in_middle(const SearchRequest& request, const Shot& shot, Work& work) {
   const double by_aim = norm(shot.verification.by_angle);
   if (!(by_aim > 0)) return shot.robustness.success_estimate;
   const Gap<double> room = room_beside(request, shot, shot.verification.by_angle / by_aim);
   Launch middle = shot.launch;
   middle.angle += (room.low + room.high) / 2 / by_aim;
   const Route route = route_with_jaws_of(shot);
-  return path_to({request, route, request.problem->aim_point_of(shot)}, middle, shot.path.arrival.at)
+  return path_to({request, route, request.problem->aim_point_of(shot)}, middle, shot.path.arrival.at, work)
       .first_order()
       .success_estimate;
 }
 
-void add_first_order(const SearchRequest& request, Shot& shot) {
+void add_first_order(const SearchRequest& request, Shot& shot, Work& work) {
   const Route route = route_with_jaws_of(shot);
-  const LockedAim aim{request, route, request.problem->aim_point_of(shot)};
-  const Path path = path_to(aim, shot.launch, shot.path.arrival.at);
+  const Branch aim{request, route, request.problem->aim_point_of(shot)};
+  const Path path = path_to(aim, shot.launch, shot.path.arrival.at, work);
   // One that a cushion holds may arrive before the locked path, which goes through that cushion, has left the line.
   const auto held = [&] {
     return !request.problem->centred(path.beside()) ||
            (!aim.aim_point.captures() && request.problem->on_a_line(aim.aim_point.ball, shot.path.arrival.at));
   };
   const FirstOrder f =
-      path.first_order(request.problem->objects && held() ? real_arrival(request, shot) : std::nullopt);
+      path.first_order(request.problem->objects && held() ? real_arrival(request, shot, work) : std::nullopt);
   shot.verification.by_angle = f.by_angle;
   shot.verification.by_speed = f.by_log_speed / shot.launch.speed;
   shot.verification.condition = std::max(norm(f.by_angle), norm(f.by_log_speed));

@@ -22,7 +22,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// One number of a launch that moves one way, by steps in rad or m/s.
 class Way {
  public:
-  Way(const LockedAim& aim, EvaluationBudget& budget, const Shot& shot, const Vec2d& towards)
+  Way(const Branch& aim, EvaluationBudget& budget, const Shot& shot, const Vec2d& towards)
       : aim_(aim), budget_(budget), shot_(shot), goal_(Goal::counted_along(shot)), towards_(towards) {}
 
   /// The largest step, up to `limit`, such that the shot is made all the way; none when nothing breaks it.
@@ -59,7 +59,7 @@ class Way {
     const Launch l = moved(by);
     if (!(l.speed > 0)) return out;
     budget_.charge(aim_.route.size());
-    const auto limits = limits_of(aim_, l, unit);
+    const auto limits = limits_of(aim_, l, unit, budget_.work());
     if (!limits) return out;
     out.holds = limits->hold();
     out.object_ball_path = limits->until(towards_);
@@ -174,7 +174,7 @@ class Way {
     return {};
   }
 
-  const LockedAim& aim_;
+  const Branch& aim_;
   EvaluationBudget& budget_;
   const Shot& shot_;
   Goal goal_;
@@ -196,7 +196,7 @@ void find_margin(const SearchRequest& request, EvaluationBudget& budget, Shot& s
     return void(shot.robustness.margin = Margin{{0, 0}, {0, 0}});
   const AimPoint& aim_point = request.problem->aim_point_of(shot);
   const Route route = route_with_jaws_of(shot);
-  const LockedAim aim{request, route, aim_point};
+  const Branch aim{request, route, aim_point};
   const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
     return Way(aim, budget, shot, towards).how_far(scale, limit);
   };

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "planners/locked/forward.hpp"
+#include "planners/locked/discover.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/margin.hpp"
 #include "planners/merit/safest.hpp"
@@ -94,8 +94,8 @@ double estimate_on_the_way(const SearchRequest& request, EvaluationBudget& budge
   if (request.problem->captures() || request.problem->objects || request.stop || request.route ||
       static_cast<int>(bounces) <= request.cushions().min)
     return 0;
-  Forward path;
-  forward(request, budget, shot.launch, false, path);
+  Discovery path;
+  discover(request, budget, shot.launch, false, path);
   double estimate = 0;
   for (const Passage& p : path.passages)
     if (p.meetings < bounces)
@@ -202,10 +202,10 @@ void best_first(const SearchRequest& request, EvaluationBudget& budget, std::vec
 namespace {
 
 /// The value of a shot to first order, moved to where that is largest.
-double likely_value(const SearchRequest& request, const Shot& shot) {
+double likely_value(const SearchRequest& request, const Shot& shot, Work& work) {
   if (shot.path.scratch && !request.problem->safest()) return 0;
   const double estimate = request.problem->safest()
-                              ? std::max(shot.robustness.success_estimate, estimate_in_middle(request, shot))
+                              ? std::max(shot.robustness.success_estimate, estimate_in_middle(request, shot, work))
                               : shot.robustness.success_estimate;
   return estimate - cost_of(shot);
 }
@@ -244,7 +244,7 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
     value = std::max(value, moved_value(found, shot));
     if (moved_from(found, shot) != found.moved.end()) continue;
     candidates.push_back(as_struck(request, shot, [&](const SearchRequest& own) {
-      const double likely = likely_value(own, shot);
+      const double likely = likely_value(own, shot, budget.work());
       return Candidate{likely, movable_to(own, budget, found.shots, shot, likely), &shot};
     }));
   }
@@ -264,10 +264,10 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
 
 }  // namespace
 
-double value_in_hand(const SearchRequest& request, SearchResult& found) {
+double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   if (request.puzzle().prefer != Prefer::robust || found.shots.empty()) return 0;
   using settings::rank::most_in_hand;
-  EvaluationBudget aside(std::numeric_limits<long>::max());  // what shots are worth is no part of the search
+  EvaluationBudget aside(std::numeric_limits<long>::max(), budget);  // what shots are worth is no part of the search
   double value = 0;
   if (request.valued && request.problem->safest() && !request.all()) {
     move_some(request, aside, found, most_in_hand);
@@ -276,8 +276,9 @@ double value_in_hand(const SearchRequest& request, SearchResult& found) {
   }
   std::vector<std::pair<double, Shot*>> likely;
   for (Shot& shot : found.shots)
-    likely.emplace_back(as_struck(request, shot, [&](const SearchRequest& own) { return likely_value(own, shot); }),
-                        &shot);
+    likely.emplace_back(
+        as_struck(request, shot, [&](const SearchRequest& own) { return likely_value(own, shot, aside.work()); }),
+        &shot);
   std::ranges::stable_sort(likely, std::greater(), [](const auto& one) { return one.first; });
   if (!request.valued) return std::max(0.0, likely.front().first);
   int most = most_in_hand;

@@ -26,7 +26,7 @@ void best_first(const SearchRequest& request, EvaluationBudget& budget, std::vec
 
 /// The value of the best shot so far: of a few that seem best by first order, which knows of no scratch, it is
 /// computed, once. 0 where values do not rank shots.
-double value_in_hand(const SearchRequest& request, SearchResult& found);
+double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 /// Moves shots to their safest launches (safest.hpp): all where all are wanted, else those that may be first then, and
 /// brings that one to the front.

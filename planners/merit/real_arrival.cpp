@@ -36,11 +36,7 @@ struct Arrived {
 /// and stops as it touches the cushion, it rests as if none were there, since that bounce has no derivative.
 template <class Motion, class Cushion>
 std::optional<Arrived> follow(const SearchRequest& request, const Objects::Chain& chain, const Motion& motion,
-                              const Cushion& cushion, const Launch& launch, double seconds, std::size_t bounces) {
-  std::vector<BallStart<Number>> balls{{&chain.moving.front(), dual_start<Number, 2>(request, launch), 0}};
-  for (std::size_t i = 0; i < chain.balls.size(); ++i)
-    balls.push_back({&chain.moving[i + 1], {.at = to<Number>(chain.balls[i]->at_rest.at)}, chain.balls[i]->ball});
-  ManyBalls sim(std::span<const BallStart<Number>>(balls), motion, cushion, collisions(request.puzzle().physics));
+                              ManyBalls<Number, Motion, Cushion>& sim, double seconds, std::size_t bounces) {
   const int last = static_cast<int>(chain.balls.size());
   const double same_instant = tolerance::exact_miss * (1 + seconds);
   std::size_t bounced = 0;
@@ -73,13 +69,18 @@ std::optional<Arrived> follow(const SearchRequest& request, const Objects::Chain
 
 }  // namespace
 
-std::optional<Moved> real_arrival(const SearchRequest& request, const Shot& shot) {
+std::optional<Moved> real_arrival(const SearchRequest& request, const Shot& shot, Work& work) {
   const Objects::Chain* const chain =
       shot.path.then.empty() ? nullptr : request.problem->objects->chain_by(shot.path.then.front().ball);
   if (!chain) return {};
   return with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
-    const auto arrived = follow(request, *chain, motion, cushion, shot.launch, shot.path.arrival.time,
-                                shot.path.then.back().cushions.size());
+    std::vector<BallStart<Number>> balls{{&chain->moving.front(), dual_start<Number, 2>(request, shot.launch), 0}};
+    for (std::size_t i = 0; i < chain->balls.size(); ++i)
+      balls.push_back({&chain->moving[i + 1], {.at = to<Number>(chain->balls[i]->at_rest.at)}, chain->balls[i]->ball});
+    ManyBalls sim(std::span<const BallStart<Number>>(balls), motion, cushion, collisions(request.puzzle().physics));
+    const auto arrived =
+        follow(request, *chain, motion, sim, shot.path.arrival.time, shot.path.then.back().cushions.size());
+    work += sim.work();
     if (!arrived) return {};
     const State<Number>& there = arrived->state;
     if (request.stop) return Moved{{there.at.x.v[0], there.at.y.v[0]}, {there.at.x.v[1], there.at.y.v[1]}};

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "bankshot/simulate/work.hpp"
 #include "planners/search_request.hpp"
 
 namespace bankshot::planning {
@@ -15,6 +16,6 @@ struct Moved {
 };
 
 /// None where the ball that is struck does not send others on as the shot says, or does in one more bounce.
-std::optional<Moved> real_arrival(const SearchRequest& request, const Shot& shot);
+std::optional<Moved> real_arrival(const SearchRequest& request, const Shot& shot, Work& work);
 
 }  // namespace bankshot::planning

@@ -29,7 +29,7 @@ std::optional<Shot> moved(const SearchRequest& request, EvaluationBudget& budget
   shot.provenance.planner = from.provenance.planner;
   shot.provenance.simulations = from.provenance.simulations;
   shot.provenance.moved = true;
-  add_first_order(request, shot);
+  add_first_order(request, shot, budget.work());
   shot.verification.digits = promised_digits(request, shot);
   find_success(request, budget, shot);
   return std::move(shot);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bankshot/simulate/work.hpp"
 #include "planners/search_request.hpp"
 
 namespace bankshot::planning {
 
 /// Fills in what each coefficient of the table moves the shot's arrival by, per unit of it: a locked simulation with
 /// derivatives for each.
-void add_sensitivity(const SearchRequest& request, Shot& shot);
+void add_sensitivity(const SearchRequest& request, Shot& shot, Work& work);
 
 }  // namespace bankshot::planning

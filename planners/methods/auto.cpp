@@ -145,7 +145,7 @@ void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchRe
   for (int n = cue.min + object.min; n <= cue.max + object.max; ++n) {
     constexpr double per_contact = 0.005;
     const double at_most = 1 - per_contact * n - cost_of({request.speed.low, 0}, {});
-    const double value = best ? value_in_hand(request, found) : 0;
+    const double value = best ? value_in_hand(request, budget, found) : 0;
     if (best && at_most < value + worth_a_stage) return;
     for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
       SearchRequest stage = request.stage(c, n - c);
@@ -262,7 +262,7 @@ void with_balls(const SearchRequest& request, EvaluationBudget& budget, SearchRe
   const Seeds seeds = seeds_of(request);
   free ? along_families(request, budget, found)
        : each_stage(request, budget, found, [&](const SearchRequest& stage) { seeds.first(stage, budget, found); });
-  if (!request.all() && value_in_hand(request, found) > best_found_closely) return;
+  if (!request.all() && value_in_hand(request, budget, found) > best_found_closely) return;
   const auto each_sample = [&](const auto& look_at) {
     each_stage(request, budget, found, [&](const SearchRequest& stage) {
       const auto nothing_yet = [&] { return !has_shot(stage, found) && !budget.cut(); };

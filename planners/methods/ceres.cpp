@@ -35,7 +35,7 @@ void from_fan(const SearchRequest& request, EvaluationBudget& budget, SearchResu
 }  // namespace
 
 void ceres(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  const RootFinder find = [&](const LockedAim& aim, const Launch& seed) { return solve_locked(aim, budget, seed); };
+  const RootFinder find = [&](const Branch& aim, const Launch& seed) { return solve_locked(aim, budget, seed); };
   refine_images(request, budget, found, word, find);
   if (!request.problem->boundary.unfolds()) from_fan(request, budget, found, find);
 }

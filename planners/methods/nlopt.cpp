@@ -74,7 +74,7 @@ double evaluate(unsigned, const double* x, double*, void* data) { return (*stati
 
 /// The squared residual of one locked path and its gradient, in (aim, speed).
 struct LockedObjective {
-  LockedAim aim;
+  Branch aim;
   EvaluationBudget& budget;
   double fixed_speed;
 
@@ -136,7 +136,7 @@ class Planner {
       const double angle = c->angle < angles_.low ? c->angle + radians(360) : c->angle;
       if (locked) {
         const Route route = images.route(*c);
-        const LockedAim aim{request_, route, request_.problem->aim_points[c->aim_point]};
+        const Branch aim{request_, route, request_.problem->aim_points[c->aim_point]};
         if (const auto speed = speed_at(aim, budget_, c->angle, c->distance)) run_locked({*speed, angle}, aim);
         continue;
       }
@@ -170,7 +170,7 @@ class Planner {
     certify(request_, budget_, found_, root.value_or(objective.best), static_cast<int>(contacts.size()), step_);
   }
 
-  void run_locked(const Launch& start, const LockedAim& aim) {
+  void run_locked(const Launch& start, const Branch& aim) {
     const Optimiser opt = make(method_.algorithm, request_.one_unknown() ? 1 : 2, method_.evaluations);
     LockedObjective objective{aim, budget_, start.speed};
     nlopt_set_min_objective(opt.get(), evaluate_locked, &objective);

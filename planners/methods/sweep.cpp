@@ -78,6 +78,7 @@ class Sweep {
       out.contacts.push_back(e.contact);
     }
     budget_.charge(out.contacts.size());
+    budget_.work() += sim.work();
     return out;
   }
 

@@ -18,14 +18,15 @@ Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, cons
   Aftermath out;
   with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) {
     ManyBalls sim(std::span<const BallStart<double>>(balls), motion, cushion, collisions(request.puzzle().physics));
-    for (long i = 0; i < most; ++i) {
+    bool over = false;
+    for (long i = 0; i < most && !over; ++i) {
       const BallEvent e = sim.step();
-      if (e.event.kind == EventKind::pocket && e.ball == 0) return void(out.scratch_pocket = e.event.contact.index);
-      if (e.event.kind == EventKind::horizon) {
-        if (rests) out.cue_rests = sim.state(0).at;
-        return;
-      }
+      const bool scratch = e.event.kind == EventKind::pocket && e.ball == 0;
+      over = scratch || e.event.kind == EventKind::horizon;
+      if (scratch) out.scratch_pocket = e.event.contact.index;
+      if (over && !scratch && rests) out.cue_rests = sim.state(0).at;
     }
+    budget.work() += sim.work();
   });
   return out;
 }

@@ -34,6 +34,13 @@ class Follower {
         out_{{}, SpeedAccount(deceleration(request.puzzle().physics))} {}
 
   Trace run(std::vector<Contact>* contacts) {
+    Trace out = follow(contacts);
+    out.replay.work += sim_.work();
+    return out;
+  }
+
+ private:
+  Trace follow(std::vector<Contact>* contacts) {
     for (;;) {
       bool arrived = false;  // on a piece before the last
       const Event e = sim_.step(
@@ -77,7 +84,6 @@ class Follower {
     }
   }
 
- private:
   bool counts() const { return k_ >= goal_.min && !check_.open(); }
   /// Returns whether the ball bounces where it stands. Legs have a length, except that between the two cushions of a
   /// corner.
@@ -225,6 +231,7 @@ Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Laun
     return Follower(request, motion, cushion, launch, goal, false).run(contacts).replay;
   });
   budget.charge(static_cast<std::size_t>(r.bounces));
+  budget.work() += r.work;
   // In `ideal` no ball comes to rest, so every cue ball would fall in the end.
   if (r.made && goal.counts && !is_ideal(request.puzzle().physics) &&
       aftermath(request, budget, launch).scratch_pocket) {
@@ -239,6 +246,7 @@ Trace trace(const SearchRequest& request, EvaluationBudget& budget, double angle
   const Mirror mirror{restitution(request.puzzle().physics)};
   Trace t = Follower(request, Ideal{}, mirror, {1, angle}, goal, true).run(contacts);
   budget.charge(static_cast<std::size_t>(t.replay.bounces));
+  budget.work() += t.replay.work;
   return t;
 }
 

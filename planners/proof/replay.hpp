@@ -26,6 +26,7 @@ struct Replay {
   int bounces = 0;                     ///< at arrival, or at the failure
   bool cushion_stick = false;          ///< see ShotPath::cushion_stick
   int jaws = 0;                        ///< see ShotPath::jaws
+  Work work{};
 };
 
 /// Replays a launch. `contacts` receives the bounces, if it is not null.

@@ -63,7 +63,7 @@ class SetGoing {
       const bool others_meet = !its && e.event.kind == EventKind::ball;
       if (others_meet && !arrived) sim.stop(look);  // the shot ends here, so the path up to now counts
       if (near_end_ && (others_meet || (its && e.event.kind != EventKind::slide_to_roll))) arrived = out_.made = true;
-      if (arrived || over(e, sim)) return;
+      if (arrived || over(e, sim)) return void(out_.work += sim.work());
     }
   }
 

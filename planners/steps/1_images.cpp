@@ -11,7 +11,7 @@ namespace bankshot::planning::steps {
 
 void images(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   refine_images(request, budget, found, word::images,
-                [&](const LockedAim& aim, const Launch& seed) -> std::optional<Launch> {
+                [&](const Branch& aim, const Launch& seed) -> std::optional<Launch> {
                   const auto root = newton(aim, budget, seed, settings::wide);
                   return root ? std::optional(root.launch) : std::nullopt;
                 });

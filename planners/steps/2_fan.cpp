@@ -21,7 +21,7 @@ void fan(const SearchRequest& request, EvaluationBudget& budget, SearchResult& f
   bool more = !budget.spent();
   while (const auto image = images.next()) {
     const Route route = images.route(*image);
-    const LockedAim aim{request, route, request.problem->aim_points[image->aim_point]};
+    const Branch aim{request, route, request.problem->aim_points[image->aim_point]};
     for (int i = 1; i <= 2 * most && more; ++i) {
       const double angle = image->angle + cell.aim * (i / 2) * (i % 2 == 0 ? 1 : -1);
       if (const auto speed = speed_at(aim, budget, angle, image->distance)) nodes.visit(angle, *speed);

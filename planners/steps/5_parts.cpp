@@ -20,7 +20,7 @@ using namespace settings::parts;
 /// A window around a lead, along its route, at the speed that each aim needs.
 bool bisect_candidate(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found,
                       const Candidate& candidate) {
-  const LockedAim locked{request, candidate.route, candidate.aim_point};
+  const Branch locked{request, candidate.route, candidate.aim_point};
   const std::vector<Contact> contacts = contacts_of(candidate.route);
   const Goal goal = Goal::along(contacts);
   const auto launch = [&](double aim) -> std::optional<Launch> {

@@ -2,7 +2,7 @@
 //
 // Shots that count on jaws, for where none enters cleanly.
 // Method: the real path of a launch goes on through jaws, whose contacts are meetings of its route, and its derivatives
-// tell which aims beside it lead into which mouth (locked/forward.hpp). Rows of launches across a mouth that is asked
+// tell which aims beside it lead into which mouth (locked/discover.hpp). Rows of launches across a mouth that is asked
 // for are replayed. Launches into a mouth on the way are followed in the same manner, each for the aims up to its
 // neighbours, so that windows as narrow as rounding allows are seen. What drops is moved along its band, the launches
 // that fall at the same place by the same route, by Newton's method on the locked path with its jaws until the ball
@@ -24,7 +24,7 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/certify.hpp"
 #include "planners/line_search.hpp"
-#include "planners/locked/forward.hpp"
+#include "planners/locked/discover.hpp"
 #include "planners/locked/newton.hpp"
 #include "planners/settings.hpp"
 #include "planners/steps/forward_map.hpp"
@@ -83,14 +83,14 @@ class JawShots {
     const bool first = beam.after == 0, last = beam.on_the_way == 0;
     const Launch launch{beam.middle.speed, wrap_angle(beam.middle.angle)};
     const std::vector<AimPoint>& aim_points = first && last ? request_.problem->aim_points : mouths_;
-    Forward& forward = forwards_[static_cast<std::size_t>(beam.on_the_way)];
+    Discovery& found = discoveries_[static_cast<std::size_t>(beam.on_the_way)];
     if (first && last)
-      planning::forward(request_, budget_, launch, true, forward);
+      discover(request_, budget_, launch, true, found);
     else
-      forward_through_jaws(request_, budget_, launch, beam.half, mouths_, forward);
-    const Route& route = forward.route;
+      discover_through_jaws(request_, budget_, launch, beam.half, mouths_, found);
+    const Route& route = found.route;
     if (!first && !(route.size() >= beam.after && route[beam.after - 1].with.kind == ContactKind::jaw)) return;
-    for (const Passage& p : forward.passages) {
+    for (const Passage& p : found.passages) {
       const AimPoint& mouth = aim_points[p.aim_point];
       if (p.meetings < beam.after || too_slow(p.linear)) continue;
       if (last && !may_end(std::span(route).first(p.meetings), mouth)) continue;
@@ -239,7 +239,7 @@ class JawShots {
   SearchResult& found_;
   std::vector<AimPoint> mouths_;
   Look look_{};
-  std::array<Forward, most_on_the_way + 1> forwards_{};
+  std::array<Discovery, most_on_the_way + 1> discoveries_{};
 };
 
 }  // namespace

@@ -157,12 +157,12 @@ class Chains {
     for (int i = 0; i < most_corrections; ++i) {
       const Vec2d n = direction(leg.launch().angle + turn);
       const SearchRequest& own = to_ghost_.at(ghost(n), asked);
-      const LockedAim aim{own, route, own.problem->aim_points.front()};
+      const Branch aim{own, route, own.problem->aim_points.front()};
       const auto root = newton(aim, budget_, seed, settings::wide);
       if (!root) return false;
       seed = root.launch;
       budget_.charge(route.size());
-      auto arrival = arrival_of(aim, start_of(own, seed), request_.puzzle().physics);
+      auto arrival = arrival_of(aim, start_of(own, seed), request_.puzzle().physics, budget_.work());
       if (!arrival || !(dot(arrival->heading, n) > 0)) return false;
       const double cosine = dot(arrival->heading, n) / norm(arrival->heading);
       if (cosine < least_cosine) return false;
@@ -177,7 +177,7 @@ class Chains {
       if (i > 0 && std::abs(off) < settled_turn) break;
     }
     const Route whole = whole_route(leg, route);
-    const LockedAim aim{request_, whole, leg.aim_point};
+    const Branch aim{request_, whole, leg.aim_point};
     for (const double faster : faster_seeds) {
       const Launch from{request_.one_unknown() ? request_.fixed_speed() : seed.speed * faster, seed.angle};
       const auto root = newton(aim, budget_, from, settings::wide);

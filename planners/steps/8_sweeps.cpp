@@ -40,8 +40,8 @@ class Sweeps {
   void run(const Objects::Chain& chain, const std::vector<Leg>& legs) {
     const std::vector<Approach> to_ball = approaches_to_last(request_, budget_, chain);
     if (request_.problem->drops()) launches(to_ball);  // hardly any that falls is on the exact line
-    each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { sweep(aim, across); });
-    each_pair(chain, legs, to_ball, [&](const LockedAim& aim, const Range& across) { grid(aim, across); });
+    each_pair(chain, legs, to_ball, [&](const Branch& aim, const Range& across) { sweep(aim, across); });
+    each_pair(chain, legs, to_ball, [&](const Branch& aim, const Range& across) { grid(aim, across); });
     if (!request_.problem->drops()) launches(to_ball);
     climb_peaks();
   }
@@ -83,7 +83,7 @@ class Sweeps {
     double room = 0;  ///< m, its clearance
   };
 
-  std::optional<Side> side_at(const LockedAim& aim, double angle, double guess) {
+  std::optional<Side> side_at(const Branch& aim, double angle, double guess) {
     if (budget_.spent()) return {};
     const auto speed = speed_near(aim, budget_, angle, guess);
     const auto l = speed ? linearise(aim, budget_, {*speed, angle}) : std::nullopt;
@@ -92,12 +92,12 @@ class Sweeps {
   }
 
   /// Where Newton's method does not come to the speed that arrives as asked.
-  std::optional<Side> side_from_bounds(const LockedAim& aim, double angle) {
+  std::optional<Side> side_from_bounds(const Branch& aim, double angle) {
     const auto speed = speed_at(aim, budget_, angle, request_.problem->boundary.diagonal);
     return speed ? side_at(aim, angle, *speed) : std::nullopt;
   }
 
-  void sweep(const LockedAim& aim, const Range& across) {
+  void sweep(const Branch& aim, const Range& across) {
     const double middle = (across.low + across.high) / 2, half = (across.high - across.low) / 2;
     std::optional<Side> last;
     std::vector<Side> row;
@@ -115,7 +115,7 @@ class Sweeps {
     make_beside(aim, row);
   }
 
-  void between(const LockedAim& aim, const Side& a, const Side& b) {
+  void between(const Branch& aim, const Side& a, const Side& b) {
     double low = a.launch.angle, high = b.launch.angle;
     Launch at = a.launch;
     int left = sweep_halvings;
@@ -132,7 +132,7 @@ class Sweeps {
 
   /// Where the exact line needs a launch that no bound allows, or is blocked, others lead in beside it: those of the
   /// row with room, and what is between two of them around each that has more than its neighbours.
-  void make_beside(const LockedAim& aim, std::vector<Side>& row) {
+  void make_beside(const Branch& aim, std::vector<Side>& row) {
     for (Side& s : row) s.room = clearance(aim, budget_, s.launch).value_or(-request_.problem->boundary.diagonal);
     for (std::size_t i = 0; i < row.size(); ++i) {
       const Side& s = row[i];
@@ -157,7 +157,7 @@ class Sweeps {
     parts_.climb(request_, budget_, found_);
   }
 
-  void grid(const LockedAim& aim, const Range& across) {
+  void grid(const Branch& aim, const Range& across) {
     const Neighbourhood near{
         grid_reach * (across.high - across.low) / 2 / grid_steps,
         grid_reach *

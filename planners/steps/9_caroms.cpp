@@ -22,6 +22,7 @@
 #include "bankshot/simulate/with_physics.hpp"
 #include "planners/certify.hpp"
 #include "planners/locked/newton.hpp"
+#include "planners/locked/real_legs.hpp"
 #include "planners/start.hpp"
 #include "planners/steps/bands.hpp"
 #include "planners/steps/made_as_asked.hpp"
@@ -118,36 +119,42 @@ class Caroms {
     Route route;
     with_physics(request_.puzzle().physics, [&](const auto& motion, const auto& cushion) {
       Simulator sim(to_first_, motion, cushion, start_of(request_, launch));
-      for (Event e = sim.step(); e.kind != EventKind::ball; e = sim.step())
-        if (!goes_on(e, route)) return;
+      bool touches = false;
+      each_leg(
+          sim, budget_.work(), [] { return true; },
+          [&](const Event& e) {
+            touches = e.kind == EventKind::ball;
+            return !touches && goes_on(e, route);
+          });
+      if (!touches) return;
       State<double> struck = sim.state(), other{first_.at_rest.at, {}, {}};
       collisions(request_.puzzle().physics).collide(request_.puzzle().ball.body, struck, first_.at_rest.body, other);
       route.push_back({0, Contact::ball(first_.ball)});
-      object_ball_path(motion, cushion, struck, launch, route, out);
+      go_on(motion, cushion, struck, launch, route, out);
     });
     budget_.charge(route.size());
     return out;
   }
 
   template <class Motion, class Cushion>
-  void object_ball_path(const Motion& motion, const Cushion& cushion, const State<double>& struck, const Launch& launch,
-                        Route& route, Passes& out) {
+  void go_on(const Motion& motion, const Cushion& cushion, const State<double>& struck, const Launch& launch,
+             Route& route, Passes& out) {
     Simulator sim(request_.problem->alone(), motion, cushion, struck);
-    for (;;) {
-      SidePass pass{launch, forever, false};
-      const auto look = [&](const Arc<double>& arc, double travelled) {
-        const double t = detail::closest_time(arc, travelled, aim_point_.at);
-        const Vec2d off = aim_point_.at - arc.position(t);
-        if (norm(off) < pass.distance) pass.distance = norm(off), pass.left = is_left(arc.velocity_at(t), off);
-      };
-      Event e;
-      do {
-        e = sim.step(forever, look);
-        look(sim.arc(), sim.travelled());
-      } while (e.kind == EventKind::slide_to_roll);
+    SidePass pass{launch, forever, false};
+    const auto begins = [&] {
+      pass.distance = forever, pass.left = false;
+      return true;
+    };
+    const auto look = [&](const Arc<double>& arc, double travelled) {
+      const double t = detail::closest_time(arc, travelled, aim_point_.at);
+      const Vec2d off = aim_point_.at - arc.position(t);
+      if (norm(off) < pass.distance) pass.distance = norm(off), pass.left = is_left(arc.velocity_at(t), off);
+    };
+    const auto ends = [&](const Event& e) {
       if (bounces_of(route) >= request_.cushions().min) out.emplace(route, pass);
-      if (!goes_on(e, route)) return;
-    }
+      return goes_on(e, route);
+    };
+    each_leg(sim, budget_.work(), begins, ends, look);
   }
 
   /// Of the exact line, from a ball that moves so with the second this far off.
@@ -157,7 +164,6 @@ class Caroms {
 
   /// After this event, which is noted: with no more bounces than are asked, and in their order.
   bool goes_on(const Event& e, Route& route) const {
-    if (e.kind == EventKind::slide_to_roll) return true;
     if (e.kind != EventKind::cushion || bounces_of(route) == request_.cushions().max) return false;
     route.push_back({0, e.contact});
     return in_turn(contacts_of(route));
@@ -166,11 +172,11 @@ class Caroms {
   /// At the speed of the launch, and from there as fast at the target as asked.
   bool root(const Route& route, const Launch& from) {
     const SearchRequest at_speed = request_.launched_at(from.speed);
-    const LockedAim fixed{at_speed, route, aim_point_};
+    const Branch fixed{at_speed, route, aim_point_};
     auto found = newton(fixed, budget_, from, settings::wide);
     if (!found) return false;
     if (!request_.one_unknown() && request_.arrival->fixed()) {
-      const LockedAim free{request_, route, aim_point_};
+      const Branch free{request_, route, aim_point_};
       found = newton(free, budget_, found.launch, settings::wide);
       if (!found) return false;
       return keep(free, found.launch);
@@ -178,7 +184,7 @@ class Caroms {
     return keep(fixed, found.launch);
   }
 
-  bool keep(const LockedAim& aim, const Launch& root) {
+  bool keep(const Branch& aim, const Launch& root) {
     const auto l = linearise(aim, budget_, root);
     int& alike = kept_[{Route(aim.route.begin(), aim.route.end()), l && l->by_aim(0) > 0}];
     if (alike == settings::caroms::most_alike && !(request_.all() && !request_.starts())) return true;

@@ -240,7 +240,7 @@ class Bands {
   void root(const AimPoint& aim_point, const Route& route, double at) {
     if (any_arrival() && made_.contains(route)) return;
     const SearchRequest& own = any_arrival() ? at_speed_ : request_;
-    const LockedAim aim{own, route, aim_point};
+    const Branch aim{own, route, aim_point};
     const auto l = linearise(aim, budget_, launch(at));
     const auto step = l ? newton_step(*l, own.one_unknown()) : std::nullopt;
     if (!step || !(std::abs((*step)[1]) < farthest)) return;

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/arrival.hpp"
+#include "planners/locked/real_legs.hpp"
 #include "planners/start.hpp"
 #include "planners/steps/to_ball.hpp"
 
@@ -53,6 +55,7 @@ Followed ChainPath::follow(int n, const Route& before, const Place& place, const
   budget_.charge(before.size(), before.empty() ? 1 : 2);
   with_physics(request_.puzzle().physics, [&](const auto& motion, const auto& cushion) {
     const auto path = follow_locked(request_.problem->balls(), motion, cushion, before, start_of(request_, launch));
+    budget_.work() += path.work;
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return;
     object_ball_path(motion, cushion, n, path.state, before, place, launch, out);
   });
@@ -65,25 +68,24 @@ void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, i
   Simulator sim(alone(n), motion, cushion, sent);
   std::vector<Contact> met;
   if (n > 0 && request_.problem->carom()) met = contacts_of(before);
-  for (;;) {
-    double nearest = forever;
-    Pass pass{0, false};
-    State<double> passing = sent;
-    const auto look = [&](const Arc<double>& arc, double travelled) {
-      const double t = detail::closest_time(arc, travelled, place.at);
-      const Vec2d off = place.at - arc.position(t), v = arc.velocity_at(t);
-      if (!(norm(off) < nearest) || !(norm(v) > 0)) return;
-      nearest = norm(off), pass = pass_of(place, v / norm(v), off);
-      passing.at = arc.position(t), passing.velocity = v;
-    };
-    Event e;
-    do {
-      e = sim.step(forever, look);
-      look(sim.arc(), sim.travelled());
-    } while (e.kind == EventKind::slide_to_roll);
-    const auto fell = [&](const State<double>& s) {
-      if (norm(s.velocity) > 0) out.falls.push_back(fall_of(joined(before, out.route), launch, *place.aim_point, s));
-    };
+  const auto fell = [&](const State<double>& s) {
+    if (norm(s.velocity) > 0) out.falls.push_back(fall_of(joined(before, out.route), launch, *place.aim_point, s));
+  };
+  double nearest = forever;  // on the leg
+  Pass pass{0, false};
+  State<double> passing = sent;
+  const auto begins = [&] {
+    nearest = forever, pass = {0, false}, passing = sent;
+    return true;
+  };
+  const auto look = [&](const Arc<double>& arc, double travelled) {
+    const double t = detail::closest_time(arc, travelled, place.at);
+    const Vec2d off = place.at - arc.position(t), v = arc.velocity_at(t);
+    if (!(norm(off) < nearest) || !(norm(v) > 0)) return;
+    nearest = norm(off), pass = pass_of(place, v / norm(v), off);
+    passing.at = arc.position(t), passing.velocity = v;
+  };
+  const auto ends = [&](const Event& e) {
     const bool counts = static_cast<int>(met.size()) >= least(n);
     out.end = e.contact;
     out.nearest = std::min(out.nearest, nearest);
@@ -91,23 +93,24 @@ void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, i
     if (counts && place.aim_point && e.kind == EventKind::pocket && e.contact == place.aim_point->taken_by)
       fell(sim.state());
     if (counts && place.aim_point && !place.aim_point->drops() && nearest < place.reach) fell(passing);
-    if (e.kind != EventKind::cushion) return;
+    if (e.kind != EventKind::cushion) return false;
     met.push_back(e.contact);
-    if (!is_on(n, met)) return;
+    if (!is_on(n, met)) return false;
     out.route.push_back({number(n), e.contact});
-  }
+    return true;
+  };
+  each_leg(sim, budget_.work(), begins, ends, look);
 }
 
 std::optional<Pass> ChainPath::locked_pass(const Route& route, int n, const Place& place, const Launch& launch) {
   if (budget_.spent()) return {};
   budget_.charge(route.size());
   return with_physics(request_.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<Pass> {
-    const auto path = follow_locked(request_.problem->balls(), motion, cushion, route, start_of(request_, launch));
-    if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return {};
-    const auto there =
-        arrive_locked(motion, body(n), path.state, place.at, place.aim_point ? place.aim_point->capture() : 0, false);
-    if (!(dot(there.heading, there.heading) > 0)) return {};
-    return pass_of(place, there.heading / norm(there.heading), place.at - there.state.at);
+    const Destination to{body(n), place.at, place.aim_point ? place.aim_point->capture() : 0, false};
+    const auto there = trace(request_.problem->balls(), motion, cushion, std::span<const Meeting>(route),
+                             start_of(request_, launch), to, budget_.work());
+    if (!there) return {};
+    return pass_of(place, there->heading / norm(there->heading), place.at - there->state.at);
   });
 }
 

@@ -79,7 +79,7 @@ ForwardMap::Column ForwardMap::column(double angle, const std::vector<double>& r
 }
 
 ForwardMap::Node ForwardMap::node(double angle, double speed) {
-  forward(request_, budget_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
+  discover(request_, budget_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
   for (const Passage& p : forward_.passages) {
     keep_lead(angle, speed, p);
     roots_.visit({request_, std::span<const Meeting>(forward_.route).first(p.meetings),

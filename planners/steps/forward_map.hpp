@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A forward map of aim × ln speed: where a path's shape depends on its speed, this shows which routes there are.
-// Method: each node simulates the real path with dual numbers (forward.hpp); the free leg after any number of bounces
+// Method: each node simulates the real path with dual numbers (discover.hpp); the free leg after any number of bounces
 // that is allowed has a residual and its derivatives, which lead to roots (roots.hpp). Of each aim only the speeds are
 // tried that may arrive as asked. Between two neighbours that meet different cushions the aim is divided near where
 // that changes, so that narrow routes get nodes of their own. A route that is given is mapped on its locked path.
@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planners/locked/forward.hpp"
+#include "planners/locked/discover.hpp"
 #include "planners/steps/roots.hpp"
 
 namespace bankshot::planning::steps {
@@ -71,7 +71,7 @@ class ForwardMap {
   SearchResult& found_;
   Spacing cell_;
   Roots roots_;
-  Forward forward_{};  ///< of the node followed last
+  Discovery forward_{};  ///< of the node followed last
   std::vector<Candidate> candidates_{};
 };
 

@@ -15,7 +15,7 @@ namespace bankshot::planning::steps {
 
 using namespace settings::roots;
 
-void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear) {
+void Roots::visit(const Branch& aim, const Launch& node, const Linear& linear) {
   if (rest_wanted()) keep_nearest(aim, node, request_.one_unknown() ? std::abs(linear.r[0]) : linear.size());
   const auto step = newton_step(linear, request_.one_unknown());
   if (!step ||
@@ -35,7 +35,7 @@ void Roots::visit(const LockedAim& aim, const Launch& node, const Linear& linear
 }
 
 /// Two roots of a route nearly always lie on the two sides of a fold: a node leads to the one on its own side.
-bool Roots::on_side_of_known(const LockedAim& aim, const Linear& node) {
+bool Roots::on_side_of_known(const Branch& aim, const Linear& node) {
   const bool one_unknown = request_.one_unknown();
   for (Root& root : roots_) {
     if (!belongs(root, aim)) continue;
@@ -50,7 +50,7 @@ bool Roots::on_side_of_known(const LockedAim& aim, const Linear& node) {
 
 /// Better shots are wanted than one that is known, and the root so many cells from here leads to none, as far as what
 /// is seen from here can be trusted there.
-bool Roots::hopeless(const LockedAim& aim, const Launch& at, double cells, const Linear& linear) const {
+bool Roots::hopeless(const Branch& aim, const Launch& at, double cells, const Linear& linear) const {
   if (at.speed > request_.speed.high * std::exp(2 * cells * cell_.step_speed)) return true;
   const double better_there = 1 + distrust * cells;
   if (linear.time > request_.latest * better_there) return true;
@@ -59,7 +59,7 @@ bool Roots::hopeless(const LockedAim& aim, const Launch& at, double cells, const
              request_.likelier;
 }
 
-void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) {
+void Roots::keep_nearest(const Branch& aim, const Launch& node, double miss) {
   auto& kept = seen(aim).nearest;
   Nearest* to_replace = &kept.front();
   for (Nearest& n : kept) {
@@ -73,7 +73,7 @@ void Roots::keep_nearest(const LockedAim& aim, const Launch& node, double miss) 
 }
 
 /// Neighbouring nodes have mostly the same route.
-Roots::Seen& Roots::seen(const LockedAim& aim) {
+Roots::Seen& Roots::seen(const Branch& aim) {
   if (last_seen_ < seen_.size() && belongs(seen_[last_seen_], aim)) return seen_[last_seen_];
   const auto it = std::find_if(seen_.begin(), seen_.end(), [&](const Seen& x) { return belongs(x, aim); });
   last_seen_ = static_cast<std::size_t>(it - seen_.begin());
@@ -83,7 +83,7 @@ Roots::Seen& Roots::seen(const LockedAim& aim) {
 
 void Roots::seek_rest() {
   for (const Seen& seen : seen_) {
-    const LockedAim aim{request_, seen.route, seen.aim_point};
+    const Branch aim{request_, seen.route, seen.aim_point};
     if (std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); })) continue;
     for (const Nearest& n : seen.nearest) {
       if (done() || !(n.miss < none)) break;
@@ -97,14 +97,14 @@ void Roots::seek_rest() {
 }
 
 /// The aim point lies near the last cushion.
-bool Roots::beside_last(const LockedAim& aim) const {
+bool Roots::beside_last(const Branch& aim) const {
   const Wall* const last = aim.route.empty() ? nullptr : request_.problem->boundary.line(aim.route.back().with);
   return last && dot(last->normal, aim.aim_point.at) - last->offset < beside * request_.problem->boundary.diagonal;
 }
 
 /// A ball that rests soon after its last bounce was hardly fast enough to get there: from a little above the slowest
 /// launch that does.
-NewtonResult Roots::after_last(const LockedAim& aim, const Launch& from) {
+NewtonResult Roots::after_last(const Branch& aim, const Launch& from) {
   double high = from.speed, low = from.speed * std::exp(-2 * cell_.step_speed);
   int left = halvings;
   bisect(
@@ -119,7 +119,7 @@ NewtonResult Roots::after_last(const LockedAim& aim, const Launch& from) {
   return {};
 }
 
-void Roots::add(const LockedAim& aim, const Launch& root) {
+void Roots::add(const Branch& aim, const Launch& root) {
   if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >= most_of_a_route)
     return;
   remember(aim, root);
@@ -138,7 +138,7 @@ void Roots::add(const LockedAim& aim, const Launch& root) {
   }
 }
 
-std::optional<Roots::Side> Roots::side_at(const LockedAim& aim, double angle, double guess) {
+std::optional<Roots::Side> Roots::side_at(const Branch& aim, double angle, double guess) {
   const auto speed = speed_near(aim, budget_, angle, guess);
   const auto l = speed ? linearise(aim, budget_, {*speed, angle}) : std::nullopt;
   if (!l) return {};
@@ -148,7 +148,7 @@ std::optional<Roots::Side> Roots::side_at(const LockedAim& aim, double angle, do
 /// Near a rail the map bends within a hundredth of a cell, so that a route has roots closer than rings see, and one
 /// that meets the rail just before the aim point has a root beside that of the route that does not. Aims at both sides
 /// of a root, ever farther: where the ball changes its side of the aim point there is another.
-void Roots::beside_rail(const LockedAim& aim, const Launch& root) {
+void Roots::beside_rail(const Branch& aim, const Launch& root) {
   for (const double way : {1.0, -1.0}) {
     std::optional<Side> last = side_at(aim, root.angle, root.speed);
     for (double cells = nearest_beside; cells < farthest_beside && !budget_.spent(); cells *= beside_grows) {
@@ -174,15 +174,14 @@ void Roots::beside_rail(const LockedAim& aim, const Launch& root) {
 /// Roots come in pairs on the two sides of a fold or a kink, where the determinant often changes its sign; nodes are
 /// too far apart to see both. So Newton's method also starts around a root wherever that sign is another, or where its
 /// first step does not lead back there.
-void Roots::across_fold(const LockedAim& aim, const Launch& root) {
+void Roots::across_fold(const Branch& aim, const Launch& root) {
   const auto at_root = linearise(aim, budget_, root, true);
   if (!at_root) return;
   for (const double cells : rings)
     for (int i = 0; i < ways; ++i) from_beside(aim, root, *at_root, direction(radians(360) * i / ways) * cells, cells);
 }
 
-void Roots::from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn,
-                        double cells) {
+void Roots::from_beside(const Branch& aim, const Launch& root, const Linear& at_root, const Vec2d& turn, double cells) {
   const bool one_unknown = request_.one_unknown();
   const Launch from{root.speed * std::exp(turn.y * cell_.step_speed), root.angle + turn.x * cell_.step_aim};
   const auto at = linearise(aim, budget_, from, true);
@@ -196,7 +195,7 @@ void Roots::from_beside(const LockedAim& aim, const Launch& root, const Linear& 
 }
 
 /// A root of the same route and aim point lies within so many cells.
-bool Roots::known(const LockedAim& aim, const Launch& l, double cells) const {
+bool Roots::known(const Branch& aim, const Launch& l, double cells) const {
   return std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) {
     return std::abs(angle_difference(r.launch.angle, l.angle)) < std::max(least_apart, cells) * cell_.step_aim &&
            std::abs(std::log(r.launch.speed / l.speed)) < std::max(least_apart, cells) * cell_.step_speed &&

@@ -37,7 +37,7 @@ class Roots {
   }
 
   /// A node that meets these cushions, and how it misses the aim point.
-  void visit(const LockedAim& aim, const Launch& node, const Linear& linear);
+  void visit(const Branch& aim, const Launch& node, const Linear& linear);
 
   /// Routes that were visited and have no root yet: from the nodes that came nearest.
   void seek_rest();
@@ -67,32 +67,32 @@ class Roots {
     AimPoint aim_point;
     std::array<Nearest, 3> nearest{};
   };
-  static bool belongs(const Root& x, const LockedAim& aim) {
+  static bool belongs(const Root& x, const Branch& aim) {
     return x.aim_point == aim.aim_point && std::ranges::equal(x.route, aim.route);
   }
-  static bool belongs(const Seen& x, const LockedAim& aim) {
+  static bool belongs(const Seen& x, const Branch& aim) {
     return x.aim_point == aim.aim_point && std::ranges::equal(x.route, aim.route);
   }
 
-  void remember(const LockedAim& aim, const Launch& root, std::optional<double> determinant = {}) {
+  void remember(const Branch& aim, const Launch& root, std::optional<double> determinant = {}) {
     roots_.push_back({{aim.route.begin(), aim.route.end()}, aim.aim_point, root, determinant});
   }
-  Seen& seen(const LockedAim& aim);
-  void keep_nearest(const LockedAim& aim, const Launch& node, double miss);
-  bool known(const LockedAim& aim, const Launch& l, double cells) const;
-  bool on_side_of_known(const LockedAim& aim, const Linear& node);
-  bool hopeless(const LockedAim& aim, const Launch& at, double cells, const Linear& linear) const;
-  void add(const LockedAim& aim, const Launch& root);
-  void across_fold(const LockedAim& aim, const Launch& root);
-  void from_beside(const LockedAim& aim, const Launch& root, const Linear& at_root, const Vec2d& turn, double cells);
-  void beside_rail(const LockedAim& aim, const Launch& root);
+  Seen& seen(const Branch& aim);
+  void keep_nearest(const Branch& aim, const Launch& node, double miss);
+  bool known(const Branch& aim, const Launch& l, double cells) const;
+  bool on_side_of_known(const Branch& aim, const Linear& node);
+  bool hopeless(const Branch& aim, const Launch& at, double cells, const Linear& linear) const;
+  void add(const Branch& aim, const Launch& root);
+  void across_fold(const Branch& aim, const Launch& root);
+  void from_beside(const Branch& aim, const Launch& root, const Linear& at_root, const Vec2d& turn, double cells);
+  void beside_rail(const Branch& aim, const Launch& root);
   /// At an aim, the speed that arrives as asked, and on which side of the aim point the ball then passes or rests.
   struct Side {
     double angle, speed, side;
   };
-  std::optional<Side> side_at(const LockedAim& aim, double angle, double guess);
-  bool beside_last(const LockedAim& aim) const;
-  NewtonResult after_last(const LockedAim& aim, const Launch& from);
+  std::optional<Side> side_at(const Branch& aim, double angle, double guess);
+  bool beside_last(const Branch& aim) const;
+  NewtonResult after_last(const Branch& aim, const Launch& from);
 
   const SearchRequest& request_;
   EvaluationBudget& budget_;

@@ -24,7 +24,7 @@ std::optional<Range> aims_across(const SearchRequest& request, EvaluationBudget&
     const double half = std::asin(std::min(1.0, reach / norm(way))), to = std::atan2(way.y, way.x);
     return Range{to - half, to + half};
   }
-  const LockedAim aim{own, candidate.route, own.problem->aim_points.front()};
+  const Branch aim{own, candidate.route, own.problem->aim_points.front()};
   const auto root = newton(aim, budget, {*own.pinned, candidate.launch.angle}, settings::wide);
   const auto l = root ? linearise(aim, budget, root.launch) : std::nullopt;
   if (!l || l->by_aim(0) == 0) return {};

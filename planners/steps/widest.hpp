@@ -71,7 +71,7 @@ class Widest {
   EvaluationBudget& budget_;
   SearchResult& found_;
   Candidate& candidate_;
-  LockedAim aim_;
+  Branch aim_;
 };
 
 }  // namespace bankshot::planning::steps

@@ -82,7 +82,7 @@ Outcome by_mirror(const Puzzle& p) {
   double least = 1;
   while (const auto c = images.next()) {
     const Route route = images.route(*c);
-    const LockedAim aim{request, route, request.problem->aim_points[c->aim_point]};
+    const Branch aim{request, route, request.problem->aim_points[c->aim_point]};
     auto speed = speed_at(aim, budget, c->angle, c->distance);
     if (speed) speed = speed_near(aim, budget, c->angle, *speed);
     if (speed)

@@ -227,7 +227,7 @@ TEST_CASE("seeds become roots by the finder that is given, and only roots are ke
   SearchResult found;
   const double exact = std::sqrt(0.25 + 2 * deceleration(p.physics));
   int asked = 0;
-  refine_images(request, budget, found, "test", [&](const LockedAim&, const Launch& seed) {
+  refine_images(request, budget, found, "test", [&](const Branch&, const Launch& seed) {
     ++asked;
     CHECK(seed.angle == Approx(0).margin(1e-12));
     CHECK(seed.speed == Approx(exact).epsilon(1e-6));
@@ -237,7 +237,7 @@ TEST_CASE("seeds become roots by the finder that is given, and only roots are ke
   REQUIRE(found.shots.size() == 1);
   CHECK(found.shots[0].launch.speed == exact);
   SearchResult none;
-  const LockedAim aim{request, {}, request.problem->aim_points.front()};
-  CHECK(!refine_aim(aim, budget, none, 0, 1, "test", [](const LockedAim&, const Launch&) { return std::nullopt; }));
+  const Branch aim{request, {}, request.problem->aim_points.front()};
+  CHECK(!refine_aim(aim, budget, none, 0, 1, "test", [](const Branch&, const Launch&) { return std::nullopt; }));
   CHECK(none.shots.empty());
 }

@@ -70,7 +70,7 @@ TEST_CASE("an attempt claims no more of its launch than its track tells", "[heav
   test::Player same = steady;  // has the same error in every attempt, so that each error is known
   for (auto& [name, habit] : same.habits) habit.sigma = 1e-9;
   same.habits["side"].bias = 0.06;
-  planning::Work work;
+  planning::Spent work;
   int told = 0, too_far = 0;
   for (const Attempt& attempt : attempts_of(same, {.attempts = attempts}, random)) {
     const planning::Evidence e = planning::evidence_of(attempt, 2e-3, work);

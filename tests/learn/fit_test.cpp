@@ -282,7 +282,7 @@ void compare_derivatives(const Physics& fitted, const Physics& exact_laws, doubl
     Seen seen(f.recordings[k], 1e-3);
     constexpr double early = 1e-3;  // s; no sample lies at the launch, where paths have a kink
     seen.launch = unknowns_of(f.shots[k], -early);
-    Work work;
+    Spent work;
     REQUIRE(tell(seen, {.base = truth, .names = names, .values = values}, work));
     const SeenCost cost(seen, names, truth), exact_cost(seen, names, exact_laws);
     const auto rows = static_cast<std::size_t>(cost.num_residuals());

@@ -54,7 +54,7 @@ double normal(Random& random) {
 /// Sets the launch with which the shot was filmed.
 void set_true_launch(Seen& seen, const Common& common, const ShotRequest& shot) {
   seen.launch = unknowns_of(shot, 0);
-  Work work;
+  Spent work;
   REQUIRE(tell(seen, common, work));
 }
 
@@ -239,7 +239,7 @@ TEST_CASE("a launch beside the true one is led to it") {
     const LaunchUnknowns truth = seen.launch;
     seen.launch[speed] *= 1.02;
     seen.launch[angle] += 5e-3;
-    Work work;
+    Spent work;
     const double off = solve_launch(seen, common, work);
     INFO("shot " << i);
     CHECK(work.simulations > 0);
@@ -283,7 +283,7 @@ TEST_CASE("a table is learnt, and predicts a shot that it was not taught", "[hea
   asked.base = f.truth;
   *coefficient(asked.base, "rolling_friction").at(0) *= 1.3;
   *coefficient(asked.base, "cushion.restitution").at(0) *= 0.95;
-  Work work;
+  Spent work;
   double done = 0;
   const Learnt learnt = learn(taught, asked, work, [&](double share) {
     CHECK(share >= done);

@@ -246,7 +246,7 @@ TEST_CASE("an aim into a cushion that the ball touches is offered like any other
 TEST_CASE("an answer warns when its condition leaves fewer digits than an exact shot needs") {
   const Puzzle p = plain(ideal_physics());
   const planning::SearchRequest request(p);
-  const planning::EvaluationBudget budget(budget_of(p));
+  planning::EvaluationBudget budget(budget_of(p));
   const planning::SearchResult found;
   Answer a{.status = Status::solved, .shots = {Shot{.verification = {.condition = 1e3}}}};
   CHECK(!says(planning::message(request, budget, found, a, 1), "digits"));

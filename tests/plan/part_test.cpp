@@ -27,7 +27,7 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
     const Replay exact = replay(request, budget, m.launch, Goal::exactly(request, m.bounces), &contacts);
     if (!exact.made || !request.problem->touched.empty()) continue;  // a touched cushion may come first
     const Route route = route_by(contacts);
-    const LockedAim aim{request, route, request.problem->nearest_aim_point(exact.arrival.at)};
+    const Branch aim{request, route, request.problem->nearest_aim_point(exact.arrival.at)};
     for (int k = 0; k < 20; ++k) {
       const Launch launch{m.launch.speed * random.uniform(0.97, 1.03), m.launch.angle + random.uniform(-0.05, 0.05)};
       const auto room = clearance(aim, budget, launch);

@@ -294,12 +294,14 @@ TEST_CASE("the nearest launch that is allowed is at the end of the aims, and res
   p.arrive = Range{0, 0};
   p.angle = Range{radians(10), radians(20)};
   const SearchRequest request(p);
-  const auto launch = nearest_launch(request, {}, true);
+  EvaluationBudget budget(0);  // none is charged
+  const auto launch = nearest_launch(request, budget, {}, true);
   REQUIRE(launch);
+  CHECK(budget.work().arcs > 1000);
   CHECK(launch->angle == Approx(radians(10)).margin(1e-3));
   CHECK(launch->speed == Approx(std::sqrt(2 * deceleration(p.physics) * std::cos(radians(10)))).epsilon(1e-2));
-  CHECK(!nearest_launch(request, {}, false));  // nothing was remembered
+  CHECK(!nearest_launch(request, budget, {}, false));  // nothing was remembered
   SearchResult found;
   found.nearest.launch = {0.4, radians(15)};
-  CHECK(nearest_launch(request, found, false)->angle == Approx(radians(15)));
+  CHECK(nearest_launch(request, budget, found, false)->angle == Approx(radians(15)));
 }

@@ -97,7 +97,7 @@ TEST_CASE("Newton's method says how it ended") {
   p.target = PointTarget{{1.5, 0.3}};
   const SearchRequest request(p);
   const Route route{{0, Contact::rail(0)}};
-  const LockedAim aim{request, route, request.problem->aim_points[0]};
+  const Branch aim{request, route, request.problem->aim_points[0]};
   const Launch near{1.2, radians(-40)};
   EvaluationBudget budget(1000);
   const NewtonResult found = newton(aim, budget, near, settings::wide);
@@ -121,7 +121,7 @@ TEST_CASE("residuals have the derivatives that differences show") {
     std::vector<Contact> contacts;
     if (!replay(request, budget, made.launch, Goal::exactly(request, made.bounces), &contacts).made) continue;
     const Route route = route_by(contacts);
-    const LockedAim aim{request, route, request.problem->aim_points[0]};
+    const Branch aim{request, route, request.problem->aim_points[0]};
     constexpr double h = 1e-6;
     const auto at = linearise(aim, budget, made.launch);
     const auto turned = linearise(aim, budget, {made.launch.speed, made.launch.angle + h});

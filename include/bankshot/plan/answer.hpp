@@ -11,6 +11,7 @@
 
 #include "bankshot/plan/shot.hpp"
 #include "bankshot/scene/puzzle.hpp"
+#include "bankshot/simulate/work.hpp"
 
 namespace bankshot {
 
@@ -34,7 +35,8 @@ struct Answer {
   struct Cost {
     double certify_us = 0;     ///< part of time_us that the replays of candidates took
     double robustness_us = 0;  ///< time for margin and success, not part of time_us
-  } cost{};                    ///< filled if SolveOptions::measure is set
+    Work work{};               ///< of all simulated paths, also of those that `simulations` leaves out
+  } cost{};                    ///< the times are filled if SolveOptions::measure is set
   std::string message{};
   struct Error {
     std::string path, reason;

@@ -15,6 +15,7 @@
 #include "bankshot/detail/on_path.hpp"
 #include "bankshot/detail/pressed.hpp"
 #include "bankshot/simulate/with_physics.hpp"
+#include "bankshot/simulate/work.hpp"
 
 namespace bankshot {
 
@@ -135,6 +136,7 @@ class BallTrack {
   const State<T>& before() const { return before_; }  ///< state at the start of its arc
   const Arc<T>& arc() const { return arc_; }
   const T& travelled() const { return travelled_; }  ///< parameter reached on that arc
+  const Work& work() const { return work_; }
 
   /// Leaves the ball where it is.
   void stay() { travelled_ = T(0); }
@@ -146,6 +148,7 @@ class BallTrack {
   void set_out(const Motion& motion) {
     before_ = state_;
     arc_ = motion.arc(boundary_->body, state_);
+    ++work_.arcs;
   }
 
   template <class Motion>
@@ -165,6 +168,7 @@ class BallTrack {
     cushions_.settle(*boundary_, contact, state_.at);
     cushions_.bounces(squared_scale(state_, body.radius));
     detail::bounce_at(*boundary_, cushion, contact, state_);
+    ++work_.impacts;
     const Vec2<Number> v = value(state_.velocity);
     if (cushions_.is_rounding(dot(v, v))) state_.velocity = {T(0), T(0)};
     if (cushions_.is_still(squared_scale(state_, body.radius))) {
@@ -179,6 +183,7 @@ class BallTrack {
   Arc<T> arc_;
   T limit_{0};  ///< limit of the arc's parameter
   T travelled_{0};
+  Work work_{};
   detail::OnCushions<Number> cushions_;
 };
 

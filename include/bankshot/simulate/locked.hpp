@@ -15,6 +15,7 @@
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/motion/arc.hpp"
 #include "bankshot/simulate/route.hpp"
+#include "bankshot/simulate/work.hpp"
 
 namespace bankshot {
 
@@ -57,6 +58,7 @@ struct LockedPath {
   T time;          ///< s since the launch
   int ball = 0;    ///< ball that the path ends with
   LockedEnd end = LockedEnd::complete;
+  Work work{};
 };
 
 /// Returns the time to the line of wall w. It is negative if the centre is already beyond the line and moves on.
@@ -120,7 +122,8 @@ bool is_lost(const Motion&, const Boundary& boundary, const Vec2<N>& from, const
 }
 
 /// Follows a route. `start` is the state of the ball of its first meeting. After a meeting of two balls, the route is
-/// that of the ball that goes on. `watch` sees each arc and how far it was followed.
+/// that of the ball that goes on. `watch` sees each arc and how far it was followed. If it has a member `met`, that
+/// sees the state right after each meeting.
 template <class T, class C, class Motion, class Cushion, class Watch = Unwatched>
 LockedPath<T> follow_locked(const RouteBallsOf<C>& balls, const Motion& motion, const Cushion& cushion,
                             std::span<const Meeting> route, const State<T>& start, Watch&& watch = {}) {
@@ -132,6 +135,7 @@ LockedPath<T> follow_locked(const RouteBallsOf<C>& balls, const Motion& motion, 
     const Vec2<Number> from = value(path.state.at);
     for (;;) {
       const Arc<T> arc = motion.arc(boundary.body, path.state);
+      ++path.work.arcs;
       const Number t = time_to_contact(boundary, value(arc), contact);
       const bool met = t <= value(arc.duration) && t < Number(forever);
       if (!met && (!arc.goes_on() || is_lost(motion, boundary, from, value(arc.at)))) {
@@ -150,6 +154,8 @@ LockedPath<T> follow_locked(const RouteBallsOf<C>& balls, const Motion& motion, 
       meet_ball(balls, contact, path);
     else
       detail::bounce_at(boundary, cushion, contact, path.state);
+    ++path.work.impacts;
+    if constexpr (requires { watch.met(path.state); }) watch.met(path.state);
   }
   return path;
 }
@@ -169,14 +175,17 @@ struct LockedArrival {
   Vec2<T> heading;  ///< direction of the last arc, even if the ball rests; not a unit vector
   bool at_rest = false;
   T time{0};  ///< s since the leg began; infinite if it never ends
+  Work work{};
 };
 
 template <class T, class Motion, class Watch = Unwatched>
 LockedArrival<T> arrive_locked(const Motion& motion, const Body& body, State<T> state, const Vec2d& target,
                                double capture, bool stop, Watch&& watch = {}) {
   using Number = Real<T>;
+  Work work;
   for (T time(0);;) {
     const Arc<T> arc = motion.arc(body, state);
+    ++work.arcs;
     const Arc<Number>& plain = value(arc);
     T t = arc.duration;
     bool arrived = false;
@@ -195,7 +204,7 @@ LockedArrival<T> arrive_locked(const Motion& motion, const Body& body, State<T> 
     if (arrived || !arc.goes_on()) {
       const bool ends = !(t < T(forever));
       const State<T> end = ends ? state : advance(motion, body, state, arc, t);
-      return {end, arrived ? end.velocity : arc.velocity, !arrived, time};
+      return {end, arrived ? end.velocity : arc.velocity, !arrived, time, work};
     }
     state = advance(motion, body, state, arc, t);
     motion.finish(body, state, arc);

@@ -77,6 +77,12 @@ class ManyBalls {
   /// Returns the state where the ball's arc began. For the balls of the last event, that is right after it.
   const State<T>& state(int ball) const { return ball_at(ball).track.state(); }
   const Body& body(int ball) const { return in_.body(static_cast<std::size_t>(ball)); }
+  /// Returns the work of all balls. Searches for meetings of two are not counted.
+  Work work() const {
+    Work sum{0, meetings_of_two_};
+    for (const Ball& b : in_.balls) sum += b.track.work();
+    return sum;
+  }
 
   /// Returns the present state of a ball, wherever it is on its arc.
   State<T> state_now(int ball) const {
@@ -192,6 +198,7 @@ class ManyBalls {
     if (held) return {};
     State<T> first = in_.balls[i].track.state(), second = in_.balls[j].track.state();
     law_.collide(in_.body(i), first, in_.body(j), second);
+    ++meetings_of_two_;
     for (const std::size_t k : {i, j}) {
       Ball& b = in_.balls[k];
       b.track.resume(k == i ? first : second);
@@ -343,7 +350,8 @@ class ManyBalls {
   detail::LastingContacts<T, Motion> lasting_;
   std::vector<Number> meetings_;  ///< s, per pair, lower number first; on the diagonal, the earliest of the row
   std::vector<std::size_t> changed_;
-  std::vector<char> fresh_;   ///< per ball: its arc is new
+  std::vector<char> fresh_;  ///< per ball: its arc is new
+  long meetings_of_two_ = 0;
   std::vector<int> numbers_;  ///< number of each ball, as a contact
 };
 

@@ -66,6 +66,7 @@ class Simulator {
   const T& time() const { return time_; }                     ///< seconds since the launch
   const Arc<T>& arc() const { return track_.arc(); }          ///< the arc that led to the last event
   const T& travelled() const { return track_.travelled(); }   ///< parameter reached on that arc, seconds on most
+  const Work& work() const { return track_.work(); }          ///< since the launch
   /// Returns the state on the path along that arc, which may be its chord.
   State<T> on_arc(const T& parameter) const {
     return advance(motion_, track_.boundary().body, before(), arc(), parameter);

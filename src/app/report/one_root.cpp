@@ -24,18 +24,19 @@ using namespace planning;
 /// Position of rest less the target [m], as a function of aim and ln speed. Counts the simulations and keeps the least
 /// miss.
 struct Path {
-  const LockedAim& aim;
+  const Branch& aim;
   double (*clock)();
   double begin = clock();
   std::vector<Iterate> seen{};
   long simulations = 0;
+  Work work{};
 
   template <class T>
   std::optional<Vec2<T>> off(const T& angle, const T& log_speed) {
     using std::exp;
     ++simulations;
     const T speed = exp(log_speed);
-    const auto arrival = arrival_of(aim, start_of(aim.request, angle, speed), aim.request.puzzle().physics);
+    const auto arrival = arrival_of(aim, start_of(aim.request, angle, speed), aim.request.puzzle().physics, work);
     if (!arrival) return {};
     return arrival->state.at - to<T>(aim.aim_point.at);
   }
@@ -124,7 +125,7 @@ std::vector<Iterate> approach(const Puzzle& puzzle, Derivatives d, double (*cloc
   EvaluationBudget budget(budget_of(puzzle));
   Unfolding images(request, {.parts = true, .restitution = restitution(puzzle.physics).at_rest, .keep_routes = true});
   while (const auto c = images.next()) {
-    const LockedAim aim{request, *request.route, request.problem->aim_points[c->aim_point]};
+    const Branch aim{request, *request.route, request.problem->aim_points[c->aim_point]};
     const auto speed = speed_at(aim, budget, c->angle, c->distance);
     if (!speed) continue;
     Path path{aim, clock};

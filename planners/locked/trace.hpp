@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// `trace` follows a path that is told its branch: the locked path along the branch's meetings, and then the last leg.
+// It stays smooth where the real path jumps from one branch to another. What the path says is up to its observer: the
+// residuals need nothing, clearances look at each arc.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "bankshot/geometry/aim_point.hpp"
+#include "bankshot/simulate/locked.hpp"
+#include "planners/evaluation_budget.hpp"
+
+namespace bankshot::planning {
+
+/// Where the last leg leads: the ball comes to rest, enters the circle around the point, or passes it.
+struct Destination {
+  const Body& body;  ///< of the ball that gets there
+  Vec2d at;
+  double capture;  ///< m, the radius of the circle; 0: there is none
+  bool stop;       ///< the ball must come to rest
+};
+
+/// An observer of a traced path that looks at nothing. Legs are counted from 0; the last one ends at the destination.
+struct Unobserved {
+  /// An arc of a leg, and the parameter up to which it was followed.
+  template <class T>
+  void arc(std::size_t, const Arc<T>&, const T&) const {}
+  /// The state right after the meeting that ends a leg.
+  template <class T>
+  void met(std::size_t, const State<T>&) const {}
+};
+
+/// Follows these meetings from `start`, and on to the destination. Returns the arrival, with the time since the launch;
+/// none if a leg does not lead to its meeting, or the last leg has no direction. Rounding may make the leg of a real
+/// path seem to lead nowhere. If `complete` is not null, such a leg is passed over, and `complete` set to false.
+template <class T, class C, class Motion, class Cushion, class Observer = Unobserved>
+std::optional<LockedArrival<T>> trace(const RouteBallsOf<C>& balls, const Motion& motion, const Cushion& cushion,
+                                      std::span<const Meeting> meetings, const State<T>& start, const Destination& to,
+                                      Work& work, Observer&& observer = {}, bool* complete = nullptr) {
+  struct Legs {
+    Observer& observer;
+    std::size_t leg = 0;
+    void operator()(const Arc<T>& arc, const T& t) { observer.arc(leg, arc, t); }
+    void met(const State<T>& after) { observer.met(leg++, after); }
+  } legs{observer};
+  State<T> state = start;
+  T time(0);
+  do {
+    const auto path = follow_locked(balls, motion, cushion, meetings.subspan(legs.leg), state, legs);
+    work += path.work;
+    state = path.state;
+    time += path.time;
+    if (path.end == LockedEnd::complete) break;
+    if (!complete) return {};
+    *complete = false;
+    legs.met(state);
+  } while (legs.leg < meetings.size());
+  if (!complete && !(dot(state.velocity, state.velocity) > T(0))) return {};
+  const auto watch = [&](const Arc<T>& arc, const T& t) { observer.arc(meetings.size(), arc, t); };
+  auto arrival = arrive_locked(motion, to.body, state, to.at, to.capture, to.stop, watch);
+  work += arrival.work;
+  if (!(dot(arrival.heading, arrival.heading) > T(0))) return {};
+  arrival.time = time + arrival.time;
+  return arrival;
+}
+
+}  // namespace bankshot::planning
