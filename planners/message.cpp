@@ -117,8 +117,8 @@ std::string uncertain(const SearchRequest& request, const Shot& shot) {
 /// Says why a shot is not on the exact line or point: what its route meets there.
 std::string why_beside(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot) {
   const Route route = route_of(shot);
-  EvaluationBudget aside(settings::most_spent_on_words,
-                         budget);  // the words of an answer do not count against the budget
+  // The words of an answer do not count against the budget.
+  EvaluationBudget aside(settings::most_spent_on_words, budget);
   const SearchRequest own = request.pinned || request.one_unknown() ? request : request.asking(shot.path.arrival.speed);
   const auto root = newton({own, route, request.problem->aim_point_of(shot)}, aside, shot.launch, settings::wide);
   const auto& cuts = request.problem->aim_point_of(shot).cuts;

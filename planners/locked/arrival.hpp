@@ -13,7 +13,7 @@
 
 namespace bankshot::planning {
 
-/// Where a branch leads.
+/// Returns where a branch leads.
 inline Destination destination(const Branch& b) {
   return {b.request.problem->boundary_of(b.aim_point.ball).body, b.aim_point.at, b.aim_point.capture(), b.request.stop};
 }

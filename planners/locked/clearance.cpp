@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "bankshot/detail/roots/roots.hpp"
-#include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/with_physics.hpp"
 #include "planners/locked/arrival.hpp"
 #include "planners/locked/in_the_way.hpp"

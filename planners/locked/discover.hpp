@@ -20,7 +20,7 @@ struct Passage {
   Vec2d along;  ///< unit, of the line of travel there
 };
 
-/// Where a bounce lies along its cushion [m], and how that changes with the aim [m/rad]; of a vertex nothing.
+/// The place of a bounce along its cushion [m], and how it changes with the aim [m/rad]; zeros for a vertex.
 struct BouncePlace {
   double along = 0, by_aim = 0;
 };

@@ -15,7 +15,7 @@
 
 namespace bankshot::planning {
 
-/// Where the last leg leads: the ball comes to rest, enters the circle around the point, or passes it.
+/// The end of the last leg: the ball comes to rest, enters the circle around the point, or passes it.
 struct Destination {
   const Body& body;  ///< of the ball that gets there
   Vec2d at;

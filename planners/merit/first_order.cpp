@@ -89,7 +89,7 @@ class Path {
  private:
   const Boundary& boundary_of_arrival() const { return request_.problem->boundary_of(aim_.aim_point.ball); }
 
-  /// What the ball must keep from on an arc of a leg.
+  /// Limits the launch by all that the ball must keep from on an arc of a leg.
   void keeps_clear(std::size_t leg, const Arc<Number>& arc, const Number& t) {
     if (!(t > 0)) return;
     const Boundary& boundary = request_.problem->boundary_of(aim_.ball(leg));
