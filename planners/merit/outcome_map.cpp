@@ -151,14 +151,15 @@ bool OutcomeMap::add(Rung rung, int tried) {
   return true;
 }
 
-/// Lays rows in coarse steps from the shot outwards, as far as some aim is made.
+/// Lays rows in coarse steps from the shot outwards, as far as some aim is made, at most to the first beyond the
+/// allowed speeds: a player's errors reach there.
 void OutcomeMap::look_along() {
   const Rung below = rung_below(shot_.launch.speed, rungs);
   for (const int way : {-1, 1}) {
     int missed = 0;
     for (Rung at = way < 0 ? below : below + rungs; missed < most_missed; at += way * rungs) {
       const double speed = speed_of(at);
-      if (!request_.speed.contains(speed) || !add(at, coarse_aims)) break;
+      if (!add(at, coarse_aims) || !request_.speed.contains(speed)) break;
       const Row& row = *std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
       missed = row.made() ? 0 : missed + 1;
     }
