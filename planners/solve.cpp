@@ -64,6 +64,22 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// Chooses among shots and moves them, the best one alone or each of a list, to where their value is largest.
+void choose(const SearchRequest& request, EvaluationBudget& aside, SearchResult& found) {
+  if (request.puzzle().prefer == Prefer::robust && !request.all()) planning::best_first(request, aside, found.shots);
+  planning::family::tune(request, aside, found);
+  if (request.problem->safest()) planning::move_best(request, aside, found);
+}
+
+/// Returns the best of the shots of a list, chosen as if it alone were wanted.
+Shot best_of(const SearchRequest& request, EvaluationBudget& aside, const SearchResult& found) {
+  SearchRequest alone = request;
+  alone.wanted = Wanted::best;
+  SearchResult best{.shots = found.shots};
+  choose(alone, aside, best);
+  return best.shots.front();
+}
+
 /// Makes the answer from the result of a search: success, margins and words.
 Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const SolveOptions& options,
               double time_us) {
@@ -75,17 +91,17 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
   planning::add_nearest(request, budget, found, options.suggest, a);
   EvaluationBudget aside(std::numeric_limits<long>::max(),
                          budget);  // rating the shots does not count against the budget
+  const bool once = request.all() && (request.problem->objects || request.problem->safest());
   if ((options.robustness || request.problem->safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
-    if (request.puzzle().prefer == Prefer::robust && !request.all() && !request.problem->safest())
-      planning::best_first(request, aside, found.shots);
-    planning::family::tune(request, aside, found);
-    if (request.problem->safest()) planning::move_best(request, aside, found);
+    // The best of a list gets the care of the best alone.
+    const std::optional<Shot> best = once ? std::optional(best_of(request, aside, found)) : std::nullopt;
+    choose(request, aside, found);
+    if (best) found.shots.push_back(*best);
     if (options.robustness) planning::add_robustness(request, aside, found);
     if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
-  if (request.all() && (request.problem->objects || request.problem->safest()))
-    planning::keep_connected_once(request, aside, found.shots);
+  if (once) planning::keep_connected_once(request, aside, found.shots);
   if (!options.robustness)
     for (Shot& shot : found.shots) shot.robustness.success.reset(), shot.robustness.value.reset();
   const std::size_t distinct = found.shots.size();

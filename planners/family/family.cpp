@@ -231,7 +231,7 @@ Candidate candidate_of(const SearchRequest& request, const Shot& shot) {
 void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const Puzzle& p = request.puzzle();
   // Of what is moved to its safest launch, speed and aim are chosen there.
-  const bool chosen_later = request.problem->safest() && (request.all() || !p.spin_range);
+  const bool chosen_later = request.problem->safest() && request.all();
   if (p.prefer != Prefer::robust || chosen_later || is_straight(p.physics) || Family::freedom(request) == 0) return;
   // First order knows little of what else may lead a carom to its second ball: the best is one of several.
   const std::size_t some = request.problem->carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;

@@ -43,7 +43,7 @@ OutcomeMap::OutcomeMap(const SearchRequest& request, EvaluationBudget& budget, c
       angle_(std::max(request.puzzle().noise.angle, tolerance::same_aim)),
       origin_(std::round(shot.launch.angle / origin_step) * origin_step),
       own_(angle_difference(origin_, shot.launch.angle)),
-      one_speed_(is_ideal(request.puzzle().physics) || request.pinned) {
+      one_speed_(is_ideal(request.puzzle().physics) || request.pinned || request.puzzle().prefer != Prefer::robust) {
   double low = -angle_, high = angle_;
   if (const double by_aim = norm(shot.verification.by_angle); by_aim > 0) {
     const Gap<double> room = room_beside(request, shot, shot.verification.by_angle / by_aim);

@@ -84,7 +84,7 @@ class OutcomeMap {
   double angle_;             ///< deviation of the aim [rad]
   double origin_;            ///< aim of the lattice that is nearest to the shot's [rad]
   double own_;               ///< the shot's aim, seen from there [rad]
-  bool one_speed_;           ///< only the speed of the shot is allowed
+  bool one_speed_;           ///< only the speed of the shot is allowed, or preferred
   Band first_{};             ///< the band that the shot's derivatives expect
   std::vector<Row> rows_{};  ///< slowest first
 };

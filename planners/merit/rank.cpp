@@ -149,9 +149,9 @@ double first_merit(const Puzzle& p, const Shot& shot) {
 
 void rank(const SearchRequest& request, std::vector<Shot>& shots) {
   keep_centred(request, shots);
-  // Where shots are ranked by value, that tells of the scratch, and beside such a launch there may be a good one.
-  const bool by_value = request.valued && request.puzzle().prefer == Prefer::robust;
-  const auto last = [&](const Shot& shot) { return (shot.path.scratch && !by_value) || last_choice(request, shot); };
+  // Beside a launch that scratches there may be one that does not.
+  const bool moves = request.valued && request.puzzle().prefer == Prefer::robust && request.problem->safest();
+  const auto last = [&](const Shot& shot) { return (shot.path.scratch && !moves) || last_choice(request, shot); };
   if (!request.all() && !std::ranges::all_of(shots, last)) std::erase_if(shots, last);
   order(request, shots);
 }
@@ -163,18 +163,21 @@ void order_by_value(std::span<Shot> shots) {
 namespace {
 
 /// Returns the number of the shot with the largest value, if that exceeds `value`. Computes the values of shots that
-/// may have it.
+/// may have it. One that scratches counts where there is no other.
 std::optional<std::size_t> best_above(const SearchRequest& request, EvaluationBudget& budget, std::span<Shot> shots,
                                       double value) {
   struct Candidate {
     double at_most;  ///< largest value that first order leaves possible
     std::size_t shot;
   };
+  const bool others = value > -infinite || !std::ranges::all_of(shots, [](const Shot& s) { return s.path.scratch; });
   std::vector<Candidate> candidates;
-  for (const Shot& shot : shots) {
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const Shot& shot = shots[i];
+    if (shot.path.scratch && others) continue;
     const double success =
         as_struck(request, shot, [&](const SearchRequest& own) { return shot_at_most(own, budget, shots, shot); });
-    candidates.push_back({success - cost_of(shot), candidates.size()});
+    candidates.push_back({success - cost_of(shot), i});
   }
   // The shots are in the order of their margins, which decides between equals.
   std::ranges::stable_sort(candidates, std::greater(), &Candidate::at_most);
