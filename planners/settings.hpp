@@ -276,10 +276,9 @@ inline constexpr double sure_enough = 0.995;
 /// The map of an improvement pass. Cells of twice the width miss about twice as many better shots and save a fifth of
 /// the simulations.
 inline constexpr Spacing improvement{.aim = radians(12), .speed = 1, .narrowest = radians(4), .every_root = false};
-/// The maps that follow the usual one: finer; where the route really occurs; the last, for pockets.
+/// The maps that follow the usual one: finer; then where the route really occurs.
 inline constexpr Spacing fine{radians(0.7), 0.08, true};
 inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
-inline constexpr Spacing finest{radians(0.8), 0.05, true, false};
 }  // namespace automatic
 
 namespace edge {

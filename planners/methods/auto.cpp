@@ -58,16 +58,10 @@ void look(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
   steps::images(request, budget, found);
   if (budget.cut()) return;
-  // What blocks a pocket's exact line is often there, or a ball; else parts of points come last.
-  const bool obstacles = request.problem->has_obstacles();
-  if (request.route && nothing_yet()) {
-    steps::fan(request, budget, found);
-    if (obstacles) parts.climb(request, budget, found);
-  }
   improvement_pass(request, budget, found);
   if (request.all() || nothing_yet()) steps::map(request, budget, found, steps::usual_spacing(request));
   if (stop::more_wanted(request, budget, found)) steps::along(request, budget, found);
-  if (obstacles) {
+  if (request.problem->has_obstacles()) {  // what blocks a pocket's exact line, or a ball; else parts come last
     parts.climb(request, budget, found);
     parts.bisect(request, budget, found, first_share_of_parts);
   }
@@ -87,10 +81,6 @@ void with_spin(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   if (stop::nothing_yet(budget, found)) steps::jaw_shots(request, budget, found);
   if (budget.cut()) return;
   look_closely(request, budget, found, parts);
-  if (request.problem->has_obstacles() && stop::nothing_yet(budget, found)) {
-    steps::map(request, budget, found, finest);
-    parts.climb(request, budget, found);
-  }
   parts.bisect(request, budget, found, 1);
   if (stop::nothing_yet(budget, found)) search_box(request, budget, found, steps::word::global);
 }
@@ -210,15 +200,6 @@ void along_families(const SearchRequest& request, EvaluationBudget& budget, Sear
   }
 }
 
-/// From shots of one arrival speed and spin to the best ones of their families.
-void improve(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  const std::vector<Shot> shots = found.shots;
-  for (const Shot& shot : shots) {
-    const Candidate candidate = family::candidate_of(request, shot);
-    if (!budget.spent()) family::Family(request, budget, found, candidate, shot.provenance.planner).search();
-  }
-}
-
 /// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
 /// launches at the bounds of their own speed, which arrive as they may; fine maps at the first of them alone.
 void with_freedom(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
@@ -241,7 +222,6 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
   steps::Parts parts;
   if (nothing_yet()) look_closely(request.spinning(samples.front().spin), budget, found, parts);
   parts.bisect(request.spinning(samples.front().spin), budget, found, 1);
-  if (!request.first()) improve(request, budget, found);
 }
 
 /// Some shot has as many cushions as this stage.
@@ -282,7 +262,6 @@ void with_balls(const SearchRequest& request, EvaluationBudget& budget, SearchRe
   });
   if (stop::nothing_yet(budget, found))
     each_sample([&](const SearchRequest& one) { steps::speeds_between(one, budget, found); });
-  if (free && !request.first()) improve(request, budget, found);
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "planners/locked/discover.hpp"
@@ -28,22 +27,11 @@ std::vector<double> speeds_to_try(const SearchRequest& request, double cell);
 
 class ForwardMap {
  public:
-  ForwardMap(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing,
-             std::string_view step)
-      : request_(request),
-        budget_(budget),
-        found_(found),
-        cell_(spacing),
-        roots_(request, budget, found, spacing, step) {}
+  ForwardMap(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing)
+      : request_(request), budget_(budget), found_(found), cell_(spacing), roots_(request, budget, found, spacing) {}
 
   /// All aims that the puzzle allows, at all speeds that matter.
   void run();
-
-  /// One launch: its roots.
-  void visit(double angle, double speed) { node(angle, speed); }
-
-  /// Nothing more is looked for.
-  bool done() const { return roots_.done(); }
 
  private:
   /// How fast a node's launch is, against those that arrive as asked.

@@ -10,6 +10,7 @@
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/settings.hpp"
+#include "planners/steps/steps.hpp"
 
 namespace bankshot::planning::steps {
 
@@ -123,7 +124,7 @@ void Roots::add(const Branch& aim, const Launch& root) {
   if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >= most_of_a_route)
     return;
   remember(aim, root);
-  const bool shot = certify_root(aim, budget_, found_, root, step_);
+  const bool shot = certify_root(aim, budget_, found_, root, word::map);
   const bool blocked = !shot && !aim.aim_point.captures() && request_.speed.contains(root.speed);
   if (!request_.all() && !(blocked && every_root_)) return;
   across_fold(aim, root);

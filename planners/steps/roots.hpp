@@ -11,7 +11,6 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "bankshot/geometry/aim_point.hpp"
@@ -23,14 +22,12 @@ namespace bankshot::planning::steps {
 
 class Roots {
  public:
-  Roots(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing,
-        std::string_view step)
+  Roots(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing)
       : request_(request),
         budget_(budget),
         found_(found),
         cell_{spacing.aim, spacing.speed},
-        every_root_(spacing.every_root),
-        step_(step) {
+        every_root_(spacing.every_root) {
     for (const Shot& s : found.shots)
       if (!s.verification.off_centre)
         roots_.push_back({route_by(s.path.cushions), request.problem->nearest_aim_point(s.path.arrival.at), s.launch});
@@ -99,7 +96,6 @@ class Roots {
   SearchResult& found_;
   Neighbourhood cell_;  ///< how far apart nodes are
   bool every_root_;
-  std::string_view step_;
   std::vector<Root> roots_{};
   std::vector<Seen> seen_{};
   std::size_t last_seen_ = 0;

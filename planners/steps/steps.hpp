@@ -17,17 +17,15 @@ namespace bankshot::planning::steps {
 
 /// The names of steps in answers.
 namespace word {
-inline constexpr std::string_view images = "images", sweep = "sweep", fan = "fan", map = "map", along = "along",
-                                  parts = "parts", jaw_shots = "rattles", chains = "chains", caroms = "caroms",
-                                  global = "global", looser = "looser";
+inline constexpr std::string_view images = "images", sweep = "sweep", map = "map", along = "along", parts = "parts",
+                                  jaw_shots = "rattles", chains = "chains", caroms = "caroms", global = "global",
+                                  looser = "looser";
 }  // namespace word
 
 using Step = void (*)(const SearchRequest&, EvaluationBudget&, SearchResult&);
 
 void images(const SearchRequest& request, EvaluationBudget& budget,
             SearchResult& found);  ///< stretched images, refined on the locked path
-void fan(const SearchRequest& request, EvaluationBudget& budget,
-         SearchResult& found);  ///< a given route, outward from its image
 /// All aims and speeds, in cells of this size.
 void map(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing);
 void along(const SearchRequest& request, EvaluationBudget& budget,

@@ -112,7 +112,6 @@ void each_launch(const SearchRequest& request, const Range& across, const Grid& 
 
 void starts_by_map(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   images(request, budget, found);
-  if (request.route) fan(request, budget, found);
   if (!is_straight(request.puzzle().physics)) map(request, budget, found, usual_spacing(request));
 }
 

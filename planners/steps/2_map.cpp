@@ -8,7 +8,7 @@
 namespace bankshot::planning::steps {
 
 void map(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing) {
-  ForwardMap(request, budget, found, spacing, word::map).run();
+  ForwardMap(request, budget, found, spacing).run();
 }
 
 /// Paths with more bounces bend the map more.

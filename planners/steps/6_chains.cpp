@@ -8,7 +8,7 @@
 // Newton's method on the whole chain, with derivatives through the contact. In a combination it is the last ball that
 // is looked at alone, and what leads through its ghost is the chain of those before it, found in the same way.
 // Closely, the last ball's launches come from maps too; then the chain is followed forwards (bands.cpp), and last
-// sweeps are made (8_sweeps.cpp). Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond the proof; a
+// sweeps are made (7_sweeps.cpp). Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond the proof; a
 // root is found where its seed leads, and a chain of routes hardly ever has two.
 #include <algorithm>
 #include <cmath>
