@@ -17,6 +17,7 @@ namespace {
 
 using namespace bankshot;
 using Catch::Contains;
+using Catch::Equals;
 
 /// Returns a puzzle with ball 8 as the target, `gap` metres in front of the cue ball.
 Puzzle touching(double gap = 0.9) {
@@ -56,6 +57,18 @@ TEST_CASE("distances are told as people tell them") {
   CHECK(distance_words(4e-4, t) == "0.4 mm");
   CHECK(distance_words(0.0196, t) == "20 mm");
   CHECK(distance_words(1.234, t) == "1.23 m");
+}
+
+TEST_CASE("what moves or misses nothing is told without a distance") {
+  Puzzle p = touching();
+  Shot s = touch(p, 20);
+  CHECK_THAT(row(p, s, "note"), Equals("a small error of aim does not move the arrival"));
+  s.verification.by_angle = {0, 1};
+  CHECK_THAT(row(p, s, "note"), Equals("0.1 degrees of aim moves the arrival by 1.7 mm"));
+  p.leave = s.path.cue_rests = Vec2d{1, 0.5};
+  CHECK_THAT(row(p, s, "cue ball"), Contains("exactly where it should be"));
+  s.path.cue_rests = Vec2d{1, 0.6};
+  CHECK_THAT(row(p, s, "cue ball"), Contains("100 mm from where it should be"));
 }
 
 TEST_CASE("how full a hit is has Alciatore's names, its share and its cut") {

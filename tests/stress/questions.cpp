@@ -201,7 +201,7 @@ int as_many(const Options& o, int usual) { return std::max(1, static_cast<int>(s
 
 void what_should_i_play(const Options& o, Counts& table, Random& r) {
   for (const int balls : {2, 3, 5, 7, 9}) {
-    const std::string title = fmt::format("1 what should I play, {} balls", balls);
+    const std::string title = fmt::format("1 what should I play: {} balls", balls);
     Questions q(o, title);
     for (int i = 0; i < as_many(o, 12); ++i) {
       const Json scene = layout(r, balls);
@@ -211,15 +211,15 @@ void what_should_i_play(const Options& o, Counts& table, Random& r) {
     }
     q.run();
     table.row(title, q, "unsolved", q.count("unsolved", 0, [&](auto i) { return !q.at(i, 0).solved; }));
-    table.row(title, q, "worse than direct, value",
+    table.row(title, q, "worse than direct by value",
               q.count("worse than direct", 0, [&](auto i) { return worse(q.at(i, 0), q.at(i, 1), &Reply::value); }));
-    table.row(title, q, "worse than direct, success",
+    table.row(title, q, "worse than direct by success",
               q.count("likelier direct", 0, [&](auto i) { return worse(q.at(i, 0), q.at(i, 1), &Reply::success); }));
   }
 }
 
 void one_ball(const Options& o, Counts& table, Random& r) {
-  const std::string title = "2 one ball, any pocket, a cushion";
+  const std::string title = "2 one ball into any pocket by up to one cushion";
   Questions q(o, title);
   for (int i = 0; i < as_many(o, 80); ++i) {
     const Json question = with(layout(r, 1), pot(1));
@@ -232,14 +232,14 @@ void one_ball(const Options& o, Counts& table, Random& r) {
     return worse(q.at(i, 0), q.at(i, 1), by) || worse(q.at(i, 0), q.at(i, 2), by) || worse(q.at(i, 0), q.at(i, 3), by);
   };
   table.row(title, q, "unsolved", q.count("unsolved", 0, [&](auto i) { return !q.at(i, 0).solved; }));
-  table.row(title, q, "worse than a narrower speed, value",
+  table.row(title, q, "worse than a narrower speed by value",
             q.count("worse than a narrower speed", 0, [&](auto i) { return worse_than_one(i, &Reply::value); }));
-  table.row(title, q, "worse than a narrower speed, success",
+  table.row(title, q, "worse than a narrower speed by success",
             q.count("likelier at a narrower speed", 0, [&](auto i) { return worse_than_one(i, &Reply::success); }));
   constexpr double nothing = 1e-6;
-  table.row("3 the same layouts", q, "safest below centre, value",
+  table.row("3 the same layouts", q, "safest below centre by value",
             q.count("safest below centre", 4, [&](auto i) { return q.at(i, 4).value < q.at(i, 5).value - nothing; }));
-  table.row("3 the same layouts", q, "safest below centre, success",
+  table.row("3 the same layouts", q, "safest below centre by success",
             q.count("safest less likely than centre", 4,
                     [&](auto i) { return q.at(i, 4).success < q.at(i, 5).success - nothing; }));
 }

@@ -226,8 +226,10 @@ void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
                                           : std::string("a pocket"))});
   if (!shot.path.cue_rests) return;
   std::string stops = "stops " + place_words(p.table, *shot.path.cue_rests);
-  if (p.leave)
-    stops += ", " + distance_words(norm(*shot.path.cue_rests - *p.leave), p.table) + " from where it should be";
+  if (p.leave) {
+    const std::string off = distance_words(norm(*shot.path.cue_rests - *p.leave), p.table);
+    stops += ", " + (off == "exact" ? "exactly" : off + " from") + " where it should be";
+  }
   rows.push_back({"cue ball", stops});
 }
 
@@ -249,8 +251,9 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
     rows.push_back({"margin", "none, because the cue ball falls into a pocket"});
   else if (shot.robustness.margin)
     for (Row& row : margin_rows(playable(p, shot))) rows.push_back(std::move(row));
-  rows.push_back({"note", "0.1 degrees of aim moves the arrival by " +
-                              distance_words(norm(shot.verification.by_angle) * radians(0.1), p.table)});
+  const std::string moved = distance_words(norm(shot.verification.by_angle) * radians(0.1), p.table);
+  rows.push_back({"note", moved == "exact" ? "a small error of aim does not move the arrival"
+                                           : "0.1 degrees of aim moves the arrival by " + moved});
   for (const std::string& line : sensitivity_words(p, shot)) rows.push_back({"", line});
   return rows;
 }
