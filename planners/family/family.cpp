@@ -224,10 +224,6 @@ void Family::keep(const Tried& t) {
   planning::keep(request_, budget_, found_, t.proof->shot, Goal::exactly(request_, bounces_of(aim_.route)), step_);
 }
 
-Candidate candidate_of(const SearchRequest& request, const Shot& shot) {
-  return {shot.launch, route_of(shot), request.problem->aim_point_of(shot), shot.spin};
-}
-
 void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const Puzzle& p = request.puzzle();
   // Of what is moved to its safest launch, speed and aim are chosen there.
@@ -237,7 +233,7 @@ void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
   const std::size_t some = request.problem->carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
   const std::span<Shot> shots = std::span(found.shots).first(request.all() ? found.shots.size() : some);
   for (Shot& shot : shots) {
-    const Candidate candidate = candidate_of(request, shot);
+    const Candidate candidate{shot.launch, route_of(shot), request.problem->aim_point_of(shot), shot.spin};
     if (!shot.verification.off_centre)
       shot = Family(request, budget, found, candidate, shot.provenance.planner).tuned(shot);
   }

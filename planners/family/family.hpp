@@ -139,7 +139,4 @@ class Family {
 /// The last touch: the shots that are printed, all or the first, along their families to where success is largest.
 void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
-/// A shot as the start of its family.
-Candidate candidate_of(const SearchRequest& request, const Shot& shot);
-
 }  // namespace bankshot::planning::family

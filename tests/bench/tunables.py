@@ -37,8 +37,9 @@ inline double tuned(const char* name, double value) {
   if (std::getenv("BANKSHOT_TUNABLES") != nullptr) std::fprintf(stderr, "%s=%.17g\\n", name, value);
   const char* const say = std::getenv("BANKSHOT_TUNE");
   const char* const factor = say != nullptr ? std::strchr(say, '=') : nullptr;
+  if (factor == nullptr) return value;
   const auto length = static_cast<std::size_t>(factor - say);
-  if (factor == nullptr || std::strncmp(say, name, length) != 0 || name[length] != 0) return value;
+  if (std::strncmp(say, name, length) != 0 || name[length] != 0) return value;
   return value * std::atof(factor + 1);
 }
 template <class Int>

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bankshot/geometry/boundary.hpp"
@@ -15,6 +16,12 @@
 
 namespace bankshot {
 namespace {
+
+/// Returns a distance as text; none if it is exact.
+std::optional<std::string> inexact_words(double metres, const Table& table) {
+  std::string words = distance_words(metres, table);
+  return words == "exact" ? std::nullopt : std::optional(std::move(words));
+}
 
 /// Returns the nearest of D. Alciatore's names for the fullness of a hit.
 std::string_view fullness_words(double full) {
@@ -44,8 +51,8 @@ std::string arrival_words(const Puzzle& p, const Shot& s) {
   }
   if (!s.path.hits.empty() && s.path.then.empty())
     return fmt::format("meets {}, after {:.2f} s at {:.2f} m/s", hit_words(p, s.path.hits.back()), time, speed);
-  const std::string off = distance_words(s.verification.miss, p.table);
-  const std::string where = off == "exact" ? (speed == 0 ? "exactly on" : "exactly over") : off + " off";
+  const auto off = inexact_words(s.verification.miss, p.table);
+  const std::string where = off ? *off + " off" : speed == 0 ? "exactly on" : "exactly over";
   return speed == 0 ? fmt::format("{}rests {} the point after {:.2f} s", who, where, time)
                     : fmt::format("{}passes {} the point after {:.2f} s at {:.2f} m/s", who, where, time, speed);
 }
@@ -117,9 +124,9 @@ std::string place_words(const Table& table, const Vec2d& at) {
 
 std::string nearest_words(const Answer::Nearest& nearest, const Table& table) {
   const Launch& l = nearest.shot.launch;
-  const std::string off = distance_words(nearest.shot.verification.miss, table);
+  const auto off = inexact_words(nearest.shot.verification.miss, table);
   return fmt::format("{:.2f} degrees at {:.2f} m/s: {}; it {}", degrees(l.angle), l.speed,
-                     off == "exact" ? "right on the target" : off + " off", nearest.why);
+                     off ? *off + " off" : "right on the target", nearest.why);
 }
 
 namespace {
@@ -173,11 +180,11 @@ std::vector<std::string> sensitivity_words(const Puzzle& p, const Shot& shot) {
   for (const Sensitivity& s : shot.robustness.sensitivity) {
     const Step& step = *std::ranges::find_if(
         steps, [&](const Step& one) { return s.coefficient.find(one.in_name) != std::string::npos; });
-    const std::string off = distance_words(s.by * step.by, p.table);
-    if (off == "exact") continue;
+    const auto off = inexact_words(s.by * step.by, p.table);
+    if (!off) continue;
     const std::string what =
         step.words.ends_with(" of") ? fmt::format("{} {}", step.words, s.coefficient) : std::string(step.words);
-    lines.emplace_back(s.by * step.by, fmt::format("{} moves it by {}", what, off));
+    lines.emplace_back(s.by * step.by, fmt::format("{} moves it by {}", what, *off));
   }
   std::ranges::stable_sort(lines, std::greater(), [](const auto& line) { return line.first; });
   std::vector<std::string> out;
@@ -227,8 +234,8 @@ void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
   if (!shot.path.cue_rests) return;
   std::string stops = "stops " + place_words(p.table, *shot.path.cue_rests);
   if (p.leave) {
-    const std::string off = distance_words(norm(*shot.path.cue_rests - *p.leave), p.table);
-    stops += ", " + (off == "exact" ? "exactly" : off + " from") + " where it should be";
+    const auto off = inexact_words(norm(*shot.path.cue_rests - *p.leave), p.table);
+    stops += ", " + (off ? *off + " from" : "exactly") + " where it should be";
   }
   rows.push_back({"cue ball", stops});
 }
@@ -251,9 +258,9 @@ std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
     rows.push_back({"margin", "none, because the cue ball falls into a pocket"});
   else if (shot.robustness.margin)
     for (Row& row : margin_rows(playable(p, shot))) rows.push_back(std::move(row));
-  const std::string moved = distance_words(norm(shot.verification.by_angle) * radians(0.1), p.table);
-  rows.push_back({"note", moved == "exact" ? "a small error of aim does not move the arrival"
-                                           : "0.1 degrees of aim moves the arrival by " + moved});
+  const auto moved = inexact_words(norm(shot.verification.by_angle) * radians(0.1), p.table);
+  rows.push_back({"note", moved ? "0.1 degrees of aim moves the arrival by " + *moved
+                                : "a small error of aim does not move the arrival"});
   for (const std::string& line : sensitivity_words(p, shot)) rows.push_back({"", line});
   return rows;
 }
