@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "bankshot/plan/planner.hpp"
 #include "planners/certify.hpp"
 #include "planners/family/family.hpp"
 #include "planners/merit/connected.hpp"
+#include "planners/merit/margin.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/merit/sensitivity.hpp"
+#include "planners/merit/success.hpp"
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/settings.hpp"
@@ -80,6 +83,17 @@ Shot best_of(const SearchRequest& request, EvaluationBudget& aside, const Search
   return best.shots.front();
 }
 
+/// Rates shots with a leave. Their order and values are those of the search.
+void rate_leaves(const SearchRequest& request, EvaluationBudget& aside, SearchResult& found) {
+  for (Shot& shot : std::span(found.shots).first(request.all() ? found.shots.size() : 1)) {
+    planning::as_struck(request, shot, [&](const SearchRequest& own) {
+      planning::find_success(own, aside, shot);
+      planning::find_margin(own, aside, shot);
+    });
+    shot.robustness.value = shot.leave->success - cost_of(shot);
+  }
+}
+
 /// Makes the answer from the result of a search: success, margins and words.
 Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const SolveOptions& options,
               double time_us) {
@@ -91,8 +105,10 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
   planning::add_nearest(request, budget, found, options.suggest, a);
   EvaluationBudget aside(std::numeric_limits<long>::max(),
                          budget);  // rating the shots does not count against the budget
-  const bool once = request.all() && (request.problem->objects || request.problem->safest());
-  if ((options.robustness || request.problem->safest()) && !found.shots.empty()) {
+  const bool once = request.all() && !request.puzzle().leave && (request.problem->objects || request.problem->safest());
+  if (request.puzzle().leave) {
+    rate_leaves(request, aside, found);
+  } else if ((options.robustness || request.problem->safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
     // The best of a list gets the care of the best alone.
     const std::optional<Shot> best = once ? std::optional(best_of(request, aside, found)) : std::nullopt;
@@ -173,6 +189,8 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     throw InvalidInput(
         "", fmt::format("the planner \"{}\" does not do physics with spin or a tilted table, where paths bend",
                         method.info.name));
+  if (puzzle.leave && options.planner != "auto")
+    throw InvalidInput("", fmt::format("the planner \"{}\" does not plan where the cue ball stops", method.info.name));
   if (goes_on_after_contact(puzzle.target) && options.planner != "auto")
     throw InvalidInput("", fmt::format("the planner \"{}\" sets no other ball going", method.info.name));
   if (!options.robustness && !puzzle.aim && aim_of(puzzle) == Aim::safest) {
@@ -195,7 +213,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     else if (!budget.spent() && !request.problem->covering())
       method.plan(request, budget, found);
     if (found.shots.empty() && !budget.exhausted() && i + 1 < spins.size()) continue;
-    planning::rank(request, found.shots);
+    if (!puzzle.leave) planning::rank(request, found.shots);
     const double took = microseconds_since(begin);
     if (spins.size() > 1)
       found.add_note(fmt::format("{} of {} spins were tried, the least first", i + 1, spins.size()));

@@ -32,7 +32,7 @@ bool last_choice(const SearchRequest& request, const Shot& shot) {
 
 /// m from where the cue ball should rest.
 double apart_from_leave(const Puzzle& p, const Shot& shot) {
-  return shot.path.cue_rests ? norm(*shot.path.cue_rests - *p.leave) : infinite;
+  return shot.path.cue_rests ? norm(*shot.path.cue_rests - *p.rest_near) : infinite;
 }
 
 /// Of the shots that are as likely as the best, to what nobody notices, the one that leaves the cue ball best; then
@@ -182,7 +182,7 @@ std::optional<std::size_t> best_above(const SearchRequest& request, EvaluationBu
   // The shots are in the order of their margins, which decides between equals.
   std::ranges::stable_sort(candidates, std::greater(), &Candidate::at_most);
   std::optional<std::size_t> best;
-  const double tie = request.puzzle().leave ? settings::rank::as_likely : 0;
+  const double tie = request.puzzle().rest_near ? settings::rank::as_likely : 0;
   for (const Candidate& c : candidates) {
     if (c.at_most <= value - tie) break;
     Shot& shot = shots[c.shot];  // the value of some is known since their stage
@@ -199,7 +199,7 @@ void best_first(const SearchRequest& request, EvaluationBudget& budget, std::vec
   const auto best = best_above(request, budget, shots, -infinite);
   std::swap(shots.front(), shots[best.value_or(0)]);
   // Those behind it are tuned as well, or leave the cue ball better.
-  if (request.problem->carom() || request.puzzle().leave) order_by_value(shots);
+  if (request.problem->carom() || request.puzzle().rest_near) order_by_value(shots);
 }
 
 namespace {
@@ -314,7 +314,7 @@ void move_best(const SearchRequest& request, EvaluationBudget& budget, SearchRes
 
 void add_robustness(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   std::vector<Shot>& shots = found.shots;
-  if (request.puzzle().leave && !request.all()) order_by_leave(request.puzzle(), shots);
+  if (request.puzzle().rest_near && !request.all()) order_by_leave(request.puzzle(), shots);
   for (Shot& shot : std::span(shots).first(request.all() ? shots.size() : 1)) {
     as_struck(request, shot, [&](const SearchRequest& own) {
       if (!shot.robustness.success) find_success(own, budget, shot);
@@ -322,7 +322,7 @@ void add_robustness(const SearchRequest& request, EvaluationBudget& budget, Sear
     });
   }
   if (request.all()) order(request, shots);
-  if (request.all() && request.puzzle().leave) order_by_leave(request.puzzle(), shots);
+  if (request.all() && request.puzzle().rest_near) order_by_leave(request.puzzle(), shots);
 }
 
 }  // namespace bankshot::planning

@@ -18,6 +18,7 @@
 #include "planners/merit/rank.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
+#include "planners/play/leave.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::methods {
@@ -267,6 +268,7 @@ void with_balls(const SearchRequest& request, EvaluationBudget& budget, SearchRe
 }  // namespace
 
 void automatic(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  if (request.puzzle().leave) return play::leave(request, budget, found, seeds_of(request).first);
   if (request.problem->objects) return with_balls(request, budget, found);
   if (!is_straight(request.puzzle().physics))
     return family::Family::freedom(request) > 0 ? with_freedom(request, budget, found)

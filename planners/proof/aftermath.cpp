@@ -1,32 +1,71 @@
 // SPDX-License-Identifier: MIT
 #include "planners/proof/aftermath.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "bankshot/simulate/many_balls.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "bankshot/simulate/with_physics.hpp"
 #include "planners/start.hpp"
 
 namespace bankshot::planning {
+namespace {
+
+/// Plays a launch with all balls. `look(event, simulator)` sees each event, and says when it has seen enough.
+template <class Look>
+void follow_all(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, long most, Look&& look) {
+  budget.charge(0);
+  std::vector<BallStart<double>> balls(request.problem->whole->balls().begin(), request.problem->whole->balls().end());
+  balls.front().state = start_of(request, launch);
+  with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) {
+    ManyBalls sim(std::span<const BallStart<double>>(balls), motion, cushion, collisions(request.puzzle().physics));
+    for (long i = 0; i < most && !look(sim.step(), sim); ++i) {
+    }
+    budget.work() += sim.work();
+  });
+}
+
+/// Notes what the cue ball meets in an event.
+void note(const BallEvent& e, std::vector<bool>& moved, Ending& out) {
+  const Contact with = e.event.contact;
+  switch (e.event.kind) {
+    case EventKind::ball: {
+      const auto other = static_cast<std::size_t>(with.index);
+      if (e.ball == 0) {
+        out.traceable = out.traceable && !moved[other];
+        out.cue.push_back({0, with});
+        out.after_balls = out.cue.size();
+      }
+      moved[other] = moved[static_cast<std::size_t>(e.ball)] = true;
+      break;
+    }
+    case EventKind::cushion:
+      if (e.ball == 0) out.cue.push_back({0, with});
+      break;
+    case EventKind::jaw:
+      if (e.ball == 0) out.traceable = false;
+      break;
+    case EventKind::pocket:
+      out.places[static_cast<std::size_t>(e.ball)].reset();
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
 
 Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch) {
   const bool rests = !is_ideal(request.puzzle().physics);
   if (!request.problem->whole || (request.puzzle().table.pockets.empty() && !rests)) return {};
-  budget.charge(0);
-  std::vector<BallStart<double>> balls(request.problem->whole->balls().begin(), request.problem->whole->balls().end());
-  balls.front().state = start_of(request, launch);
-  const long most = rests ? max_events : ideal_cushions;
   Aftermath out;
-  with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) {
-    ManyBalls sim(std::span<const BallStart<double>>(balls), motion, cushion, collisions(request.puzzle().physics));
-    bool over = false;
-    for (long i = 0; i < most && !over; ++i) {
-      const BallEvent e = sim.step();
-      const bool scratch = e.event.kind == EventKind::pocket && e.ball == 0;
-      over = scratch || e.event.kind == EventKind::horizon;
-      if (scratch) out.scratch_pocket = e.event.contact.index;
-      if (over && !scratch && rests) out.cue_rests = sim.state(0).at;
-    }
-    budget.work() += sim.work();
+  follow_all(request, budget, launch, rests ? max_events : ideal_cushions, [&](const BallEvent& e, const auto& sim) {
+    const bool scratch = e.event.kind == EventKind::pocket && e.ball == 0;
+    const bool over = scratch || e.event.kind == EventKind::horizon;
+    if (scratch) out.scratch_pocket = e.event.contact.index;
+    if (over && !scratch && rests) out.cue_rests = sim.state(0).at;
+    return over;
   });
   return out;
 }
@@ -37,6 +76,23 @@ void add_aftermath(const SearchRequest& request, EvaluationBudget& budget, Shot&
   shot.path.scratch_pocket = after.scratch_pocket;
   shot.path.scratch = after.scratch_pocket.has_value();
   shot.path.cue_rests = after.cue_rests;
+}
+
+Ending play_out(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch) {
+  Ending out;
+  const std::size_t count = request.puzzle().others.size() + 1;
+  std::vector<bool> moved(count, false);
+  out.places.assign(count, Vec2d{});
+  follow_all(request, budget, launch, max_events, [&](const BallEvent& e, const auto& sim) {
+    note(e, moved, out);
+    const bool scratch = !out.places.front();
+    if (scratch) return true;
+    if (e.event.kind != EventKind::horizon) return false;
+    for (std::size_t k = 0; k < count; ++k)
+      if (out.places[k]) out.places[k] = sim.state(static_cast<int>(k)).at;
+    return true;
+  });
+  return out;
 }
 
 }  // namespace bankshot::planning

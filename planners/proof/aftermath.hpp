@@ -4,7 +4,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "bankshot/simulate/route.hpp"
 #include "planners/evaluation_budget.hpp"
 #include "planners/search_request.hpp"
 
@@ -21,5 +23,19 @@ Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, cons
 
 /// Stores the aftermath in a shot.
 void add_aftermath(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);
+
+/// Where a shot leaves the balls, and how the cue ball got there.
+struct Ending {
+  std::vector<std::optional<Vec2d>> places{};  ///< m; of each ball, the cue ball first; none: it fell
+  Route cue{};             ///< what the cue ball met, in order
+  bool traceable = true;   ///< it met neither jaws nor a ball that had moved
+  std::size_t after_balls = 0;  ///< number of its meetings up to its last contact with a ball
+
+  const std::optional<Vec2d>& cue_rests() const { return places.front(); }
+};
+
+/// Plays the shot until every ball rests, or the cue ball falls. Not for `ideal`, where no ball comes to rest, nor for
+/// a target without a ball. Cost: one simulation of all balls.
+Ending play_out(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch);
 
 }  // namespace bankshot::planning

@@ -225,13 +225,19 @@ void SpeedAccount::add(const Arc<double>& arc, double t) {
   if (t > 0) loss += 2 * deceleration_ * norm(arc.position(t) - arc.at);
 }
 
-Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
-              std::vector<Contact>* contacts) {
+Replay replay_to_target(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
+                        std::vector<Contact>* contacts) {
   Replay r = with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) {
     return Follower(request, motion, cushion, launch, goal, false).run(contacts).replay;
   });
   budget.charge(static_cast<std::size_t>(r.bounces));
   budget.work() += r.work;
+  return r;
+}
+
+Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
+              std::vector<Contact>* contacts) {
+  Replay r = replay_to_target(request, budget, launch, goal, contacts);
   // In `ideal` no ball comes to rest, so every cue ball would fall in the end.
   if (r.made && goal.counts && !is_ideal(request.puzzle().physics) &&
       aftermath(request, budget, launch).scratch_pocket) {

@@ -29,7 +29,11 @@ struct Replay {
   Work work{};
 };
 
-/// Replays a launch. `contacts` receives the bounces, if it is not null.
+/// Replays a launch up to its target. `contacts` receives the bounces, if it is not null.
+Replay replay_to_target(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
+                        std::vector<Contact>* contacts = nullptr);
+
+/// Replays a launch. If the goal counts as `success` does, the cue ball is followed to the end, and may not fall.
 Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
               std::vector<Contact>* contacts = nullptr);
 

@@ -65,7 +65,7 @@ TEST_CASE("what moves or misses nothing is told without a distance") {
   CHECK_THAT(row(p, s, "note"), Equals("a small error of aim does not move the arrival"));
   s.verification.by_angle = {0, 1};
   CHECK_THAT(row(p, s, "note"), Equals("0.1 degrees of aim moves the arrival by 1.7 mm"));
-  p.leave = s.path.cue_rests = Vec2d{1, 0.5};
+  p.rest_near = s.path.cue_rests = Vec2d{1, 0.5};
   CHECK_THAT(row(p, s, "cue ball"), Contains("exactly where it should be"));
   s.path.cue_rests = Vec2d{1, 0.6};
   CHECK_THAT(row(p, s, "cue ball"), Contains("100 mm from where it should be"));
@@ -87,7 +87,7 @@ TEST_CASE("where the cue ball stops is told by the rails that are nearer, a scra
   Shot s = touch(p, 30);
   s.path.cue_rests = Vec2d{0.31, 1.05};
   CHECK(row(p, s, "cue ball") == "stops 0.31 m from the left rail, 0.22 m from the top rail");
-  p.leave = Vec2d{0.31, 1.0};
+  p.rest_near = Vec2d{0.31, 1.0};
   CHECK_THAT(row(p, s, "cue ball"), Contains(", 50 mm from where it should be"));
   const Answer stops{.status = Status::solved, .shots = {s}, .message = "one shot found"};
   CHECK_THAT(to_text(p, stops), Contains("\n  cue ball  stops 0.31 m from the left rail") && !Contains("SCRATCH"));

@@ -63,6 +63,14 @@ struct ShotPath {
   std::optional<Vec2d> cue_rests{};     ///< m; otherwise where the cue ball rests at the end; for shots with hits
 };
 
+/// The leave of a shot, if the puzzle asks for one.
+struct ShotLeave {
+  Vec2d at{};                       ///< m; where the cue ball comes to rest
+  double miss = 0;                  ///< m; from the place asked for, or from the region; 0 if neither is asked for
+  double success = 0;               ///< probability that the target is made and the cue ball stops as asked
+  std::vector<Contact> cushions{};  ///< cushions that the cue ball meets after its last contact with a ball
+};
+
 /// The evidence of the replay: how exactly it makes the target, and how errors of the launch move the arrival.
 struct Verification {
   double miss = 0;          ///< m, from the replay: to the point, or from the exact line of a pocket or ball
@@ -103,6 +111,7 @@ struct Shot {
   Verification verification{};
   Robustness robustness{};
   Provenance provenance{};
+  std::optional<ShotLeave> leave{};
 
   /// Returns the number of the ball that reaches the target; 0 is the cue ball.
   int arriving() const { return path.then.empty() ? 0 : path.then.back().ball; }

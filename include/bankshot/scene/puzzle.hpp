@@ -15,6 +15,7 @@
 #include "bankshot/geometry/contact.hpp"
 #include "bankshot/numbers/range.hpp"
 #include "bankshot/scene/ball.hpp"
+#include "bankshot/scene/leave.hpp"
 #include "bankshot/scene/physics.hpp"
 #include "bankshot/scene/table.hpp"
 #include "bankshot/scene/target.hpp"
@@ -81,8 +82,10 @@ struct Puzzle {
   Range speed{0.1, 10};           ///< launch speed [m/s]
   std::optional<Range> angle{};   ///< rad, from low anticlockwise to high; high may exceed 2π
   Prefer prefer = Prefer::robust;
-  /// m; among the most robust shots, the one with the leave nearest to this point is preferred. Needs a ball target.
-  std::optional<Vec2d> leave{};
+  /// m; among the most robust shots, the one whose cue ball rests nearest to this point is preferred. Needs a ball
+  /// target.
+  std::optional<Vec2d> rest_near{};
+  std::optional<Leave> leave{};      ///< where the cue ball should come to rest; needs a ball target
   std::optional<Aim> aim{};          ///< the default depends on the target: `aim_of`
   Noise noise{.speed_share = 0.03};  ///< the Computer Olympiad's pool noise, which grows with the speed
   std::optional<long> budget{};      ///< evaluation budget; the default depends on the target: `budget_of`

@@ -74,6 +74,16 @@ void write_cue_rests(JsonWriter& w, const Puzzle& p, const Shot& shot) {
     w.string("cue_rests", p.table.pockets[static_cast<std::size_t>(*shot.path.scratch_pocket)].name);
 }
 
+void write_leave(JsonWriter& w, const Puzzle& p, const ShotLeave& leave) {
+  w.key("leave");
+  w.open('{');
+  write_point(w, leave.at);
+  w.number("miss", leave.miss);
+  w.number("success", leave.success);
+  write_cushions(w, p, leave.cushions);
+  w.close('}');
+}
+
 void write_then(JsonWriter& w, const Puzzle& p, std::span<const ObjectBallPath> then, const Pocket* pocket) {
   const ObjectBallPath& first = then.front();
   w.key("then");
@@ -114,6 +124,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   if (!shot.path.then.empty() && !why) write_then(w, p, shot.path.then, pocket);
   if (shot.path.scratch && !why) w.boolean("scratch", true);
   if (!why) write_cue_rests(w, p, shot);
+  if (shot.leave && !why) write_leave(w, p, *shot.leave);
   if (shot.path.touches_jaws && !why) w.boolean("rattles", true);
   if (shot.provenance.moved && !why) w.string("aim", "safest");
   if (shot.verification.off_centre && !shot.provenance.moved && !why) w.boolean("off_centre", true);

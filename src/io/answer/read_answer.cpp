@@ -82,6 +82,9 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
     s.path.then.push_back({read_ball(*v, p), read_contacts(v->need("cushions"), p.table)});
   if (const auto v = r.find("scratch")) s.path.scratch = v->boolean();
   if (const auto v = r.find("cue_rests")) read_cue_rests(*v, p, s);
+  if (const auto v = r.find("leave"))
+    s.leave = ShotLeave{v->need("at").point(), v->need("miss").at_least(0), v->need("success").at_least(0),
+                        read_contacts(v->need("cushions"), p.table)};
   if (const auto v = r.find("rattles")) s.path.touches_jaws = v->boolean();
   if (const auto v = r.find("off_centre")) s.verification.off_centre = v->boolean();
   if (r.find("aim")) s.provenance.moved = s.verification.off_centre = true;

@@ -233,8 +233,8 @@ void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
                                           : std::string("a pocket"))});
   if (!shot.path.cue_rests) return;
   std::string stops = "stops " + place_words(p.table, *shot.path.cue_rests);
-  if (p.leave) {
-    const auto off = inexact_words(norm(*shot.path.cue_rests - *p.leave), p.table);
+  if (p.rest_near) {
+    const auto off = inexact_words(norm(*shot.path.cue_rests - *p.rest_near), p.table);
     stops += ", " + (off ? *off + " from" : "exactly") + " where it should be";
   }
   rows.push_back({"cue ball", stops});

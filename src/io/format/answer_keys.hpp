@@ -54,6 +54,17 @@ inline constexpr Key contact_keys[] = {
 };
 inline constexpr Object contact{"contact", "How the cue ball hits the object ball.", contact_keys};
 
+inline constexpr Key shot_leave_keys[] = {
+    {"at", "point", "m", required, "[1.88, 0.61]", "where the cue ball comes to rest"},
+    {"miss", "number", "m", required, "0.02",
+     "how far that is from the place asked for; 0 inside a region, and where no place is asked for", at_least(0)},
+    {"success", "number", "", required, "0.41",
+     "probability that the target is made and the cue ball stops as asked; with `for` it includes the pot of that ball",
+     between(0, 1)},
+    {"cushions", "[string]", "", required, R"(["right"])", "bounces of the cue ball after its last contact with a ball"},
+};
+inline constexpr Object shot_leave{"shot_leave", "The leave of the cue ball.", shot_leave_keys};
+
 inline constexpr std::string_view answer_aims[] = {"safest"};
 
 inline constexpr Key sent_keys[] = {
@@ -85,6 +96,9 @@ inline constexpr Key answer_shot_keys[] = {
     {"scratch", "boolean", "", "false", "true", "the cue ball falls into a pocket afterwards"},
     {"cue_rests", "point | string", "m", "without other balls, or where it never rests", "[1.12, 0.4]",
      "where the cue ball comes to rest after the shot, or the name of the pocket that it falls into"},
+    {"leave", "{shot_leave}", "", "without `leave` in the puzzle",
+     R"({"at": [1.88, 0.61], "miss": 0.02, "success": 0.41, "cushions": ["right"]})",
+     "how the cue ball is left, as the puzzle asks"},
     {"rattles", "boolean", "", "false", "true", "it touches the jaws of a pocket on its way"},
     {"aim",
      "word",

@@ -104,13 +104,32 @@ inline constexpr Key noise_keys[] = {
 };
 inline constexpr Object noise{"noise", "How far a player is off, one standard deviation.", noise_keys};
 
-inline constexpr Key leave_keys[] = {
+inline constexpr Key rest_near_keys[] = {
     {"leave", "point", "m", required, "[1.9, 0.6]",
      "where the cue ball should rest; among shots within 0.02 of the best value, the one that leaves it nearest is "
      "best"},
 };
-inline constexpr Object leave{
-    "leave", "The likeliest shot that also leaves a good position; only with a ball as target.", leave_keys};
+inline constexpr Object rest_near{
+    "rest_near", "The likeliest shot that also leaves a good position; only with a ball as target.", rest_near_keys};
+
+inline constexpr Key leave_place_keys[] = {
+    {"point", "point", "m", required, "[1.9, 0.6]", "where the cue ball should come to rest"},
+    {"within", "number", "m", "0.1", "0.05", "how far from there still counts", positive},
+};
+inline constexpr Object leave_place{"leave_place", "At a point.", leave_place_keys};
+inline constexpr Key leave_region_keys[] = {
+    {"polygon", "[point]", "m", required, "[[1.2, 0.3], [1.8, 0.3], [1.5, 0.9]]",
+     "inside this polygon; its vertices go once around"},
+};
+inline constexpr Object leave_region{"leave_region", "Inside a polygon.", leave_region_keys};
+inline constexpr Key leave_for_keys[] = {
+    {"for", "string", "", required, R"("2")", "where the best pot of this ball is likely"},
+};
+inline constexpr Object leave_for{"leave_for", "Good for the next ball.", leave_for_keys};
+inline constexpr Key leave_safe_keys[] = {
+    {"safe", "[string]", "", required, R"(["1", "2"])", "where none of these balls can be hit directly"},
+};
+inline constexpr Object leave_safe{"leave_safe", "A snooker.", leave_safe_keys};
 
 inline constexpr Key budget_keys[] = {
     {"simulations", "whole", "", required, "20000", "at most; 0 is allowed", at_least(0)},
@@ -162,7 +181,7 @@ inline constexpr auto puzzle_keys = with_scene_keys({
     {"angle", "pair", "degrees", "every aim", "[350, 20]",
      "bounds of the aim, from the first anticlockwise to the second, at most a turn", between(-720, 720)},
     {"prefer",
-     "word | {leave}",
+     "word | {rest_near}",
      "",
      R"("robust")",
      R"("soft")",
@@ -185,7 +204,9 @@ inline constexpr auto puzzle_keys = with_scene_keys({
      "the player's errors, by name or in numbers",
      {},
      player_names},
-    {"leave", later, "", "none", "[1.9, 0.6]", "where the cue ball is to come to rest"},
+    {"leave", "{leave_place} | {leave_region} | {leave_for} | {leave_safe}", "", "none",
+     R"({"point": [1.9, 0.6], "within": 0.1})",
+     "where the cue ball should come to rest after the shot; only with a ball as target"},
     {"unit", later, "", R"("m")", R"("in")", "the unit of places and lengths"},
     {"budget", "{budget}", "", "100000 for each six pairs of a ball and a pocket", R"({"simulations": 20000})",
      "how long to search"},

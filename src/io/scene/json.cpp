@@ -196,11 +196,35 @@ Noise read_noise(const Reader& r) {
   return n;
 }
 
+Leave read_leave(const Reader& r, const std::vector<Ball>& others) {
+  if (!r.is_object()) r.fail("must have one of the keys \"point\", \"polygon\", \"for\", \"safe\"");
+  if (const auto v = r.find("polygon")) {
+    r.only(format::leave_region);
+    LeaveRegion region;
+    for (const Reader& vertex : v->items()) region.vertices.push_back(vertex.point());
+    return region;
+  }
+  if (const auto v = r.find("for")) {
+    r.only(format::leave_for);
+    return LeaveForBall{read_ball(*v, others)};
+  }
+  if (const auto v = r.find("safe")) {
+    r.only(format::leave_safe);
+    return LeaveSafe{read_balls(*v, others)};
+  }
+  r.only(format::leave_place);
+  if (!r.find("point")) r.fail("must have one of the keys \"point\", \"polygon\", \"for\", \"safe\"");
+  LeavePlace place{r.need("point").point()};
+  r.read(format::leave_place["within"], place.within);
+  return place;
+}
+
 void read_choices(const Reader& doc, Puzzle& p) {
+  if (const auto v = doc.find("leave")) p.leave = read_leave(*v, p.others);
   if (const auto v = doc.find("prefer")) {
     if (v->is_object()) {
-      v->only(format::leave);
-      p.leave = v->need("leave").point();
+      v->only(format::rest_near);
+      p.rest_near = v->need("leave").point();
     } else {
       p.prefer = static_cast<Prefer>(v->word("preference", format::preferences));
     }

@@ -79,6 +79,21 @@ Json noise_json(const Noise& n) {
   return j;
 }
 
+Json json_of(const LeavePlace& place, const Puzzle&) {
+  return {{"point", pair_json(place.at)}, {"within", place.within}};
+}
+Json json_of(const LeaveRegion& region, const Puzzle&) {
+  Json vertices = Json::array();
+  for (const Vec2d& vertex : region.vertices) vertices.push_back(pair_json(vertex));
+  return {{"polygon", vertices}};
+}
+Json json_of(const LeaveForBall& next, const Puzzle& p) { return {{"for", id_of(p, next.ball)}}; }
+Json json_of(const LeaveSafe& safe, const Puzzle& p) {
+  Json names = Json::array();
+  for (const int k : safe.balls) names.push_back(id_of(p, k));
+  return {{"safe", names}};
+}
+
 /// Returns everything except table and physics as JSON.
 Json question_json(const Puzzle& p) {
   constexpr const char* preferences[] = {"robust", "soft", "quick"};
@@ -97,7 +112,8 @@ Json question_json(const Puzzle& p) {
   if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};
   j["speed"] = range(p.speed);
   if (p.angle) j["angle"] = pair_json({exact_degrees(p.angle->low), exact_degrees(p.angle->high)});
-  j["prefer"] = p.leave ? Json{{"leave", pair_json(*p.leave)}} : Json(preferences[static_cast<int>(p.prefer)]);
+  j["prefer"] = p.rest_near ? Json{{"leave", pair_json(*p.rest_near)}} : Json(preferences[static_cast<int>(p.prefer)]);
+  if (p.leave) j["leave"] = std::visit([&](const auto& wanted) { return json_of(wanted, p); }, *p.leave);
   if (p.aim) j["aim"] = *p.aim == Aim::safest ? "safest" : "centre";
   j["noise"] = noise_json(p.noise);
   if (p.budget) j["budget"] = {{"simulations", *p.budget}};

@@ -124,6 +124,38 @@ void check_target(const Puzzle& p, const Boundary& boundary) {
   }
 }
 
+/// Checks that the cue ball comes to rest after it has touched another ball.
+void check_may_rest(const Puzzle& p, const std::string& path) {
+  if (!is_ball(p.target))
+    fail(path, "is where the cue ball rests after it has touched another, and no ball is the target");
+  if (is_ideal(p.physics)) fail(path, "in ideal physics no ball comes to rest");
+}
+
+void check_leave(const Puzzle& p, const Boundary& boundary) {
+  check_may_rest(p, "/leave");
+  if (p.rest_near) fail("/prefer/leave", "stands beside \"leave\", which says where the cue ball is to rest");
+  if (const LeavePlace* const place = std::get_if<LeavePlace>(&*p.leave)) {
+    check_inside(boundary, place->at, "/leave/point", "the centre of the cue ball");
+    if (!(place->within > 0)) fail("/leave/within", "must be greater than 0");
+  }
+  if (const auto* region = std::get_if<LeaveRegion>(&*p.leave)) {
+    constexpr std::size_t fewest = 3;
+    if (region->vertices.size() < fewest) fail("/leave/polygon", "must have at least 3 vertices");
+    for (std::size_t i = 0; i < region->vertices.size(); ++i) {
+      need_finite(region->vertices[i].x, at("/leave/polygon", i));
+      need_finite(region->vertices[i].y, at("/leave/polygon", i));
+    }
+  }
+  if (const auto* next = std::get_if<LeaveForBall>(&*p.leave)) {
+    check_number(p, next->ball, "/leave/for");
+    if (p.table.pockets.empty()) fail("/leave/for", "is a pot, and this table has no pockets");
+  }
+  if (const auto* safe = std::get_if<LeaveSafe>(&*p.leave)) {
+    if (safe->balls.empty()) fail("/leave/safe", "must name a ball");
+    for (std::size_t i = 0; i < safe->balls.size(); ++i) check_number(p, safe->balls[i], at("/leave/safe", i));
+  }
+}
+
 }  // namespace
 
 void validate(const Puzzle& p) {
@@ -144,12 +176,11 @@ void validate(const Puzzle& p) {
                                 ? "in ideal physics a ball keeps its speed, and none asked here is within \"speed\""
                                 : "in ideal physics no ball comes to rest");
   }
-  if (p.leave) {
-    if (!is_ball(p.target))
-      fail("/prefer/leave", "is where the cue ball rests after it has touched another, and no ball is the target");
-    if (is_ideal(p.physics)) fail("/prefer/leave", "in ideal physics no ball comes to rest");
-    check_inside(boundary, *p.leave, "/prefer/leave", "the centre of the cue ball");
+  if (p.rest_near) {
+    check_may_rest(p, "/prefer/leave");
+    check_inside(boundary, *p.rest_near, "/prefer/leave", "the centre of the cue ball");
   }
+  if (p.leave) check_leave(p, boundary);
   if ((p.noise.side > 0 || p.noise.top > 0 || p.noise.tip > 0) && !carries_spin(p.physics))
     fail(p.noise.side > 0  ? "/noise/side"
          : p.noise.top > 0 ? "/noise/top"

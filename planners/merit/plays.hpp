@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Plays of one launch by the player of a puzzle: draws of all errors at once, spread evenly by an additive sequence
+// (draws.hpp) and the same for every launch. Balls that a draw puts beyond a cushion or into each other are moved apart
+// again, just so far that they touch.
+#pragma once
+
+#include <functional>
+
+#include "planners/search_request.hpp"
+
+namespace bankshot::planning {
+
+/// A play: the request has the scene and the spin that a draw gives, and the launch is the one that is struck.
+using Play = std::function<void(const SearchRequest& own, const Launch& struck)>;
+
+/// Calls `play` for each of `draws` draws. A draw whose launch has no speed is left out. `request` has the intended
+/// spin.
+void each_play(const SearchRequest& request, const Launch& launch, int draws, const Play& play);
+
+}  // namespace bankshot::planning

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+#include "planners/play/leave.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <list>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "bankshot/numbers/tolerances.hpp"
+#include "planners/certify.hpp"
+#include "planners/merit/first_order.hpp"
+#include "planners/merit/plays.hpp"
+#include "planners/merit/rank.hpp"
+#include "planners/merit/success.hpp"
+#include "planners/play/rest.hpp"
+#include "planners/play/settings.hpp"
+#include "planners/play/worth.hpp"
+#include "planners/proof/aftermath.hpp"
+#include "planners/proof/prove.hpp"
+#include "planners/proof/replay.hpp"
+
+namespace bankshot::planning::play {
+namespace {
+
+using namespace settings::leave;
+using family::aim;
+using family::Box;
+using family::log_speed;
+
+/// A root of the target, from which other launches are found.
+struct Root {
+  Branch branch;
+  Vector x;
+};
+
+/// A launch that makes its target, and how it leaves the cue ball.
+struct Launched {
+  const Root* root;
+  Vector x;
+  double shift;  ///< m, across the target
+  Shot shot;
+  Ending ending;
+  double promise = 0;              ///< its value, as far as it can be told without plays
+  std::optional<double> success{};  ///< that the target is made and the cue ball left as asked
+  double value() const { return success ? *success - cost_of(shot) : promise; }
+};
+
+class Search {
+ public:
+  Search(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found)
+      : request_(request), budget_(budget), found_(found), worth_(request.puzzle()), box_(family::box_of(request)) {
+    const auto balls = request.problem->whole->balls();
+    for (std::size_t k = 1; k < balls.size(); ++k)
+      standing_.push_back({static_cast<int>(k), balls[k].boundary, balls[k].state.at});
+  }
+
+  void run(const Roots& roots) {
+    const bool sent = request_.problem->then() != nullptr;
+    const CushionRule &cue = request_.cue_cushions,
+                      object = sent ? request_.object_cushions : CushionRule::exactly(0);
+    if (request_.problem->carom()) {
+      look(request_, roots);
+    } else {
+      for (int n = cue.min + object.min; n <= cue.max + object.max && !over(n); ++n)
+        for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
+          look(request_.stage(c, n - c), roots);
+          if (budget_.spent()) found_.not_searched = n;
+        }
+    }
+    choose();
+    hand_over();
+  }
+
+ private:
+  bool safest() const { return request_.problem->safest(); }
+  const LeavePlace* asked_place() const { return std::get_if<LeavePlace>(&*request_.puzzle().leave); }
+  /// Returns whether any contact with the target ball counts, so that the offset there is free.
+  bool any_offset(const Branch& branch) const { return safest() && branch.aim_point.cuts.has_value(); }
+  family::Vary vary() const { return request_.puzzle().spin_range ? family::Vary::spin_too : family::Vary::launch; }
+
+  /// No shot by so many cushions can be better than the best that is known.
+  bool over(int cushions) {
+    if (budget_.spent()) return true;
+    if (request_.first() && !pool_.empty()) return true;
+    if (request_.all() || request_.puzzle().prefer != Prefer::robust || pool_.empty()) return false;
+    measure_promising();
+    return best_value() > 1 - cost_of_contacts(cushions) - cost_of({request_.speed.low, 0}, {});
+  }
+
+  double best_value() const {
+    double best = -infinite;
+    for (const Launched& one : pool_)
+      if (one.success) best = std::max(best, one.value());
+    return best;
+  }
+
+  /// The roots of a stage, and all that they lead to.
+  void look(const SearchRequest& stage, const Roots& roots) {
+    const Range arrivals = request_.arrival.value_or(Range{arrival, arrival});
+    SearchRequest starts = stage.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin);
+    if (!request_.all() && !pool_.empty()) starts.likelier = std::max(0.0, best_value());
+    SearchResult candidates;
+    roots(starts, budget_, candidates);
+    for (const Candidate& c : candidates.candidates) {
+      if (budget_.spent()) return;
+      routes_.push_back(c.route);
+      Vector x = family::vector_of(c.launch, c.spin);
+      if (request_.angle) {
+        const double middle = (request_.angle->low + request_.angle->high) / 2;
+        x[aim] = middle + angle_difference(wrap_angle(middle), x[aim]);
+      }
+      roots_.push_back({{request_, routes_.back(), c.aim_point}, x});
+      if (is_hopeful(roots_.back())) follow(roots_.back());
+    }
+  }
+
+  /// Returns whether the target may be made more often than the best shot so far leaves the cue ball as asked.
+  bool is_hopeful(const Root& root) {
+    const double best = best_value();
+    if (request_.all() || !(best > 0)) return true;
+    Proof proof = prove_at(root.x);
+    if (!proof.replayed || proof.shot.path.hits.empty()) return true;
+    const SearchRequest own = request_.spinning(family::spin_of(root.x));
+    add_first_order(own, proof.shot, budget_.work());
+    const double estimate =
+        std::max(proof.shot.robustness.success_estimate, estimate_in_middle(own, proof.shot, budget_.work()));
+    return success_at_most(own, root.branch.aim_point, estimate) - cost_of_contacts(proof.shot.contacts()) > best;
+  }
+
+  /// Values of a free spin, those nearest to none first.
+  static std::vector<double> values(double low, double high) {
+    if (!(low < high)) return {low};
+    std::vector<double> out;
+    for (int i = 0; i < spins; ++i) out.push_back(low + (high - low) * i / (spins - 1));
+    std::ranges::stable_sort(out, {}, [](double v) { return std::abs(v); });
+    return out;
+  }
+
+  /// Follows a root over speeds, spins and places across the target; then to the place asked for.
+  void follow(const Root& root) {
+    const std::size_t first = pool_.size();
+    std::vector<double> shifts{0};
+    if (any_offset(root.branch)) {
+      const Cuts& cuts = *root.branch.aim_point.cuts;
+      for (int i = 1; i < contacts; ++i)
+        if (const double offset = cuts.low + (cuts.high - cuts.low) * i / contacts; offset != cuts.exact)
+          shifts.push_back(cuts.exact - offset);
+    }
+    for (const double shift : shifts)
+      for (const double top : values(box_.low[family::top], box_.high[family::top]))
+        for (const double side : values(box_.low[family::side], box_.high[family::side]))
+          for (const double masse : values(box_.low[family::masse], box_.high[family::masse]))
+            follow_speeds(root, shift, {top, side, masse});
+    if (asked_place()) go_to_place(root, first);
+  }
+
+  void follow_speeds(const Root& root, double shift, const LaunchSpin& spin) {
+    Vector x = root.x;
+    x[family::top] = spin.top, x[family::side] = spin.side, x[family::masse] = spin.masse;
+    const bool given = equations_of(root.branch, {}, 0).count > 1 || !box_.free(log_speed);
+    for (int i = 0; i < (given ? 1 : speeds) && !budget_.spent(); ++i) {
+      Vector from = x;
+      if (!given) from[log_speed] = root.x[log_speed] + std::log(slowest) + i * std::log(faster);
+      if (!box_.free(log_speed)) from[log_speed] = box_.low[log_speed];
+      if (from[log_speed] < box_.low[log_speed] || from[log_speed] > box_.high[log_speed]) continue;
+      const auto there = on_target(root.branch, budget_, box_, from, shift);
+      if (!there) continue;
+      x = *there;
+      if (auto one = launched(root, x, shift)) pool_.push_back(*std::move(one));
+    }
+  }
+
+  Proof prove_at(const Vector& x, const Shot* like = nullptr) {
+    const SearchRequest own = request_.spinning(family::spin_of(x));
+    const Demand demand = !safest() ? Demand::exact : request_.puzzle().arrive ? Demand::off_centre : Demand::made;
+    Goal goal = like ? Goal::counted(own, *like) : Goal::of(own);
+    goal.demand = demand;
+    return prove(own, budget_, family::launch_of(x), goal);
+  }
+
+  /// Plays a launch without errors; none if it does not make the target, or the cue ball falls.
+  std::optional<Launched> launched(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) {
+    Proof proof = prove_at(x, like);
+    if (!proof.holds()) return {};
+    const SearchRequest own = request_.spinning(family::spin_of(x));
+    Ending ending = play_out(own, budget_, proof.shot.launch);
+    if (!ending.cue_rests()) return {};
+    proof.shot.path.cue_rests = ending.cue_rests();
+    add_first_order(own, proof.shot, budget_.work());
+    proof.shot.provenance.planner = "leave";
+    proof.shot.provenance.simulations = budget_.simulations();
+    Launched out{&root, x, shift, std::move(proof.shot), std::move(ending)};
+    out.promise = out.shot.robustness.success_estimate * worth_(out.ending.places) - cost_of(out.shot);
+    return out;
+  }
+
+  /// From the launches of a root that rest near the place asked for, to those that rest there.
+  void go_to_place(const Root& root, std::size_t first) {
+    const Vec2d wanted = asked_place()->at;
+    std::map<Route, std::vector<std::pair<double, std::size_t>>> near;
+    for (std::size_t i = first; i < pool_.size(); ++i) {
+      const double off = norm(*pool_[i].ending.cue_rests() - wanted);
+      if (pool_[i].ending.traceable && off < far) near[pool_[i].ending.cue].emplace_back(off, i);
+    }
+    std::vector<Launched> reached;
+    for (auto& [route, from] : near) {
+      std::ranges::sort(from);
+      std::set<std::pair<long, long>> known;
+      for (std::size_t k = 0; k < std::min(nearest, from.size()) && !budget_.spent(); ++k) {
+        const auto at = place(root.branch, budget_, {route, standing_}, wanted, box_, pool_[from[k].second].x, vary());
+        if (!at) continue;
+        // Two launches that agree to 1e-6 are one.
+        constexpr double apart = 1e6;
+        if (!known.insert({std::lround(at->x[aim] * apart), std::lround(at->x[log_speed] * apart)}).second) continue;
+        auto one = launched(root, at->x, 0);
+        if (!one) continue;
+        one->promise = promise_of(*one, *at);
+        reached.push_back(*std::move(one));
+      }
+    }
+    // Those between would only stand in the way: whether they are nearer is known.
+    std::ranges::move(reached, std::back_inserter(pool_));
+  }
+
+  /// The value of a launch that rests near the place, to first order.
+  double promise_of(const Launched& one, const Placed& at) const {
+    const Noise& noise = request_.puzzle().noise;
+    const double v = one.shot.launch.speed;
+    const Vec2d a = at.by_angle * noise.angle, b = at.by_log_speed * (noise.speed_at(v) / v);
+    const double off = norm(*one.ending.cue_rests() - asked_place()->at);
+    // A normal error in two directions, as if it were the same in both.
+    const double variance = (dot(a, a) + dot(b, b)) / 2, within = asked_place()->within;
+    const double stops = off > within ? 0 : variance > 0 ? 1 - std::exp(-within * within / (2 * variance)) : 1;
+    return one.shot.robustness.success_estimate * stops - cost_of(one.shot);
+  }
+
+  double measured(const Launched& one, int plays) {
+    const SearchRequest own = request_.spinning(one.shot.spin);
+    EvaluationBudget aside(std::numeric_limits<long>::max(), budget_);
+    double sum = 0;
+    each_play(own, one.shot.launch, plays, [&](const SearchRequest& played, const Launch& struck) {
+      if (!replay_to_target(played, aside, struck, Goal::counted(played, one.shot)).made) return;
+      sum += worth_(play_out(played, aside, struck).places);
+    });
+    return sum / plays;
+  }
+
+  /// Orders by the promise, which ends with how near the cue ball comes.
+  void order_pool() {
+    std::ranges::stable_sort(pool_, [&](const Launched& a, const Launched& b) {
+      if (a.promise != b.promise) return a.promise > b.promise;
+      return worth_.miss(*a.ending.cue_rests()) < worth_.miss(*b.ending.cue_rests());
+    });
+  }
+
+  /// Measures the launches that promise most; of one way to play the shot not more than two.
+  void measure_promising() {
+    order_pool();
+    std::map<std::pair<Route, Route>, int> times;
+    std::size_t looked = 0;
+    for (Launched& one : pool_) {
+      if (looked == looked_at) return;
+      if (++times[{route_of(one.shot), one.ending.cue}] > 2) continue;
+      ++looked;
+      if (!one.success) one.success = measured(one, first_plays);
+    }
+  }
+
+  /// The launch in hand, as far as a compass search over the launches that reach the target improves it.
+  void improve(Launched& best) {
+    const TargetEquations target = equations_of(best.root->branch, {}, 0);
+    const bool one_equation = target.count == 1 && !request_.stop;
+    struct Way {
+      int coordinate;  ///< of the launch; -1: across the target
+      double step;
+    };
+    std::vector<Way> ways;
+    if (safest() && one_equation) {
+      const AimPoint& point = best.root->branch.aim_point;
+      const double width = point.cuts ? point.cuts->high - point.cuts->low : 2 * point.reach;
+      ways.push_back({-1, step_across * width});
+    }
+    if (one_equation && box_.free(log_speed)) ways.push_back({log_speed, step_speed});
+    for (const int c : {family::top, family::side, family::masse})
+      if (box_.free(c)) ways.push_back({c, step_spin});
+    best.success = measured(best, step_plays);
+    for (double scale = 1; scale > std::ldexp(1.0, -halvings);) {
+      bool better = false;
+      for (const Way& way : ways)
+        for (const double sign : {1.0, -1.0}) {
+          Vector x = best.x;
+          double shift = best.shift;
+          if (way.coordinate < 0)
+            shift += sign * scale * way.step;
+          else
+            x[way.coordinate] = std::clamp(x[way.coordinate] + sign * scale * way.step, box_.low[way.coordinate],
+                                           box_.high[way.coordinate]);
+          if (x == best.x && shift == best.shift) continue;
+          const auto there = on_target(best.root->branch, budget_, box_, x, shift);
+          auto one = there ? launched(*best.root, *there, shift, &best.shot) : std::nullopt;
+          if (!one) continue;
+          one->success = measured(*one, step_plays);
+          if (!(one->value() > best.value())) continue;
+          best = *std::move(one);
+          better = true;
+          break;
+        }
+      if (!better) scale /= 2;
+    }
+  }
+
+  bool on_place(const Launched& one) const {
+    return asked_place() &&
+           norm(*one.ending.cue_rests() - asked_place()->at) <= tolerance::exact_miss * request_.problem->boundary.diagonal;
+  }
+
+  /// Chooses the shots that are handed over, best first, and measures them well.
+  void choose() {
+    if (pool_.empty()) return;
+    // With `centre` a place that can be reached is met exactly.
+    const bool exact = asked_place() && !safest();
+    if (exact && std::ranges::any_of(pool_, [&](const Launched& one) { return on_place(one); }))
+      std::erase_if(pool_, [&](const Launched& one) { return !on_place(one); });
+    measure_promising();
+    order();
+    std::vector<Launched> best;
+    std::set<std::pair<Route, Route>> known;
+    for (Launched& one : pool_) {
+      const bool first = known.insert({route_of(one.shot), one.ending.cue}).second;
+      if (first && one.success && (request_.all() || best.size() < improved)) best.push_back(std::move(one));
+    }
+    pool_ = std::move(best);
+    if (!(exact && on_place(pool_.front())) && request_.puzzle().prefer == Prefer::robust)
+      for (Launched& one : pool_)
+        if (*one.success > 0) improve(one);
+    if (!request_.all()) order();
+    for (Launched& one : pool_) one.success = measured(one, last_plays);
+    order();
+    if (!request_.all()) pool_.resize(1);
+  }
+
+  /// Best first: by `prefer`, then by value; where no play leaves the cue ball as asked, by how near it comes.
+  void order() {
+    std::ranges::stable_sort(pool_, [&](const Launched& a, const Launched& b) {
+      const bool first = a.success.value_or(0) > 0, second = b.success.value_or(0) > 0;
+      if (first != second) return first;
+      if (!first) return worth_.miss(*a.ending.cue_rests()) < worth_.miss(*b.ending.cue_rests());
+      if (request_.puzzle().prefer == Prefer::soft) return a.shot.launch.speed < b.shot.launch.speed;
+      if (request_.puzzle().prefer == Prefer::quick) return a.shot.path.arrival.time < b.shot.path.arrival.time;
+      return a.value() > b.value();
+    });
+  }
+
+  void hand_over() {
+    for (Launched& one : pool_) {
+      Shot& shot = one.shot;
+      const Route& cue = one.ending.cue;
+      const double miss = worth_.miss(*one.ending.cue_rests());
+      shot.leave = ShotLeave{*one.ending.cue_rests(), miss, *one.success,
+                             contacts_of(std::span(cue).subspan(one.ending.after_balls))};
+      shot.provenance.moved = safest() && shot.verification.off_centre;
+      shot.verification.digits = promised_digits(request_, shot);
+      found_.shots.push_back(std::move(shot));
+    }
+    if (found_.shots.empty()) return;
+    const Shot& best = found_.shots.front();
+    if (best.leave->success > 0) return;
+    if (best.leave->miss > 0)
+      found_.add_note(fmt::format("no shot was found that stops the cue ball there; the nearest stops {:.2f} m away",
+                                  best.leave->miss));
+    else
+      found_.add_note("no shot was found that leaves the cue ball as asked");
+  }
+
+  const SearchRequest& request_;
+  EvaluationBudget& budget_;
+  SearchResult& found_;
+  LeaveWorth worth_;
+  Box box_;
+  std::vector<StandingBall> standing_;
+  std::list<Route> routes_;  ///< lists, since branches and launches point to their elements
+  std::list<Root> roots_;
+  std::vector<Launched> pool_;
+};
+
+}  // namespace
+
+void leave(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Roots& roots) {
+  Search(request, budget, found).run(roots);
+}
+
+}  // namespace bankshot::planning::play

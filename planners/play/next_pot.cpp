@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "planners/play/next_pot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bankshot/geometry/boundary.hpp"
+#include "planners/play/settings.hpp"
+
+namespace bankshot::planning::play {
+
+using namespace settings::next_pot;
+
+NextPot::NextPot(const Puzzle& puzzle) : puzzle_(puzzle) {
+  const Boundary boundary(puzzle.table, puzzle.ball.body);
+  if (!puzzle.table.pockets.empty()) mouths_ = aim_points_of(Target{PocketTarget{}}, boundary);
+  wider_ = boundary.jaws.empty() ? 0 : off_jaws;
+}
+
+const Body& NextPot::body(int ball) const {
+  return ball == 0 ? puzzle_.ball.body : puzzle_.others[static_cast<std::size_t>(ball) - 1].body;
+}
+
+NextPot::Best NextPot::best(int ball, std::span<const std::optional<Vec2d>> places) const {
+  Best best;
+  if (!places[0] || !places[static_cast<std::size_t>(ball)]) return best;
+  for (const AimPoint& mouth : mouths_)
+    if (const double c = chance(mouth, ball, places); c > best.chance) best = {c, mouth.taken_by.index};
+  return best;
+}
+
+double NextPot::chance(const AimPoint& mouth, int ball, std::span<const std::optional<Vec2d>> places) const {
+  const Vec2d cue = *places[0], at = *places[static_cast<std::size_t>(ball)];
+  Vec2d way = mouth.at - at;
+  const double distance = norm(way);
+  if (!(distance > 0)) return 0;
+  way = way / distance;
+  Gap<double> gap = mouth.gap(way, 0);
+  if (!(gap.low < gap.high)) return 0;
+  // The line to the middle of the gap; a second look, from the direction that it has.
+  const auto towards = [&](double offset) {
+    const Vec2d to = mouth.at + perpendicular(way) * offset - at;
+    return to / norm(to);
+  };
+  way = towards((gap.low + gap.high) / 2);
+  gap = mouth.gap(way, (gap.low + gap.high) / 2);
+  const double touching = touching_distance(body(0), body(ball));
+  const Vec2d ghost = at - way * touching, run = ghost - cue;
+  const double reach = norm(run), cosine = reach > 0 ? dot(run, way) / reach : 1;
+  if (cosine < thinnest) return 0;
+  if (is_blocked(cue, ghost, 0, ball, places) || is_blocked(at, mouth.at - way * mouth.reach, ball, ball, places)) return 0;
+  const double deviation = puzzle_.noise.angle * reach * distance / (touching * cosine);
+  const double half = (gap.high - gap.low) / 2 + wider_;
+  return deviation > 0 ? std::erf(half / (deviation * std::sqrt(2.0))) : 1;
+}
+
+bool NextPot::is_blocked(const Vec2d& from, const Vec2d& to, int ball, int by,
+                         std::span<const std::optional<Vec2d>> places) const {
+  const Vec2d way = to - from;
+  const double length2 = dot(way, way);
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const int other = static_cast<int>(k);
+    if (!places[k] || other == ball || other == by) continue;
+    const double share = length2 > 0 ? std::clamp(dot(*places[k] - from, way) / length2, 0.0, 1.0) : 0;
+    const Vec2d off = *places[k] - (from + way * share);
+    const double touching = touching_distance(body(ball), body(other));
+    if (dot(off, off) < touching * touching) return true;
+  }
+  return false;
+}
+
+bool can_be_hit(const Puzzle& puzzle, int ball, std::span<const std::optional<Vec2d>> places) {
+  const auto& target = places[static_cast<std::size_t>(ball)];
+  if (!places[0] || !target) return false;
+  const Vec2d cue = *places[0];
+  const auto body = [&](int k) -> const Body& { return puzzle.others[static_cast<std::size_t>(k) - 1].body; };
+  /// The directions in which a ball is touched: its middle, and half of their width [rad].
+  const auto seen = [&](int k) {
+    const Vec2d way = *places[static_cast<std::size_t>(k)] - cue;
+    const double touching = touching_distance(puzzle.ball.body, body(k));
+    return std::pair(way, std::asin(std::min(1.0, touching / norm(way))));
+  };
+  const auto [way, half] = seen(ball);
+  std::vector<std::pair<double, double>> hidden;
+  for (int k = 1; k < static_cast<int>(places.size()); ++k) {
+    if (k == ball || !places[static_cast<std::size_t>(k)]) continue;
+    const auto [other, wide] = seen(k);
+    if (norm(other) > norm(way)) continue;
+    const double turned = std::atan2(cross(way, other), dot(way, other));
+    hidden.emplace_back(turned - wide, turned + wide);
+  }
+  std::ranges::sort(hidden);
+  double free_from = -half;
+  for (const auto& [from, to] : hidden) {
+    if (from > free_from) break;
+    free_from = std::max(free_from, to);
+  }
+  return free_from < half;
+}
+
+}  // namespace bankshot::planning::play

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// An estimate of the best straight pot of a ball, by geometry alone: no simulation. An error of the aim turns the
+// object ball by d1 / (2R cos cut), with d1 from the cue ball to the ghost, so at the pocket, d2 away, its offset has
+// the deviation s = error of aim · d1 · d2 / (2R cos cut). The chance is that of a normal error to stay inside the
+// pocket's gap, which counts a little wider where jaws lead a ball in. Cost: about 2 µs.
+// It sees no banks, no kicks and no scratches.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bankshot/geometry/aim_point.hpp"
+#include "planners/problem.hpp"
+
+namespace bankshot::planning::play {
+
+class NextPot {
+ public:
+  explicit NextPot(const Puzzle& puzzle);
+
+  struct Best {
+    double chance = 0;
+    int pocket = -1;  ///< of the table; -1: none can be reached
+  };
+  /// Returns the best pot of a ball from where the balls are: the cue ball first, none where one has fallen.
+  Best best(int ball, std::span<const std::optional<Vec2d>> places) const;
+
+ private:
+  double chance(const AimPoint& mouth, int ball, std::span<const std::optional<Vec2d>> places) const;
+  bool is_blocked(const Vec2d& from, const Vec2d& to, int ball, int by,
+                  std::span<const std::optional<Vec2d>> places) const;
+  const Body& body(int ball) const;
+
+  const Puzzle& puzzle_;
+  std::vector<AimPoint> mouths_;
+  double wider_;  ///< m on either side
+};
+
+/// Returns whether a ball can be hit directly from where the cue ball is: a part of it is not hidden by other balls.
+bool can_be_hit(const Puzzle& puzzle, int ball, std::span<const std::optional<Vec2d>> places);
+
+}  // namespace bankshot::planning::play

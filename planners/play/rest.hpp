@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the cue ball comes to rest along a given branch, with derivatives, and the launch that reaches the target and
+// leaves the cue ball at a given place: two branches from one launch, that of the target and that of the cue ball.
+// Unknowns are the coordinates of a family (family/point.hpp). Method: the equations of the target are kept; what they
+// leave free brings the rest nearer by least change (Allgower & Georg, Introduction to Numerical Continuation Methods,
+// SIAM 2003, eq. 3.2.2). Where too little is free, the result is the nearest rest: Gauss and Newton's method.
+// Cost: two locked simulations a step, five steps from a launch nearby. Guarantee: none; a replay verifies the launch.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "planners/family/family.hpp"
+
+namespace bankshot::planning::play {
+
+using family::Value;
+using family::Vector;
+
+/// The cue ball's part of a shot.
+struct CuePath {
+  Route meetings;  ///< of the cue ball alone, up to its rest
+  std::span<const StandingBall> standing;
+};
+
+/// Where the cue ball comes to rest [m]; none where it does not follow these meetings.
+std::optional<std::array<Value, 2>> rest_of(const SearchRequest& request, EvaluationBudget& budget, const CuePath& cue,
+                                            const Vector& x, family::Vary vary);
+
+/// The equations of a target at a point of its branch, in the units of residuals (locked/residual.hpp): that it is
+/// passed at the offset `shift` [m] from the exact line, or where it rests; and the arrival speed, if only one will do.
+struct TargetEquations {
+  std::array<Value, 2> each{};
+  std::size_t count = 0;
+  std::span<const Value> all() const { return std::span(each).first(count); }
+};
+TargetEquations equations_of(const Branch& aim, const family::Point& point, double shift);
+
+struct Placed {
+  Vector x;
+  Vec2d rest{};                        ///< m
+  Vec2d by_angle{}, by_log_speed{};    ///< m/rad; m
+};
+
+/// Returns the launch near `x` that reaches its target and rests at `wanted`, or as near to it as it can.
+std::optional<Placed> place(const Branch& aim, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
+                            const family::Box& box, Vector x, family::Vary vary);
+
+/// Returns the launch beside `x` that reaches its target, by a change of the aim, and of the speed if the target has two
+/// equations.
+std::optional<Vector> on_target(const Branch& aim, EvaluationBudget& budget, const family::Box& box, Vector x,
+                                double shift);
+
+}  // namespace bankshot::planning::play

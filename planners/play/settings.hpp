@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// Settings of the search for a leave.
+#pragma once
+
+#include <cstddef>
+
+namespace bankshot::planning::settings {
+
+namespace leave {
+/// Launches of one root of the target that are played: so many speeds, each faster than the one before by this factor,
+/// from this share of the root's, and so many values of a free spin.
+inline constexpr int speeds = 10;
+inline constexpr double faster = 1.35, slowest = 0.4;
+inline constexpr int spins = 5;
+/// Contact points across a ball, if any contact counts.
+inline constexpr int contacts = 15;
+/// m/s at the target, of the roots.
+inline constexpr double arrival = 1;
+/// Launches from which the place asked for is sought, for one root of the target and one list of cushions; those
+/// farther from it than this [m] lead there hardly ever.
+inline constexpr std::size_t nearest = 3;
+inline constexpr double far = 0.6;
+/// Launches whose worth is measured; that are improved; and plays of each measurement: a first look, a step of the
+/// improvement, and what is printed.
+inline constexpr std::size_t looked_at = 16, improved = 4;
+inline constexpr int first_plays = 32, step_plays = 64, last_plays = 512;
+/// The compass search: first steps across the target [share of its width], of ln speed and of spin, and how often they
+/// are halved.
+inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
+inline constexpr int halvings = 4;
+/// Newton's steps, and the longest in the scales of a family.
+inline constexpr int most_steps = 30;
+inline constexpr double longest_step = 1.5;
+/// Of the diagonal: equations that are solved.
+inline constexpr double solved = 1e-12;
+}  // namespace leave
+
+namespace next_pot {
+/// m on either side: a ball that touches a jaw may fall. With it the estimate has the least bias over 150 random
+/// places (docs/evidence.md).
+inline constexpr double off_jaws = 0.03;
+/// Cosine: thinner cuts are not played.
+inline constexpr double thinnest = 0.1;
+}  // namespace next_pot
+
+}  // namespace bankshot::planning::settings

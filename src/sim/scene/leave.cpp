@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "bankshot/scene/leave.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bankshot {
+
+// A ray from the point towards +x crosses the edges of a polygon an odd number of times if the point lies inside.
+double distance_to(const LeaveRegion& region, const Vec2d& at) {
+  const std::vector<Vec2d>& corners = region.vertices;
+  bool inside = false;
+  double square = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+    const Vec2d &a = corners[i], &b = corners[j], edge = b - a;
+    if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + edge.x * (at.y - a.y) / edge.y) inside = !inside;
+    const double length2 = dot(edge, edge);
+    const double share = length2 > 0 ? std::clamp(dot(at - a, edge) / length2, 0.0, 1.0) : 0;
+    const Vec2d off = at - (a + edge * share);
+    square = std::min(square, dot(off, off));
+  }
+  return inside ? 0 : std::sqrt(square);
+}
+
+}  // namespace bankshot
