@@ -85,7 +85,7 @@ Shot best_of(const SearchRequest& request, EvaluationBudget& aside, const Search
 
 /// Rates shots with a leave. Their order and values are those of the search.
 void rate_leaves(const SearchRequest& request, EvaluationBudget& aside, SearchResult& found) {
-  for (Shot& shot : std::span(found.shots).first(request.all() ? found.shots.size() : 1)) {
+  for (Shot& shot : found.shots) {
     planning::as_struck(request, shot, [&](const SearchRequest& own) {
       planning::find_success(own, aside, shot);
       planning::find_margin(own, aside, shot);

@@ -333,8 +333,8 @@ class Search {
     std::vector<Launched> best;
     std::set<std::pair<Route, Route>> known;
     for (Launched& one : pool_) {
-      const bool first = known.insert({route_of(one.shot), one.ending.cue}).second;
-      if (first && one.success && (request_.all() || best.size() < improved)) best.push_back(std::move(one));
+      if (!one.success || (!request_.all() && best.size() == improved)) continue;
+      if (known.insert({route_of(one.shot), one.ending.cue}).second) best.push_back(std::move(one));
     }
     pool_ = std::move(best);
     if (!(exact && on_place(pool_.front())) && request_.puzzle().prefer == Prefer::robust)
@@ -343,7 +343,7 @@ class Search {
     if (!request_.all()) order();
     for (Launched& one : pool_) one.success = measured(one, last_plays);
     order();
-    if (!request_.all()) pool_.resize(1);
+    if (!request_.all()) pool_.erase(pool_.begin() + 1, pool_.end());
   }
 
   /// Best first: by `prefer`, then by value; where no play leaves the cue ball as asked, by how near it comes.
