@@ -4,19 +4,17 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "bankshot/plan/planner.hpp"
 #include "planners/certify.hpp"
 #include "planners/family/family.hpp"
 #include "planners/merit/connected.hpp"
-#include "planners/merit/margin.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/merit/sensitivity.hpp"
-#include "planners/merit/success.hpp"
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
+#include "planners/play/leave.hpp"
 #include "planners/settings.hpp"
 #include "planners/steps/steps.hpp"
 #include "planners/what_would_open.hpp"
@@ -83,17 +81,6 @@ Shot best_of(const SearchRequest& request, EvaluationBudget& aside, const Search
   return best.shots.front();
 }
 
-/// Rates shots with a leave. Their order and values are those of the search.
-void rate_leaves(const SearchRequest& request, EvaluationBudget& aside, SearchResult& found) {
-  for (Shot& shot : found.shots) {
-    planning::as_struck(request, shot, [&](const SearchRequest& own) {
-      planning::find_success(own, aside, shot);
-      planning::find_margin(own, aside, shot);
-    });
-    shot.robustness.value = shot.leave->success - cost_of(shot);
-  }
-}
-
 /// Makes the answer from the result of a search: success, margins and words.
 Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const SolveOptions& options,
               double time_us) {
@@ -107,7 +94,7 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
                          budget);  // rating the shots does not count against the budget
   const bool once = request.all() && !request.puzzle().leave && (request.problem->objects || request.problem->safest());
   if (request.puzzle().leave) {
-    rate_leaves(request, aside, found);
+    planning::play::rate_leaves(request, aside, found.shots);
   } else if ((options.robustness || request.problem->safest()) && !found.shots.empty()) {
     const auto begin = std::chrono::steady_clock::now();
     // The best of a list gets the care of the best alone.

@@ -16,6 +16,7 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/certify.hpp"
 #include "planners/merit/first_order.hpp"
+#include "planners/merit/margin.hpp"
 #include "planners/merit/plays.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/merit/success.hpp"
@@ -52,6 +53,17 @@ struct Launched {
   double value() const { return success ? *success - cost_of(shot) : promise; }
 };
 
+/// The share of plays that make the target and leave the cue ball as asked.
+double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
+                     int plays) {
+  double sum = 0;
+  each_play(request.spinning(shot.spin), shot.launch, plays, [&](const SearchRequest& own, const Launch& struck) {
+    if (replay_to_target(own, budget, struck, Goal::counted(own, shot)).made)
+      sum += worth(play_out(own, budget, struck).places);
+  });
+  return sum / plays;
+}
+
 class Search {
  public:
   Search(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found)
@@ -73,6 +85,10 @@ class Search {
           look(request_.stage(c, n - c), roots);
           if (budget_.spent()) found_.not_searched = n;
         }
+    }
+    if (asked_place() && std::ranges::none_of(pool_, [&](const Launched& one) { return on_place(one); })) {
+      grid_ = close;
+      for (const Root& root : roots_) follow(root);
     }
     choose();
     hand_over();
@@ -135,10 +151,10 @@ class Search {
   }
 
   /// Values of a free spin, those nearest to none first.
-  static std::vector<double> values(double low, double high) {
+  std::vector<double> values(double low, double high) const {
     if (!(low < high)) return {low};
     std::vector<double> out;
-    for (int i = 0; i < spins; ++i) out.push_back(low + (high - low) * i / (spins - 1));
+    for (int i = 0; i < grid_.spins; ++i) out.push_back(low + (high - low) * i / (grid_.spins - 1));
     std::ranges::stable_sort(out, {}, [](double v) { return std::abs(v); });
     return out;
   }
@@ -165,9 +181,10 @@ class Search {
     Vector x = root.x;
     x[family::top] = spin.top, x[family::side] = spin.side, x[family::masse] = spin.masse;
     const bool given = equations_of(root.branch, {}, 0).count > 1 || !box_.free(log_speed);
-    for (int i = 0; i < (given ? 1 : speeds) && !budget_.spent(); ++i) {
+    for (int i = 0; i < (given ? 1 : grid_.speeds) && !budget_.spent(); ++i) {
       Vector from = x;
-      if (!given) from[log_speed] = root.x[log_speed] + std::log(slowest) + i * std::log(faster);
+      if (!given)
+        from[log_speed] = root.x[log_speed] + std::log(slowest) + i * std::log(fastest / slowest) / (grid_.speeds - 1);
       if (!box_.free(log_speed)) from[log_speed] = box_.low[log_speed];
       if (from[log_speed] < box_.low[log_speed] || from[log_speed] > box_.high[log_speed]) continue;
       const auto there = on_target(root.branch, budget_, box_, from, shift);
@@ -207,13 +224,13 @@ class Search {
     std::map<Route, std::vector<std::pair<double, std::size_t>>> near;
     for (std::size_t i = first; i < pool_.size(); ++i) {
       const double off = norm(*pool_[i].ending.cue_rests() - wanted);
-      if (pool_[i].ending.traceable && off < far) near[pool_[i].ending.cue].emplace_back(off, i);
+      if (pool_[i].ending.traceable) near[pool_[i].ending.cue].emplace_back(off, i);
     }
     std::vector<Launched> reached;
     for (auto& [route, from] : near) {
       std::ranges::sort(from);
       std::set<std::pair<long, long>> known;
-      for (std::size_t k = 0; k < std::min(nearest, from.size()) && !budget_.spent(); ++k) {
+      for (std::size_t k = 0; k < std::min(grid_.nearest, from.size()) && !budget_.spent(); ++k) {
         const auto at = place(root.branch, budget_, {route, standing_}, wanted, box_, pool_[from[k].second].x, vary());
         if (!at) continue;
         // Two launches that agree to 1e-6 are one.
@@ -242,14 +259,8 @@ class Search {
   }
 
   double measured(const Launched& one, int plays) {
-    const SearchRequest own = request_.spinning(one.shot.spin);
     EvaluationBudget aside(std::numeric_limits<long>::max(), budget_);
-    double sum = 0;
-    each_play(own, one.shot.launch, plays, [&](const SearchRequest& played, const Launch& struck) {
-      if (!replay_to_target(played, aside, struck, Goal::counted(played, one.shot)).made) return;
-      sum += worth_(play_out(played, aside, struck).places);
-    });
-    return sum / plays;
+    return leave_success(request_, aside, worth_, one.shot, plays);
   }
 
   /// Orders by the promise, which ends with how near the cue ball comes.
@@ -339,9 +350,7 @@ class Search {
     pool_ = std::move(best);
     if (!(exact && on_place(pool_.front())) && request_.puzzle().prefer == Prefer::robust)
       for (Launched& one : pool_)
-        if (*one.success > 0) improve(one);
-    if (!request_.all()) order();
-    for (Launched& one : pool_) one.success = measured(one, last_plays);
+        if (*one.success > 0) improve(one), one.success = measured(one, judged_plays);
     order();
     if (!request_.all()) pool_.erase(pool_.begin() + 1, pool_.end());
   }
@@ -384,6 +393,7 @@ class Search {
   SearchResult& found_;
   LeaveWorth worth_;
   Box box_;
+  Grid grid_ = usual;
   std::vector<StandingBall> standing_;
   std::list<Route> routes_;  ///< lists, since branches and launches point to their elements
   std::list<Root> roots_;
@@ -391,6 +401,19 @@ class Search {
 };
 
 }  // namespace
+
+void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots) {
+  const LeaveWorth worth(request.puzzle());
+  for (Shot& shot : shots) {
+    shot.leave->success = leave_success(request, budget, worth, shot, last_plays);
+    as_struck(request, shot, [&](const SearchRequest& own) {
+      find_success(own, budget, shot);
+      find_margin(own, budget, shot);
+    });
+    shot.robustness.value = shot.leave->success - cost_of(shot);
+  }
+  if (request.all() && request.puzzle().prefer == Prefer::robust) order_by_value(shots);
+}
 
 void leave(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Roots& roots) {
   Search(request, budget, found).run(roots);

@@ -8,23 +8,23 @@
 namespace bankshot::planning::settings {
 
 namespace leave {
-/// Launches of one root of the target that are played: so many speeds, each faster than the one before by this factor,
-/// from this share of the root's, and so many values of a free spin.
-inline constexpr int speeds = 10;
-inline constexpr double faster = 1.35, slowest = 0.4;
-inline constexpr int spins = 5;
+/// Launches of one root of the target that are played: so many speeds, from this share of the root's to so many times
+/// it, and so many values of a free spin. For a place asked for, so many of them, the nearest of each list of cushions,
+/// lead on. The second grid is for a place that the first does not reach.
+struct Grid {
+  int speeds, spins;
+  std::size_t nearest;
+};
+inline constexpr Grid usual{10, 5, 3}, close{20, 9, 6};
+inline constexpr double slowest = 0.4, fastest = 6;
 /// Contact points across a ball, if any contact counts.
 inline constexpr int contacts = 15;
 /// m/s at the target, of the roots.
 inline constexpr double arrival = 1;
-/// Launches from which the place asked for is sought, for one root of the target and one list of cushions; those
-/// farther from it than this [m] lead there hardly ever.
-inline constexpr std::size_t nearest = 3;
-inline constexpr double far = 0.6;
 /// Launches whose worth is measured; that are improved; and plays of each measurement: a first look, a step of the
 /// improvement, and what is printed.
-inline constexpr std::size_t looked_at = 16, improved = 4;
-inline constexpr int first_plays = 32, step_plays = 64, last_plays = 512;
+inline constexpr std::size_t looked_at = 16, improved = 2;
+inline constexpr int first_plays = 16, step_plays = 32, judged_plays = 128, last_plays = 512;
 /// The compass search: first steps across the target [share of its width], of ln speed and of spin, and how often they
 /// are halved.
 inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
