@@ -40,13 +40,14 @@ void move_balls(Puzzle& p, const double* normal) {
 
 }  // namespace
 
-void each_play(const SearchRequest& request, const Launch& launch, int count, const Play& play) {
+void each_play(const SearchRequest& request, const Launch& launch, int count, const Play& play, int skipped) {
   const Noise& noise = request.puzzle().noise;
   const double radius = request.puzzle().ball.body.radius;
   constexpr std::size_t of_launch = 4;
   const std::size_t places = noise.at > 0 ? 2 * (1 + request.puzzle().others.size()) : 0;
   const DrawnPhysics physics(request.puzzle().physics);
   Draws draws(of_launch + places + physics.count());
+  for (int i = 0; i < skipped; ++i) draws.next();
   for (int i = 0; i < count; ++i) {
     const std::vector<double>& z = draws.next();
     const Launch struck{launch.speed + noise.speed_at(launch.speed) * z[0],

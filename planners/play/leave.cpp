@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,15 +54,39 @@ struct Launched {
   double value() const { return success ? *success - cost_of(shot) : promise; }
 };
 
-/// The share of plays that make the target and leave the cue ball as asked.
+/// The share of plays that make the target and leave the cue ball as asked. `rests` gets where the cue ball stops in
+/// those that make it, if it is not null.
 double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
-                     int plays) {
+                     int plays, int skipped = 0, std::vector<Vec2d>* rests = nullptr) {
   double sum = 0;
-  each_play(request.spinning(shot.spin), shot.launch, plays, [&](const SearchRequest& own, const Launch& struck) {
-    if (replay_to_target(own, budget, struck, Goal::counted(own, shot)).made)
-      sum += worth(play_out(own, budget, struck).places);
-  });
+  const auto play = [&](const SearchRequest& own, const Launch& struck) {
+    if (!replay_to_target(own, budget, struck, Goal::counted(own, shot)).made) return;
+    const Ending ending = play_out(own, budget, struck);
+    sum += worth(ending.places);
+    if (rests && ending.cue_rests()) rests->push_back(*ending.cue_rests());
+  };
+  each_play(request.spinning(shot.spin), shot.launch, plays, play, skipped);
   return sum / plays;
+}
+
+/// The mean and the principal axes of some points.
+std::optional<Spread> spread_of(const std::vector<Vec2d>& points) {
+  constexpr std::size_t fewest = 3;
+  if (points.size() < fewest) return {};
+  const auto count = static_cast<double>(points.size());
+  Spread out;
+  for (const Vec2d& p : points) out.at += p / count;
+  double xx = 0, xy = 0, yy = 0;
+  for (const Vec2d& p : points) {
+    const Vec2d off = p - out.at;
+    xx += off.x * off.x / count, xy += off.x * off.y / count, yy += off.y * off.y / count;
+  }
+  const double middle = (xx + yy) / 2, apart = std::hypot((xx - yy) / 2, xy);
+  out.sigma = {std::sqrt(middle + apart), std::sqrt(std::max(0.0, middle - apart))};
+  constexpr double half_turn = radians(180.0);
+  const double angle = std::atan2(2 * xy, xx - yy) / 2;
+  out.angle = angle < 0 ? angle + half_turn : angle;
+  return out;
 }
 
 class Search {
@@ -280,7 +305,10 @@ class Search {
       if (looked == looked_at) return;
       if (++times[{route_of(one.shot), one.ending.cue}] > 2) continue;
       ++looked;
-      if (!one.success) one.success = measured(one, first_plays);
+      if (one.success) continue;
+      one.success = measured(one, first_plays);
+      // One play or two may be luck.
+      if (*one.success > 0 && *one.success < lucky) one.success = measured(one, judged_plays);
     }
   }
 
@@ -340,6 +368,8 @@ class Search {
     if (exact && std::ranges::any_of(pool_, [&](const Launched& one) { return on_place(one); }))
       std::erase_if(pool_, [&](const Launched& one) { return !on_place(one); });
     measure_promising();
+    if (std::ranges::none_of(pool_, [](const Launched& one) { return one.success.value_or(0) > hopeless; }))
+      return keep_nearest();
     order();
     std::vector<Launched> best;
     std::set<std::pair<Route, Route>> known;
@@ -355,12 +385,25 @@ class Search {
     if (!request_.all()) pool_.erase(pool_.begin() + 1, pool_.end());
   }
 
-  /// Best first: by `prefer`, then by value; where no play leaves the cue ball as asked, by how near it comes.
+  /// Nothing leaves the cue ball as asked: the launch that leaves it nearest. With `safest` it is one that the player
+  /// makes at least half as often as any other.
+  void keep_nearest() {
+    const auto likely = [](const Launched& one) { return one.shot.robustness.success_estimate; };
+    const double least = safest() ? likely(*std::ranges::max_element(pool_, {}, likely)) / 2 : 0;
+    const auto rank = [&](const Launched& one) {
+      return std::tuple(likely(one) < least, worth_.miss(*one.ending.cue_rests()), -likely(one));
+    };
+    Launched nearest = *std::ranges::min_element(pool_, {}, rank);
+    nearest.success = measured(nearest, first_plays);
+    pool_ = {std::move(nearest)};
+    left_ = false;
+  }
+
+  /// Best first: by `prefer`, then by value.
   void order() {
     std::ranges::stable_sort(pool_, [&](const Launched& a, const Launched& b) {
-      const bool first = a.success.value_or(0) > 0, second = b.success.value_or(0) > 0;
+      const bool first = a.success.value_or(0) > hopeless, second = b.success.value_or(0) > hopeless;
       if (first != second) return first;
-      if (!first) return worth_.miss(*a.ending.cue_rests()) < worth_.miss(*b.ending.cue_rests());
       if (request_.puzzle().prefer == Prefer::soft) return a.shot.launch.speed < b.shot.launch.speed;
       if (request_.puzzle().prefer == Prefer::quick) return a.shot.path.arrival.time < b.shot.path.arrival.time;
       return a.value() > b.value();
@@ -373,14 +416,14 @@ class Search {
       const Route& cue = one.ending.cue;
       const double miss = worth_.miss(*one.ending.cue_rests());
       shot.leave = ShotLeave{*one.ending.cue_rests(), miss, *one.success,
-                             contacts_of(std::span(cue).subspan(one.ending.after_balls))};
+                             contacts_of(std::span(cue).subspan(one.ending.after_balls)), {}};
       shot.provenance.moved = safest() && shot.verification.off_centre;
       shot.verification.digits = promised_digits(request_, shot);
       found_.shots.push_back(std::move(shot));
     }
     if (found_.shots.empty()) return;
     const Shot& best = found_.shots.front();
-    if (best.leave->success > 0) return;
+    if (left_) return;
     if (best.leave->miss > 0)
       found_.add_note(fmt::format("no shot was found that stops the cue ball there; the nearest stops {:.2f} m away",
                                   best.leave->miss));
@@ -394,6 +437,7 @@ class Search {
   LeaveWorth worth_;
   Box box_;
   Grid grid_ = usual;
+  bool left_ = true;  ///< some shot leaves the cue ball as asked
   std::vector<StandingBall> standing_;
   std::list<Route> routes_;  ///< lists, since branches and launches point to their elements
   std::list<Root> roots_;
@@ -405,11 +449,15 @@ class Search {
 void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots) {
   const LeaveWorth worth(request.puzzle());
   for (Shot& shot : shots) {
-    shot.leave->success = leave_success(request, budget, worth, shot, last_plays);
     as_struck(request, shot, [&](const SearchRequest& own) {
       find_success(own, budget, shot);
       find_margin(own, budget, shot);
     });
+    // Other plays than those by which the shot was chosen: these would flatter it.
+    std::vector<Vec2d> rests;
+    const double success = leave_success(request, budget, worth, shot, last_plays, judged_plays, &rests);
+    shot.leave->spread = spread_of(rests);
+    shot.leave->success = std::min(success, *shot.robustness.success);
     shot.robustness.value = shot.leave->success - cost_of(shot);
   }
   if (request.all() && request.puzzle().prefer == Prefer::robust) order_by_value(shots);

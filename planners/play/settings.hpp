@@ -25,6 +25,10 @@ inline constexpr double arrival = 1;
 /// improvement, and what is printed.
 inline constexpr std::size_t looked_at = 16, improved = 2;
 inline constexpr int first_plays = 16, step_plays = 32, judged_plays = 128, last_plays = 512;
+/// A success that nobody plays for.
+inline constexpr double hopeless = 0.01;
+/// A success after the first look that more plays must confirm.
+inline constexpr double lucky = 0.15;
 /// The compass search: first steps across the target [share of its width], of ln speed and of spin, and how often they
 /// are halved.
 inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;

@@ -63,12 +63,21 @@ struct ShotPath {
   std::optional<Vec2d> cue_rests{};     ///< m; otherwise where the cue ball rests at the end; for shots with hits
 };
 
+/// How far the player's errors spread the places where the cue ball comes to rest, in plays that make the target: the
+/// principal axes of their covariance.
+struct Spread {
+  Vec2d at{};                    ///< m; their mean
+  std::array<double, 2> sigma{};  ///< m; standard deviations along the axes, the larger first
+  double angle = 0;              ///< rad; of the first axis, anticlockwise from +x
+};
+
 /// The leave of a shot, if the puzzle asks for one.
 struct ShotLeave {
   Vec2d at{};                       ///< m; where the cue ball comes to rest
   double miss = 0;                  ///< m; from the place asked for, or from the region; 0 if neither is asked for
   double success = 0;               ///< probability that the target is made and the cue ball stops as asked
   std::vector<Contact> cushions{};  ///< cushions that the cue ball meets after its last contact with a ball
+  std::optional<Spread> spread{};   ///< none if fewer than three plays make the target
 };
 
 /// The evidence of the replay: how exactly it makes the target, and how errors of the launch move the arrival.

@@ -81,6 +81,17 @@ void write_leave(JsonWriter& w, const Puzzle& p, const ShotLeave& leave) {
   w.number("miss", leave.miss);
   w.number("success", leave.success);
   write_cushions(w, p, leave.cushions);
+  if (leave.spread) {
+    w.key("spread");
+    w.open('{');
+    write_point(w, leave.spread->at);
+    w.key("sigma");
+    w.open('[');
+    for (const double sigma : leave.spread->sigma) w.number(sigma);
+    w.close(']');
+    w.number("angle", exact_degrees(leave.spread->angle));
+    w.close('}');
+  }
   w.close('}');
 }
 

@@ -69,6 +69,16 @@ void read_cue_rests(const Reader& r, const Puzzle& p, Shot& s) {
   s.path.scratch_pocket = static_cast<int>(r.word("pocket", names));
 }
 
+ShotLeave read_leave(const Reader& r, const Puzzle& p) {
+  ShotLeave leave{r.need("at").point(), r.need("miss").at_least(0), r.need("success").at_least(0),
+                  read_contacts(r.need("cushions"), p.table)};
+  if (const auto v = r.find("spread")) {
+    const Vec2d sigma = v->need("sigma").pair(format::spread["sigma"].bounds);
+    leave.spread = Spread{v->need("at").point(), {sigma.x, sigma.y}, radians(v->need("angle").number())};
+  }
+  return leave;
+}
+
 Shot read_shot(const Reader& r, const Puzzle& p) {
   Shot s;
   s.launch = {r.need("speed").positive(), wrap_angle(radians(r.need("angle").number()))};
@@ -82,9 +92,7 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
     s.path.then.push_back({read_ball(*v, p), read_contacts(v->need("cushions"), p.table)});
   if (const auto v = r.find("scratch")) s.path.scratch = v->boolean();
   if (const auto v = r.find("cue_rests")) read_cue_rests(*v, p, s);
-  if (const auto v = r.find("leave"))
-    s.leave = ShotLeave{v->need("at").point(), v->need("miss").at_least(0), v->need("success").at_least(0),
-                        read_contacts(v->need("cushions"), p.table)};
+  if (const auto v = r.find("leave")) s.leave = read_leave(*v, p);
   if (const auto v = r.find("rattles")) s.path.touches_jaws = v->boolean();
   if (const auto v = r.find("off_centre")) s.verification.off_centre = v->boolean();
   if (r.find("aim")) s.provenance.moved = s.verification.off_centre = true;

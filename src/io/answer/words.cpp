@@ -102,15 +102,19 @@ std::string distance_words(double metres, const Table& table) {
   return metres < 10 * mm ? fmt::format("{:.2g} mm", metres / mm) : fmt::format("{:.0f} mm", metres / mm);
 }
 
-std::string success_words(const Shot& shot) {
+std::string percent_words(double probability) {
   constexpr double nearly = 0.995, hardly = 0.005;
+  if (probability >= nearly) return "over 99 %";
+  if (probability <= hardly) return probability > 0 ? "under 1 %" : "0 %";
+  return fmt::format("{:.0f} %", 100 * probability);
+}
+
+std::string success_words(const Shot& shot) {
   const double success = *shot.robustness.success;
   const auto fails = [](const auto& sides) { return sides[0] || sides[1]; };
   const bool may_fail = success < 1 || (shot.robustness.margin &&
                                         (fails(shot.robustness.margin->angle) || fails(shot.robustness.margin->speed)));
-  if (success >= nearly && may_fail) return "over 99 %";
-  if (success <= hardly && success > 0) return "under 1 %";
-  return fmt::format("{:.0f} %", 100 * success);
+  return may_fail ? percent_words(success) : "100 %";
 }
 
 std::string place_words(const Table& table, const Vec2d& at) {
@@ -224,6 +228,17 @@ void add_hits(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
   if (!shot.path.hits.empty()) rows.push_back({"ghost", "ball " + place_words(p.table, shot.path.hits.front().at)});
 }
 
+/// Returns the probability of a leave in words.
+std::string leave_words(const Puzzle& p, const ShotLeave& leave) {
+  const std::string chance = percent_words(leave.success);
+  if (const auto* place = std::get_if<LeavePlace>(&*p.leave))
+    return fmt::format("{} to make it and stop within {} of the place", chance, distance_words(place->within, p.table));
+  if (std::holds_alternative<LeaveRegion>(*p.leave)) return chance + " to make it and stop inside the region";
+  if (const auto* next = std::get_if<LeaveForBall>(&*p.leave))
+    return fmt::format("about {} to make it and then to pot {}", chance, contact_name(p, Contact::ball(next->ball)));
+  return chance + " to make it and leave no direct hit";
+}
+
 /// Adds the leave of the cue ball, or its scratch.
 void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
   if (shot.path.scratch)
@@ -237,7 +252,12 @@ void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
     const auto off = inexact_words(norm(*shot.path.cue_rests - *p.rest_near), p.table);
     stops += ", " + (off ? *off + " from" : "exactly") + " where it should be";
   }
+  if (shot.leave && shot.leave->miss > 0)
+    if (const auto off = inexact_words(shot.leave->miss, p.table))
+      stops += ", " + *off + " from where it should be";
+  if (shot.leave && !shot.leave->cushions.empty()) stops += ", off " + cushion_names(p.table, shot.leave->cushions);
   rows.push_back({"cue ball", stops});
+  if (shot.leave) rows.push_back({"leave", leave_words(p, *shot.leave)});
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ std::string distance_words(double metres, const Table& table);
 /// Returns the success of a shot, such as "87 %". Near the ends it returns "over 99 %" if the shot can fail, and
 /// "under 1 %" if it can be made.
 std::string success_words(const Shot& shot);
+/// Returns a probability below 1 in words: "over 99 %", "41 %".
+std::string percent_words(double probability);
 
 /// Returns the position of a ball's centre, measured from the nearer rails: "0.31 m from the left rail, 0.22 m from the
 /// bottom rail". On a polygon it returns the coordinates.

@@ -76,6 +76,8 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   draw_table(c, style.words, aim);
   draw_band(c, p, shot);
   draw_target(c, p, pocket);
+  draw_wanted_leave(c, p);
+  if (shot.leave && shot.leave->spread) draw_spread(c, *shot.leave->spread);
   if (aim && style.words) draw_aim(c, p.ball.at, *aim);
   draw_leave(c, request, shot, style);
   draw_path(c, p.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
@@ -98,6 +100,7 @@ std::string listed(const Puzzle& p, const Shot& s) {
 void draw_all(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& style) {
   draw_table(c, style.words);
   draw_target(c, p);
+  draw_wanted_leave(c, p);
   std::vector<Entry> list;
   std::vector<Trajectory> paths;
   const auto colour = [&](std::size_t i) { return c.c.paths[i % c.c.paths.size()]; };
@@ -125,6 +128,7 @@ void draw_all(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& s
 void draw_none(Canvas& c, const Puzzle& p, const Answer& a, const PictureStyle& style) {
   draw_table(c, style.words);
   draw_target(c, p);
+  draw_wanted_leave(c, p);
   std::vector<Row> rows;
   if (a.nearest) {
     const Shot& s = a.nearest->shot;

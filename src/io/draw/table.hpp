@@ -21,6 +21,12 @@ void draw_table(Canvas& c, bool words, const std::optional<Sight>& aim = {});
 void draw_holes(Canvas& c);
 
 /// Draws the target. If `reached` is given, the other pockets are not marked.
+/// Draws the place or the region where the cue ball should stop.
+void draw_wanted_leave(Canvas& c, const Puzzle& puzzle);
+
+/// Draws the ellipses inside which the cue ball stops in half and in nine tenths of the plays that make the target.
+void draw_spread(Canvas& c, const Spread& spread);
+
 void draw_target(Canvas& c, const Puzzle& puzzle, const Pocket* reached = nullptr);
 
 /// Draws the gap of the pocket that a shot falls into, as a bar across the mouth. `heading` is the ball's velocity at
