@@ -14,8 +14,8 @@ namespace bankshot::planning {
 /// A play: the request has the scene and the spin that a draw gives, and the launch is the one that is struck.
 using Play = std::function<void(const SearchRequest& own, const Launch& struck)>;
 
-/// Calls `play` for each of `draws` draws, the first `skipped` of the sequence left out. A draw whose launch has no speed
-/// is no play. `request` has the intended spin.
+/// Calls `play` for each of `draws` draws, the first `skipped` of the sequence left out. A draw whose launch has no
+/// speed is no play. `request` has the intended spin.
 void each_play(const SearchRequest& request, const Launch& launch, int draws, const Play& play, int skipped = 0);
 
 }  // namespace bankshot::planning

@@ -49,7 +49,7 @@ struct Launched {
   double shift;  ///< m, across the target
   Shot shot;
   Ending ending;
-  double promise = 0;              ///< its value, as far as it can be told without plays
+  double promise = 0;               ///< its value, as far as it can be told without plays
   std::optional<double> success{};  ///< that the target is made and the cue ball left as asked
   double value() const { return success ? *success - cost_of(shot) : promise; }
 };
@@ -100,8 +100,7 @@ class Search {
 
   void run(const Roots& roots) {
     const bool sent = request_.problem->then() != nullptr;
-    const CushionRule &cue = request_.cue_cushions,
-                      object = sent ? request_.object_cushions : CushionRule::exactly(0);
+    const CushionRule &cue = request_.cue_cushions, object = sent ? request_.object_cushions : CushionRule::exactly(0);
     if (request_.problem->carom()) {
       look(request_, roots);
     } else {
@@ -267,7 +266,6 @@ class Search {
         reached.push_back(*std::move(one));
       }
     }
-    // Those between would only stand in the way: whether they are nearer is known.
     std::ranges::move(reached, std::back_inserter(pool_));
   }
 
@@ -356,8 +354,8 @@ class Search {
   }
 
   bool on_place(const Launched& one) const {
-    return asked_place() &&
-           norm(*one.ending.cue_rests() - asked_place()->at) <= tolerance::exact_miss * request_.problem->boundary.diagonal;
+    return asked_place() && norm(*one.ending.cue_rests() - asked_place()->at) <=
+                                tolerance::exact_miss * request_.problem->boundary.diagonal;
   }
 
   /// Chooses the shots that are handed over, best first, and measures them well.
@@ -415,8 +413,8 @@ class Search {
       Shot& shot = one.shot;
       const Route& cue = one.ending.cue;
       const double miss = worth_.miss(*one.ending.cue_rests());
-      shot.leave = ShotLeave{*one.ending.cue_rests(), miss, *one.success,
-                             contacts_of(std::span(cue).subspan(one.ending.after_balls)), {}};
+      shot.leave = ShotLeave{
+          *one.ending.cue_rests(), miss, *one.success, contacts_of(std::span(cue).subspan(one.ending.after_balls)), {}};
       shot.provenance.moved = safest() && shot.verification.off_centre;
       shot.verification.digits = promised_digits(request_, shot);
       found_.shots.push_back(std::move(shot));

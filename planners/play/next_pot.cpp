@@ -49,7 +49,8 @@ double NextPot::chance(const AimPoint& mouth, int ball, std::span<const std::opt
   const Vec2d ghost = at - way * touching, run = ghost - cue;
   const double reach = norm(run), cosine = reach > 0 ? dot(run, way) / reach : 1;
   if (cosine < thinnest) return 0;
-  if (is_blocked(cue, ghost, 0, ball, places) || is_blocked(at, mouth.at - way * mouth.reach, ball, ball, places)) return 0;
+  if (is_blocked(cue, ghost, 0, ball, places) || is_blocked(at, mouth.at - way * mouth.reach, ball, ball, places))
+    return 0;
   const double deviation = puzzle_.noise.angle * reach * distance / (touching * cosine);
   const double half = (gap.high - gap.low) / 2 + wider_;
   return deviation > 0 ? std::erf(half / (deviation * std::sqrt(2.0))) : 1;

@@ -77,7 +77,8 @@ Column least_step(const System& target, const System& rest) {
 }
 
 /// A step inside the box: a coordinate that would leave it stays at its bound.
-Vector step_inside(std::span<const Value> target, std::span<const Value> rest, const family::Box& box, const Vector& x) {
+Vector step_inside(std::span<const Value> target, std::span<const Value> rest, const family::Box& box,
+                   const Vector& x) {
   const Vector scale = scales();
   std::vector<int> free;
   for (int i = 0; i < coordinates; ++i)
@@ -86,8 +87,7 @@ Vector step_inside(std::span<const Value> target, std::span<const Value> rest, c
   while (!free.empty()) {
     Vector fixed = step;
     for (const int i : free) fixed[i] = 0;
-    const Column least =
-        least_step(system_of(target, free, scale, fixed), system_of(rest, free, scale, fixed));
+    const Column least = least_step(system_of(target, free, scale, fixed), system_of(rest, free, scale, fixed));
     int out = -1;
     for (std::size_t k = 0; k < free.size(); ++k) {
       const int i = free[k];

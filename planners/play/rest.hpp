@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the cue ball comes to rest along a given branch, with derivatives, and the launch that reaches the target and
+// The rest of the cue ball along a given branch, with derivatives, and the launch that reaches the target and
 // leaves the cue ball at a given place: two branches from one launch, that of the target and that of the cue ball.
 // Unknowns are the coordinates of a family (family/point.hpp). Method: the equations of the target are kept; what they
 // leave free brings the rest nearer by least change (Allgower & Georg, Introduction to Numerical Continuation Methods,
@@ -26,7 +26,7 @@ struct CuePath {
   std::span<const StandingBall> standing;
 };
 
-/// Where the cue ball comes to rest [m]; none where it does not follow these meetings.
+/// Returns the place in which the cue ball comes to rest [m]; none where it does not follow these meetings.
 std::optional<std::array<Value, 2>> rest_of(const SearchRequest& request, EvaluationBudget& budget, const CuePath& cue,
                                             const Vector& x, family::Vary vary);
 
@@ -41,16 +41,16 @@ TargetEquations equations_of(const Branch& aim, const family::Point& point, doub
 
 struct Placed {
   Vector x;
-  Vec2d rest{};                        ///< m
-  Vec2d by_angle{}, by_log_speed{};    ///< m/rad; m
+  Vec2d rest{};                      ///< m
+  Vec2d by_angle{}, by_log_speed{};  ///< m/rad; m
 };
 
 /// Returns the launch near `x` that reaches its target and rests at `wanted`, or as near to it as it can.
 std::optional<Placed> place(const Branch& aim, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
                             const family::Box& box, Vector x, family::Vary vary);
 
-/// Returns the launch beside `x` that reaches its target, by a change of the aim, and of the speed if the target has two
-/// equations.
+/// Returns the launch beside `x` that reaches its target, by a change of the aim, and of the speed if the target has
+/// two equations.
 std::optional<Vector> on_target(const Branch& aim, EvaluationBudget& budget, const family::Box& box, Vector x,
                                 double shift);
 

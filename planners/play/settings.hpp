@@ -36,7 +36,7 @@ inline constexpr int halvings = 4;
 /// Newton's steps, and the longest in the scales of a family.
 inline constexpr int most_steps = 30;
 inline constexpr double longest_step = 1.5;
-/// Of the diagonal: equations that are solved.
+/// Residual below which an equation is solved, as a share of the diagonal.
 inline constexpr double solved = 1e-12;
 }  // namespace leave
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a leave is worth: 1 where the cue ball stops as the puzzle asks, 0 elsewhere; with `for` the chance of the best
+// The worth of a leave: 1 where the cue ball stops as the puzzle asks, 0 elsewhere; with `for` the chance of the best
 // pot of that ball.
 #pragma once
 

@@ -24,12 +24,12 @@ Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, cons
 /// Stores the aftermath in a shot.
 void add_aftermath(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);
 
-/// Where a shot leaves the balls, and how the cue ball got there.
+/// The places in which a shot leaves the balls, and the cue ball's way to its own.
 struct Ending {
   std::vector<std::optional<Vec2d>> places{};  ///< m; of each ball, the cue ball first; none: it fell
-  Route cue{};             ///< what the cue ball met, in order
-  bool traceable = true;   ///< it met neither jaws nor a ball that had moved
-  std::size_t after_balls = 0;  ///< number of its meetings up to its last contact with a ball
+  Route cue{};                                 ///< what the cue ball met, in order
+  bool traceable = true;                       ///< it met neither jaws nor a ball that had moved
+  std::size_t after_balls = 0;                 ///< number of its meetings up to its last contact with a ball
 
   const std::optional<Vec2d>& cue_rests() const { return places.front(); }
 };

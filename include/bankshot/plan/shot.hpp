@@ -63,12 +63,12 @@ struct ShotPath {
   std::optional<Vec2d> cue_rests{};     ///< m; otherwise where the cue ball rests at the end; for shots with hits
 };
 
-/// How far the player's errors spread the places where the cue ball comes to rest, in plays that make the target: the
-/// principal axes of their covariance.
+/// The spread of the places in which the cue ball comes to rest in plays that make the target: the principal axes of
+/// their covariance.
 struct Spread {
-  Vec2d at{};                    ///< m; their mean
+  Vec2d at{};                     ///< m; their mean
   std::array<double, 2> sigma{};  ///< m; standard deviations along the axes, the larger first
-  double angle = 0;              ///< rad; of the first axis, anticlockwise from +x
+  double angle = 0;               ///< rad; of the first axis, anticlockwise from +x
 };
 
 /// The leave of a shot, if the puzzle asks for one.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the cue ball should come to rest after a shot, as a puzzle asks for it.
+// The leave: the place in which the cue ball should come to rest after a shot, as a puzzle asks for it.
 #pragma once
 
 #include <variant>
@@ -21,12 +21,12 @@ struct LeaveRegion {
   std::vector<Vec2d> vertices{};  ///< m
 };
 
-/// Where the best pot of this ball is likely.
+/// A place from which the best pot of this ball is likely.
 struct LeaveForBall {
   int ball = 0;  ///< k stands for the k-th of `others`, from 1
 };
 
-/// Where none of these balls can be hit directly: a snooker.
+/// A place from which none of these balls can be hit directly: a snooker.
 struct LeaveSafe {
   std::vector<int> balls{};  ///< as in LeaveForBall
 };

@@ -253,8 +253,7 @@ void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
     stops += ", " + (off ? *off + " from" : "exactly") + " where it should be";
   }
   if (shot.leave && shot.leave->miss > 0)
-    if (const auto off = inexact_words(shot.leave->miss, p.table))
-      stops += ", " + *off + " from where it should be";
+    if (const auto off = inexact_words(shot.leave->miss, p.table)) stops += ", " + *off + " from where it should be";
   if (shot.leave && !shot.leave->cushions.empty()) stops += ", off " + cushion_names(p.table, shot.leave->cushions);
   rows.push_back({"cue ball", stops});
   if (shot.leave) rows.push_back({"leave", leave_words(p, *shot.leave)});

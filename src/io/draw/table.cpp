@@ -153,8 +153,8 @@ void draw_target(Canvas& c, const Puzzle& p, const Pocket* reached) {
 
 void draw_wanted_leave(Canvas& c, const Puzzle& p) {
   if (!p.leave) return;
-  const std::string style =
-      fmt::format(R"(fill="{0}" fill-opacity="0.15" stroke="{0}" stroke-width="1.5" stroke-dasharray="5 4")", c.c.target);
+  const std::string style = fmt::format(
+      R"(fill="{0}" fill-opacity="0.15" stroke="{0}" stroke-width="1.5" stroke-dasharray="5 4")", c.c.target);
   if (const auto* place = std::get_if<LeavePlace>(&*p.leave)) {
     c.circle(c.at(place->at), c.px(place->within), style);
     c.circle(c.at(place->at), 2.2, fmt::format(R"(fill="{}")", c.c.target));
@@ -165,11 +165,12 @@ void draw_wanted_leave(Canvas& c, const Puzzle& p) {
 void draw_spread(Canvas& c, const Spread& spread) {
   const Vec2d at = c.at(spread.at);
   for (const double share : {0.5, 0.9}) {
-    // Of a normal distribution in the plane, this share lies within so many deviations.
+    // A normal distribution in the plane has this share within so many deviations.
     const double deviations = std::sqrt(-2 * std::log(1 - share));
-    c.add(R"svg(<ellipse cx="{:.1f}" cy="{:.1f}" rx="{:.1f}" ry="{:.1f}" transform="rotate({:.1f} {:.1f} {:.1f})" fill="{}" fill-opacity="0.12" stroke="{}" stroke-opacity="0.6"/>)svg",
-          at.x, at.y, c.px(deviations * spread.sigma[0]), c.px(deviations * spread.sigma[1]), -degrees(spread.angle), at.x,
-          at.y, c.c.paths[2], c.c.paths[2]);
+    c.add(
+        R"svg(<ellipse cx="{:.1f}" cy="{:.1f}" rx="{:.1f}" ry="{:.1f}" transform="rotate({:.1f} {:.1f} {:.1f})" fill="{}" fill-opacity="0.12" stroke="{}" stroke-opacity="0.6"/>)svg",
+        at.x, at.y, c.px(deviations * spread.sigma[0]), c.px(deviations * spread.sigma[1]), -degrees(spread.angle),
+        at.x, at.y, c.c.paths[2], c.c.paths[2]);
   }
 }
 

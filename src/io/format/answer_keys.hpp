@@ -56,7 +56,8 @@ inline constexpr Object contact{"contact", "How the cue ball hits the object bal
 
 inline constexpr Key spread_keys[] = {
     {"at", "point", "m", required, "[1.87, 0.6]", "the mean of these places"},
-    {"sigma", "pair", "m", required, "[0.14, 0.03]", "standard deviations along two axes, the larger first", at_least(0)},
+    {"sigma", "pair", "m", required, "[0.14, 0.03]", "standard deviations along two axes, the larger first",
+     at_least(0)},
     {"angle", "number", "degrees", required, "31", "of the first axis, anticlockwise from +x", between(0, 180)},
 };
 inline constexpr Object spread{"spread", "Where the cue ball stops in plays that make the target.", spread_keys};
@@ -68,9 +69,10 @@ inline constexpr Key shot_leave_keys[] = {
     {"success", "number", "", required, "0.41",
      "probability that the target is made and the cue ball stops as asked; with `for` it includes the pot of that ball",
      between(0, 1)},
-    {"cushions", "[string]", "", required, R"(["right"])", "bounces of the cue ball after its last contact with a ball"},
-    {"spread", "{spread}", "", "if hardly a play makes the target", R"({"at": [1.87, 0.6], "sigma": [0.14, 0.03], "angle": 31})",
-     "how far the player's errors spread the cue ball"},
+    {"cushions", "[string]", "", required, R"(["right"])",
+     "bounces of the cue ball after its last contact with a ball"},
+    {"spread", "{spread}", "", "if hardly a play makes the target",
+     R"({"at": [1.87, 0.6], "sigma": [0.14, 0.03], "angle": 31})", "how far the player's errors spread the cue ball"},
 };
 inline constexpr Object shot_leave{"shot_leave", "The leave of the cue ball.", shot_leave_keys};
 
