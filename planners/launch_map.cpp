@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/plan/launch_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -75,13 +76,22 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
                           grid.angles + 2 * beside,
                           grid.speeds + 2 * above};
   if (static_cast<double>(around.angles) * around.speeds > most_cells) throw too_fine();
-  const planning::SearchRequest request(puzzle);
-  const planning::Goal goal = planning::Goal::of(request);
+  std::vector<Puzzle> orders{puzzle};
+  if (is_in_any_order(puzzle.target)) {
+    orders.push_back(puzzle);
+    const auto& carom = std::get<CaromTarget>(puzzle.target);
+    orders[0].target = in_order(puzzle.target, carom.first);
+    orders[1].target = in_order(puzzle.target, carom.second.balls.front());
+  }
+  std::vector<planning::SearchRequest> requests(orders.begin(), orders.end());
   planning::EvaluationBudget budget(std::numeric_limits<long>::max(), cancelled);
   Rows made(around.angles, around.speeds);
   for (std::size_t i = 0; i < around.size() && !budget.spent(); ++i) {
     const Launch launch = around.at(i);
-    if (launch.speed > 0 && planning::replay(request, budget, launch, goal).made) made.cells[i] = 1;
+    const auto makes = [&](const planning::SearchRequest& request) {
+      return planning::replay(request, budget, launch, planning::Goal::of(request)).made;
+    };
+    if (launch.speed > 0 && std::ranges::any_of(requests, makes)) made.cells[i] = 1;
   }
   LaunchMap map{grid, {}, {}};
   for (int row = 0; row < grid.speeds; ++row)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -166,11 +167,62 @@ std::string hint(const Puzzle& puzzle, const SearchRequest& request, EvaluationB
   return words;
 }
 
+/// Returns whether a shot comes before another one by `prefer`; the less likely to fall into a pocket comes first.
+bool comes_before(const Puzzle& p, const Shot& a, const Shot& b) {
+  if (a.path.scratch != b.path.scratch) return b.path.scratch;
+  const auto merit = [&](const Shot& s) {
+    return p.prefer == Prefer::robust && s.robustness.value ? *s.robustness.value : planning::first_merit(p, s);
+  };
+  return merit(a) > merit(b);
+}
+
+/// Solves a carom in both orders, each with half of a budget that is given, and puts the answers together.
+Answer solve_both_orders(const Puzzle& puzzle, const SolveOptions& options) {
+  const auto& carom = std::get<CaromTarget>(puzzle.target);
+  const auto solved = [&](int first, int other) {
+    Puzzle one = puzzle;
+    one.target = in_order(puzzle.target, first);
+    if (puzzle.budget) one.budget = *puzzle.budget / 2;
+    Answer a = solve(one, options);
+    if (!a.shots.empty()) a.message += fmt::format("; it touches {} first", contact_name(puzzle, Contact::ball(first)));
+    if (a.shots.empty())
+      a.message = fmt::format("{} and then {}: {}", contact_name(puzzle, Contact::ball(first)),
+                              contact_name(puzzle, Contact::ball(other)), a.message);
+    return a;
+  };
+  const int second = carom.second.balls.front();
+  Answer a = solved(carom.first, second);
+  if (options.first && !a.shots.empty()) return a;
+  Answer b = solved(second, carom.first);
+  const auto nearer = [](const Answer& x, const Answer& y) {
+    return x.nearest && (!y.nearest || x.nearest->shot.verification.miss < y.nearest->shot.verification.miss);
+  };
+  const bool swap = a.shots.empty() ? !b.shots.empty() || nearer(b, a)
+                                    : !b.shots.empty() && comes_before(puzzle, b.shots.front(), a.shots.front());
+  if (swap) std::swap(a, b);
+  if (a.shots.empty()) a.message += "; " + b.message;
+  if (b.status == Status::budget && a.status == Status::no_shot) a.status = Status::budget;
+  if (options.all) {
+    std::ranges::move(b.shots, std::back_inserter(a.shots));
+    std::ranges::stable_sort(a.shots, [&](const Shot& x, const Shot& y) { return comes_before(puzzle, x, y); });
+    if (!b.shots.empty()) a.message += fmt::format("; in either order {} shots", a.shots.size());
+  }
+  for (const std::string& m : b.modelled)
+    if (std::ranges::find(a.modelled, m) == a.modelled.end()) a.modelled.push_back(m);
+  a.simulations += b.simulations;
+  a.time_us += b.time_us;
+  a.cost.certify_us += b.cost.certify_us;
+  a.cost.robustness_us += b.cost.robustness_us;
+  a.cost.work += b.cost.work;
+  return a;
+}
+
 }  // namespace
 
 Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
   validate(puzzle);
   if (options.all && options.first) throw InvalidInput("", "either all shots are asked for or the first one found");
+  if (is_in_any_order(puzzle.target)) return solve_both_orders(puzzle, options);
   const planning::methods::Method& method = planning::methods::find(options.planner);
   if (!method.info.bends && !is_straight(puzzle.physics))
     throw InvalidInput(

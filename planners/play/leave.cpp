@@ -27,6 +27,7 @@
 #include "planners/proof/aftermath.hpp"
 #include "planners/proof/prove.hpp"
 #include "planners/proof/replay.hpp"
+#include "planners/steps/steps.hpp"
 
 namespace bankshot::planning::play {
 namespace {
@@ -235,7 +236,7 @@ class Search {
     if (!ending.cue_rests()) return {};
     proof.shot.path.cue_rests = ending.cue_rests();
     add_first_order(own, proof.shot, budget_.work());
-    proof.shot.provenance.planner = "leave";
+    proof.shot.provenance.planner = steps::word::leave;
     proof.shot.provenance.simulations = budget_.simulations();
     Launched out{&root, x, shift, std::move(proof.shot), std::move(ending)};
     out.promise = out.shot.robustness.success_estimate * worth_(out.ending.places) - cost_of(out.shot);

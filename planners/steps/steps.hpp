@@ -19,7 +19,7 @@ namespace bankshot::planning::steps {
 namespace word {
 inline constexpr std::string_view images = "images", sweep = "sweep", map = "map", along = "along", parts = "parts",
                                   jaw_shots = "rattles", chains = "chains", caroms = "caroms", global = "global",
-                                  looser = "looser";
+                                  looser = "looser", leave = "leave";
 }  // namespace word
 
 using Step = void (*)(const SearchRequest&, EvaluationBudget&, SearchResult&);

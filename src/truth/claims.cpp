@@ -43,6 +43,7 @@ class ShotCheck {
     if (shot_.robustness.margin) margin();
     if (shot_.robustness.success) success();
     if (shot_.robustness.value) value();
+    if (shot_.leave) leave();
     return std::move(out_);
   }
 
@@ -260,11 +261,28 @@ class ShotCheck {
   void value() {
     constexpr double digits = 1e-9, per_contact = 0.005;
     if (!shot_.robustness.success) return compare(Claim::value, HUGE_VAL, digits, "is given without a success");
-    const double without_jaws = *shot_.robustness.success - cost_of(shot_) + per_contact * shot_.path.jaws;
+    const double success = shot_.leave ? shot_.leave->success : *shot_.robustness.success;
+    const double without_jaws = success - cost_of(shot_) + per_contact * shot_.path.jaws;
     const double jaws =
         shot_.path.touches_jaws ? std::max(1.0, std::round((without_jaws - *shot_.robustness.value) / per_contact)) : 0;
     compare(Claim::value, std::abs(without_jaws - per_contact * jaws - *shot_.robustness.value), digits,
             fmt::format("says {:.6g} and success less costs is {:.6g}", *shot_.robustness.value, without_jaws));
+  }
+
+  /// Checks where the cue ball stops, and how far that is from where it should.
+  void leave() {
+    constexpr double rest_digits = 1000;  // the rest is not polished like an arrival
+    const Trajectory t = simulate(ShotRequest{{}, p_.table, p_.physics, p_.ball, p_.others, shot_.launch, shot_.spin});
+    const Vec2d rests = end_of(t, 0).state.at;
+    const double allowed = tolerance::exact_miss * p_.table.diagonal() * rest_digits;
+    compare(Claim::leave, norm(rests - shot_.leave->at), allowed,
+            fmt::format("says [{:.9g}, {:.9g}] and the cue ball stops at [{:.9g}, {:.9g}]", shot_.leave->at.x,
+                        shot_.leave->at.y, rests.x, rests.y));
+    const auto* place = p_.leave ? std::get_if<LeavePlace>(&*p_.leave) : nullptr;
+    const auto* region = p_.leave ? std::get_if<LeaveRegion>(&*p_.leave) : nullptr;
+    const double miss = place ? norm(rests - place->at) : region ? distance_to(*region, rests) : 0;
+    compare(Claim::leave, std::abs(miss - shot_.leave->miss), allowed,
+            fmt::format("says a miss of {:.9g} m, and it is {:.9g} m", shot_.leave->miss, miss));
   }
 
   void success() {
@@ -299,13 +317,13 @@ std::string_view name(Claim c) {
   constexpr std::string_view names[claims] = {
       "id",       "form",          "status",      "launch speed", "aim",    "spin",    "rule",
       "cushions", "target",        "centre",      "miss",         "offset", "hits",    "place",
-      "time",     "arrival speed", "speed asked", "condition",    "margin", "success", "value"};
+      "time",     "arrival speed", "speed asked", "condition",    "margin", "success", "value", "leave"};
   return names[static_cast<int>(c)];
 }
 
 std::string_view unit(Claim c) {
   constexpr std::string_view units[claims] = {"",  "", "",  "m/s", "rad", "",    "",      "",     "", "m", "m",
-                                              "m", "", "m", "s",   "m/s", "m/s", "of it", "ends", "", ""};
+                                              "m", "", "m", "s",   "m/s", "m/s", "of it", "ends", "", "", "m"};
   return units[static_cast<int>(c)];
 }
 
@@ -325,11 +343,13 @@ std::vector<Check> check(const Puzzle* puzzle, const std::string& id, const Answ
   else
     out.push_back({Claim::status});
   if (!puzzle) return out;
-  for (std::size_t i = 0; i < a.shots.size(); ++i)
-    for (Check& c : ShotCheck(*puzzle, a.shots[i]).run()) {
+  for (std::size_t i = 0; i < a.shots.size(); ++i) {
+    const Puzzle played = as_played(*puzzle, a.shots[i]);
+    for (Check& c : ShotCheck(played, a.shots[i]).run()) {
       c.shot = i;
       out.push_back(std::move(c));
     }
+  }
   return out;
 }
 

@@ -38,9 +38,10 @@ enum class Claim {
   condition,  ///< condition by differences in 50 digits [relative]
   margin,     ///< made just inside, not just outside; all 0 for a scratch [number of wrong ends]
   success,    ///< between 0 and 1, and consistent with 1,000 seeded draws
-  value,      ///< success minus the cost of the shot
+  value,      ///< success, or that of the leave, minus the cost of the shot
+  leave,      ///< where the cue ball stops, in double, and how far from where it should [m]
 };
-inline constexpr int claims = 21;
+inline constexpr int claims = 22;
 
 std::string_view name(Claim claim);
 std::string_view unit(Claim claim);  ///< unit of `off` and `allowed`

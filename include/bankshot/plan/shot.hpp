@@ -154,6 +154,9 @@ bool is_hopeless(const Puzzle& puzzle, const Shot& shot);
 /// Returns warnings for the player, such as a likely miscue or a likely double hit. The list is usually empty.
 std::vector<std::string> warnings(const Puzzle& puzzle, const Shot& shot);
 
+/// Returns the puzzle as a shot plays it: if the order of a carom is free, in the order of this shot.
+Puzzle as_played(const Puzzle& puzzle, const Shot& shot);
+
 /// Returns the shot as a `simulate` request that ends when the ball reaches its target.
 ShotRequest as_request(const Puzzle& puzzle, const Shot& shot);
 /// Returns the path of the cue ball up to that moment.

@@ -85,6 +85,7 @@ struct BallTarget {
 struct CaromTarget {
   int first = 0;        ///< number of the ball that is touched first
   BallTarget second{};  ///< the second contact; it names one ball
+  bool any_order = false;  ///< the two balls may be touched in either order
 };
 
 /// The cue ball touches one of these balls, which reaches a point or a pocket. With links it is a combination.
@@ -111,6 +112,10 @@ const Then* then_of(const Target& target);
 const BallTarget* touch_of(const Target& target);
 /// Returns the first ball of a carom; 0 if there is none.
 int first_of_carom(const Target& target);
+/// Returns true if the target is a carom whose balls may be touched in either order.
+bool is_in_any_order(const Target& target);
+/// Returns a carom with this first ball, in this order only; other targets as they are.
+Target in_order(Target target, int first);
 /// Returns true if the cue ball's contact with a ball is not the end: an object ball goes on, or the cue ball goes on
 /// to a second ball.
 bool goes_on_after_contact(const Target& target);

@@ -66,6 +66,7 @@ inline constexpr Key to_ball_keys[] = {
 };
 inline constexpr Object to_ball{"to_ball", "Touch another ball.", to_ball_keys};
 
+inline constexpr std::string_view carom_orders[] = {"given", "any"};
 inline constexpr Key carom_keys[] = {
     {"carom", "[string]", "", required, R"(["red", "yellow"])",
      "two balls by their ids: the cue ball touches the first and then the second; `cushions` counts all that it "
@@ -73,7 +74,7 @@ inline constexpr Key carom_keys[] = {
     {"cut", "number", "degrees", "any", "30", "at the second ball; measured as with one ball", between(-90, 90)},
     {"within", "number", "degrees", "5 with `cut`, else any", "2", "how far off the cut still counts as made",
      positive},
-    {"order", later, "", R"("given")", R"("any")", "in which order the two balls may be touched"},
+    {"order", "word", "", R"("given")", R"("any")", "`any`: the two balls may be touched in either order", {}, carom_orders},
 };
 inline constexpr Object carom{"carom", "Touch one ball and then another.", carom_keys};
 

@@ -145,7 +145,9 @@ CaromTarget read_carom(const Reader& r, const std::vector<Ball>& others) {
   if (others.empty()) pair.fail("cannot be touched: there are no \"others\"");
   const auto balls = pair.items();
   const int second = read_ball(balls[1], others), first = read_ball(balls[0], others);
-  return {first, read_touch(r, {second}, format::carom["within"].bounds)};
+  CaromTarget carom{first, read_touch(r, {second}, format::carom["within"].bounds)};
+  if (const auto v = r.find("order")) carom.any_order = v->word("order", format::carom_orders) == 1;
+  return carom;
 }
 
 Target read_target(const Reader& r, const Table& table, const std::vector<Ball>& others) {

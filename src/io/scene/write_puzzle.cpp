@@ -55,7 +55,9 @@ Json json_of(const BallTarget& target, const Puzzle& p) {
 }
 
 Json json_of(const CaromTarget& target, const Puzzle& p) {
-  return with_cut({{"carom", names_of({target.first, target.second.balls.front()}, p)}}, target.second);
+  Json j = with_cut({{"carom", names_of({target.first, target.second.balls.front()}, p)}}, target.second);
+  if (target.any_order) j["order"] = "any";
+  return j;
 }
 
 Json json_of(const ObjectBallTarget& target, const Puzzle& p) {

@@ -59,6 +59,13 @@ std::vector<std::string> warnings(const Puzzle& p, const Shot& shot) {
   return out;
 }
 
+Puzzle as_played(const Puzzle& puzzle, const Shot& shot) {
+  Puzzle out = puzzle;
+  if (is_in_any_order(puzzle.target) && !shot.path.hits.empty())
+    out.target = in_order(puzzle.target, shot.path.hits.front().ball);
+  return out;
+}
+
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {
   ShotRequest r{p.id, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
   r.until.time = shot.path.arrival.time;

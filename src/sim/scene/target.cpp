@@ -36,6 +36,19 @@ int first_of_carom(const Target& target) {
   return carom ? carom->first : 0;
 }
 
+bool is_in_any_order(const Target& target) {
+  const auto* carom = std::get_if<CaromTarget>(&target);
+  return carom && carom->any_order;
+}
+
+Target in_order(Target target, int first) {
+  auto* const carom = std::get_if<CaromTarget>(&target);
+  if (!carom) return target;
+  carom->any_order = false;
+  if (first != carom->first) std::swap(carom->first, carom->second.balls.front());
+  return target;
+}
+
 bool goes_on_after_contact(const Target& target) { return then_of(target) || first_of_carom(target) != 0; }
 
 std::vector<int> touched_first(const Target& target) {
@@ -96,6 +109,8 @@ std::string words_of(const std::vector<int>& balls, const Puzzle& p) {
 std::string words_of(const BallTarget& target, const Puzzle& p) { return "onto " + words_of(target.balls, p); }
 
 std::string words_of(const CaromTarget& target, const Puzzle& p) {
+  if (target.any_order)
+    return words_of(target.second, p) + " and " + contact_name(p, Contact::ball(target.first)) + ", in either order";
   return "off " + contact_name(p, Contact::ball(target.first)) + ' ' + words_of(target.second, p);
 }
 
