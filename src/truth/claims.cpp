@@ -315,15 +315,15 @@ std::string form(const Answer& a) {
 
 std::string_view name(Claim c) {
   constexpr std::string_view names[claims] = {
-      "id",       "form",          "status",      "launch speed", "aim",    "spin",    "rule",
-      "cushions", "target",        "centre",      "miss",         "offset", "hits",    "place",
-      "time",     "arrival speed", "speed asked", "condition",    "margin", "success", "value", "leave"};
+      "id",          "form",      "status", "launch speed", "aim",   "spin",  "rule", "cushions",
+      "target",      "centre",    "miss",   "offset",       "hits",  "place", "time", "arrival speed",
+      "speed asked", "condition", "margin", "success",      "value", "leave"};
   return names[static_cast<int>(c)];
 }
 
 std::string_view unit(Claim c) {
   constexpr std::string_view units[claims] = {"",  "", "",  "m/s", "rad", "",    "",      "",     "", "m", "m",
-                                              "m", "", "m", "s",   "m/s", "m/s", "of it", "ends", "", "", "m"};
+                                              "m", "", "m", "s",   "m/s", "m/s", "of it", "ends", "", "",  "m"};
   return units[static_cast<int>(c)];
 }
 

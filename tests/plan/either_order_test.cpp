@@ -14,7 +14,8 @@ namespace {
 Puzzle carom(const std::string& order, const std::string& balls = R"(["red", "yellow"])") {
   return read_puzzle(R"({"table": "carom-10ft", "ball": {"at": [0.7, 0.4]},
     "others": [{"id": "red", "at": [2.2, 1.1]}, {"id": "yellow", "at": [1.0, 1.2]}],
-    "cushions": {"min": 0, "max": 2}, "target": {"carom": )" + balls + R"(, "order": ")" + order + R"("}})");
+    "cushions": {"min": 0, "max": 2}, "target": {"carom": )" +
+                     balls + R"(, "order": ")" + order + R"("}})");
 }
 
 }  // namespace
@@ -47,7 +48,8 @@ TEST_CASE("a list in either order holds the shots of both orders, best first", "
 TEST_CASE("a launch map in either order holds the launches of both orders") {
   const LaunchGrid grid{{0, radians(120.0)}, {1, 4}, 60, 8};
   const auto made = [&](const Puzzle& p) { return launch_map(p, grid).made; };
-  const auto both = made(carom("any")), one = made(carom("given")), other = made(carom("given", R"(["yellow", "red"])"));
+  const auto both = made(carom("any")), one = made(carom("given")),
+             other = made(carom("given", R"(["yellow", "red"])"));
   int count = 0;
   for (std::size_t i = 0; i < both.size(); ++i) {
     CHECK(both[i] == (one[i] || other[i]));

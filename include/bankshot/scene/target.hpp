@@ -83,8 +83,8 @@ struct BallTarget {
 
 /// The cue ball touches a first ball, and then a second.
 struct CaromTarget {
-  int first = 0;        ///< number of the ball that is touched first
-  BallTarget second{};  ///< the second contact; it names one ball
+  int first = 0;           ///< number of the ball that is touched first
+  BallTarget second{};     ///< the second contact; it names one ball
   bool any_order = false;  ///< the two balls may be touched in either order
 };
 

@@ -74,7 +74,14 @@ inline constexpr Key carom_keys[] = {
     {"cut", "number", "degrees", "any", "30", "at the second ball; measured as with one ball", between(-90, 90)},
     {"within", "number", "degrees", "5 with `cut`, else any", "2", "how far off the cut still counts as made",
      positive},
-    {"order", "word", "", R"("given")", R"("any")", "`any`: the two balls may be touched in either order", {}, carom_orders},
+    {"order",
+     "word",
+     "",
+     R"("given")",
+     R"("any")",
+     "`any`: the two balls may be touched in either order",
+     {},
+     carom_orders},
 };
 inline constexpr Object carom{"carom", "Touch one ball and then another.", carom_keys};
 
@@ -137,6 +144,7 @@ inline constexpr Key budget_keys[] = {
 };
 inline constexpr Object budget{"budget", "How long to search.", budget_keys};
 
+inline constexpr std::string_view length_units[] = {"m", "cm", "mm", "in", "diamond"};
 inline constexpr Key scene_keys[] = {
     {"id", "string | number", "", "none", R"("two-rail-1")", "comes back in the answer"},
     {"about", "any", "", "none", R"({"title": "The long bank", "difficulty": "hard"})",
@@ -161,6 +169,16 @@ inline constexpr Key scene_keys[] = {
     {"others", "[{other}]", "", "[]", R"([{"id": "8", "at": [1.9, 0.635]}])", "balls at rest"},
     {"settle", "boolean", "", "false", "true",
      "first move balls apart that overlap by up to 1e-4 m, the cue ball too; the answer says by how much"},
+    {"unit",
+     "word",
+     "",
+     R"("m")",
+     R"("diamond")",
+     "of positions and lengths of the scene and the target; diamonds count from the lower left corner, 8 along the "
+     "length "
+     "and 4 along the width, and hold for positions alone",
+     {},
+     length_units},
 };
 /// Returns the keys of the scene followed by the document's own. It avoids std::ranges::copy, which libc++ 14 of the
 /// WebAssembly engine lacks.
@@ -208,7 +226,6 @@ inline constexpr auto puzzle_keys = with_scene_keys({
     {"leave", "{leave_place} | {leave_region} | {leave_for} | {leave_safe}", "", "none",
      R"({"point": [1.9, 0.6], "within": 0.1})",
      "where the cue ball should come to rest after the shot; only with a ball as target"},
-    {"unit", later, "", R"("m")", R"("in")", "the unit of places and lengths"},
     {"budget", "{budget}", "", "100000 for each six pairs of a ball and a pocket", R"({"simulations": 20000})",
      "how long to search"},
 });

@@ -99,7 +99,12 @@ std::string Reader::text() const {
   return value_->get<std::string>();
 }
 
-Vec2d Reader::point() const { return pair({}); }
+Vec2d Reader::point() const {
+  const Vec2d p = pair({});
+  return {p.x * units_->position.x, p.y * units_->position.y};
+}
+
+double Reader::length(const format::Bounds& bounds) const { return number(bounds) * units_->length; }
 
 Vec2d Reader::pair(const format::Bounds& bounds) const {
   if (!is_array() || size() != 2) fail("must be a pair of numbers [x, y]");
@@ -126,14 +131,16 @@ std::size_t Reader::word(std::string_view what, std::span<const std::string_view
 std::vector<Reader> Reader::items() const {
   if (!is_array()) fail("must be a list");
   std::vector<Reader> out;
-  for (std::size_t i = 0; i < value_->size(); ++i) out.emplace_back((*value_)[i], path_ + "/" + std::to_string(i));
+  for (std::size_t i = 0; i < value_->size(); ++i)
+    out.emplace_back((*value_)[i], path_ + "/" + std::to_string(i), *units_);
   return out;
 }
 
 std::vector<std::pair<std::string, Reader>> Reader::members() const {
   if (!is_object()) fail("must be an object");
   std::vector<std::pair<std::string, Reader>> out;
-  for (const auto& [name, member] : value_->items()) out.emplace_back(name, Reader(member, path_ + "/" + name));
+  for (const auto& [name, member] : value_->items())
+    out.emplace_back(name, Reader(member, path_ + "/" + name, *units_));
   return out;
 }
 
@@ -141,7 +148,7 @@ std::optional<Reader> Reader::find(const std::string& key) const {
   if (!is_object()) fail("must be an object");
   const auto it = value_->find(key);
   if (it == value_->end()) return {};
-  return Reader(*it, path_ + "/" + key);
+  return Reader(*it, path_ + "/" + key, *units_);
 }
 
 Reader Reader::need(const std::string& key) const {
@@ -172,10 +179,14 @@ void Reader::only(const format::Object& object) const {
   }
 }
 
-double Reader::need(const format::Key& key) const { return need(std::string(key.name)).number(key.bounds); }
+double Reader::number_of(const format::Key& key) const {
+  return key.unit == "m" ? length(key.bounds) : number(key.bounds);
+}
+
+double Reader::need(const format::Key& key) const { return need(std::string(key.name)).number_of(key); }
 
 void Reader::read(const format::Key& key, double& value) const {
-  if (const auto v = find(std::string(key.name))) value = v->number(key.bounds);
+  if (const auto v = find(std::string(key.name))) value = v->number_of(key);
 }
 
 }  // namespace bankshot

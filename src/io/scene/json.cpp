@@ -191,10 +191,10 @@ Noise read_noise(const Reader& r) {
   if (const auto v = r.find("angle")) n.angle = radians(v->number(format::noise["angle"].bounds));
   r.read(format::noise["speed"], n.speed);
   r.read(format::noise["speed_share"], n.speed_share);
-  r.read(format::noise["tip"], n.tip);
+  if (const auto v = r.find("tip")) n.tip = v->number(format::noise["tip"].bounds);
   r.read(format::noise["side"], n.side);
   r.read(format::noise["top"], n.top);
-  r.read(format::noise["at"], n.at);
+  if (const auto v = r.find("at")) n.at = v->number(format::noise["at"].bounds);
   return n;
 }
 
@@ -249,7 +249,7 @@ ShotRequest::Until read_until(const Reader& r) {
   ShotRequest::Until until;
   if (const auto v = r.find("time")) until.time = v->number(format::until["time"].bounds);
   if (const auto v = r.find("cushions")) until.cushions = v->integer(format::until["cushions"].bounds);
-  if (const auto v = r.find("length")) until.length = v->number(format::until["length"].bounds);
+  if (const auto v = r.find("length")) until.length = v->length(format::until["length"].bounds);
   return until;
 }
 
@@ -263,7 +263,8 @@ std::string about_of(const Json& doc) {
 Puzzle read_puzzle(std::string_view text) {
   std::string id;
   const Json json = parse_document(text, &id);
-  const Reader doc(json);
+  const Units units = read_units(Reader(json));
+  const Reader doc(json, "", units);
   doc.only(format::puzzle);
   Puzzle p;
   p.id = read_id(doc, std::move(id));
@@ -289,7 +290,8 @@ Puzzle read_puzzle(std::string_view text) {
 ShotRequest read_shot(std::string_view text) {
   std::string id;
   const Json json = parse_document(text, &id);
-  const Reader doc(json);
+  const Units units = read_units(Reader(json));
+  const Reader doc(json, "", units);
   doc.only(format::shot);
   ShotRequest s;
   s.id = read_id(doc, std::move(id));

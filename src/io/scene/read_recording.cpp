@@ -30,7 +30,8 @@ int ball_named(const Reader& r, const std::string& name, const ShotRequest& scen
 Sample read_sample(const Reader& r) {
   if (!r.is_array() || r.size() != 3) r.fail("must be [t, x, y]");
   const auto numbers = r.items();
-  return {numbers[0].number(), {numbers[1].number(), numbers[2].number()}};
+  const Vec2d unit = r.units().position;
+  return {numbers[0].number(), {numbers[1].number() * unit.x, numbers[2].number() * unit.y}};
 }
 
 /// Returns true if a point is beyond the cushions by more than a camera's error.
@@ -99,7 +100,7 @@ Recording read_recording(const Reader& doc, std::string id) {
   s.ball.at = boundary.moved_inside(s.ball.at, off_the_table);
   for (Ball& other : s.others) other.at = Boundary(s.table, other.body).moved_inside(other.at, off_the_table);
   validate(s);
-  if (const auto v = doc.find("sigma")) out.sigma = v->number(format::recording["sigma"].bounds);
+  if (const auto v = doc.find("sigma")) out.sigma = v->length(format::recording["sigma"].bounds);
   if (const auto v = doc.find("cushions")) out.cushions = read_sequence(*v, s.table);
   const auto tracks = doc.find("track"), rests = doc.find("rest");
   if (tracks)
@@ -129,7 +130,8 @@ Json named_table_json(const ShotRequest& s) {
 Recording read_recording(std::string_view text) {
   std::string id;
   const Json json = parse_document(text, &id);
-  const Reader doc(json);
+  const Units units = read_units(Reader(json));
+  const Reader doc(json, "", units);
   Recording out = read_recording(doc, std::move(id));
   if (out.tracks.empty()) doc.fail("must have one of the keys \"track\", \"rest\"");
   return out;
@@ -138,7 +140,8 @@ Recording read_recording(std::string_view text) {
 Attempt read_attempt(std::string_view text) {
   std::string id;
   const Json json = parse_document(text, &id);
-  const Reader doc(json);
+  const Units units = read_units(Reader(json));
+  const Reader doc(json, "", units);
   Attempt out{.seen = read_recording(doc, std::move(id))};
   if (doc.find("puzzle")) try {
       out.puzzle = read_puzzle(write_json(json.at("puzzle")));

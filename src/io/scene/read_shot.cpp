@@ -58,6 +58,20 @@ std::string read_id(const Reader& doc, std::string written) {
   return written;
 }
 
+Units read_units(const Reader& doc) {
+  const auto r = doc.find("unit");
+  if (!r) return {};
+  constexpr double sizes[] = {1, 0.01, 0.001, 0.0254};
+  const std::size_t unit = r->word("unit", format::length_units);
+  if (unit < std::size(sizes)) return {sizes[unit], {sizes[unit], sizes[unit]}};
+  const Reader table = doc.need("table");
+  const Table shape = read_table(table, default_ball(table).body.radius);
+  if (!shape.is_rectangle()) r->fail("needs a rectangular table");
+  constexpr double along = 8, across = 4;
+  const Vec2d size = shape.highest() - shape.lowest();
+  return {1, {size.x / along, size.y / across}};
+}
+
 template <class Scene>
 void read_setting(const Reader& doc, Scene& s) {
   const Reader table = doc.need("table");

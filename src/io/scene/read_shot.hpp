@@ -14,6 +14,9 @@ namespace bankshot {
 /// Returns the id as it was `written`; throws if it is neither a string nor a number.
 std::string read_id(const Reader& doc, std::string written);
 
+/// Returns the unit of a document's positions and lengths. Diamonds need a rectangle.
+Units read_units(const Reader& doc);
+
 /// Reads table, physics and balls of a Puzzle or a ShotRequest.
 template <class Scene>
 void read_setting(const Reader& doc, Scene& scene);
