@@ -295,14 +295,20 @@ class Search {
     });
   }
 
+  /// One way to play a shot: what the balls meet, and about how fast.
+  using Way = std::tuple<Route, Route, long>;
+  static Way way_of(const Launched& one) {
+    return {route_of(one.shot), one.ending.cue, std::lround(one.x[log_speed] / alike_speed)};
+  }
+
   /// Measures the launches that promise most; of one way to play the shot not more than two.
   void measure_promising() {
     order_pool();
-    std::map<std::pair<Route, Route>, int> times;
+    std::map<Way, int> times;
     std::size_t looked = 0;
     for (Launched& one : pool_) {
       if (looked == looked_at) return;
-      if (++times[{route_of(one.shot), one.ending.cue}] > 2) continue;
+      if (++times[way_of(one)] > 2) continue;
       ++looked;
       if (one.success) continue;
       one.success = measured(one, first_plays);
@@ -315,31 +321,31 @@ class Search {
   void improve(Launched& best) {
     const TargetEquations target = equations_of(best.root->branch, {}, 0);
     const bool one_equation = target.count == 1 && !request_.stop;
-    struct Way {
+    struct Move {
       int coordinate;  ///< of the launch; -1: across the target
       double step;
     };
-    std::vector<Way> ways;
+    std::vector<Move> moves;
     if (safest() && one_equation) {
       const AimPoint& point = best.root->branch.aim_point;
       const double width = point.cuts ? point.cuts->high - point.cuts->low : 2 * point.reach;
-      ways.push_back({-1, step_across * width});
+      moves.push_back({-1, step_across * width});
     }
-    if (one_equation && box_.free(log_speed)) ways.push_back({log_speed, step_speed});
+    if (one_equation && box_.free(log_speed)) moves.push_back({log_speed, step_speed});
     for (const int c : {family::top, family::side, family::masse})
-      if (box_.free(c)) ways.push_back({c, step_spin});
+      if (box_.free(c)) moves.push_back({c, step_spin});
     best.success = measured(best, step_plays);
     for (double scale = 1; scale > std::ldexp(1.0, -halvings);) {
       bool better = false;
-      for (const Way& way : ways)
+      for (const Move& move : moves)
         for (const double sign : {1.0, -1.0}) {
           Vector x = best.x;
           double shift = best.shift;
-          if (way.coordinate < 0)
-            shift += sign * scale * way.step;
+          if (move.coordinate < 0)
+            shift += sign * scale * move.step;
           else
-            x[way.coordinate] = std::clamp(x[way.coordinate] + sign * scale * way.step, box_.low[way.coordinate],
-                                           box_.high[way.coordinate]);
+            x[move.coordinate] = std::clamp(x[move.coordinate] + sign * scale * move.step, box_.low[move.coordinate],
+                                            box_.high[move.coordinate]);
           if (x == best.x && shift == best.shift) continue;
           const auto there = on_target(best.root->branch, budget_, box_, x, shift);
           auto one = there ? launched(*best.root, *there, shift, &best.shot) : std::nullopt;
@@ -371,17 +377,25 @@ class Search {
       return keep_nearest();
     order();
     std::vector<Launched> best;
-    std::set<std::pair<Route, Route>> known;
+    std::set<Way> known;
     for (Launched& one : pool_) {
-      if (!one.success || (!request_.all() && best.size() == improved)) continue;
-      if (known.insert({route_of(one.shot), one.ending.cue}).second) best.push_back(std::move(one));
+      if (!one.success || (!request_.all() && best.size() == compared)) continue;
+      if (known.insert(way_of(one)).second) best.push_back(std::move(one));
     }
     pool_ = std::move(best);
+    for (Launched& one : pool_) one.success = measured(one, compared_plays);
+    order();
+    if (!request_.all() && pool_.size() > improved)
+      pool_.erase(pool_.begin() + static_cast<std::ptrdiff_t>(improved), pool_.end());
     if (!(exact && on_place(pool_.front())) && request_.puzzle().prefer == Prefer::robust)
       for (Launched& one : pool_)
         if (*one.success > 0) improve(one), one.success = measured(one, judged_plays);
     order();
-    if (!request_.all()) pool_.erase(pool_.begin() + 1, pool_.end());
+    if (!request_.all()) return void(pool_.erase(pool_.begin() + 1, pool_.end()));
+    std::set<std::pair<Route, Route>> listed;
+    std::erase_if(pool_, [&](const Launched& one) {
+      return !listed.insert({route_of(one.shot), one.ending.cue}).second;
+    });
   }
 
   /// Nothing leaves the cue ball as asked: the launch that leaves it nearest. With `safest` it is one that the player
@@ -422,6 +436,9 @@ class Search {
     }
     if (found_.shots.empty()) return;
     const Shot& best = found_.shots.front();
+    const bool spins = carries_spin(request_.puzzle().physics) && !request_.puzzle().spin_range;
+    if (spins && (!left_ || best.leave->success < likely_left))
+      found_.add_note(R"(ranges in "ball.spin", such as "top": [-1, 1], would leave the cue ball more freely)");
     if (left_) return;
     if (best.leave->miss > 0)
       found_.add_note(fmt::format("no shot was found that stops the cue ball there; the nearest stops {:.2f} m away",

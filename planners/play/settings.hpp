@@ -21,12 +21,17 @@ inline constexpr double slowest = 0.4, fastest = 6;
 inline constexpr int contacts = 15;
 /// m/s at the target, of the roots.
 inline constexpr double arrival = 1;
-/// Launches whose worth is measured; that are improved; and plays of each measurement: a first look, a step of the
-/// improvement, and what is printed.
-inline constexpr std::size_t looked_at = 16, improved = 2;
-inline constexpr int first_plays = 16, step_plays = 32, judged_plays = 128, last_plays = 512;
+/// Launches that are measured by a first look; that are compared with more plays, since luck flatters the best of many;
+/// and that are improved.
+inline constexpr std::size_t looked_at = 64, compared = 12, improved = 2;
+/// Plays of each of these measurements, of a step of the improvement, of the final choice, and of what is printed.
+inline constexpr int first_plays = 16, compared_plays = 64, step_plays = 64, judged_plays = 256, last_plays = 512;
+/// Of ln speed: shots by the same way that differ by less are alike.
+inline constexpr double alike_speed = 0.4;
 /// A success that nobody plays for.
 inline constexpr double hopeless = 0.01;
+/// A success below which the answer says that spin would help.
+inline constexpr double likely_left = 0.2;
 /// A success after the first look that more plays must confirm.
 inline constexpr double lucky = 0.15;
 /// The compass search: first steps across the target [share of its width], of ln speed and of spin, and how often they
@@ -42,7 +47,7 @@ inline constexpr double solved = 1e-12;
 
 namespace next_pot {
 /// m on either side: a ball that touches a jaw may fall. With it the estimate has the least bias over 150 random
-/// places (docs/evidence.md).
+/// places.
 inline constexpr double off_jaws = 0.03;
 /// Cosine: thinner cuts are not played.
 inline constexpr double thinnest = 0.1;

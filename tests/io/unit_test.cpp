@@ -26,11 +26,11 @@ TEST_CASE("a puzzle in centimetres, millimetres or inches is the one in metres")
   };
   const auto [unit, size] = GENERATE(Case{"m", 1}, Case{"cm", 0.01}, Case{"mm", 0.001}, Case{"in", 0.0254});
   const auto in_unit = [size = size](double metres) { return std::to_string(metres / size); };
-  const Puzzle p = read_puzzle(R"({"unit": ")" + std::string(unit) + R"(", "table": {"length": )" + in_unit(2.54) +
-                               R"(, "width": )" + in_unit(1.27) + R"(}, "ball": {"at": [)" + in_unit(0.635) + ", " +
-                               in_unit(0.4) + R"(], "radius": )" + in_unit(0.03) +
-                               R"(}, "target": {"point": [)" + in_unit(1.9) + ", " + in_unit(0.6) +
-                               R"(], "within": )" + in_unit(0.05) + R"(}, "noise": {"tip": 0.001, "at": 0.002}})");
+  const Puzzle p =
+      read_puzzle(R"({"unit": ")" + std::string(unit) + R"(", "table": {"length": )" + in_unit(2.54) +
+                  R"(, "width": )" + in_unit(1.27) + R"(}, "ball": {"at": [)" + in_unit(0.635) + ", " + in_unit(0.4) +
+                  R"(], "radius": )" + in_unit(0.03) + R"(}, "target": {"point": [)" + in_unit(1.9) + ", " +
+                  in_unit(0.6) + R"(], "within": )" + in_unit(0.05) + R"(}, "noise": {"tip": 0.001, "at": 0.002}})");
   CHECK(p.table.highest().x == Approx(2.54));
   CHECK(p.ball.at.x == Approx(0.635));
   CHECK(p.ball.body.radius == Approx(0.03));
