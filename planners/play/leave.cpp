@@ -124,6 +124,10 @@ class Search {
   const LeavePlace* asked_place() const { return std::get_if<LeavePlace>(&*request_.puzzle().leave); }
   /// Returns whether any contact with the target ball counts, so that the offset there is free.
   bool any_offset(const Branch& branch) const { return safest() && branch.aim_point.cuts.has_value(); }
+  /// Returns whether the target decides the launch speed: it has two equations, or the speed is fixed.
+  bool speed_given() const {
+    return request_.stop || (request_.arrival && request_.arrival->fixed()) || !box_.free(log_speed);
+  }
   family::Vary vary() const { return request_.puzzle().spin_range ? family::Vary::spin_too : family::Vary::launch; }
 
   /// No shot by so many cushions can be better than the best that is known.
@@ -205,7 +209,7 @@ class Search {
   void follow_speeds(const Root& root, double shift, const LaunchSpin& spin) {
     Vector x = root.x;
     x[family::top] = spin.top, x[family::side] = spin.side, x[family::masse] = spin.masse;
-    const bool given = equations_of(root.branch, {}, 0).count > 1 || !box_.free(log_speed);
+    const bool given = speed_given();
     for (int i = 0; i < (given ? 1 : grid_.speeds) && !budget_.spent(); ++i) {
       Vector from = x;
       if (!given)
@@ -319,19 +323,18 @@ class Search {
 
   /// The launch in hand, as far as a compass search over the launches that reach the target improves it.
   void improve(Launched& best) {
-    const TargetEquations target = equations_of(best.root->branch, {}, 0);
-    const bool one_equation = target.count == 1 && !request_.stop;
+    const bool fixed_point = request_.stop || (request_.arrival && request_.arrival->fixed());
     struct Move {
       int coordinate;  ///< of the launch; -1: across the target
       double step;
     };
     std::vector<Move> moves;
-    if (safest() && one_equation) {
+    if (safest() && !fixed_point) {
       const AimPoint& point = best.root->branch.aim_point;
       const double width = point.cuts ? point.cuts->high - point.cuts->low : 2 * point.reach;
       moves.push_back({-1, step_across * width});
     }
-    if (one_equation && box_.free(log_speed)) moves.push_back({log_speed, step_speed});
+    if (!speed_given()) moves.push_back({log_speed, step_speed});
     for (const int c : {family::top, family::side, family::masse})
       if (box_.free(c)) moves.push_back({c, step_spin});
     best.success = measured(best, step_plays);

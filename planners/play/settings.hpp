@@ -26,7 +26,7 @@ inline constexpr double arrival = 1;
 inline constexpr std::size_t looked_at = 64, compared = 12, improved = 2;
 /// Plays of each of these measurements, of a step of the improvement, of the final choice, and of what is printed.
 inline constexpr int first_plays = 16, compared_plays = 64, step_plays = 64, judged_plays = 256, last_plays = 512;
-/// Of ln speed: shots by the same way that differ by less are alike.
+/// Shots by the same way are alike if their ln speed differs by less.
 inline constexpr double alike_speed = 0.4;
 /// A success that nobody plays for.
 inline constexpr double hopeless = 0.01;

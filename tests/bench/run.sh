@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Repeats the measurements that README and docs/evidence.md quote, into tests/bench/results/*.csv:
 # all of them, which takes hours, or the named ones, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -91,6 +91,12 @@ part() {
       "$bin/best" --count 20000 --physics rolling --free nothing --no-force --worst 0 --no-header
       for free in nothing window arrive spin both; do "$bin/best" --count 1000 --seed 2 --free $free --worst 0 --no-header; done
       for free in nothing window arrive; do "$bin/best" --count 1000 --seed 2 --physics rolling --free $free --worst 0 --no-header; done
+      ;;
+    leaves)  # Nobody tuned for these seeds.
+      "$bin/leaves" --count 1000 --seed 505 --plays 500 --csv "$scratch/table" >/dev/null
+      cat "$scratch/table"
+      "$bin/leaves" --count 1000 --seed 606 --others 3 --plays 500 --csv "$scratch/table" >/dev/null
+      tail -n +2 "$scratch/table"
       ;;
     questions)  # Typed as a player would, on layouts that nobody tuned for.
       "$bin/questions" --program "$bankshot" --seed 77 -j "$(nproc)" --csv "$scratch/table" >/dev/null
@@ -206,7 +212,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best questions properties shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best questions properties leaves shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
 for name; do
   if [ "$name" = report ]; then
     report

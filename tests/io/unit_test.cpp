@@ -2,6 +2,7 @@
 //
 // The unit of a document's positions and lengths.
 #include "bankshot/scene/json.hpp"
+#include "bankshot/scene/recording.hpp"
 #include "support/catch.hpp"
 
 using namespace bankshot;

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+//
+// Asks for places that the cue ball can reach after a pot, and counts how many are reached.
+//   leaves [--count 1000] [--seed 1] [--others 0] [--plays 2000] [--csv FILE]
+// Each place is made forwards: a random layout, a random launch on the exact line of a random pocket, and the place
+// where the plain simulator leaves the cue ball. The planner is asked for any pocket, with `centre` and with `safest`.
+// `centre`: places that the replay of the plain simulator leaves exactly, to 1e-8 m. Both: the mean success of the
+// leave within 0.1 m, and how far it is from the share of random plays that the plain simulator makes and leaves so.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <random>
+
+#include "bankshot/plan/planner.hpp"
+#include "bankshot/scene/scene.hpp"
+#include "bankshot/simulate/trajectory.hpp"
+#include "planners/play/rest.hpp"
+#include "support/random_question.hpp"
+
+namespace {
+
+using namespace bankshot;
+using namespace bankshot::test;
+using planning::EvaluationBudget;
+using planning::SearchRequest;
+
+constexpr double slowest = 0.3, fastest = 6, exact = 1e-8;
+
+/// The places of all balls after a launch; none where a ball fell.
+std::vector<std::optional<Vec2d>> played(const Puzzle& p, const Launch& launch, const LaunchSpin& spin) {
+  const Trajectory t = simulate({{}, p.table, p.physics, p.ball, p.others, launch, spin, {}});
+  std::vector<std::optional<Vec2d>> places;
+  for (int k = 0; k <= static_cast<int>(p.others.size()); ++k) {
+    const auto fell = [&](const Record& e) { return e.kind == EventKind::pocket && e.ball == k; };
+    places.push_back(std::ranges::any_of(t.events, fell) ? std::nullopt : std::optional(end_of(t, k).state.at));
+  }
+  return places;
+}
+
+/// A layout in which ball 1 is to fall, without a place yet.
+Puzzle layout(Random& r, int others) {
+  const Scene scene = preset_scene("pool-9ft");
+  Puzzle p{.table = scene.table, .physics = scene.physics, .ball = scene.ball};
+  std::vector<Ball> all;
+  for (int k = 0; k <= others + 1; ++k)
+    all.push_back({*free_place(r, p.table, all, p.ball.body), p.ball.body, std::to_string(k)});
+  p.ball.at = all.front().at;
+  p.others.assign(all.begin() + 1, all.end());
+  p.spin_range = SpinRange{{-1, 1}, {-0.75, 0.75}, {0, 0}};
+  p.target = ObjectBallTarget{{1}, {.target = PocketTarget{}}};
+  p.cushions = CushionRule::exactly(0);
+  p.speed = {slowest, fastest};
+  p.noise.speed_share = 0;
+  return p;
+}
+
+/// Returns a place that a launch on the exact line leads to; none if this one does not.
+std::optional<Vec2d> reachable_place(const Puzzle& p, Random& r) {
+  const SearchRequest request(p);
+  EvaluationBudget budget(1000000);
+  const auto& mouths = request.problem->aim_points;
+  const AimPoint& mouth = mouths[static_cast<std::size_t>(r.uniform(0, static_cast<double>(mouths.size()) - 1e-9))];
+  const Route hit{{0, Contact::ball(1)}};
+  const Vec2d object = p.others[0].at, way = mouth.at - object;
+  const Vec2d ghost = object - way * (2 * p.ball.body.radius / norm(way)), run = ghost - p.ball.at;
+  const Launch from{slowest * std::pow(fastest / slowest, r.uniform(0, 1)), std::atan2(run.y, run.x)};
+  const LaunchSpin spin{r.uniform(-1, 1), r.uniform(-0.75, 0.75), 0};
+  const auto x = planning::play::on_target({request, hit, mouth}, budget, planning::family::box_of(request),
+                                           planning::family::vector_of(from, spin), 0);
+  if (!x) return {};
+  const auto places = played(p, planning::family::launch_of(*x), planning::family::spin_of(*x));
+  if (places[1] || !places[0]) return {};
+  // The object ball must not brush a rail, a jaw or another ball on its way.
+  const SearchRequest own = request.spinning(planning::family::spin_of(*x));
+  if (!planning::prove(own, budget, planning::family::launch_of(*x), planning::Goal::of(own)).holds()) return {};
+  return places[0];
+}
+
+struct Sums {
+  int asked = 0, solved = 0, on_place = 0, wrong = 0;
+  double success = 0, square = 0;
+  std::vector<double> times{};
+
+  void add(const Puzzle& p, const Vec2d& place, int plays, std::mt19937_64& random) {
+    ++asked;
+    const Answer a = solve(p);
+    times.push_back(a.time_us / 1000);
+    if (a.shots.empty()) return;
+    ++solved;
+    const Shot& shot = a.shots.front();
+    const auto rests = played(p, shot.launch, shot.spin);
+    wrong += !rests[0] || norm(*rests[0] - shot.leave->at) > exact;
+    on_place += rests[0] && !rests[1] && norm(*rests[0] - place) <= exact;
+    success += shot.leave->success;
+    if (plays == 0) return;
+    std::normal_distribution<double> normal;
+    int left = 0;
+    const Pocket* const pocket = pocket_reached(p, shot);
+    for (int i = 0; i < plays; ++i) {
+      const Launch struck{shot.launch.speed + p.noise.speed_at(shot.launch.speed) * normal(random),
+                          shot.launch.angle + p.noise.angle * normal(random)};
+      const Trajectory t = simulate({{}, p.table, p.physics, p.ball, p.others, struck, shot.spin, {}});
+      const auto falls = [&](const Record& e) {
+        return e.kind == EventKind::pocket && e.ball == 1 &&
+               &p.table.pockets[static_cast<std::size_t>(e.contact.index)] == pocket;
+      };
+      const auto scratch = [](const Record& e) { return e.kind == EventKind::pocket && e.ball == 0; };
+      left += std::ranges::any_of(t.events, falls) && std::ranges::none_of(t.events, scratch) &&
+              norm(end_of(t, 0).state.at - place) <= std::get<LeavePlace>(*p.leave).within;
+    }
+    const double off = shot.leave->success - static_cast<double>(left) / plays;
+    square += off * off;
+  }
+  double time(double quantile) {
+    std::ranges::sort(times);
+    return times[std::min(times.size() - 1, static_cast<std::size_t>(quantile * static_cast<double>(times.size())))];
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Asks for places that the cue ball can reach after a pot.");
+  int count = 1000, others = 0, plays = 2000;
+  std::uint64_t seed = 1;
+  std::string csv;
+  app.add_option("--count", count, "Places");
+  app.add_option("--seed", seed, "Seed of the layouts");
+  app.add_option("--others", others, "Balls besides the one that is potted");
+  app.add_option("--plays", plays, "Random plays of each answer");
+  app.add_option("--csv", csv, "A file for the table");
+  CLI11_PARSE(app, argc, argv);
+  Random random(seed);
+  std::mt19937_64 plays_random(seed);
+  Sums centre, safest;
+  while (centre.asked < count) {
+    Puzzle p = layout(random, others);
+    const auto place = reachable_place(p, random);
+    if (!place) continue;
+    p.leave = LeavePlace{*place};
+    p.aim = Aim::centre;
+    centre.add(p, *place, plays, plays_random);
+    p.aim = Aim::safest;
+    safest.add(p, *place, plays, plays_random);
+  }
+  std::ofstream file(csv);
+  file << "others,aim,places,solved,on_place,wrong,success,rms_of_success,median_ms,99_percent_ms\n";
+  bool right = true;
+  for (auto& [name, s] : {std::pair<std::string, Sums&>{"centre", centre}, {"safest", safest}}) {
+    const double rms = std::sqrt(s.square / std::max(1, s.solved)), mean = s.success / s.asked;
+    std::cout << fmt::format(
+        "seed {}, {} others, {}: {} places, {} solved, {} exactly on the place, {} wrong; success {:.3f}, rms of it "
+        "{:.4f}; {:.1f} ms in the median, 99 % in {:.1f} ms\n",
+        seed, others, name, s.asked, s.solved, s.on_place, s.wrong, mean, rms, s.time(0.5), s.time(0.99));
+    file << fmt::format("{},{},{},{},{},{},{:.4f},{:.4f},{:.2f},{:.2f}\n", others, name, s.asked, s.solved, s.on_place,
+                        s.wrong, mean, rms, s.time(0.5), s.time(0.99));
+    right = right && s.wrong == 0;
+  }
+  return right ? 0 : 1;
+}
