@@ -133,7 +133,7 @@ class Shots(unittest.TestCase):
         self.assertEqual(keys, set(bankshot.Shot.__dataclass_fields__))
         puzzle = set(bankshot.schema("puzzle")["properties"])
         self.assertEqual(puzzle, set(bankshot.Puzzle.__dataclass_fields__))
-        scene = {"table", "ball", "shot", "physics", "others", "settle", "until", "id"}
+        scene = {"table", "ball", "shot", "physics", "others", "settle", "unit", "until", "id"}
         self.assertEqual(scene, set(bankshot.Scene.__dataclass_fields__))
 
     def test_what_a_user_sees(self):

@@ -20,7 +20,7 @@ using truth::Claim;
 
 namespace {
 
-constexpr Claim last_claim = Claim::value;
+constexpr Claim last_claim = Claim::leave;
 
 /// A puzzle with an answer.
 struct Answered {
@@ -69,7 +69,7 @@ TEST_CASE("every claim has a name of its own, and those of a size have a unit") 
   CHECK(names.size() == truth::claims);
   CHECK(!names.contains(""));
   CHECK(truth::name(Claim::id) == "id");
-  CHECK(truth::name(last_claim) == "value");
+  CHECK(truth::name(last_claim) == "leave");
   CHECK(truth::name(Claim::asked) == "speed asked");
   CHECK(truth::unit(Claim::place) == "m");
   CHECK(truth::unit(Claim::time) == "s");
@@ -97,11 +97,11 @@ TEST_CASE("the claims of a true answer hold, those of each shot in order") {
     seen.insert(c.claim);
   }
   CHECK(wrong(to_ball()).empty());
-  // A pocket has every claim but that on contacts with balls.
+  // A pocket has every claim but those on contacts with balls and on the leave.
   for (int i = 0; i < truth::claims; ++i) {
     INFO(truth::name(static_cast<Claim>(i)));
     CHECK((seen.contains(static_cast<Claim>(i)) || static_cast<Claim>(i) == Claim::hits ||
-           static_cast<Claim>(i) == Claim::centre));
+           static_cast<Claim>(i) == Claim::centre || static_cast<Claim>(i) == Claim::leave));
   }
 
   Answered all = a;
@@ -114,6 +114,21 @@ TEST_CASE("the claims of a true answer hold, those of each shot in order") {
     CHECK(c.holds() == !(c.shot == 1 && c.claim == Claim::time));
   }
   CHECK(before == 1);
+}
+
+TEST_CASE("a leave that the simulator does not confirm is found out") {
+  Answered a{
+      read_puzzle(R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4]}, "others": [{"id": "1", "at": [1.6, 0.9]}],
+    "target": {"ball": "1", "pocket": "any"}, "cushions": 0, "leave": {"point": [2.2, 0.9], "within": 0.3}})"),
+      {}};
+  a.answer = solve(a.puzzle);
+  REQUIRE(a.answer.status == Status::solved);
+  CHECK(wrong(a).empty());
+  a.answer.shots.front().leave->at.x += 0.001;
+  CHECK(wrong(a) == std::set<Claim>{Claim::leave});
+  a.answer.shots.front().leave->at.x -= 0.001;
+  a.answer.shots.front().leave->miss += 0.001;
+  CHECK(wrong(a) == std::set<Claim>{Claim::leave});
 }
 
 TEST_CASE("whatever a shot says falsely is found out by its claim, and by that alone") {
@@ -183,7 +198,7 @@ TEST_CASE("whatever a shot says falsely is found out by its claim, and by that a
   shot.launch.angle += 0.2 * shot.robustness.margin->angle[1].value();
   CHECK(wrong(beside).contains(Claim::centre));
   found.insert(Claim::centre);
-  CHECK(static_cast<int>(found.size()) == truth::claims);
+  CHECK(static_cast<int>(found.size()) == truth::claims - 1);  // the leave has a test of its own
 }
 
 TEST_CASE("a shot that guarantees no digits is held to its bounds alone") {

@@ -34,7 +34,7 @@ class _Document:
 class Puzzle(_Document):
     """A puzzle: the input of `solve`. None means the default of docs/format.md.
 
-    Lengths are in metres from the lower left corner of the cloth, speeds in m/s, angles in degrees anticlockwise
+    Lengths are in metres, or in `unit`, from the lower left corner of the cloth, speeds in m/s, angles in degrees anticlockwise
     from +x. Puzzle("pool-9ft", {"at": [0.635, 0.40]}, {"pocket": "top-right"}, cushions=1)
     """
 
@@ -44,11 +44,13 @@ class Puzzle(_Document):
     physics: Optional[Named] = None
     others: Optional[Sequence[Mapping[str, Any]]] = None
     settle: Optional[bool] = None
+    unit: Optional[str] = None
     cushions: Union[None, int, Sequence[str], Mapping[str, int]] = None
     arrive: Optional[Mapping[str, Any]] = None
     speed: Optional[Range] = None
     angle: Optional[Sequence[float]] = None
     prefer: Optional[Named] = None
+    leave: Optional[Mapping[str, Any]] = None
     aim: Optional[str] = None
     noise: Union[None, str, Mapping[str, Any]] = None
     budget: Optional[Mapping[str, int]] = None
@@ -70,6 +72,7 @@ class Scene(_Document):
     physics: Optional[Named] = None
     others: Optional[Sequence[Mapping[str, Any]]] = None
     settle: Optional[bool] = None
+    unit: Optional[str] = None
     until: Optional[Mapping[str, float]] = None
     id: Union[None, str, int, float] = None
 
@@ -94,6 +97,7 @@ class Shot(_Document):
     then: Optional[Dict[str, Any]] = None
     scratch: Optional[bool] = None
     cue_rests: Union[None, str, Sequence[float]] = None  # m; or the pocket that the cue ball falls into
+    leave: Optional[Dict[str, Any]] = None  # "at" m, "miss" m, "success", "cushions", "spread" m
     contact: Optional[Dict[str, Any]] = None  # "fullness", and "ghost" m: the first contact with a ball
     rattles: Optional[bool] = None
     off_centre: Optional[bool] = None

@@ -72,7 +72,7 @@ std::vector<Pocket> read_pockets(const Reader& table, const Table& shape, double
   std::vector<Pocket> pockets;
   for (const Reader& p : r->items()) {
     p.only(format::pocket);
-    const double capture = p.need("radius").number(format::pocket["radius"].bounds);
+    const double capture = p.need(format::pocket["radius"]);
     pockets.push_back({p.need("name").text(), p.need("at").point(), capture});
   }
   return pockets;
@@ -120,8 +120,8 @@ Table read_table(const Reader& table, double radius) {
     shape = read_polygon(table);
   } else {
     table.only(format::rectangle);
-    const double length = table.need("length").number(format::rectangle["length"].bounds);
-    shape = rectangle_table(length, table.need("width").number(format::rectangle["width"].bounds));
+    const double length = table.need(format::rectangle["length"]);
+    shape = rectangle_table(length, table.need(format::rectangle["width"]));
   }
   if (shape.vertices.size() >= 3) shape.pockets = read_pockets(table, shape, radius);
   shape.own = read_own_cushions(table, shape);
