@@ -34,8 +34,8 @@ class _Document:
 class Puzzle(_Document):
     """A puzzle: the input of `solve`. None means the default of docs/format.md.
 
-    Lengths are in metres, or in `unit`, from the lower left corner of the cloth, speeds in m/s, angles in degrees anticlockwise
-    from +x. Puzzle("pool-9ft", {"at": [0.635, 0.40]}, {"pocket": "top-right"}, cushions=1)
+    Lengths are in metres, or in `unit`, from the lower left corner of the cloth, speeds in m/s, angles in degrees
+    anticlockwise from +x. Puzzle("pool-9ft", {"at": [0.635, 0.40]}, {"pocket": "top-right"}, cushions=1)
     """
 
     table: Named
