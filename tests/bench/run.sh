@@ -93,9 +93,9 @@ part() {
       for free in nothing window arrive; do "$bin/best" --count 1000 --seed 2 --physics rolling --free $free --worst 0 --no-header; done
       ;;
     leaves)  # Nobody tuned for these seeds.
-      "$bin/leaves" --count 1000 --seed 505 --plays 500 --csv "$scratch/table" >/dev/null
+      "$bin/leaves" --count 200 --seed 505 --plays 300 --csv "$scratch/table" >/dev/null
       cat "$scratch/table"
-      "$bin/leaves" --count 1000 --seed 606 --others 3 --plays 500 --csv "$scratch/table" >/dev/null
+      "$bin/leaves" --count 200 --seed 606 --others 3 --plays 300 --csv "$scratch/table" >/dev/null
       tail -n +2 "$scratch/table"
       ;;
     questions)  # Typed as a player would, on layouts that nobody tuned for.
