@@ -59,7 +59,7 @@ std::string read_id(const Reader& doc, std::string written) {
 }
 
 Units read_units(const Reader& doc) {
-  const auto r = doc.find("unit");
+  const auto r = doc.is_object() ? doc.find("unit") : std::nullopt;
   if (!r) return {};
   constexpr double sizes[] = {1, 0.01, 0.001, 0.0254};
   const std::size_t unit = r->word("unit", format::length_units);
