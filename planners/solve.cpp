@@ -15,7 +15,7 @@
 #include "planners/merit/sensitivity.hpp"
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
-#include "planners/play/leave.hpp"
+#include "planners/play/leave_success.hpp"
 #include "planners/settings.hpp"
 #include "planners/steps/steps.hpp"
 #include "planners/what_would_open.hpp"
@@ -94,17 +94,17 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
   EvaluationBudget aside(std::numeric_limits<long>::max(),
                          budget);  // rating the shots does not count against the budget
   const bool once = request.all() && !request.puzzle().leave && (request.problem->objects || request.problem->safest());
+  const auto begin = std::chrono::steady_clock::now();
   if (request.puzzle().leave) {
-    planning::play::rate_leaves(request, aside, found.shots);
+    planning::play::rate_leaves(request, aside, options.robustness, found.shots);
   } else if ((options.robustness || request.problem->safest()) && !found.shots.empty()) {
-    const auto begin = std::chrono::steady_clock::now();
     // The best of a list gets the care of the best alone.
     const std::optional<Shot> best = once ? std::optional(best_of(request, aside, found)) : std::nullopt;
     choose(request, aside, found);
     if (best) found.shots.push_back(*best);
     if (options.robustness) planning::add_robustness(request, aside, found);
-    if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   }
+  if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   if (once) planning::keep_connected_once(request, aside, found.shots);
   if (!options.robustness)
     for (Shot& shot : found.shots) shot.robustness.success.reset(), shot.robustness.value.reset();

@@ -17,16 +17,12 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/certify.hpp"
 #include "planners/merit/first_order.hpp"
-#include "planners/merit/margin.hpp"
-#include "planners/merit/plays.hpp"
 #include "planners/merit/rank.hpp"
-#include "planners/merit/success.hpp"
+#include "planners/play/leave_success.hpp"
 #include "planners/play/rest.hpp"
 #include "planners/play/settings.hpp"
-#include "planners/play/worth.hpp"
 #include "planners/proof/aftermath.hpp"
 #include "planners/proof/prove.hpp"
-#include "planners/proof/replay.hpp"
 #include "planners/steps/steps.hpp"
 
 namespace bankshot::planning::play {
@@ -54,41 +50,6 @@ struct Launched {
   std::optional<double> success{};  ///< that the target is made and the cue ball left as asked
   double value() const { return success ? *success - cost_of(shot) : promise; }
 };
-
-/// The share of plays that make the target and leave the cue ball as asked. `rests` gets where the cue ball stops in
-/// those that make it, if it is not null.
-double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
-                     int plays, int skipped = 0, std::vector<Vec2d>* rests = nullptr) {
-  double sum = 0;
-  const auto play = [&](const SearchRequest& own, const Launch& struck) {
-    if (!replay_to_target(own, budget, struck, Goal::counted(own, shot)).made) return;
-    const Ending ending = play_out(own, budget, struck);
-    sum += worth(ending.places);
-    if (rests && ending.cue_rests()) rests->push_back(*ending.cue_rests());
-  };
-  each_play(request.spinning(shot.spin), shot.launch, plays, play, skipped);
-  return sum / plays;
-}
-
-/// The mean and the principal axes of some points.
-std::optional<Spread> spread_of(const std::vector<Vec2d>& points) {
-  constexpr std::size_t fewest = 3;
-  if (points.size() < fewest) return {};
-  const auto count = static_cast<double>(points.size());
-  Spread out;
-  for (const Vec2d& p : points) out.at += p / count;
-  double xx = 0, xy = 0, yy = 0;
-  for (const Vec2d& p : points) {
-    const Vec2d off = p - out.at;
-    xx += off.x * off.x / count, xy += off.x * off.y / count, yy += off.y * off.y / count;
-  }
-  const double middle = (xx + yy) / 2, apart = std::hypot((xx - yy) / 2, xy);
-  out.sigma = {std::sqrt(middle + apart), std::sqrt(std::max(0.0, middle - apart))};
-  constexpr double half_turn = radians(180.0);
-  const double angle = std::atan2(2 * xy, xx - yy) / 2;
-  out.angle = angle < 0 ? angle + half_turn : angle;
-  return out;
-}
 
 class Search {
  public:
@@ -124,10 +85,9 @@ class Search {
   const LeavePlace* asked_place() const { return std::get_if<LeavePlace>(&*request_.puzzle().leave); }
   /// Returns whether any contact with the target ball counts, so that the offset there is free.
   bool any_offset(const Branch& branch) const { return safest() && branch.aim_point.cuts.has_value(); }
-  /// Returns whether the target decides the launch speed: it has two equations, or the speed is fixed.
-  bool speed_given() const {
-    return request_.stop || (request_.arrival && request_.arrival->fixed()) || !box_.free(log_speed);
-  }
+  /// Returns whether the target has two equations, which leave neither the speed nor the place across it free.
+  bool two_equations() const { return request_.stop || (request_.arrival && request_.arrival->fixed()); }
+  bool speed_given() const { return two_equations() || !box_.free(log_speed); }
   family::Vary vary() const { return request_.puzzle().spin_range ? family::Vary::spin_too : family::Vary::launch; }
 
   /// No shot by so many cushions can be better than the best that is known.
@@ -279,11 +239,15 @@ class Search {
     const Noise& noise = request_.puzzle().noise;
     const double v = one.shot.launch.speed;
     const Vec2d a = at.by_angle * noise.angle, b = at.by_log_speed * (noise.speed_at(v) / v);
-    const double off = norm(*one.ending.cue_rests() - asked_place()->at);
+    const double off = miss_of(one);
     // A normal error in two directions, as if it were the same in both.
     const double variance = (dot(a, a) + dot(b, b)) / 2, within = asked_place()->within;
     const double stops = off > within ? 0 : variance > 0 ? 1 - std::exp(-within * within / (2 * variance)) : 1;
     return one.shot.robustness.success_estimate * stops - cost_of(one.shot);
+  }
+
+  double miss_of(const Launched& one) const {
+    return bankshot::miss_of(*request_.puzzle().leave, *one.ending.cue_rests());
   }
 
   double measured(const Launched& one, int plays) {
@@ -295,7 +259,7 @@ class Search {
   void order_pool() {
     std::ranges::stable_sort(pool_, [&](const Launched& a, const Launched& b) {
       if (a.promise != b.promise) return a.promise > b.promise;
-      return worth_.miss(*a.ending.cue_rests()) < worth_.miss(*b.ending.cue_rests());
+      return miss_of(a) < miss_of(b);
     });
   }
 
@@ -323,13 +287,12 @@ class Search {
 
   /// The launch in hand, as far as a compass search over the launches that reach the target improves it.
   void improve(Launched& best) {
-    const bool fixed_point = request_.stop || (request_.arrival && request_.arrival->fixed());
     struct Move {
       int coordinate;  ///< of the launch; -1: across the target
       double step;
     };
     std::vector<Move> moves;
-    if (safest() && !fixed_point) {
+    if (safest() && !two_equations()) {
       const AimPoint& point = best.root->branch.aim_point;
       const double width = point.cuts ? point.cuts->high - point.cuts->low : 2 * point.reach;
       moves.push_back({-1, step_across * width});
@@ -364,8 +327,7 @@ class Search {
   }
 
   bool on_place(const Launched& one) const {
-    return asked_place() && norm(*one.ending.cue_rests() - asked_place()->at) <=
-                                tolerance::exact_miss * request_.problem->boundary.diagonal;
+    return asked_place() && miss_of(one) <= tolerance::exact_miss * request_.problem->boundary.diagonal;
   }
 
   /// Chooses the shots that are handed over, best first, and measures them well.
@@ -406,9 +368,7 @@ class Search {
   void keep_nearest() {
     const auto likely = [](const Launched& one) { return one.shot.robustness.success_estimate; };
     const double least = safest() ? likely(*std::ranges::max_element(pool_, {}, likely)) / 2 : 0;
-    const auto rank = [&](const Launched& one) {
-      return std::tuple(likely(one) < least, worth_.miss(*one.ending.cue_rests()), -likely(one));
-    };
+    const auto rank = [&](const Launched& one) { return std::tuple(likely(one) < least, miss_of(one), -likely(one)); };
     Launched nearest = *std::ranges::min_element(pool_, {}, rank);
     nearest.success = measured(nearest, first_plays);
     pool_ = {std::move(nearest)};
@@ -430,7 +390,7 @@ class Search {
     for (Launched& one : pool_) {
       Shot& shot = one.shot;
       const Route& cue = one.ending.cue;
-      const double miss = worth_.miss(*one.ending.cue_rests());
+      const double miss = miss_of(one);
       shot.leave = ShotLeave{
           *one.ending.cue_rests(), miss, *one.success, contacts_of(std::span(cue).subspan(one.ending.after_balls)), {}};
       shot.provenance.moved = safest() && shot.verification.off_centre;
@@ -464,23 +424,6 @@ class Search {
 };
 
 }  // namespace
-
-void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots) {
-  const LeaveWorth worth(request.puzzle());
-  for (Shot& shot : shots) {
-    as_struck(request, shot, [&](const SearchRequest& own) {
-      find_success(own, budget, shot);
-      find_margin(own, budget, shot);
-    });
-    // Other plays than those by which the shot was chosen: these would flatter it.
-    std::vector<Vec2d> rests;
-    const double success = leave_success(request, budget, worth, shot, last_plays, judged_plays, &rests);
-    shot.leave->spread = spread_of(rests);
-    shot.leave->success = std::min(success, *shot.robustness.success);
-    shot.robustness.value = shot.leave->success - cost_of(shot);
-  }
-  if (request.all() && request.puzzle().prefer == Prefer::robust) order_by_value(shots);
-}
 
 void leave(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Roots& roots) {
   Search(request, budget, found).run(roots);

@@ -24,7 +24,4 @@ using Roots = std::function<void(const SearchRequest&, EvaluationBudget&, Search
 /// Adds the shots, best first, with their leave, success and value. `roots` is asked once for each number of cushions.
 void leave(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Roots& roots);
 
-/// Computes the leave's success, the success and the margin of shots that `leave` found.
-void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots);
-
 }  // namespace bankshot::planning::play

@@ -65,7 +65,6 @@ System system_of(std::span<const Value> equations, std::span<const int> free, co
 /// The least step that keeps to the target and, with what that leaves free, brings the rest as near as it can.
 Column least_step(const System& target, const System& rest) {
   const Eigen::Index n = rest.a.cols();
-  if (target.a.rows() == 0) return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(rest.a).solve(rest.r);
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> onto(target.a);
   const Eigen::VectorXd first = onto.solve(target.r);
   const Eigen::Index rank = onto.rank();

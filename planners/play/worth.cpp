@@ -16,10 +16,4 @@ double LeaveWorth::operator()(std::span<const std::optional<Vec2d>> places) cons
                               [&](int ball) { return can_be_hit(puzzle_, ball, places); });
 }
 
-double LeaveWorth::miss(const Vec2d& cue) const {
-  if (const auto* place = std::get_if<LeavePlace>(&*puzzle_.leave)) return norm(cue - place->at);
-  if (const auto* region = std::get_if<LeaveRegion>(&*puzzle_.leave)) return distance_to(*region, cue);
-  return 0;
-}
-
 }  // namespace bankshot::planning::play

@@ -18,8 +18,6 @@ class LeaveWorth {
 
   /// From 0 to 1; `places` as in NextPot::best.
   double operator()(std::span<const std::optional<Vec2d>> places) const;
-  /// m; how far the cue ball is from the place or the region that is asked for; 0 if neither is.
-  double miss(const Vec2d& cue) const;
 
  private:
   const Puzzle& puzzle_;

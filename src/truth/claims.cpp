@@ -278,9 +278,7 @@ class ShotCheck {
     compare(Claim::leave, norm(rests - shot_.leave->at), allowed,
             fmt::format("says [{:.9g}, {:.9g}] and the cue ball stops at [{:.9g}, {:.9g}]", shot_.leave->at.x,
                         shot_.leave->at.y, rests.x, rests.y));
-    const auto* place = p_.leave ? std::get_if<LeavePlace>(&*p_.leave) : nullptr;
-    const auto* region = p_.leave ? std::get_if<LeaveRegion>(&*p_.leave) : nullptr;
-    const double miss = place ? norm(rests - place->at) : region ? distance_to(*region, rests) : 0;
+    const double miss = p_.leave ? miss_of(*p_.leave, rests) : 0;
     compare(Claim::leave, std::abs(miss - shot_.leave->miss), allowed,
             fmt::format("says a miss of {:.9g} m, and it is {:.9g} m", shot_.leave->miss, miss));
   }

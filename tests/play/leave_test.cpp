@@ -7,11 +7,13 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
-#include "bankshot/simulate/trajectory.hpp"
+#include "planners/play/leave_success.hpp"
 #include "planners/play/worth.hpp"
 #include "support/catch.hpp"
+#include "support/played.hpp"
 
 using namespace bankshot;
+using test::played;
 
 namespace {
 
@@ -20,17 +22,6 @@ const std::string spins = R"("spin": {"top": [-1, 1], "side": [-0.75, 0.75]})";
 Puzzle asked(const std::string& rest, const std::string& spin = spins) {
   return read_puzzle(R"({"table": "pool-9ft", "ball": {"at": [0.635, 0.4])" + (spin.empty() ? "" : ", " + spin) +
                      R"(}, "others": [{"id": "1", "at": [1.6, 0.9]}, {"id": "2", "at": [0.9, 1.0]}], )" + rest + "}");
-}
-
-/// The places of all balls after a launch; none where a ball fell.
-std::vector<std::optional<Vec2d>> played(const Puzzle& p, const Launch& launch, const LaunchSpin& spin) {
-  const Trajectory t = simulate({{}, p.table, p.physics, p.ball, p.others, launch, spin, {}});
-  std::vector<std::optional<Vec2d>> places;
-  for (int k = 0; k <= static_cast<int>(p.others.size()); ++k) {
-    const auto fell = [&](const Record& e) { return e.kind == EventKind::pocket && e.ball == k; };
-    places.push_back(std::ranges::any_of(t.events, fell) ? std::nullopt : std::optional(end_of(t, k).state.at));
-  }
-  return places;
 }
 
 }  // namespace
@@ -133,6 +124,16 @@ TEST_CASE("a list has every way to leave the cue ball once, best first") {
     REQUIRE(a.shots[i].robustness.margin);
     if (i > 0) CHECK(*a.shots[i].robustness.value <= *a.shots[i - 1].robustness.value);
   }
+}
+
+TEST_CASE("without robustness an answer has the leave, and neither success nor margin") {
+  const Puzzle p = asked(R"("target": {"ball": "1", "pocket": "any"}, "cushions": 0, "leave": {"point": [1.9, 0.4]})");
+  const Answer a = solve(p, {.robustness = false});
+  REQUIRE(a.status == Status::solved);
+  CHECK(a.shots.front().leave);
+  CHECK_FALSE(a.shots.front().robustness.success);
+  CHECK_FALSE(a.shots.front().robustness.value);
+  CHECK_FALSE(a.shots.front().robustness.margin);
 }
 
 TEST_CASE("only the planner `auto` plans a leave") {

@@ -64,12 +64,12 @@ TEST_CASE("a leave is worth 1 where it is as asked, and 0 elsewhere") {
                outside = three_balls(R"({"polygon": [[1.5, 0.4], [1.8, 0.4], [1.5, 0.7]]})"),
                hidden = three_balls(R"({"safe": ["1"]})");
   CHECK(LeaveWorth(place)(there) == 1);
-  CHECK(LeaveWorth(place).miss(*there[0]) == Approx(0.05));
+  CHECK(miss_of(*place.leave, *there[0]) == Approx(0.05));
   CHECK(LeaveWorth(off)(there) == 0);
   CHECK(LeaveWorth(inside)(there) == 1);
-  CHECK(LeaveWorth(inside).miss(*there[0]) == 0);
+  CHECK(miss_of(*inside.leave, *there[0]) == 0);
   CHECK(LeaveWorth(outside)(there) == 0);
-  CHECK(LeaveWorth(outside).miss(*there[0]) == Approx(0.5));
+  CHECK(miss_of(*outside.leave, *there[0]) == Approx(0.5));
   CHECK(LeaveWorth(hidden)(there) == 0);
   CHECK(LeaveWorth(place)(Places{std::nullopt, Vec2d{2.2, 1.0}, Vec2d{0.3, 0.2}}) == 0);
 }

@@ -19,6 +19,7 @@
 #include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "planners/play/rest.hpp"
+#include "support/played.hpp"
 #include "support/random_question.hpp"
 
 namespace {
@@ -29,17 +30,6 @@ using planning::EvaluationBudget;
 using planning::SearchRequest;
 
 constexpr double slowest = 0.3, fastest = 6, exact = 1e-8;
-
-/// The places of all balls after a launch; none where a ball fell.
-std::vector<std::optional<Vec2d>> played(const Puzzle& p, const Launch& launch, const LaunchSpin& spin) {
-  const Trajectory t = simulate({{}, p.table, p.physics, p.ball, p.others, launch, spin, {}});
-  std::vector<std::optional<Vec2d>> places;
-  for (int k = 0; k <= static_cast<int>(p.others.size()); ++k) {
-    const auto fell = [&](const Record& e) { return e.kind == EventKind::pocket && e.ball == k; };
-    places.push_back(std::ranges::any_of(t.events, fell) ? std::nullopt : std::optional(end_of(t, k).state.at));
-  }
-  return places;
-}
 
 /// A layout in which ball 1 is to fall, without a place yet.
 Puzzle layout(Random& r, int others) {

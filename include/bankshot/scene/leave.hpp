@@ -35,5 +35,7 @@ using Leave = std::variant<LeavePlace, LeaveRegion, LeaveForBall, LeaveSafe>;
 
 /// Returns the distance [m] of a point from a region; 0 inside.
 double distance_to(const LeaveRegion& region, const Vec2d& at);
+/// Returns how far [m] a cue ball that rests here is from the place or the region; 0 if neither is asked for.
+double miss_of(const Leave& leave, const Vec2d& at);
 
 }  // namespace bankshot

@@ -23,4 +23,10 @@ double distance_to(const LeaveRegion& region, const Vec2d& at) {
   return inside ? 0 : std::sqrt(square);
 }
 
+double miss_of(const Leave& leave, const Vec2d& at) {
+  if (const auto* place = std::get_if<LeavePlace>(&leave)) return norm(at - place->at);
+  if (const auto* region = std::get_if<LeaveRegion>(&leave)) return distance_to(*region, at);
+  return 0;
+}
+
 }  // namespace bankshot

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "planners/play/leave_success.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "planners/merit/margin.hpp"
+#include "planners/merit/plays.hpp"
+#include "planners/merit/rank.hpp"
+#include "planners/merit/success.hpp"
+#include "planners/play/settings.hpp"
+#include "planners/proof/aftermath.hpp"
+#include "planners/proof/replay.hpp"
+
+namespace bankshot::planning::play {
+namespace {
+
+using namespace settings::leave;
+
+/// The mean and the principal axes of some points.
+std::optional<Spread> spread_of(const std::vector<Vec2d>& points) {
+  constexpr std::size_t fewest = 3;
+  if (points.size() < fewest) return {};
+  const auto count = static_cast<double>(points.size());
+  Spread out;
+  for (const Vec2d& p : points) out.at += p / count;
+  double xx = 0, xy = 0, yy = 0;
+  for (const Vec2d& p : points) {
+    const Vec2d off = p - out.at;
+    xx += off.x * off.x / count, xy += off.x * off.y / count, yy += off.y * off.y / count;
+  }
+  const double middle = (xx + yy) / 2, apart = std::hypot((xx - yy) / 2, xy);
+  out.sigma = {std::sqrt(middle + apart), std::sqrt(std::max(0.0, middle - apart))};
+  constexpr double half_turn = radians(180.0);
+  const double angle = std::atan2(2 * xy, xx - yy) / 2;
+  out.angle = angle < 0 ? angle + half_turn : angle;
+  return out;
+}
+
+}  // namespace
+
+double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
+                     int plays, int skipped, std::vector<Vec2d>* rests) {
+  double sum = 0;
+  const auto play = [&](const SearchRequest& own, const Launch& struck) {
+    if (!replay_to_target(own, budget, struck, Goal::counted(own, shot)).made) return;
+    const Ending ending = play_out(own, budget, struck);
+    sum += worth(ending.places);
+    if (rests && ending.cue_rests()) rests->push_back(*ending.cue_rests());
+  };
+  each_play(request.spinning(shot.spin), shot.launch, plays, play, skipped);
+  return sum / plays;
+}
+
+void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, bool robustness, std::vector<Shot>& shots) {
+  const LeaveWorth worth(request.puzzle());
+  for (Shot& shot : shots) {
+    if (robustness)
+      as_struck(request, shot, [&](const SearchRequest& own) {
+        find_success(own, budget, shot);
+        find_margin(own, budget, shot);
+      });
+    // Other plays than those by which the shot was chosen: these would flatter it.
+    std::vector<Vec2d> rests;
+    const double success = leave_success(request, budget, worth, shot, last_plays, judged_plays, &rests);
+    shot.leave->spread = spread_of(rests);
+    shot.leave->success = std::min(success, shot.robustness.success.value_or(1));
+    shot.robustness.value = shot.leave->success - cost_of(shot);
+  }
+  if (request.all() && request.puzzle().prefer == Prefer::robust) order_by_value(shots);
+}
+
+}  // namespace bankshot::planning::play

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// The success of a leave: the probability that the target is made and the cue ball stops as the puzzle asks. It is a
+// share of plays with the player's errors (merit/plays.hpp), each with all balls until they rest.
+// Cost: two simulations a play.
+#pragma once
+
+#include <vector>
+
+#include "planners/evaluation_budget.hpp"
+#include "planners/play/worth.hpp"
+#include "planners/search_request.hpp"
+
+namespace bankshot::planning::play {
+
+/// Returns the mean worth of so many plays, the first `skipped` of the sequence left out. `rests` gets the places in
+/// which the cue ball stops in those that make the target, if it is not null.
+double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
+                     int plays, int skipped = 0, std::vector<Vec2d>* rests = nullptr);
+
+/// Computes the leave's success and spread of shots that have one, their success and margin if `robustness` is wanted,
+/// and their value.
+void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, bool robustness, std::vector<Shot>& shots);
+
+}  // namespace bankshot::planning::play
