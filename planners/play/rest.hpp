@@ -35,7 +35,8 @@ std::optional<std::array<Value, 2>> rest_of(const SearchRequest& request, Evalua
 struct TargetEquations {
   std::array<Value, 2> each{};
   std::size_t count = 0;
-  std::span<const Value> all() const { return std::span(each).first(count); }
+  std::span<const Value> all() const& { return std::span(each).first(count); }
+  std::span<const Value> all() const&& = delete;
 };
 TargetEquations equations_of(const Branch& aim, const family::Point& point, double shift);
 

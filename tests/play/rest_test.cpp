@@ -68,7 +68,8 @@ TEST_CASE("a launch on target is led to a place nearby, and stays on target") {
   CHECK(norm(placed->rest - wanted) < 1e-10);
   const auto point = family::look(s.branch, s.budget, placed->x, family::Vary::launch);
   REQUIRE(point);
-  for (const family::Value& e : play::equations_of(s.branch, *point, 0).all()) CHECK(std::abs(e.a) < 1e-11);
+  const play::TargetEquations equations = play::equations_of(s.branch, *point, 0);
+  for (const family::Value& e : equations.all()) CHECK(std::abs(e.a) < 1e-11);
 }
 
 TEST_CASE("across the target a launch passes so far beside the exact line") {
