@@ -15,6 +15,8 @@
 #include "planners/merit/sensitivity.hpp"
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
+#include "planners/play/game.hpp"
+#include "planners/play/in_hand.hpp"
 #include "planners/play/leave_success.hpp"
 #include "planners/settings.hpp"
 #include "planners/steps/steps.hpp"
@@ -148,6 +150,11 @@ bool keep_as_asked(const SearchRequest& request, EvaluationBudget& budget, Searc
 std::string hint(const Puzzle& puzzle, const SearchRequest& request, EvaluationBudget& budget, SearchResult& found,
                  const SolveOptions& options) {
   const SolveOptions plain{.robustness = false, .suggest = false, .cancelled = options.cancelled};
+  // These searches do not ask where the cue ball stops. A shot that one finds has no leave, and only ends the search.
+  Puzzle target = puzzle;
+  target.leave.reset();
+  SearchResult without_leave;
+  SearchResult& kept = puzzle.leave ? without_leave : found;
   long spent = 0;
   const auto looser = [&](const Puzzle& p) {
     Answer a = solve(p, plain);
@@ -157,23 +164,14 @@ std::string hint(const Puzzle& puzzle, const SearchRequest& request, EvaluationB
   };
   const auto is_asked = [&](const Shot& shot) {
     const bool same_spins = shot.spin == request.spin || puzzle.spin_range;
-    return same_spins && keep_as_asked(request, budget, found, shot);
+    return same_spins && keep_as_asked(request, budget, kept, shot);
   };
-  std::string words = planning::what_would_open(puzzle, looser, is_asked);
+  std::string words = planning::what_would_open(target, looser, is_asked);
   if (!found.shots.empty()) {
     budget.charge(0, spent);
     found.add_note("a search with looser bounds came upon it");
   }
   return words;
-}
-
-/// Returns whether a shot comes before another one by `prefer`; the less likely to fall into a pocket comes first.
-bool comes_before(const Puzzle& p, const Shot& a, const Shot& b) {
-  if (a.path.scratch != b.path.scratch) return b.path.scratch;
-  const auto merit = [&](const Shot& s) {
-    return p.prefer == Prefer::robust && s.robustness.value ? *s.robustness.value : planning::first_merit(p, s);
-  };
-  return merit(a) > merit(b);
 }
 
 /// Solves a carom in both orders, each with half of a budget that is given, and puts the answers together.
@@ -197,14 +195,16 @@ Answer solve_both_orders(const Puzzle& puzzle, const SolveOptions& options) {
   const auto nearer = [](const Answer& x, const Answer& y) {
     return x.nearest && (!y.nearest || x.nearest->shot.verification.miss < y.nearest->shot.verification.miss);
   };
-  const bool swap = a.shots.empty() ? !b.shots.empty() || nearer(b, a)
-                                    : !b.shots.empty() && comes_before(puzzle, b.shots.front(), a.shots.front());
+  const bool swap = a.shots.empty()
+                        ? !b.shots.empty() || nearer(b, a)
+                        : !b.shots.empty() && planning::comes_before(puzzle, b.shots.front(), a.shots.front());
   if (swap) std::swap(a, b);
   if (a.shots.empty()) a.message += "; " + b.message;
   if (b.status == Status::budget && a.status == Status::no_shot) a.status = Status::budget;
   if (options.all) {
     std::ranges::move(b.shots, std::back_inserter(a.shots));
-    std::ranges::stable_sort(a.shots, [&](const Shot& x, const Shot& y) { return comes_before(puzzle, x, y); });
+    std::ranges::stable_sort(a.shots,
+                             [&](const Shot& x, const Shot& y) { return planning::comes_before(puzzle, x, y); });
     if (!b.shots.empty()) a.message += fmt::format("; in either order {} shots", a.shots.size());
   }
   for (const std::string& m : b.modelled)
@@ -232,6 +232,8 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     throw InvalidInput("", fmt::format("the planner \"{}\" does not plan where the cue ball stops", method.info.name));
   if (goes_on_after_contact(puzzle.target) && options.planner != "auto")
     throw InvalidInput("", fmt::format("the planner \"{}\" sets no other ball going", method.info.name));
+  if (puzzle.in_hand) return planning::play::solve_in_hand(puzzle, options);
+  if (puzzle.game) return planning::play::solve_game(puzzle, options);
   if (!options.robustness && !puzzle.aim && aim_of(puzzle) == Aim::safest) {
     Puzzle centred = puzzle;
     centred.aim = Aim::centre;

@@ -15,6 +15,8 @@ export interface SolveFlags {
   budget?: number;
   /** A player whose errors replace the puzzle's. */
   noise?: 'pro' | 'league' | 'beginner';
+  /** Number of balls that the plan of a game looks at; the default is 3. */
+  depth?: number;
   /** Leave out `time_us`, so that equal input gives equal output. */
   noTiming?: boolean;
   /** Leave out `margin` and `success`, which is faster. */

@@ -325,4 +325,12 @@ void add_robustness(const SearchRequest& request, EvaluationBudget& budget, Sear
   if (request.all() && request.puzzle().rest_near) order_by_leave(request.puzzle(), shots);
 }
 
+bool comes_before(const Puzzle& p, const Shot& a, const Shot& b) {
+  if (a.path.scratch != b.path.scratch) return b.path.scratch;
+  const auto merit = [&](const Shot& s) {
+    return p.prefer == Prefer::robust && s.robustness.value ? *s.robustness.value : first_merit(p, s);
+  };
+  return merit(a) > merit(b);
+}
+
 }  // namespace bankshot::planning

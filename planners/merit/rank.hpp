@@ -15,6 +15,9 @@ namespace bankshot::planning {
 /// How good a shot is by `prefer`, before its success is known; larger is better.
 double first_merit(const Puzzle& puzzle, const Shot& shot);
 
+/// Returns whether a shot comes before another one by `prefer`; the less likely to fall into a pocket comes first.
+bool comes_before(const Puzzle& puzzle, const Shot& a, const Shot& b);
+
 /// What success is at most of a shot to an aim point with this success estimate: a bound that settings::rank measures.
 double success_at_most(const SearchRequest& request, const AimPoint& aim_point, double estimate);
 

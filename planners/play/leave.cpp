@@ -191,10 +191,17 @@ class Search {
     return prove(own, budget_, family::launch_of(x), goal);
   }
 
+  /// Returns whether the object ball goes by a cushion, though the puzzle asks for none: such falls count, but are not
+  /// what a player means to do.
+  bool banks_unasked(const Shot& shot) const {
+    const Then* const then = request_.problem->then();
+    return then && then->counts_any_fall() && !shot.path.then.empty() && !shot.path.then.back().cushions.empty();
+  }
+
   /// Plays a launch without errors; none if it does not make the target, or the cue ball falls.
   std::optional<Launched> launched(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) {
     Proof proof = prove_at(x, like);
-    if (!proof.holds()) return {};
+    if (!proof.holds() || banks_unasked(proof.shot)) return {};
     const SearchRequest own = request_.spinning(family::spin_of(x));
     Ending ending = play_out(own, budget_, proof.shot.launch);
     if (!ending.cue_rests()) return {};
@@ -203,7 +210,7 @@ class Search {
     proof.shot.provenance.planner = steps::word::leave;
     proof.shot.provenance.simulations = budget_.simulations();
     Launched out{&root, x, shift, std::move(proof.shot), std::move(ending)};
-    out.promise = out.shot.robustness.success_estimate * worth_(out.ending.places) - cost_of(out.shot);
+    out.promise = out.shot.robustness.success_estimate * worth_(out.ending) - cost_of(out.shot);
     return out;
   }
 
@@ -281,7 +288,7 @@ class Search {
       if (one.success) continue;
       one.success = measured(one, first_plays);
       // One play or two may be luck.
-      if (*one.success > 0 && *one.success < lucky) one.success = measured(one, judged_plays);
+      if (*one.success > 0 && *one.success < lucky) one.success = measured(one, compared_plays);
     }
   }
 
@@ -386,13 +393,26 @@ class Search {
     });
   }
 
+  /// Returns the best pot of the next ball, if one is asked for and can be potted.
+  std::optional<NextBall> next_of(const Launched& one) const {
+    const auto* next = std::get_if<LeaveForNext>(&*request_.puzzle().leave);
+    if (!next) return {};
+    const NextPot::Best best = worth_.next_pot().best(next->order, one.ending.places);
+    if (best.pocket < 0) return {};
+    return NextBall{best.ball, best.pocket, best.chance};
+  }
+
   void hand_over() {
     for (Launched& one : pool_) {
       Shot& shot = one.shot;
       const Route& cue = one.ending.cue;
       const double miss = miss_of(one);
-      shot.leave = ShotLeave{
-          *one.ending.cue_rests(), miss, *one.success, contacts_of(std::span(cue).subspan(one.ending.after_balls)), {}};
+      shot.leave = ShotLeave{*one.ending.cue_rests(),
+                             miss,
+                             *one.success,
+                             contacts_of(std::span(cue).subspan(one.ending.after_balls)),
+                             {},
+                             next_of(one)};
       shot.provenance.moved = safest() && shot.verification.off_centre;
       shot.verification.digits = promised_digits(request_, shot);
       found_.shots.push_back(std::move(shot));

@@ -44,9 +44,10 @@ double leave_success(const SearchRequest& request, EvaluationBudget& budget, con
                      int plays, int skipped, std::vector<Vec2d>* rests) {
   double sum = 0;
   const auto play = [&](const SearchRequest& own, const Launch& struck) {
-    if (!replay_to_target(own, budget, struck, Goal::counted(own, shot)).made) return;
-    const Ending ending = play_out(own, budget, struck);
-    sum += worth(ending.places);
+    const Replay r = replay_to_target(own, budget, struck, Goal::counted(own, shot));
+    if (!r.made) return;
+    const Ending ending = ending_of(own, budget, struck, r);
+    sum += worth(ending);
     if (rests && ending.cue_rests()) rests->push_back(*ending.cue_rests());
   };
   each_play(request.spinning(shot.spin), shot.launch, plays, play, skipped);

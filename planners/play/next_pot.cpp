@@ -22,15 +22,24 @@ const Body& NextPot::body(int ball) const {
   return ball == 0 ? puzzle_.ball.body : puzzle_.others[static_cast<std::size_t>(ball) - 1].body;
 }
 
-NextPot::Best NextPot::best(int ball, std::span<const std::optional<Vec2d>> places) const {
-  Best best;
-  if (!places[0] || !places[static_cast<std::size_t>(ball)]) return best;
-  for (const AimPoint& mouth : mouths_)
-    if (const double c = chance(mouth, ball, places); c > best.chance) best = {c, mouth.taken_by.index};
-  return best;
+NextPot::Best NextPot::best(const PottingOrder& order, std::span<const std::optional<Vec2d>> places) const {
+  if (!places[0]) return {};
+  for (const std::vector<int>& group : order) {
+    Best best;
+    bool some = false;
+    for (const int ball : group) {
+      if (!places[static_cast<std::size_t>(ball)]) continue;
+      some = true;
+      for (const AimPoint& mouth : mouths_)
+        if (const double f = forgives(mouth, ball, places); f > best.forgives)
+          best = {std::erf(f / std::sqrt(2.0)), ball, mouth.taken_by.index, f};
+    }
+    if (some) return best;
+  }
+  return {1};
 }
 
-double NextPot::chance(const AimPoint& mouth, int ball, std::span<const std::optional<Vec2d>> places) const {
+double NextPot::forgives(const AimPoint& mouth, int ball, std::span<const std::optional<Vec2d>> places) const {
   const Vec2d cue = *places[0], at = *places[static_cast<std::size_t>(ball)];
   Vec2d way = mouth.at - at;
   const double distance = norm(way);
@@ -53,7 +62,8 @@ double NextPot::chance(const AimPoint& mouth, int ball, std::span<const std::opt
     return 0;
   const double deviation = puzzle_.noise.angle * reach * distance / (touching * cosine);
   const double half = (gap.high - gap.low) / 2 + wider_;
-  return deviation > 0 ? std::erf(half / (deviation * std::sqrt(2.0))) : 1;
+  constexpr double surely = 100;
+  return deviation > 0 ? std::min(half / deviation, surely) : surely;
 }
 
 bool NextPot::is_blocked(const Vec2d& from, const Vec2d& to, int ball, int by,

@@ -22,13 +22,16 @@ class NextPot {
 
   struct Best {
     double chance = 0;
-    int pocket = -1;  ///< of the table; -1: none can be reached
+    int ball = 0, pocket = -1;  ///< pocket of the table; -1: none can be reached
+    double forgives = 0;        ///< so many standard errors of the aim
   };
-  /// Returns the best pot of a ball from where the balls are: the cue ball first, none where one has fallen.
-  Best best(int ball, std::span<const std::optional<Vec2d>> places) const;
+  /// Returns the best pot of a next ball from where the balls are: the cue ball first, none where one has fallen. Where
+  /// no ball of the order is left, its chance is 1.
+  Best best(const PottingOrder& order, std::span<const std::optional<Vec2d>> places) const;
 
  private:
-  double chance(const AimPoint& mouth, int ball, std::span<const std::optional<Vec2d>> places) const;
+  /// Returns how many standard errors of the aim a pot forgives; 0 for one that cannot be made.
+  double forgives(const AimPoint& mouth, int ball, std::span<const std::optional<Vec2d>> places) const;
   bool is_blocked(const Vec2d& from, const Vec2d& to, int ball, int by,
                   std::span<const std::optional<Vec2d>> places) const;
   const Body& body(int ball) const;

@@ -37,13 +37,20 @@ inline constexpr double lucky = 0.15;
 /// The compass search: first steps across the target [share of its width], of ln speed and of spin, and how often they
 /// are halved.
 inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
-inline constexpr int halvings = 4;
+inline constexpr int halvings = 2;
 /// Newton's steps, and the longest in the scales of a family.
 inline constexpr int most_steps = 30;
 inline constexpr double longest_step = 1.5;
 /// Residual below which an equation is solved, as a share of the diagonal.
 inline constexpr double solved = 1e-12;
 }  // namespace leave
+
+namespace in_hand {
+/// Distances as shares of the table's diagonal: of the grid of places, between the first places that are solved, and
+/// the steps of the compass search.
+inline constexpr double grid = 0.015, farthest_apart = 0.25, first_step = 0.03, last_step = 0.004;
+inline constexpr std::size_t starts_at_most = 8;
+}  // namespace in_hand
 
 namespace next_pot {
 /// m on either side: a ball that touches a jaw may fall. With it the estimate has the least bias over 150 random

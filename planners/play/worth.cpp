@@ -6,12 +6,15 @@
 
 namespace bankshot::planning::play {
 
-double LeaveWorth::operator()(std::span<const std::optional<Vec2d>> places) const {
+double LeaveWorth::operator()(const Ending& ending) const {
+  const auto& places = ending.places;
   if (!places[0]) return 0;
   const Leave& wanted = *puzzle_.leave;
   if (const auto* place = std::get_if<LeavePlace>(&wanted)) return norm(*places[0] - place->at) <= place->within;
   if (const auto* region = std::get_if<LeaveRegion>(&wanted)) return distance_to(*region, *places[0]) == 0;
-  if (const auto* next = std::get_if<LeaveForBall>(&wanted)) return next_.best(next->ball, places).chance;
+  if (const auto* next = std::get_if<LeaveForNext>(&wanted)) return next_.best(next->order, places).chance;
+  if (const auto* against = std::get_if<LeaveAgainst>(&wanted))
+    return ending.rail_after_contact ? 1 - next_.best(against->order, places).chance : 0;
   return std::ranges::none_of(std::get<LeaveSafe>(wanted).balls,
                               [&](int ball) { return can_be_hit(puzzle_, ball, places); });
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The worth of a leave: 1 where the cue ball stops as the puzzle asks, 0 elsewhere; with `for` the chance of the best
-// pot of that ball.
+// pot of the next ball, with `against` one less that chance.
 #pragma once
 
-#include <optional>
-#include <span>
-
 #include "planners/play/next_pot.hpp"
+#include "planners/proof/aftermath.hpp"
 
 namespace bankshot::planning::play {
 
@@ -16,8 +14,9 @@ class LeaveWorth {
   /// The puzzle has a leave, and outlives this.
   explicit LeaveWorth(const Puzzle& puzzle) : puzzle_(puzzle), next_(puzzle) {}
 
-  /// From 0 to 1; `places` as in NextPot::best.
-  double operator()(std::span<const std::optional<Vec2d>> places) const;
+  /// From 0 to 1. A safety without a cushion after the contact breaks the rules (WPA, World Standardized Rules 6.3).
+  double operator()(const Ending& ending) const;
+  const NextPot& next_pot() const { return next_; }
 
  private:
   const Puzzle& puzzle_;

@@ -12,12 +12,19 @@
 namespace bankshot::planning {
 namespace {
 
-/// Plays a launch with all balls. `look(event, simulator)` sees each event, and says when it has seen enough.
+using Balls = std::vector<BallStart<double>>;
+
+/// Returns all balls, the cue ball in this state.
+Balls balls_of(const SearchRequest& request, const State<double>& cue) {
+  Balls balls(request.problem->whole->balls().begin(), request.problem->whole->balls().end());
+  balls.front().state = cue;
+  return balls;
+}
+
+/// Plays balls on. `look(event, simulator)` sees each event, and says when it has seen enough.
 template <class Look>
-void follow_all(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, long most, Look&& look) {
+void follow_all(const SearchRequest& request, EvaluationBudget& budget, const Balls& balls, long most, Look&& look) {
   budget.charge(0);
-  std::vector<BallStart<double>> balls(request.problem->whole->balls().begin(), request.problem->whole->balls().end());
-  balls.front().state = start_of(request, launch);
   with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) {
     ManyBalls sim(std::span<const BallStart<double>>(balls), motion, cushion, collisions(request.puzzle().physics));
     for (long i = 0; i < most && !look(sim.step(), sim); ++i) {
@@ -29,6 +36,8 @@ void follow_all(const SearchRequest& request, EvaluationBudget& budget, const La
 /// Notes what the cue ball meets in an event.
 void note(const BallEvent& e, std::vector<bool>& moved, Ending& out) {
   const Contact with = e.event.contact;
+  const bool rail = e.event.kind == EventKind::cushion || e.event.kind == EventKind::jaw;
+  if (out.after_balls > 0 && (rail || e.event.kind == EventKind::pocket)) out.rail_after_contact = true;
   switch (e.event.kind) {
     case EventKind::ball: {
       const auto other = static_cast<std::size_t>(with.index);
@@ -60,7 +69,8 @@ Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, cons
   const bool rests = !is_ideal(request.puzzle().physics);
   if (!request.problem->whole || (request.puzzle().table.pockets.empty() && !rests)) return {};
   Aftermath out;
-  follow_all(request, budget, launch, rests ? max_events : ideal_cushions, [&](const BallEvent& e, const auto& sim) {
+  const Balls balls = balls_of(request, start_of(request, launch));
+  follow_all(request, budget, balls, rests ? max_events : ideal_cushions, [&](const BallEvent& e, const auto& sim) {
     const bool scratch = e.event.kind == EventKind::pocket && e.ball == 0;
     const bool over = scratch || e.event.kind == EventKind::horizon;
     if (scratch) out.scratch_pocket = e.event.contact.index;
@@ -83,13 +93,36 @@ Ending play_out(const SearchRequest& request, EvaluationBudget& budget, const La
   const std::size_t count = request.puzzle().others.size() + 1;
   std::vector<bool> moved(count, false);
   out.places.assign(count, Vec2d{});
-  follow_all(request, budget, launch, max_events, [&](const BallEvent& e, const auto& sim) {
+  const Balls balls = balls_of(request, start_of(request, launch));
+  follow_all(request, budget, balls, max_events, [&](const BallEvent& e, const auto& sim) {
     note(e, moved, out);
     const bool scratch = !out.places.front();
     if (scratch) return true;
     if (e.event.kind != EventKind::horizon) return false;
     for (std::size_t k = 0; k < count; ++k)
       if (out.places[k]) out.places[k] = sim.state(static_cast<int>(k)).at;
+    return true;
+  });
+  return out;
+}
+
+Ending ending_of(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Replay& made) {
+  if (!made.cue) return play_out(request, budget, launch);
+  Ending out{.rail_after_contact = true};
+  out.places.assign(request.puzzle().others.size() + 1, std::nullopt);
+  Balls balls = balls_of(request, *made.cue);
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    const auto fell = [&](const ObjectBallPath& sent) { return static_cast<std::size_t>(sent.ball) == k; };
+    if (std::ranges::none_of(made.then, fell)) numbers.push_back(k);
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) balls[i] = balls[numbers[i]];
+  balls.resize(numbers.size());
+  follow_all(request, budget, balls, max_events, [&](const BallEvent& e, const auto& sim) {
+    if (e.event.kind == EventKind::pocket && e.ball == 0) return true;
+    if (e.event.kind != EventKind::horizon) return false;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (const int ball = static_cast<int>(i); sim.in_play(ball)) out.places[numbers[i]] = sim.state(ball).at;
     return true;
   });
   return out;

@@ -8,6 +8,7 @@
 
 #include "bankshot/simulate/route.hpp"
 #include "planners/evaluation_budget.hpp"
+#include "planners/proof/replay.hpp"
 #include "planners/search_request.hpp"
 
 namespace bankshot::planning {
@@ -29,6 +30,7 @@ struct Ending {
   std::vector<std::optional<Vec2d>> places{};  ///< m; of each ball, the cue ball first; none: it fell
   Route cue{};                                 ///< what the cue ball met, in order
   bool traceable = true;                       ///< it met neither jaws nor a ball that had moved
+  bool rail_after_contact = false;             ///< after the first contact a ball met a cushion, or fell
   std::size_t after_balls = 0;                 ///< number of its meetings up to its last contact with a ball
 
   const std::optional<Vec2d>& cue_rests() const { return places.front(); }
@@ -37,5 +39,9 @@ struct Ending {
 /// Plays the shot until every ball rests, or the cue ball falls. Not for `ideal`, where no ball comes to rest, nor for
 /// a target without a ball. Cost: one simulation of all balls.
 Ending play_out(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch);
+
+/// Returns the ending of a launch whose replay makes the target; the cue ball's way is left out. Where the replay has
+/// the cue ball alone on its way, it goes on from there. Cost: a simulation of all balls, or of what is left of one.
+Ending ending_of(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Replay& made);
 
 }  // namespace bankshot::planning

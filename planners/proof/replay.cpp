@@ -239,8 +239,9 @@ Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Laun
               std::vector<Contact>* contacts) {
   Replay r = replay_to_target(request, budget, launch, goal, contacts);
   // In `ideal` no ball comes to rest, so every cue ball would fall in the end.
-  if (r.made && goal.counts && !is_ideal(request.puzzle().physics) &&
-      aftermath(request, budget, launch).scratch_pocket) {
+  const bool may_scratch = request.problem->whole && !request.puzzle().table.pockets.empty();
+  if (r.made && goal.counts && may_scratch && !is_ideal(request.puzzle().physics) &&
+      !ending_of(request, budget, launch, r).cue_rests()) {
     r.made = false;
     r.failure = {FailureReason::scratched};
   }

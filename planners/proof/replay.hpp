@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "bankshot/motion/arc.hpp"
@@ -26,6 +27,8 @@ struct Replay {
   int bounces = 0;                     ///< at arrival, or at the failure
   bool cushion_stick = false;          ///< see ShotPath::cushion_stick
   int jaws = 0;                        ///< see ShotPath::jaws
+  /// The cue ball when the target is made, if the only ball that it set going has fallen then.
+  std::optional<State<double>> cue{};
   Work work{};
 };
 

@@ -181,6 +181,7 @@ class SetGoing {
         all_set() && counts() ? request_.problem->aim_point_taken_by(pocket, now.at, number()) : nullptr;
     if (!aim_point || !goal_.allows(request_, *aim_point)) return fail(FailureReason::pocketed, pocket);
     out_.made = true;
+    if (chain_.balls.size() == 1 && sim.in_play(0)) out_.cue = sim.state_now(0);
     out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
     measure(request_, *aim_point, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
     return true;

@@ -27,9 +27,9 @@ void explain(CLI::App& command, const std::string& text, const std::vector<Examp
 #else
 #define BANKSHOT_LEARNING(row)
 #endif
-#define BANKSHOT_COMMANDS(row)                                                                                         \
-  row(solve) row(simulate) row(batch) row(verify) row(generate) row(map) row(pocket) row(book) row(report) row(schema) \
-      row(serve) row(merge) BANKSHOT_LEARNING(row) row(help) row(man) row(completion)
+#define BANKSHOT_COMMANDS(row)                                                                                       \
+  row(solve) row(play) row(simulate) row(batch) row(verify) row(generate) row(map) row(pocket) row(book) row(report) \
+      row(schema) row(serve) row(merge) BANKSHOT_LEARNING(row) row(help) row(man) row(completion)
 
 #define BANKSHOT_DECLARE(name) \
   namespace name {             \

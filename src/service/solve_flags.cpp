@@ -15,6 +15,7 @@ namespace bankshot::service {
 SolveOptions SolveFlags::solve_options() const {
   SolveOptions o = options;
   o.robustness = !no_robustness;
+  o.depth = static_cast<int>(std::min(depth, 1000L));
   return o;
 }
 
@@ -30,6 +31,7 @@ std::string SolveFlags::words() const {
   if (options.all) out += " --all";
   if (options.first) out += " --first";
   if (budget >= 0) out += fmt::format(" --budget {}", budget);
+  if (depth != SolveOptions{}.depth) out += fmt::format(" --depth {}", depth);
   if (!noise.empty()) out += " --noise " + noise;
   if (no_timing) out += " --no-timing";
   if (no_robustness) out += " --no-robustness";
@@ -48,6 +50,7 @@ std::vector<Option> options_of(SolveFlags& flags) {
        .excludes = "all"},
       {"budget", &flags.budget, "The most simulations to spend"},
       {"noise", &flags.noise, "A player by name, instead of the puzzle's noise; 'list' describes them"},
+      {"depth", &flags.depth, "Number of balls that the plan of a game looks at"},
       {"no-timing", &flags.no_timing, "Leave out time_us, so that equal input gives equal bytes"},
       {"no-robustness", &flags.no_robustness, "Leave out margin and success"},
       {"sensitivity", &flags.options.sensitivity, "Add how far a wrong coefficient of the table moves the arrival"},

@@ -3,6 +3,7 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/batch.hpp"
+#include "bankshot/scene/in_hand.hpp"
 
 namespace bankshot::service {
 
@@ -13,8 +14,7 @@ StartMap start_map(const Puzzle& puzzle, int columns, int rows, const SolveOptio
   for (std::size_t i = 0; i < map.grid.size(); ++i) {
     map.starts.push_back(start_at(puzzle, boundary, map.grid.at(i)));
     if (map.starts.back() != Start::legal) continue;
-    asked.push_back(puzzle);
-    asked.back().ball.at = map.grid.at(i);
+    asked.push_back(placed(puzzle, map.grid.at(i)));
   }
   SolveOptions each = options;
   each.suggest = false;

@@ -36,6 +36,8 @@ Run type(const std::string& lines) {
   return run_shell(R"(set -e; folder=$(mktemp -d); trap 'rm -rf "$folder"' EXIT; cd "$folder"
 ln -s PROGRAM bankshot; PATH=$folder:$PATH
 cat >puzzle.json; tr -d '\n' <puzzle.json >puzzles.jsonl; echo >>puzzles.jsonl
+echo '{"table": "pool-9ft", "ball": {"at": [0.7, 0.5]}, "others": [{"id": "1", "at": [1.6, 0.9]},'\
+  '{"id": "2", "at": [2.2, 0.4]}, {"id": "3", "at": [0.5, 1]}, {"id": "8", "at": [1.2, 0.3]}]}' >rack.json
 echo '{"table": "seed", "ball": {"at": [0.5, 0.5]}, "shot": {"speed": 1, "angle": 20}}' >shot.json
 bankshot batch puzzles.jsonl -o shots.jsonl --quiet
 for angle in 20 75; do

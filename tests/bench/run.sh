@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Repeats the measurements that README and docs/evidence.md quote, into tests/bench/results/*.csv:
 # all of them, which takes hours, or the named ones, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|runouts|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -97,6 +97,16 @@ part() {
       cat "$scratch/table"
       "$bin/leaves" --count 200 --seed 606 --others 3 --plays 300 --csv "$scratch/table" >/dev/null
       tail -n +2 "$scratch/table"
+      ;;
+    runouts)  # Who thinks of the next ball clears more tables.
+      head=1
+      for noise in strong weak; do
+        for balls in 2 3 4 6; do
+          "$bin/runouts" --balls $balls --layouts 300 --seed 31 --noise $noise -j "$(nproc)" --player solve spin play --csv "$scratch/table" >/dev/null
+          tail -n +$head "$scratch/table"
+          head=2
+        done
+      done
       ;;
     questions)  # Typed as a player would, on layouts that nobody tuned for.
       "$bin/questions" --program "$bankshot" --seed 77 -j "$(nproc)" --csv "$scratch/table" >/dev/null
@@ -212,7 +222,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best questions properties leaves shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best questions properties leaves runouts shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
 for name; do
   if [ "$name" = report ]; then
     report

@@ -19,7 +19,7 @@ using namespace bankshot::format;
 
 namespace {
 
-constexpr std::string_view documents[] = {"puzzle", "shot", "answer", "recording"};
+constexpr std::string_view documents[] = {"puzzle", "shot", "answer", "recording", "play"};
 
 /// Calls `f` with each object and key of all documents, once each.
 template <class F>
@@ -53,8 +53,10 @@ bool fits(std::string_view type, const Key& key, const Json& v) {
   if (type == "sides") return numbers(2, true);
   if (type == "range") return (v.is_number() && inside(key.bounds, v.get<double>())) || numbers(2, false);
   if (type.starts_with('[')) {
-    const auto inner = type.substr(1, type.size() - 2);
-    return v.is_array() && std::ranges::all_of(v, [&](const Json& x) { return fits(inner, key, x); });
+    const auto inner = alternatives(type.substr(1, type.size() - 2));
+    return v.is_array() && std::ranges::all_of(v, [&](const Json& x) {
+             return std::ranges::any_of(inner, [&](std::string_view one) { return fits(one, key, x); });
+           });
   }
   if (type.starts_with('<')) {
     const auto inner = type.substr(1, type.size() - 2);

@@ -30,7 +30,8 @@ std::string refused(const std::string& text) {
 TEST_CASE("every form of a leave is read and written") {
   const char* const leave =
       GENERATE(R"({"point": [1.9, 0.6], "within": 0.1})", R"({"point": [1.9, 0.6]})",
-               R"({"polygon": [[1.2, 0.3], [1.8, 0.3], [1.5, 0.9]]})", R"({"for": "8"})", R"({"safe": ["8"]})");
+               R"({"polygon": [[1.2, 0.3], [1.8, 0.3], [1.5, 0.9]]})", R"({"for": "8"})", R"({"safe": ["8"]})",
+               R"({"for": ["8"]})", R"({"for": [["8"]]})", R"({"against": "8"})");
   const std::string written = write_puzzle(read_puzzle(puzzle(leave)));
   CHECK(written.find("\"leave\"") != std::string::npos);
   CHECK(write_puzzle(read_puzzle(written)) == written);
@@ -43,6 +44,9 @@ TEST_CASE("a leave that cannot be is refused with its place") {
   CHECK(refused(puzzle(R"({"point": [1, 0.5], "within": 0})")) == "/leave/within");
   CHECK(refused(puzzle(R"({"polygon": [[1, 0.5], [1, 0.6]]})")) == "/leave/polygon");
   CHECK(refused(puzzle(R"({"for": "9"})")) == "/leave/for");
+  CHECK(refused(puzzle(R"({"for": []})")) == "/leave/for");
+  CHECK(refused(puzzle(R"({"for": [["8"], ["9"]]})")) == "/leave/for/1/0");
+  CHECK(refused(puzzle(R"({"against": {}})")) == "/leave/against");
   CHECK(refused(puzzle(R"({"for": "8"})", R"("table": "carom-10ft", "target": {"ball": "8"})")) != "accepted");
   CHECK(refused(puzzle(R"({"safe": []})")) == "/leave/safe");
   CHECK(refused(puzzle(R"({"point": [1, 0.5]})", R"("target": {"pocket": "any"})")) == "/leave");

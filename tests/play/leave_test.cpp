@@ -65,7 +65,7 @@ TEST_CASE("the success of a leave is that of plays which the simulator judges", 
     const double speed = shot.launch.speed + p.noise.speed_at(shot.launch.speed) * normal(random);
     const Launch struck{speed, shot.launch.angle + p.noise.angle * normal(random)};
     const auto places = played(p, struck, shot.spin);
-    if (!places[1] && places[2]) sum += worth(places);
+    if (!places[1] && places[2]) sum += worth({.places = places});
   }
   CHECK(shot.leave->success == Approx(sum / plays).margin(0.04));
 }

@@ -90,6 +90,12 @@ class Answer:
         return Shot.from_dict(miss) if miss else None
 
     @property
+    def plan(self) -> Optional[Dict[str, Any]]:
+        """What is planned after the best shot of a game."""
+        plan: Optional[Dict[str, Any]] = self._get("plan")
+        return plan
+
+    @property
     def message(self) -> str:
         """One sentence for a player."""
         return str(self._get("message"))

@@ -31,6 +31,7 @@ def solve(
     path: bool = False,
     no_timing: bool = False,
     noise: str = "",
+    depth: int = 3,
 ) -> Answer:
     """Finds the best shot of a puzzle. The flags are those of `bankshot solve`.
 
@@ -44,6 +45,7 @@ def solve(
     path:          add the points of each shot's path
     no_timing:     leave out time_us, so that equal input gives equal bytes
     noise:         player whose errors apply: "pro", "league" or "beginner"; "": the puzzle's own
+    depth:         number of balls that the plan of a game looks at
 
     Raises InvalidInput if the puzzle breaks a rule. Ctrl-C ends the search.
     """
@@ -57,9 +59,36 @@ def solve(
         path=path,
         no_timing=no_timing,
         noise=noise,
+        depth=depth,
     )
     text = text_of(puzzle)
     return Answer(text, flags, solved=_engine.solve(text, _engine.SolveFlags(**flags)))
+
+
+def play(
+    layout: Document,
+    *,
+    game: str = "rotation",
+    group: Optional[str] = None,
+    order: Optional[Sequence[Union[str, Sequence[str]]]] = None,
+    **flags: Any,
+) -> Answer:
+    """Finds what to play, thinking of the next balls: `solve` with a game as target.
+
+    layout: a puzzle; its target is replaced
+    game:   "rotation", "any", "eight" with a group, or "list" with an order
+    group:  "solids" or "stripes"
+    order:  ids of balls one after the other; a list in it allows any of its balls
+    flags:  those of `solve`
+
+    `plan` of the answer holds the shots after the first.
+    """
+    target: Dict[str, Any] = {"game": game}
+    if group is not None:
+        target["group"] = group
+    if order is not None:
+        target["order"] = order
+    return solve({**dict_of(layout), "target": target}, **flags)
 
 
 def solve_all(puzzle: Document, **flags: Any) -> Answer:
@@ -251,7 +280,7 @@ def fit(
 
 
 def schema(document: str = "puzzle") -> Dict[str, Any]:
-    """Returns the JSON Schema of "puzzle", "shot", "answer" or "recording"."""
+    """Returns the JSON Schema of "puzzle", "shot", "answer", "recording" or "play"."""
     found: Dict[str, Any] = json.loads(_engine.schema(document))
     return found
 

@@ -97,7 +97,8 @@ class Shot(_Document):
     then: Optional[Dict[str, Any]] = None
     scratch: Optional[bool] = None
     cue_rests: Union[None, str, Sequence[float]] = None  # m; or the pocket that the cue ball falls into
-    leave: Optional[Dict[str, Any]] = None  # "at" m, "miss" m, "success", "cushions", "spread" m
+    leave: Optional[Dict[str, Any]] = None  # "at" m, "miss" m, "success", "cushions", "spread" m, "next"
+    safety: Optional[bool] = None
     contact: Optional[Dict[str, Any]] = None  # "fullness", and "ghost" m: the first contact with a ball
     rattles: Optional[bool] = None
     off_centre: Optional[bool] = None

@@ -20,6 +20,7 @@ class SolveFlags:
         sensitivity: bool = ...,
         path: bool = ...,
         noise: str = ...,
+        depth: int = ...,
     ) -> None: ...
 
 class Solved:

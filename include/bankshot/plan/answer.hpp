@@ -19,6 +19,21 @@ enum class Status { solved, no_shot, budget, invalid };
 
 const char* name(Status status);
 
+/// The shots that are planned after the best shot of a game.
+struct Plan {
+  /// A shot that is planned, from where the shot before it leaves the balls.
+  struct Step {
+    Puzzle puzzle;
+    Shot shot;
+  };
+  std::vector<Step> next{};
+  /// Probability of potting the first ball, the first two, and so on, in one visit. It is an estimate: along the
+  /// planned shots, as if each stray place of the cue ball were worth what those of its shot are in the mean.
+  std::vector<double> clears{};
+  bool whole = false;  ///< the last of them clears the table
+  std::string why{};   ///< why this shot and not the likeliest pot
+};
+
 struct Answer {
   std::string id{};     ///< JSON text of the puzzle's identifier; empty without
   std::string about{};  ///< JSON text of the puzzle's `about`; empty without
@@ -29,6 +44,7 @@ struct Answer {
     std::string why;
   };
   std::optional<Nearest> nearest{};  ///< the nearest miss of a `no_shot`
+  std::optional<Plan> plan{};        ///< of a game
   std::vector<std::string> modelled{};
   long simulations = 0;  ///< simulations spent on search and verification
   double time_us = 0;    ///< time of the search, without margin and success

@@ -71,6 +71,13 @@ struct Spread {
   double angle = 0;               ///< rad; of the first axis, anticlockwise from +x
 };
 
+/// The best straight pot of the next ball, to an estimate by geometry.
+struct NextBall {
+  int ball = 0;        ///< k stands for the k-th of `others`, from 1
+  int pocket = 0;      ///< of the table
+  double success = 0;  ///< probability of the pot
+};
+
 /// The leave of a shot, if the puzzle asks for one.
 struct ShotLeave {
   Vec2d at{};                       ///< m; where the cue ball comes to rest
@@ -78,6 +85,7 @@ struct ShotLeave {
   double success = 0;               ///< probability that the target is made and the cue ball stops as asked
   std::vector<Contact> cushions{};  ///< cushions that the cue ball meets after its last contact with a ball
   std::optional<Spread> spread{};   ///< none if fewer than three plays make the target
+  std::optional<NextBall> next{};   ///< from where the cue ball stops, if a next ball is asked for and can be potted
 };
 
 /// The evidence of the replay: how exactly it makes the target, and how errors of the launch move the arrival.
@@ -114,6 +122,7 @@ struct Provenance {
 };
 
 struct Shot {
+  std::optional<Vec2d> placed{};  ///< m; with ball in hand, where the cue ball is placed
   Launch launch{};
   LaunchSpin spin{};
   ShotPath path{};
@@ -121,6 +130,7 @@ struct Shot {
   Robustness robustness{};
   Provenance provenance{};
   std::optional<ShotLeave> leave{};
+  bool safety = false;  ///< of a game: it pots no ball, and leaves the opponent little
 
   /// Returns the number of the ball that reaches the target; 0 is the cue ball.
   int arriving() const { return path.then.empty() ? 0 : path.then.back().ball; }
@@ -154,7 +164,8 @@ bool is_hopeless(const Puzzle& puzzle, const Shot& shot);
 /// Returns warnings for the player, such as a likely miscue or a likely double hit. The list is usually empty.
 std::vector<std::string> warnings(const Puzzle& puzzle, const Shot& shot);
 
-/// Returns the puzzle as a shot plays it: if the order of a carom is free, in the order of this shot.
+/// Returns the puzzle as a shot plays it: if the order of a carom is free, in the order of this shot; if it is a safety
+/// of a game, with the target and leave of a safety.
 Puzzle as_played(const Puzzle& puzzle, const Shot& shot);
 
 /// Returns the shot as a `simulate` request that ends when the ball reaches its target.

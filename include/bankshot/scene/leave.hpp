@@ -21,17 +21,26 @@ struct LeaveRegion {
   std::vector<Vec2d> vertices{};  ///< m
 };
 
-/// A place from which the best pot of this ball is likely.
-struct LeaveForBall {
-  int ball = 0;  ///< k stands for the k-th of `others`, from 1
+/// The order in which balls are to be potted: those of the first group in any order, then those of the second, and so
+/// on; k stands for the k-th of `others`, from 1.
+using PottingOrder = std::vector<std::vector<int>>;
+
+/// A place from which the best pot of a next ball is likely: of the first group of which a ball is left.
+struct LeaveForNext {
+  PottingOrder order{};
 };
 
 /// A place from which none of these balls can be hit directly: a snooker.
 struct LeaveSafe {
-  std::vector<int> balls{};  ///< as in LeaveForBall
+  std::vector<int> balls{};  ///< as in PottingOrder
 };
 
-using Leave = std::variant<LeavePlace, LeaveRegion, LeaveForBall, LeaveSafe>;
+/// A place from which the best pot of a next ball is unlikely: a safety. The order is that of the opponent.
+struct LeaveAgainst {
+  PottingOrder order{};
+};
+
+using Leave = std::variant<LeavePlace, LeaveRegion, LeaveForNext, LeaveSafe, LeaveAgainst>;
 
 /// Returns the distance [m] of a point from a region; 0 inside.
 double distance_to(const LeaveRegion& region, const Vec2d& at);

@@ -22,6 +22,14 @@
 
 namespace bankshot {
 
+/// A game, by the order in which it lets balls be potted (scene/game.hpp).
+enum class Game {
+  rotation,  ///< the lowest number first
+  any,       ///< every ball at any time: straight pool
+  eight,     ///< the player's own group, then ball 8
+  list       ///< an order that is given
+};
+
 enum class Prefer { robust, soft, quick };
 /// centre: the exact root. safest: may deviate from it to increase the value, as long as the shot counts as made.
 enum class Aim { centre, safest };
@@ -57,6 +65,12 @@ struct Noise {
   double spin_of(double own, double radius) const { return tip > 0 ? std::hypot(own, tip / (0.4 * radius)) : own; }
 };
 
+/// Ball in hand: where the player may place the cue ball (scene/in_hand.hpp).
+struct InHand {
+  enum class Where { anywhere, behind_head_string, polygon } where = Where::anywhere;
+  std::vector<Vec2d> vertices{};  ///< m; of the region, once around; not read for `anywhere`
+};
+
 /// A named player, as the key `noise` of a puzzle may give it.
 struct Player {
   std::string_view name;
@@ -73,8 +87,9 @@ struct Puzzle {
   Table table{};
   Physics physics = rolling_physics();
   Ball ball{};
-  std::vector<Ball> others{};             ///< other balls, at rest; others[k] is ball k + 1
-  LaunchSpin spin{};                      ///< launch spin, unless `spin_range` is given
+  std::optional<InHand> in_hand{};  ///< where the planner may place the cue ball; `ball.at` is then any such place
+  std::vector<Ball> others{};       ///< other balls, at rest; others[k] is ball k + 1
+  LaunchSpin spin{};                ///< launch spin, unless `spin_range` is given
   std::optional<SpinRange> spin_range{};  ///< spins that the planner may choose by `prefer`
   Target target{};
   CushionRule cushions{};
@@ -85,6 +100,7 @@ struct Puzzle {
   /// m; among the most robust shots, the one whose cue ball rests nearest to this point is preferred. Needs a ball
   /// target.
   std::optional<Vec2d> rest_near{};
+  std::optional<Game> game{};        ///< set if the question is what to play; `ask` sets target and leave (game.hpp)
   std::optional<Leave> leave{};      ///< where the cue ball should come to rest; needs a ball target
   std::optional<Aim> aim{};          ///< the default depends on the target: `aim_of`
   Noise noise{.speed_share = 0.03};  ///< the Computer Olympiad's pool noise, which grows with the speed

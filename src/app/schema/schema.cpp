@@ -29,7 +29,7 @@ Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("schema", "Print the format of a file as a JSON Schema (draft 2020-12)");
   command->add_option("document", a->document, "The kind of file")
-      ->type_name("TEXT:{puzzle,shot,answer,recording}")
+      ->type_name("TEXT:{puzzle,shot,answer,recording,play}")
       ->capture_default_str();
   command->add_flag("--markdown", a->markdown, "Print the tables of docs/format.md instead");
   explain(

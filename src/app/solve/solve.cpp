@@ -7,20 +7,12 @@
 #include "app/files.hpp"
 #include "app/option_checks.hpp"
 #include "app/options.hpp"
-#include "app/picture.hpp"
+#include "app/solve/solve.hpp"
 #include "bankshot/draw/svg.hpp"
 #include "bankshot/scene/json.hpp"
-#include "service/solve_flags.hpp"
 
 namespace bankshot::app::solve {
 namespace {
-
-struct Arguments {
-  std::string file = "-", csv;
-  service::SolveFlags flags;
-  PictureFlags picture;
-  bool json = false;
-};
 
 int invalid(const Arguments& a, const std::string& text, const InvalidInput& e) {
   std::cerr << complaint(a.file, e) << '\n';
@@ -28,12 +20,14 @@ int invalid(const Arguments& a, const std::string& text, const InvalidInput& e) 
   return bad_input;
 }
 
-int run(const Arguments& a) {
+}  // namespace
+
+int run(const Arguments& a, const Asked& asked) {
   if (const std::string list = service::list_asked(a.flags); !list.empty()) return print(list), done;
   service::check(a.flags);
   const std::string text = read_file(a.file);
   try {
-    const Puzzle puzzle = a.flags.read(text);
+    const Puzzle puzzle = a.flags.read(asked ? asked(text) : text);
     const Answer answer = bankshot::solve(puzzle, a.flags.solve_options());
     const auto write = [&] {
       a.picture.write([&](const PictureStyle& style) { return draw(puzzle, answer, style); });
@@ -48,21 +42,23 @@ int run(const Arguments& a) {
   }
 }
 
-}  // namespace
+void add_arguments(CLI::App& command, Arguments& a) {
+  add_options(command, service::options_of(a.flags));
+  add_picture_flags(command, a.picture);
+  command
+      .add_option(
+          "--csv", a.csv,
+          "Write the path as t,ball,x,y,vx,vy,wx,wy,wz to this file; - prints it instead of the text; with --all "
+          "a last column numbers the shots")
+      ->check(file_or_output);
+  command.add_flag("--json", a.json, "One line of JSON instead of text");
+}
 
 Run add(CLI::App& app) {
   auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("solve", "Find the aim and the speed for a puzzle");
   command->add_option("puzzle", a->file, "A puzzle in JSON; - reads standard input")->capture_default_str();
-  add_options(*command, service::options_of(a->flags));
-  add_picture_flags(*command, a->picture);
-  command
-      ->add_option(
-          "--csv", a->csv,
-          "Write the path as t,ball,x,y,vx,vy,wx,wy,wz to this file; - prints it instead of the text; with --all "
-          "a last column numbers the shots")
-      ->check(file_or_output);
-  command->add_flag("--json", a->json, "One line of JSON instead of text");
+  add_arguments(*command, *a);
   explain(
       *command,
       "The aim is given in diamonds: the point where the line of aim crosses the line of diamonds, 94 mm (3 11/16\n"

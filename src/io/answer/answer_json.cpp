@@ -92,6 +92,14 @@ void write_leave(JsonWriter& w, const Puzzle& p, const ShotLeave& leave) {
     w.number("angle", exact_degrees(leave.spread->angle));
     w.close('}');
   }
+  if (leave.next) {
+    w.key("next");
+    w.open('{');
+    w.string("ball", p.others[static_cast<std::size_t>(leave.next->ball) - 1].id);
+    w.string("pocket", p.table.pockets[static_cast<std::size_t>(leave.next->pocket)].name);
+    w.number("success", leave.next->success);
+    w.close('}');
+  }
   w.close('}');
 }
 
@@ -108,19 +116,52 @@ void write_then(JsonWriter& w, const Puzzle& p, std::span<const ObjectBallPath> 
   w.close('}');
 }
 
-/// Writes a shot, or a nearest miss if `why` gives its reason.
-void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, const std::string* why = nullptr) {
-  // Without the physics `spin`, the ball rolls from the start: natural roll, as if hit 2/5 R above centre.
-  const LaunchSpin spin = !carries_spin(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
-  w.open('{');
-  w.number("speed", shot.launch.speed);
-  w.number("angle", exact_degrees(shot.launch.angle));
+void write_spin(JsonWriter& w, const LaunchSpin& spin) {
   w.key("spin");
   w.open('{');
   w.number("top", spin.top);
   w.number("side", spin.side);
   if (spin.masse != 0) w.number("masse", spin.masse);
   w.close('}');
+}
+
+/// Writes what is planned after the best shot of a game.
+void write_plan(JsonWriter& w, const Plan& plan) {
+  w.key("plan");
+  w.open('{');
+  w.key("next");
+  w.open('[');
+  for (const Plan::Step& step : plan.next) {
+    w.open('{');
+    w.string("ball", step.puzzle.others[static_cast<std::size_t>(step.shot.arriving()) - 1].id);
+    if (const Pocket* const pocket = pocket_reached(step.puzzle, step.shot)) w.string("pocket", pocket->name);
+    write_point(w, step.puzzle.ball.at, "from");
+    w.number("speed", step.shot.launch.speed);
+    w.number("angle", exact_degrees(step.shot.launch.angle));
+    write_spin(w, step.shot.spin);
+    if (step.shot.path.cue_rests) write_point(w, *step.shot.path.cue_rests, "cue_rests");
+    if (step.shot.robustness.success) w.number("success", *step.shot.robustness.success);
+    w.close('}');
+  }
+  w.close(']');
+  w.key("clears");
+  w.open('[');
+  for (const double share : plan.clears) w.number(share);
+  w.close(']');
+  w.boolean("table", plan.whole);
+  if (!plan.why.empty()) w.string("why", plan.why);
+  w.close('}');
+}
+
+/// Writes a shot, or a nearest miss if `why` gives its reason.
+void write_shot(JsonWriter& w, const Puzzle& asked, const Shot& shot, bool path, const std::string* why = nullptr) {
+  const Puzzle p = as_played(asked, shot);
+  // Without the physics `spin`, the ball rolls from the start: natural roll, as if hit 2/5 R above centre.
+  const LaunchSpin spin = !carries_spin(p.physics) ? LaunchSpin{.top = 1} : shot.spin;
+  w.open('{');
+  w.number("speed", shot.launch.speed);
+  w.number("angle", exact_degrees(shot.launch.angle));
+  write_spin(w, spin);
   w.key("tip");
   w.open('{');
   const Tip tip = tip_of(spin, p.ball.body.radius);
@@ -136,6 +177,7 @@ void write_shot(JsonWriter& w, const Puzzle& p, const Shot& shot, bool path, con
   if (shot.path.scratch && !why) w.boolean("scratch", true);
   if (!why) write_cue_rests(w, p, shot);
   if (shot.leave && !why) write_leave(w, p, *shot.leave);
+  if (shot.safety) w.boolean("safety", true);
   if (shot.path.touches_jaws && !why) w.boolean("rattles", true);
   if (shot.provenance.moved && !why) w.string("aim", "safest");
   if (shot.verification.off_centre && !shot.provenance.moved && !why) w.boolean("off_centre", true);
@@ -217,6 +259,13 @@ std::string to_json(const Puzzle& puzzle, const Answer& a, bool timing, bool pat
   w.close(']');
   w.key("nearest");
   a.nearest ? write_shot(w, puzzle, a.nearest->shot, false, &a.nearest->why) : w.null();
+  if (!a.shots.empty() && a.shots.front().placed) {
+    w.key("ball");
+    w.open('{');
+    write_point(w, *a.shots.front().placed);
+    w.close('}');
+  }
+  if (a.plan) write_plan(w, *a.plan);
   w.key("modelled");
   w.open('[');
   for (const std::string& m : a.modelled) w.string(m);

@@ -76,11 +76,19 @@ ShotLeave read_leave(const Reader& r, const Puzzle& p) {
     const Vec2d sigma = v->need("sigma").pair(format::spread["sigma"].bounds);
     leave.spread = Spread{v->need("at").point(), {sigma.x, sigma.y}, radians(v->need("angle").number())};
   }
+  if (const auto v = r.find("next")) {
+    std::vector<std::string_view> names;
+    for (const Pocket& pocket : p.table.pockets) names.push_back(pocket.name);
+    leave.next = NextBall{read_ball(*v, p), static_cast<int>(v->need("pocket").word("pocket", names)),
+                          v->need("success").at_least(0)};
+  }
   return leave;
 }
 
-Shot read_shot(const Reader& r, const Puzzle& p) {
-  Shot s;
+Shot read_shot(const Reader& r, const Puzzle& asked, const std::optional<Vec2d>& placed = {}) {
+  Shot s{.placed = placed};
+  if (const auto v = r.find("safety")) s.safety = v->boolean();
+  const Puzzle p = as_played(asked, s);
   s.launch = {r.need("speed").positive(), wrap_angle(radians(r.need("angle").number()))};
   s.spin = read_spin(r.need("spin"), p);
   s.path.cushions = read_contacts(r.need("cushions"), p.table);
@@ -116,6 +124,15 @@ Shot read_shot(const Reader& r, const Puzzle& p) {
   return s;
 }
 
+/// Reads what a plan promises; the shots after the first are not read back.
+Plan read_plan(const Reader& r) {
+  Plan plan;
+  for (const Reader& share : r.need("clears").items()) plan.clears.push_back(share.at_least(0));
+  plan.whole = r.need("table").boolean();
+  if (const auto v = r.find("why")) plan.why = v->text();
+  return plan;
+}
+
 /// Checks that `settle` moves the balls as the answer says.
 void check_settled(const Reader& r, const Puzzle& p) {
   const auto members = r.members();
@@ -140,13 +157,16 @@ Answer read_answer(std::string_view text, const Puzzle* puzzle, std::set<std::st
   a.message = doc.need("message").text();
   if (const auto e = doc.find("error")) a.error = {e->need("path").text(), e->need("reason").text()};
   if (!puzzle) return a;
+  std::optional<Vec2d> placed;
+  if (const auto v = doc.find("ball"); v && puzzle->in_hand) placed = v->need("at").point();
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    a.shots.push_back(read_shot(shots[i], *puzzle));
+    a.shots.push_back(read_shot(shots[i], *puzzle, placed));
     note_unread(json["shots"][i], format::answer_shot, unread);
   }
   if (const auto n = doc.find("nearest"); n && !n->is_null())
     a.nearest = Answer::Nearest{read_shot(*n, *puzzle), n->need("why").text()};
   if (a.status == Status::invalid) return a;
+  if (const auto v = doc.find("plan")) a.plan = read_plan(*v);
   for (const Reader& m : doc.need("modelled").items()) a.modelled.push_back(m.text());
   a.simulations = doc.need("simulations").count();
   if (const auto t = doc.find("time_us")) a.time_us = t->at_least(0);

@@ -234,8 +234,12 @@ std::string leave_words(const Puzzle& p, const ShotLeave& leave) {
   if (const auto* place = std::get_if<LeavePlace>(&*p.leave))
     return fmt::format("{} to make it and stop within {} of the place", chance, distance_words(place->within, p.table));
   if (std::holds_alternative<LeaveRegion>(*p.leave)) return chance + " to make it and stop inside the region";
-  if (const auto* next = std::get_if<LeaveForBall>(&*p.leave))
-    return fmt::format("about {} to make it and then to pot {}", chance, contact_name(p, Contact::ball(next->ball)));
+  if (const auto* next = std::get_if<LeaveForNext>(&*p.leave)) {
+    const bool one = next->order.size() == 1 && next->order.front().size() == 1;
+    return fmt::format("{} to make it and then, by an estimate, to pot {}", chance,
+                       one ? contact_name(p, Contact::ball(next->order.front().front())) : "the next ball");
+  }
+  if (std::holds_alternative<LeaveAgainst>(*p.leave)) return chance + " to make it and leave the opponent no pot";
   return chance + " to make it and leave no direct hit";
 }
 
@@ -256,15 +260,45 @@ void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
     if (const auto off = inexact_words(shot.leave->miss, p.table)) stops += ", " + *off + " from where it should be";
   if (shot.leave && !shot.leave->cushions.empty()) stops += ", off " + cushion_names(p.table, shot.leave->cushions);
   rows.push_back({"cue ball", stops});
-  if (shot.leave) rows.push_back({"leave", leave_words(p, *shot.leave)});
+  if (!shot.leave) return;
+  if (const auto& next = shot.leave->next)
+    rows.push_back(
+        {"next",
+         fmt::format("{} into {}, {} from there by an estimate", contact_name(p, Contact::ball(next->ball)),
+                     p.table.pockets[static_cast<std::size_t>(next->pocket)].name, percent_words(next->success))});
+  rows.push_back({"leave", leave_words(p, *shot.leave)});
+}
+
+/// Returns a pot in words: "ball "2" into top-left".
+std::string pot_words(const Puzzle& p, const Shot& shot) {
+  const Pocket* const pocket = pocket_reached(p, shot);
+  return contact_name(p, Contact::ball(shot.arriving())) + (pocket ? " into " + pocket->name : "");
 }
 
 }  // namespace
 
-std::vector<Row> rows_of(const Puzzle& p, const Shot& shot) {
+std::vector<Row> rows_of(const Plan& plan) {
+  std::vector<Row> rows;
+  std::string then;
+  for (const Plan::Step& step : plan.next)
+    then += (then.empty() ? "" : "; ") + pot_words(step.puzzle, step.shot) +
+            fmt::format(", {}", percent_words(step.shot.robustness.success.value_or(0)));
+  if (!then.empty()) rows.push_back({"then", then});
+  if (const std::size_t balls = plan.clears.size(); balls > 1)
+    rows.push_back({"clears", fmt::format("{} in {} of visits, by an estimate",
+                                          plan.whole ? "the table" : fmt::format("the next {} balls", balls),
+                                          percent_words(plan.clears.back()))});
+  if (!plan.why.empty()) rows.push_back({"why", plan.why});
+  return rows;
+}
+
+std::vector<Row> rows_of(const Puzzle& asked, const Shot& shot) {
+  const Puzzle p = as_played(asked, shot);
   const ShotRequest r = as_request(p, shot);
   std::vector<Row> rows{{"aim", aim_words(r, shot.path.cushions.empty() ? pocket_reached(p, shot) : nullptr)},
                         {"speed", speed_words(r)}};
+  if (asked.in_hand && shot.placed)
+    rows.insert(rows.begin(), {"place", "the cue ball " + place_words(p.table, *shot.placed)});
   if (p.ball.body.radius > 0) rows.push_back({"tip", tip_words(r)});
   for (std::string& warning : warnings(p, shot)) rows.push_back({"warning", std::move(warning)});
   rows.push_back(

@@ -41,4 +41,7 @@ inline constexpr std::string_view scratch_row = "SCRATCH";
 /// Returns all rows about a shot, the most important first.
 std::vector<Row> rows_of(const Puzzle& puzzle, const Shot& shot);
 
+/// Returns the rows about what is planned after the best shot of a game.
+std::vector<Row> rows_of(const Plan& plan);
+
 }  // namespace bankshot

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/in_hand.hpp"
 #include "io/answer/launch_words.hpp"
 #include "io/draw/caption.hpp"
 #include "io/draw/moving.hpp"
@@ -66,7 +67,34 @@ void draw_leave(Canvas& c, ShotRequest request, const Shot& shot, const PictureS
   draw_stop(c, request.ball, at, shot.path.cue_rests.has_value());
 }
 
-void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& style) {
+/// Draws the shots that are planned after the first, in lighter lines, the later ones the fainter.
+void draw_plan(Canvas& c, const Plan& plan, const PictureStyle& style) {
+  double opacity = 0.5;
+  for (const Plan::Step& step : plan.next) {
+    ShotRequest r = as_request(step.puzzle, step.shot);
+    if (&step != &plan.next.back()) r.until = {};  // up to where the next shot begins
+    const Trajectory all = simulate(r);
+    const PathStyle thin{.colour = c.c.paths[0],
+                         .width = 0.6 * line_width(style),
+                         .opacity = opacity,
+                         .ghosts = false,
+                         .numbers = false};
+    draw_path(c, step.puzzle.ball, path_of(all, 0), thin);
+    for (const ObjectBallPath& sent : step.shot.path.then) {
+      const Ball& ball = ball_of(r, sent.ball);
+      PathStyle own = thin;
+      own.colour = colour_of(c, ball);
+      draw_path(c, ball, path_of(all, sent.ball), own);
+    }
+    draw_ball(c, step.puzzle.ball, step.shot.path.hits.front().at, opacity);
+    constexpr double fainter = 0.7;
+    opacity *= fainter;
+  }
+}
+
+/// Draws one shot, with what is planned after it if `plan` is not null.
+void draw_one(Canvas& c, const Puzzle& asked, const Shot& shot, const PictureStyle& style, const Plan* plan) {
+  const Puzzle p = as_played(asked, shot);
   const ShotRequest request = as_request(p, shot);
   const Trajectory all = simulate(request), t = path_of(all, 0);
   const Pocket* pocket = pocket_reached(p, shot);
@@ -79,6 +107,7 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   draw_wanted_leave(c, p);
   if (shot.leave && shot.leave->spread) draw_spread(c, *shot.leave->spread);
   if (aim && style.words) draw_aim(c, p.ball.at, *aim);
+  if (plan) draw_plan(c, *plan, style);
   draw_leave(c, request, shot, style);
   draw_path(c, p.ball, t, {.colour = c.c.paths[0], .width = line_width(style), .numbers = style.words});
   if (style.words) draw_dots(c, request, t, c.c.paths[0]);
@@ -86,7 +115,11 @@ void draw_one(Canvas& c, const Puzzle& p, const Shot& shot, const PictureStyle& 
   const Trajectory arriving = shot.path.then.empty() ? t : draw_sent(c, request, all, shot, style);
   draw_balls(c, p, shot, style);
   draw_opening(c, p, shot, arriving.events.back().state.velocity);
-  if (style.words) draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot), t), &request);
+  if (!style.words) return;
+  std::vector<Row> rows = rows_of(p, shot);
+  if (plan)
+    for (Row& row : rows_of(*plan)) rows.push_back(std::move(row));
+  draw_caption(c, title_words(p, shot), caption_rows(std::move(rows), t), &request);
 }
 
 std::string listed(const Puzzle& p, const Shot& s) {
@@ -218,12 +251,14 @@ std::string draw(const Table& table, const Ball& ball, std::span<const LabelledP
   return c.document(title);
 }
 
-std::string draw(const Puzzle& puzzle, const Answer& answer, const PictureStyle& style) {
+std::string draw(const Puzzle& asked, const Answer& answer, const PictureStyle& style) {
+  const bool in_hand = !answer.shots.empty() && answer.shots.front().placed;
+  const Puzzle puzzle = in_hand ? placed(asked, *answer.shots.front().placed) : asked;
   Canvas c(puzzle.table, style);
   if (answer.shots.empty())
     draw_none(c, puzzle, answer, style);
   else if (answer.shots.size() == 1)
-    draw_one(c, puzzle, answer.shots.front(), style);
+    draw_one(c, puzzle, answer.shots.front(), style, answer.plan ? &*answer.plan : nullptr);
   else
     draw_all(c, puzzle, answer, style);
   // A picture of the puzzle alone has an empty answer.

@@ -62,6 +62,13 @@ inline constexpr Key spread_keys[] = {
 };
 inline constexpr Object spread{"spread", "Where the cue ball stops in plays that make the target.", spread_keys};
 
+inline constexpr Key next_ball_keys[] = {
+    {"ball", "string", "", required, R"("2")", "its id"},
+    {"pocket", "string", "", required, R"("top-left")", "of its best straight pot"},
+    {"success", "number", "", required, "0.88", "of that pot, to an estimate by geometry", between(0, 1)},
+};
+inline constexpr Object next_ball{"next_ball", "The next ball, from where the cue ball stops.", next_ball_keys};
+
 inline constexpr Key shot_leave_keys[] = {
     {"at", "point", "m", required, "[1.88, 0.61]", "where the cue ball comes to rest"},
     {"miss", "number", "m", required, "0.02",
@@ -73,6 +80,8 @@ inline constexpr Key shot_leave_keys[] = {
      "bounces of the cue ball after its last contact with a ball"},
     {"spread", "{spread}", "", "if hardly a play makes the target",
      R"({"at": [1.87, 0.6], "sigma": [0.14, 0.03], "angle": 31})", "how far the player's errors spread the cue ball"},
+    {"next", "{next_ball}", "", "without `for`, or where none can be potted",
+     R"({"ball": "2", "pocket": "top-left", "success": 0.88})", "the best pot from there"},
 };
 inline constexpr Object shot_leave{"shot_leave", "The leave of the cue ball.", shot_leave_keys};
 
@@ -110,6 +119,7 @@ inline constexpr Key answer_shot_keys[] = {
     {"leave", "{shot_leave}", "", "without `leave` in the puzzle",
      R"({"at": [1.88, 0.61], "miss": 0.02, "success": 0.41, "cushions": ["right"]})",
      "how the cue ball is left, as the puzzle asks"},
+    {"safety", "boolean", "", "false", "true", "of a game: it pots no ball, and leaves the opponent little"},
     {"rattles", "boolean", "", "false", "true", "it touches the jaws of a pocket on its way"},
     {"aim",
      "word",
@@ -143,6 +153,36 @@ inline constexpr Key answer_shot_keys[] = {
 };
 inline constexpr Object answer_shot{"answer_shot", "What to do, with its evidence.", answer_shot_keys};
 
+inline constexpr Key placed_keys[] = {
+    {"at", "point", "m", required, "[0.4, 0.7]", "its centre"},
+};
+inline constexpr Object placed{"placed", "The place of a cue ball in hand.", placed_keys};
+
+inline constexpr Key planned_keys[] = {
+    {"ball", "string", "", required, R"("2")", "that is potted"},
+    {"pocket", "string", "", required, R"("top-right")", "into which it falls"},
+    {"from", "point", "m", required, "[1.88, 0.61]", "where the shot before it leaves the cue ball"},
+    {"speed", "number", "m/s", required, "1.2", "of the launch", at_least(0)},
+    {"angle", "number", "degrees", required, "41", "of the aim, anticlockwise from +x", between(0, 360)},
+    {"spin", "{answer_spin}", "", required, R"({"top": 0, "side": 0})", "at launch"},
+    {"cue_rests", "point", "m", "where the cue ball falls", "[0.7, 0.9]", "where the cue ball comes to rest"},
+    {"success", "number", "", "left out with --no-robustness", "0.91", "probability of the pot", between(0, 1)},
+};
+inline constexpr Object planned{"planned", "A shot that is planned after the first; it is made from that place.",
+                                planned_keys};
+
+inline constexpr Key plan_keys[] = {
+    {"next", "[{planned}]", "", required, "[]", "the shots after the first, in order"},
+    {"clears", "[number]", "", required, "[0.93, 0.81, 0.7]",
+     "probability to pot the first ball, the first two, and so on, in one visit: an estimate along the planned shots",
+     between(0, 1)},
+    {"table", "boolean", "", required, "false", "the last of `clears` clears the table"},
+    {"why", "string", "", "nothing to say",
+     R"("the likeliest pot (97 %) would make it and leave the next ball in 41 % of plays, this one in 88 %")",
+     "why this shot and not the likeliest pot"},
+};
+inline constexpr Object plan{"plan", "What is planned after the best shot of a game.", plan_keys};
+
 inline constexpr Key error_keys[] = {
     {"path", "string", "", required, R"("/ball/at/0")",
      "the place in the puzzle, a JSON pointer; empty for the whole text"},
@@ -163,6 +203,9 @@ inline constexpr Key answer_keys[] = {
      statuses},
     {"shots", "[{answer_shot}]", "", required, "[]", "best first; all of them with --all"},
     {"nearest", "{answer_shot} | null", "", required, "null", "the closest miss of a `no-shot`"},
+    {"ball", "{placed}", "", "where the cue ball is not in hand", R"({"at": [0.4, 0.7]})", "where to put the cue ball"},
+    {"plan", "{plan}", "", "without a game as target", R"({"next": [], "clears": [0.93], "table": true})",
+     "what is planned after the best shot"},
     {"modelled", "[string]", "", "not of `invalid`", modelled_example, "what the simulation holds"},
     {"simulations", "whole", "", "not of `invalid`", "31", "spent on the search and on replays", at_least(0)},
     {"time_us", "number", "µs", "left out with --no-timing", "14.2", "of the search, without margin and success",

@@ -14,6 +14,7 @@ constexpr const Object* all[] = {&puzzle,
                                  &shot,
                                  &answer,
                                  &recording,
+                                 &play,
                                  &mouth,
                                  &pocket,
                                  &own_cushion,
@@ -32,6 +33,7 @@ constexpr const Object* all[] = {&puzzle,
                                  &rolling_balls,
                                  &ball_ball,
                                  &ball,
+                                 &behind,
                                  &other,
                                  &to_point,
                                  &to_pocket,
@@ -45,6 +47,8 @@ constexpr const Object* all[] = {&puzzle,
                                  &leave_region,
                                  &leave_for,
                                  &leave_safe,
+                                 &leave_against,
+                                 &game,
                                  &count,
                                  &arrive,
                                  &noise,
@@ -62,6 +66,10 @@ constexpr const Object* all[] = {&puzzle,
                                  &arrival,
                                  &margin,
                                  &answer_shot,
+                                 &next_ball,
+                                 &placed,
+                                 &planned,
+                                 &plan,
                                  &error};
 
 const Object* object(std::string_view name) {
@@ -75,9 +83,15 @@ const Object* object(std::string_view name) {
 std::vector<std::string_view> alternatives(std::string_view type) {
   constexpr std::string_view either = " | ";
   std::vector<std::string_view> out;
-  for (std::size_t end; (end = type.find(either)) != std::string_view::npos; type.remove_prefix(end + either.size()))
-    out.push_back(type.substr(0, end));
-  out.push_back(type);
+  std::size_t begin = 0;
+  for (std::size_t i = 0, depth = 0; i < type.size(); ++i) {
+    if (type[i] == '[') ++depth;
+    if (type[i] == ']') --depth;
+    if (depth > 0 || !type.substr(i).starts_with(either)) continue;
+    out.push_back(type.substr(begin, i - begin));
+    begin = i + either.size();
+  }
+  out.push_back(type.substr(begin));
   return out;
 }
 

@@ -85,6 +85,31 @@ inline constexpr Key carom_keys[] = {
 };
 inline constexpr Object carom{"carom", "Touch one ball and then another.", carom_keys};
 
+inline constexpr std::string_view games[] = {"rotation", "any", "eight", "list"};
+inline constexpr std::string_view groups[] = {"solids", "stripes"};
+inline constexpr Key game_keys[] = {
+    {"game",
+     "word",
+     "",
+     required,
+     R"("rotation")",
+     "which ball may be potted next: the lowest, any, one of the own group and then the 8, or as `order` says",
+     {},
+     games},
+    {"group",
+     "word",
+     "",
+     "needed by `eight` alone",
+     R"("solids")",
+     "the player's own: balls 1 to 7, or 9 to 15",
+     {},
+     groups},
+    {"order", "string | [string | [string]]", "", "needed by `list` alone", R"(["3", ["1", "2"]])",
+     "balls one after the other; a list in the list allows any of its balls"},
+};
+inline constexpr Object game{
+    "game", "What should I play? Pot a ball that the game allows, and leave the cue ball for the next.", game_keys};
+
 inline constexpr Key arrive_keys[] = {
     {"speed", "range", "m/s", required, "1.5", "at the target; 0 rests there", at_least(0)},
 };
@@ -131,9 +156,17 @@ inline constexpr Key leave_region_keys[] = {
 };
 inline constexpr Object leave_region{"leave_region", "Inside a polygon.", leave_region_keys};
 inline constexpr Key leave_for_keys[] = {
-    {"for", "string", "", required, R"("2")", "where the best pot of this ball is likely"},
+    {"for", "string | [string | [string]]", "", required, R"("2")",
+     "where the best pot of the next ball is likely: this one, or of a list the first that is still on the table; a "
+     "list in the list allows any of its balls"},
 };
 inline constexpr Object leave_for{"leave_for", "Good for the next ball.", leave_for_keys};
+inline constexpr Key leave_against_keys[] = {
+    {"against", "string | [string | [string]]", "", required, R"("2")",
+     "where the best pot of the opponent's next ball is unlikely; as in `for`"},
+};
+inline constexpr Object leave_against{"leave_against", "Bad for the opponent's next ball: a safety.",
+                                      leave_against_keys};
 inline constexpr Key leave_safe_keys[] = {
     {"safe", "[string]", "", required, R"(["1", "2"])", "where none of these balls can be hit directly"},
 };
@@ -190,7 +223,7 @@ constexpr auto with_scene_keys(const Key (&own)[N]) {
 }
 
 inline constexpr auto puzzle_keys = with_scene_keys({
-    {"target", "{to_point} | {to_pocket} | {to_ball} | {carom}", "", required, R"({"pocket": "top-right"})",
+    {"target", "{to_point} | {to_pocket} | {to_ball} | {carom} | {game}", "", required, R"({"pocket": "top-right"})",
      "what the ball is to reach"},
     {"cushions", "whole | [string] | {count}", "", R"({"min": 0, "max": 3})", R"(["bottom", "right"])",
      "bounces before the target: how many, which in order, or from `min` to `max`", between(0, max_cushions)},
@@ -223,7 +256,7 @@ inline constexpr auto puzzle_keys = with_scene_keys({
      "the player's errors, by name or in numbers",
      {},
      player_names},
-    {"leave", "{leave_place} | {leave_region} | {leave_for} | {leave_safe}", "", "none",
+    {"leave", "{leave_place} | {leave_region} | {leave_for} | {leave_safe} | {leave_against}", "", "none",
      R"({"point": [1.9, 0.6], "within": 0.1})",
      "where the cue ball should come to rest after the shot; only with a ball as target"},
     {"budget", "{budget}", "", "100000 for each six pairs of a ball and a pocket", R"({"simulations": 20000})",
@@ -231,5 +264,18 @@ inline constexpr auto puzzle_keys = with_scene_keys({
 });
 inline constexpr Object puzzle{"puzzle", "The question: the input of `solve`, and one line of the input of `batch`.",
                                puzzle_keys};
+
+inline constexpr auto play_keys = with_scene_keys({
+    {"target", "{game}", "", R"({"game": "rotation"})", R"({"game": "eight", "group": "solids"})",
+     "the game; the options of `play` come first"},
+    puzzle["cushions"],
+    puzzle["speed"],
+    puzzle["angle"],
+    puzzle["aim"],
+    puzzle["noise"],
+    puzzle["budget"],
+});
+inline constexpr Object play{"play", "A layout: the input of `play`. With its target it is a puzzle as well.",
+                             play_keys};
 
 }  // namespace bankshot::format

@@ -261,9 +261,30 @@ inline constexpr Object spins{
     "can give (2/5 R √(top² + side²) above R) is `invalid` in a puzzle.",
     spins_keys};
 
+inline constexpr std::string_view hand_words[] = {"anywhere"}, hand_lines[] = {"head-string"};
+inline constexpr Key behind_keys[] = {
+    {"behind",
+     "word",
+     "",
+     required,
+     R"("head-string")",
+     "the first quarter of a pool table, or the D of a snooker table",
+     {},
+     hand_lines},
+};
+inline constexpr Object behind{"behind", "Ball in hand behind a line.", behind_keys};
+
 inline constexpr Key ball_keys[] = {
-    {"at", "point", "m", required, "[0.635, 0.4]",
-     "its centre; at least the radius away from every cushion, and in no pocket"},
+    {"at",
+     "point | word | [point] | {behind}",
+     "m",
+     required,
+     "[0.635, 0.4]",
+     "its centre; at least the radius away from every cushion, and in no pocket. In a puzzle it may be in hand, and "
+     "the "
+     "planner chooses the place: `anywhere`, inside a polygon, or behind a line",
+     {},
+     hand_words},
     {"radius", "number", "m", "that of the table's preset, else 0.028575", "0.03",
      "0 is a point, in `ideal` and `rolling`", at_least(0)},
     {"mass", "number", "kg", "that of the table's preset, else 0.170097", "0.17", "", positive},

@@ -33,10 +33,12 @@ Json any_of(std::vector<Json> types) {
   return {{"anyOf", std::move(types)}};
 }
 
+Json schema_of(const Key& key, std::string_view type);
+
 /// Returns the schema of one alternative of a type.
 Json one_of(const Key& key, std::string_view type) {
   Json number = numbers(key.bounds, "number"), free{{"type", "number"}};
-  if (type.starts_with('[')) return {{"type", "array"}, {"items", one_of(key, type.substr(1, type.size() - 2))}};
+  if (type.starts_with('[')) return {{"type", "array"}, {"items", schema_of(key, type.substr(1, type.size() - 2))}};
   if (type.starts_with('{')) return reference(type.substr(1, type.size() - 2));
   if (type.starts_with('<'))
     return {{"type", "object"}, {"additionalProperties", one_of(key, type.substr(1, type.size() - 2))}};
@@ -53,10 +55,14 @@ Json one_of(const Key& key, std::string_view type) {
   return {{"type", type}};
 }
 
-Json member(const Key& key) {
+Json schema_of(const Key& key, std::string_view type) {
   std::vector<Json> types;
-  for (const std::string_view type : alternatives(key.type)) types.push_back(one_of(key, type));
-  Json j = any_of(std::move(types));
+  for (const std::string_view one : alternatives(type)) types.push_back(one_of(key, one));
+  return any_of(std::move(types));
+}
+
+Json member(const Key& key) {
+  Json j = schema_of(key, key.type);
   if (!key.meaning.empty())
     j["description"] = key.unit.empty() ? std::string(key.meaning) : fmt::format("{} [{}]", key.meaning, key.unit);
   if (const Json fallback = Json::parse(key.fallback, nullptr, false); !fallback.is_discarded())
@@ -80,10 +86,12 @@ Json definition(const Object& object) {
   return j;
 }
 
-/// Describes a type in words, with links to objects.
+std::string type_words(const Key& key, std::string_view type);
+
+/// Describes one alternative of a type in words, with links to objects.
 std::string in_words(const Key& key, std::string_view type) {
   const std::string inner(type.substr(std::min<std::size_t>(type.size(), 1), type.size() - 2));
-  if (type.starts_with('[')) return "list of " + in_words(key, inner) + (inner == "string" ? "s" : "");
+  if (type.starts_with('[')) return "list of " + (inner == "string" ? "strings" : type_words(key, inner));
   if (type.starts_with('{')) return fmt::format("[{}](#{})", inner, inner);
   if (type.starts_with('<')) return "by name a " + in_words(key, inner);
   if (type == "whole") return "whole number";
@@ -100,6 +108,12 @@ std::string in_words(const Key& key, std::string_view type) {
   return words;
 }
 
+std::string type_words(const Key& key, std::string_view type) {
+  std::string words;
+  for (const std::string_view one : alternatives(type)) words += (words.empty() ? "" : " or ") + in_words(key, one);
+  return words;
+}
+
 std::string bounds_in_words(const Bounds& b) {
   if (std::isfinite(b.high)) return b.low == b.high ? "" : fmt::format(", {:g} to {:g}", b.low, b.high);
   if (!std::isfinite(b.low)) return "";
@@ -107,12 +121,10 @@ std::string bounds_in_words(const Bounds& b) {
 }
 
 std::string row(const Key& key) {
-  std::string type;
-  for (const std::string_view one : alternatives(key.type)) type += (type.empty() ? "" : " or ") + in_words(key, one);
   const bool json = !Json::parse(key.fallback, nullptr, false).is_discarded();
   const std::string fallback = json ? fmt::format("`{}`", key.fallback) : std::string(key.fallback);
-  return fmt::format("| `{}` | {}{} | {} | {} | `{}` | {} |\n", key.name, type, bounds_in_words(key.bounds), key.unit,
-                     fallback, key.example, key.meaning);
+  return fmt::format("| `{}` | {}{} | {} | {} | `{}` | {} |\n", key.name, type_words(key, key.type),
+                     bounds_in_words(key.bounds), key.unit, fallback, key.example, key.meaning);
 }
 
 /// Returns the Markdown table of the preset tables.
@@ -139,7 +151,7 @@ std::string cushion_laws() {
 }  // namespace
 
 std::span<const std::string_view> documents() {
-  static constexpr std::string_view names[] = {"puzzle", "shot", "answer", "recording"};
+  static constexpr std::string_view names[] = {"puzzle", "shot", "answer", "recording", "play"};
   return names;
 }
 

@@ -11,7 +11,7 @@
 
 namespace bankshot::format {
 
-/// Returns the names of the documents: "puzzle", "shot", "answer", "recording".
+/// Returns the names of the documents: "puzzle", "shot", "answer", "recording", "play".
 std::span<const std::string_view> documents();
 
 /// Returns the schema of `document`, which is one of documents().

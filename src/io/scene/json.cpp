@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/game.hpp"
 #include "io/format/shot_keys.hpp"
 #include "io/json/reader.hpp"
 #include "io/scene/read_physics.hpp"
@@ -72,6 +73,16 @@ std::vector<int> read_balls(const Reader& r, const std::vector<Ball>& others) {
   if (which < others.size()) return {1 + static_cast<int>(which)};
   for (std::size_t i = 0; i < others.size(); ++i) balls.push_back(1 + static_cast<int>(i));
   return balls;
+}
+
+/// Reads the order in which balls are potted: one ball, a list of balls one after the other, or a list of lists of
+/// which each allows any of its balls.
+PottingOrder read_order(const Reader& r, const std::vector<Ball>& others) {
+  if (!r.is_array()) return {{read_ball(r, others)}};
+  PottingOrder order;
+  for (const Reader& item : r.items())
+    order.push_back(item.is_array() ? read_balls(item, others) : std::vector{read_ball(item, others)});
+  return order;
 }
 
 PointTarget read_point(const Reader& r) {
@@ -159,8 +170,26 @@ Target read_target(const Reader& r, const Table& table, const std::vector<Ball>&
     return read_point(r);
   }
   r.only(format::to_pocket);
-  if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\", \"carom\"");
+  if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\", \"carom\", \"game\"");
   return read_pocket(r, table);
+}
+
+/// Reads what a game asks: its target, its leave, and a spin that is free where the puzzle gives none.
+void read_game(const Reader& r, Puzzle& p) {
+  r.only(format::game);
+  const auto game = static_cast<Game>(r.need("game").word("game", format::games));
+  const auto group = r.find("group"), order = r.find("order");
+  if (group && game != Game::eight) group->fail("belongs to the game \"eight\" alone");
+  if (order && game != Game::list) order->fail("belongs to the game \"list\" alone");
+  if (p.others.empty()) r.fail("needs balls to pot, in \"others\"");
+  if (p.table.pockets.empty()) r.fail("needs pockets, and this table has none");
+  if (is_ideal(p.physics)) r.fail("needs balls that come to rest, and in ideal physics none does");
+  if (game == Game::list)
+    ask(p, game, read_order(r.need("order"), p.others));
+  else if (game == Game::eight)
+    ask(p, game, order_of_eight(static_cast<Group>(r.need("group").word("group", format::groups)), p.others));
+  else
+    ask(p, game, order_of(game, p.others));
 }
 
 Range read_angle(const Reader& r) {
@@ -199,7 +228,7 @@ Noise read_noise(const Reader& r) {
 }
 
 Leave read_leave(const Reader& r, const std::vector<Ball>& others) {
-  if (!r.is_object()) r.fail("must have one of the keys \"point\", \"polygon\", \"for\", \"safe\"");
+  if (!r.is_object()) r.fail("must have one of the keys \"point\", \"polygon\", \"for\", \"safe\", \"against\"");
   if (const auto v = r.find("polygon")) {
     r.only(format::leave_region);
     LeaveRegion region;
@@ -208,14 +237,18 @@ Leave read_leave(const Reader& r, const std::vector<Ball>& others) {
   }
   if (const auto v = r.find("for")) {
     r.only(format::leave_for);
-    return LeaveForBall{read_ball(*v, others)};
+    return LeaveForNext{read_order(*v, others)};
+  }
+  if (const auto v = r.find("against")) {
+    r.only(format::leave_against);
+    return LeaveAgainst{read_order(*v, others)};
   }
   if (const auto v = r.find("safe")) {
     r.only(format::leave_safe);
     return LeaveSafe{read_balls(*v, others)};
   }
   r.only(format::leave_place);
-  if (!r.find("point")) r.fail("must have one of the keys \"point\", \"polygon\", \"for\", \"safe\"");
+  if (!r.find("point")) r.fail("must have one of the keys \"point\", \"polygon\", \"for\", \"safe\", \"against\"");
   LeavePlace place{r.need("point").point()};
   r.read(format::leave_place["within"], place.within);
   return place;
@@ -274,7 +307,14 @@ Puzzle read_puzzle(std::string_view text) {
     if (carries_spin(p.physics)) p.spin_range = read_spin_range(*v);
     if (!p.spin_range) p.spin = read_spin(*v, p.physics, false);
   }
-  p.target = read_target(doc.need("target"), p.table, p.others);
+  if (const Reader target = doc.need("target"); target.find("game")) {
+    for (const char* key : {"leave", "prefer", "arrive"})
+      if (const auto v = doc.find(key)) v->fail("has no place beside a game, which plans where the cue ball stops");
+    read_game(target, p);
+    if (carries_spin(p.physics) && !doc.need("ball").find("spin")) p.spin_range = SpinRange{{-1, 1}, {-0.75, 0.75}, {}};
+  } else {
+    p.target = read_target(target, p.table, p.others);
+  }
   if (const auto v = doc.find("cushions")) p.cushions = read_cushions(*v, p.table);
   if (const auto v = doc.find("speed")) p.speed = v->range();
   if (const auto v = doc.find("arrive")) {

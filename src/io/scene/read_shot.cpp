@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/scene/read_shot.hpp"
 
+#include <algorithm>
+#include <type_traits>
+
+#include "bankshot/numbers/angle.hpp"
+#include "bankshot/scene/in_hand.hpp"
 #include "bankshot/scene/settle.hpp"
 #include "io/format/shot_keys.hpp"
 #include "io/scene/read_physics.hpp"
@@ -9,11 +14,57 @@
 namespace bankshot {
 namespace {
 
-/// Reads the cue ball; `ball` holds the defaults.
-Ball read_ball(const Reader& scene, Ball ball) {
+/// Returns whether the place of the cue ball is left to the planner.
+bool is_in_hand(const Reader& at) { return !at.is_array() || (at.size() > 0 && at.items().front().is_array()); }
+
+/// Reads where the cue ball may be placed.
+InHand read_in_hand(const Reader& at, const Reader& table, const Table& shape) {
+  if (at.is_string()) return at.word("place", format::hand_words), InHand{};
+  if (at.is_array()) {
+    InHand polygon{InHand::Where::polygon};
+    for (const Reader& vertex : at.items()) polygon.vertices.push_back(vertex.point());
+    constexpr std::size_t fewest = 3;
+    if (polygon.vertices.size() < fewest) at.fail("must have at least 3 vertices");
+    return polygon;
+  }
+  at.only(format::behind);
+  const Reader line = at.need("behind");
+  line.word("line", format::hand_lines);
+  const Reader name = table.is_object() && table.find("preset") ? table.need("preset") : table;
+  InHand behind{InHand::Where::behind_head_string};
+  const Vec2d low = shape.lowest(), size = shape.highest() - low;
+  if (name.is_string() && name.text().starts_with("pool")) {
+    const double quarter = size.x / 4;
+    behind.vertices = {low, low + Vec2d{quarter, 0}, low + Vec2d{quarter, size.y}, low + Vec2d{0, size.y}};
+  } else if (name.is_string() && name.text().starts_with("snooker")) {
+    // The D of the World Snooker rules: a half circle of 11.5 inches on the baulk line, 29 inches from the cushion.
+    constexpr double inch = 0.0254, baulk = 29 * inch, radius = 11.5 * inch;
+    constexpr int corners = 48;
+    for (int i = 0; i <= corners; ++i)
+      behind.vertices.push_back(low + Vec2d{baulk, size.y / 2} +
+                                direction(radians(90.0 + 180.0 * i / corners)) * radius);
+  } else {
+    line.fail("is a line of pool and snooker tables");
+  }
+  return behind;
+}
+
+/// Sets where the cue ball may be placed, and one such place.
+void put_in_hand(const Reader& doc, Puzzle& p) {
+  const Reader at = doc.need("ball").need("at");
+  p.in_hand = read_in_hand(at, doc.need("table"), p.table);
+  // A grid that finds a gap of half a ball.
+  const std::vector<Vec2d> free = free_places(p, std::max(p.ball.body.radius, p.table.diagonal() / 500));
+  if (free.empty()) at.fail("has no free place for the cue ball");
+  p.ball.at = free.front();
+}
+
+/// Reads the cue ball; `ball` holds the defaults. Its place may be left out where it is in hand.
+Ball read_ball(const Reader& scene, Ball ball, bool may_be_in_hand) {
   const Reader r = scene.need("ball");
   r.only(format::ball);
-  ball.at = r.need("at").point();
+  const Reader at = r.need("at");
+  if (!may_be_in_hand || !is_in_hand(at)) ball.at = at.point();
   r.read(format::ball["radius"], ball.body.radius);
   r.read(format::ball["mass"], ball.body.mass);
   return ball;
@@ -75,10 +126,13 @@ Units read_units(const Reader& doc) {
 template <class Scene>
 void read_setting(const Reader& doc, Scene& s) {
   const Reader table = doc.need("table");
-  s.ball = read_ball(doc, default_ball(table));
+  constexpr bool puzzle = std::is_same_v<Scene, Puzzle>;
+  s.ball = read_ball(doc, default_ball(table), puzzle);
   s.table = read_table(table, s.ball.body.radius);
   s.others = read_others(doc, s.ball.body);
   s.physics = read_physics(doc, s.ball, s.others);
+  if constexpr (puzzle)
+    if (is_in_hand(doc.need("ball").need("at"))) put_in_hand(doc, s);
   const auto asked = doc.find("settle");
   // A table with too few vertices is refused later.
   if (asked && asked->boolean() && s.table.vertices.size() >= 3) s.settled = settle(s.table, s.ball, s.others);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "bankshot/geometry/boundary.hpp"
+#include "bankshot/scene/game.hpp"
 #include "bankshot/scene/json.hpp"
+#include "io/format/puzzle_keys.hpp"
 #include "io/scene/write_scene.hpp"
 
 namespace bankshot {
@@ -44,6 +47,19 @@ Json names_of(const std::vector<int>& balls, const Puzzle& p) {
   return names.size() == 1 ? names.front() : names;
 }
 
+/// Returns one ball as its id, one ball after the other as a list, and choices as a list of lists.
+Json order_json(const PottingOrder& order, const Puzzle& p) {
+  const bool single = std::ranges::all_of(order, [](const auto& group) { return group.size() == 1; });
+  if (single && order.size() == 1) return id_of(p, order.front().front());
+  Json list = Json::array();
+  for (const std::vector<int>& group : order) {
+    Json names = Json::array();
+    for (const int ball : group) names.push_back(id_of(p, ball));
+    list.push_back(single ? names.front() : names);
+  }
+  return list;
+}
+
 Json with_cut(Json j, const BallTarget& target) {
   if (target.cut) j["cut"] = exact_degrees(*target.cut);
   if (target.within) j["within"] = exact_degrees(*target.within);
@@ -64,7 +80,16 @@ Json json_of(const ObjectBallTarget& target, const Puzzle& p) {
   return {{"ball", names_of(target.balls, p)}, {"then", then_json(target.then, p)}};
 }
 
+Json game_json(const Puzzle& p) {
+  const PottingOrder& order = order_of(p);
+  Json j{{"game", format::games[static_cast<std::size_t>(*p.game)]}};
+  if (p.game == Game::list) j["order"] = order_json(order, p);
+  if (p.game == Game::eight) j["group"] = format::groups[static_cast<std::size_t>(own_group(p))];
+  return j;
+}
+
 Json target_json(const Puzzle& p) {
+  if (p.game) return game_json(p);
   return std::visit([&](const auto& target) { return json_of(target, p); }, p.target);
 }
 
@@ -89,11 +114,20 @@ Json json_of(const LeaveRegion& region, const Puzzle&) {
   for (const Vec2d& vertex : region.vertices) vertices.push_back(pair_json(vertex));
   return {{"polygon", vertices}};
 }
-Json json_of(const LeaveForBall& next, const Puzzle& p) { return {{"for", id_of(p, next.ball)}}; }
+Json json_of(const LeaveForNext& next, const Puzzle& p) { return {{"for", order_json(next.order, p)}}; }
+Json json_of(const LeaveAgainst& against, const Puzzle& p) { return {{"against", order_json(against.order, p)}}; }
 Json json_of(const LeaveSafe& safe, const Puzzle& p) {
   Json names = Json::array();
   for (const int k : safe.balls) names.push_back(id_of(p, k));
   return {{"safe", names}};
+}
+
+Json in_hand_json(const InHand& hand) {
+  if (hand.where == InHand::Where::anywhere) return format::hand_words[0];
+  if (hand.where == InHand::Where::behind_head_string) return {{"behind", format::hand_lines[0]}};
+  Json vertices = Json::array();
+  for (const Vec2d& vertex : hand.vertices) vertices.push_back(pair_json(vertex));
+  return vertices;
 }
 
 /// Returns everything except table and physics as JSON.
@@ -102,6 +136,7 @@ Json question_json(const Puzzle& p) {
   Json j = Json::object();
   if (!p.about.empty()) j["about"] = parse_document(p.about);
   j["ball"] = ball_json(p.ball);
+  if (p.in_hand) j["ball"]["at"] = in_hand_json(*p.in_hand);
   if (!p.others.empty()) j["others"] = others_json(p.others, p.ball.body);
   if (!p.settled.empty()) j["settle"] = true;
   if (p.spin_range)
@@ -114,8 +149,10 @@ Json question_json(const Puzzle& p) {
   if (p.arrive) j["arrive"] = {{"speed", range(*p.arrive)}};
   j["speed"] = range(p.speed);
   if (p.angle) j["angle"] = pair_json({exact_degrees(p.angle->low), exact_degrees(p.angle->high)});
-  j["prefer"] = p.rest_near ? Json{{"leave", pair_json(*p.rest_near)}} : Json(preferences[static_cast<int>(p.prefer)]);
-  if (p.leave) j["leave"] = std::visit([&](const auto& wanted) { return json_of(wanted, p); }, *p.leave);
+  if (!p.game)
+    j["prefer"] =
+        p.rest_near ? Json{{"leave", pair_json(*p.rest_near)}} : Json(preferences[static_cast<int>(p.prefer)]);
+  if (p.leave && !p.game) j["leave"] = std::visit([&](const auto& wanted) { return json_of(wanted, p); }, *p.leave);
   if (p.aim) j["aim"] = *p.aim == Aim::safest ? "safest" : "centre";
   j["noise"] = noise_json(p.noise);
   if (p.budget) j["budget"] = {{"simulations", *p.budget}};

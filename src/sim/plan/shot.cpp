@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bankshot/scene/game.hpp"
+#include "bankshot/scene/in_hand.hpp"
 #include "bankshot/scene/tip.hpp"
 
 namespace bankshot {
@@ -60,7 +62,8 @@ std::vector<std::string> warnings(const Puzzle& p, const Shot& shot) {
 }
 
 Puzzle as_played(const Puzzle& puzzle, const Shot& shot) {
-  Puzzle out = puzzle;
+  Puzzle out = shot.placed ? placed(puzzle, *shot.placed) : puzzle;
+  if (shot.safety && puzzle.game) return as_safety(std::move(out));
   if (is_in_any_order(puzzle.target) && !shot.path.hits.empty())
     out.target = in_order(puzzle.target, shot.path.hits.front().ball);
   return out;
@@ -68,6 +71,7 @@ Puzzle as_played(const Puzzle& puzzle, const Shot& shot) {
 
 ShotRequest as_request(const Puzzle& p, const Shot& shot) {
   ShotRequest r{p.id, p.table, p.physics, p.ball, p.others, shot.launch, shot.spin, {}};
+  if (shot.placed) r.ball.at = *shot.placed;
   r.until.time = shot.path.arrival.time;
   r.settled = p.settled;
   return r;

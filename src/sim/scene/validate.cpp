@@ -9,6 +9,7 @@
 
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/tolerances.hpp"
+#include "bankshot/scene/in_hand.hpp"
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/tip.hpp"
 #include "sim/scene/ideal_speeds.hpp"
@@ -131,6 +132,15 @@ void check_may_rest(const Puzzle& p, const std::string& path) {
   if (is_ideal(p.physics)) fail(path, "in ideal physics no ball comes to rest");
 }
 
+void check_order(const Puzzle& p, const PottingOrder& order, const std::string& path) {
+  if (order.empty()) fail(path, "must name a ball");
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (order[i].empty()) fail(at(path, i), "must name a ball");
+    for (const int ball : order[i]) check_number(p, ball, at(path, i));
+  }
+  if (p.table.pockets.empty()) fail(path, "is of balls to pot, and this table has no pockets");
+}
+
 void check_leave(const Puzzle& p, const Boundary& boundary) {
   check_may_rest(p, "/leave");
   if (p.rest_near) fail("/prefer/leave", "stands beside \"leave\", which says where the cue ball is to rest");
@@ -146,10 +156,9 @@ void check_leave(const Puzzle& p, const Boundary& boundary) {
       need_finite(region->vertices[i].y, at("/leave/polygon", i));
     }
   }
-  if (const auto* next = std::get_if<LeaveForBall>(&*p.leave)) {
-    check_number(p, next->ball, "/leave/for");
-    if (p.table.pockets.empty()) fail("/leave/for", "is a pot, and this table has no pockets");
-  }
+  if (const auto* next = std::get_if<LeaveForNext>(&*p.leave))
+    check_order(p, next->order, p.game ? "/target/order" : "/leave/for");
+  if (const auto* against = std::get_if<LeaveAgainst>(&*p.leave)) check_order(p, against->order, "/leave/against");
   if (const auto* safe = std::get_if<LeaveSafe>(&*p.leave)) {
     if (safe->balls.empty()) fail("/leave/safe", "must name a ball");
     for (std::size_t i = 0; i < safe->balls.size(); ++i) check_number(p, safe->balls[i], at("/leave/safe", i));
@@ -162,6 +171,7 @@ void validate(const Puzzle& p) {
   const Boundary boundary = check_scene(p.table, p.ball, p.physics);
   check_others(p.table, boundary, p.ball, p.others, p.physics);
   if (carries_spin(p.physics) && !p.spin_range) check_tip(p.spin, p.ball.body);
+  if (p.in_hand && !may_place(p, boundary, p.ball.at)) fail("/ball/at", "is no place where the cue ball may be put");
   check_target(p, boundary);
   check_cushions(p.cushions, boundary, "/cushions");
   check_range(p.speed, "/speed");

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "planners/play/game.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bankshot/scene/game.hpp"
+#include "planners/merit/plays.hpp"
+#include "planners/play/leave_success.hpp"
+#include "planners/play/settings.hpp"
+#include "planners/proof/aftermath.hpp"
+#include "planners/proof/replay.hpp"
+
+namespace bankshot::planning::play {
+namespace {
+
+/// The puzzle of one shot of a game.
+Puzzle of_one_shot(Puzzle puzzle) {
+  puzzle.game.reset();
+  return puzzle;
+}
+
+std::vector<std::optional<Vec2d>> places_after(const Puzzle& puzzle, const Shot& shot) {
+  const SearchRequest request(puzzle);
+  EvaluationBudget aside(std::numeric_limits<long>::max());
+  return play_out(request.spinning(shot.spin), aside, shot.launch).places;
+}
+
+/// Returns what the misses of a shot leave the opponent: the mean over all plays of the best pot then, 0 for a play
+/// that makes it. Where the cue ball falls the opponent has it in hand, which counts as 1.
+double left_by_misses(const Puzzle& puzzle, const PottingOrder& opponents, const Shot& shot) {
+  const SearchRequest request(puzzle);
+  EvaluationBudget aside(std::numeric_limits<long>::max());
+  const NextPot next(puzzle);
+  const int plays = settings::leave::judged_plays;
+  double sum = 0;
+  each_play(request.spinning(shot.spin), shot.launch, plays, [&](const SearchRequest& own, const Launch& struck) {
+    if (replay_to_target(own, aside, struck, Goal::counted(own, shot)).made) return;
+    const Ending ending = play_out(own, aside, struck);
+    sum += ending.cue_rests() ? next.best(opponents, ending.places).chance : 1;
+  });
+  return sum / plays;
+}
+
+/// The safety that leaves the opponent least; none if no legal contact is found.
+std::optional<Shot> safety_of(const Puzzle& puzzle, const SolveOptions& options, Answer& a) {
+  const Puzzle asked = as_safety(puzzle);
+  SolveOptions own = options;
+  own.all = own.suggest = false;
+  Answer safe = solve(asked, own);
+  a.simulations += safe.simulations;
+  a.time_us += safe.time_us;
+  a.cost.work += safe.cost.work;
+  if (safe.shots.empty()) return {};
+  safe.shots.front().safety = true;
+  return std::move(safe.shots.front());
+}
+
+/// Returns a share in words: "41 %", "over 99 %".
+std::string percent(double share) {
+  constexpr double hardly_any = 0.005;
+  if (share < hardly_any) return "under 1 %";
+  return share >= 1 - hardly_any ? "over 99 %" : fmt::format("{:.0f} %", 100 * share);
+}
+
+/// Says why a shot is played and not the likeliest pot that the tip in the centre makes.
+std::string why(const Puzzle& puzzle, const Shot& shot, const SolveOptions& options) {
+  if (order_of(puzzle).size() == 1 && order_of(puzzle).front().size() == 1) return "";
+  const Puzzle asked = of_one_shot(puzzle);
+  Puzzle pot = asked;
+  pot.leave.reset();
+  pot.spin_range.reset();
+  SolveOptions own = options;
+  own.all = own.suggest = own.sensitivity = false;
+  const Answer likeliest = solve(pot, own);
+  if (likeliest.shots.empty()) return "";
+  const Shot& other = likeliest.shots.front();
+  const double made = *shot.robustness.success, others_made = *other.robustness.success;
+  // A difference that a player would not notice.
+  constexpr double alike = 0.01;
+  if (others_made <= made + alike) return "no pot is likelier";
+  const SearchRequest request(asked);
+  EvaluationBudget aside(std::numeric_limits<long>::max());
+  const double others_both = leave_success(request, aside, LeaveWorth(asked), other, settings::leave::last_plays,
+                                           settings::leave::judged_plays);
+  return fmt::format("the likeliest pot ({}) would make it and leave the next ball in {} of plays, this one in {}",
+                     percent(others_made), percent(others_both), percent(shot.leave->success));
+}
+
+Plan plan_of(const Puzzle& puzzle, const Shot& first, const SolveOptions& options, Answer& a) {
+  Plan plan;
+  SolveOptions own = options;
+  own.all = own.suggest = own.sensitivity = false;
+  std::size_t left = 0;
+  for (const std::vector<int>& group : order_of(puzzle)) left += group.size();
+  plan.clears = {first.robustness.success.value_or(first.leave->success)};
+  if (left > 1) plan.clears.push_back(first.leave->success);
+  std::optional<Puzzle> now = puzzle;
+  const Shot* shot = &first;
+  plan.next.reserve(left);
+  for (int ball = 1; ball < options.depth; ++ball) {
+    now = next_question(*now, places_after(of_one_shot(*now), *shot));
+    if (!now || !shot->leave->next) break;
+    const double estimate = shot->leave->next->success;
+    const Puzzle asked = of_one_shot(*now);
+    const Answer answer = solve(asked, own);
+    a.simulations += answer.simulations;
+    a.time_us += answer.time_us;
+    a.cost.work += answer.cost.work;
+    if (answer.shots.empty()) break;
+    plan.next.push_back({asked, answer.shots.front()});
+    shot = &plan.next.back().shot;
+    const bool last = order_of(*now).size() == 1 && order_of(*now).front().size() == 1;
+    if (last) break;
+    plan.clears.push_back(plan.clears.back() * std::min(1.0, shot->leave->success / estimate));
+  }
+  plan.whole = plan.clears.size() >= left;
+  return plan;
+}
+
+}  // namespace
+
+Answer solve_game(const Puzzle& puzzle, const SolveOptions& options) {
+  Answer a = solve(of_one_shot(puzzle), options);
+  const PottingOrder opponents = opponents_order(puzzle);
+  // A pot that wins more than its misses leave the opponent needs no safety.
+  double worth = -1;
+  if (!a.shots.empty())
+    worth = a.shots.front().leave->success - left_by_misses(of_one_shot(puzzle), opponents, a.shots.front());
+  if (worth < 0 && !options.first)
+    if (std::optional<Shot> safety = safety_of(puzzle, options, a); safety && safety->leave->success - 1 > worth) {
+      a.message = a.shots.empty() ? "no pot was found: a safety"
+                                  : "a safety: the best pot would leave the opponent more than it wins";
+      if (!options.all) a.shots.clear();
+      a.shots.insert(a.shots.begin(), *std::move(safety));
+      a.status = Status::solved;
+      a.nearest.reset();
+    }
+  if (a.shots.empty() || a.shots.front().safety) return a;
+  a.plan = plan_of(puzzle, a.shots.front(), options, a);
+  if (options.robustness) a.plan->why = why(puzzle, a.shots.front(), options);
+  return a;
+}
+
+}  // namespace bankshot::planning::play
