@@ -55,8 +55,9 @@ class Search {
     std::vector<Vec2d> chosen;
     for (double apart = farthest_apart * diagonal_; chosen.size() < starts_at_most && apart > grid * diagonal_;
          apart /= 2)
-      for (const auto& [forgives, at] : rated) {
+      for (const auto& place : rated) {
         if (chosen.size() == starts_at_most) break;
+        const Vec2d at = place.second;
         if (std::ranges::all_of(chosen, [&](const Vec2d& other) { return norm(other - at) >= apart; }))
           chosen.push_back(at);
       }

@@ -64,7 +64,7 @@ void check_links(const Puzzle& p, const ObjectBallTarget& asked) {
 }
 
 void check_balls(const Puzzle& p, const std::vector<int>& balls) {
-  if (balls.empty()) fail("/target/ball", "there must be a ball to touch");
+  if (balls.empty()) fail("/target/ball", "names no ball to touch");
   for (std::size_t i = 0; i < balls.size(); ++i) {
     check_number(p, balls[i], "/target/ball");
     if (std::ranges::count(balls, balls[i]) > 1)
