@@ -5,6 +5,7 @@
 #include "app/manual/options.hpp"
 #include "app/options.hpp"
 #include "app/picture.hpp"
+#include "app/solve/solve.hpp"
 
 #include <algorithm>
 #include <map>
@@ -269,4 +270,15 @@ TEST_CASE("the theme is one of two names, whose list the manual can show") {
   CHECK(option.fallback == "light");
   CHECK(wrong(app, "--theme dark").empty());
   CHECK(theme == Theme::dark);
+}
+
+TEST_CASE("`solve` and `play` take the same options of an answer") {
+  CLI::App command;
+  bankshot::app::solve::Arguments a;
+  bankshot::app::solve::add_arguments(command, a);
+  command.parse("--depth 2 --json --budget 7");
+  CHECK(a.json);
+  CHECK(a.flags.solve_options().depth == 2);
+  CHECK(a.flags.budget == 7);
+  CHECK(a.flags.words().find("--depth 2") != std::string::npos);
 }
