@@ -23,6 +23,14 @@ Puzzle of_one_shot(Puzzle puzzle) {
   return puzzle;
 }
 
+bool is_last_ball(const Puzzle& puzzle) { return order_of(puzzle).size() == 1 && order_of(puzzle).front().size() == 1; }
+
+void add_cost(const Answer& of, Answer& to) {
+  to.simulations += of.simulations;
+  to.time_us += of.time_us;
+  to.cost.work += of.cost.work;
+}
+
 std::vector<std::optional<Vec2d>> places_after(const Puzzle& puzzle, const Shot& shot) {
   const SearchRequest request(puzzle);
   EvaluationBudget aside(std::numeric_limits<long>::max());
@@ -51,9 +59,7 @@ std::optional<Shot> safety_of(const Puzzle& puzzle, const SolveOptions& options,
   SolveOptions own = options;
   own.all = own.suggest = false;
   Answer safe = solve(asked, own);
-  a.simulations += safe.simulations;
-  a.time_us += safe.time_us;
-  a.cost.work += safe.cost.work;
+  add_cost(safe, a);
   if (safe.shots.empty()) return {};
   safe.shots.front().safety = true;
   return std::move(safe.shots.front());
@@ -68,7 +74,7 @@ std::string percent(double share) {
 
 /// Says why a shot is played and not the likeliest pot that the tip in the centre makes.
 std::string why(const Puzzle& puzzle, const Shot& shot, const SolveOptions& options) {
-  if (order_of(puzzle).size() == 1 && order_of(puzzle).front().size() == 1) return "";
+  if (is_last_ball(puzzle)) return "";
   const Puzzle asked = of_one_shot(puzzle);
   Puzzle pot = asked;
   pot.leave.reset();
@@ -107,14 +113,11 @@ Plan plan_of(const Puzzle& puzzle, const Shot& first, const SolveOptions& option
     const double estimate = shot->leave->next->success;
     const Puzzle asked = of_one_shot(*now);
     const Answer answer = solve(asked, own);
-    a.simulations += answer.simulations;
-    a.time_us += answer.time_us;
-    a.cost.work += answer.cost.work;
+    add_cost(answer, a);
     if (answer.shots.empty()) break;
     plan.next.push_back({asked, answer.shots.front()});
     shot = &plan.next.back().shot;
-    const bool last = order_of(*now).size() == 1 && order_of(*now).front().size() == 1;
-    if (last) break;
+    if (is_last_ball(*now)) break;
     plan.clears.push_back(plan.clears.back() * std::min(1.0, shot->leave->success / estimate));
   }
   plan.whole = plan.clears.size() >= left;

@@ -21,7 +21,6 @@ class Search {
       : puzzle_(puzzle), boundary_(puzzle.table, puzzle.ball.body), diagonal_(puzzle.table.diagonal()) {
     options_.planner = options.planner;
     options_.suggest = false;
-    options_.depth = 1;
     options_.cancelled = options.cancelled;
   }
 

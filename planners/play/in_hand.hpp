@@ -4,8 +4,7 @@
 // Method: places on a grid, those first from which the target's balls have the surest straight pot (next_pot.hpp). The
 // puzzle is solved from the best of them, and a compass search over the place improves the best (Kolda, Lewis &
 // Torczon, SIAM Review 45, 2003, algorithm 3.2).
-// Cost: some twenty to forty puzzles. Guarantee: none; how near it comes to a fine grid is measured
-// (docs/evidence.md).
+// Cost: some twenty to forty puzzles. Guarantee: none; a test compares it with a coarse grid.
 #pragma once
 
 #include "bankshot/plan/planner.hpp"

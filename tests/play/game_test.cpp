@@ -41,6 +41,13 @@ TEST_CASE("a game decides which ball may be potted next") {
   CHECK(order(R"({"game": "eight", "group": "stripes"})") == PottingOrder{{1}, {3}});
   CHECK(order(R"({"game": "list", "order": ["8", ["2", "9"]]})") == PottingOrder{{3}, {2, 1}});
   CHECK(opponents_order(read_puzzle(layout(R"({"game": "eight", "group": "solids"})"))) == PottingOrder{{1}, {3}});
+  // On the 8: the solids that are left are the opponent's, and the puzzle is written so.
+  const std::string on_the_eight = R"({"table": "pool-9ft", "ball": {"at": [0.7, 0.5]}, "others": [
+    {"id": "2", "at": [2.2, 0.4]}, {"id": "8", "at": [0.5, 1.0]}], "target": {"game": "eight", "group": "stripes"}})";
+  const Puzzle eight = read_puzzle(on_the_eight);
+  CHECK(order_of(eight) == PottingOrder{{2}});
+  CHECK(opponents_order(eight) == PottingOrder{{1}, {2}});
+  CHECK(order_of(read_puzzle(write_puzzle(eight))) == PottingOrder{{2}});
   CHECK(opponents_order(read_puzzle(layout(R"({"game": "any"})"))) == PottingOrder{{1, 2, 3}});
 }
 

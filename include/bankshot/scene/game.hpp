@@ -21,7 +21,7 @@ PottingOrder order_of(Game game, std::span<const Ball> others);
 /// no number, or there is no ball 8.
 PottingOrder order_of_eight(Group own, std::span<const Ball> others);
 
-/// Returns the player's group of a puzzle of `eight`; solids if none of either is left.
+/// Returns the player's group of a puzzle of `eight`; if it is none but the 8, the group of which no ball is left.
 Group own_group(const Puzzle& puzzle);
 
 /// Makes a puzzle ask what to play in a game whose balls are potted in this order: sets its target and its leave.

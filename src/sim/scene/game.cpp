@@ -56,9 +56,13 @@ PottingOrder order_of_eight(Group own, std::span<const Ball> others) {
 
 Group own_group(const Puzzle& puzzle) {
   const int first = order_of(puzzle).front().front();
-  for (const auto& [number, ball] : by_number(puzzle.others))
-    if (ball == first) return number > eight_ball ? Group::stripes : Group::solids;
-  return Group::solids;
+  bool solids_left = false;
+  for (const auto& [number, ball] : by_number(puzzle.others)) {
+    if (ball == first && number != eight_ball) return number > eight_ball ? Group::stripes : Group::solids;
+    solids_left = solids_left || number < eight_ball;
+  }
+  // The player is on the 8, so what is left belongs to the opponent.
+  return solids_left ? Group::stripes : Group::solids;
 }
 
 void ask(Puzzle& puzzle, Game game, const PottingOrder& order) {
