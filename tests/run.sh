@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs missing packages, builds, and runs all tests or those of some folders of tests/.
+# Installs missing packages, builds, and runs all tests or those of some folders of tests/. A test that takes more than
+# 20 minutes is stopped and named, so that one that hangs is known.
 #   bash tests/run.sh [PRESET [FOLDER...]]     release (the default), debug, asan-ubsan, lto ...
 set -euo pipefail
 cd "$(dirname "$0")/.."
+longest=1200  # s
 . cmake/packages.sh
 need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium python3-jsonschema jq $python
 preset=${1:-release}
@@ -11,9 +13,9 @@ case $preset in asan-ubsan | fuzz) need clang ;; esac
 [ $# -gt 0 ] && shift
 if [ $# = 0 ]; then
   build "$preset" -DBANKSHOT_TESTS=ON -DBANKSHOT_PYTHON=ON
-  ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)"
+  ctest --test-dir "build/$preset" --timeout $longest --output-on-failure -j "$(nproc)"
 else
   build "$preset" -DBANKSHOT_TESTS=ON -DBANKSHOT_PYTHON=ON -- $(printf 'test_%s ' "$@")
   folders=$(IFS='|' && echo "$*")
-  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -R "^($folders):"
+  ctest --test-dir "build/$preset" --timeout $longest --output-on-failure --no-tests=error -j "$(nproc)" -R "^($folders):"
 fi
