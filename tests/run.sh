@@ -5,17 +5,19 @@
 #   bash tests/run.sh [PRESET [FOLDER...]]     release (the default), debug, asan-ubsan, lto ...
 set -euo pipefail
 cd "$(dirname "$0")/.."
-longest=1200  # s
 . cmake/packages.sh
 need $toolchain catch2 libbenchmark-dev gnuplot-nox chromium python3-jsonschema jq $python
 preset=${1:-release}
 case $preset in asan-ubsan | fuzz) need clang ;; esac
 [ $# -gt 0 ] && shift
+run_tests() {
+  ctest --test-dir "build/$preset" --timeout 1200 --output-on-failure -j "$(nproc)" "$@"
+}
 if [ $# = 0 ]; then
   build "$preset" -DBANKSHOT_TESTS=ON -DBANKSHOT_PYTHON=ON
-  ctest --test-dir "build/$preset" --timeout $longest --output-on-failure -j "$(nproc)"
+  run_tests
 else
   build "$preset" -DBANKSHOT_TESTS=ON -DBANKSHOT_PYTHON=ON -- $(printf 'test_%s ' "$@")
   folders=$(IFS='|' && echo "$*")
-  ctest --test-dir "build/$preset" --timeout $longest --output-on-failure --no-tests=error -j "$(nproc)" -R "^($folders):"
+  run_tests --no-tests=error -R "^($folders):"
 fi
