@@ -82,8 +82,7 @@ describe('the npm package in Node', { skip: !isBuilt, timeout: 600000 }, () => {
         ++shots;
       }
     }
-    assert.equal(Object.keys(examples).length, 12);
-    assert.equal(shots, 11);
+    assert.ok(shots >= Object.keys(examples).length - 1, `${shots} shots`); // one of them has no solution
   });
 
   test('maps, tables, schemas and the version', async () => {

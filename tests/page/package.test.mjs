@@ -84,16 +84,13 @@ describe('a project with the npm package', { skip: !isBuilt, timeout: 600000 }, 
       return [...body.matchAll(/^ {2}(\w+)\??:/gm)].map(([, key]) => key);
     };
     const needed = { solve: {}, map: { grid: [3, 2] }, launches: { angle: [0, 90], speed: [1, 2] } };
-    const values = { planner: 'auto', budget: 1000, noise: 'pro', grid: [3, 2], angle: [0, 90], speed: [1, 2] };
+    const values = { planner: 'auto', budget: 1000, depth: 2, noise: 'pro', grid: [3, 2], angle: [0, 90], speed: [1, 2] };
     const flags = { solve: keys('SolveFlags'), map: keys('MapFlags'), launches: keys('LaunchFlags') };
-    for (const [name, all] of Object.entries(flags))
-      for (const key of all) {
+    for (const [name, all] of Object.entries(flags)) {
+      assert.ok(all.length > 0, name);
+      for (const key of all)
         assert.ok(engine[name](bank, { ...needed[name], [key]: values[key] ?? true }), `${name}: ${key}`);
-      }
-    assert.deepEqual(
-      Object.values(flags).map((all) => all.length),
-      [9, 4, 3],
-    );
+    }
   });
 
   test('is what a bundler takes for a browser', () => {
