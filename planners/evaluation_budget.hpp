@@ -34,17 +34,33 @@ class EvaluationBudget {
   /// Returns whether nothing is left or the search was cancelled, and remembers that this ended the search.
   bool spent() {
     cut_ = cut_ || simulations_ >= limit_ || cancelled();
+    ever_cut_ = ever_cut_ || cut_;
     return cut_;
   }
-  /// Returns whether the search was ended so, and not because it was done.
+  /// Returns whether this part of the search was ended so, and not because it was done.
   bool cut() const { return cut_; }
+  /// Returns whether any part of the search was ended so.
+  bool ever_cut() const { return ever_cut_; }
   bool cancelled() const { return cancelled_ && cancelled_->load(std::memory_order_relaxed); }
 
-  /// Begins the next of `parts` searches, which gets an even share of the rest.
-  void begin_part(std::size_t parts) {
-    limit_ = simulations_ + (budget_ - simulations_) / static_cast<long>(parts);
-    cut_ = false;
-  }
+  /// A part of the search, which gets one of `shares` even shares of what is left. What it does not spend is left to
+  /// those after it.
+  class Part {
+   public:
+    Part(EvaluationBudget& budget, std::size_t shares) : budget_(budget), limit_(budget.limit_) {
+      budget_.limit_ = budget_.simulations_ + budget_.left() / static_cast<long>(shares);
+    }
+    Part(const Part&) = delete;
+    Part& operator=(const Part&) = delete;
+    ~Part() {
+      budget_.limit_ = limit_;
+      budget_.cut_ = budget_.cut_ && (budget_.left() == 0 || budget_.cancelled());
+    }
+
+   private:
+    EvaluationBudget& budget_;
+    long limit_;
+  };
   /// Returns whether the whole budget is spent, or the search was cancelled.
   bool exhausted() const { return simulations_ >= budget_ || cancelled(); }
   /// Returns the number of simulations that may still be spent.
@@ -66,6 +82,7 @@ class EvaluationBudget {
   long limit_;  ///< for the part that is searched now
   const std::atomic<bool>* cancelled_;
   bool cut_ = false;
+  bool ever_cut_ = false;
   Work own_{};
   Work* work_ = &own_;
 };

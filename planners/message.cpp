@@ -153,15 +153,15 @@ std::string solved(const SearchRequest& request, EvaluationBudget& budget, const
         "; the cue ball falls into " + contact_name(request.puzzle().table, Contact::pocket(*best.path.scratch_pocket));
   for (const std::string& warning : warnings(request.puzzle(), best)) text += "; " + warning;
   text += uncertain(request, a.shots.front());
-  if (budget.cut())
+  if (budget.ever_cut())
     text +=
         fmt::format("; the {} ended the search, so there may be better ones", budget.cancelled() ? "caller" : "budget");
-  if (budget.cut() && found.not_searched >= 0)
+  if (found.not_searched >= 0)
     text += fmt::format("; not all shots by {} cushions or more were searched", found.not_searched);
-  if (found.improvement_sought && !budget.cut())
+  if (found.improvement_sought && !budget.ever_cut())
     text += fmt::format("; not all routes narrower than {:.0f}° of aim were searched, so there may be a better one",
                         degrees(settings::automatic::improvement.narrowest));
-  if (request.all() && !found.complete && !budget.cut())
+  if (request.all() && !found.complete && !budget.ever_cut())
     text += "; there may be more: shots in a narrow range of aims can be missed";
   return text;
 }

@@ -91,7 +91,7 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
   a.simulations = budget.simulations();
   a.time_us = time_us;
   a.cost.certify_us = budget.proof_us;
-  a.status = !found.shots.empty() ? Status::solved : budget.cut() ? Status::budget : Status::no_shot;
+  a.status = !found.shots.empty() ? Status::solved : budget.ever_cut() ? Status::budget : Status::no_shot;
   planning::add_nearest(request, budget, found, options.suggest, a);
   EvaluationBudget aside(std::numeric_limits<long>::max(),
                          budget);  // rating the shots does not count against the budget
@@ -248,7 +248,7 @@ Answer solve(const Puzzle& puzzle, const SolveOptions& options) {
     SearchRequest request(one ? *one : puzzle, wanted(options));
     request.valued = options.robustness;
     SearchResult found;
-    budget.begin_part(spins.size() - i);
+    const EvaluationBudget::Part part(budget, spins.size() - i);
     if (request.stop && !rests(request.puzzle().physics))
       found.add_note("no ball comes to rest on a table that leans by more than rolling friction holds");
     else if (!budget.spent() && !request.problem->covering())

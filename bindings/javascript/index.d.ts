@@ -35,6 +35,8 @@ export interface MapFlags {
   noRobustness?: boolean;
   /** Return a picture instead of CSV. */
   svg?: boolean;
+  /** Estimate how likely the best straight pot is from each start, without a search. */
+  value?: boolean;
 }
 
 export interface LaunchFlags {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "bankshot/plan/place_value.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bindings/in_parallel.hpp"
 #include "bindings/python/interrupt.hpp"
@@ -105,10 +106,11 @@ Texts generate_lines(const service::Wishes& wishes, long count, int threads) {
   return lines;
 }
 
-std::string map(const std::string& text, int columns, int rows, const SolveFlags& flags) {
+std::string map(const std::string& text, int columns, int rows, const SolveFlags& flags, bool value) {
   if (columns < 1 || rows < 1) throw InvalidInput("", "a map has one column and one row at least");
   return interruptibly([&](const std::atomic<bool>& stop) {
     const Puzzle puzzle = flags.read(text);
+    if (value) return to_csv(puzzle, value_map(puzzle, columns, rows));
     SolveOptions options = flags.solve_options();
     options.cancelled = &stop;
     return to_csv(puzzle, service::start_map(puzzle, columns, rows, options));

@@ -48,7 +48,7 @@ struct NotFound : std::runtime_error {
 Texts generate_lines(const service::Wishes& wishes, long count, int threads);
 
 /// Returns as CSV the starts from which a shot can be made.
-std::string map(const std::string& text, int columns, int rows, const SolveFlags& flags);
+std::string map(const std::string& text, int columns, int rows, const SolveFlags& flags, bool value);
 
 #if BANKSHOT_LEARN
 /// Fits recordings, one per line. Ctrl-C takes effect between steps.

@@ -179,7 +179,7 @@ PYBIND11_MODULE(_engine, m) {
   m.def("solve_lines", &solve_lines, "lines"_a, "flags"_a, "threads"_a, "tell"_a);
   m.def("simulate", &played, "text"_a);
   m.def("simulate_many", &python::simulate_many, "text"_a, "speeds"_a, "angles"_a, "spins"_a, "threads"_a);
-  m.def("map", &python::map, "text"_a, "columns"_a, "rows"_a, "flags"_a);
+  m.def("map", &python::map, "text"_a, "columns"_a, "rows"_a, "flags"_a, "value"_a);
   m.def("verify", [](const std::string& puzzle, const std::string& answer) {
     const py::gil_scoped_release release;
     return bindings::verified(puzzle, answer).second;

@@ -16,6 +16,7 @@
 #include "bankshot/plan/batch.hpp"       // many puzzles
 #include "bankshot/plan/generate.hpp"    // generated puzzles
 #include "bankshot/plan/launch_map.hpp"  // launches that make the shot
+#include "bankshot/plan/place_value.hpp"  // how likely the next pot is from a place
 #include "bankshot/plan/planner.hpp"     // one puzzle
 #include "bankshot/plan/start_map.hpp"   // starts from which it can be solved
 #include "bankshot/scene/json.hpp"       // puzzles and shots as text

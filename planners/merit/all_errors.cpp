@@ -12,6 +12,7 @@ double success_under_all_errors(const SearchRequest& request, EvaluationBudget& 
   each_play(request.spinning(shot.spin), shot.launch, settings::all_errors::draws,
             [&](const SearchRequest& own, const Launch& struck) {
               made += replay(own, budget, struck, Goal::counted(own, shot)).made;
+              return true;
             });
   return static_cast<double>(made) / settings::all_errors::draws;
 }

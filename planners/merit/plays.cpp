@@ -57,7 +57,7 @@ void each_play(const SearchRequest& request, const Launch& launch, int count, co
     spin.side += noise.side_of(radius) * z[2];
     spin.top += noise.top_of(radius) * z[3];
     if (places == 0 && physics.count() == 0) {
-      play(request.spinning(spin), struck);
+      if (!play(request.spinning(spin), struck)) return;
       continue;
     }
     Puzzle puzzle = request.puzzle();
@@ -65,7 +65,7 @@ void each_play(const SearchRequest& request, const Launch& launch, int count, co
     if (physics.count() > 0) puzzle.physics = physics.draw(z.data() + of_launch + places, puzzle.ball.body);
     SearchRequest own(puzzle);
     own.spin = spin;
-    play(own, struck);
+    if (!play(own, struck)) return;
   }
 }
 

@@ -11,10 +11,11 @@
 
 namespace bankshot::planning {
 
-/// A play: the request has the scene and the spin that a draw gives, and the launch is the one that is struck.
-using Play = std::function<void(const SearchRequest& own, const Launch& struck)>;
+/// A play: the request has the scene and the spin that a draw gives, and the launch is the one that is struck. Returns
+/// whether to go on.
+using Play = std::function<bool(const SearchRequest& own, const Launch& struck)>;
 
-/// Calls `play` for each of `draws` draws, the first `skipped` of the sequence left out. A draw whose launch has no
+/// Calls `play` for each of `draws` draws, the first `skipped` of the sequence left out, until it says to stop. A draw whose launch has no
 /// speed is no play. `request` has the intended spin.
 void each_play(const SearchRequest& request, const Launch& launch, int draws, const Play& play, int skipped = 0);
 

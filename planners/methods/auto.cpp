@@ -125,8 +125,9 @@ Seeds seeds_of(const SearchRequest& request) {
   return {chains, steps::chains_closely, steps::word::chains};
 }
 
-/// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together.
-/// Where the best shot is wanted a stage ends the search when no shot by so many cushions can be better.
+/// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together,
+/// with half of what is left of the budget, so that hard ones leave something to those after them. Where the best shot
+/// is wanted a stage ends the search when no shot by so many cushions can be better.
 template <class Look>
 void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Look& look) {
   if (request.problem->carom()) return look(request);  // all cushions are followed at once
@@ -141,8 +142,11 @@ void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchRe
     for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
       SearchRequest stage = request.stage(c, n - c);
       if (best && sent) stage.likelier = value + per_contact * n;
-      look(stage);
-      if (budget.spent()) found.not_searched = n;
+      {
+        const EvaluationBudget::Part part(budget, n < cue.max + object.max ? 2 : 1);
+        look(stage);
+        if (budget.spent() && found.not_searched < 0) found.not_searched = n;
+      }
       if (stop::over(request, budget, found)) return;
     }
   }

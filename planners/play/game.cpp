@@ -46,9 +46,10 @@ double left_by_misses(const Puzzle& puzzle, const PottingOrder& opponents, const
   const int plays = settings::leave::judged_plays;
   double sum = 0;
   each_play(request.spinning(shot.spin), shot.launch, plays, [&](const SearchRequest& own, const Launch& struck) {
-    if (replay_to_target(own, aside, struck, Goal::counted(own, shot)).made) return;
+    if (replay_to_target(own, aside, struck, Goal::counted(own, shot)).made) return true;
     const Ending ending = play_out(own, aside, struck);
     sum += ending.cue_rests() ? next.best(opponents, ending.places).chance : 1;
+    return true;
   });
   return sum / plays;
 }
@@ -90,8 +91,8 @@ std::string why(const Puzzle& puzzle, const Shot& shot, const SolveOptions& opti
   if (others_made <= made + alike) return "no pot is likelier";
   const SearchRequest request(asked);
   EvaluationBudget aside(std::numeric_limits<long>::max());
-  const double others_both = leave_success(request, aside, LeaveWorth(asked), other, settings::leave::last_plays,
-                                           settings::leave::judged_plays);
+  const double others_both = leave_success(request, aside, LeaveWorth(asked), other,
+                                           {settings::leave::last_plays, settings::leave::judged_plays});
   return fmt::format("the likeliest pot ({}) would make it and leave the next ball in {} of plays, this one in {}",
                      percent(others_made), percent(others_both), percent(shot.leave->success));
 }

@@ -51,6 +51,22 @@ struct Launched {
   double value() const { return success ? *success - cost_of(shot) : promise; }
 };
 
+/// The largest of some values.
+class BestValues {
+ public:
+  explicit BestValues(std::size_t count) : count_(count) {}
+  void add(double value) {
+    values_.insert(value);
+    if (values_.size() > count_) values_.erase(values_.begin());
+  }
+  /// Returns what a value must exceed to be one of them.
+  double least() const { return values_.size() < count_ ? -infinite : *values_.begin(); }
+
+ private:
+  std::size_t count_;
+  std::multiset<double> values_{};
+};
+
 class Search {
  public:
   Search(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found)
@@ -257,9 +273,15 @@ class Search {
     return bankshot::miss_of(*request_.puzzle().leave, *one.ending.cue_rests());
   }
 
-  double measured(const Launched& one, int plays) {
+  /// Returns how many of the best launches are told apart from the others where so many are enough.
+  std::size_t told_apart(std::size_t enough) const {
+    return request_.all() || request_.puzzle().prefer != Prefer::robust ? pool_.size() : enough;
+  }
+
+  /// `least`: a value below which it need not be known how far below.
+  double measured(const Launched& one, int plays, double least = -infinite) {
     EvaluationBudget aside(std::numeric_limits<long>::max(), budget_);
-    return leave_success(request_, aside, worth_, one.shot, plays);
+    return leave_success(request_, aside, worth_, one.shot, {plays, 0, least + cost_of(one.shot)});
   }
 
   /// Orders by the promise, which ends with how near the cue ball comes.
@@ -281,14 +303,19 @@ class Search {
     order_pool();
     std::map<Way, int> times;
     std::size_t looked = 0;
+    BestValues best(told_apart(compared));
+    for (const Launched& one : pool_)
+      if (one.success) best.add(one.value());
     for (Launched& one : pool_) {
       if (looked == looked_at) return;
       if (++times[way_of(one)] > 2) continue;
       ++looked;
       if (one.success) continue;
-      one.success = measured(one, first_plays);
+      one.success = measured(one, first_plays, best.least());
       // One play or two may be luck.
-      if (*one.success > 0 && *one.success < lucky) one.success = measured(one, compared_plays);
+      if (*one.success > 0 && *one.success < lucky && one.value() > best.least())
+        one.success = measured(one, compared_plays);
+      best.add(one.value());
     }
   }
 
@@ -323,7 +350,7 @@ class Search {
           const auto there = on_target(best.root->branch, budget_, box_, x, shift);
           auto one = there ? launched(*best.root, *there, shift, &best.shot) : std::nullopt;
           if (!one) continue;
-          one->success = measured(*one, step_plays);
+          one->success = measured(*one, step_plays, best.value());
           if (!(one->value() > best.value())) continue;
           best = *std::move(one);
           better = true;
@@ -355,7 +382,11 @@ class Search {
       if (known.insert(way_of(one)).second) best.push_back(std::move(one));
     }
     pool_ = std::move(best);
-    for (Launched& one : pool_) one.success = measured(one, compared_plays);
+    BestValues values(told_apart(improved));
+    for (Launched& one : pool_) {
+      one.success = measured(one, compared_plays, values.least());
+      values.add(one.value());
+    }
     order();
     if (!request_.all() && pool_.size() > improved)
       pool_.erase(pool_.begin() + static_cast<std::ptrdiff_t>(improved), pool_.end());

@@ -41,17 +41,21 @@ std::optional<Spread> spread_of(const std::vector<Vec2d>& points) {
 }  // namespace
 
 double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
-                     int plays, int skipped, std::vector<Vec2d>* rests) {
-  double sum = 0;
+                     const Measurement& measurement, std::vector<Vec2d>* rests) {
+  double sum = 0, lost = 0;
+  const auto count = [&](double won) {
+    sum += won, lost += 1 - won;
+    return lost <= (1 - measurement.least) * measurement.plays;
+  };
   const auto play = [&](const SearchRequest& own, const Launch& struck) {
     const Replay r = replay_to_target(own, budget, struck, Goal::counted(own, shot));
-    if (!r.made) return;
+    if (!r.made) return count(0);
     const Ending ending = ending_of(own, budget, struck, r);
-    sum += worth(ending);
     if (rests && ending.cue_rests()) rests->push_back(*ending.cue_rests());
+    return count(worth(ending));
   };
-  each_play(request.spinning(shot.spin), shot.launch, plays, play, skipped);
-  return sum / plays;
+  each_play(request.spinning(shot.spin), shot.launch, measurement.plays, play, measurement.skipped);
+  return sum / measurement.plays;
 }
 
 void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, bool robustness, std::vector<Shot>& shots) {
@@ -64,7 +68,7 @@ void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, bool ro
       });
     // Other plays than those by which the shot was chosen: these would flatter it.
     std::vector<Vec2d> rests;
-    const double success = leave_success(request, budget, worth, shot, last_plays, judged_plays, &rests);
+    const double success = leave_success(request, budget, worth, shot, {last_plays, judged_plays}, &rests);
     shot.leave->spread = spread_of(rests);
     shot.leave->success = std::min(success, shot.robustness.success.value_or(1));
     shot.robustness.value = shot.leave->success - cost_of(shot);

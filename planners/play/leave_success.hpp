@@ -13,10 +13,18 @@
 
 namespace bankshot::planning::play {
 
-/// Returns the mean worth of so many plays, the first `skipped` of the sequence left out. `rests` gets the places in
-/// which the cue ball stops in those that make the target, if it is not null.
+/// Plays of a measurement, the first `skipped` of the sequence left out. It ends as soon as the success must be less
+/// than `least`, and is then less than that.
+struct Measurement {
+  int plays;
+  int skipped = 0;
+  double least = 0;
+};
+
+/// Returns the mean worth of the plays. `rests` gets the places in which the cue ball stops in those that make the
+/// target, if it is not null.
 double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
-                     int plays, int skipped = 0, std::vector<Vec2d>* rests = nullptr);
+                     const Measurement& measurement, std::vector<Vec2d>* rests = nullptr);
 
 /// Computes the leave's success and spread of shots that have one, their success and margin if `robustness` is wanted,
 /// and their value.

@@ -3,19 +3,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "planners/play/settings.hpp"
+#include "planners/proof/in_sight.hpp"
 
 namespace bankshot::planning::play {
 
 using namespace settings::next_pot;
 
-NextPot::NextPot(const Puzzle& puzzle) : puzzle_(puzzle) {
+NextPot::NextPot(const Puzzle& puzzle, const PocketTarget& pockets) : puzzle_(puzzle) {
   const Boundary boundary(puzzle.table, puzzle.ball.body);
-  if (!puzzle.table.pockets.empty()) mouths_ = aim_points_of(Target{PocketTarget{}}, boundary);
-  wider_ = boundary.jaws.empty() ? 0 : off_jaws;
+  if (puzzle.table.pockets.empty()) return;
+  for (const AimPoint& point : aim_points_of(Target{pockets}, boundary)) {
+    const Pocket& pocket = puzzle.table.pockets[static_cast<std::size_t>(point.taken_by.index)];
+    const Vec2d middle = point.opening.first + point.opening.last;
+    const bool corner = std::ranges::any_of(
+        puzzle.table.vertices, [&](const Vec2d& v) { return norm(v - pocket.place()) < pocket.half(); });
+    mouths_.push_back({point, norm(middle) > 0 ? -middle / norm(middle) : Vec2d{}, corner, !boundary.jaws.empty()});
+  }
+}
+
+double NextPot::Mouth::wider(const Vec2d& way) const {
+  if (!jaws) return 0;
+  const double cosine = std::clamp(dot(way, into), -1.0, 1.0);
+  if (!corner) return off_middle_jaws * cosine;
+  const double to_rail = std::abs(radians(45.0) - std::acos(cosine));
+  return off_jaws + along_rail * std::max(0.0, 1 - to_rail / guided);
 }
 
 const Body& NextPot::body(int ball) const {
@@ -30,16 +45,17 @@ NextPot::Best NextPot::best(const PottingOrder& order, std::span<const std::opti
     for (const int ball : group) {
       if (!places[static_cast<std::size_t>(ball)]) continue;
       some = true;
-      for (const AimPoint& mouth : mouths_)
+      for (const Mouth& mouth : mouths_)
         if (const double f = forgives(mouth, ball, places); f > best.forgives)
-          best = {std::erf(f / std::sqrt(2.0)), ball, mouth.taken_by.index, f};
+          best = {std::erf(f / std::sqrt(2.0)), ball, mouth.point.taken_by.index, f};
     }
     if (some) return best;
   }
   return {1};
 }
 
-double NextPot::forgives(const AimPoint& mouth, int ball, std::span<const std::optional<Vec2d>> places) const {
+double NextPot::forgives(const Mouth& to, int ball, std::span<const std::optional<Vec2d>> places) const {
+  const AimPoint& mouth = to.point;
   const Vec2d cue = *places[0], at = *places[static_cast<std::size_t>(ball)];
   Vec2d way = mouth.at - at;
   const double distance = norm(way);
@@ -49,8 +65,8 @@ double NextPot::forgives(const AimPoint& mouth, int ball, std::span<const std::o
   if (!(gap.low < gap.high)) return 0;
   // The line to the middle of the gap; a second look, from the direction that it has.
   const auto towards = [&](double offset) {
-    const Vec2d to = mouth.at + perpendicular(way) * offset - at;
-    return to / norm(to);
+    const Vec2d line = mouth.at + perpendicular(way) * offset - at;
+    return line / norm(line);
   };
   way = towards((gap.low + gap.high) / 2);
   gap = mouth.gap(way, (gap.low + gap.high) / 2);
@@ -61,7 +77,7 @@ double NextPot::forgives(const AimPoint& mouth, int ball, std::span<const std::o
   if (is_blocked(cue, ghost, 0, ball, places) || is_blocked(at, mouth.at - way * mouth.reach, ball, ball, places))
     return 0;
   const double deviation = puzzle_.noise.angle * reach * distance / (touching * cosine);
-  const double half = (gap.high - gap.low) / 2 + wider_;
+  const double half = (gap.high - gap.low) / 2 + to.wider(way);
   constexpr double surely = 100;
   return deviation > 0 ? std::min(half / deviation, surely) : surely;
 }
@@ -82,32 +98,15 @@ bool NextPot::is_blocked(const Vec2d& from, const Vec2d& to, int ball, int by,
 }
 
 bool can_be_hit(const Puzzle& puzzle, int ball, std::span<const std::optional<Vec2d>> places) {
-  const auto& target = places[static_cast<std::size_t>(ball)];
-  if (!places[0] || !target) return false;
-  const Vec2d cue = *places[0];
-  const auto body = [&](int k) -> const Body& { return puzzle.others[static_cast<std::size_t>(k) - 1].body; };
-  /// The directions in which a ball is touched: its middle, and half of their width [rad].
-  const auto seen = [&](int k) {
-    const Vec2d way = *places[static_cast<std::size_t>(k)] - cue;
-    const double touching = touching_distance(puzzle.ball.body, body(k));
-    return std::pair(way, std::asin(std::min(1.0, touching / norm(way))));
+  const auto circle = [&](int k) {
+    const Body& body = puzzle.others[static_cast<std::size_t>(k) - 1].body;
+    return Circle{*places[static_cast<std::size_t>(k)], touching_distance(puzzle.ball.body, body)};
   };
-  const auto [way, half] = seen(ball);
-  std::vector<std::pair<double, double>> hidden;
-  for (int k = 1; k < static_cast<int>(places.size()); ++k) {
-    if (k == ball || !places[static_cast<std::size_t>(k)]) continue;
-    const auto [other, wide] = seen(k);
-    if (norm(other) > norm(way)) continue;
-    const double turned = std::atan2(cross(way, other), dot(way, other));
-    hidden.emplace_back(turned - wide, turned + wide);
-  }
-  std::ranges::sort(hidden);
-  double free_from = -half;
-  for (const auto& [from, to] : hidden) {
-    if (from > free_from) break;
-    free_from = std::max(free_from, to);
-  }
-  return free_from < half;
+  if (!places[0] || !places[static_cast<std::size_t>(ball)]) return false;
+  std::vector<Circle> others;
+  for (int k = 1; k < static_cast<int>(places.size()); ++k)
+    if (k != ball && places[static_cast<std::size_t>(k)]) others.push_back(circle(k));
+  return in_sight(*places[0], circle(ball), others);
 }
 
 }  // namespace bankshot::planning::play

@@ -206,12 +206,12 @@ void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult
 
 void chains_again(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known) {
   for (const Objects::Chain& chain : request.problem->objects->chains)
-    Chains(request, budget, found, chain).run(known[&chain]);
+    if (!is_hidden(request, chain)) Chains(request, budget, found, chain).run(known[&chain]);
 }
 
 void chains_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts) {
   for (const Objects::Chain& chain : request.problem->objects->chains)
-    Chains(request, budget, found, chain).closely(parts);
+    if (!is_hidden(request, chain)) Chains(request, budget, found, chain).closely(parts);
 }
 
 }  // namespace bankshot::planning::steps

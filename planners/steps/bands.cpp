@@ -27,6 +27,7 @@
 #include "planners/locked/newton.hpp"
 #include "planners/steps/chain_path.hpp"
 #include "planners/steps/falls.hpp"
+#include "planners/steps/leg.hpp"
 #include "planners/steps/settings.hpp"
 #include "planners/steps/steps.hpp"
 #include "planners/steps/sweeps.hpp"
@@ -334,7 +335,7 @@ void bands(const SearchRequest& request, EvaluationBudget& budget, SearchResult&
 
 void speeds_between(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   for (const Objects::Chain& chain : request.problem->objects->chains)
-    Bands(request, budget, found, chain).run_between();
+    if (!is_hidden(request, chain)) Bands(request, budget, found, chain).run_between();
 }
 
 }  // namespace bankshot::planning::steps

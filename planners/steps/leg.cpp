@@ -7,6 +7,7 @@
 
 #include "planners/images/unfold.hpp"
 #include "planners/locked/residual.hpp"
+#include "planners/proof/in_sight.hpp"
 #include "planners/proof/replay.hpp"
 #include "planners/steps/part.hpp"
 #include "planners/steps/settings.hpp"
@@ -40,6 +41,15 @@ Range aims_of_a_hit(const SearchRequest& request, const Objects::Object& object)
 
 bool hit_straight(const SearchRequest& request, const Objects::Chain& chain) {
   return chain.balls.size() == 1 && request.cushions().max == 0 && request.spin.masse == 0;
+}
+
+bool is_hidden(const SearchRequest& request, const Objects::Chain& chain) {
+  if (request.cushions().max > 0 || request.spin.masse != 0 || !is_level(request.puzzle().physics)) return false;
+  std::vector<Circle> others = request.problem->boundary.balls;
+  const auto first = std::ranges::find(others, Contact::ball(chain.balls.front()->ball), &Circle::contact);
+  const Circle ball = *first;
+  others.erase(first);
+  return !in_sight(request.puzzle().ball.at, ball, others);
 }
 
 std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,

@@ -28,6 +28,9 @@ std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, co
 /// The only way to it is straight.
 bool hit_straight(const SearchRequest& request, const Objects::Chain& chain);
 
+/// The first ball is to be touched straight, and balls that stand before it hide all of it.
+bool is_hidden(const SearchRequest& request, const Objects::Chain& chain);
+
 /// By images, though no launch by itself may lead along them.
 std::vector<Leg> legs_of_images(const SearchRequest& request, const Objects::Chain& chain);
 

@@ -9,6 +9,7 @@
 #include "bankshot/draw/map.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/plan/launch_map.hpp"
+#include "bankshot/plan/place_value.hpp"
 #include "bankshot/scene/json.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "io/format/schema.hpp"
@@ -125,16 +126,19 @@ Reply simulate(const Query& query, const std::string& body) {
 Reply map(const Query& query, const std::string& body, const Limit& limit) {
   return answer([&] {
     std::vector<int> grid{40, 20};
-    bool svg = false, no_robustness = false;
+    bool svg = false, no_robustness = false, value = false;
     long budget = -1;
     read(query, std::array{Option{"grid", &grid, "", {1, 200}}, Option{"svg", &svg}, Option{"budget", &budget},
-                           Option{"no-robustness", &no_robustness}});
+                           Option{"no-robustness", &no_robustness}, Option{"value", &value}});
     Puzzle puzzle = read_puzzle(body);
     if (budget >= 0) puzzle.budget = budget;
+    const auto reply = [&](const auto& map) {
+      return svg ? Reply{200, draw(puzzle, map, Theme::light), "image/svg+xml"} : Reply{200, to_csv(puzzle, map), "text/csv"};
+    };
+    if (value) return reply(value_map(puzzle, grid[0], grid[1]));
     const StartMap map = start_map(puzzle, grid[0], grid[1], {.robustness = !no_robustness, .cancelled = &limit.stop});
     if (limit.stop) return refusal(503, "", limit.why.load());
-    if (svg) return Reply{200, draw(puzzle, map, Theme::light), "image/svg+xml"};
-    return Reply{200, to_csv(puzzle, map), "text/csv"};
+    return reply(map);
   });
 }
 

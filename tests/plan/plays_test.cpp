@@ -20,12 +20,16 @@ TEST_CASE("plays have the deviations of the player, and parts of the sequence do
     speed2 += (struck.speed - meant.speed) * (struck.speed - meant.speed) / plays;
     side2 += own.spin.side * own.spin.side / plays;
     first.push_back(struck.speed);
+    return true;
   });
   CHECK(std::sqrt(angle2) == Approx(p.noise.angle).epsilon(0.02));
   CHECK(std::sqrt(speed2) == Approx(p.noise.speed).epsilon(0.02));
   CHECK(std::sqrt(side2) == Approx(p.noise.side_of(p.ball.body.radius)).epsilon(0.02));
-  each_play(
-      request, meant, 10, [&](const SearchRequest&, const Launch& struck) { later.push_back(struck.speed); }, 100);
+  const auto keep = [&](const SearchRequest&, const Launch& struck) {
+    later.push_back(struck.speed);
+    return later.size() < 10;
+  };
+  each_play(request, meant, plays, keep, 100);
   REQUIRE(later.size() == 10);
   CHECK(std::equal(later.begin(), later.end(), first.begin() + 100));
 }

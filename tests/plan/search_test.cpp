@@ -24,16 +24,31 @@ TEST_CASE("a budget charges paths by their bounces, and shares a budget evenly")
   CHECK(budget.simulations() == 5);
   budget.charge(32, 5);
   CHECK(budget.simulations() == 15);
-  budget.begin_part(5);  // 85 are left, so the part has 17
-  budget.charge(0, 16);
-  CHECK_FALSE(budget.spent());
-  budget.charge(0);
-  CHECK(budget.spent());
-  CHECK(budget.cut());
-  CHECK_FALSE(budget.exhausted());
-  budget.begin_part(4);
+  {
+    const EvaluationBudget::Part part(budget, 5);  // 85 are left, so the part has 17
+    budget.charge(0, 16);
+    CHECK_FALSE(budget.spent());
+    budget.charge(0);
+    CHECK(budget.spent());
+    CHECK(budget.cut());
+    CHECK_FALSE(budget.exhausted());
+  }
   CHECK_FALSE(budget.cut());
-  CHECK(budget.share_of_rest(0.5) == 32 + 8);
+  CHECK(budget.ever_cut());
+  {
+    const EvaluationBudget::Part part(budget, 4);
+    CHECK(budget.share_of_rest(0.5) == 32 + 8);
+    const EvaluationBudget::Part inner(budget, 2);
+    CHECK(budget.left() == 8);
+  }
+  CHECK(budget.left() == 68);
+  budget.charge(0, 68);
+  {
+    const EvaluationBudget::Part part(budget, 2);
+    CHECK(budget.spent());
+  }
+  CHECK(budget.cut());
+  CHECK(budget.exhausted());
 }
 
 TEST_CASE("a target's aim points: a point, one pocket, any pocket") {

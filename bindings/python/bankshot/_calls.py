@@ -222,17 +222,18 @@ def generate(
     return [Puzzle.from_dict(json.loads(line)) for line in lines]
 
 
-def map(puzzle: Document, columns: int = 40, rows: int = 20, *, budget: int = -1, no_robustness: bool = False) -> npt.NDArray[np.void]:
+def map(puzzle: Document, columns: int = 40, rows: int = 20, *, budget: int = -1, no_robustness: bool = False, value: bool = False) -> npt.NDArray[np.void]:
     """Solves the puzzle from every start on a grid, on all cores, to show from where a shot can be made.
 
     Returns an array of `rows` by `columns`, from the lower left: map["success"][0, 0]. Its fields are the columns of
     docs/csv.md: x_m, y_m, status, speed_m_per_s, angle_deg, success and more; missing values are nan.
+    With `value` nothing is solved: the fields are x_m, y_m, status, value, ball and pocket of the best straight pot.
     """
     flags = _engine.SolveFlags(budget=budget, no_robustness=no_robustness)
-    table = list(csv.reader(_engine.map(text_of(puzzle), columns, rows, flags).splitlines()))
+    table = list(csv.reader(_engine.map(text_of(puzzle), columns, rows, flags, value).splitlines()))
     cells = {name: [row[i] for row in table[1:]] for i, name in enumerate(table[0])}
     arrays = {
-        name: np.array(column) if name in ("status", "cushions") else np.array([float(c or "nan") for c in column])
+        name: np.array(column) if name in ("status", "cushions", "ball", "pocket") else np.array([float(c or "nan") for c in column])
         for name, column in cells.items()
     }
     out = np.empty(rows * columns, dtype=[(name, array.dtype) for name, array in arrays.items()])

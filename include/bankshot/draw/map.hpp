@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Heat maps on a table: coloured cells with a legend below, and the map of a puzzle's starts.
+// Heat maps on a table: coloured cells with a legend below, and the maps of a puzzle's starts.
 #pragma once
 
 #include <span>
 #include <string>
 
 #include "bankshot/draw/style.hpp"
+#include "bankshot/plan/place_value.hpp"
 #include "bankshot/plan/start_map.hpp"
 
 namespace bankshot {
@@ -30,5 +31,8 @@ std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<co
 /// success was computed, only the second is drawn. Cells without a shot are left blank; the cloth shows where no ball
 /// can start.
 std::string draw(const Puzzle& puzzle, const StartMap& map, Theme theme = Theme::light);
+
+/// Draws one table with the value of each place. The cloth shows where no ball can start.
+std::string draw(const Puzzle& puzzle, const ValueMap& map, Theme theme = Theme::light);
 
 }  // namespace bankshot

@@ -14,6 +14,7 @@
 #include "app/option_checks.hpp"
 #include "app/picture.hpp"
 #include "bankshot/draw/map.hpp"
+#include "bankshot/plan/place_value.hpp"
 #include "bankshot/scene/json.hpp"
 #include "io/answer/words.hpp"
 #include "service/options.hpp"
@@ -27,7 +28,7 @@ struct Arguments {
   std::array<int, 2> grid{};
   std::vector<std::string> out;
   long budget = -1;
-  bool no_robustness = false;
+  bool no_robustness = false, value = false;
   Theme theme = Theme::light;
 };
 
@@ -57,12 +58,32 @@ std::string summary(const StartMap& map) {
   return out;
 }
 
+/// Estimates the value of each start.
+int run_value(const Arguments& a, const Puzzle& puzzle) {
+  const ValueMap map = value_map(puzzle, a.grid[0], a.grid[1]);
+  write_outputs(
+      a.out, [&] { return to_csv(puzzle, map); }, [&] { return draw(puzzle, map, a.theme); });
+  const auto best = std::ranges::max_element(map.values, {}, &PlaceValue::value);
+  if (best->pocket < 0) {
+    print("no ball can be potted straight from any of these starts\n");
+    return nothing_solved;
+  }
+  const Vec2d at = map.grid.at(static_cast<std::size_t>(best - map.values.begin()));
+  const auto legal = std::ranges::count(map.starts, Start::legal);
+  print(fmt::format("{} starts, {} of them legal; the best straight pot is estimated for each\n"
+                    "best: ({:.3f}, {:.3f}), ball \"{}\" into {}, {:.0f} %\n",
+                    map.starts.size(), legal, at.x, at.y, puzzle.others[static_cast<std::size_t>(best->ball) - 1].id,
+                    contact_name(puzzle.table, Contact::pocket(best->pocket)), 100 * best->value));
+  return done;
+}
+
 int run(const Arguments& a) {
   const std::string text = read_file(a.file);
   try {
     Puzzle puzzle = read_puzzle(text);
     if (a.budget >= 0) puzzle.budget = a.budget;
     for (const std::string& path : a.out) write_file(path, "");
+    if (a.value) return run_value(a, puzzle);
     const StartMap map = service::start_map(puzzle, a.grid[0], a.grid[1], {.robustness = !a.no_robustness});
     write_outputs(
         a.out, [&] { return to_csv(puzzle, map); }, [&] { return draw(puzzle, map, a.theme); });
@@ -91,12 +112,14 @@ Run add(CLI::App& app) {
   command->add_option("--budget", a->budget, "The most simulations to spend on a start")->check(service::whole_number);
   add_theme_flag(*command, a->theme);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
+  command->add_flag("--value", a->value, "Estimate how likely the best straight pot is from each start, without a search");
   explain(
       *command,
       "The grid covers all places of the ball's centre; each start is the middle of a cell. Starts in a cushion, in a\n"
       "pocket or already at the target are left out and counted.",
       {{"bankshot map puzzle.json --grid 40 20 -o map.svg", "a picture"},
-       {"bankshot map puzzle.json --grid 8 4 -o map.csv -o map.svg", "a table and a picture"}},
+       {"bankshot map puzzle.json --grid 8 4 -o map.csv -o map.svg", "a table and a picture"},
+       {"bankshot map layout.json --value --grid 120 60 -o value.svg", "where the cue ball would stand well"}},
       "0 done; 1 no start has a shot; 2 bad input or usage.");
   return [a] { return run(*a); };
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/plan/start_map.hpp"
+#include "bankshot/plan/place_value.hpp"
 
 #include <fmt/format.h>
 
@@ -67,6 +68,20 @@ std::string to_csv(const Puzzle& p, const StartMap& map) {
     const bool legal = map.starts[i] == Start::legal;
     out += fmt::format("{},{},{}\n", at.x, at.y,
                        legal ? row(p, map.answers[i]) : std::string(name(map.starts[i])) + ",,,,,,,,,,,,");
+  }
+  return out;
+}
+
+std::string to_csv(const Puzzle& p, const ValueMap& map) {
+  std::string out = "x_m,y_m,status,value,ball,pocket\n";
+  for (std::size_t i = 0; i < map.starts.size(); ++i) {
+    const Vec2d at = map.grid.at(i);
+    const PlaceValue& v = map.values[i];
+    out += fmt::format("{},{},{},", at.x, at.y, name(map.starts[i]));
+    if (map.starts[i] == Start::legal) out += fmt::format("{}", v.value);
+    out += v.pocket >= 0 ? fmt::format(",{},{}\n", p.others[static_cast<std::size_t>(v.ball) - 1].id,
+                                       contact_name(p.table, Contact::pocket(v.pocket)))
+                         : ",,\n";
   }
   return out;
 }

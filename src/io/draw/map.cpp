@@ -68,6 +68,14 @@ std::string heat(const Puzzle& p, const StartMap& m, std::vector<LegendEntry> le
   return draw(p, cells, legend, title, {.theme = theme});
 }
 
+/// The colours of probabilities.
+std::vector<LegendEntry> shares() {
+  std::vector<LegendEntry> legend;
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
+    legend.push_back({fmt::format("{:.0f} %", 100 * part), colour(part)});
+  return legend;
+}
+
 /// Draws a narrow triangle that points along the aim.
 void draw_arrow(drawing::Canvas& c, const Cell& cell) {
   const Vec2d size = cell.high - cell.low, middle = c.at(cell.low + size / 2.0);
@@ -112,10 +120,9 @@ std::string draw(const Puzzle& p, const StartMap& m, Theme theme) {
       fastest = std::max(fastest, s->launch.speed);
       has_success = has_success || s->robustness.success;
     }
-  std::vector<LegendEntry> success, speed;
+  std::vector<LegendEntry> speed;
   for (int i = 0; i <= 4; ++i) {
     const double part = i / 4.0;
-    success.push_back({fmt::format("{:.0f} %", 100 * part), colour(part)});
     // Slow is light, so that both maps are light at good starts. The scale is even in ln speed.
     if (i == 0 ? fastest > 0 : fastest > slowest)
       speed.push_back({fmt::format("{:.3g} m/s", slowest * std::pow(fastest / slowest, part)), colour(1 - part)});
@@ -123,7 +130,7 @@ std::string draw(const Puzzle& p, const StartMap& m, Theme theme) {
   Chapter page{"", "", {}};
   if (has_success)
     page.plates.push_back(
-        {heat(p, m, success, "success", theme, [](const Shot& s) { return s.robustness.success.value_or(0); }),
+        {heat(p, m, shares(), "success", theme, [](const Shot& s) { return s.robustness.success.value_or(0); }),
          "How robust? The success of the best shot from here",
          {}});
   const double decades = fastest > slowest ? std::log(fastest / slowest) : 1;
@@ -131,6 +138,18 @@ std::string draw(const Puzzle& p, const StartMap& m, Theme theme) {
                               [&](const Shot& s) { return 1 - std::log(s.launch.speed / slowest) / decades; }),
                          "How slow? Its launch speed",
                          {}});
+  return draw_page(std::array{page}, {.letter = 20, .theme = theme});
+}
+
+std::string draw(const Puzzle& p, const ValueMap& m, Theme theme) {
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < m.starts.size(); ++i)
+    if (const Vec2d half = m.grid.cell / 2.0, at = m.grid.at(i); m.starts[i] == Start::legal)
+      cells.push_back({at - half, at + half, colour(m.values[i].value)});
+  std::vector<LegendEntry> legend = shares();
+  if (cells.size() < m.starts.size()) legend.push_back({"no start", drawing::colours(theme).cloth});
+  const Chapter page{
+      "", "", {{draw(p, cells, legend, "value", {.theme = theme}), "How likely is the best straight pot from here?", {}}}};
   return draw_page(std::array{page}, {.letter = 20, .theme = theme});
 }
 
