@@ -13,13 +13,13 @@
 #include "bankshot/geometry/boundary.hpp"  // where a ball's centre can be
 #include "bankshot/geometry/contact.hpp"   // contacts and their names
 #include "bankshot/plan/answer.hpp"
-#include "bankshot/plan/batch.hpp"       // many puzzles
-#include "bankshot/plan/generate.hpp"    // generated puzzles
-#include "bankshot/plan/launch_map.hpp"  // launches that make the shot
+#include "bankshot/plan/batch.hpp"        // many puzzles
+#include "bankshot/plan/generate.hpp"     // generated puzzles
+#include "bankshot/plan/launch_map.hpp"   // launches that make the shot
 #include "bankshot/plan/place_value.hpp"  // how likely the next pot is from a place
-#include "bankshot/plan/planner.hpp"     // one puzzle
-#include "bankshot/plan/start_map.hpp"   // starts from which it can be solved
-#include "bankshot/scene/json.hpp"       // puzzles and shots as text
+#include "bankshot/plan/planner.hpp"      // one puzzle
+#include "bankshot/plan/start_map.hpp"    // starts from which it can be solved
+#include "bankshot/scene/json.hpp"        // puzzles and shots as text
 #include "bankshot/scene/puzzle.hpp"
 #include "bankshot/scene/scene.hpp"          // tables, balls and physics by name
 #include "bankshot/simulate/acceptance.hpp"  // lines that a pocket accepts

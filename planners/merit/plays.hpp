@@ -15,8 +15,8 @@ namespace bankshot::planning {
 /// whether to go on.
 using Play = std::function<bool(const SearchRequest& own, const Launch& struck)>;
 
-/// Calls `play` for each of `draws` draws, the first `skipped` of the sequence left out, until it says to stop. A draw whose launch has no
-/// speed is no play. `request` has the intended spin.
+/// Calls `play` for each of `draws` draws, the first `skipped` of the sequence left out, until it says to stop. A draw
+/// whose launch has no speed is no play. `request` has the intended spin.
 void each_play(const SearchRequest& request, const Launch& launch, int draws, const Play& play, int skipped = 0);
 
 }  // namespace bankshot::planning

@@ -19,8 +19,8 @@ NextPot::NextPot(const Puzzle& puzzle, const PocketTarget& pockets) : puzzle_(pu
   for (const AimPoint& point : aim_points_of(Target{pockets}, boundary)) {
     const Pocket& pocket = puzzle.table.pockets[static_cast<std::size_t>(point.taken_by.index)];
     const Vec2d middle = point.opening.first + point.opening.last;
-    const bool corner = std::ranges::any_of(
-        puzzle.table.vertices, [&](const Vec2d& v) { return norm(v - pocket.place()) < pocket.half(); });
+    const bool corner = std::ranges::any_of(puzzle.table.vertices,
+                                            [&](const Vec2d& v) { return norm(v - pocket.place()) < pocket.half(); });
     mouths_.push_back({point, norm(middle) > 0 ? -middle / norm(middle) : Vec2d{}, corner, !boundary.jaws.empty()});
   }
 }

@@ -25,9 +25,9 @@ inline constexpr int contacts = 15;
 inline constexpr double arrival = 1;
 /// Launches that are measured by a first look; that are compared with more plays, since luck flatters the best of many;
 /// and that are improved.
-inline constexpr std::size_t looked_at = 64, compared = 12, improved = 2;
+inline constexpr std::size_t looked_at = 40, compared = 12, improved = 2;
 /// Plays of each of these measurements, of a step of the improvement, of the final choice, and of what is printed.
-inline constexpr int first_plays = 16, compared_plays = 64, step_plays = 64, judged_plays = 256, last_plays = 512;
+inline constexpr int first_plays = 16, compared_plays = 32, step_plays = 48, judged_plays = 256, last_plays = 512;
 /// Shots by the same way are alike if their ln speed differs by less.
 inline constexpr double alike_speed = 0.4;
 /// A success that nobody plays for.
@@ -55,9 +55,10 @@ inline constexpr std::size_t starts_at_most = 8;
 }  // namespace in_hand
 
 namespace next_pot {
-/// m on either side of a gap, since a ball that touches a jaw may fall: at a corner; at a middle pocket, for a ball that
-/// comes square to the rail. In a corner a rail guides balls in that come along it: so much wider for one that runs by
-/// it, less by even steps up to this angle [rad]. Of 1,500 random pots on pool-9ft the estimate errs by 0.07 (rms).
+/// m on either side of a gap, since a ball that touches a jaw may fall: at a corner; at a middle pocket, for a ball
+/// that comes square to the rail. In a corner a rail guides balls in that come along it: so much wider for one that
+/// runs by it, less by even steps up to this angle [rad]. Of 1,500 random pots on pool-9ft the estimate errs by 0.07
+/// (rms).
 inline constexpr double off_jaws = 0.018, off_middle_jaws = 0.01, along_rail = 0.055, guided = radians(30.0);
 /// Cosine: thinner cuts are not played.
 inline constexpr double thinnest = 0.1;

@@ -48,8 +48,7 @@ bool in_sight(const Vec2d& from, const Circle& ball, std::span<const Circle> oth
     // Where the two circles cross, both are touched at once.
     if (!(apart > std::abs(wanted.radius - other.radius)) || apart >= wanted.radius + other.radius) continue;
     const Vec2d across = (other.to - way) / apart;
-    const double along =
-        (apart * apart + wanted.radius * wanted.radius - other.radius * other.radius) / (2 * apart);
+    const double along = (apart * apart + wanted.radius * wanted.radius - other.radius * other.radius) / (2 * apart);
     const double beside = std::sqrt(std::max(0.0, wanted.radius * wanted.radius - along * along));
     for (const double side : {-beside, beside}) add_edge(turn_of(way + across * along + perpendicular(across) * side));
   }

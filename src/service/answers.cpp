@@ -133,7 +133,8 @@ Reply map(const Query& query, const std::string& body, const Limit& limit) {
     Puzzle puzzle = read_puzzle(body);
     if (budget >= 0) puzzle.budget = budget;
     const auto reply = [&](const auto& map) {
-      return svg ? Reply{200, draw(puzzle, map, Theme::light), "image/svg+xml"} : Reply{200, to_csv(puzzle, map), "text/csv"};
+      return svg ? Reply{200, draw(puzzle, map, Theme::light), "image/svg+xml"}
+                 : Reply{200, to_csv(puzzle, map), "text/csv"};
     };
     if (value) return reply(value_map(puzzle, grid[0], grid[1]));
     const StartMap map = start_map(puzzle, grid[0], grid[1], {.robustness = !no_robustness, .cancelled = &limit.stop});

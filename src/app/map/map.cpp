@@ -70,10 +70,11 @@ int run_value(const Arguments& a, const Puzzle& puzzle) {
   }
   const Vec2d at = map.grid.at(static_cast<std::size_t>(best - map.values.begin()));
   const auto legal = std::ranges::count(map.starts, Start::legal);
-  print(fmt::format("{} starts, {} of them legal; the best straight pot is estimated for each\n"
-                    "best: ({:.3f}, {:.3f}), ball \"{}\" into {}, {:.0f} %\n",
-                    map.starts.size(), legal, at.x, at.y, puzzle.others[static_cast<std::size_t>(best->ball) - 1].id,
-                    contact_name(puzzle.table, Contact::pocket(best->pocket)), 100 * best->value));
+  print(
+      fmt::format("{} starts, {} of them legal; the best straight pot is estimated for each\n"
+                  "best: ({:.3f}, {:.3f}), ball \"{}\" into {}, {:.0f} %\n",
+                  map.starts.size(), legal, at.x, at.y, puzzle.others[static_cast<std::size_t>(best->ball) - 1].id,
+                  contact_name(puzzle.table, Contact::pocket(best->pocket)), 100 * best->value));
   return done;
 }
 
@@ -112,7 +113,8 @@ Run add(CLI::App& app) {
   command->add_option("--budget", a->budget, "The most simulations to spend on a start")->check(service::whole_number);
   add_theme_flag(*command, a->theme);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
-  command->add_flag("--value", a->value, "Estimate how likely the best straight pot is from each start, without a search");
+  command->add_flag("--value", a->value,
+                    "Estimate how likely the best straight pot is from each start, without a search");
   explain(
       *command,
       "The grid covers all places of the ball's centre; each start is the middle of a cell. Starts in a cushion, in a\n"

@@ -149,7 +149,9 @@ std::string draw(const Puzzle& p, const ValueMap& m, Theme theme) {
   std::vector<LegendEntry> legend = shares();
   if (cells.size() < m.starts.size()) legend.push_back({"no start", drawing::colours(theme).cloth});
   const Chapter page{
-      "", "", {{draw(p, cells, legend, "value", {.theme = theme}), "How likely is the best straight pot from here?", {}}}};
+      "",
+      "",
+      {{draw(p, cells, legend, "value", {.theme = theme}), "How likely is the best straight pot from here?", {}}}};
   return draw_page(std::array{page}, {.letter = 20, .theme = theme});
 }
 
