@@ -45,7 +45,7 @@ bool in_sight(const Vec2d& from, const Circle& ball, std::span<const Circle> oth
     before.push_back(other);
     add_edge(other.middle - other.half);
     add_edge(other.middle + other.half);
-    // Where the two circles cross, both are touched at once.
+    // Both are touched at once in the points in which the circles cross.
     if (!(apart > std::abs(wanted.radius - other.radius)) || apart >= wanted.radius + other.radius) continue;
     const Vec2d across = (other.to - way) / apart;
     const double along = (apart * apart + wanted.radius * wanted.radius - other.radius * other.radius) / (2 * apart);
