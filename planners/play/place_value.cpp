@@ -44,13 +44,10 @@ PlaceValue estimate_value(const Puzzle& puzzle, const Vec2d& at) { return Values
 
 ValueMap value_map(const Puzzle& puzzle, int columns, int rows) {
   Values values(puzzle);
-  ValueMap map{StartGrid(puzzle, columns, rows), {}, {}};
-  const Boundary boundary(puzzle.table, puzzle.ball.body, puzzle.others);
-  for (std::size_t i = 0; i < map.grid.size(); ++i) {
-    const Vec2d at = map.grid.at(i);
-    map.starts.push_back(start_at(puzzle, boundary, at));
-    map.values.push_back(map.starts.back() == Start::legal ? values.at(at) : PlaceValue{});
-  }
+  const StartGrid grid(puzzle, columns, rows);
+  ValueMap map{grid, starts_on(puzzle, grid), {}};
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    map.values.push_back(map.starts[i] == Start::legal ? values.at(grid.at(i)) : PlaceValue{});
   return map;
 }
 

@@ -18,7 +18,7 @@ struct Seen {
   /// Returns the distance to it in a direction; infinite if it is not met there.
   double distance(double turn) const {
     if (!(std::abs(turn - middle) < half)) return std::numeric_limits<double>::infinity();
-    const double along = norm(to) * std::cos(turn - middle), beside = norm(to) * std::sin(turn - middle);
+    const double away = norm(to), along = away * std::cos(turn - middle), beside = away * std::sin(turn - middle);
     return along - std::sqrt(std::max(0.0, radius * radius - beside * beside));
   }
 };

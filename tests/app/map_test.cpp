@@ -79,6 +79,32 @@ TEST_CASE("map: each row is the answer of solve from there") {
   CHECK_THAT(svg.text(), Contains("no shot") && Contains("100 %") && Contains(" m/s") && !Contains("no start"));
 }
 
+TEST_CASE("map --value: each place has an estimate, and the best is told") {
+  const ScratchFile csv("map-value.csv"), svg("map-value.svg");
+  const std::string options = "map - --value --grid 12 6 -o \"" + csv.path + "\" -o \"" + svg.path + "\"";
+  const Run run = run_program(options, R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.5]},
+    "others": [{"id": "1", "at": [1.9, 0.9]}, {"id": "2", "at": [0.9, 0.4]}], "target": {"game": "rotation"}})");
+  CHECK(run.exit == 0);
+  CHECK(run.err.empty());
+  const auto rows = table(csv.text());
+  REQUIRE(rows.size() == 73);
+  double best = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    REQUIRE(rows[i].size() == rows[0].size());
+    if (rows[i][2] != "legal") continue;
+    const double value = std::stod(rows[i][3]);
+    CHECK((value >= 0 && value <= 1));
+    CHECK((rows[i][4] == "1") == (value > 0));
+    best = std::max(best, value);
+  }
+  CHECK(best > 0.9);
+  CHECK_THAT(run.out, Contains("72 starts") && Contains("best: (") && Contains("ball \"1\" into "));
+  CHECK(count(svg.text(), "<svg ") == 2);
+  const Run other = run_program(options, bank);
+  CHECK(other.exit == 2);
+  CHECK_THAT(other.err, Contains("/target") && Contains("a ball is to be potted"));
+}
+
 TEST_CASE("map: starts in cushions, in pockets and at the target are marked") {
   const ScratchFile csv("map-marks.csv");
   const char* const corner =

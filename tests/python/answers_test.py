@@ -124,6 +124,15 @@ class Answers(unittest.TestCase):
                     self.assertEqual(repr(float(value)), repr(float(text or "nan")))
         self.assertGreater(sum(found["status"].ravel() == "solved"), 10)
 
+    def test_map_of_values(self):
+        puzzle = json.loads((program.puzzles / "first-shot.json").read_text())
+        found = bankshot.map(puzzle, 8, 4, value=True)
+        self.assertEqual(found.dtype.names, ("x_m", "y_m", "status", "value", "ball", "pocket"))
+        legal = found[found["status"] == "legal"]
+        best = legal[legal["value"].argmax()]
+        self.assertEqual((best["status"], best["ball"], best["pocket"]), ("legal", "8", "top-right"))
+        self.assertGreater(best["value"], 0.9)
+
 
 class Shots(unittest.TestCase):
     def test_keys_are_those_of_the_schema(self):

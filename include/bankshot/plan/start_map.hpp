@@ -36,6 +36,9 @@ struct StartMap {
 /// Returns `legal` if a ball can start here: clear of cushions and balls, outside every pocket, not yet at its target.
 Start start_at(const Puzzle& puzzle, const Boundary& boundary, const Vec2d& at);
 
+/// Returns `start_at` for each cell.
+std::vector<Start> starts_on(const Puzzle& puzzle, const StartGrid& grid);
+
 /// Returns one CSV row per cell (x_m,y_m,status,...), with a header that names the units.
 std::string to_csv(const Puzzle& puzzle, const StartMap& map);
 

@@ -72,9 +72,9 @@ int run_value(const Arguments& a, const Puzzle& puzzle) {
   const auto legal = std::ranges::count(map.starts, Start::legal);
   print(
       fmt::format("{} starts, {} of them legal; the best straight pot is estimated for each\n"
-                  "best: ({:.3f}, {:.3f}), ball \"{}\" into {}, {:.0f} %\n",
+                  "best: ({:.3f}, {:.3f}), ball \"{}\" into {}, {}\n",
                   map.starts.size(), legal, at.x, at.y, puzzle.others[static_cast<std::size_t>(best->ball) - 1].id,
-                  contact_name(puzzle.table, Contact::pocket(best->pocket)), 100 * best->value));
+                  contact_name(puzzle.table, Contact::pocket(best->pocket)), percent_words(best->value)));
   return done;
 }
 

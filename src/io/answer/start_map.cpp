@@ -58,6 +58,13 @@ Start start_at(const Puzzle& p, const Boundary& boundary, const Vec2d& at) {
   return std::ranges::any_of(aim_points_of(p), there) ? Start::target : Start::legal;
 }
 
+std::vector<Start> starts_on(const Puzzle& p, const StartGrid& grid) {
+  const Boundary boundary(p.table, p.ball.body, p.others);
+  std::vector<Start> starts;
+  for (std::size_t i = 0; i < grid.size(); ++i) starts.push_back(start_at(p, boundary, grid.at(i)));
+  return starts;
+}
+
 std::string to_csv(const Puzzle& p, const StartMap& map) {
   std::string out =
       "x_m,y_m,status,speed_m_per_s,angle_deg,cushions,time_s,arrival_speed_m_per_s,success,margin_angle_down_deg,"
