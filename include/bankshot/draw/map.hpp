@@ -23,7 +23,7 @@ struct LegendEntry {
   std::string label, colour;
 };
 
-/// Draws the puzzle's table and target with coloured cells.
+/// Draws the puzzle's table, target and other balls with coloured cells.
 std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<const LegendEntry> legend,
                  const std::string& title, const PictureStyle& style = {});
 

@@ -9,6 +9,7 @@
 
 #include "bankshot/draw/page.hpp"
 #include "io/draw/caption.hpp"
+#include "io/draw/path.hpp"
 #include "io/draw/table.hpp"
 
 namespace bankshot {
@@ -105,6 +106,7 @@ std::string draw(const Puzzle& puzzle, std::span<const Cell> cells, std::span<co
   for (const Cell& cell : cells) draw_arrow(c, cell);
   drawing::draw_holes(c);
   drawing::draw_target(c, puzzle);
+  for (const Ball& other : puzzle.others) drawing::draw_other(c, other, other.at);
   std::vector<drawing::Swatch> swatches;
   for (const LegendEntry& entry : legend) swatches.push_back({entry.label, entry.colour});
   drawing::draw_legend(c, swatches);
