@@ -17,6 +17,7 @@ export interface SolveFlags {
   noise?: 'pro' | 'league' | 'beginner';
   /** Number of balls that the plan of a game looks at; the default is 3. */
   depth?: number;
+  plies?: number;
   /** Leave out `time_us`, so that equal input gives equal output. */
   noTiming?: boolean;
   /** Leave out `margin` and `success`, which is faster. */

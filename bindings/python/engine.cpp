@@ -146,18 +146,18 @@ PYBIND11_MODULE(_engine, m) {
 
   py::class_<SolveFlags>(m, "SolveFlags")
       .def(py::init([](std::string planner, bool all, bool first, long budget, bool no_timing, bool no_robustness,
-                       bool sensitivity, bool path, std::string noise, long depth) {
+                       bool sensitivity, bool path, std::string noise, long depth, long plies) {
              SolveFlags f;
              f.options.planner = std::move(planner);
              f.options.all = all, f.options.first = first, f.options.sensitivity = sensitivity;
              f.budget = budget, f.no_timing = no_timing, f.no_robustness = no_robustness, f.path = path;
-             f.noise = std::move(noise), f.depth = depth;
+             f.noise = std::move(noise), f.depth = depth, f.plies = plies;
              bankshot::python::check(f);
              return f;
            }),
            py::kw_only(), "planner"_a = "auto", "all"_a = false, "first"_a = false, "budget"_a = -1,
            "no_timing"_a = false, "no_robustness"_a = false, "sensitivity"_a = false, "path"_a = false, "noise"_a = "",
-           "depth"_a = 3);
+           "depth"_a = 3, "plies"_a = 1);
   py::class_<Solved>(m, "Solved")
       .def("json", &Solved::json)
       .def("text", &Solved::text)

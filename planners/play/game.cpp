@@ -18,8 +18,9 @@ namespace bankshot::planning::play {
 namespace {
 
 /// The puzzle of one shot of a game.
-Puzzle of_one_shot(Puzzle puzzle) {
+Puzzle of_one_shot(Puzzle puzzle, const SolveOptions& options) {
   puzzle.game.reset();
+  if (auto* next = puzzle.leave ? std::get_if<LeaveForNext>(&*puzzle.leave) : nullptr) next->plies = options.plies;
   return puzzle;
 }
 
@@ -76,7 +77,7 @@ std::string percent(double share) {
 /// Says why a shot is played and not the likeliest pot that the tip in the centre makes.
 std::string why(const Puzzle& puzzle, const Shot& shot, const SolveOptions& options) {
   if (is_last_ball(puzzle)) return "";
-  const Puzzle asked = of_one_shot(puzzle);
+  const Puzzle asked = of_one_shot(puzzle, options);
   Puzzle pot = asked;
   pot.leave.reset();
   pot.spin_range.reset();
@@ -109,10 +110,10 @@ Plan plan_of(const Puzzle& puzzle, const Shot& first, const SolveOptions& option
   const Shot* shot = &first;
   plan.next.reserve(left);
   for (int ball = 1; ball < options.depth; ++ball) {
-    now = next_question(*now, places_after(of_one_shot(*now), *shot));
+    now = next_question(*now, places_after(of_one_shot(*now, options), *shot));
     if (!now || !shot->leave->next) break;
     const double estimate = shot->leave->next->success;
-    const Puzzle asked = of_one_shot(*now);
+    const Puzzle asked = of_one_shot(*now, options);
     const Answer answer = solve(asked, own);
     add_cost(answer, a);
     if (answer.shots.empty()) break;
@@ -128,12 +129,12 @@ Plan plan_of(const Puzzle& puzzle, const Shot& first, const SolveOptions& option
 }  // namespace
 
 Answer solve_game(const Puzzle& puzzle, const SolveOptions& options) {
-  Answer a = solve(of_one_shot(puzzle), options);
+  Answer a = solve(of_one_shot(puzzle, options), options);
   const PottingOrder opponents = opponents_order(puzzle);
   // A pot that wins more than its misses leave the opponent needs no safety.
   double worth = -1;
   if (!a.shots.empty())
-    worth = a.shots.front().leave->success - left_by_misses(of_one_shot(puzzle), opponents, a.shots.front());
+    worth = a.shots.front().leave->success - left_by_misses(of_one_shot(puzzle, options), opponents, a.shots.front());
   if (worth < 0 && !options.first)
     if (std::optional<Shot> safety = safety_of(puzzle, options, a); safety && safety->leave->success - 1 > worth) {
       a.message = a.shots.empty() ? "no pot was found: a safety"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <list>
 #include <map>
@@ -21,6 +22,7 @@
 #include "planners/play/leave_success.hpp"
 #include "planners/play/rest.hpp"
 #include "planners/play/settings.hpp"
+#include "planners/play/two_pots.hpp"
 #include "planners/proof/aftermath.hpp"
 #include "planners/proof/prove.hpp"
 #include "planners/steps/steps.hpp"
@@ -70,7 +72,12 @@ class BestValues {
 class Search {
  public:
   Search(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found)
-      : request_(request), budget_(budget), found_(found), worth_(request.puzzle()), box_(family::box_of(request)) {
+      : request_(request),
+        budget_(budget),
+        found_(found),
+        worth_(request.puzzle()),
+        two_pots_(request),
+        box_(family::box_of(request)) {
     const auto balls = request.problem->whole->balls();
     for (std::size_t k = 1; k < balls.size(); ++k)
       standing_.push_back({static_cast<int>(k), balls[k].boundary, balls[k].state.at});
@@ -281,7 +288,11 @@ class Search {
   /// `least`: a value below which it need not be known how far below.
   double measured(const Launched& one, int plays, double least = -infinite) {
     EvaluationBudget aside(std::numeric_limits<long>::max(), budget_);
-    return leave_success(request_, aside, worth_, one.shot, {plays, 0, least + cost_of(one.shot)});
+    const auto* next = std::get_if<LeaveForNext>(&*request_.puzzle().leave);
+    const Worth worth = next && next->plies > 1
+                            ? Worth([&](const Ending& ending) { return two_pots_(next->order, ending, aside); })
+                            : Worth(std::cref(worth_));
+    return leave_success(request_, aside, worth, one.shot, {plays, 0, least + cost_of(one.shot)});
   }
 
   /// Orders by the promise, which ends with how near the cue ball comes.
@@ -465,6 +476,7 @@ class Search {
   EvaluationBudget& budget_;
   SearchResult& found_;
   LeaveWorth worth_;
+  TwoPots two_pots_;
   Box box_;
   Grid grid_ = usual;
   bool left_ = true;  ///< some shot leaves the cue ball as asked

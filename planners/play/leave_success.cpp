@@ -40,7 +40,7 @@ std::optional<Spread> spread_of(const std::vector<Vec2d>& points) {
 
 }  // namespace
 
-double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
+double leave_success(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot,
                      const Measurement& measurement, std::vector<Vec2d>* rests) {
   double sum = 0, lost = 0;
   const auto count = [&](double won) {

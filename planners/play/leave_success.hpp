@@ -5,6 +5,7 @@
 // Cost: two simulations a play.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "planners/evaluation_budget.hpp"
@@ -21,9 +22,12 @@ struct Measurement {
   double least = 0;
 };
 
+/// The worth of an ending, from 0 to 1.
+using Worth = std::function<double(const Ending&)>;
+
 /// Returns the mean worth of the plays. `rests` gets the places in which the cue ball stops in those that make the
 /// target, if it is not null.
-double leave_success(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth, const Shot& shot,
+double leave_success(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot,
                      const Measurement& measurement, std::vector<Vec2d>* rests = nullptr);
 
 /// Computes the leave's success and spread of shots that have one, their success and margin if `robustness` is wanted,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "bankshot/geometry/boundary.hpp"
@@ -37,32 +38,36 @@ const Body& NextPot::body(int ball) const {
   return ball == 0 ? puzzle_.ball.body : puzzle_.others[static_cast<std::size_t>(ball) - 1].body;
 }
 
-NextPot::Best NextPot::best(const PottingOrder& order, std::span<const std::optional<Vec2d>> places) const {
-  if (!places[0]) return {};
+std::vector<NextPot::Best> NextPot::pots(const PottingOrder& order,
+                                         std::span<const std::optional<Vec2d>> places) const {
+  if (!places[0]) return {{}};
   for (const std::vector<int>& group : order) {
-    Best best;
+    std::vector<Best> out;
     bool some = false;
     for (const int ball : group) {
       if (!places[static_cast<std::size_t>(ball)]) continue;
       some = true;
       for (const Mouth& mouth : mouths_)
-        if (const double f = forgives(mouth, ball, places); f > best.forgives)
-          best = {std::erf(f / std::sqrt(2.0)), ball, mouth.point.taken_by.index, f};
+        if (const Best one = pot(mouth, ball, places); one.forgives > 0) out.push_back(one);
     }
-    if (some) return best;
+    if (!some) continue;
+    if (out.empty()) return {{}};
+    std::ranges::stable_sort(out, std::greater(), &Best::forgives);
+    for (Best& one : out) one.chance = std::erf(one.forgives / std::sqrt(2.0));
+    return out;
   }
-  return {1};
+  return {{1}};
 }
 
-double NextPot::forgives(const Mouth& to, int ball, std::span<const std::optional<Vec2d>> places) const {
+NextPot::Best NextPot::pot(const Mouth& to, int ball, std::span<const std::optional<Vec2d>> places) const {
   const AimPoint& mouth = to.point;
   const Vec2d cue = *places[0], at = *places[static_cast<std::size_t>(ball)];
   Vec2d way = mouth.at - at;
   const double distance = norm(way);
-  if (!(distance > 0)) return 0;
+  if (!(distance > 0)) return {};
   way = way / distance;
   Gap<double> gap = mouth.gap(way, 0);
-  if (!(gap.low < gap.high)) return 0;
+  if (!(gap.low < gap.high)) return {};
   // The line to the middle of the gap; a second look, from the direction that it has.
   const auto towards = [&](double offset) {
     const Vec2d line = mouth.at + perpendicular(way) * offset - at;
@@ -73,13 +78,14 @@ double NextPot::forgives(const Mouth& to, int ball, std::span<const std::optiona
   const double touching = touching_distance(body(0), body(ball));
   const Vec2d ghost = at - way * touching, run = ghost - cue;
   const double reach = norm(run), cosine = reach > 0 ? dot(run, way) / reach : 1;
-  if (cosine < thinnest) return 0;
+  if (cosine < thinnest) return {};
   if (is_blocked(cue, ghost, 0, ball, places) || is_blocked(at, mouth.at - way * mouth.reach, ball, ball, places))
-    return 0;
+    return {};
   const double deviation = puzzle_.noise.angle * reach * distance / (touching * cosine);
   const double half = (gap.high - gap.low) / 2 + to.wider(way);
   constexpr double surely = 100;
-  return deviation > 0 ? std::min(half / deviation, surely) : surely;
+  const double forgives = deviation > 0 ? std::min(half / deviation, surely) : surely;
+  return {0, ball, mouth.taken_by.index, forgives, reach > 0 ? run / reach : way};
 }
 
 bool NextPot::is_blocked(const Vec2d& from, const Vec2d& to, int ball, int by,

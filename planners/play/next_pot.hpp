@@ -25,10 +25,15 @@ class NextPot {
     double chance = 0;
     int ball = 0, pocket = -1;  ///< pocket of the table; -1: none can be reached
     double forgives = 0;        ///< so many standard errors of the aim
+    Vec2d line{};               ///< unit, the cue ball's way
   };
   /// Returns the best pot of a next ball from where the balls are: the cue ball first, none where one has fallen. Where
   /// no ball of the order is left, its chance is 1.
-  Best best(const PottingOrder& order, std::span<const std::optional<Vec2d>> places) const;
+  Best best(const PottingOrder& order, std::span<const std::optional<Vec2d>> places) const {
+    return pots(order, places).front();
+  }
+  /// Returns all pots of the next balls, the best first. Never empty: the last resort is none that can be made.
+  std::vector<Best> pots(const PottingOrder& order, std::span<const std::optional<Vec2d>> places) const;
 
  private:
   struct Mouth {
@@ -41,8 +46,8 @@ class NextPot {
     double wider(const Vec2d& way) const;
   };
 
-  /// Returns how many standard errors of the aim a pot forgives; 0 for one that cannot be made.
-  double forgives(const Mouth& mouth, int ball, std::span<const std::optional<Vec2d>> places) const;
+  /// Returns the pot of a ball into a pocket; it forgives 0 if it cannot be made.
+  Best pot(const Mouth& mouth, int ball, std::span<const std::optional<Vec2d>> places) const;
   bool is_blocked(const Vec2d& from, const Vec2d& to, int ball, int by,
                   std::span<const std::optional<Vec2d>> places) const;
   const Body& body(int ball) const;

@@ -3,6 +3,7 @@
 // Settings of the search for a leave.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "bankshot/numbers/angle.hpp"
@@ -63,5 +64,12 @@ inline constexpr double off_jaws = 0.018, off_middle_jaws = 0.01, along_rail = 0
 /// Cosine: thinner cuts are not played.
 inline constexpr double thinnest = 0.1;
 }  // namespace next_pot
+
+namespace two_pots {
+/// m/s, of the next pot.
+inline constexpr std::array speeds{1.0, 1.8, 3.2};
+/// Pockets that are tried have at least this share of the chance of the best one.
+inline constexpr double worth_a_try = 0.7;
+}  // namespace two_pots
 
 }  // namespace bankshot::planning::settings

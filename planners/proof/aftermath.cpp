@@ -33,6 +33,31 @@ void follow_all(const SearchRequest& request, EvaluationBudget& budget, const Ba
   });
 }
 
+/// Balls that are left on the table, the cue ball first.
+struct Left {
+  Balls balls{};
+  std::vector<std::size_t> numbers{};
+
+  void add(std::size_t number, const BallStart<double>& ball) {
+    numbers.push_back(number);
+    balls.push_back(ball);
+  }
+};
+
+/// Returns the places of all balls when those that are left rest, or the cue ball falls.
+std::vector<std::optional<Vec2d>> places_after(const SearchRequest& request, EvaluationBudget& budget,
+                                               const Left& left) {
+  std::vector<std::optional<Vec2d>> places(request.puzzle().others.size() + 1);
+  follow_all(request, budget, left.balls, max_events, [&](const BallEvent& e, const auto& sim) {
+    if (e.event.kind == EventKind::pocket && e.ball == 0) return true;
+    if (e.event.kind != EventKind::horizon) return false;
+    for (std::size_t i = 0; i < left.numbers.size(); ++i)
+      if (const int ball = static_cast<int>(i); sim.in_play(ball)) places[left.numbers[i]] = sim.state(ball).at;
+    return true;
+  });
+  return places;
+}
+
 /// Notes what the cue ball meets in an event.
 void note(const BallEvent& e, std::vector<bool>& moved, Ending& out) {
   const Contact with = e.event.contact;
@@ -108,24 +133,29 @@ Ending play_out(const SearchRequest& request, EvaluationBudget& budget, const La
 
 Ending ending_of(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Replay& made) {
   if (!made.cue) return play_out(request, budget, launch);
-  Ending out{.rail_after_contact = true};
-  out.places.assign(request.puzzle().others.size() + 1, std::nullopt);
-  Balls balls = balls_of(request, *made.cue);
-  std::vector<std::size_t> numbers;
+  Left left;
+  const auto balls = request.problem->whole->balls();
   for (std::size_t k = 0; k < balls.size(); ++k) {
     const auto fell = [&](const ObjectBallPath& sent) { return static_cast<std::size_t>(sent.ball) == k; };
-    if (std::ranges::none_of(made.then, fell)) numbers.push_back(k);
+    if (std::ranges::none_of(made.then, fell)) left.add(k, balls[k]);
   }
-  for (std::size_t i = 0; i < numbers.size(); ++i) balls[i] = balls[numbers[i]];
-  balls.resize(numbers.size());
-  follow_all(request, budget, balls, max_events, [&](const BallEvent& e, const auto& sim) {
-    if (e.event.kind == EventKind::pocket && e.ball == 0) return true;
-    if (e.event.kind != EventKind::horizon) return false;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      if (const int ball = static_cast<int>(i); sim.in_play(ball)) out.places[numbers[i]] = sim.state(ball).at;
-    return true;
-  });
-  return out;
+  left.balls.front().state = *made.cue;
+  return {.places = places_after(request, budget, left), .rail_after_contact = true};
+}
+
+std::vector<std::optional<Vec2d>> play_on(const SearchRequest& request, EvaluationBudget& budget,
+                                          std::span<const std::optional<Vec2d>> places, const Launch& launch,
+                                          const LaunchSpin& spin) {
+  Left left;
+  const auto balls = request.problem->whole->balls();
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    if (!places[k]) continue;
+    left.add(k, balls[k]);
+    left.balls.back().state = {.at = *places[k]};
+  }
+  left.balls.front().state =
+      launched(*places.front(), request.puzzle().ball.body.radius, direction(launch.angle) * launch.speed, spin);
+  return places_after(request, budget, left);
 }
 
 }  // namespace bankshot::planning

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bankshot/simulate/route.hpp"
@@ -43,5 +44,11 @@ Ending play_out(const SearchRequest& request, EvaluationBudget& budget, const La
 /// Returns the ending of a launch whose replay makes the target; the cue ball's way is left out. Where the replay has
 /// the cue ball alone on its way, it goes on from there. Cost: a simulation of all balls, or of what is left of one.
 Ending ending_of(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Replay& made);
+
+/// Returns the places of all balls after one more shot, from places in which they rest; none: the ball fell, then or
+/// before. Where the cue ball falls no place is known. Cost: one simulation of the balls that are left.
+std::vector<std::optional<Vec2d>> play_on(const SearchRequest& request, EvaluationBudget& budget,
+                                          std::span<const std::optional<Vec2d>> places, const Launch& launch,
+                                          const LaunchSpin& spin);
 
 }  // namespace bankshot::planning

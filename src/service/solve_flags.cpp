@@ -16,6 +16,7 @@ SolveOptions SolveFlags::solve_options() const {
   SolveOptions o = options;
   o.robustness = !no_robustness;
   o.depth = static_cast<int>(std::min(depth, 1000L));
+  o.plies = static_cast<int>(plies);
   return o;
 }
 
@@ -32,6 +33,7 @@ std::string SolveFlags::words() const {
   if (options.first) out += " --first";
   if (budget >= 0) out += fmt::format(" --budget {}", budget);
   if (depth != SolveOptions{}.depth) out += fmt::format(" --depth {}", depth);
+  if (plies != SolveOptions{}.plies) out += fmt::format(" --plies {}", plies);
   if (!noise.empty()) out += " --noise " + noise;
   if (no_timing) out += " --no-timing";
   if (no_robustness) out += " --no-robustness";
@@ -51,6 +53,7 @@ std::vector<Option> options_of(SolveFlags& flags) {
       {"budget", &flags.budget, "The most simulations to spend"},
       {"noise", &flags.noise, "A player by name, instead of the puzzle's noise; 'list' describes them"},
       {"depth", &flags.depth, "Number of balls that the plan of a game looks at"},
+      {"plies", &flags.plies, "Number of pots after it that a shot of a game is chosen for: 1, or 2, which is slower"},
       {"no-timing", &flags.no_timing, "Leave out time_us, so that equal input gives equal bytes"},
       {"no-robustness", &flags.no_robustness, "Leave out margin and success"},
       {"sensitivity", &flags.options.sensitivity, "Add how far a wrong coefficient of the table moves the arrival"},
@@ -87,6 +90,7 @@ void check(const SolveFlags& flags) {
   for (const PlannerInfo& p : planners()) names.push_back(p.name);
   check_name("--planner", "planner", flags.options.planner, names);
   check_player(flags.noise);
+  if (flags.plies < 1 || flags.plies > 2) throw BadOption(fmt::format("--plies: {} is neither 1 nor 2", flags.plies));
 }
 
 void check_player(const std::string& name) {

@@ -15,6 +15,7 @@ struct SolveFlags {
   SolveOptions options;
   long budget = -1;   ///< -1: the puzzle's own
   long depth = 3;     ///< see SolveOptions
+  long plies = 1;     ///< see SolveOptions
   std::string noise;  ///< name of a player; empty: the puzzle's own
   bool no_timing = false, no_robustness = false, path = false;
 

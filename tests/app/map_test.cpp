@@ -82,9 +82,11 @@ TEST_CASE("map: each row is the answer of solve from there") {
 TEST_CASE("map --value: each place has an estimate, and the best is told") {
   const ScratchFile csv("map-value.csv"), svg("map-value.svg");
   const std::string options = "map - --value --grid 12 6 -o \"" + csv.path + "\" -o \"" + svg.path + "\"";
-  const Run run = run_program(options, R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.5]},
-    "others": [{"id": "1", "at": [1.9, 0.9]}, {"id": "2", "at": [0.9, 0.4]}], "target": {"game": "rotation"}})");
+  const std::string layout = R"({"table": "pool-9ft", "ball": {"at": [0.6, 0.5]},
+    "others": [{"id": "1", "at": [1.9, 0.9]}, {"id": "2", "at": [0.9, 0.4]}])";
+  const Run run = run_program(options, layout + R"(, "target": {"game": "rotation"}})");
   CHECK(run.exit == 0);
+  CHECK(run_program(options, layout + "}").out == run.out);
   CHECK(run.err.empty());
   const auto rows = table(csv.text());
   REQUIRE(rows.size() == 73);

@@ -276,9 +276,10 @@ TEST_CASE("`solve` and `play` take the same options of an answer") {
   CLI::App command;
   bankshot::app::solve::Arguments a;
   bankshot::app::solve::add_arguments(command, a);
-  command.parse("--depth 2 --json --budget 7");
+  command.parse("--depth 2 --plies 2 --json --budget 7");
   CHECK(a.json);
   CHECK(a.flags.solve_options().depth == 2);
   CHECK(a.flags.budget == 7);
-  CHECK(a.flags.words().find("--depth 2") != std::string::npos);
+  CHECK(a.flags.solve_options().plies == 2);
+  CHECK(a.flags.words().find("--depth 2 --plies 2") != std::string::npos);
 }

@@ -3,6 +3,7 @@
 // `play` as typed in a shell: a layout needs no target, and the options choose the game.
 #include <nlohmann/json.hpp>
 
+#include "app/layout.hpp"
 #include "app/scratch_file.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
@@ -27,6 +28,17 @@ std::string first_ball(const std::string& options) {
 }
 
 }  // namespace
+
+TEST_CASE("a layout becomes a puzzle: the game asked for, else its own target, else rotation") {
+  const auto target = [](const char* text, const std::optional<Json>& game) {
+    return Json::parse(bankshot::app::as_puzzle(text, game))["target"];
+  };
+  const Json any{{"game", "any"}}, eight{{"game", "eight"}};
+  CHECK(target(R"({"budget": 1})", std::nullopt) == Json{{"game", "rotation"}});
+  CHECK(target(R"({"target": {"game": "any"}})", std::nullopt) == any);
+  CHECK(target(R"({"target": {"game": "any"}})", eight) == eight);
+  CHECK(bankshot::app::as_puzzle("[1]", eight) == "[1]");
+}
 
 TEST_CASE("play: the game decides which ball is potted") {
   CHECK(first_ball("") == "2");

@@ -16,11 +16,10 @@
 #include <random>
 
 #include "bankshot/plan/planner.hpp"
-#include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "planners/play/rest.hpp"
 #include "support/played.hpp"
-#include "support/random_question.hpp"
+#include "support/random_layout.hpp"
 
 namespace {
 
@@ -29,22 +28,13 @@ using namespace bankshot::test;
 using planning::EvaluationBudget;
 using planning::SearchRequest;
 
-constexpr double slowest = 0.3, fastest = 6, exact = 1e-8;
+constexpr double exact = 1e-8;
 
 /// A layout in which ball 1 is to fall, without a place yet.
 Puzzle layout(Random& r, int others) {
-  const Scene scene = preset_scene("pool-9ft");
-  Puzzle p{.table = scene.table, .physics = scene.physics, .ball = scene.ball};
-  std::vector<Ball> all;
-  for (int k = 0; k <= others + 1; ++k)
-    all.push_back({*free_place(r, p.table, all, p.ball.body), p.ball.body, std::to_string(k)});
-  p.ball.at = all.front().at;
-  p.others.assign(all.begin() + 1, all.end());
-  p.spin_range = SpinRange{{-1, 1}, {-0.75, 0.75}, {0, 0}};
+  Puzzle p = random_layout(r, others + 1);
   p.target = ObjectBallTarget{{1}, {.target = PocketTarget{}}};
   p.cushions = CushionRule::exactly(0);
-  p.speed = {slowest, fastest};
-  p.noise.speed_share = 0;
   return p;
 }
 
@@ -57,7 +47,7 @@ std::optional<Vec2d> reachable_place(const Puzzle& p, Random& r) {
   const Route hit{{0, Contact::ball(1)}};
   const Vec2d object = p.others[0].at, way = mouth.at - object;
   const Vec2d ghost = object - way * (2 * p.ball.body.radius / norm(way)), run = ghost - p.ball.at;
-  const Launch from{slowest * std::pow(fastest / slowest, r.uniform(0, 1)), std::atan2(run.y, run.x)};
+  const Launch from{p.speed.low * std::pow(p.speed.high / p.speed.low, r.uniform(0, 1)), std::atan2(run.y, run.x)};
   const LaunchSpin spin{r.uniform(-1, 1), r.uniform(-0.75, 0.75), 0};
   const auto x = planning::play::on_target({request, hit, mouth}, budget, planning::family::box_of(request),
                                            planning::family::vector_of(from, spin), 0);

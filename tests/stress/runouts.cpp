@@ -21,10 +21,10 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/game.hpp"
-#include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "planners/play/next_pot.hpp"
-#include "support/random_question.hpp"
+#include "support/played.hpp"
+#include "support/random_layout.hpp"
 
 namespace {
 
@@ -35,9 +35,10 @@ using namespace bankshot::test;
 using PlaysGame = std::function<Answer(Puzzle)>;
 
 /// The shot of a game alone, without the plan for later balls.
-Answer first_shot(Puzzle p) {
+Answer first_shot(Puzzle p, int plies = 1) {
   p.game.reset();
   p.aim = Aim::safest;
+  if (p.leave && plies > 1) std::get<LeaveForNext>(*p.leave).plies = plies;
   return solve(p, {.robustness = false, .suggest = false});
 }
 
@@ -47,11 +48,13 @@ Answer likeliest(Puzzle p) {
   return first_shot(std::move(p));
 }
 
-const std::map<std::string, PlaysGame> all_players{
-    {"play", first_shot}, {"spin", likeliest}, {"solve", [](Puzzle p) {
-                                                  p.spin_range.reset();
-                                                  return likeliest(std::move(p));
-                                                }}};
+const std::map<std::string, PlaysGame> all_players{{"play", [](Puzzle p) { return first_shot(std::move(p)); }},
+                                                   {"two-plies", [](Puzzle p) { return first_shot(std::move(p), 2); }},
+                                                   {"spin", likeliest},
+                                                   {"solve", [](Puzzle p) {
+                                                      p.spin_range.reset();
+                                                      return likeliest(std::move(p));
+                                                    }}};
 
 /// A named player of the issue: angle in degrees, speed in m/s, tip in metres.
 Noise noise_of(const std::string& name, double tip) {
@@ -62,17 +65,9 @@ Noise noise_of(const std::string& name, double tip) {
   return n;
 }
 
-Puzzle random_layout(std::uint64_t seed, int balls, const Noise& noise) {
+Puzzle rotation(std::uint64_t seed, int balls, const Noise& noise) {
   Random r(seed);
-  const Scene scene = preset_scene("pool-9ft");
-  Puzzle p{.table = scene.table, .physics = scene.physics, .ball = scene.ball};
-  std::vector<Ball> all;
-  for (int k = 0; k <= balls; ++k)
-    all.push_back({*free_place(r, scene.table, all, scene.ball.body), scene.ball.body, std::to_string(k)});
-  p.ball.at = all.front().at;
-  p.others.assign(all.begin() + 1, all.end());
-  p.spin_range = SpinRange{{-1, 1}, {-0.75, 0.75}, {0, 0}};
-  p.speed = {0.3, 6};
+  Puzzle p = random_layout(r, balls);
   p.noise = noise;
   ask(p, Game::rotation, order_of(Game::rotation, p.others));
   return p;
@@ -104,11 +99,7 @@ Played play_once(const Puzzle& s, const Shot& shot, std::mt19937_64& luck) {
   spin.side += s.noise.side_of(radius) * normal(luck);
   spin.top += s.noise.top_of(radius) * normal(luck);
   const Trajectory t = simulate({{}, s.table, s.physics, s.ball, s.others, struck, spin, {}});
-  Played out;
-  for (int k = 0; k <= static_cast<int>(s.others.size()); ++k) {
-    const auto fell = [&](const Record& e) { return e.kind == EventKind::pocket && e.ball == k; };
-    out.places.push_back(std::ranges::any_of(t.events, fell) ? std::nullopt : std::optional(end_of(t, k).state.at));
-  }
+  Played out{.places = places_of(s, t)};
   const auto touch = std::ranges::find_if(t.events, [](const Record& e) { return e.kind == EventKind::ball; });
   if (touch == t.events.end()) return out;
   const int first = touch->ball == 0 ? touch->contact.index : touch->ball;
@@ -167,7 +158,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", seed, "Seed of the layouts and of the luck");
   app.add_option("--noise", noise, "Who plays: strong or weak");
   app.add_option("--tip", tip, "Error of the tip [m]");
-  app.add_option("--player", players, "Players: solve, spin, play");
+  app.add_option("--player", players, "Players: solve, spin, play, two-plies");
   app.add_option("-j", threads, "Threads");
   app.add_option("--csv", csv, "A file for the table");
   CLI11_PARSE(app, argc, argv);
@@ -183,7 +174,7 @@ int main(int argc, char** argv) {
       for (int t = 0; t < threads; ++t)
         pool.emplace_back([&] {
           for (std::size_t i; (i = next++) < all.size();)
-            all[i] = attempt(random_layout(seed * 1000003 + i, balls, noise_of(noise, tip)), player, seed * 7919 + i);
+            all[i] = attempt(rotation(seed * 1000003 + i, balls, noise_of(noise, tip)), player, seed * 7919 + i);
         });
     }
     int run_outs = 0, shots = 0, made = 0;

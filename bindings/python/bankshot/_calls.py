@@ -32,6 +32,7 @@ def solve(
     no_timing: bool = False,
     noise: str = "",
     depth: int = 3,
+    plies: int = 1,
 ) -> Answer:
     """Finds the best shot of a puzzle. The flags are those of `bankshot solve`.
 
@@ -46,6 +47,7 @@ def solve(
     no_timing:     leave out time_us, so that equal input gives equal bytes
     noise:         player whose errors apply: "pro", "league" or "beginner"; "": the puzzle's own
     depth:         number of balls that the plan of a game looks at
+    plies:         number of pots after it that a shot of a game is chosen for: 1, or 2, which is slower
 
     Raises InvalidInput if the puzzle breaks a rule. Ctrl-C ends the search.
     """
@@ -60,6 +62,7 @@ def solve(
         no_timing=no_timing,
         noise=noise,
         depth=depth,
+        plies=plies,
     )
     text = text_of(puzzle)
     return Answer(text, flags, solved=_engine.solve(text, _engine.SolveFlags(**flags)))

@@ -21,6 +21,7 @@ class SolveFlags:
         path: bool = ...,
         noise: str = ...,
         depth: int = ...,
+        plies: int = ...,
     ) -> None: ...
 
 class Solved:

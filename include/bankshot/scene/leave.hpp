@@ -28,6 +28,7 @@ using PottingOrder = std::vector<std::vector<int>>;
 /// A place from which the best pot of a next ball is likely: of the first group of which a ball is left.
 struct LeaveForNext {
   PottingOrder order{};
+  int plies = 1;  ///< pots that count in the choice: 1: the next; 2: also the best one after it
 };
 
 /// A place from which none of these balls can be hit directly: a snooker.

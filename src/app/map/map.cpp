@@ -11,6 +11,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
+#include "app/layout.hpp"
 #include "app/option_checks.hpp"
 #include "app/picture.hpp"
 #include "bankshot/draw/map.hpp"
@@ -81,7 +82,7 @@ int run_value(const Arguments& a, const Puzzle& puzzle) {
 int run(const Arguments& a) {
   const std::string text = read_file(a.file);
   try {
-    Puzzle puzzle = read_puzzle(text);
+    Puzzle puzzle = read_puzzle(a.value ? as_puzzle(text) : text);
     if (a.budget >= 0) puzzle.budget = a.budget;
     for (const std::string& path : a.out) write_file(path, "");
     if (a.value) return run_value(a, puzzle);
@@ -113,15 +114,17 @@ Run add(CLI::App& app) {
   command->add_option("--budget", a->budget, "The most simulations to spend on a start")->check(service::whole_number);
   add_theme_flag(*command, a->theme);
   command->add_flag("--no-robustness", a->no_robustness, "Leave out margin and success");
-  command->add_flag("--value", a->value,
-                    "Estimate how likely the best straight pot is from each start, without a search");
+  command->add_flag(
+      "--value", a->value,
+      "Estimate how likely the best straight pot is from each start, without a search; a layout without target is "
+      "played as rotation");
   explain(
       *command,
       "The grid covers all places of the ball's centre; each start is the middle of a cell. Starts in a cushion, in a\n"
       "pocket or already at the target are left out and counted.",
       {{"bankshot map puzzle.json --grid 40 20 -o map.svg", "a picture"},
        {"bankshot map puzzle.json --grid 8 4 -o map.csv -o map.svg", "a table and a picture"},
-       {"bankshot map layout.json --value --grid 120 60 -o value.svg", "where the cue ball would stand well"}},
+       {"bankshot map rack.json --value --grid 120 60 -o value.svg", "a layout: where the cue ball would stand well"}},
       "0 done; 1 no start has a shot; 2 bad input or usage.");
   return [a] { return run(*a); };
 }

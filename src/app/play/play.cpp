@@ -2,10 +2,10 @@
 //
 // bankshot play: what to play, thinking of the next balls. It is `solve` with a game as target.
 #include "app/commands.hpp"
+#include "app/layout.hpp"
 #include "app/option_checks.hpp"
 #include "app/solve/solve.hpp"
 #include "io/format/puzzle_keys.hpp"
-#include "io/json/reader.hpp"
 
 namespace bankshot::app::play {
 namespace {
@@ -15,17 +15,13 @@ struct Arguments : solve::Arguments {
   std::vector<std::string> order;
 };
 
-/// Returns a layout as a puzzle: with the game that the options give; if none, its own or `rotation`.
-std::string with_game(const std::string& text, const Arguments& a) {
-  Json layout = parse_document(text);
-  if (!layout.is_object()) return text;
-  const bool given = !a.game.empty() || !a.group.empty() || !a.order.empty();
-  if (layout.contains("target") && !given) return text;
-  Json target{{"game", !a.game.empty() ? a.game : !a.group.empty() ? "eight" : !a.order.empty() ? "list" : "rotation"}};
+/// Returns the target that the options give, if any.
+std::optional<Json> game_of(const Arguments& a) {
+  if (a.game.empty() && a.group.empty() && a.order.empty()) return std::nullopt;
+  Json target{{"game", !a.game.empty() ? a.game : !a.group.empty() ? "eight" : "list"}};
   if (!a.group.empty()) target["group"] = a.group;
   if (!a.order.empty()) target["order"] = a.order;
-  layout["target"] = std::move(target);
-  return layout.dump();
+  return target;
 }
 
 }  // namespace
@@ -61,7 +57,7 @@ Run add(CLI::App& app) {
       "0 solved; 1 no shot, or the budget ran out; 2 bad input or usage.");
   return [a] {
     output_is_free(a->csv, a->json);
-    return solve::run(*a, [&](const std::string& text) { return with_game(text, *a); });
+    return solve::run(*a, [&](const std::string& text) { return as_puzzle(text, game_of(*a)); });
   };
 }
 
