@@ -330,23 +330,30 @@ class Search {
     }
   }
 
-  /// The launch in hand, as far as a compass search over the launches that reach the target improves it.
-  void improve(Launched& best) {
-    struct Move {
-      int coordinate;  ///< of the launch; -1: across the target
-      double step;
-    };
+  /// A coordinate of a launch, and the first step along it.
+  struct Move {
+    int coordinate;  ///< -1: across the target
+    double step;
+  };
+  std::vector<Move> moves_of(const Launched& one) const {
     std::vector<Move> moves;
     if (safest() && !two_equations()) {
-      const AimPoint& point = best.root->branch.aim_point;
+      const AimPoint& point = one.root->branch.aim_point;
       const double width = point.cuts ? point.cuts->high - point.cuts->low : 2 * point.reach;
       moves.push_back({-1, step_across * width});
     }
     if (!speed_given()) moves.push_back({log_speed, step_speed});
     for (const int c : {family::top, family::side, family::masse})
       if (box_.free(c)) moves.push_back({c, step_spin});
-    best.success = measured(best, step_plays);
-    for (double scale = 1; scale > std::ldexp(1.0, -halvings);) {
+    return moves;
+  }
+
+  /// Compass search over the launches that reach the target, until the steps are halved so often. `is_better(one)` says
+  /// whether a launch is better than `best`, which it then becomes.
+  template <class IsBetter>
+  void climb(Launched& best, int times_halved, IsBetter&& is_better) {
+    const std::vector<Move> moves = moves_of(best);
+    for (double scale = 1; scale > std::ldexp(1.0, -times_halved) && !budget_.spent();) {
       bool better = false;
       for (const Move& move : moves)
         for (const double sign : {1.0, -1.0}) {
@@ -360,15 +367,21 @@ class Search {
           if (x == best.x && shift == best.shift) continue;
           const auto there = on_target(best.root->branch, budget_, box_, x, shift);
           auto one = there ? launched(*best.root, *there, shift, &best.shot) : std::nullopt;
-          if (!one) continue;
-          one->success = measured(*one, step_plays, best.value());
-          if (!(one->value() > best.value())) continue;
+          if (!one || !is_better(*one)) continue;
           best = *std::move(one);
           better = true;
           break;
         }
       if (!better) scale /= 2;
     }
+  }
+
+  void improve(Launched& best) {
+    best.success = measured(best, step_plays);
+    climb(best, halvings, [&](Launched& one) {
+      one.success = measured(one, step_plays, best.value());
+      return one.value() > best.value();
+    });
   }
 
   bool on_place(const Launched& one) const {
@@ -378,10 +391,12 @@ class Search {
   /// Chooses the shots that are handed over, best first, and measures them well.
   void choose() {
     if (pool_.empty()) return;
-    // With `centre` a place that can be reached is met exactly.
+    // With `centre` a place is met exactly, or as nearly as it can be.
     const bool exact = asked_place() && !safest();
-    if (exact && std::ranges::any_of(pool_, [&](const Launched& one) { return on_place(one); }))
+    if (exact) {
+      if (std::ranges::none_of(pool_, [&](const Launched& one) { return on_place(one); })) return keep_nearest();
       std::erase_if(pool_, [&](const Launched& one) { return !on_place(one); });
+    }
     measure_promising();
     if (std::ranges::none_of(pool_, [](const Launched& one) { return one.success.value_or(0) > hopeless; }))
       return keep_nearest();
@@ -418,9 +433,16 @@ class Search {
     const auto likely = [](const Launched& one) { return one.shot.robustness.success_estimate; };
     const double least = safest() ? likely(*std::ranges::max_element(pool_, {}, likely)) / 2 : 0;
     const auto rank = [&](const Launched& one) { return std::tuple(likely(one) < least, miss_of(one), -likely(one)); };
-    Launched nearest = *std::ranges::min_element(pool_, {}, rank);
-    nearest.success = measured(nearest, first_plays);
-    pool_ = {std::move(nearest)};
+    std::ranges::stable_sort(pool_, {}, rank);
+    std::vector<Launched> nearest;
+    std::set<Way> known;
+    for (Launched& one : pool_)
+      if (nearest.size() < approached && known.insert(way_of(one)).second) nearest.push_back(std::move(one));
+    for (Launched& best : nearest)
+      climb(best, approach_halvings, [&](const Launched& one) { return rank(one) < rank(best); });
+    Launched& best = *std::ranges::min_element(nearest, {}, rank);
+    best.success = measured(best, first_plays);
+    pool_ = {std::move(best)};
     left_ = false;
   }
 

@@ -15,8 +15,9 @@ double LeaveWorth::operator()(const Ending& ending) const {
   if (const auto* next = std::get_if<LeaveForNext>(&wanted)) return next_.best(next->order, places).chance;
   if (const auto* against = std::get_if<LeaveAgainst>(&wanted))
     return ending.rail_after_contact ? 1 - next_.best(against->order, places).chance : 0;
-  return std::ranges::none_of(std::get<LeaveSafe>(wanted).balls,
-                              [&](int ball) { return can_be_hit(puzzle_, ball, places); });
+  return std::ranges::all_of(std::get<LeaveSafe>(wanted).balls, [&](int ball) {
+    return places[static_cast<std::size_t>(ball)] && !can_be_hit(puzzle_, ball, places);
+  });
 }
 
 }  // namespace bankshot::planning::play

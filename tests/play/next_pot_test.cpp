@@ -76,5 +76,7 @@ TEST_CASE("a leave is worth 1 where it is as asked, and 0 elsewhere") {
   CHECK(LeaveWorth(against)({.places = there, .rail_after_contact = true}) == Approx(1 - best));
   CHECK(LeaveWorth(against)({.places = there}) == 0);
   CHECK(LeaveWorth(hidden)({.places = there}) == 0);
+  CHECK(LeaveWorth(hidden)({.places = Places{Vec2d{1.0, 0.5}, std::nullopt, Vec2d{0.3, 0.2}}}) == 0);
+  CHECK(LeaveWorth(hidden)({.places = Places{Vec2d{1.0, 0.5}, Vec2d{2.2, 1.0}, Vec2d{1.1, 0.54}}}) == 1);
   CHECK(LeaveWorth(place)({.places = Places{std::nullopt, Vec2d{2.2, 1.0}, Vec2d{0.3, 0.2}}}) == 0);
 }

@@ -6,7 +6,8 @@
 // more
 //   than 1 cm?
 // hand: the ball in hand, one ball to pot. Is the answer from a place of a grid of 2 cm better by more than 0.01?
-// snooker: layouts in which a grid of launches touches ball 1 and hides it. Does the answer hide it?
+// snooker: layouts in which a grid of launches touches ball 1 and hides it. Does the answer hide it in one of twenty
+//   plays with errors?
 // value: the first shot of a game. The probability that it pots and leaves the next pot, against 10,000 plays.
 #include <fmt/format.h>
 
@@ -120,7 +121,7 @@ Compared ball_in_hand(Random& r, int others) {
 Compared hidden_ball(Random& r, int others) {
   Puzzle p = random_layout(r, others + 1);
   p.spin_range.reset();
-  p.target = ObjectBallTarget{{1}};
+  p.target = BallTarget{{1}};
   p.cushions = CushionRule{0, 1};
   p.aim = Aim::safest;
   p.leave = LeaveSafe{{1}};
@@ -145,7 +146,15 @@ Compared hidden_ball(Random& r, int others) {
   if (!out.counts) return out;
   const Answer a = solve(p);
   out.time_ms = a.time_us / 1000;
-  out.ours = !a.shots.empty() && hides(a.shots.front().launch);
+  if (a.shots.empty()) return out;
+  const Launch& launch = a.shots.front().launch;
+  std::mt19937_64 luck(1);
+  std::normal_distribution<double> normal;
+  constexpr int plays = 500;
+  for (int i = 0; i < plays; ++i) {
+    const double speed = launch.speed + p.noise.speed_at(launch.speed) * normal(luck);
+    out.ours += hides({speed, launch.angle + p.noise.angle * normal(luck)}) / static_cast<double>(plays);
+  }
   return out;
 }
 
@@ -210,13 +219,15 @@ int main(int argc, char** argv) {
   }
   // So much does not count as a difference: m, of value, of one shot, of probability.
   const std::map<std::string, double> slack{{"nearest", 0.01}, {"hand", 0.01}, {"snooker", 0}, {"value", 0.05}};
+  // A share of plays that hide the ball: less is luck.
+  constexpr double fewest = 0.05;
   int worse = 0;
   double sum = 0, square = 0, largest = 0;
   std::vector<double> times;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Compared& c = all[i];
     double off = ask == "nearest" ? c.ours - c.theirs : c.theirs - c.ours;
-    if (ask == "snooker") off = c.ours > 0 ? 0 : 1;
+  if (ask == "snooker") off = c.ours >= fewest ? 0 : 1;
     if (off > slack.at(ask)) {
       ++worse;
       std::cout << fmt::format("layout {}: ours {:.4f}, brute force {:.4f}\n", i, c.ours, c.theirs);

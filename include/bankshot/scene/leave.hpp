@@ -31,7 +31,7 @@ struct LeaveForNext {
   int plies = 1;  ///< pots that count in the choice: 1: the next; 2: also the best one after it
 };
 
-/// A place from which none of these balls can be hit directly: a snooker.
+/// A place from which none of these balls, which all stay on the table, can be hit directly: a snooker.
 struct LeaveSafe {
   std::vector<int> balls{};  ///< as in PottingOrder
 };
