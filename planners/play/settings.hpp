@@ -41,7 +41,7 @@ inline constexpr double lucky = 0.15;
 /// are halved.
 inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
 inline constexpr int halvings = 2;
-/// Where no launch stops the cue ball as asked: so many ways to play it are improved until they stop it as near as they
+/// If no launch stops the cue ball as asked, so many ways to play it are improved until they stop it as near as they
 /// can, with the steps halved so often.
 inline constexpr std::size_t approached = 8;
 inline constexpr int approach_halvings = 6;

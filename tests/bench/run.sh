@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Repeats the measurements that README and docs/evidence.md quote, into tests/bench/results/*.csv:
 # all of them, which takes hours, or the named ones, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|runouts|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|position|runouts|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -93,19 +93,32 @@ part() {
       for free in nothing window arrive; do "$bin/best" --count 1000 --seed 2 --physics rolling --free $free --worst 0 --no-header; done
       ;;
     leaves)  # Nobody tuned for these seeds.
-      "$bin/leaves" --count 200 --seed 505 --plays 300 --csv "$scratch/table" >/dev/null
+      "$bin/leaves" --count 1000 --seed 505 --plays 10000 --csv "$scratch/table" >/dev/null
       cat "$scratch/table"
-      "$bin/leaves" --count 200 --seed 606 --others 3 --plays 300 --csv "$scratch/table" >/dev/null
+      "$bin/leaves" --count 1000 --seed 606 --others 3 --plays 10000 --csv "$scratch/table" >/dev/null
       tail -n +2 "$scratch/table"
       ;;
     runouts)  # Who thinks of the next ball clears more tables.
       head=1
+      match() {  # BALLS NOISE LAYOUTS TIP PLAYER...
+        "$bin/runouts" --balls "$1" --noise "$2" --layouts "$3" --tip "$4" --seed 31 -j "$(nproc)" --player "${@:5}" --csv "$scratch/table" >/dev/null
+        tail -n +$head "$scratch/table"
+        head=2
+      }
       for noise in strong weak; do
-        for balls in 2 3 4 6; do
-          "$bin/runouts" --balls $balls --layouts 300 --seed 31 --noise $noise -j "$(nproc)" --player solve spin play --csv "$scratch/table" >/dev/null
-          tail -n +$head "$scratch/table"
-          head=2
-        done
+        for balls in 2 3 4 6; do match $balls $noise 1000 0 solve spin play; done
+        match 6 $noise 1000 0.0005 play
+      done
+      match 4 strong 400 0 two-plies
+      match 6 strong 400 0 two-plies
+      ;;
+    position)  # Brute force by the plain simulator.
+      head=1
+      for asked in "nearest 200 73 0" "hand 100 74 0" "snooker 200 72 3" "value 200 71 5"; do
+        read -r what count seed others <<<"$asked"
+        "$bin/position" --ask "$what" --count "$count" --seed "$seed" --others "$others" -j "$(nproc)" --csv "$scratch/table" >/dev/null
+        tail -n +$head "$scratch/table"
+        head=2
       done
       ;;
     questions)  # Typed as a player would, on layouts that nobody tuned for.

@@ -227,7 +227,7 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Compared& c = all[i];
     double off = ask == "nearest" ? c.ours - c.theirs : c.theirs - c.ours;
-  if (ask == "snooker") off = c.ours >= fewest ? 0 : 1;
+    if (ask == "snooker") off = c.ours >= fewest ? 0 : 1;
     if (off > slack.at(ask)) {
       ++worse;
       std::cout << fmt::format("layout {}: ours {:.4f}, brute force {:.4f}\n", i, c.ours, c.theirs);

@@ -2,7 +2,7 @@
 //
 // Checks properties that answers must always have (listed in support/properties.hpp) on random puzzles as wide as the
 // format. Each counterexample is made smaller and printed as a line of JSON with puzzles for `bankshot solve`.
-//   properties --count 100 --seed 1 [--property a,b] [--max-balls 3] [--csv FILE] [-j 2] [--allow a=0.2,c=1]
+//   properties --count 100 --seed 1 [--property a,b] [--max-balls 3] [--leaves] [--csv FILE] [-j 2] [--allow a=0.2,c=1]
 // Exit 1 if more than the allowed percentage of the judged cases of a property fails.
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ struct Options {
   int count = 40, first = 0, threads = 1, shrink = 40, max_balls = 15;
   std::uint64_t seed = 1;
   double slow = 60;  // s
-  bool quick = false, list = false;
+  bool quick = false, list = false, leaves = false;
 };
 
 struct Tally {
@@ -117,7 +117,7 @@ Tally run(char property, const Options& options) {
   Tally tally;
   std::mutex writing;
   std::atomic<int> next{options.first};
-  const QuestionWish wish{.most_balls = options.max_balls, .quick = options.quick};
+  const QuestionWish wish{.most_balls = options.max_balls, .quick = options.quick, .leaves = options.leaves};
   const auto begin = std::chrono::steady_clock::now();
   const auto work = [&] {
     for (int i = next++; i < options.first + options.count; i = next++) {
@@ -173,6 +173,7 @@ int main(int argc, char** argv) {
   app.add_option("--first", options.first, "Number of the first case: with --count 1 that case alone");
   app.add_option("--seed", options.seed, "Other seeds, other cases; BANKSHOT_SEED moves the default");
   app.add_option("--property", properties, "Some of a to h; all without")->delimiter(',');
+  app.add_flag("--leaves", options.leaves, "Each puzzle has a leave or asks for a game");
   app.add_option("--max-balls", options.max_balls, "Object balls at most")->capture_default_str();
   app.add_option("--shrink", options.shrink, "Cases to check to make a counterexample smaller; 0: none");
   app.add_option("--csv", csv, "Write the table to this file, too");

@@ -251,6 +251,7 @@ Json mirrored(const Json& question, Mirrored how) {
   if (out.contains("others"))
     for (Json& other : out["others"]) other["at"] = m.place(other["at"]);
   m.target(out["target"]);
+  if (out.contains("leave")) m.target(out["leave"]);
   m.rule(out);
   if (out.contains("angle")) {
     double from = mirrored_degrees(out["angle"][0], how), to = mirrored_degrees(out["angle"][1], how);

@@ -24,7 +24,7 @@ constexpr double same_of_all = 1e-3;   // difference allowed between the best an
 constexpr double same_launch = 1e-6;   // rad, m/s
 constexpr double nothing_near = 1e-3;  // value that another launch may lose beside a far ball
 constexpr double far_in_radii = 4;
-constexpr int noisy_plays = 300, counted_plays = 2000, draws = 4096;
+constexpr int noisy_plays = 300, counted_plays = 2000, draws = 4096, leave_plays = 512;
 
 struct Answered {
   Puzzle puzzle;
@@ -32,12 +32,15 @@ struct Answered {
   bool solved() const { return !answer.shots.empty(); }
   const Shot& best() const { return answer.shots.front(); }
   double value() const { return value_of(answer); }
-  double success() const { return solved() ? best().robustness.success.value_or(0) : 0; }
+  double success() const {
+    if (!solved()) return 0;
+    return best().leave ? best().leave->success : best().robustness.success.value_or(0);
+  }
   bool budget_ended() const {
     return answer.status == Status::budget || answer.message.find("budget") != std::string::npos;
   }
   /// Returns true when success is an integral; otherwise it is counted over draws.
-  bool integrated() const { return !puzzle.errs_in_more(); }
+  bool integrated() const { return !puzzle.errs_in_more() && !puzzle.leave; }
 };
 
 Answered answered(const Json& question, bool all = false) {
@@ -48,7 +51,8 @@ Answered answered(const Json& question, bool all = false) {
 
 /// Returns three standard errors of the difference of two successes that are counted over draws.
 double three_errors(const Answered& a, const Answered& b) {
-  const auto variance = [](double p) { return std::max(p * (1 - p), 1.0 / draws) / draws; };
+  const int count = a.puzzle.leave ? leave_plays : draws;
+  const auto variance = [&](double p) { return std::max(p * (1 - p), 1.0 / count) / count; };
   return 3 * std::sqrt(variance(a.success()) + variance(b.success()));
 }
 

@@ -222,6 +222,23 @@ void add_bounds(Random& r, const QuestionWish& wish, const Puzzle& scene, Json& 
   if (r.chance(0.1)) question["aim"] = r.chance(0.5) ? "centre" : "safest";
 }
 
+/// Adds a leave, or turns the puzzle into one of a game.
+void add_leave(Random& r, const Puzzle& scene, Json& question) {
+  const int count = static_cast<int>(scene.others.size());
+  const double kind = r.uniform(0, 1);
+  if (kind < 0.2 && !scene.table.pockets.empty()) {
+    question["target"] = {{"game", r.chance(0.5) ? "rotation" : "any"}};
+    for (const char* key : {"prefer", "arrive", "cushions"}) question.erase(key);
+    return;
+  }
+  if (kind < 0.6)
+    question["leave"] = random_point(r, scene);
+  else if (kind < 0.85 && !scene.table.pockets.empty())
+    question["leave"] = {{"for", std::to_string(r.integer(1, count))}};
+  else
+    question["leave"] = {{"safe", {std::to_string(r.integer(1, count))}}};
+}
+
 std::optional<Json> try_question(Random& r, const QuestionWish& wish) {
   Json question{{"table", random_table(r, wish.quick)}, {"physics", random_physics(r, wish.quick)}};
   Scene scene;
@@ -240,6 +257,7 @@ std::optional<Json> try_question(Random& r, const QuestionWish& wish) {
     question["cushions"] = random_cushion_rule(r, placed.table, 2);
   if (question["target"].contains("carom") && r.chance(0.15)) question["cushions"] = {{"min", 2}, {"max", 4}};
   add_bounds(r, wish, placed, question);
+  if (wish.leaves) add_leave(r, placed, question);
   if (wish.quick) question["budget"] = {{"simulations", 20000}};
   return question;
 }

@@ -19,6 +19,7 @@ struct QuestionWish {
   int most_balls = 15;       ///< number of object balls; one puzzle in twenty has more than three
   bool quick = false;        ///< presets and rectangles, one or two balls, noise of aim and speed alone, small budgets
   bool robust_only = false;  ///< no other `prefer`
+  bool leaves = false;       ///< each puzzle has a leave or asks for a game
 };
 
 /// Draws until the reader and `validate` accept the puzzle.

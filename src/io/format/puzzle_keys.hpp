@@ -168,7 +168,8 @@ inline constexpr Key leave_against_keys[] = {
 inline constexpr Object leave_against{"leave_against", "Bad for the opponent's next ball: a safety.",
                                       leave_against_keys};
 inline constexpr Key leave_safe_keys[] = {
-    {"safe", "[string]", "", required, R"(["1", "2"])", "where none of these balls can be hit directly; a play in which one of them falls does not count"},
+    {"safe", "[string]", "", required, R"(["1", "2"])",
+     "where none of these balls can be hit directly; a play in which one of them falls does not count"},
 };
 inline constexpr Object leave_safe{"leave_safe", "A snooker.", leave_safe_keys};
 
