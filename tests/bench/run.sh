@@ -106,11 +106,11 @@ part() {
         head=2
       }
       for noise in strong weak; do
-        for balls in 2 3 4 6; do match $balls $noise 1000 0 solve spin play; done
+        for balls in 2 3 4; do match $balls $noise 1000 0 play; done
+        match 6 $noise 1000 0 play spin solve
         match 6 $noise 1000 0.0005 play
       done
       match 4 strong 400 0 two-plies
-      match 6 strong 400 0 two-plies
       ;;
     position)  # Brute force by the plain simulator.
       head=1
@@ -235,7 +235,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best questions properties leaves runouts shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best questions properties leaves position runouts shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
 for name; do
   if [ "$name" = report ]; then
     report
