@@ -46,8 +46,8 @@ std::optional<Vec2d> free_place(Random& r, const Boundary& b, const Table& table
 }
 
 /// Draws the spin: half of all shots are struck in the centre, others with tenths of natural roll.
-LaunchSpin draw_spin(Random& r, const Physics& physics) {
-  if (!carries_spin(physics) || r.chance(0.5)) return {};
+LaunchSpin draw_spin(Random& r, const Wish& w) {
+  if (!w.spins || !carries_spin(w.physics) || r.chance(0.5)) return {};
   LaunchSpin s{r.integer(-5, 10) / 10.0, r.integer(-5, 5) / 10.0, 0};
   if (r.chance(0.1)) s.masse = r.integer(-5, 5) / 10.0;
   return s;
@@ -62,8 +62,8 @@ Wish::Kind kind_of(const Puzzle& p) {
   return asked && asked->high == 0 ? Wish::Kind::stop : Wish::Kind::pass;
 }
 
-/// Rounds numbers as a person would write them, and uses defaults where possible.
-void tidy(Puzzle& p) {
+/// Rounds numbers as a person would write them, and uses the wish or defaults where possible.
+void tidy(Puzzle& p, const Wish& w) {
   constexpr double tenth = 0.1;
   const bool stops = kind_of(p) == Wish::Kind::stop;
   if (auto* point = std::get_if<PointTarget>(&p.target)) {
@@ -71,11 +71,9 @@ void tidy(Puzzle& p) {
     *point = {rounded(point->at, unit), std::min(point->within, 10 * unit)};  // the default on any playable table
   }
   const auto in_tenths = [&](double v) { return std::max(tenth, rounded(v, tenth)); };
-  const Puzzle plain;
-  if (is_ideal(p.physics) || !p.speed.fixed())
-    p.speed = plain.speed;
-  else
-    p.speed = {in_tenths(p.speed.low), in_tenths(p.speed.low)};
+  const Range any = is_ideal(p.physics) ? Puzzle{}.speed : w.speed.value_or(Puzzle{}.speed);
+  const double speed = std::clamp(in_tenths(p.speed.low), any.low, any.high);
+  p.speed = is_ideal(p.physics) || !p.speed.fixed() ? any : Range{speed, speed};
   constexpr double dropping = 0.5;  // m/s; one speed, so that a pocket has one answer too
   if (kind_of(p) == Wish::Kind::pocket && !is_ideal(p.physics) && !p.speed.fixed())
     p.arrive = Range{dropping, dropping};
@@ -92,8 +90,9 @@ std::optional<Puzzle> from_shot(Random& r, const Wish& w, const Boundary& bounda
   if (!at) return {};
   ShotRequest shot{.table = w.table, .physics = w.physics, .ball = w.ball};
   shot.ball.at = *at;
-  shot.spin = draw_spin(r, w.physics);
-  shot.launch = {r.log_uniform(0.3, 8), radians(r.uniform(0, 360))};
+  shot.spin = draw_spin(r, w);
+  const Range speed = w.speed.value_or(Range{0.3, 8});
+  shot.launch = {r.log_uniform(speed.low, speed.high), radians(r.uniform(0, 360))};
   const int n = r.integer(w.cushions.min, w.cushions.max);
   shot.until.cushions = n + 1;
   auto asked = ask(r, shot, simulate(shot), n, n);
@@ -141,7 +140,7 @@ std::optional<Puzzle> from_target(Random& r, const Wish& w, const Boundary& boun
   if (w.kind == Wish::Kind::pot && w.table.pockets.empty()) return {};
   Puzzle p{.table = w.table, .physics = w.physics, .ball = w.ball};
   p.ball.at = *at;
-  p.spin = draw_spin(r, w.physics);
+  p.spin = draw_spin(r, w);
   p.cushions = w.cushions;
   if (!p.cushions.sequence && w.kind != Wish::Kind::carom)
     p.cushions = CushionRule::exactly(r.integer(w.cushions.min, w.cushions.max));
@@ -255,7 +254,7 @@ std::optional<Generated> generate(const Wish& w, Random& r, Tries* counts) {
     const bool drawn = w.cushions.sequence || w.others > 0 || touches_balls(w);
     auto p = drawn ? from_target(r, w, boundary) : from_shot(r, w, boundary, pocket);
     if (!p) continue;
-    tidy(*p);
+    tidy(*p, w);
     if ((w.kind && kind_of(*p) != *w.kind) || !is_sound(*p, boundary)) continue;
     ++tries.solved;
     if (drawn && !has_quick_shot(*p)) {

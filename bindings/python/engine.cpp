@@ -188,12 +188,13 @@ PYBIND11_MODULE(_engine, m) {
       "generate",
       [](long count, int threads, std::uint64_t seed, const std::string& table, const std::string& physics,
          const std::string& cushions, const std::string& target, int balls, const std::string& then,
-         const std::string& difficulty, bool unique) {
-        return generate_lines({seed, table, physics, cushions, then, difficulty, target, balls, unique}, count,
-                              threads);
+         const std::string& difficulty, bool unique, bool no_spin, std::vector<double> speed) {
+        return generate_lines(
+            {seed, table, physics, cushions, then, difficulty, target, balls, unique, no_spin, std::move(speed)}, count,
+            threads);
       },
       "count"_a, "threads"_a, py::kw_only(), "seed"_a, "table"_a, "physics"_a, "cushions"_a, "target"_a, "balls"_a,
-      "then"_a, "difficulty"_a, "unique"_a);
+      "then"_a, "difficulty"_a, "unique"_a, "no_spin"_a, "speed"_a);
   m.def("schema", [](const std::string& document) {
     const service::Reply reply = service::schema({{"document", document}});
     if (reply.status != 200) throw InvalidInput("", "\"" + document + "\" is no document");

@@ -2,12 +2,17 @@
 //
 // The program: reads the command line, runs one command, and turns every failure into one line on standard error and an
 // exit code.
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <optional>
+#include <string_view>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/still_working.hpp"
 #include "bankshot/plan/answer.hpp"
 #include "io/json/reader.hpp"
 #include "service/options.hpp"
@@ -26,6 +31,9 @@ int refuse(const std::string& reason, bool json) {
   return bad_input;
 }
 
+/// Commands that show their progress, or wait for others.
+constexpr std::string_view with_progress[] = {"batch", "report", "serve"};
+
 /// Throws if `first` is not a command, and suggests similar names; the parser would only say that a command is missing.
 void check_command(const std::string& first, const std::map<std::string, Run>& commands) {
   if (first.starts_with('-') || commands.contains(first)) return;
@@ -41,7 +49,7 @@ int main(int argc, char** argv) {
   using namespace bankshot::app;
   const bool json = std::any_of(argv, argv + argc, [](std::string_view a) { return a == "--json"; });
   CLI::App app("bankshot: finds the launch speed and angle for a shot in cue sports", "bankshot");
-  app.set_version_flag("--version", "bankshot " BANKSHOT_VERSION);
+  app.set_version_flag("--version", "bankshot " BANKSHOT_VERSION_AND_COMMIT);
   app.require_subcommand(1);
   explain(app, "`bankshot help COMMAND` describes a command. docs/format.md has the format of puzzles.",
           {{"bankshot solve puzzle.json", "the aim and the speed, as text"},
@@ -54,7 +62,10 @@ int main(int argc, char** argv) {
   try {
     if (argc > 1) check_command(argv[1], commands);
     app.parse(argc, argv);
-    return commands.at(app.get_subcommands().front()->get_name())();
+    const std::string name = app.get_subcommands().front()->get_name();
+    std::optional<StillWorking> waits;
+    if (isatty(STDERR_FILENO) == 1 && std::ranges::count(with_progress, name) == 0) waits.emplace(std::cerr);
+    return commands.at(name)();
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
     return refuse(std::string(e.what()) + "; see bankshot --help", json);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "bankshot/scene/json.hpp"
@@ -62,6 +63,12 @@ Wish read_wish(const Wishes& a) {
   if (w.kind == Wish::Kind::stop && deceleration(w.physics) == 0)
     throw BadOption("--target stop: without friction no ball comes to rest");
   w.unique = a.unique;
+  w.spins = !a.no_spin;
+  if (a.speed.empty()) return w;
+  const Range speed{a.speed.front(), a.speed.back()};
+  if (a.speed.size() > 2 || !(speed.low > 0) || !(speed.low <= speed.high) || !std::isfinite(speed.high))
+    throw BadOption("--speed: a speed above 0, or the lowest and the highest with a comma between [m/s]");
+  w.speed = speed;
   return w;
 }
 

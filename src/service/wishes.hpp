@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "bankshot/plan/generate.hpp"
 
@@ -18,7 +19,8 @@ struct Wishes {
   std::uint64_t seed = 0;
   std::string table = "pool-9ft", physics = "spin", cushions = "1-3", then = "0", difficulty, target;
   int balls = 0;
-  bool unique = false;
+  bool unique = false, no_spin = false;
+  std::vector<double> speed{};  ///< m/s; the only one, or the lowest and the highest
 };
 
 /// Turns the options into a wish. Throws BadOption, which names the option.

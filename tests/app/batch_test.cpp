@@ -4,6 +4,7 @@
 // the files. Its messages are tested too.
 #include <nlohmann/json.hpp>
 
+#include "app/batch/rows.hpp"
 #include "app/scratch_file.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
@@ -14,6 +15,7 @@ using bankshot::test::run_program;
 using bankshot::test::run_shell;
 using bankshot::test::ScratchFile;
 using Catch::Contains;
+using Catch::StartsWith;
 using Json = nlohmann::json;
 
 /// Returns a puzzle that has one shot, as a program would write it.
@@ -88,6 +90,27 @@ TEST_CASE("a batch answers each line with what solve --json prints for it, and e
   CHECK_THAT(Json::parse(out[3]).at("error").at("reason").get<std::string>(), Contains("line 4: not JSON"));
   CHECK(Json::parse(out[4]).at("error").at("path") == "/tabel");
   CHECK(Json::parse(out[10]).at("error").at("reason") == "line 11: not JSON: there is a zero byte");
+}
+
+TEST_CASE("batch --csv has a row for each answer") {
+  const File in("rows-in.jsonl", line(1) + "\nno puzzle\n" + line(2) + "\n"), out("rows.jsonl");
+  const ScratchFile csv("rows.csv");
+  const auto run = run_program(batch + in.quoted() + " -o " + out.quoted() + " --csv \"" + csv.path + "\"");
+  CHECK(run.exit == 0);
+  const std::vector<std::string> rows = split(csv.text()), answers = split(out.text());
+  REQUIRE(rows.size() == 4);
+  CHECK(rows[0] + "\n" == bankshot::app::batch::rows_header());
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    CHECK(rows[i + 1] + "\n" == bankshot::app::batch::row_of(static_cast<long>(i) + 1, answers[i]));
+  const Json first = Json::parse(answers[0]);
+  CHECK_THAT(rows[1], StartsWith("1,1,solved,1," + first["shots"][0]["speed"].dump() + ","));
+  CHECK_THAT(rows[2], StartsWith("2,,invalid,0,,,"));
+  // A name with a comma is quoted.
+  CHECK(bankshot::app::batch::row_of(3, R"({"id": "a,b", "status": "no-shot", "shots": []})")
+            .starts_with("3,\"a,b\",no-shot,0,"));
+  const auto nowhere = run_program(batch + in.quoted() + " --csv \"" + csv.path + "\"");
+  CHECK(nowhere.exit == 2);
+  CHECK_THAT(nowhere.err, Contains("-o SHOTS.jsonl"));
 }
 
 TEST_CASE("the last line may lack its line break, the first may begin with a byte order mark") {

@@ -41,6 +41,26 @@ TEST_CASE("generate: the same seed gives the same bytes, a smaller count their b
   CHECK(run_program("solve --json", all[69].dump()).exit == 0);
 }
 
+TEST_CASE("generate: --speed and --no-spin give puzzles that a player recognises") {
+  const std::string options = "generate --count 12 --seed 4 --cushions 1-2 ";
+  const auto any = lines(run_program(options).out), plain = lines(run_program(options + "--no-spin --speed 1,4").out);
+  const auto spins = [](const Json& p) { return p["ball"].contains("spin"); };
+  CHECK(std::ranges::any_of(any, spins));
+  CHECK(std::ranges::none_of(plain, spins));
+  REQUIRE(plain.size() == 12);
+  for (const Json& p : plain) {
+    REQUIRE(p.contains("speed"));
+    CHECK((p["speed"] == Json{1, 4} || (p["speed"].is_number() && p["speed"] >= 1 && p["speed"] <= 4)));
+  }
+  const auto one = lines(run_program("generate --count 2 --seed 4 --target pot --cushions 0 --speed 2").out);
+  CHECK((one.size() == 2 && one[0]["speed"] == 2));
+  for (const char* const wrong : {"4,1", "0", "1,2,3"}) {
+    const auto run = run_program(options + "--speed " + wrong);
+    CHECK(run.exit == 2);
+    CHECK_THAT(run.err, Contains("--speed"));
+  }
+}
+
 TEST_CASE("generate: wishes are in the puzzles") {
   const auto of = [](const std::string& wishes) {
     return lines(run_program("generate --count 4 --seed 2 " + wishes).out).at(3);

@@ -6,9 +6,12 @@
 #include "app/options.hpp"
 #include "app/picture.hpp"
 #include "app/solve/solve.hpp"
+#include "app/still_working.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -270,6 +273,26 @@ TEST_CASE("the theme is one of two names, whose list the manual can show") {
   CHECK(option.fallback == "light");
   CHECK(wrong(app, "--theme dark").empty());
   CHECK(theme == Theme::dark);
+}
+
+TEST_CASE("who waits long is told so once, and who does not wait is not") {
+  struct Told : std::stringbuf {
+    std::atomic<bool> flushed = false;
+    int sync() override {
+      flushed = true;
+      flushed.notify_all();
+      return 0;
+    }
+  } told;
+  std::ostream said(&told);
+  {
+    const StillWorking waits(said, std::chrono::milliseconds(1));
+    told.flushed.wait(false);
+  }
+  CHECK(told.str() == "bankshot: still working; Ctrl-C ends it\n");
+  std::ostringstream nothing;
+  { const StillWorking waits(nothing); }
+  CHECK(nothing.str().empty());
 }
 
 TEST_CASE("`solve` and `play` take the same options of an answer") {

@@ -136,7 +136,7 @@ TEST_CASE("a table of positions that would fill the disk is refused") {
 TEST_CASE("option --version and --help answer on standard output") {
   const auto version = run_program("--version");
   CHECK(version.exit == 0);
-  CHECK_THAT(version.out, Catch::Matches("bankshot [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  CHECK_THAT(version.out, Catch::Matches("bankshot [0-9]+\\.[0-9]+\\.[0-9]+( \\(commit [0-9a-f]+\\))?\n"));
   const auto [arguments, part] = GENERATE(table<const char*, const char*>(
       {{"--help", "solve"}, {"--help", "simulate"}, {"solve --help", "--planner"}, {"simulate --help", "--rate"}}));
   const auto help = run_program(arguments);

@@ -196,6 +196,8 @@ def generate(
     then: Union[int, str, Tuple[int, int], Sequence[str]] = 0,
     difficulty: str = "",
     unique: bool = False,
+    no_spin: bool = False,
+    speed: Sequence[float] = (),
     threads: int = 0,
 ) -> List[Puzzle]:
     """Makes puzzles that have a shot, with the flags of `bankshot generate`. The same seed gives the same puzzles.
@@ -206,6 +208,8 @@ def generate(
     then:       cushions of the object ball that is sent into a pocket ("pot"), given as for `cushions`
     difficulty: "easy", "medium", "hard"; "": any
     unique:     only puzzles with exactly one shot
+    no_spin:    the cue ball is struck in the centre
+    speed:      (lowest, highest) launch speed that a puzzle allows, in m/s; empty: any
 
     Raises LookupError if a puzzle is not found.
     """
@@ -221,6 +225,8 @@ def generate(
         then=_rule(then),
         difficulty=difficulty,
         unique=unique,
+        no_spin=no_spin,
+        speed=list(speed),
     )
     return [Puzzle.from_dict(json.loads(line)) for line in lines]
 

@@ -64,6 +64,8 @@ def generate(
     then: str,
     difficulty: str,
     unique: bool,
+    no_spin: bool,
+    speed: List[float],
 ) -> List[str]: ...
 def fit(
     lines: List[str],

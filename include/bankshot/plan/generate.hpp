@@ -43,10 +43,12 @@ struct Wish {
   Ball ball{};                     ///< radius and mass
   CushionRule cushions{1, 3, {}};  ///< a number between min and max, drawn for each puzzle, or the sequence
   enum class Kind { pocket, stop, pass, kick, pot, carom };
-  std::optional<Kind> kind{};  ///< drop into a pocket, rest at a point, pass it at a speed; touch a ball, send a
-                               ///< ball into a pocket, touch two balls. None: one of the first three is drawn
-  int others = 0;              ///< balls besides the cue ball; 0: none, or three if the kind needs some
-  CushionRule then{0, 0, {}};  ///< rule for the object ball that is sent into a pocket
+  std::optional<Kind> kind{};    ///< drop into a pocket, rest at a point, pass it at a speed; touch a ball, send a
+                                 ///< ball into a pocket, touch two balls. None: one of the first three is drawn
+  int others = 0;                ///< balls besides the cue ball; 0: none, or three if the kind needs some
+  CushionRule then{0, 0, {}};    ///< rule for the object ball that is sent into a pocket
+  std::optional<Range> speed{};  ///< m/s; launch speeds that a puzzle allows; none: any; not read in `ideal`
+  bool spins = true;             ///< about half of the puzzles give the cue ball spin, if the physics carries it
   std::optional<Difficulty> difficulty{};
   bool unique = false;  ///< keep only puzzles for which `solve --all` finds exactly one shot
   int tries = 2000;     ///< puzzles to solve before giving up

@@ -9,6 +9,7 @@
 
 #include "app/batch/part_record.hpp"
 #include "app/batch/pipeline.hpp"
+#include "app/batch/rows.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/gzip.hpp"
@@ -22,7 +23,7 @@ namespace {
 constexpr int by_signal = 128;  ///< an exit code of 128 + n means that signal n ended the program
 
 struct Arguments {
-  std::string file, output = "-", cost;
+  std::string file, output = "-", cost, csv;
   service::SolveFlags flags;
   int threads = 0;
   std::optional<Part> part{};  ///< the only part of the input to solve, if set
@@ -187,11 +188,7 @@ int run_part(const Arguments& a) {
   return run_batch(a, in, out, &journal, from);
 }
 
-int run(Arguments a) {
-  if (const std::string list = service::list_asked(a.flags); !list.empty()) return print(list), done;
-  service::check(a.flags);
-  a.threads = threads_for(a.threads);
-  if (a.resume && a.output == "-") throw FileError("--resume needs the file to continue: -o SHOTS.jsonl");
+int answer(const Arguments& a) {
   const Interrupts watch;
   if (a.part) return run_part(a);
   LineReader in(a.file, a.output.ends_with(".gz"));
@@ -217,6 +214,17 @@ int run(Arguments a) {
   return run_batch(a, in, out, &journal, from);
 }
 
+int run(Arguments a) {
+  if (const std::string list = service::list_asked(a.flags); !list.empty()) return print(list), done;
+  service::check(a.flags);
+  a.threads = threads_for(a.threads);
+  if (a.resume && a.output == "-") throw FileError("--resume needs the file to continue: -o SHOTS.jsonl");
+  if (!a.csv.empty() && a.output == "-") throw FileError("--csv needs the answers in a file too: -o SHOTS.jsonl");
+  const int code = answer(a);
+  if (!a.csv.empty() && code < by_signal) write_rows(a.output, a.csv);
+  return code;
+}
+
 }  // namespace
 
 Run add(CLI::App& app) {
@@ -230,6 +238,7 @@ Run add(CLI::App& app) {
       "are solved again. A packed output (.gz) consists of gzip members of 64 lines.",
       {{"bankshot batch puzzles.jsonl -o shots.jsonl", "the best shot of each"},
        {"bankshot batch puzzles.jsonl -o shots.jsonl --resume", "continues where that was interrupted"},
+       {"bankshot batch puzzles.jsonl -o shots.jsonl --csv shots.csv", "also as a table"},
        {"bankshot batch puzzles.jsonl --part 3/64 -o shots-3.jsonl",
         "the fourth of 64 parts; bankshot merge joins them"},
        {"bankshot batch puzzles.jsonl -o all.jsonl.gz --all --strict",
@@ -253,6 +262,8 @@ Run add(CLI::App& app) {
   command->add_flag("--strict", a->strict, "End with exit code 1 if a line was invalid");
   add_options(*command, service::options_of(a->flags));
   command->add_flag("--json", a->json, "Answers are JSON with or without it");
+  command->add_option("--csv", a->csv, "Write a table here too: one row per answer, with its best shot")
+      ->check(file_name);
   command->add_option("--cost", a->cost, "Write the time that each stage took to this file (CSV)")->check(file_name);
   const auto no_picture = [](const std::string&) {
     throw CLI::ValidationError("--svg", "a batch draws no pictures; bankshot solve --svg draws one");

@@ -88,13 +88,18 @@ Run add(CLI::App& app) {
   command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; without it any")
       ->check(CLI::IsMember({"easy", "medium", "hard"}));
   command->add_flag("--unique", a->unique, "Only puzzles with exactly one shot");
+  command->add_option("--speed", a->speed, "Launch speeds that a puzzle allows: LOW,HIGH or one speed [m/s]")
+      ->delimiter(',')
+      ->expected(1, 2);
+  command->add_flag("--no-spin", a->no_spin, "The cue ball is struck in the centre");
   command->add_option("-o,--output", a->out, "Write to this file, packed if its name ends in .gz; - is standard output")
       ->capture_default_str();
   explain(*command, help(),
           {{"bankshot generate --count 20 --seed 1 -o puzzles.jsonl", "20 puzzles on a 9-foot table"},
            {"bankshot generate --count 3 --seed 7 --table carom-10ft --cushions 3 --difficulty easy",
             "three easy puzzles with three cushions"},
-           {"bankshot generate --count 5 --seed 3 --target pot --cushions 0 --then 1", "five banks"},
+           {"bankshot generate --count 5 --seed 3 --target pot --cushions 0 --then 1 --no-spin --speed 1,4",
+            "five banks at a player's speeds, without spin"},
            {"bankshot generate --count 5 --seed 3 --table carom-10ft --target carom --cushions 3-6 --balls 2",
             "five puzzles of three-cushion billiards"}},
           "0 done; 1 a puzzle was not found; 2 bad input or usage.");
