@@ -2,6 +2,8 @@
 //
 // `bankshot batch` as a user meets it: it writes one line for each line it reads, whatever the lines, the threads and
 // the files. Its messages are tested too.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "app/batch/rows.hpp"
@@ -65,8 +67,7 @@ TEST_CASE("a batch answers each line with what solve --json prints for it, and e
       R"({"id": 1e3})",
       "{\"id\": \"" + std::string(100000, 'x') + "\"}",
       line(3) + std::string(3, '\0'),
-      R"({"id": "é)"
-      "\xff\"}",
+      std::string(R"({"id": "é)") + "\xff\"}",
       R"({"id": 9, "table": "pool-9ft", "physics": "rolling", "ball": {"at": [0.6, 0.4]}, "target": {"pocket": "top-right"}, "speed": [0.1, 0.2]})"};
   std::string text;
   for (const std::string& l : in) text += l + "\n";
@@ -137,11 +138,12 @@ TEST_CASE("the output has the same bytes for any number of threads, packed or no
   const std::string whole = run_program(batch + in.quoted()).out;
   CHECK(split(whole).size() == 300);
   std::string packed_bytes;
-  for (const std::string j : {"1", "2", "7", "0"}) {
-    CHECK((run_program(batch + in.quoted() + " -j " + j).out == whole));
-    CHECK(run_program(batch + in.quoted() + " -j " + j + " -o " + out.quoted()).exit == 0);
+  for (const char* const threads : {"1", "2", "7", "0"}) {
+    const std::string command = fmt::format("{}{} -j {}", batch, in.quoted(), threads);
+    CHECK((run_program(command).out == whole));
+    CHECK(run_program(fmt::format("{} -o {}", command, out.quoted())).exit == 0);
     CHECK((out.text() == whole));
-    CHECK(run_program(batch + in.quoted() + " -j " + j + " -o " + packed.quoted()).exit == 0);
+    CHECK(run_program(fmt::format("{} -o {}", command, packed.quoted())).exit == 0);
     if (packed_bytes.empty()) packed_bytes = packed.text();
     CHECK((packed.text() == packed_bytes));
     CHECK((packed.text().starts_with("\x1f\x8b")));
