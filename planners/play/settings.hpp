@@ -42,8 +42,8 @@ inline constexpr double lucky = 0.15;
 inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
 inline constexpr int halvings = 2;
 /// If no launch stops the cue ball as asked, so many ways to play it are improved until they stop it as near as they
-/// can, with the steps halved so often. With 8 ways brute force comes more than 1 cm nearer in 8 of 100 layouts, with 24 in
-/// 6.
+/// can, with the steps halved so often. With 8 ways brute force comes more than 1 cm nearer in 8 of 100 layouts, with
+/// 24 in 6.
 inline constexpr std::size_t approached = 24;
 inline constexpr int approach_halvings = 6;
 /// Newton's steps, and the longest in the scales of a family.
