@@ -17,6 +17,7 @@ export interface SolveFlags {
   noise?: 'pro' | 'league' | 'beginner';
   /** Number of balls that the plan of a game looks at; the default is 3. */
   depth?: number;
+  /** Number of pots after it that a shot of a game is chosen for: 1, the default, or 2, which is slower. */
   plies?: number;
   /** Leave out `time_us`, so that equal input gives equal output. */
   noTiming?: boolean;

@@ -2,6 +2,7 @@
 #include "planners/play/two_pots.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "planners/play/settings.hpp"
 
@@ -21,8 +22,7 @@ double TwoPots::operator()(const PottingOrder& order, const Ending& ending, Eval
 double TwoPots::after(const NextPot::Best& pot, const PottingOrder& order, const Ending& ending,
                       EvaluationBudget& budget) const {
   if (pot.pocket < 0) return 1;  // no ball is left
-  const LaunchSpin none{};
-  const Range top = request_.puzzle().spin_range ? request_.puzzle().spin_range->top : Range{none.top, none.top};
+  const Range top = request_.puzzle().spin_range ? request_.puzzle().spin_range->top : Range{0, 0};
   double best = 0;
   for (const double speed : speeds)
     for (const double share : {0.5, 0.0, 1.0}) {

@@ -17,47 +17,25 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/simulate/trajectory.hpp"
-#include "planners/play/rest.hpp"
-#include "support/played.hpp"
-#include "support/random_layout.hpp"
+#include "support/exact_pot.hpp"
 
 namespace {
 
 using namespace bankshot;
 using namespace bankshot::test;
-using planning::EvaluationBudget;
 using planning::SearchRequest;
 
 constexpr double exact = 1e-8;
 
-/// A layout in which ball 1 is to fall, without a place yet.
-Puzzle layout(Random& r, int others) {
-  Puzzle p = random_layout(r, others + 1);
-  p.target = ObjectBallTarget{{1}, {.target = PocketTarget{}}};
-  p.cushions = CushionRule::exactly(0);
-  return p;
-}
-
 /// Returns a place that a launch on the exact line leads to; none if this one does not.
 std::optional<Vec2d> reachable_place(const Puzzle& p, Random& r) {
   const SearchRequest request(p);
-  EvaluationBudget budget(1000000);
   const auto& mouths = request.problem->aim_points;
   const AimPoint& mouth = mouths[static_cast<std::size_t>(r.uniform(0, static_cast<double>(mouths.size()) - 1e-9))];
-  const Route hit{{0, Contact::ball(1)}};
-  const Vec2d object = p.others[0].at, way = mouth.at - object;
-  const Vec2d ghost = object - way * (2 * p.ball.body.radius / norm(way)), run = ghost - p.ball.at;
-  const Launch from{p.speed.low * std::pow(p.speed.high / p.speed.low, r.uniform(0, 1)), std::atan2(run.y, run.x)};
-  const LaunchSpin spin{r.uniform(-1, 1), r.uniform(-0.75, 0.75), 0};
-  const auto x = planning::play::on_target({request, hit, mouth}, budget, planning::family::box_of(request),
-                                           planning::family::vector_of(from, spin), 0);
-  if (!x) return {};
-  const auto places = played(p, planning::family::launch_of(*x), planning::family::spin_of(*x));
-  if (places[1] || !places[0]) return {};
-  // The object ball must not brush a rail, a jaw or another ball on its way.
-  const SearchRequest own = request.spinning(planning::family::spin_of(*x));
-  if (!planning::prove(own, budget, planning::family::launch_of(*x), planning::Goal::of(own)).holds()) return {};
-  return places[0];
+  const double speed = p.speed.low * std::pow(p.speed.high / p.speed.low, r.uniform(0, 1));
+  const double top = r.uniform(-1, 1), side = r.uniform(-0.75, 0.75);
+  const auto struck = exact_pot(request, mouth, speed, {top, side, 0});
+  return struck ? rest_after_pot(request, *struck) : std::nullopt;
 }
 
 struct Sums {
@@ -118,7 +96,7 @@ int main(int argc, char** argv) {
   std::mt19937_64 plays_random(seed);
   Sums centre, safest;
   while (centre.asked < count) {
-    Puzzle p = layout(random, others);
+    Puzzle p = random_pot(random, others);
     const auto place = reachable_place(p, random);
     if (!place) continue;
     p.leave = LeavePlace{*place};

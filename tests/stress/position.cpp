@@ -2,9 +2,8 @@
 //
 // Compares answers about the cue ball's place with brute force by the plain simulator, on random layouts.
 //   position --ask nearest|hand|snooker|value [--count 100] [--seed 1] [--others 0] [-j N] [--csv FILE]
-// nearest: places that no pot leaves the cue ball at. Does a grid of launches on the exact lines stop it nearer, by
-// more
-//   than 1 cm?
+// nearest: places that no pot leaves the cue ball at. Does a grid of launches on the exact lines stop it more than 1 cm
+//   nearer?
 // hand: the ball in hand, one ball to pot. Is the answer from a place of a grid of 2 cm better by more than 0.01?
 // snooker: layouts in which a grid of launches touches ball 1 and hides it. Does the answer hide it in one of twenty
 //   plays with errors?
@@ -13,28 +12,25 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <random>
-#include <thread>
+#include <vector>
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/game.hpp"
 #include "bankshot/scene/in_hand.hpp"
 #include "planners/play/next_pot.hpp"
-#include "planners/play/rest.hpp"
-#include "support/played.hpp"
-#include "support/random_layout.hpp"
+#include "support/exact_pot.hpp"
+#include "support/on_threads.hpp"
 
 namespace {
 
 using namespace bankshot;
 using namespace bankshot::test;
-using planning::EvaluationBudget;
 using planning::SearchRequest;
 
 constexpr double exact = 1e-8;
@@ -52,34 +48,9 @@ void each_of(int count, double low, double high, F&& f) {
   for (int i = 0; i < count; ++i) f(low + (high - low) * i / (count - 1));
 }
 
-/// Calls `f(launch, spin)` for launches on the exact lines of ball 1 into the pockets.
-template <class F>
-void each_exact_pot(const Puzzle& p, F&& f) {
-  const SearchRequest request(p);
-  EvaluationBudget budget(1000000000);
-  for (const AimPoint& mouth : request.problem->aim_points) {
-    const Route hit{{0, Contact::ball(1)}};
-    const Vec2d object = p.others[0].at, way = mouth.at - object;
-    const Vec2d ghost = object - way * (2 * p.ball.body.radius / norm(way)), run = ghost - p.ball.at;
-    if (dot(run, way) <= 0) continue;
-    each_of(40, std::log(p.speed.low), std::log(p.speed.high), [&](double log_speed) {
-      each_of(17, -1, 1, [&](double top) {
-        each_of(9, -0.75, 0.75, [&](double side) {
-          const auto x = planning::play::on_target(
-              {request, hit, mouth}, budget, planning::family::box_of(request),
-              planning::family::vector_of({std::exp(log_speed), std::atan2(run.y, run.x)}, {top, side, 0}), 0);
-          if (x) f(planning::family::launch_of(*x), planning::family::spin_of(*x));
-        });
-      });
-    });
-  }
-}
-
 Compared nearest_place(Random& r, int others) {
   for (;;) {
-    Puzzle p = random_layout(r, others + 1);
-    p.target = ObjectBallTarget{{1}, {.target = PocketTarget{}}};
-    p.cushions = CushionRule::exactly(0);
+    Puzzle p = random_pot(r, others);
     p.speed.high = 3;
     p.aim = Aim::centre;
     const Vec2d wanted = *free_place(r, p.table, p.others, p.ball.body);
@@ -88,23 +59,23 @@ Compared nearest_place(Random& r, int others) {
     if (a.shots.empty() || a.shots.front().leave->miss <= exact) continue;
     Compared out{.ours = a.shots.front().leave->miss, .theirs = 1e9, .time_ms = a.time_us / 1000};
     const SearchRequest request(p);
-    EvaluationBudget budget(1000000000);
-    each_exact_pot(p, [&](const Launch& launch, const LaunchSpin& spin) {
-      const auto places = played(p, launch, spin);
-      if (places[1] || !places[0] || !(norm(*places[0] - wanted) < out.theirs)) return;
-      // The ball must fall as the question asks: without a rail, a jaw or another ball on its way.
-      const SearchRequest own = request.spinning(spin);
-      if (prove(own, budget, launch, planning::Goal::of(own)).holds()) out.theirs = norm(*places[0] - wanted);
-    });
+    for (const AimPoint& mouth : request.problem->aim_points)
+      each_of(40, std::log(p.speed.low), std::log(p.speed.high), [&](double log_speed) {
+        each_of(17, -1, 1, [&](double top) {
+          each_of(9, -0.75, 0.75, [&](double side) {
+            const auto struck = exact_pot(request, mouth, std::exp(log_speed), {top, side, 0});
+            const auto rest = struck ? rest_after_pot(request, *struck) : std::nullopt;
+            if (rest) out.theirs = std::min(out.theirs, norm(*rest - wanted));
+          });
+        });
+      });
     return out;
   }
 }
 
 Compared ball_in_hand(Random& r, int others) {
-  Puzzle p = random_layout(r, others + 1);
+  Puzzle p = random_pot(r, others);
   p.spin_range.reset();
-  p.target = ObjectBallTarget{{1}, {.target = PocketTarget{}}};
-  p.cushions = CushionRule::exactly(0);
   p.aim = Aim::safest;
   p.in_hand = InHand{};
   const Answer a = solve(p);
@@ -205,18 +176,11 @@ int main(int argc, char** argv) {
   app.add_option("--csv", csv, "A file for the table");
   CLI11_PARSE(app, argc, argv);
   std::vector<Compared> all(static_cast<std::size_t>(count));
-  std::atomic<std::size_t> next = 0;
-  {
-    std::vector<std::jthread> pool;
-    for (int t = 0; t < threads; ++t)
-      pool.emplace_back([&] {
-        for (std::size_t i; (i = next++) < all.size();) {
-          Random random(seed * 1000003 + i);
-          do all[i] = questions.at(ask)(random, others);
-          while (!all[i].counts);
-        }
-      });
-  }
+  on_threads(threads, all.size(), [&](std::size_t i) {
+    Random random(seed * 1000003 + i);
+    do all[i] = questions.at(ask)(random, others);
+    while (!all[i].counts);
+  });
   // So much does not count as a difference: m, of value, of one shot, of probability.
   const std::map<std::string, double> slack{{"nearest", 0.01}, {"hand", 0.01}, {"snooker", 0}, {"value", 0.05}};
   // A share of plays that hide the ball: less is luck.

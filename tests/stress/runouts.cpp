@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -17,12 +16,13 @@
 #include <iostream>
 #include <map>
 #include <random>
-#include <thread>
+#include <vector>
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/game.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "planners/play/next_pot.hpp"
+#include "support/on_threads.hpp"
 #include "support/played.hpp"
 #include "support/random_layout.hpp"
 
@@ -168,15 +168,9 @@ int main(int argc, char** argv) {
   for (const std::string& name : players) {
     const PlaysGame& player = all_players.at(name);
     std::vector<Outcome> all(static_cast<std::size_t>(layouts));
-    std::atomic<std::size_t> next = 0;
-    {
-      std::vector<std::jthread> pool;
-      for (int t = 0; t < threads; ++t)
-        pool.emplace_back([&] {
-          for (std::size_t i; (i = next++) < all.size();)
-            all[i] = attempt(rotation(seed * 1000003 + i, balls, noise_of(noise, tip)), player, seed * 7919 + i);
-        });
-    }
+    on_threads(threads, all.size(), [&](std::size_t i) {
+      all[i] = attempt(rotation(seed * 1000003 + i, balls, noise_of(noise, tip)), player, seed * 7919 + i);
+    });
     int run_outs = 0, shots = 0, made = 0;
     std::map<std::string, int> ends;
     std::vector<double> times, simulations;

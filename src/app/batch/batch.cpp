@@ -220,6 +220,7 @@ int run(Arguments a) {
   a.threads = threads_for(a.threads);
   if (a.resume && a.output == "-") throw FileError("--resume needs the file to continue: -o SHOTS.jsonl");
   if (!a.csv.empty() && a.output == "-") throw FileError("--csv needs the answers in a file too: -o SHOTS.jsonl");
+  if (!a.csv.empty()) write_file(a.csv, rows_header());  // reports a name that cannot be written before the work begins
   const int code = answer(a);
   if (!a.csv.empty() && code < by_signal) write_rows(a.output, a.csv);
   return code;

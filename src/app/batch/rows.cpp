@@ -27,8 +27,7 @@ std::string field(const Json& object, const char* path) {
 
 std::string rows_header() {
   return "line,id,status,shots,speed_m_per_s,angle_deg,top,side,cushions,ball,pocket,time_s,success,leave_success,"
-         "value,"
-         "miss_m,simulations,message\n";
+         "value,miss_m,simulations,message\n";
 }
 
 std::string row_of(long line, const std::string& answer) {
