@@ -20,6 +20,7 @@ Reply reply_to(std::string_view path, const Query& query, const std::string& bod
   if (path == "simulate") return simulate(query, body);
   if (path == "map") return map(query, body, limit);
   if (path == "launches") return launches(query, body, limit);
+  if (path == "generate") return generate(query);
   if (path == "tables") return tables(query);
   if (path == "schema") return schema(query);
   if (path == "version") return {200, BANKSHOT_VERSION};

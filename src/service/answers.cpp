@@ -18,6 +18,7 @@
 #include "service/path_table.hpp"
 #include "service/solve_flags.hpp"
 #include "service/start_map.hpp"
+#include "service/wishes.hpp"
 #include "sim/geometry/mouth.hpp"
 
 namespace bankshot::service {
@@ -77,6 +78,9 @@ void write_preset(JsonWriter& w, const TablePreset& preset) {
 /// Limits on the size of an answer.
 constexpr double most_points = 1e6;
 constexpr std::size_t most_events = 100000;
+
+/// The most other balls of a generated puzzle, as for `bankshot generate`.
+constexpr long most_balls = 21;
 
 void check_length(const Puzzle& p, const Answer& found) {
   double points = 0;
@@ -156,6 +160,26 @@ Reply launches(const Query& query, const std::string& body, const Limit& limit) 
     const LaunchMap map = launch_map(read_puzzle(body), asked, &limit.stop);
     if (limit.stop) return refusal(503, "", limit.why.load());
     return Reply{200, to_json(map) + "\n"};
+  });
+}
+
+Reply generate(const Query& query) {
+  return answer([&] {
+    Wishes wishes;
+    long seed = 0, number = 1, balls = 0;
+    std::vector<double> speed(2);  // m/s; without a highest one, any
+    read(query, std::array{Option{.name = "seed", .target = &seed, .required = true}, Option{"number", &number},
+                           Option{"table", &wishes.table}, Option{"physics", &wishes.physics},
+                           Option{"cushions", &wishes.cushions}, Option{"target", &wishes.target},
+                           Option{"balls", &balls}, Option{"then", &wishes.then},
+                           Option{"difficulty", &wishes.difficulty}, Option{"unique", &wishes.unique},
+                           Option{"speed", &speed}, Option{"no-spin", &wishes.no_spin}});
+    wishes.seed = static_cast<std::uint64_t>(seed);
+    wishes.balls = static_cast<int>(std::min(balls, most_balls));
+    if (speed[1] > 0) wishes.speed = speed;
+    const Made made = make(wishes, read_wish(wishes), number);
+    if (made.line.empty()) return refusal(404, "", "no puzzle was found: " + made.tries.text());
+    return Reply{200, made.line};
   });
 }
 

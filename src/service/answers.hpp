@@ -31,6 +31,8 @@ Reply simulate(const Query& query, const std::string& body);
 Reply map(const Query& query, const std::string& body, const Limit& limit);
 /// Takes `?angle=30,40&speed=1,3&grid=80,40`; returns which launches make the shot, and how surely (launch_map.hpp).
 Reply launches(const Query& query, const std::string& body, const Limit& limit);
+/// Takes the options of `bankshot generate` without --count, and `?number=3`; returns that puzzle of its list.
+Reply generate(const Query& query);
 /// Returns the tables by name, with what is needed to draw them.
 Reply tables(const Query& query);
 /// Takes `?document=shot` and returns what `bankshot schema` prints.

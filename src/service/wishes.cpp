@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -52,10 +53,16 @@ Wish read_wish(const Wishes& a) {
   w.cushions = read_rule(a.cushions, w.table, "--cushions");
   w.then = read_rule(a.then, w.table, "--then");
   w.others = a.balls;
-  for (const Difficulty d : {Difficulty::easy, Difficulty::medium, Difficulty::hard})
-    if (a.difficulty == name(d)) w.difficulty = d;
-  for (std::size_t i = 0; i < std::size(kinds); ++i)
-    if (a.target == kinds[i]) w.kind = static_cast<Wish::Kind>(i);
+  constexpr std::array levels{Difficulty::easy, Difficulty::medium, Difficulty::hard};
+  const auto asked = [&](Difficulty level) { return a.difficulty == name(level); };
+  if (const auto at = std::ranges::find_if(levels, asked); at != levels.end())
+    w.difficulty = *at;
+  else if (!a.difficulty.empty())
+    throw BadOption("--difficulty: " + quote(a.difficulty) + " is neither easy, medium nor hard");
+  if (const auto at = std::ranges::find(kinds, a.target); at != std::end(kinds))
+    w.kind = static_cast<Wish::Kind>(at - std::begin(kinds));
+  else if (!a.target.empty())
+    throw BadOption("--target: " + quote(a.target) + " is no target" + known_words(a.target, kinds));
   if ((w.kind == Wish::Kind::pocket || w.kind == Wish::Kind::pot) && w.table.pockets.empty())
     throw BadOption("--target " + a.target + ": this table has no pockets");
   if (a.then != "0" && w.kind != Wish::Kind::pot)

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bankshot/plan/generate.hpp"
@@ -12,7 +13,7 @@
 namespace bankshot::service {
 
 /// Names in the order of Wish::Kind.
-inline constexpr const char* kinds[] = {"pocket", "stop", "pass", "kick", "pot", "carom"};
+inline constexpr std::string_view kinds[] = {"pocket", "stop", "pass", "kick", "pot", "carom"};
 
 /// Values of the options with the same names; an empty one means any.
 struct Wishes {

@@ -52,7 +52,7 @@ void unread(httplib::Response& response, Connection& client, std::size_t body) {
 std::string words_of(int status) {
   switch (status) {
     case 404:
-      return "there is nothing here; POST to /api/solve, /api/simulate, /api/map or /api/launches, GET /api/tables or "
+      return "there is nothing here; POST to /api/solve, /api/simulate, /api/map, /api/launches or /api/generate, GET /api/tables or "
              "/api/schema";
     case 408:
       return "the request took too long to arrive";
@@ -148,6 +148,8 @@ struct Server::Parts {
     work("/api/launches", service::launches);
     work("/api/simulate",
          [](const Query& query, const std::string& body, const Limit&) { return service::simulate(query, body); });
+    work("/api/generate",
+         [](const Query& query, const std::string&, const Limit&) { return service::generate(query); });
     http.Get("/api/tables", [](const httplib::Request& request, httplib::Response& response) {
       put(response, service::tables(query_of(request)));
     });

@@ -1,24 +1,49 @@
-// An answer in words: the list of shots by pattern, and the shot in view.
+// An answer in a coach's words: the list of shots, and the shot in view.
+import { called } from './balls.js';
+import { pace } from './units.js';
 
 const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
 
 /** Names the route of the cue ball, or of the object ball that it pots. @param {any} shot */
 export function pattern(shot) {
   const sent = shot.then;
-  const way = sent ? `${sent.ball} into ${sent.pocket}${by(sent.cushions)}` : shot.cushions.join(', ') || 'straight';
-  return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', a scratch' : '');
+  const way = sent?.pocket ? `${sent.ball} into ${sent.pocket}${by(sent.cushions)}` : route(shot);
+  return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', SCRATCH' : '');
 }
 
-/** Finds the shot most like the one chosen while the search went on. @param {any[]} shots @param {any} shot */
+/** Names the ball that is hit and the cushions before it. */
+function route({ cushions, hits, then }) {
+  const ball = then?.then ? `${then.ball}, then ${then.then.ball} into ${then.then.pocket}` : hits?.[0]?.ball;
+  return (ball ? `${ball}, ` : '') + (cushions.join(', ') || (ball ? 'direct' : 'straight'));
+}
+
+/** Finds the shot most like another one. @param {any[]} shots @param {any} shot */
 export function likest(shots, shot) {
-  const off = (other) => Math.abs(other.angle - shot.angle) + (pattern(other) === pattern(shot) ? 0 : 360);
+  const off = (other) =>
+    Math.abs(other.angle - shot.angle) +
+    Math.abs(other.speed - shot.speed) +
+    (!shot.cushions || pattern(other) === pattern(shot) ? 0 : 360);
   return shots.reduce((best, other, i) => (off(other) < off(shots[best]) ? i : best), 0);
 }
 
-/** @param {any} shot @param {string} target */
-export function heading(shot, target) {
-  if (!shot) return 'No shot';
-  if (shot.then) return `Ball ${pattern(shot)}`;
+/** @param {any} shot @param {string} target @param {string} [status] of the answer */
+export function heading(shot, target, status = '') {
+  if (!shot) return status === 'budget' ? 'No shot found yet: the search ran out' : 'No shot';
+  return plain(shot, target) + (shot.scratch ? ' – SCRATCH' : '');
+}
+
+/** Names the shot of an object ball that falls. */
+function sending({ ball, cushions, pocket, then }) {
+  if (then) return `Play ${called(ball)} onto ${called(then.ball)}, into ${then.pocket}`;
+  return cushions.length ? `Bank ${called(ball)}${by(cushions)} into ${pocket}` : `Pot ${called(ball)} into ${pocket}`;
+}
+
+function plain(shot, target) {
+  const first = shot.hits?.[0]?.ball;
+  if (shot.safety) return `Play safe off ${called(first)}${by(shot.cushions)}`;
+  if (shot.then && (shot.then.pocket || shot.then.then)) return sending(shot.then);
+  if (first)
+    return shot.cushions.length ? `Kick at ${called(first)}${by(shot.cushions)}` : `Hit ${called(first)} direct`;
   const into = shot.pocket ?? (target === 'point' ? 'the point' : target);
   return `Into ${into}${shot.cushions.length ? by(shot.cushions) : ', straight'}`.replace('Into the', 'To the');
 }
@@ -29,20 +54,51 @@ export function percent(chance) {
   return chance > 0.995 ? '> 99 %' : chance < 0.005 ? '< 1 %' : Math.round(100 * chance) + ' %';
 }
 
-/** @param {number} v in m/s */
-export function pace(v) {
-  const mph = v / 0.44704;
-  const word = mph < 2 ? 'soft' : mph < 4 ? 'medium' : mph < 7 ? 'firm' : mph < 10 ? 'hard' : 'as hard as a break';
-  return `${word}: ${v.toFixed(2)} m/s`;
+const fractions = ['a hair', '1/8', '1/4', '3/8', 'half', '5/8', '3/4', '7/8', 'full'];
+
+/** Says how much of the object ball is covered. @param {number} fullness */
+function fullness(fullness) {
+  const thin = fullness < 0.2 ? ', thin' : fullness > 0.95 ? '' : fullness > 0.7 ? ', thick' : '';
+  return `${fractions[Math.round(8 * Math.min(Math.max(fullness, 0), 1))]} ball${thin}`;
+}
+
+/** Says where the cue ball stops. @param {any} shot @param {any} table @param {(metres: number) => string} length */
+function rests({ cue_rests, leave }, table, length) {
+  if (typeof cue_rests === 'string') return `falls into ${cue_rests}: a scratch`;
+  if (!cue_rests) return '';
+  const [x, y] = cue_rests;
+  const across = x < table.length / 2 ? [x, 'left'] : [table.length - x, 'right'];
+  const up = y < table.width / 2 ? [y, 'bottom'] : [table.width - y, 'top'];
+  const off = leave?.cushions.length ? `, off ${leave.cushions.join(', ')}` : '';
+  return `stops ${length(across[0])} from the ${across[1]} rail, ${length(up[0])} from the ${up[1]}${off}`;
+}
+
+/**
+ * Returns what is planned after a shot of a game.
+ * @param {any} shot @param {any} plan
+ * @returns {[string, string][]}
+ */
+function onward(shot, plan) {
+  /** @type {[string, string][]} */
+  const rows = [];
+  const next = plan?.next.length ? plan.next : shot.leave?.next ? [shot.leave.next] : [];
+  next.forEach(({ ball, pocket, success }, i) =>
+    rows.push([i ? 'then' : 'next', `${called(ball)} into ${pocket}, ${percent(success)}`]),
+  );
+  if (plan && plan.clears.length > 1) {
+    const what = plan.table ? 'the table' : `${plan.clears.length} balls`;
+    rows.push(['clears', `${what} in ${percent(plan.clears[plan.clears.length - 1])} of visits, by an estimate`]);
+  }
+  if (plan?.why) rows.push(['why', plan.why]);
+  return rows;
 }
 
 /**
  * @param {any} shot
- * @param {string} aim
- * @param {(metres: number) => string} length
+ * @param {{aim: string, table: any, length: (metres: number) => string, plan?: any}} with
  * @returns {[string, string][]}
  */
-export function words(shot, aim, length) {
+export function words(shot, { aim, table, length, plan }) {
   const off = (v, more, less) => (v ? `${length(Math.abs(v))} ${v > 0 ? more : less}` : '');
   const tip =
     shot.tip && [off(shot.tip.up, 'above', 'below'), off(shot.tip.right, 'right', 'left')].filter(Boolean).join(', ');
@@ -51,16 +107,23 @@ export function words(shot, aim, length) {
     ['aim', `${aim} (${shot.angle.toFixed(2)}°)`],
     ['speed', pace(shot.speed)],
     ['tip', tip || 'in the centre'],
-    ['arrives', `after ${shot.arrival.time.toFixed(2)} s at ${shot.arrival.speed.toFixed(2)} m/s`],
   ];
+  if (shot.contact) rows.push(['hit', fullness(shot.contact.fullness)]);
+  else rows.push(['arrives', `after ${shot.arrival.time.toFixed(2)} s at ${shot.arrival.speed.toFixed(2)} m/s`]);
+  const leaves = rests(shot, table, length);
+  if (leaves && shot.hits?.length) rows.push(['cue ball', leaves]);
   if (shot.success !== undefined) rows.push(['success', percent(shot.success)]);
+  if (shot.leave) {
+    const next = shot.leave.next ? 'made, and the next ball potted' : 'made, and the cue ball stops there';
+    rows.push(['position', `${percent(shot.leave.success)}: ${next}`]);
+  }
   if (shot.margin?.angle.every((v) => v !== null)) {
     const [less, more] = shot.margin.angle.map((v) => Math.abs(v).toFixed(2));
     rows.push(['margin', `${less}° to the right, ${more}° to the left`]);
   }
   const into = typeof shot.cue_rests === 'string' ? ` into ${shot.cue_rests}` : '';
-  if (shot.scratch) rows.push(['but', `the cue ball falls${into}, too`]);
-  return rows;
+  if (shot.scratch) rows.push(['SCRATCH', `the cue ball falls${into}, too`]);
+  return [...rows, ...onward(shot, plan)];
 }
 
 /** Fills a description list with terms and their values. @param {HTMLElement} list @param {[string, string][]} rows */
@@ -69,30 +132,43 @@ export function tell(list, rows) {
     const [term, value] = [document.createElement('dt'), document.createElement('dd')];
     term.textContent = name;
     value.textContent = text;
+    for (const part of [term, value]) part.classList.toggle('bad', name === 'SCRATCH');
     return [term, value];
   });
   list.replaceChildren(...items);
 }
 
+/** Returns the numbers of the shots of each pattern, best first. @param {any[]} shots @returns {Map<string, number[]>} */
+export function groups(shots) {
+  const found = new Map();
+  shots.forEach((shot, i) => found.set(pattern(shot), [...(found.get(pattern(shot)) ?? []), i]));
+  return found;
+}
+
 /**
- * Fills the list of shots, best pattern first.
+ * Fills the list of shots: the best of each pattern, its other ways folded below it.
  * @param {HTMLElement} list
  * @param {any[]} shots
  * @param {number} chosen
  * @param {{look: (i: number) => void, choose: (i: number) => void}} on
  */
 export function fill(list, shots, chosen, on) {
-  /** @type {Map<string, number[]>} */
-  const groups = new Map();
-  shots.forEach((shot, i) => groups.set(pattern(shot), [...(groups.get(pattern(shot)) ?? []), i]));
   const items = [];
-  for (const [name, members] of groups) {
+  for (const [name, [best, ...more]] of groups(shots)) {
     const item = document.createElement('li');
-    const head = document.createElement('h3');
-    head.textContent = members.length > 1 ? `${name} (${members.length})` : name;
-    const inner = document.createElement('ol');
-    inner.append(...members.map((i) => entry(shots[i], i, i === chosen, on)));
-    item.append(head, inner);
+    item.append(entry(shots[best], best, best === chosen, on, name));
+    if (more.length) {
+      const [fold, summary, inner] = ['details', 'summary', 'ol'].map((tag) => document.createElement(tag));
+      summary.textContent = more.length > 1 ? `${more.length} more ways` : 'one more way';
+      for (const i of more) {
+        const line = document.createElement('li');
+        line.append(entry(shots[i], i, i === chosen, on));
+        inner.append(line);
+      }
+      /** @type {HTMLDetailsElement} */ (fold).open = more.includes(chosen);
+      fold.append(summary, inner);
+      item.append(fold);
+    }
     items.push(item);
   }
   list.replaceChildren(...items);
@@ -104,10 +180,12 @@ export function mark(list, chosen) {
     button.setAttribute('aria-current', String(Number(button.dataset.shot) === chosen));
 }
 
-function entry(shot, i, current, on) {
-  const [item, button, chance, text] = ['li', 'button', 'strong', 'span'].map((tag) => document.createElement(tag));
+/** Returns a line of the list; `name` is that of its pattern, without it the line says how it differs. */
+function entry(shot, i, current, on, name = '') {
+  const [button, chance, text] = ['button', 'strong', 'span'].map((tag) => document.createElement(tag));
   chance.textContent = percent(shot.success);
-  text.textContent = `${shot.angle.toFixed(2)}°, ${shot.speed.toFixed(2)} m/s`;
+  text.textContent = name || `${shot.angle.toFixed(2)}°, ${shot.speed.toFixed(2)} m/s`;
+  text.classList.toggle('bad', Boolean(shot.scratch));
   button.setAttribute('type', 'button');
   button.dataset.shot = String(i);
   button.setAttribute('aria-current', String(current));
@@ -115,6 +193,5 @@ function entry(shot, i, current, on) {
   button.addEventListener('mouseenter', () => on.look(i));
   button.addEventListener('focus', () => on.look(i));
   button.addEventListener('click', () => on.choose(i));
-  item.append(button);
-  return item;
+  return button;
 }

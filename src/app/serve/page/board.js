@@ -1,68 +1,62 @@
-// The balls, the target and the aim, which are moved by hand.
+// The balls, the target, the place to leave the cue ball and the aim, which are moved by hand.
+import { called, look } from './balls.js';
 import { draggable } from './drag.js';
-import { metres, shape } from './table.js';
+import { inside, snaps } from './layout.js';
+import { nameOf } from './state.js';
+import { metres, shape, upright } from './table.js';
 
 /**
  * @typedef {[number, number]} Point
  * @typedef {{
  *   scene: () => import('./state.js').Scene,
+ *   put: (ball: number, at: Point) => void,
  *   moved: (before: import('./state.js').Scene | null) => void,
  *   says: (name: string, at: Point) => void,
  *   removed: (ball: number) => void,
+ *   clicked: (ball: number) => void,
+ *   pocket: (name: string) => void,
  *   snaps: () => boolean,
  *   aim: {where: () => Point | null, move: (at: Point) => void},
- * }} Hands callbacks of a movement: `moved` gets the scene before it, once the movement ends
+ * }} Hands callbacks: `put` places a ball, the cue ball by −1; `moved` gets the scene before, once a movement ends
  */
 
-const reach = 11; // pixels: least radius of a grip
+const [fine, thumb] = [11, 22]; // pixels: least radius of a grip for a mouse and for a finger
 const letters = 11; // pixels
 const smallest = 9; // pixels: smaller letters cannot be read on a ball
-
-/** Returns the snap distances: half a diamond each way. @param {import('./table.js').Table} table @returns {Point} */
-const snaps = (table) => [table.length / 16, table.width / 8];
-
-/**
- * Moves a point inside the table, at least a ball's radius from each cushion.
- * @param {import('./table.js').Table} table
- * @returns {Point}
- */
-export function inside(table, [x, y], snap = false) {
-  const r = table.radius;
-  const to = (v, step) => (snap ? Math.round(v / step) * step : v);
-  const clamp = (v, most) => Math.round(Math.min(Math.max(v, r), most - r) * 1e4) / 1e4;
-  const [dx, dy] = snaps(table);
-  return [clamp(to(x, dx), table.length), clamp(to(y, dy), table.width)];
-}
-
-/**
- * Finds a place without a ball; null if the table is full.
- * @param {import('./table.js').Table} table
- * @param {Point[]} balls
- */
-export function free(table, balls) {
-  const clear = (at) => balls.every(([x, y]) => Math.hypot(x - at[0], y - at[1]) > 2 * table.radius);
-  for (let k = 1; k < 1000; ++k) {
-    // These two factors fill a square evenly.
-    const at = inside(table, [table.length * ((0.7549 * k) % 1), table.width * ((0.5698 * k) % 1)]);
-    if (clear(at)) return at;
-  }
-  return null;
-}
 
 /** Finds the pocket at a point. @param {import('./table.js').Table} table @param {Point} at */
 function pocketNear(table, [x, y]) {
   return table.pockets.find(({ at, half }) => Math.hypot(x - at[0], y - at[1]) < 1.6 * half);
 }
 
-/** Puts a digit on its ball, or beside it if it would be too small to read. */
-function writeDigit(digit, at, radius, pixel) {
-  const on = 1.2 * radius;
+/** Draws what is on a ball: its stripe and its number. @returns {SVGElement} a group around the ball's centre */
+function skin(layer, name, radius) {
+  const { colour, stripe, ink, digit } = look(name);
+  const group = shape('g', { class: 'skin' }, layer);
+  if (stripe) {
+    // The band ends on the ball's edge at this share of its radius.
+    const [x, y] = [0.8 * radius, 0.6 * radius];
+    const edge = `M${-x} ${-y}L${x} ${-y}A${radius} ${radius} 0 0 1 ${x} ${y}L${-x} ${y}A${radius} ${radius} 0 0 1 ${-x} ${-y}Z`;
+    shape('path', { d: edge, fill: colour }, group);
+  }
+  if (digit) shape('text', { class: 'digit', fill: ink }, group).textContent = digit;
+  return group;
+}
+
+/** Makes the number of a ball large enough to read: on the ball, or else beside it. */
+function fit(group, radius, pixel) {
+  const digit = group.querySelector('text');
+  if (!digit) return;
+  const on = (digit.textContent.length > 1 ? 1 : 1.2) * radius;
   const beside = on < smallest * pixel;
   const off = beside ? radius + 0.35 * letters * pixel : 0;
   digit.setAttribute('font-size', String(beside ? letters * pixel : on));
-  digit.setAttribute('transform', `translate(${at[0] + off} ${at[1] + off}) scale(1 -1)`);
+  digit.setAttribute('x', String(off));
+  digit.setAttribute('y', String(-off));
   digit.classList.toggle('beside', beside);
 }
+
+/** @typedef {{dot: SVGElement, grip: SVGElement, skin?: SVGElement, where: () => Point | null, take: Function}} Grip */
 
 export class Board {
   /**
@@ -76,20 +70,70 @@ export class Board {
     this.layer = layer;
     this.table = table;
     this.hands = hands;
-    /** @type {Map<string, {dot: SVGElement, grip: SVGElement, where: () => Point | null, digit: any}>} */
+    /** @type {Map<string, Grip>} */
     this.grips = new Map();
-    const { target, others } = hands.scene();
+    const { target, others, zone } = hands.scene();
+    this.pockets();
+    if (zone.length) this.zone();
     if (target === 'point' || table.pockets.some(({ name }) => name === target)) this.target();
     others.forEach((_, i) => this.other(i));
-    const put = (at) => (hands.scene().ball = inside(table, at, hands.snaps()));
-    this.movable('ball', 'Cue ball', 'ball', table.radius, () => hands.scene().ball, put);
+    const cue = { where: () => hands.scene().ball, put: (at) => hands.put(-1, at) };
+    this.movable('ball', 'Cue ball', 'ball', table.radius, cue);
     const { where, move } = hands.aim;
-    this.movable('cushion', 'First cushion point: the aim', 'cushion-point', 0.016, where, move, true);
+    this.movable('cushion', 'First cushion point: the aim', 'cushion-point', 0.016, { where, put: move, aims: true });
+    // A finger takes what is nearest, not what lies on top.
+    layer.parentElement.addEventListener('pointerdown', (event) => this.nearest(event), true);
   }
 
   /** Returns the least radius of a grip in metres, at the picture's present size. */
   reach() {
-    return metres(this.svg, reach);
+    return metres(this.svg, matchMedia('(pointer: coarse)').matches ? thumb : fine);
+  }
+
+  /** @param {any} event */
+  nearest(event) {
+    if (event.pointerType !== 'touch') return;
+    const far = ({ grip }) => {
+      const { x, y, width, height } = grip.getBoundingClientRect();
+      return Math.hypot(x + width / 2 - event.clientX, y + height / 2 - event.clientY);
+    };
+    const shown = [...this.grips.values()].filter(
+      ({ grip }) => !grip.hasAttribute('hidden') && grip.dataset.grip !== 'zone',
+    );
+    const [best] = shown.sort((a, b) => far(a) - far(b));
+    if (!best || far(best) > thumb || best.grip === event.target) return;
+    event.stopPropagation();
+    best.take(event);
+  }
+
+  /** Makes each pocket something to click. */
+  pockets() {
+    for (const { name, hole, radius } of this.table.pockets) {
+      const size = Math.max(radius, this.reach());
+      const attributes = { class: 'click', cx: hole[0], cy: hole[1], r: size, tabindex: 0, role: 'button' };
+      const pocket = shape(
+        'circle',
+        { ...attributes, 'aria-label': `Pocket ${name}`, 'data-pocket': name, 'stroke-width': 0.01 },
+        this.layer,
+      );
+      pocket.addEventListener('click', () => this.hands.pocket(name));
+      pocket.addEventListener('keydown', (event) => {
+        if (event.key !== 'Enter' && event.key !== ' ') return;
+        event.preventDefault();
+        this.hands.pocket(name);
+      });
+    }
+  }
+
+  zone() {
+    const { table, hands } = this;
+    const zone = () => hands.scene().zone;
+    const where = () => /** @type {Point} */ (zone().slice(0, 2));
+    const put = (at) => (hands.scene().zone = [...inside(table, at), zone()[2]]);
+    const grip = this.movable('zone', 'Where the cue ball should stop', 'zone', zone()[2], { where, put });
+    grip.addEventListener('keydown', ({ key }) => {
+      if (key === 'Delete' || key === 'Backspace') hands.removed(-1);
+    });
   }
 
   target() {
@@ -99,18 +143,11 @@ export class Board {
     const put = (at) => {
       const into = pocketNear(table, at);
       if (into) hands.scene().target = into.name;
-      else
-        Object.assign(hands.scene(), {
-          target: 'point',
-          point: inside(table, at, hands.snaps()),
-        });
-    };
-    const where = () => pocket()?.hole ?? hands.scene().point;
-    const resized = (at) => {
-      put(at);
+      else Object.assign(hands.scene(), { target: 'point', point: inside(table, at, hands.snaps()) });
       this.grips.get('target').dot.setAttribute('r', String(size()));
     };
-    const grip = this.movable('target', 'Target: a place, or a pocket', 'target', size(), where, resized);
+    const where = () => pocket()?.hole ?? hands.scene().point;
+    const grip = this.movable('target', 'Target: a place, or a pocket', 'target', size(), { where, put });
     // Arrow keys move the target from one pocket to the next.
     const next = (event) => {
       const turn = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
@@ -128,52 +165,53 @@ export class Board {
 
   other(i) {
     const { table, hands } = this;
-    const put = (at) => (hands.scene().others[i] = inside(table, at, hands.snaps()));
-    const grip = this.movable(`other${i}`, `Ball ${i + 1}`, 'other', table.radius, () => hands.scene().others[i], put);
+    const name = nameOf(hands.scene(), i);
+    const label = called(name)
+      .replace(/^the /, 'Ball ')
+      .replace(/^ball /, 'Ball ')
+      .replace(/^a red/, 'Red ball');
+    const where = () => hands.scene().others[i];
+    const leave = () => hands.removed(i);
+    const hold = { where, put: (at) => hands.put(i, at), click: () => hands.clicked(i), leave, name };
+    const grip = this.movable(`other${i}`, label, 'other', table.radius, hold);
     grip.addEventListener('keydown', ({ key }) => {
-      if (key === 'Delete' || key === 'Backspace') hands.removed(i);
+      if (key === 'Delete' || key === 'Backspace') leave();
     });
   }
 
-  /** Adds a dot, and a grip that is at least as wide. */
-  movable(name, label, kind, radius, where, put, aims = false) {
-    const { hands } = this;
-    const dot = shape(
-      'circle',
-      {
-        class: kind,
-        r: radius,
-        'stroke-width': kind === 'target' ? 0.012 : 0.004,
-      },
-      this.layer,
-    );
-    const attributes = {
-      tabindex: 0,
-      role: 'button',
-      'aria-label': label,
-      'data-grip': name,
-      'stroke-width': 0.01,
-    };
-    const grip = shape('circle', { class: 'grip', r: Math.max(radius, this.reach()), ...attributes }, this.layer);
-    const digit = /^Ball/.test(label) ? shape('text', { class: 'digit' }, this.layer) : null;
-    if (digit) digit.textContent = label.slice(5);
-    this.grips.set(name, { dot, grip, where, digit });
-    this.place(name);
+  /**
+   * Adds a dot, and a grip that is at least as wide.
+   * @param {{where: () => Point | null, put: (at: Point) => void, click?: () => void, leave?: () => void, name?: string,
+   *   aims?: boolean}} held `leave`: it was dragged off the table; `name`: of a ball; `aims`: it changes no scene
+   */
+  movable(name, label, kind, radius, held) {
+    const { hands, layer } = this;
+    const { where, put } = held;
+    const dot = shape('circle', { class: kind, r: radius, 'stroke-width': kind === 'target' ? 0.012 : 0.004 }, layer);
+    const ball = held.name ? look(held.name) : null;
+    if (ball) dot.setAttribute('fill', ball.stripe ? '#f7f5ee' : ball.colour);
+    const drawn = held.name ? skin(layer, held.name, radius) : undefined;
+    const size = Math.max(radius, this.reach());
+    const attributes = { tabindex: 0, role: 'button', 'aria-label': label, 'data-grip': name, 'stroke-width': 0.01 };
+    const grip = shape('circle', { class: 'grip', r: size, ...attributes }, layer);
     let before = null;
-    draggable(
-      grip,
-      this.svg,
-      where,
-      (at, done) => {
-        before ??= structuredClone(hands.scene());
-        put(at);
-        this.place(name);
-        hands.says(label, where());
-        if (!aims) hands.moved(done ? before : null);
-        if (done) before = null;
-      },
-      () => (hands.snaps() && !aims ? snaps(this.table) : null),
-    );
+    const move = (at, done, out) => {
+      before ??= structuredClone(hands.scene());
+      if (!done) put(at);
+      if (done && out && held.leave) {
+        Object.assign(hands.scene(), before);
+        before = null;
+        return held.leave();
+      }
+      this.place(name);
+      hands.says(label, where());
+      if (!held.aims) hands.moved(done ? before : null);
+      if (done) before = null;
+    };
+    const coarse = () => (hands.snaps() && !held.aims ? snaps(this.table) : null);
+    const take = draggable(grip, this.svg, { where, move, click: held.click, coarse });
+    this.grips.set(name, { dot, grip, where, skin: drawn, take });
+    this.place(name);
     for (const event of ['pointerenter', 'focus'])
       grip.addEventListener(event, () => where() && hands.says(label, where()));
     return grip;
@@ -186,8 +224,11 @@ export class Board {
    */
   place(name, at = this.grips.get(name)?.where()) {
     if (!this.grips.has(name)) return;
-    const { dot, grip, digit } = this.grips.get(name);
-    if (digit) writeDigit(digit, at, Number(dot.getAttribute('r')), metres(this.svg, 1));
+    const { dot, grip, skin } = this.grips.get(name);
+    if (skin && at) {
+      skin.setAttribute('transform', upright(this.svg, at));
+      fit(skin, Number(dot.getAttribute('r')), metres(this.svg, 1));
+    }
     for (const element of [dot, grip]) {
       element.toggleAttribute('hidden', !at);
       if (at) element.setAttribute('cx', String(at[0]));

@@ -26,6 +26,8 @@ export class Closer {
     this.aimed = null;
     /** @type {any} the user's own launch */
     this.tried = null;
+    /** @type {{angle: number} | null} the user's guess, before the answer is shown */
+    this.guess = null;
   }
 
   listen() {

@@ -6,16 +6,17 @@ export const $ = (id) => document.getElementById(id);
 /**
  * @param {HTMLFormElement} form
  * @param {() => any} scene
- * @param {(before: any) => void} remember called once for each change, or once for a whole slide
+ * @param {(before: any) => void} remember called at the end of each change, or of a whole slide
  * @param {(key: string) => void} changed also called while a control slides
  */
 export function bind(form, scene, remember, changed) {
   let before = null;
   form.addEventListener('submit', (event) => event.preventDefault());
-  form.addEventListener('input', ({ target }) => {
+  // Some controls of the form stand elsewhere on the page.
+  document.addEventListener('input', ({ target }) => {
     const control = /** @type {HTMLInputElement} */ (target);
     const now = scene();
-    if (!(control.name in now)) return;
+    if (control.form !== form || !(control.name in now)) return;
     before ??= structuredClone(now);
     const value = read(control, now[control.name]);
     if (Number.isNaN(value)) return;
@@ -23,8 +24,10 @@ export function bind(form, scene, remember, changed) {
     say(control);
     changed(control.name);
   });
-  form.addEventListener('change', () => {
-    if (before) remember(before);
+  document.addEventListener('change', ({ target }) => {
+    const control = /** @type {HTMLInputElement} */ (target);
+    if (!before || control.form !== form) return;
+    remember(before);
     before = null;
   });
 }
@@ -53,7 +56,14 @@ export function show(form, scene) {
   }
 }
 
-/** @param {HTMLSelectElement} select @param {string[]} names @param {string} value */
-export function options(select, names, value) {
-  select.replaceChildren(...names.map((name) => new Option(name, name, false, name === value)));
+/**
+ * @param {HTMLSelectElement} select
+ * @param {[string, string][]} choices value and name of each
+ * @param {string} value
+ */
+export function options(select, choices, value) {
+  select.replaceChildren(...choices.map(([of, name]) => new Option(name, of, false, of === value)));
 }
+
+/** Returns a choice whose value is its name. @param {string} name @returns {[string, string]} */
+export const same = (name) => [name, name];

@@ -23,6 +23,51 @@ export const answerBy = (engine) => (send = engine);
 
 const invalid = (error) => ({ status: 'invalid', error, shots: [] });
 
+/** Time to wait before asking a lost engine again: longer each time, up to the last [ms]. */
+const pauses = [500, 1000, 2000, 4000, 8000];
+
+let lost = 0; // number of questions whose engine does not answer
+/** @type {(lost: boolean) => void} */
+let tell = () => {};
+/** Has the page told when the engine is lost, and when it is back. @param {(lost: boolean) => void} f */
+export const onLost = (f) => (tell = f);
+
+function count(by) {
+  const before = lost;
+  lost += by;
+  if (Boolean(before) !== Boolean(lost)) tell(Boolean(lost));
+}
+
+/** Waits, unless the question is withdrawn. @param {AbortSignal} signal */
+const wait = (ms, signal) =>
+  new Promise((done) => {
+    setTimeout(done, ms);
+    signal.addEventListener('abort', done, { once: true });
+  });
+
+/** Passes every error but that of `fetch` if it cannot reach the server, and that of a withdrawn question. */
+function unreached(error) {
+  if (!(error instanceof TypeError) && error.name !== 'AbortError') throw error;
+  return null;
+}
+
+/** Sends a question until the engine answers or the question is withdrawn. @returns {Promise<any>} null if withdrawn */
+async function answerTo(path, json, kind, signal) {
+  let missed = 0; // times that the engine did not answer
+  try {
+    while (!signal.aborted) {
+      const answer = await send(path, json, kind, signal).catch(unreached);
+      if (answer) return answer;
+      if (signal.aborted) break;
+      if (!missed++) count(1);
+      await wait(pauses[Math.min(missed, pauses.length) - 1], signal);
+    }
+    return null;
+  } finally {
+    if (missed) count(-1);
+  }
+}
+
 /**
  * @param {string} path under /api, with flags: "solve?all&path"
  * @param {object} [body] posted as JSON
@@ -34,17 +79,13 @@ export async function ask(path, body, kind = path) {
   const mine = new AbortController();
   asking.set(kind, mine);
   try {
-    const json = body && JSON.stringify(body);
-    const { ok, text } = await send(path, json, kind, mine.signal);
-    if (mine.signal.aborted) return null;
-    if (!ok) return invalid(JSON.parse(text));
-    return /^\s*[[{]/.test(text) ? JSON.parse(text) : text;
+    const answer = await answerTo(path, body && JSON.stringify(body), kind, mine.signal);
+    if (!answer || mine.signal.aborted) return null;
+    if (!answer.ok) return invalid(JSON.parse(answer.text));
+    return /^\s*[[{]/.test(answer.text) ? JSON.parse(answer.text) : answer.text;
   } catch (error) {
     if (mine.signal.aborted) return null;
-    return invalid({
-      path: '',
-      reason: 'the engine does not answer: ' + error,
-    });
+    return invalid({ path: '', reason: 'the engine does not answer: ' + error });
   }
 }
 

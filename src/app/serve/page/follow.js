@@ -58,7 +58,7 @@ const counted = (n) => (n === 1 ? 'one cushion' : `${n || 'no'} cushions`);
 /** Says how a launch ended. @param {state.Scene} scene */
 export function outcome(scene, { events, path }) {
   const fallen = (one) => events.find(({ type, ball }) => type === 'pocket' && one(ball));
-  if (scene.target === state.anyBall) {
+  if (state.sends(scene)) {
     const sent = fallen((ball) => ball !== 'cue');
     return sent ? `sends ball ${sent.ball} into ${sent.pocket}` : 'sends no ball into a pocket';
   }

@@ -1,24 +1,29 @@
 // The page: the scene, its picture, and the engine's answer while things are dragged.
-import { fill, heading, likest, mark, tell, words } from './answer.js';
-import { Board, free, inside } from './board.js';
+import { freeName } from './balls.js';
+import { Board } from './board.js';
 import { Closer } from './closer.js';
 import * as controls from './controls.js';
 import { $ } from './controls.js';
-import { holding, pointIn } from './drag.js';
-import { ask, forget, latest } from './engine.js';
-import { finish, follow, hits, outcome, turns } from './follow.js';
+import { holding, pointIn, settle } from './drag.js';
+import { ask, forget, onLost } from './engine.js';
 import { hang } from './gallery.js';
-import { firstCushion, lead, note, paint } from './paint.js';
-import { play, stop } from './play.js';
-import * as save from './save.js';
-import { click } from './sound.js';
+import { sharing } from './keep.js';
+import { apart, carry, free, inside } from './layout.js';
+import { menus, showHistory, showSkill, targets } from './menus.js';
+import { Practice } from './practice.js';
+import { searcher } from './search.js';
+import * as skill from './skill.js';
 import * as state from './state.js';
 import { draw, shape, sight } from './table.js';
 import { tip } from './tip.js';
+import { tray } from './tray.js';
 import * as units from './units.js';
+import { View } from './view.js';
+import { zoning } from './zone.js';
 
 const svg = $('table');
 const form = $('controls');
+const upended = matchMedia('(orientation: portrait) and (max-width: 40rem)'); // a phone's table stands on its end
 
 let scene = state.read();
 /** @type {import('./table.js').Table[]} */
@@ -28,64 +33,106 @@ let table;
 let layers;
 /** @type {Board} */
 let board;
-let shots = [];
-let chosen = 0;
-let picked = ''; // address of the scene for which the user chose a shot
-let seen; // shot in view
-let last = {}; // latest answer
 
-const closer = new Closer({
-  scene: () => scene,
-  table: () => table,
-  shots: () => shots,
-  shot: () => shots[chosen],
-  layers: () => layers,
+const parts = { scene: () => scene, table: () => table, layers: () => layers, board: () => board };
+const closer = new Closer({ ...parts, shots: () => view.shots, shot: () => view.shot() });
+const view = new View({ ...parts, closer: () => closer, shown: showTip });
+const search = searcher(parts.scene, {
+  best: (answer) => view.best(answer),
+  all: (answer) => {
+    document.body.dataset.answered = document.body.dataset.asked;
+    view.all(answer);
+    write();
+    closer.look();
+  },
 });
+const practice = new Practice({ ...parts, view, closer, begin, tables: () => tables });
+
+/** Writes the scene and the shot in view into the address. */
+function write() {
+  state.write(scene, view.chosen ? view.shot() : null);
+}
+
+/** Begins another scene. @param {state.Scene} next */
+function begin(next) {
+  change(() => (scene = next));
+}
 
 // ---- the scene ----
 
+/** Places of all balls when a movement began; they are pushed from there. */
+let stood = null;
+
+/** Moves a ball, and those in its way. @param {number} ball the cue ball by −1 @param {[number, number]} at */
+function put(ball, at) {
+  stood ??= [scene.ball, ...scene.others];
+  const wanted = stood.with(ball + 1, inside(table, at, $('snap').checked));
+  const balls = apart(table, wanted, ball + 1);
+  if (!balls) return;
+  [scene.ball, ...scene.others] = balls;
+  for (const name of board.grips.keys()) if (/^(ball|other)/.test(name)) board.place(name);
+}
+
 const hands = {
   scene: () => scene,
+  put,
   moved(before) {
+    if (before) stood = null;
     if (before && state.address(before) !== state.address(scene)) remember(before);
     if (before) show();
     solve();
   },
   says: (name, at) => ($('place').textContent = `${name}: ${units.place(at, table)}`),
-  removed: (i) => change(() => scene.others.splice(i, 1)),
+  removed: (i) => change(() => (i < 0 ? (scene.zone = []) : state.removeBall(scene, i))),
+  clicked: (i) => change(() => Object.assign(scene, { target: state.hit, object: state.nameOf(scene, i), order: [] })),
+  pocket(name) {
+    const planned = view.shot()?.then?.ball;
+    const object = [state.pot, state.hit].includes(scene.target) ? scene.object : planned;
+    const known = state.namesOf(scene).includes(object);
+    change(() => Object.assign(scene, known ? { target: state.pot, object, into: name } : { target: name }));
+  },
   snaps: () => $('snap').checked,
   aim: {
-    where: () => closer.aimed ?? aimPoint(shots[chosen]),
-    move: (at) => closer.aimAt(inside(table, at)),
+    where: () => (guessing() ? sight(table, scene.ball, closer.guess.angle).at : (closer.aimed ?? view.aimPoint())),
+    move(at) {
+      if (!guessing()) return closer.aimAt(inside(table, at));
+      closer.guess.angle = (Math.atan2(at[1] - scene.ball[1], at[0] - scene.ball[0]) * 180) / Math.PI;
+      view.look();
+    },
   },
 };
 
-/** Returns the cue ball's first point on a cushion, or null if it hits a ball. */
-function aimPoint(shot) {
-  return shot?.path && !shot.hits?.length ? firstCushion(table, shot.path) : null;
-}
+const guessing = () => document.body.hasAttribute('data-guess') && closer.guess !== null;
 
-function targets() {
-  if (!table.pockets.length) return ['point'];
-  return [...table.pockets.map(({ name }) => name), 'any', 'point', ...(scene.others.length ? [state.anyBall] : [])];
+/** Mends what does not fit the table or the balls, such as in an address that was typed. */
+function mend() {
+  table = tables.find(({ name }) => name === scene.table) ?? tables[0];
+  scene.table = table.name;
+  const known = targets(scene, table).map(([target]) => target);
+  if (!known.includes(scene.target)) scene.target = known.find((t) => t === state.first.target) ?? known[0];
+  const names = state.namesOf(scene);
+  if (new Set(names).size < names.length || names.includes('cue')) scene.names = [];
+  const moves = [state.pot, state.hit].includes(scene.target);
+  if (!moves || !names.includes(scene.object)) scene.object = moves ? state.nameOf(scene, 0) : '';
+  if (!table.pockets.some(({ name }) => name === scene.into)) scene.into = 'any';
+  scene.order = scene.order.filter((cushion) => table.cushions.includes(cushion));
+  scene.ball = inside(table, scene.ball);
+  scene.others = scene.others.map((at) => inside(table, at));
+  scene.point = inside(table, scene.point);
 }
 
 /** Draws everything anew, after a change that is not a movement. */
 function rebuild() {
   const { grip, cushion } = svg.querySelector(':focus')?.dataset ?? {};
-  table = tables.find(({ name }) => name === scene.table) ?? tables[0];
-  scene.table = table.name;
-  if (!targets().includes(scene.target)) scene.target = targets().find((t) => t === state.first.target) ?? targets()[0];
-  scene.order = scene.order.filter((cushion) => table.cushions.includes(cushion));
-  scene.ball = inside(table, scene.ball);
-  scene.others = scene.others.map((at) => inside(table, at));
-  scene.point = inside(table, scene.point);
-  const ordered = scene.target !== state.anyBall; // with any ball the planner chooses the cushions
-  layers = draw(svg, table, (cushion) => ordered && change(() => scene.order.push(cushion)));
+  mend();
+  stood = null;
+  const ordered = !state.sends(scene); // else the planner chooses the cushions
+  layers = draw(svg, table, (cushion) => ordered && change(() => scene.order.push(cushion)), upended.matches);
   layers.compare = shape('g', {}, layers.paths);
   layers.answer = shape('g', {}, layers.paths);
   layers.own = shape('g', {}, layers.paths);
-  shots = [];
+  view.empty();
+  $('shots').replaceChildren();
   board = new Board(svg, layers.grips, table, hands);
   svg.querySelector(grip ? `[data-grip="${grip}"]` : `[data-cushion="${cushion}"]`)?.focus(); // as before
   show();
@@ -95,160 +142,29 @@ function rebuild() {
 
 /** Sets the controls to the scene. */
 function show() {
-  controls.options(
-    $('tables'),
-    tables.map(({ name }) => name),
-    scene.table,
-  );
-  controls.options($('targets'), targets(), scene.target);
-  controls.show(form, scene);
+  menus(form, scene, table, tables);
   drawTip({ side: scene.side, top: scene.top });
-  $('tip').toggleAttribute('aria-disabled', scene.physics !== 'spin' || scene.choose);
-  const sent = scene.target === state.anyBall;
-  const any = sent ? 'cushions of the object ball' : 'any order; click cushions to set one';
-  $('order').firstElementChild.textContent = (!sent && scene.order.join(', then ')) || any;
-  $('unordered').hidden = sent || scene.order.length === 0;
-  form.elements.least.disabled = sent || scene.order.length > 0;
-  form.elements.most.disabled = !sent && scene.order.length > 0;
-  $('remove').disabled = scene.others.length === 0;
-  canUndo();
-}
-
-function canUndo() {
-  for (const [id, can] of Object.entries(state.can())) $(id).disabled = !can;
+  drawTray(table, state.namesOf(scene));
 }
 
 /** Saves the scene before a change. @param {state.Scene} before */
 function remember(before) {
   state.remember(before);
-  canUndo();
+  showHistory();
 }
 
 function change(f) {
+  settle();
   remember(scene);
+  scene = structuredClone(scene);
   f();
   rebuild();
 }
 
-// ---- the answer ----
-
 function solve() {
-  document.body.dataset.asked = state.address(scene); // tests wait until `answered` equals it
   closer.clear();
-  halt();
-  searchFirst();
-}
-
-let slow; // timer
-
-/** Searches for one shot. A move lets this search end, so that the picture follows the dragging. */
-const searchFirst = latest(async () => {
-  const [asked, puzzle] = [document.body.dataset.asked, state.puzzle(scene)];
-  clearTimeout(slow);
-  slow = setTimeout(() => ($('busy').hidden = false), 300);
-  const first = await ask('solve?first&path', puzzle, 'solve');
-  if (!first) return;
-  answered(first, 'Looking for better shots …');
-  if (asked === document.body.dataset.asked) searchAll(puzzle, first);
-});
-
-/** Searches for all shots, perhaps for seconds; a move ends it. If it finds none, the first shot stays. */
-async function searchAll(puzzle, first) {
-  const all = await ask('solve?all&path', puzzle, 'solve');
-  if (!all) return;
-  clearTimeout(slow);
-  $('busy').hidden = true;
-  state.write(scene); // not while dragging: browsers allow only some hundred a minute
-  document.body.dataset.answered = document.body.dataset.asked;
-  const wider = all.error?.reason ?? 'the wider search ended at its budget';
-  answered(first.shots.length && !all.shots.length ? { ...first, wider } : all, '');
-  closer.look();
-}
-
-function answered(answer, more) {
-  const before = picked === document.body.dataset.asked ? shots[chosen] : null;
-  shots = answer.shots ?? [];
-  chosen = before ? likest(shots, before) : 0;
-  last = answer;
-  const text = answer.error ? answer.error.reason : (answer.message ?? '');
-  $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
-  fill($('shots'), shots, chosen, { look, choose });
-  look();
-  if (!shots.length && !more) lacks(answer);
-}
-
-/** Says why there is no shot, and shows what came nearest. */
-async function lacks({ message = '', nearest, error }) {
-  const asked = document.body.dataset.asked;
-  const followed = nearest && (await follow(scene, nearest, 'nearest'));
-  if (asked !== document.body.dataset.asked) return;
-  if (followed?.path) lead(layers.answer, [], followed, 'nearest');
-  const why = (error ? error.reason : message).split('; ').pop();
-  const point = scene.target === 'point' ? [scene.point] : [];
-  note(layers.answer, table, why[0].toUpperCase() + why.slice(1), [scene.ball, ...scene.others, ...point]);
-  if (followed?.path) $('other').textContent = `What comes nearest ${outcome(scene, followed)}.`;
-}
-
-/** Shows a shot. @param {number} [i] its number; the chosen one without it */
-function look(i = chosen) {
-  const shot = (seen = shots[i]);
-  $('shots').onmouseleave = () => i !== chosen && look();
-  paint(layers.answer, table, shots, shot);
-  board.place('cushion', closer.aimed ?? aimPoint(shot));
-  $('title').textContent = [heading(shot, scene.target), last.wider].filter(Boolean).join('; ');
-  $('playing').hidden = !shot?.path;
-  $('why').hidden = !shot;
-  const rows = shot ? words(shot, sight(table, scene.ball, shot.angle).words, units.length) : [];
-  tell($('words'), rows);
-  if (document.body.dataset.asked === document.body.dataset.answered) lookOn(shot);
-}
-
-/** Adds the rest of the cue ball's path. */
-async function lookOn(shot) {
-  const afterwards = await finish(scene, shot, 'afterwards');
-  if (afterwards && shot === seen) paint(layers.answer, table, shots, shot, afterwards);
-}
-
-function choose(i) {
-  chosen = i;
-  picked = document.body.dataset.asked;
-  closer.forgetAim();
-  mark($('shots'), chosen);
-  look();
-  closer.look();
-  start(1);
-}
-
-// ---- the animation ----
-
-/** Returns the name of a ball's grip on the board. */
-const gripOf = (ball) => (ball === 'cue' ? 'ball' : `other${Number(ball) - 1}`);
-
-async function start(pace, launch = shots[chosen]) {
-  if (!launch) return;
-  const followed = await follow(scene, launch, 'play');
-  if (!followed || followed.error) return;
-  const balls = Object.entries({ cue: followed.path, ...followed.paths }).map(([ball, path]) => ({
-    ...board.grips.get(gripOf(ball)),
-    path,
-    turns: turns(followed.events, ball),
-    radius: table.radius,
-  }));
-  document.body.dataset.playing = 'true';
-  const sounds = $('sound').checked ? hits(followed.events) : [];
-  if (!(await play(balls, pace, sounds, click))) return;
-  document.body.dataset.played = balls.map(({ path }) => path[path.length - 1].slice(1).join()).join(' ');
-  delete document.body.dataset.playing;
-  setTimeout(() => document.body.dataset.playing || board.placeAll(), 700);
-}
-
-/** Ends the animation and puts the balls back. */
-function halt() {
-  for (const kind of ['play', 'play-path']) forget(kind);
-  if (!document.body.dataset.playing) return;
-  stop();
-  delete document.body.dataset.playing;
-  board.placeAll();
+  view.halt();
+  search();
 }
 
 // ---- the controls ----
@@ -262,57 +178,124 @@ const drawTip = tip($('tip'), ({ side, top }, done) => {
   solve();
 });
 
+/** Shows where the planner puts the tip, if it chooses. @param {any} shot */
+function showTip(shot) {
+  if (scene.physics === 'spin' && state.chooses(scene) && shot) drawTip(shot.spin);
+}
+
+const drawTray = tray($('tray'), svg, {
+  add(name, at) {
+    const place = at ? inside(table, at) : free(table, [scene.ball, ...scene.others]);
+    if (!place) return;
+    change(() => {
+      state.addBall(scene, name, place);
+      const balls = apart(table, [scene.ball, ...scene.others], scene.others.length);
+      if (balls) [scene.ball, ...scene.others] = balls;
+    });
+  },
+  remove: (name) => change(() => state.removeBall(scene, state.namesOf(scene).indexOf(name))),
+});
+
+zoning(svg, $('zone'), {
+  table: () => table,
+  has: () => scene.zone.length > 0,
+  drawn(zone) {
+    const object = view.shot()?.then?.ball ?? scene.object;
+    const target = scene.target === state.play && object ? { target: state.pot, object } : {};
+    change(() => Object.assign(scene, { zone, ...target }));
+  },
+  removed: () => change(() => (scene.zone = [])),
+});
+
+/** Adds a ball at a place or, without one, where there is room. @param {[number, number]} [at] */
+function addBall(at) {
+  const place = at ? inside(table, at) : free(table, [scene.ball, ...scene.others]);
+  if (place) change(() => state.addBall(scene, freeName(table, state.namesOf(scene)), place));
+}
+
 /** Keys of the scene whose change requires a new drawing. */
-const shapes = ['table', 'target', 'physics', 'choose'];
+const shapes = ['table', 'target', 'game', 'group', 'object', 'into', 'physics', 'choose'];
+
+/** @param {string} key of the scene that a control has set */
+function changed(key) {
+  if (key === 'table') {
+    const to = tables.find(({ name }) => name === scene.table);
+    carry(scene, table, to);
+  }
+  if (key === 'skill') showSkill(scene);
+  if (key === 'aiming' || key === 'pacing') {
+    scene.skill = skill.own;
+    showSkill(scene);
+  }
+  for (const [low, high] of [
+    ['slowest', 'fastest'],
+    ['least', 'most'],
+  ]) {
+    if (scene[low] <= scene[high] || ![low, high].includes(key)) continue;
+    scene[key === low ? high : low] = scene[key]; // the other one gives way, where all can see it
+    controls.show(form, scene);
+  }
+  if (shapes.includes(key)) rebuild();
+  else solve();
+}
+
+/** Goes back or forth in the history. @param {'undo' | 'redo'} way */
+function turn(way) {
+  settle();
+  scene = state[way](scene);
+  rebuild();
+}
 
 function listen() {
   const on = (id, event, f) => $(id).addEventListener(event, f);
   const pressed = (id, f) => on(id, 'click', f);
-  controls.bind(
-    form,
-    () => scene,
-    remember,
-    (key) => (shapes.includes(key) ? rebuild() : solve()),
-  );
-  pressed('add', () => {
-    const at = free(table, [scene.ball, ...scene.others]);
-    if (at) change(() => scene.others.push(at));
-  });
-  pressed('remove', () => change(() => scene.others.pop()));
+  const ended = (before) => {
+    remember(before);
+    show(); // a number beyond its limits was taken as the limit
+  };
+  controls.bind(form, () => scene, ended, changed);
+  pressed('add', () => addBall());
+  pressed('remove', () => change(() => state.removeBall(scene, scene.others.length - 1)));
   pressed('unordered', () => change(() => (scene.order = [])));
-  pressed('undo', () => ((scene = state.undo(scene)), rebuild()));
-  pressed('redo', () => ((scene = state.redo(scene)), rebuild()));
-  pressed('play', () => start(1));
-  pressed('slow', () => start(0.25));
-  pressed('json', () => save.json(state.puzzle(scene), shots));
-  pressed('svg', () => save.svg(svg));
-  pressed('png', () => save.png(svg));
+  pressed('undo', () => turn('undo'));
+  pressed('redo', () => turn('redo'));
+  pressed('play', () => view.start(1));
+  pressed('slow', () => view.start(0.25));
+  sharing(svg, { ...parts, tables: () => tables, begin, write });
   closer.listen();
-  on('inches', 'change', () => (units.useInches($('inches').checked), answered(last, '')));
-  hang($('gallery'), (address) => change(() => (scene = state.read(address))));
+  practice.listen();
+  on('paths', 'change', () => view.look());
+  on('inches', 'change', () => (units.useInches($('inches').checked), view.look()));
+  hang($('gallery'), (address) => begin(state.read(address)));
   svg.addEventListener('dblclick', (event) => {
-    if (!event.target.classList.contains('cloth')) return;
-    change(() => scene.others.push(inside(table, pointIn(svg, event))));
+    if (event.target.classList.contains('cloth')) addBall(pointIn(svg, event));
   });
   addEventListener('resize', () => board.placeAll());
-  addEventListener('hashchange', () => change(() => (scene = state.read())));
+  upended.addEventListener('change', rebuild);
+  const elsewhere = () => state.address(state.read()) !== state.address(scene);
+  addEventListener('popstate', () => elsewhere() && begin(state.read()));
   addEventListener('keydown', (event) => {
     const key = event.key.toLowerCase();
     if (!(event.ctrlKey || event.metaKey) || !['z', 'y'].includes(key) || holding()) return;
     event.preventDefault();
-    scene = event.shiftKey || key === 'y' ? state.redo(scene) : state.undo(scene);
-    rebuild();
+    turn(event.shiftKey || key === 'y' ? 'redo' : 'undo');
+  });
+  onLost((lost) => {
+    document.body.toggleAttribute('data-lost', lost);
+    $('status').textContent = lost ? 'The engine does not answer; asking again …' : '';
   });
 }
 
 document.body.classList.toggle('embed', new URLSearchParams(location.search).has('embed'));
 $('inches').checked = units.inches;
+onLost((lost) => ($('status').textContent = lost ? 'The engine does not answer; asking again …' : ''));
 const [known, schema] = await Promise.all([ask('tables'), ask('schema?document=shot')]);
 tables = known;
 if (Array.isArray(tables)) {
   const laws = state.laws(schema);
   scene = state.read();
-  controls.options(form.elements.cushion, laws, scene.cushion);
+  view.wanted = state.launchOf();
+  controls.options(form.elements.cushion, laws.map(controls.same), scene.cushion);
   listen();
   rebuild();
 } else {

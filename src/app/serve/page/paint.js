@@ -1,5 +1,5 @@
-// Draws the answer on the table: paths, the line of aim, its margin, and the other shots.
-import { metres, shape, sight } from './table.js';
+// Draws the answer on the table: paths, the line of aim, its margin, where the cue ball stops, and the other shots.
+import { metres, shape, sight, upright } from './table.js';
 
 const points = (path) => path.map((p) => p.slice(-2).join()).join(' ');
 
@@ -28,30 +28,68 @@ function end(table, { path, arrival, hits, pocket, cue_rests }) {
   return pocket || (!hits && arrival.speed === 0) ? path[path.length - 1].slice(1) : null;
 }
 
+/** Radii of the ellipses within which the cue ball stops in half and in nine tenths of plays, in standard deviations. */
+const shares = [0.5, 0.9].map((share) => Math.sqrt(-2 * Math.log(1 - share)));
+
+/** Draws where the cue ball stops for this player. */
+function ellipses(layer, { at: [cx, cy], sigma, angle }) {
+  for (const k of shares) {
+    const [rx, ry] = sigma.map((v) => k * v);
+    shape('ellipse', { class: 'spread', cx, cy, rx, ry, transform: `rotate(${angle} ${cx} ${cy})` }, layer);
+  }
+}
+
+/** Draws the shots that are planned next: from where the cue ball stops to the ball, and on to its pocket. */
+function planned(layer, table, places, plan) {
+  for (const { ball, pocket, from } of plan?.next ?? []) {
+    const at = places.get(ball);
+    const into = table.pockets.find(({ name }) => name === pocket);
+    if (at && into) line(layer, [from, at, into.hole], 'next', 0.006);
+  }
+}
+
+/** Draws the line of aim. @param {Element} layer @param {[number, number]} from @param {[number, number]} to */
+export function aim(layer, [x1, y1], [x2, y2]) {
+  shape('line', { class: 'aim', x1, y1, x2, y2, 'stroke-width': 0.005 }, layer);
+}
+
+const most = 4; // paths beside the shot in view, unless all are asked for
+
 /**
  * @param {SVGGElement} layer emptied first
  * @param {import('./table.js').Table} table
- * @param {any[]} shots
+ * @param {any[]} others shots beside the one in view
  * @param {any} shot the one in view
- * @param {any[]} afterwards the cue ball's path after that of the shot
+ * @param {{afterwards?: any[], all?: boolean, plan?: any, balls?: Map<string, [number, number]>}} [more]
+ *   `afterwards`: the cue ball's path after that of the shot; `balls`: places by name, for the plan
  */
-export function paint(layer, table, shots, shot, afterwards = []) {
+export function paint(layer, table, others, shot, { afterwards = [], all = false, plan, balls = new Map() } = {}) {
   layer.replaceChildren();
-  const rest = shots.filter((other) => other !== shot && other.path);
-  const faint = shape('g', { opacity: Math.min(1, 3 / Math.sqrt(1 + rest.length)) }, layer);
-  for (const other of rest) line(faint, other.path, '', 0.004);
+  beside(layer, others.filter((other) => other !== shot && other.path).slice(0, all ? undefined : most));
   if (!shot?.path) return;
-  const from = shot.path[0].slice(1); // a ball being dragged may have left it
-  fan(layer, table, from, shot);
-  const [x1, y1] = from;
-  const aim = sight(table, from, shot.angle);
-  const [x2, y2] = aim.at;
-  shape('line', { class: 'aim', x1, y1, x2, y2, 'stroke-width': 0.005 }, layer);
-  write(layer, 'count', aim.at, metres(layer.ownerSVGElement, 12)).textContent = aim.count;
+  if (shot.leave?.spread) ellipses(layer, shot.leave.spread);
+  planned(layer, table, balls, plan);
+  sighted(layer, table, shot);
   line(layer, [...shot.path, ...afterwards], 'best', 0.011);
   for (const path of Object.values(shot.paths ?? {})) line(layer, path, 'sent', 0.008);
+  if (shot.contact) ring(layer, shot.contact.ghost, table.radius, 'touch');
   const at = end(table, shot);
   if (at) ring(layer, at, table.radius, shot.scratch ? 'scratch' : '');
+}
+
+/** Draws paths that are not in view: the more, the fainter. */
+function beside(layer, shots) {
+  const faint = shape('g', { opacity: Math.min(1, 3 / Math.sqrt(1 + shots.length)) }, layer);
+  for (const { path } of shots) line(faint, path, '', 0.004);
+}
+
+/** Draws the line of aim with its margin, and its count of diamonds. */
+function sighted(layer, table, shot) {
+  const from = shot.path[0].slice(1); // a ball being dragged may have left it
+  fan(layer, table, from, shot);
+  const { at, count } = sight(table, from, shot.angle);
+  aim(layer, from, at);
+  write(layer, 'count', at, metres(layer.ownerSVGElement, 12)).textContent = count;
 }
 
 /** Draws a ring at the place where a ball ends. @param {Element} layer */
@@ -59,9 +97,9 @@ function ring(layer, [cx, cy], r, kind) {
   shape('circle', { class: `ghost ${kind}`, cx, cy, r, 'stroke-width': 0.004 }, layer);
 }
 
-/** @param {Element} layer @param {string} kind @param {[number, number]} at @param {number} size [m] */
-function write(layer, kind, [x, y], size) {
-  return shape('text', { class: kind, 'font-size': size, transform: `translate(${x} ${y}) scale(1 -1)` }, layer);
+/** @param {any} layer @param {string} kind @param {[number, number]} at @param {number} size [m] */
+function write(layer, kind, at, size) {
+  return shape('text', { class: kind, 'font-size': size, transform: upright(layer.ownerSVGElement, at) }, layer);
 }
 
 const wide = 0.6; // width of a letter, as a share of its size
@@ -71,8 +109,10 @@ const wide = 0.6; // width of a letter, as a share of its size
  * @param {SVGGElement} layer @param {import('./table.js').Table} table @param {string} words @param {number[][]} balls
  */
 export function note(layer, table, words, balls) {
-  const size = Math.max(table.length / 40, metres(layer.ownerSVGElement, 13));
-  const longest = (0.9 * table.length) / (wide * size);
+  const turned = Boolean(layer.ownerSVGElement.dataset.turned);
+  const [long, across, axis] = turned ? [table.width, table.length, 0] : [table.length, table.width, 1];
+  const size = Math.max(long / 40, metres(layer.ownerSVGElement, 13));
+  const longest = (0.9 * long) / (wide * size);
   const lines = [''];
   for (const word of words.split(' ')) {
     const last = lines[lines.length - 1];
@@ -80,10 +120,10 @@ export function note(layer, table, words, balls) {
     else lines[lines.length - 1] = `${last} ${word}`.trim();
   }
   const high = 1.3 * size * (lines.length - 1);
-  const clear = (y) => Math.min(table.radius + size, ...balls.map((ball) => Math.abs(ball[1] - y) - high / 2));
-  const rows = [0.5, 0.72, 0.28].map((part) => part * table.width);
-  const y = rows.reduce((best, row) => (clear(row) > clear(best) ? row : best));
-  const text = write(layer, 'note', [table.length / 2, y + high / 2], size);
+  const clear = (y) => Math.min(table.radius + size, ...balls.map((ball) => Math.abs(ball[axis] - y) - high / 2));
+  const rows = [0.5, 0.72, 0.28].map((part) => part * across);
+  const y = rows.reduce((best, row) => (clear(row) > clear(best) ? row : best)) + high / 2;
+  const text = write(layer, 'note', turned ? [y, table.width / 2] : [table.length / 2, y], size);
   lines.forEach((line, i) => {
     shape('tspan', { x: 0, y: 1.3 * size * i }, text).textContent = line;
   });

@@ -1,12 +1,12 @@
 // Animates a shot: balls move along their paths, in real time or slower, and turn. A ring marks a ball that slides.
-import { shape } from './table.js';
+import { shape, upright } from './table.js';
 
 let running = 0;
 
 /**
  * @typedef {[number, number, number]} Sample time, x, y
  * @typedef {{type: string, time: number, velocity: number[], spin: number[]}} Turn right after an event
- * @typedef {{dot: SVGElement, digit?: SVGElement, path: Sample[], turns: Turn[], radius: number}} Moving
+ * @typedef {{dot: SVGElement, skin?: SVGElement, path: Sample[], turns: Turn[], radius: number}} Moving
  */
 
 /** Returns the ball's place after t seconds. @param {Sample[]} path @returns {[number, number]} */
@@ -74,13 +74,13 @@ function shown(ball) {
     p,
     dot: shape('circle', { class: 'spot', r: ball.radius / 5 }),
   }));
-  ball.dot.after(...spots.map(({ dot }) => dot));
+  (ball.skin ?? ball.dot).after(...spots.map(({ dot }) => dot));
   return {
     draw(t, dt) {
       const [x, y] = at(ball.path, t);
       ball.dot.setAttribute('cx', String(x));
       ball.dot.setAttribute('cy', String(y));
-      ball.digit?.setAttribute('transform', `translate(${x} ${y}) scale(1 -1)`);
+      ball.skin?.setAttribute('transform', upright(ball.dot.ownerSVGElement, [x, y]));
       const { velocity, spin } = turning(ball, t);
       const slip = Math.hypot(velocity[0] - ball.radius * spin[1], velocity[1] + ball.radius * spin[0]);
       ball.dot.classList.toggle('slides', slip > 0.05 && t < ball.path[ball.path.length - 1][0]);

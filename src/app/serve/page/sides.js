@@ -1,5 +1,6 @@
 // The same scene in two physics, side by side: the answer of each, and where it leads if the other one is right.
 import { heading } from './answer.js';
+import { look } from './balls.js';
 import { ask, forget } from './engine.js';
 import { finish, follow, outcome } from './follow.js';
 import { lead, paint } from './paint.js';
@@ -33,7 +34,9 @@ function stand(layer, table, scene) {
     shape('circle', { class: kind, cx, cy, r, 'stroke-width': width }, layer);
   if (pocket) put('target', pocket.hole, pocket.radius + 0.012, 0.012);
   else if (scene.target === 'point') put('target', scene.point, table.radius, 0.012);
-  for (const at of scene.others) put('other', at, table.radius);
+  scene.others.forEach((at, i) =>
+    put('other', at, table.radius).setAttribute('fill', look(state.nameOf(scene, i)).colour),
+  );
   put('ball', scene.ball, table.radius);
 }
 
@@ -55,7 +58,7 @@ function side(table, scene, own, afterwards, other) {
   figure.append(caption, svg, words('best', says), words('compare', leads));
   const show = () => {
     const { paths, grips } = draw(svg, table);
-    paint(shape('g', {}, paths), table, [], own, afterwards);
+    paint(shape('g', {}, paths), table, [], own, { afterwards });
     if (shot) lead(paths, [], followed, 'compare');
     stand(grips, table, scene);
   };

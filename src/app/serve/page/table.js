@@ -45,6 +45,16 @@ export function metres(svg, pixels) {
   return (pixels * svg.viewBox.baseVal.width) / svg.getBoundingClientRect().width;
 }
 
+/** Turns the table's coordinates into those of the picture; each is its own inverse. */
+const [lying, standing] = ['scale(1 -1)', 'matrix(0 -1 -1 0 0 0)'];
+
+/**
+ * Returns the transform that puts something upright at a place of the table.
+ * @param {SVGSVGElement} svg
+ * @param {[number, number]} at
+ */
+export const upright = (svg, [x, y]) => `translate(${x} ${y}) ${svg.dataset.turned ? standing : lying}`;
+
 /** Returns the outline of the cloth between two jaws. @param {Pocket} pocket */
 function mouth({ mouth, tip }) {
   const ways = ['M', `A${tip} ${tip} 0 0 0 `, 'L', 'L', 'L', `A${tip} ${tip} 0 0 0 `];
@@ -71,13 +81,16 @@ function clickable(all, table, clicked) {
  * @param {SVGSVGElement} svg
  * @param {Table} table
  * @param {(cushion: string) => void} [clicked] without it nothing can be clicked
+ * @param {boolean} [turned] the table stands on its left end
  * @returns groups for marks under the paths, for paths, and for things that may be dragged, bottom first
  */
-export function draw(svg, table, clicked) {
+export function draw(svg, table, clicked, turned = false) {
   const { length, width } = table;
   svg.replaceChildren();
-  svg.setAttribute('viewBox', `${-wood} ${-width - wood} ${length + 2 * wood} ${width + 2 * wood}`);
-  const all = shape('g', { transform: 'scale(1 -1)' }, svg);
+  const sides = [-wood, -width - wood, length + 2 * wood, width + 2 * wood];
+  svg.setAttribute('viewBox', (turned ? [sides[1], -length - wood, sides[3], sides[2]] : sides).join(' '));
+  svg.dataset.turned = turned ? 'true' : '';
+  const all = shape('g', { transform: turned ? standing : lying, 'data-frame': '' }, svg);
   const box = (by) => ({ x: -by, y: -by, width: length + 2 * by, height: width + 2 * by });
   shape('rect', { class: 'rail', ...box(wood), rx: 0.06 }, all);
   for (const { hole, radius } of table.pockets)

@@ -30,6 +30,16 @@ export function length(metres) {
   return Math.abs(metres) < 1 ? (metres * 1000).toFixed(1) + ' mm' : metres.toFixed(3) + ' m';
 }
 
+const [mile, kilometre] = [0.44704, 1 / 3.6]; // an hour, in m/s
+
+/** Says how hard a shot is played. @param {number} v in m/s */
+export function pace(v) {
+  const mph = v / mile;
+  const word = mph < 2 ? 'soft' : mph < 4 ? 'medium' : mph < 7 ? 'firm' : mph < 10 ? 'hard' : 'as hard as a break';
+  const hour = inches ? `${mph.toFixed(1)} mph` : `${(v / kilometre).toFixed(1)} km/h`;
+  return `${word}: ${v.toFixed(2)} m/s, ${hour}`;
+}
+
 /** @param {[number, number]} at @param {{length: number, width: number}} table */
 export function place([x, y], table) {
   const across = ((x / table.length) * 8).toFixed(2);

@@ -1,0 +1,105 @@
+// Keeps and shares: scenes under a name in this browser, links, pictures, and puzzles as the program reads them.
+import * as controls from './controls.js';
+import { $ } from './controls.js';
+import { read } from './open.js';
+import * as save from './save.js';
+import * as state from './state.js';
+
+const place = 'scenes'; // key in the browser's store
+
+/** @returns {Record<string, string>} addresses by name; none if the store is blocked */
+function kept() {
+  try {
+    return JSON.parse(localStorage.getItem(place) ?? '{}');
+  } catch {
+    return {};
+  }
+}
+
+/** Keeps an address under a name; null forgets it. @param {string} name @param {string | null} address */
+function keep(name, address) {
+  const { [name]: _, ...all } = kept();
+  try {
+    localStorage.setItem(place, JSON.stringify(address === null ? all : { ...all, [name]: address }));
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+function showKept() {
+  const names = Object.keys(kept());
+  controls.options($('kept'), [['', names.length ? '…' : 'none yet'], ...names.map(controls.same)], '');
+}
+
+/** Returns what a picture says below the table. @returns {string[]} */
+function caption() {
+  const rows = [...$('words').querySelectorAll('dt')].map(
+    (term) => `${term.textContent}: ${term.nextSibling.textContent}`,
+  );
+  const third = Math.ceil(rows.length / 3);
+  const lines = [0, 1, 2].map((i) => rows.slice(i * third, (i + 1) * third).join(' · '));
+  return [$('title').textContent, ...lines.filter(Boolean)];
+}
+
+/**
+ * @param {SVGSVGElement} svg
+ * @param {{scene: () => state.Scene, tables: () => import('./table.js').Table[], begin: (scene: state.Scene) => void,
+ *   write: () => void}} page `write` writes the address
+ */
+export function sharing(svg, { scene, tables, begin, write }) {
+  const pressed = (id, f) => $(id).addEventListener('click', f);
+  const say = (words) => ($('other').textContent = words);
+
+  /** @param {string} text of a puzzle */
+  const open = (text) => {
+    const { scene: next, left = [], error } = read(text, tables());
+    if (next) begin(next);
+    if (error) say(`It was not opened: ${error}.`);
+    else if (left.length) say(`The page does not show ${left.join(', ')} of this puzzle.`);
+  };
+  /** @param {FileList} files */
+  const openFirst = async ([file]) => file && open(await file.text());
+
+  $('file').addEventListener('change', async () => {
+    await openFirst($('file').files);
+    $('file').value = '';
+  });
+  addEventListener('dragover', (event) => event.preventDefault());
+  addEventListener('drop', (event) => {
+    event.preventDefault();
+    openFirst(event.dataTransfer.files);
+  });
+  addEventListener('paste', (event) => {
+    const text = event.clipboardData.getData('text');
+    if (/^\s*\{/.test(text) && !(/** @type {Element} */ (event.target).closest?.('input'))) open(text);
+  });
+
+  pressed('link', async () => {
+    write();
+    const copied = await navigator.clipboard?.writeText(location.href).then(
+      () => true,
+      () => false,
+    );
+    say(copied ? 'The link is copied.' : 'The link is in the address bar.');
+  });
+  pressed('json', () => save.json({ ...state.puzzle(scene()), about: { page: state.address(scene()) } }));
+  pressed('svg', () => save.svg(svg, caption()));
+  pressed('png', () => save.png(svg, caption()));
+  pressed('print', () => print());
+  pressed('keep', () => {
+    const name = $('name').value.trim() || new Date().toLocaleString();
+    say(keep(name, state.address(scene())) ? `Kept as “${name}”.` : 'This browser keeps nothing for this page.');
+    showKept();
+  });
+  $('kept').addEventListener('change', () => {
+    const address = kept()[$('kept').value];
+    if (address) begin(state.read(address));
+    $('name').value = $('kept').value;
+  });
+  pressed('forget', () => {
+    keep($('name').value, null);
+    showKept();
+  });
+  showKept();
+}

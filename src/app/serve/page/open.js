@@ -1,0 +1,105 @@
+// Reads a puzzle, as the program takes it, into a scene of the page.
+import * as state from './state.js';
+
+const isPoint = (v) => Array.isArray(v) && v.length === 2 && v.every(Number.isFinite);
+const isNumber = (v) => typeof v === 'number';
+const isText = (v) => typeof v === 'string';
+
+/** Returns what a puzzle says of an object ball's way into a pocket. */
+const into = (target) => target.then ?? (target.pocket ? { pocket: target.pocket } : null);
+const rails = (then) => ({ most: then.cushions?.max ?? then.cushions ?? 0 });
+
+/** Each of the page's targets: whether a puzzle's is one, and what it says of the scene. @type {[Function, Function][]} */
+const targets = [
+  [(t) => !t || t.game, (t) => ({ target: state.play, game: t?.game ?? 'rotation', group: t?.group ?? 'solids' })],
+  [(t) => isPoint(t.point), (t) => ({ target: 'point', point: t.point, within: t.within ?? 0.01 })],
+  [(t) => t.ball === 'any' && into(t)?.pocket, (t) => ({ target: state.anyBall, ...rails(into(t)) })],
+  [
+    (t) => isText(t.ball) && into(t)?.pocket,
+    (t) => ({ target: state.pot, object: t.ball, into: into(t).pocket, ...rails(into(t)) }),
+  ],
+  [(t) => isText(t.ball) && !into(t) && t.ball !== 'any', (t) => ({ target: state.hit, object: t.ball })],
+  [(t) => isText(t.pocket) && !t.ball, (t) => ({ target: t.pocket })],
+];
+
+/** Each key of a scene, where it stands in a puzzle, and whether the page can show what stands there. */
+const keys = [
+  ['order', (p) => p.cushions, Array.isArray],
+  ['least', (p) => p.cushions, isNumber],
+  ['most', (p) => p.cushions, isNumber],
+  ['least', (p) => p.cushions?.min, isNumber],
+  ['most', (p) => p.cushions?.max, isNumber],
+  ['slowest', (p) => p.speed?.[0], isNumber],
+  ['fastest', (p) => p.speed?.[1], isNumber],
+  ['prefer', (p) => p.prefer, isText],
+  ['aiming', (p) => p.noise?.angle, isNumber],
+  ['pacing', (p) => p.noise?.speed, isNumber],
+  ['physics', (p) => p.physics?.model ?? p.physics, isText],
+  ['sliding', (p) => p.physics?.sliding_friction, isNumber],
+  ['rolling', (p) => p.physics?.rolling_friction ?? p.physics?.friction, isNumber],
+  ['cushion', (p) => p.physics?.cushion?.model ?? p.physics?.cushion, isText],
+  ['restitution', (p) => p.physics?.cushion?.restitution ?? p.physics?.restitution, isNumber],
+  ['top', (p) => p.ball.spin?.top, isNumber],
+  ['side', (p) => p.ball.spin?.side, isNumber],
+];
+
+/** Keys of a puzzle that the page shows or may leave out without another answer. */
+const shown = ['id', 'about', 'table', 'unit', 'physics', 'ball', 'others', 'target', 'cushions', 'speed', 'settle'];
+
+/** Returns what of a puzzle the page does not show. */
+function missing(puzzle) {
+  const left = Object.keys(puzzle).filter((key) => ![...shown, 'prefer', 'noise'].includes(key));
+  if (puzzle.prefer && !isText(puzzle.prefer)) left.push('prefer');
+  if (Object.keys(puzzle.noise ?? {}).some((key) => !['angle', 'speed'].includes(key))) left.push('noise');
+  return left;
+}
+
+/** Parses JSON; an object with the error if it is none. */
+function parsed(text) {
+  try {
+    const puzzle = JSON.parse(text);
+    return { puzzle: puzzle?.puzzle ?? puzzle ?? {} };
+  } catch (error) {
+    return { error: `this is no JSON: ${/** @type {Error} */ (error).message}` };
+  }
+}
+
+/** Returns the places of the balls, in metres. @param {import('./table.js').Table} table */
+function places(puzzle, table) {
+  const unit = puzzle.unit === 'diamond' ? table.diamond : 1;
+  const metres = (at) => /** @type {state.Point} */ (at.map((v) => v * unit));
+  const others = (puzzle.others ?? []).filter(({ at }) => isPoint(at));
+  return {
+    ball: metres(puzzle.ball.at),
+    others: others.map(({ at }) => metres(at)),
+    names: others.map(({ id }) => String(id)),
+    ...(isPoint(puzzle.target?.point) ? { point: metres(puzzle.target.point) } : {}),
+  };
+}
+
+/**
+ * Returns the scene of a puzzle. A file that the page has written brings its own address along.
+ * @param {string} text
+ * @param {import('./table.js').Table[]} tables
+ * @returns {{scene?: state.Scene, left?: string[], error?: string}} `left`: keys that the page does not show
+ */
+export function read(text, tables) {
+  const { puzzle, error } = parsed(text);
+  if (error) return { error };
+  if (isText(puzzle.about?.page)) return { scene: state.read(puzzle.about.page) };
+  const table = tables.find(({ name }) => name === puzzle.table);
+  if (!table) return { error: 'the page shows the tables of its list only, and this names none of them' };
+  if (!isPoint(puzzle.ball?.at)) return { error: 'the cue ball has no place: "ball": {"at": [x, y]}' };
+  const target = targets.find(([is]) => is(puzzle.target));
+  if (!target) return { error: 'the page has no target like this one' };
+  const { top, side } = puzzle.ball.spin ?? {};
+  /** @type {any} */
+  const scene = {
+    ...structuredClone(state.first),
+    table: table.name,
+    choose: Array.isArray(top) || Array.isArray(side),
+  };
+  for (const [key, where, is] of /** @type {[string, Function, Function][]} */ (keys))
+    if (is(where(puzzle))) scene[key] = where(puzzle);
+  return { scene: { ...scene, ...target[1](puzzle.target), ...places(puzzle, table) }, left: missing(puzzle) };
+}

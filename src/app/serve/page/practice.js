@@ -1,0 +1,149 @@
+// Practice: today's puzzle and drills, which are guessed before the answer is shown, and a record of the guesses.
+import { called } from './balls.js';
+import { $ } from './controls.js';
+import { ask } from './engine.js';
+import { read } from './open.js';
+import * as state from './state.js';
+
+/** What each kind of drill asks of the generator. @type {Record<string, string>} */
+const kinds = {
+  pot: 'target=pot&cushions=0&balls=3',
+  bank: 'target=pot&cushions=0&then=1&balls=3',
+  kick: 'target=kick&cushions=1-2&balls=3',
+  pocket: 'target=pocket&cushions=1-2',
+};
+const speeds = '0.5,5'; // m/s: a player's
+const store = 'record'; // key in the browser's store
+
+/** Returns the number of a day: its year, month and day. @param {Date} day */
+export const dayOf = (day) => day.getFullYear() * 10000 + (day.getMonth() + 1) * 100 + day.getDate();
+
+/** @returns {{tried: number, made: number, days: number[]}} */
+function record() {
+  try {
+    return { tried: 0, made: 0, days: [], ...JSON.parse(localStorage.getItem(store) ?? '{}') };
+  } catch {
+    return { tried: 0, made: 0, days: [] };
+  }
+}
+
+/** Says what a puzzle asks. @param {state.Scene} scene */
+function task(scene) {
+  const by = scene.order.length ? ` by ${scene.order.join(', ')}` : '';
+  if (scene.target === state.pot) {
+    const banks = scene.most ? `Bank ${called(scene.object)}` : `Pot ${called(scene.object)}`;
+    return `${banks} into ${scene.into === 'any' ? 'any pocket' : scene.into}.`;
+  }
+  if (scene.target === state.hit)
+    return `Hit ${called(scene.object)} by ${scene.least || 1} to ${scene.most} cushions.`;
+  const count = scene.least === scene.most ? scene.most : `${scene.least} to ${scene.most}`;
+  return `The cue ball into ${scene.target}${by || ` by ${count} cushions`}.`;
+}
+
+/** Says whether a launch made what the scene asks. @param {state.Scene} scene @param {any} followed */
+export function made(scene, { events }) {
+  const falls = events.filter(({ type }) => type === 'pocket');
+  const cue = falls.find(({ ball }) => ball === 'cue');
+  if (scene.target === state.pot)
+    return !cue && falls.some(({ ball, pocket }) => ball === scene.object && ['any', pocket].includes(scene.into));
+  const first = events.find(({ type }) => type === 'ball');
+  const names = first ? [first.ball, first.other?.ball ?? first.other] : [];
+  if (scene.target === state.hit) return !cue && names.includes(scene.object);
+  return cue?.pocket === scene.target;
+}
+
+export class Practice {
+  /**
+   * @param {{scene: () => state.Scene, view: import('./view.js').View, closer: import('./closer.js').Closer,
+   *   begin: (scene: state.Scene) => void, tables: () => import('./table.js').Table[]}} page
+   */
+  constructor(page) {
+    this.page = page;
+    this.day = 0; // the day whose puzzle this is
+  }
+
+  listen() {
+    $('daily').addEventListener('click', () => this.daily());
+    $('drill').addEventListener('click', () => this.drill());
+    $('shoot').addEventListener('click', () => this.shoot());
+    $('reveal').addEventListener('click', () => this.hide(false));
+    const say = () => ($('guess').querySelector('output').textContent = Number($('force').value).toFixed(2));
+    $('force').addEventListener('input', say);
+    say();
+    this.tell();
+  }
+
+  /** The same puzzle for everyone, each day of another kind. */
+  daily() {
+    const day = dayOf(new Date());
+    const names = Object.keys(kinds);
+    return this.make(names[day % names.length], 'medium', day, day);
+  }
+
+  drill() {
+    const seed = Math.floor(Math.random() * 1e9);
+    return this.make($('kind').value, $('level').value, seed, 0);
+  }
+
+  /** @param {string} kind @param {string} level @param {number} seed @param {number} day 0 for a drill */
+  async make(kind, level, seed, day) {
+    $('other').textContent = 'Making a puzzle …';
+    const flags = `seed=${seed}&difficulty=${level}&speed=${speeds}&no-spin&${kinds[kind]}`;
+    const puzzle = await ask(`generate?${flags}`, {}, 'generate');
+    if (!puzzle) return;
+    const { scene, error } = puzzle.error
+      ? { error: puzzle.error.reason }
+      : read(JSON.stringify(puzzle), this.page.tables());
+    if (!scene) {
+      $('other').textContent = error;
+      return;
+    }
+    this.day = day;
+    this.hide($('guessing').checked || day > 0);
+    this.page.begin({ ...scene, skill: this.page.scene().skill });
+    $('task').textContent = task(this.page.scene());
+    this.aim();
+  }
+
+  /** Aims straight at what is to be hit, as a first guess. */
+  aim() {
+    const { scene, table, closer } = /** @type {any} */ (this.page);
+    const { object, ball, target } = scene();
+    const i = state.namesOf(scene()).indexOf(object);
+    const pocket = table().pockets.find(({ name }) => name === target);
+    const at = [state.pot, state.hit].includes(target) && i >= 0 ? scene().others[i] : (pocket?.at ?? [0, 0]);
+    closer.guess = { angle: (Math.atan2(at[1] - ball[1], at[0] - ball[0]) * 180) / Math.PI };
+  }
+
+  /** Hides the answer, or shows it. @param {boolean} is */
+  hide(is) {
+    document.body.toggleAttribute('data-guess', is);
+    $('guess').hidden = !is;
+    $('told').hidden = is;
+    if (!is) this.page.view.look();
+  }
+
+  /** Plays the guess, counts it, and shows the answer. */
+  async shoot() {
+    const { closer, view, scene } = this.page;
+    const launch = { ...closer.guess, speed: Number($('force').value), spin: { top: 0, side: 0 } };
+    this.hide(false);
+    const followed = await view.start(1, launch);
+    if (!followed) return;
+    const good = made(scene(), followed);
+    const all = record();
+    Object.assign(all, { tried: all.tried + 1, made: all.made + Number(good) });
+    if (good && this.day && !all.days.includes(this.day)) all.days.push(this.day);
+    try {
+      localStorage.setItem(store, JSON.stringify(all));
+    } catch {
+      // The record lasts for this visit's puzzle only.
+    }
+    this.tell(all);
+    $('other').textContent = good ? 'Made!' : 'Missed: here is how.';
+  }
+
+  tell({ tried, made, days } = record()) {
+    $('record').textContent = tried ? `${made} of ${tried} made, ${days.length} daily puzzles solved.` : '';
+  }
+}

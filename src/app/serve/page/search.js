@@ -1,0 +1,45 @@
+// The conduct of the search: the best shot first, while things are dragged too; then, at rest, all shots.
+import { $ } from './controls.js';
+import { ask, latest } from './engine.js';
+import * as state from './state.js';
+
+/**
+ * @param {() => state.Scene} scene
+ * @param {{best: (answer: any) => void, all: (answer: any, puzzle: object) => void}} on called with the newest answers
+ * @returns {() => void} begins a search; a newer one ends it
+ */
+export function searcher(scene, on) {
+  let slow; // timer
+  const wait = () => {
+    clearTimeout(slow);
+    slow = setTimeout(() => ($('busy').hidden = false), 300);
+  };
+  const rest = () => {
+    clearTimeout(slow);
+    $('busy').hidden = true;
+  };
+  const newest = (asked) => asked === document.body.dataset.asked;
+
+  /** Lists all shots, perhaps for seconds; a move ends it. */
+  async function all(puzzle) {
+    const answer = await ask('solve?all&path', puzzle, 'solve');
+    if (!answer) return;
+    rest();
+    on.all(answer, puzzle);
+  }
+
+  /** A move lets this question end, so that the picture follows the dragging. */
+  const best = latest(async () => {
+    const [asked, puzzle] = [document.body.dataset.asked, state.puzzle(scene())];
+    wait();
+    const answer = await ask('solve?path', puzzle, 'solve');
+    if (!answer) return;
+    on.best(answer);
+    if (newest(asked)) all(puzzle);
+  });
+
+  return () => {
+    document.body.dataset.asked = state.address(scene()); // tests wait until `answered` equals it
+    best();
+  };
+}

@@ -1,0 +1,230 @@
+// The answer in view: its list, its words, its picture and its animation.
+import { fill, groups, heading, likest, mark, tell, words } from './answer.js';
+import { $ } from './controls.js';
+import { forget } from './engine.js';
+import { finish, follow, hits, outcome, turns } from './follow.js';
+import { aim, firstCushion, lead, note, paint } from './paint.js';
+import { play, stop } from './play.js';
+import { click } from './sound.js';
+import * as state from './state.js';
+import { sight } from './table.js';
+import * as units from './units.js';
+
+/**
+ * @typedef {{
+ *   scene: () => state.Scene, table: () => import('./table.js').Table, board: () => import('./board.js').Board,
+ *   layers: () => Record<'answer', any>, closer: () => import('./closer.js').Closer, shown: (shot: any) => void,
+ * }} Page `shown` is called with the shot in view
+ */
+
+/** A shot of another search replaces the one in view if its value is larger by this. */
+const better = 0.002;
+
+export class View {
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.empty();
+    this.picked = ''; // address of the scene for which the user chose a shot
+    this.wanted = null; // launch of the shot that the address names
+  }
+
+  /** Forgets all shots. */
+  empty() {
+    /** @type {any[]} */
+    this.shots = [];
+    this.chosen = 0;
+    this.seen = undefined; // shot in view
+    /** @type {any} */
+    this.last = {}; // latest answer
+    this.plan = undefined; // of the best shot of a game
+  }
+
+  shot() {
+    return this.shots[this.chosen];
+  }
+
+  /** Shows the best shot, while the list that was there waits for the wider search. */
+  best(answer) {
+    this.old(true);
+    this.take(answer, answer.shots ?? [], 0);
+    this.status(answer, answer.shots?.length ? 'Looking for other shots …' : '');
+    if (!$('shots').childElementCount) this.list();
+    this.look();
+  }
+
+  /** Shows all shots. The best one stays in view unless a better one was found, or the user chose another. */
+  all(answer) {
+    const picked = this.picked === document.body.dataset.asked;
+    const was = picked ? this.shot() : (this.wanted ?? this.shots[0]);
+    const found = answer.shots ?? [];
+    if (found.length || !this.shots.length) this.widen(answer, found, was);
+    else this.last = { ...this.last, wider: answer.error?.reason ?? 'the wider search ended at its budget' };
+    this.old(false);
+    this.status(answer, '');
+    this.list();
+    this.look();
+    this.wanted = null;
+    $('said').textContent = this.spoken();
+    if (!this.shots.length) this.lacks(answer);
+  }
+
+  /** Takes all shots, and keeps the one that was in view. @param {any} was */
+  widen(answer, found, was) {
+    const plan = this.plan;
+    const stays = was && !beats(found[0], was);
+    const missing = stays && was.path && !found.some((shot) => same(shot, was));
+    const shots = missing ? [was, ...found] : found;
+    this.take(answer, shots, stays ? likest(shots, was) : 0);
+    this.plan ??= plan;
+  }
+
+  take(answer, shots, chosen) {
+    Object.assign(this, { last: answer, shots, chosen });
+    this.plan = answer.plan;
+  }
+
+  /** Says the shot in a sentence, for those who do not see the table. */
+  spoken() {
+    const shot = this.shot();
+    const rows = [...$('words').querySelectorAll('dt')].map(
+      (term) => `${term.textContent} ${term.nextSibling.textContent}`,
+    );
+    return [$('title').textContent, ...(shot ? rows : [])].join('. ');
+  }
+
+  /** Dims the list that belongs to another scene. @param {boolean} is */
+  old(is) {
+    $('shots').inert = is;
+    $('shots').classList.toggle('old', is);
+  }
+
+  /** Fills the list. */
+  list() {
+    const on = { look: (i) => this.look(i), choose: (i) => this.choose(i) };
+    fill($('shots'), this.shots, this.chosen, on);
+    $('shots').onmouseleave = () => this.seen !== this.shot() && this.look();
+    $('every').hidden = this.shots.length < 3;
+  }
+
+  status(answer, more) {
+    if (document.body.hasAttribute('data-guess')) return;
+    const text = answer.error ? answer.error.reason : (answer.message ?? '');
+    $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
+  }
+
+  /** Says why there is no shot, and shows what came nearest. */
+  async lacks({ message = '', nearest, error }) {
+    if (document.body.hasAttribute('data-guess')) return;
+    const { scene, layers, table } = this.page;
+    const asked = document.body.dataset.asked;
+    const followed = nearest && (await follow(scene(), nearest, 'nearest'));
+    if (asked !== document.body.dataset.asked) return;
+    if (followed?.path) lead(layers().answer, [], followed, 'nearest');
+    const why = (error ? error.reason : message).split('; ').pop() || 'no reason is known';
+    const point = scene().target === 'point' ? [scene().point] : [];
+    const balls = [scene().ball, ...scene().others, ...point];
+    note(layers().answer, table(), why[0].toUpperCase() + why.slice(1), balls);
+    if (followed?.path) $('other').textContent = `What comes nearest ${outcome(scene(), followed)}.`;
+  }
+
+  /** Shows the user's guess in the place of the answer. */
+  guessing() {
+    const { scene, table, board, closer, layers } = this.page;
+    const { at } = sight(table(), scene().ball, closer().guess.angle);
+    layers().answer.replaceChildren();
+    aim(layers().answer, scene().ball, at);
+    board().place('cushion', at);
+  }
+
+  /** Shows a shot. @param {number} [i] its number; the chosen one without it */
+  look(i = this.chosen) {
+    const { scene, table, board, closer, shown } = this.page;
+    if (document.body.hasAttribute('data-guess') && closer().guess) return this.guessing();
+    const shot = (this.seen = this.shots[i]);
+    this.paint(shot);
+    board().place('cushion', closer().aimed ?? this.aimPoint());
+    $('title').textContent = [heading(shot, scene().target, this.last.status), this.last.wider]
+      .filter(Boolean)
+      .join('; ');
+    $('playing').hidden = !shot?.path;
+    $('why').hidden = !shot;
+    const over = shot && sight(table(), scene().ball, shot.angle).words;
+    const plan = i === 0 ? this.plan : undefined;
+    tell($('words'), shot ? words(shot, { aim: over, table: table(), length: units.length, plan }) : []);
+    shown(shot);
+    if (document.body.dataset.asked === document.body.dataset.answered) this.lookOn(shot);
+  }
+
+  /** Draws a shot before others: the best of each pattern. @param {any} shot @param {any[]} [afterwards] */
+  paint(shot, afterwards) {
+    const { scene, table, layers } = this.page;
+    const others = $('paths').checked ? this.shots : [...groups(this.shots).values()].map(([i]) => this.shots[i]);
+    const balls = new Map(state.namesOf(scene()).map((name, i) => [name, scene().others[i]]));
+    const plan = shot === this.shots[0] ? this.plan : undefined;
+    paint(layers().answer, table(), others, shot, { afterwards, all: $('paths').checked, plan, balls });
+    layers().answer.classList.toggle('dims', shot !== this.shot());
+  }
+
+  /** Adds the rest of the cue ball's path. */
+  async lookOn(shot) {
+    const afterwards = await finish(this.page.scene(), shot, 'afterwards');
+    if (afterwards && shot === this.seen) this.paint(shot, afterwards);
+  }
+
+  /** Returns the cue ball's first point on a cushion, or null if it hits a ball. */
+  aimPoint() {
+    const shot = this.shot();
+    return shot?.path && !shot.hits?.length ? firstCushion(this.page.table(), shot.path) : null;
+  }
+
+  choose(i) {
+    this.chosen = i;
+    this.picked = document.body.dataset.asked;
+    this.page.closer().forgetAim();
+    mark($('shots'), i);
+    this.look();
+    this.page.closer().look();
+    state.write(this.page.scene(), i ? this.shot() : null);
+    this.start(1);
+  }
+
+  // ---- the animation ----
+
+  /** @returns {Promise<any>} what happened; nothing if another one took its place */
+  async start(pace, launch = this.shot()) {
+    if (!launch) return undefined;
+    const followed = await follow(this.page.scene(), launch, 'play');
+    if (!followed || followed.error) return undefined;
+    const names = state.namesOf(this.page.scene());
+    const gripOf = (ball) => (ball === 'cue' ? 'ball' : `other${names.indexOf(ball)}`);
+    const board = this.page.board();
+    const balls = Object.entries({ cue: followed.path, ...followed.paths }).map(([ball, path]) => ({
+      ...board.grips.get(gripOf(ball)),
+      path,
+      turns: turns(followed.events, ball),
+      radius: this.page.table().radius,
+    }));
+    document.body.dataset.playing = 'true';
+    const sounds = $('sound').checked ? hits(followed.events) : [];
+    if (!(await play(balls, pace, sounds, click))) return undefined;
+    document.body.dataset.played = balls.map(({ path }) => path[path.length - 1].slice(1).join()).join(' ');
+    delete document.body.dataset.playing;
+    setTimeout(() => document.body.dataset.playing || board.placeAll(), 700);
+    return followed;
+  }
+
+  /** Ends the animation and puts the balls back. */
+  halt() {
+    for (const kind of ['play', 'play-path']) forget(kind);
+    if (!document.body.dataset.playing) return;
+    stop();
+    delete document.body.dataset.playing;
+    this.page.board().placeAll();
+  }
+}
+
+const same = (a, b) => Math.abs(a.angle - b.angle) < 0.05 && Math.abs(a.speed - b.speed) < 0.02;
+
+/** Says whether a shot is better than the one in view. */
+const beats = (a, b) => !b?.path || (a?.value ?? a?.success ?? 0) > (b.value ?? b.success ?? 0) + better;
