@@ -32,6 +32,10 @@ async function changed(page, change = (answer) => answer) {
   return told;
 }
 
+/** Unfolds the whole list. */
+const unfold = (page) =>
+  page.evaluate(() => document.querySelectorAll('#shots details').forEach((d) => (d.open = true)));
+
 const ring = (page) =>
   page.evaluate(() =>
     [...document.querySelectorAll('#table .ghost')].map((e) => ['cx', 'cy'].map((key) => Number(e.getAttribute(key)))),
@@ -52,6 +56,7 @@ describe('where the cue ball ends', () => {
   test('its path leads to the ring, where it rests', async () => {
     const { page, complaints } = await open(browser, `${server.url}#${balls}`);
     const { shots } = await changed(page);
+    await unfold(page);
     let afterwards = 0;
     for (const [i, { cue_rests, path }] of shots.slice(0, 8).entries()) {
       if (!cue_rests) continue;
@@ -77,6 +82,7 @@ describe('where the cue ball ends', () => {
     assert.deepEqual(await ring(page), [pockets.find(({ name }) => name === 'top-left').hole]);
     assert.equal(await page.locator('.ghost.scratch').count(), 1);
     assert.match(await text(page, 'words'), /the cue ball falls into top-left, too/);
+    await unfold(page);
     const real = shots.findIndex(({ scratch }, i) => scratch && i > 0);
     assert.ok(real > 0);
     await page.locator(`#shots [data-shot="${real}"]`).hover();
@@ -110,7 +116,7 @@ describe('a wider search that finds nothing', () => {
     ['for an error', { path: '', reason: 'the server is busy' }, /^Into top-right.*; the server is busy$/],
   ]))
     test(`${name} leaves the shot that is there`, async () => {
-      const { page } = await open(browser, server.url);
+      const { page } = await open(browser, `${server.url}#table=pool-9ft`);
       const status = 'reason' in answer ? 503 : 200;
       await page.route(every, (route) => route.fulfill({ status, json: answer }));
       await drag(page, 'ball', 0.02, 0.02);
@@ -126,7 +132,7 @@ describe('a wider search that finds nothing', () => {
     });
 
   test('leaves none of another question', async () => {
-    const { page } = await open(browser, server.url);
+    const { page } = await open(browser, `${server.url}#table=pool-9ft`);
     await page.locator('summary', { hasText: 'Limits' }).click();
     await page.locator('[name=fastest]').fill('0.3');
     await answered(page);

@@ -37,11 +37,11 @@ describe('a finger', () => {
   }
 
   for (const [grip, right, down] of /** @type {[string, number, number][]} */ ([
-    ['ball', 150, -40],
+    ['ball', -60, -80],
     ['ball', 10, -90],
-    ['other0', -80, 50],
-    ['target', -100, 60],
-    ['cushion', 30, 0],
+    ['other0', 60, 50],
+    ['target', 50, 60],
+    ['cushion', 0, 30],
   ]))
     test(`takes ${grip} ${right} px to the right and ${down} px down`, async () => {
       const { page, complaints } = await open(
@@ -62,7 +62,7 @@ describe('a finger', () => {
     });
 
   test('moves the tip', async () => {
-    const { page } = await open(browser, server.url, phone);
+    const { page } = await open(browser, `${server.url}#table=pool-9ft`, phone);
     await page.locator('#tip').scrollIntoViewIfNeeded();
     const before = await page.evaluate(() => scrollY);
     const { width } = await page.locator('#tip').boundingBox();
@@ -74,7 +74,7 @@ describe('a finger', () => {
   });
 
   test('scrolls the page where nothing is dragged', async () => {
-    const { page } = await open(browser, server.url, phone);
+    const { page } = await open(browser, `${server.url}#table=pool-9ft`, phone);
     const { x, y } = await middle(page, '#table');
     await swipe(page, { x, y }, 0, -90);
     await page.waitForFunction(() => scrollY > 20);
@@ -118,7 +118,7 @@ describe('the picture follows what is dragged without a pause', () => {
   /** Counts the requests, the most that are open at a time, and those that are cancelled. */
   function watch(page) {
     const seen = { most: 0, open: 0, ended: 0, asked: 0 };
-    const is = (request) => request.url().includes('/api/solve?first');
+    const is = (request) => request.url().includes('/api/solve?path');
     page.on('request', (request) => {
       if (!is(request)) return;
       ++seen.asked;
@@ -156,7 +156,7 @@ describe('the picture follows what is dragged without a pause', () => {
     });
 
   test('an aim of one’s own, answers 100 ms late', async (t) => {
-    const { page } = await open(browser, server.url);
+    const { page } = await open(browser, `${server.url}#table=pool-9ft`);
     await page.route('**/api/**', async (route) => {
       await wait(100);
       await route.continue();

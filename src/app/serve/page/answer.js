@@ -157,21 +157,30 @@ export function fill(list, shots, chosen, on) {
   for (const [name, [best, ...more]] of groups(shots)) {
     const item = document.createElement('li');
     item.append(entry(shots[best], best, best === chosen, on, name));
-    if (more.length) {
-      const [fold, summary, inner] = ['details', 'summary', 'ol'].map((tag) => document.createElement(tag));
-      summary.textContent = more.length > 1 ? `${more.length} more ways` : 'one more way';
-      for (const i of more) {
-        const line = document.createElement('li');
-        line.append(entry(shots[i], i, i === chosen, on));
-        inner.append(line);
-      }
-      /** @type {HTMLDetailsElement} */ (fold).open = more.includes(chosen);
-      fold.append(summary, inner);
-      item.append(fold);
-    }
+    if (more.length) item.append(folded(shots, more, chosen, on));
     items.push(item);
   }
   list.replaceChildren(...items);
+}
+
+/** Returns the other ways of a pattern, which are listed once they are unfolded. @param {number[]} more */
+function folded(shots, more, chosen, on) {
+  const fold = document.createElement('details');
+  const [summary, inner] = ['summary', 'ol'].map((tag) => document.createElement(tag));
+  summary.textContent = more.length > 1 ? `${more.length} more ways` : 'one more way';
+  const unfold = () => {
+    if (!fold.open || inner.childElementCount) return;
+    for (const i of more) {
+      const line = document.createElement('li');
+      line.append(entry(shots[i], i, i === chosen, on));
+      inner.append(line);
+    }
+  };
+  fold.addEventListener('toggle', unfold);
+  fold.open = more.includes(chosen);
+  unfold();
+  fold.append(summary, inner);
+  return fold;
 }
 
 /** Marks the chosen shot in the list. @param {HTMLElement} list @param {number} chosen */

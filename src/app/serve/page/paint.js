@@ -72,7 +72,7 @@ export function paint(layer, table, others, shot, { afterwards = [], all = false
   sighted(layer, table, shot);
   line(layer, [...shot.path, ...afterwards], 'best', 0.011);
   for (const path of Object.values(shot.paths ?? {})) line(layer, path, 'sent', 0.008);
-  if (shot.contact) ring(layer, shot.contact.ghost, table.radius, 'touch');
+  touch(layer, table, shot.contact);
   const at = end(table, shot);
   if (at) ring(layer, at, table.radius, shot.scratch ? 'scratch' : '');
 }
@@ -90,6 +90,13 @@ function sighted(layer, table, shot) {
   const { at, count } = sight(table, from, shot.angle);
   aim(layer, from, at);
   write(layer, 'count', at, metres(layer.ownerSVGElement, 12)).textContent = count;
+}
+
+/** Draws the ghost ball: where the cue ball is as it touches the other one. */
+function touch(layer, table, contact) {
+  if (!contact) return;
+  const [cx, cy] = contact.ghost;
+  shape('circle', { class: 'touch', cx, cy, r: table.radius, 'stroke-width': 0.004 }, layer);
 }
 
 /** Draws a ring at the place where a ball ends. @param {Element} layer */

@@ -90,6 +90,7 @@ export function draw(svg, table, clicked, turned = false) {
   const sides = [-wood, -width - wood, length + 2 * wood, width + 2 * wood];
   svg.setAttribute('viewBox', (turned ? [sides[1], -length - wood, sides[3], sides[2]] : sides).join(' '));
   svg.dataset.turned = turned ? 'true' : '';
+  svg.style.setProperty('--aspect', String(turned ? sides[3] / sides[2] : sides[2] / sides[3]));
   const all = shape('g', { transform: turned ? standing : lying, 'data-frame': '' }, svg);
   const box = (by) => ({ x: -by, y: -by, width: length + 2 * by, height: width + 2 * by });
   shape('rect', { class: 'rail', ...box(wood), rx: 0.06 }, all);

@@ -142,6 +142,8 @@ export class View {
     const { scene, table, board, closer, shown } = this.page;
     if (document.body.hasAttribute('data-guess') && closer().guess) return this.guessing();
     const shot = (this.seen = this.shots[i]);
+    // The list below must not move away from under the pointer.
+    $('shot').style.setProperty('min-height', i === this.chosen ? '0' : `${$('shot').offsetHeight}px`);
     this.paint(shot);
     board().place('cushion', closer().aimed ?? this.aimPoint());
     $('title').textContent = [heading(shot, scene().target, this.last.status), this.last.wider]
