@@ -173,7 +173,7 @@ Reply generate(const Query& query) {
                            Option{"cushions", &wishes.cushions}, Option{"target", &wishes.target},
                            Option{"balls", &balls}, Option{"then", &wishes.then},
                            Option{"difficulty", &wishes.difficulty}, Option{"unique", &wishes.unique},
-                           Option{"speed", &speed}, Option{"no-spin", &wishes.no_spin}});
+                           Option{"speed", &speed, "", {0, 30}}, Option{"no-spin", &wishes.no_spin}});
     wishes.seed = static_cast<std::uint64_t>(seed);
     wishes.balls = static_cast<int>(std::min(balls, most_balls));
     if (speed[1] > 0) wishes.speed = speed;

@@ -49,6 +49,14 @@ void unread(httplib::Response& response, Connection& client, std::size_t body) {
   response.set_header("Connection", "close");
 }
 
+/// The page's policy; `framed`: other pages may hold it in a frame.
+std::string policy(bool framed) {
+  return std::string(
+             "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
+             "connect-src 'self'; base-uri 'none'; form-action 'none'") +
+         (framed ? "" : "; frame-ancestors 'none'");
+}
+
 std::string words_of(int status) {
   switch (status) {
     case 404:
@@ -93,9 +101,7 @@ struct Server::Parts {
                               {"Referrer-Policy", "no-referrer"},
                               {"Cross-Origin-Resource-Policy", "same-origin"},
                               {"Cache-Control", "no-store"},
-                              {"Content-Security-Policy",
-                               "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
-                               "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"}});
+                              {"Content-Security-Policy", policy(false)}});
   }
 
   void refusals() {
@@ -157,8 +163,12 @@ struct Server::Parts {
       put(response, service::schema(query_of(request)));
     });
     for (const PageFile& file : page_files())
-      http.Get(std::string(file.path), [file](const httplib::Request&, httplib::Response& response) {
+      http.Get(std::string(file.path), [file](const httplib::Request& request, httplib::Response& response) {
         put(response, {200, std::string(file.bytes), std::string(file.type)});
+        if (!request.has_param("embed")) return;
+        // httplib would send both the default header and this one, and the stricter of two policies holds.
+        response.headers.erase("Content-Security-Policy");
+        response.set_header("Content-Security-Policy", policy(true));
       });
   }
 

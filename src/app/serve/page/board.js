@@ -56,7 +56,8 @@ function fit(group, radius, pixel) {
   digit.classList.toggle('beside', beside);
 }
 
-/** @typedef {{dot: SVGElement, grip: SVGElement, skin?: SVGElement, where: () => Point | null, take: Function}} Grip */
+/** @typedef {{dot: SVGElement, grip: SVGElement, skin?: SVGElement, label: string,
+ *   where: () => Point | null, take: Function}} Grip */
 
 export class Board {
   /**
@@ -210,7 +211,7 @@ export class Board {
     };
     const coarse = () => (hands.snaps() && !held.aims ? snaps(this.table) : null);
     const take = draggable(grip, this.svg, { where, move, click: held.click, coarse });
-    this.grips.set(name, { dot, grip, where, skin: drawn, take });
+    this.grips.set(name, { dot, grip, where, skin: drawn, take, label });
     this.place(name);
     for (const event of ['pointerenter', 'focus'])
       grip.addEventListener(event, () => where() && hands.says(label, where()));
@@ -224,7 +225,8 @@ export class Board {
    */
   place(name, at = this.grips.get(name)?.where()) {
     if (!this.grips.has(name)) return;
-    const { dot, grip, skin } = this.grips.get(name);
+    const { dot, grip, skin, label } = this.grips.get(name);
+    if (at) grip.setAttribute('aria-label', `${label} at ${at.map((v) => v.toFixed(3)).join(', ')} m`);
     if (skin && at) {
       skin.setAttribute('transform', upright(this.svg, at));
       fit(skin, Number(dot.getAttribute('r')), metres(this.svg, 1));

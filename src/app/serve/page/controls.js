@@ -42,7 +42,7 @@ function read(control, was) {
 
 /** Shows the value of a slider. @param {HTMLInputElement} control */
 function say(control) {
-  const output = control.type === 'range' && control.parentElement.querySelector('output');
+  const output = control.type === 'range' && control.parentElement.querySelector('.value');
   if (output) output.textContent = control.value;
 }
 

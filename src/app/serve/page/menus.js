@@ -66,7 +66,7 @@ export function menus(form, scene, table, tables) {
 
 /** Says whose errors count. @param {state.Scene} scene */
 export function showSkill(scene) {
-  $('skilled').querySelector('output').textContent = skill.described(scene.skill);
+  $('skilled').querySelector('.value').textContent = skill.described(scene.skill);
 }
 
 /** Offers to undo and redo where there is something. */

@@ -67,7 +67,7 @@ export class Practice {
     $('drill').addEventListener('click', () => this.drill());
     $('shoot').addEventListener('click', () => this.shoot());
     $('reveal').addEventListener('click', () => this.hide(false));
-    const say = () => ($('guess').querySelector('output').textContent = Number($('force').value).toFixed(2));
+    const say = () => ($('guess').querySelector('.value').textContent = Number($('force').value).toFixed(2));
     $('force').addEventListener('input', say);
     say();
     this.tell();

@@ -58,7 +58,7 @@ export class View {
     const picked = this.picked === document.body.dataset.asked;
     const was = picked ? this.shot() : (this.wanted ?? this.shots[0]);
     const found = answer.shots ?? [];
-    if (found.length || !this.shots.length) this.widen(answer, found, was);
+    if (found.length || !this.shots.length) this.widen(answer, found, was, picked || Boolean(this.wanted));
     else this.last = { ...this.last, wider: answer.error?.reason ?? 'the wider search ended at its budget' };
     this.old(false);
     this.status(answer, '');
@@ -69,10 +69,10 @@ export class View {
     if (!this.shots.length) this.lacks(answer);
   }
 
-  /** Takes all shots, and keeps the one that was in view. @param {any} was */
-  widen(answer, found, was) {
+  /** Takes all shots, and keeps the one that was in view: a better one takes its place, unless the user chose it. */
+  widen(answer, found, was, firm) {
     const plan = this.plan;
-    const stays = was && !beats(found[0], was);
+    const stays = was && (firm || !beats(found[0], was));
     const missing = stays && was.path && !found.some((shot) => same(shot, was));
     const shots = missing ? [was, ...found] : found;
     this.take(answer, shots, stays ? likest(shots, was) : 0);
@@ -229,4 +229,4 @@ export class View {
 const same = (a, b) => Math.abs(a.angle - b.angle) < 0.05 && Math.abs(a.speed - b.speed) < 0.02;
 
 /** Says whether a shot is better than the one in view. */
-const beats = (a, b) => !b?.path || (a?.value ?? a?.success ?? 0) > (b.value ?? b.success ?? 0) + better;
+const beats = (a, b) => (a?.value ?? a?.success ?? 0) > (b.value ?? b.success ?? 0) + better;
