@@ -144,7 +144,7 @@ Answer solve_game(const Puzzle& puzzle, const SolveOptions& options) {
       a.status = Status::solved;
       a.nearest.reset();
     }
-  if (a.shots.empty() || a.shots.front().safety) return a;
+  if (a.shots.empty() || a.shots.front().safety || options.depth == 0) return a;
   a.plan = plan_of(puzzle, a.shots.front(), options, a);
   if (options.robustness) a.plan->why = why(puzzle, a.shots.front(), options);
   return a;

@@ -52,7 +52,7 @@ std::vector<Option> options_of(SolveFlags& flags) {
        .excludes = "all"},
       {"budget", &flags.budget, "The most simulations to spend"},
       {"noise", &flags.noise, "A player by name, instead of the puzzle's noise; 'list' describes them"},
-      {"depth", &flags.depth, "Number of balls that the plan of a game looks at"},
+      {"depth", &flags.depth, "Number of balls that the plan of a game looks at; 0 makes no plan, which is faster"},
       {"plies", &flags.plies, "Number of pots after it that a shot of a game is chosen for: 1, or 2, which is slower"},
       {"no-timing", &flags.no_timing, "Leave out time_us, so that equal input gives equal bytes"},
       {"no-robustness", &flags.no_robustness, "Leave out margin and success"},

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <memory>
 #include <set>
 #include <string>
 #include <thread>
@@ -244,6 +245,16 @@ TEST_CASE("as many clients are served as there are connections, and one more is 
   CHECK(listening.body("/here") == "come back, here");
   listening.go = true;
   CHECK_THAT(served.hears().value(), Contains("done inside"));
+}
+
+TEST_CASE("clients that say nothing, or half of a request, keep nobody out") {
+  Listening listening(2, {});
+  std::vector<std::unique_ptr<test::Caller>> silent;
+  for (int i = 0; i < 12; ++i) {
+    silent.push_back(std::make_unique<test::Caller>(listening.port));
+    if (i % 2 == 0) REQUIRE(silent.back()->says("GET /here HTTP/1.1\r\nHo"));
+    CHECK(listening.body("/here") == "welcome, here");
+  }
 }
 
 TEST_CASE("a handler learns that its own client has gone") {

@@ -97,6 +97,17 @@ TEST_CASE("simulate, map, tables and schema answer as their commands do") {
   CHECK(server.client().Get("/api/schema?document=shot")->body == test::run_program("schema shot").out);
 }
 
+TEST_CASE("a puzzle is made as generate makes it, and a wish that cannot be is refused") {
+  const Running server;
+  const auto made = server.post("/api/generate?seed=7&target=pot&cushions=0&balls=3&no-spin&speed=1,4&number=2", "");
+  REQUIRE(made->status == 200);
+  const test::Run run = test::run_program(
+      "generate --seed 7 --count 2 --target pot --cushions 0 --balls 3 --no-spin --speed 1,4");
+  CHECK(run.out.ends_with("\n" + made->body));
+  for (const char* wrong : {"", "?seed=1&target=hole", "?seed=1&difficulty=fun", "?seed=1&speed=4,1&target=pot"})
+    CHECK(server.post(std::string("/api/generate") + wrong, "")->status == 400);
+}
+
 TEST_CASE("what is wrong with a request is said, with its JSON path") {
   const Running server;
   const auto refused = [&](const std::string& path, const std::string& body) {
@@ -131,13 +142,15 @@ TEST_CASE("pages and names from elsewhere are refused") {
   CHECK(server.post("/api/solve", easy, {{"Origin", "http://evil.example"}})->status == 403);
   CHECK(server.post("/api/solve", easy, {{"Origin", "null"}})->status == 403);
   CHECK(server.post("/api/solve", easy, {{"Host", "evil.example:" + std::to_string(server.port())}})->status == 403);
-  const app::serve::Door door("127.0.0.1", 8080);
+  const app::serve::Door door("127.0.0.1", {}, 8080);
   CHECK(door.refuses("localhost:8080", "").empty());
   CHECK(door.refuses("[::1]:8080", "http://[::1]:8080").empty());
   CHECK(!door.refuses("localhost:8081", "").empty());
   CHECK(!door.refuses("localhost:8080", "http://127.0.0.1:8080").empty());
   CHECK(!door.refuses("", "").empty());
-  CHECK(app::serve::Door("0.0.0.0", 80).refuses("table.local", "").empty());
+  const app::serve::Door open("0.0.0.0", {"table.local"}, 80);
+  CHECK(open.refuses("table.local", "http://table.local").empty());
+  CHECK(!open.refuses("rebound.example", "http://rebound.example").empty());
 }
 
 TEST_CASE("a search ends at its time limit, and says so") {
@@ -180,7 +193,12 @@ TEST_CASE("the page comes with its files and lets nothing else in") {
   CHECK(page->status == 200);
   CHECK(page->get_header_value("Content-Type").starts_with("text/html"));
   CHECK(page->get_header_value("Content-Security-Policy").find("default-src 'none'") != std::string::npos);
+  CHECK(page->get_header_value("Content-Security-Policy").find("frame-ancestors 'none'") != std::string::npos);
   CHECK(page->get_header_value("X-Content-Type-Options") == "nosniff");
+  const auto framed = server.client().Get("/?embed");
+  CHECK(framed->get_header_value_count("Content-Security-Policy") == 1);
+  CHECK(framed->get_header_value("Content-Security-Policy").find("default-src 'none'") != std::string::npos);
+  CHECK(framed->get_header_value("Content-Security-Policy").find("frame-ancestors") == std::string::npos);
   for (const char* file : {"/main.js", "/style.css", "/icon.svg"}) CHECK(server.client().Get(file)->status == 200);
   CHECK(page->body == test::read_repository_file("src/app/serve/page/index.html"));
 }
@@ -188,8 +206,9 @@ TEST_CASE("the page comes with its files and lets nothing else in") {
 TEST_CASE("the page solves its first puzzle, and one of its address, without a complaint") {
   const Running server;
   const std::string url = "http://127.0.0.1:" + std::to_string(server.port()) + "/";
-  // The first page, and a puzzle without a shot.
-  for (const auto& [hash, title, shots] : {std::tuple{"", "Into top-right by bottom", 4},
+  // The first page, a pocket, and a puzzle without a shot.
+  for (const auto& [hash, title, shots] : {std::tuple{"", "Pot the 3 into top-right", 3},
+                                           {"#table=pool-9ft", "Into top-right by bottom", 4},
                                            {"#target=point&least=0&most=0&others=1.2,0.623", "No shot", 0}}) {
     const auto browsed = test::browse(url + hash, 5);
     if (!browsed) return;

@@ -99,6 +99,10 @@ TEST_CASE("a plan leads from shot to shot as the simulator plays them", "[heavy]
   CHECK(std::ranges::is_sorted(a.plan->clears, std::greater{}));
   CHECK(a.plan->clears[1] == a.shots.front().leave->success);
   CHECK(a.plan->clears.back() > 0.2);
+  const Answer alone = solve(p, {.depth = 0});
+  CHECK_FALSE(alone.plan);
+  CHECK(alone.shots.front().launch.angle == a.shots.front().launch.angle);
+  CHECK(alone.shots.front().launch.speed == a.shots.front().launch.speed);
   const Shot* shot = &a.shots.front();
   Puzzle now = p;
   std::vector<std::string> potted;

@@ -46,7 +46,7 @@ def solve(
     path:          add the points of each shot's path
     no_timing:     leave out time_us, so that equal input gives equal bytes
     noise:         player whose errors apply: "pro", "league" or "beginner"; "": the puzzle's own
-    depth:         number of balls that the plan of a game looks at
+    depth:         number of balls that the plan of a game looks at; 0 makes no plan
     plies:         number of pots after it that a shot of a game is chosen for: 1, or 2, which is slower
 
     Raises InvalidInput if the puzzle breaks a rule. Ctrl-C ends the search.

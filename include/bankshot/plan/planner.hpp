@@ -21,7 +21,7 @@ struct SolveOptions {
   bool robustness = true;    ///< compute margin and success; otherwise `robust` ranks by first-order margin
   bool sensitivity = false;  ///< compute how far each coefficient of the table moves each arrival
   bool suggest = true;       ///< if there is no shot, search for relaxations that allow one
-  int depth = 3;             ///< number of balls that the plan of a game looks at; 1: the first shot alone
+  int depth = 3;             ///< number of balls that the plan of a game looks at; 1: the first shot alone; 0: no plan
   int plies = 1;             ///< pots that a shot of a game is chosen for: 1: the next; 2: also the one after it
   bool measure = false;      ///< fill Answer::cost; this reads a clock at each replay
   /// The search ends with its current result when this becomes true. Another thread may set it. It must outlive the

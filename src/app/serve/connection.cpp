@@ -31,10 +31,14 @@ bool Connection::begins(const std::function<bool()>& open) {
   request_left_ = patience_.request, answer_left_ = patience_.answer;
   bytes_left_ = most_bytes;
   bool here = from_ < to_;
+  waited_for_ = begun_ = std::chrono::steady_clock::now();
   for (Waiting waited{0}; !here && waited < patience_.idle && open(); waited += often)
     here = polled(socket_, POLLIN, often) != 0;
+  waited_for_ = Time{};
   return here;
 }
+
+void Connection::give_up() const { shutdown(socket_, SHUT_RDWR); }
 
 bool Connection::gone() const { return polled(socket_, POLLRDHUP, Waiting{0}) != 0; }
 
@@ -57,7 +61,9 @@ void Connection::part() {
 
 ssize_t Connection::read(char* to, size_t size) {
   if (from_ == to_) {
+    waited_for_ = begun_;
     cut_ = cut_ || bytes_left_ == 0 || !ready(POLLIN, request_left_);
+    waited_for_ = Time{};
     if (cut_) return -1;
     const ssize_t n = recv(socket_, read_.data(), std::min(read_.size(), bytes_left_), 0);
     if (n <= 0) return n;

@@ -8,6 +8,8 @@
 #include <httplib.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <functional>
 
 #include "app/serve/patience.hpp"
@@ -30,6 +32,13 @@ class Connection final : public httplib::Stream {
   /// unread bytes would discard the last answer.
   void part();
 
+  using Time = std::chrono::steady_clock::time_point;
+  /// Returns when the request began that the client has not finished, or the wait for one; a time without ticks while
+  /// the client is served. Any thread may ask.
+  Time waited_for() const { return waited_for_; }
+  /// Ends the wait for a client. Any thread may call it while the socket is open.
+  void give_up() const;
+
   bool is_readable() const override;
   bool is_writable() const override;
   ssize_t read(char* to, size_t size) override;
@@ -45,6 +54,8 @@ class Connection final : public httplib::Stream {
   const int socket_;
   const Patience patience_;
   Waiting request_left_{}, answer_left_{};
+  Time begun_{};
+  std::atomic<Time> waited_for_{Time{}};
   std::size_t bytes_left_ = 0;  ///< of the request
   bool cut_ = false;
   std::array<char, 4096> read_{};

@@ -9,8 +9,9 @@ namespace bankshot::app::serve {
 
 bool is_loopback(const std::string& host) { return host == "localhost" || host == "::1" || host.starts_with("127."); }
 
-Door::Door(const std::string& host, int port) {
+Door::Door(const std::string& host, const std::vector<std::string>& names, int port) {
   std::vector<std::string> hosts{host};
+  hosts.insert(hosts.end(), names.begin(), names.end());
   if (is_loopback(host)) hosts.insert(hosts.end(), {"localhost", "127.0.0.1", "::1"});
   for (const std::string& name : hosts) {
     const std::string shown = name.find(':') == std::string::npos ? name : '[' + name + ']';
@@ -21,9 +22,7 @@ Door::Door(const std::string& host, int port) {
 
 std::string Door::refuses(const std::string& host, const std::string& origin) const {
   const auto known = [&](const std::string& name) { return std::ranges::find(names_, name) != names_.end(); };
-  // A server that listens at all addresses of its machine does not know them, so it accepts any name.
-  const bool anywhere = names_.front().starts_with("0.0.0.0:") || names_.front().starts_with("[::]:");
-  if (!anywhere && !known(host)) return "this server is not called \"" + host + "\"";
+  if (!known(host)) return "this server is not called \"" + host + "\"; --allow-host adds a name";
   if (!origin.empty() && origin != "http://" + host) return "pages of " + origin + " may not ask this server";
   return "";
 }

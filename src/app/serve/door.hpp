@@ -12,8 +12,9 @@ namespace bankshot::app::serve {
 
 class Door {
  public:
-  /// Takes the address at which the server listens; "127.0.0.1" is also called "localhost".
-  Door(const std::string& host, int port);
+  /// Takes the address at which the server listens, and the names by which others call it; "127.0.0.1" is also called
+  /// "localhost".
+  Door(const std::string& host, const std::vector<std::string>& names, int port);
 
   /// Returns why a request may not come in; empty if it may. `origin`: empty if the request has none.
   std::string refuses(const std::string& host, const std::string& origin) const;

@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 
 namespace bankshot::app::serve {
@@ -18,7 +19,8 @@ constexpr Patience at_the_door{.idle = Waiting{0.5}, .request = Waiting{0.5}, .a
 
 class Workers : public httplib::TaskQueue {
  public:
-  explicit Workers(std::size_t connections) : connections_(connections), pool_(connections), door_(1) {}
+  Workers(Listener& listener, std::size_t connections)
+      : listener_(listener), connections_(connections), pool_(connections), door_(1) {}
 
   void enqueue(std::function<void()> connection) override {
     const std::size_t open = open_.fetch_add(1);
@@ -29,9 +31,10 @@ class Workers : public httplib::TaskQueue {
         --open_;
       };
     };
-    if (open < connections_)
+    const bool many = open >= 2 * connections_;
+    if (open < connections_ || (!many && listener_.make_room()))
       pool_.enqueue(met(Welcome::served));
-    else if (open < 2 * connections_)
+    else if (!many)
       door_.enqueue(met(Welcome::told_to_come_back));
     else
       met(Welcome::closed)();
@@ -42,6 +45,7 @@ class Workers : public httplib::TaskQueue {
   }
 
  private:
+  Listener& listener_;
   const std::size_t connections_;
   std::atomic<std::size_t> open_{0};
   httplib::ThreadPool pool_, door_;
@@ -50,7 +54,7 @@ class Workers : public httplib::TaskQueue {
 }  // namespace
 
 Listener::Listener(std::size_t connections, const Patience& patience) : patience_(patience) {
-  new_task_queue = [connections] { return new Workers(connections); };  // httplib deletes it
+  new_task_queue = [this, connections] { return new Workers(*this, connections); };  // httplib deletes it
 }
 
 void Listener::let_many_wait() const { ::listen(svr_sock_, SOMAXCONN); }
@@ -59,15 +63,36 @@ Connection& Listener::here() { return *connection_here; }
 
 bool Listener::no_room() { return welcome == Welcome::told_to_come_back; }
 
+bool Listener::make_room() {
+  const std::lock_guard lock(mutex_);
+  const auto waits = [](const Connection* c) { return c->waited_for() != Connection::Time{}; };
+  const auto later = [&](const Connection* a, const Connection* b) {
+    return waits(a) && (!waits(b) || a->waited_for() < b->waited_for());
+  };
+  const auto oldest = std::ranges::min_element(open_, later);
+  if (oldest == open_.end() || !waits(*oldest)) return false;
+  (*oldest)->give_up();
+  open_.erase(oldest);
+  return true;
+}
+
 bool Listener::process_and_close_socket(socket_t socket) {
   Connection connection(socket, no_room() ? at_the_door : patience_);
   connection_here = &connection;
+  if (welcome == Welcome::served) {
+    const std::lock_guard lock(mutex_);
+    open_.push_back(&connection);
+  }
   bool more = welcome != Welcome::closed;
   for (std::size_t left = keep_alive_max_count_; more && left > 0; --left) {
     const bool last = no_room() || left == 1;
     bool closes = false;
     more = connection.begins([&] { return svr_sock_ != -1; }) && process_request(connection, last, closes, nullptr) &&
            !closes && !last && !connection.cut();
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    open_.remove(&connection);
   }
   connection.part();
   return close(socket) == 0;

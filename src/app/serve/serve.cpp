@@ -13,6 +13,7 @@
 #include "app/interrupt.hpp"
 #include "app/serve/door.hpp"
 #include "app/serve/server.hpp"
+#include "service/options.hpp"
 
 namespace bankshot::app::serve {
 namespace {
@@ -31,6 +32,9 @@ void open_browser(std::string url) {
 }
 
 int run(const Arguments& a) {
+  if (!is_loopback(a.server.host) && a.server.names.empty())
+    throw service::BadOption("--host " + a.server.host +
+                             ": other machines need a name for this server; give it with --allow-host NAME");
   const Interrupts interrupts;
   Server server(a.server);
   print(fmt::format("{}\nCtrl-C ends it.\n", server.url()));
@@ -55,6 +59,8 @@ Run add(CLI::App& app) {
   CLI::App* command = app.add_subcommand("serve", "Show the table in a browser, and answer over HTTP");
   command->add_option("--host", a->server.host, "Listen at this address; any but loopback lets other machines in")
       ->capture_default_str();
+  command->add_option("--allow-host", a->server.names, "A name or address by which other machines call this server")
+      ->allow_extra_args(false);
   command->add_option("--port", a->server.port, "Listen at this port; 0 takes any free one")
       ->capture_default_str()
       ->check(CLI::Range(0, 65535));
@@ -65,7 +71,8 @@ Run add(CLI::App& app) {
   explain(
       *command,
       "POST a puzzle to /api/solve, /api/map?grid=40,20 (from where can it be made?) or\n"
-      "/api/launches?angle=30,40&speed=2,4 (by which launches?). POST a shot to /api/simulate. GET /api/tables and\n"
+      "/api/launches?angle=30,40&speed=2,4 (by which launches?). POST a shot to /api/simulate, and nothing to\n"
+      "/api/generate?seed=1&target=pot, which makes a puzzle. GET /api/tables and\n"
       "/api/schema?document=puzzle. Flags are query parameters of the same names (?all&path&budget=500). The answer\n"
       "to /api/solve has the bytes of `bankshot solve --json` with the same flags. A faulty request is answered with\n"
       "400 and {\"path\", \"reason\"}. A search that exceeds the time limit ends with what it has; one whose client "
@@ -74,6 +81,7 @@ Run add(CLI::App& app) {
       "take 10 s to arrive. A request with the header Bankshot-Page ends older ones with the same value. Pages from\n"
       "other origins are refused.",
       {{"bankshot serve --open", "the page"},
+       {"bankshot serve --host 0.0.0.0 --allow-host table.local", "for phones in this house"},
        {"curl --json @puzzle.json 'localhost:8080/api/solve?all'", "every shot, from another program"}},
       "0 ended by Ctrl-C or a polite kill; 2 bad usage, or the port is taken.");
   return [a] { return run(*a); };

@@ -181,7 +181,7 @@ struct Server::Parts {
       throw FileError(
           fmt::format("cannot listen at {}: the port is taken, or this machine has no such address", options.host));
     http.let_many_wait();
-    door = std::make_unique<Door>(options.host, options.port);
+    door = std::make_unique<Door>(options.host, options.names, options.port);
   }
 };
 

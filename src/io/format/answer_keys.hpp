@@ -204,7 +204,7 @@ inline constexpr Key answer_keys[] = {
     {"shots", "[{answer_shot}]", "", required, "[]", "best first; all of them with --all"},
     {"nearest", "{answer_shot} | null", "", required, "null", "the closest miss of a `no-shot`"},
     {"ball", "{placed}", "", "where the cue ball is not in hand", R"({"at": [0.4, 0.7]})", "where to put the cue ball"},
-    {"plan", "{plan}", "", "without a game as target", R"({"next": [], "clears": [0.93], "table": true})",
+    {"plan", "{plan}", "", "without a game as target, and with --depth 0", R"({"next": [], "clears": [0.93], "table": true})",
      "what is planned after the best shot"},
     {"modelled", "[string]", "", "not of `invalid`", modelled_example, "what the simulation holds"},
     {"simulations", "whole", "", "not of `invalid`", "31", "spent on the search and on replays", at_least(0)},

@@ -1,6 +1,6 @@
 // An answer in a coach's words: the list of shots, and the shot in view.
 import { called } from './balls.js';
-import { pace } from './units.js';
+import { distance, pace } from './units.js';
 
 const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
 
@@ -62,15 +62,15 @@ function fullness(fullness) {
   return `${fractions[Math.round(8 * Math.min(Math.max(fullness, 0), 1))]} ball${thin}`;
 }
 
-/** Says where the cue ball stops. @param {any} shot @param {any} table @param {(metres: number) => string} length */
-function rests({ cue_rests, leave }, table, length) {
+/** Says where the cue ball stops. @param {any} shot @param {any} table */
+function rests({ cue_rests, leave }, table) {
   if (typeof cue_rests === 'string') return `falls into ${cue_rests}: a scratch`;
   if (!cue_rests) return '';
   const [x, y] = cue_rests;
   const across = x < table.length / 2 ? [x, 'left'] : [table.length - x, 'right'];
   const up = y < table.width / 2 ? [y, 'bottom'] : [table.width - y, 'top'];
   const off = leave?.cushions.length ? `, off ${leave.cushions.join(', ')}` : '';
-  return `stops ${length(across[0])} from the ${across[1]} rail, ${length(up[0])} from the ${up[1]}${off}`;
+  return `stops ${distance(across[0])} from the ${across[1]} rail, ${distance(up[0])} from the ${up[1]}${off}`;
 }
 
 /**
@@ -110,7 +110,7 @@ export function words(shot, { aim, table, length, plan }) {
   ];
   if (shot.contact) rows.push(['hit', fullness(shot.contact.fullness)]);
   else rows.push(['arrives', `after ${shot.arrival.time.toFixed(2)} s at ${shot.arrival.speed.toFixed(2)} m/s`]);
-  const leaves = rests(shot, table, length);
+  const leaves = rests(shot, table);
   if (leaves && shot.hits?.length) rows.push(['cue ball', leaves]);
   if (shot.success !== undefined) rows.push(['success', percent(shot.success)]);
   if (shot.leave) {

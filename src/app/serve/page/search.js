@@ -32,7 +32,8 @@ export function searcher(scene, on) {
   const best = latest(async () => {
     const [asked, puzzle] = [document.body.dataset.asked, state.puzzle(scene())];
     wait();
-    const answer = await ask('solve?path', puzzle, 'solve');
+    // A plan takes longer than its first shot; it comes with the list.
+    const answer = await ask(scene().target === state.play ? 'solve?path&depth=0' : 'solve?path', puzzle, 'solve');
     if (!answer) return;
     on.best(answer);
     if (newest(asked)) all(puzzle);

@@ -30,6 +30,12 @@ export function length(metres) {
   return Math.abs(metres) < 1 ? (metres * 1000).toFixed(1) + ' mm' : metres.toFixed(3) + ' m';
 }
 
+/** Returns a distance as a player paces it. @param {number} metres */
+export function distance(metres) {
+  if (inches) return `${Math.round(metres / 0.0254)} in`;
+  return metres < 1 ? `${Math.round(100 * metres)} cm` : `${metres.toFixed(2)} m`;
+}
+
 const [mile, kilometre] = [0.44704, 1 / 3.6]; // an hour, in m/s
 
 /** Says how hard a shot is played. @param {number} v in m/s */
