@@ -7,6 +7,7 @@ const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
 /** Names the route of the cue ball, or of the object ball that it pots. @param {any} shot */
 export function pattern(shot) {
   const sent = shot.then;
+  if (shot.safety) return `safety off ${called(shot.hits[0].ball)}${by(shot.cushions)}`;
   const way = sent?.pocket ? `${sent.ball} into ${sent.pocket}${by(sent.cushions)}` : route(shot);
   return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', SCRATCH' : '');
 }
@@ -93,6 +94,13 @@ function onward(shot, plan) {
   return rows;
 }
 
+/** Says how likely the shot is made and leaves the cue ball as asked. @returns {[string, string][]} */
+function position({ leave, safety }) {
+  if (!leave || safety) return [];
+  const next = leave.next ? 'made, and the next ball potted' : 'made, and the cue ball stops there';
+  return [['position', `${percent(leave.success)}: ${next}`]];
+}
+
 /**
  * @param {any} shot
  * @param {{aim: string, table: any, length: (metres: number) => string, plan?: any}} with
@@ -113,10 +121,7 @@ export function words(shot, { aim, table, length, plan }) {
   const leaves = rests(shot, table);
   if (leaves && shot.hits?.length) rows.push(['cue ball', leaves]);
   if (shot.success !== undefined) rows.push(['success', percent(shot.success)]);
-  if (shot.leave) {
-    const next = shot.leave.next ? 'made, and the next ball potted' : 'made, and the cue ball stops there';
-    rows.push(['position', `${percent(shot.leave.success)}: ${next}`]);
-  }
+  rows.push(...position(shot));
   if (shot.margin?.angle.every((v) => v !== null)) {
     const [less, more] = shot.margin.angle.map((v) => Math.abs(v).toFixed(2));
     rows.push(['margin', `${less}° to the right, ${more}° to the left`]);

@@ -23,16 +23,21 @@ export async function follow(scene, launch, kind) {
 }
 
 /**
- * Returns the cue ball's path to its rest or pocket, if the shot's own path ends earlier, when an object ball falls.
+ * Returns how the balls move on after a shot's own paths, which end when its target is met.
  * @param {state.Scene} scene
  * @param {any} shot
  * @param {string} kind of question
- * @returns {Promise<any[] | undefined>} samples; undefined if there is nothing to draw
+ * @returns {Promise<{cue: any[], others: any[][]} | undefined>} samples; undefined if there is nothing to draw
  */
 export async function finish(scene, shot, kind) {
   if (!shot?.cue_rests && !shot?.scratch) return undefined;
   const followed = await follow(scene, shot, kind);
-  return followed?.path?.filter(([t]) => t > shot.arrival.time);
+  if (!followed?.path) return undefined;
+  const later = (path) => path.filter(([t]) => t > shot.arrival.time);
+  const others = Object.entries(followed.paths)
+    .filter(([ball]) => ball !== 'cue')
+    .map(([, path]) => later(path));
+  return { cue: later(followed.path), others: others.filter((path) => path.length > 1) };
 }
 
 function still(path) {

@@ -32,7 +32,10 @@ function end(table, { path, arrival, hits, pocket, cue_rests }) {
 const shares = [0.5, 0.9].map((share) => Math.sqrt(-2 * Math.log(1 - share)));
 
 /** Draws where the cue ball stops for this player. */
-function ellipses(layer, { at: [cx, cy], sigma, angle }) {
+function ellipses(layer, spread) {
+  if (!spread) return;
+  const { sigma, angle } = spread;
+  const [cx, cy] = spread.at;
   for (const k of shares) {
     const [rx, ry] = sigma.map((v) => k * v);
     shape('ellipse', { class: 'spread', cx, cy, rx, ry, transform: `rotate(${angle} ${cx} ${cy})` }, layer);
@@ -53,6 +56,9 @@ export function aim(layer, [x1, y1], [x2, y2]) {
   shape('line', { class: 'aim', x1, y1, x2, y2, 'stroke-width': 0.005 }, layer);
 }
 
+/** No ball moves after the shot's own paths. */
+const rest = { cue: [], others: [] };
+
 const most = 4; // paths beside the shot in view, unless all are asked for
 
 /**
@@ -60,17 +66,18 @@ const most = 4; // paths beside the shot in view, unless all are asked for
  * @param {import('./table.js').Table} table
  * @param {any[]} others shots beside the one in view
  * @param {any} shot the one in view
- * @param {{afterwards?: any[], all?: boolean, plan?: any, balls?: Map<string, [number, number]>}} [more]
- *   `afterwards`: the cue ball's path after that of the shot; `balls`: places by name, for the plan
+ * @param {{afterwards?: {cue: any[], others: any[][]}, all?: boolean, plan?: any, balls?: Map<string, [number, number]>}} [more]
+ *   `afterwards`: paths after those of the shot; `balls`: places by name, for the plan
  */
-export function paint(layer, table, others, shot, { afterwards = [], all = false, plan, balls = new Map() } = {}) {
+export function paint(layer, table, others, shot, { afterwards = rest, all = false, plan, balls = new Map() } = {}) {
   layer.replaceChildren();
   beside(layer, others.filter((other) => other !== shot && other.path).slice(0, all ? undefined : most));
   if (!shot?.path) return;
-  if (shot.leave?.spread) ellipses(layer, shot.leave.spread);
+  ellipses(layer, shot.leave?.spread);
   planned(layer, table, balls, plan);
   sighted(layer, table, shot);
-  line(layer, [...shot.path, ...afterwards], 'best', 0.011);
+  for (const path of afterwards.others) line(layer, path, 'after', 0.005);
+  line(layer, [...shot.path, ...afterwards.cue], 'best', 0.011);
   for (const path of Object.values(shot.paths ?? {})) line(layer, path, 'sent', 0.008);
   touch(layer, table, shot.contact);
   const at = end(table, shot);

@@ -43,7 +43,7 @@ function stand(layer, table, scene) {
 /**
  * Returns one of the two pictures.
  * @param {import('./table.js').Table} table @param {state.Scene} scene
- * @param {any} own its answer @param {any[]} afterwards rest of the cue ball's path
+ * @param {any} own its answer @param {any} afterwards how the balls move on
  * @param {{physics: string, shot: any, followed: any}} other the other physics, whose aim is tried here
  */
 function side(table, scene, own, afterwards, other) {

@@ -158,7 +158,7 @@ export class View {
     if (document.body.dataset.asked === document.body.dataset.answered) this.lookOn(shot);
   }
 
-  /** Draws a shot before others: the best of each pattern. @param {any} shot @param {any[]} [afterwards] */
+  /** Draws a shot before others: the best of each pattern. @param {any} shot @param {any} [afterwards] */
   paint(shot, afterwards) {
     const { scene, table, layers } = this.page;
     const others = $('paths').checked ? this.shots : [...groups(this.shots).values()].map(([i]) => this.shots[i]);
