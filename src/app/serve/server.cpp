@@ -60,7 +60,8 @@ std::string policy(bool framed) {
 std::string words_of(int status) {
   switch (status) {
     case 404:
-      return "there is nothing here; POST to /api/solve, /api/simulate, /api/map, /api/launches or /api/generate, GET /api/tables or "
+      return "there is nothing here; POST to /api/solve, /api/simulate, /api/map, /api/launches or /api/generate, GET "
+             "/api/tables or "
              "/api/schema";
     case 408:
       return "the request took too long to arrive";

@@ -14,10 +14,10 @@ namespace bankshot::app::serve {
 struct ServerOptions {
   std::string host = "127.0.0.1";
   std::vector<std::string> names{};  ///< by which other machines call the server
-  int port = 8080;         ///< 0: any that is free
-  double time_limit = 10;  ///< s, for one request
-  int at_once = 0;         ///< requests worked on at the same time; 0: one for each core
-  int waiting = 64;        ///< requests that may wait for their turn; more are told to come back
+  int port = 8080;                   ///< 0: any that is free
+  double time_limit = 10;            ///< s, for one request
+  int at_once = 0;                   ///< requests worked on at the same time; 0: one for each core
+  int waiting = 64;                  ///< requests that may wait for their turn; more are told to come back
   std::size_t connections = 96;
   Patience patience{};  ///< time limits of each connection
 };
