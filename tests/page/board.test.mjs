@@ -130,6 +130,31 @@ describe('the board', () => {
     await page.close();
   });
 
+  test('a cue ball in hand is put where the shot is best', async () => {
+    const { page, complaints } = await open(browser, `${server.url}#target=play&skill=0.4&${balls}`);
+    const chance = async () => Number(/position\D*(\d+)/.exec(await text(page, 'words'))[1]);
+    const before = await chance();
+    await page.click('#inhand');
+    await page.waitForFunction(() => /best\.$/.test(document.getElementById('other').textContent), null, {
+      timeout: 20000,
+    });
+    await answered(page);
+    assert.notEqual((await scene(page)).ball, '0.6,0.5');
+    assert.ok((await chance()) >= before, `${await chance()} and ${before}`);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+  test('the list has one line per ball and pocket, and its other ways below', async () => {
+    const { page } = await open(browser, `${server.url}#target=another ball&${balls}`);
+    const lines = await page.locator('#shots > li > button').allTextContents();
+    const ends = lines.map((line) => /\d+ into [a-z-]+/.exec(line)[0]);
+    assert.equal(new Set(ends).size, ends.length, `${ends}`);
+    await page.locator('#shots summary').first().click();
+    await page.locator('#shots details button').first().waitFor();
+    await page.close();
+  });
+
   test('a beginner is told another chance than a professional', async () => {
     const { page } = await open(browser, `${server.url}#target=play&skill=1&${balls}`);
     const chance = async () => Number(/success\D*(\d+)/.exec(await text(page, 'words'))[1]);

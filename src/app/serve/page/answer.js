@@ -143,15 +143,19 @@ export function tell(list, rows) {
   list.replaceChildren(...items);
 }
 
-/** Returns the numbers of the shots of each pattern, best first. @param {any[]} shots @returns {Map<string, number[]>} */
+/** Names what a shot is for: a ball and its pocket, or else its route. @param {any} shot */
+const purpose = (shot) =>
+  shot.then?.pocket && !shot.safety ? `${shot.then.ball} into ${shot.then.pocket}` : pattern(shot);
+
+/** Returns the numbers of the shots for each purpose, best first. @param {any[]} shots @returns {Map<string, number[]>} */
 export function groups(shots) {
   const found = new Map();
-  shots.forEach((shot, i) => found.set(pattern(shot), [...(found.get(pattern(shot)) ?? []), i]));
+  shots.forEach((shot, i) => found.set(purpose(shot), [...(found.get(purpose(shot)) ?? []), i]));
   return found;
 }
 
 /**
- * Fills the list of shots: the best of each pattern, its other ways folded below it.
+ * Fills the list of shots: the best for each purpose, its other ways folded below it.
  * @param {HTMLElement} list
  * @param {any[]} shots
  * @param {number} chosen
@@ -159,16 +163,16 @@ export function groups(shots) {
  */
 export function fill(list, shots, chosen, on) {
   const items = [];
-  for (const [name, [best, ...more]] of groups(shots)) {
+  for (const [best, ...more] of groups(shots).values()) {
     const item = document.createElement('li');
-    item.append(entry(shots[best], best, best === chosen, on, name));
+    item.append(entry(shots[best], best, best === chosen, on));
     if (more.length) item.append(folded(shots, more, chosen, on));
     items.push(item);
   }
   list.replaceChildren(...items);
 }
 
-/** Returns the other ways of a pattern, which are listed once they are unfolded. @param {number[]} more */
+/** Returns the other ways to the same end, which are listed once they are unfolded. @param {number[]} more */
 function folded(shots, more, chosen, on) {
   const fold = document.createElement('details');
   const [summary, inner] = ['summary', 'ol'].map((tag) => document.createElement(tag));
@@ -177,7 +181,7 @@ function folded(shots, more, chosen, on) {
     if (!fold.open || inner.childElementCount) return;
     for (const i of more) {
       const line = document.createElement('li');
-      line.append(entry(shots[i], i, i === chosen, on));
+      line.append(entry(shots[i], i, i === chosen, on, true));
       inner.append(line);
     }
   };
@@ -194,11 +198,11 @@ export function mark(list, chosen) {
     button.setAttribute('aria-current', String(Number(button.dataset.shot) === chosen));
 }
 
-/** Returns a line of the list; `name` is that of its pattern, without it the line says how it differs. */
-function entry(shot, i, current, on, name = '') {
+/** Returns a line of the list; one of the other ways says how it is played, too. */
+function entry(shot, i, current, on, other = false) {
   const [button, chance, text] = ['button', 'strong', 'span'].map((tag) => document.createElement(tag));
   chance.textContent = percent(shot.success);
-  text.textContent = name || `${shot.angle.toFixed(2)}°, ${shot.speed.toFixed(2)} m/s`;
+  text.textContent = pattern(shot) + (other ? `: ${shot.angle.toFixed(1)}°, ${shot.speed.toFixed(2)} m/s` : '');
   text.classList.toggle('bad', Boolean(shot.scratch));
   button.setAttribute('type', 'button');
   button.dataset.shot = String(i);

@@ -213,6 +213,18 @@ function addBall(at) {
   if (place) change(() => state.addBall(scene, freeName(table, state.namesOf(scene)), place));
 }
 
+/** Puts the cue ball, which is in hand, where the shot is best. */
+async function placeInHand() {
+  $('other').textContent = 'Looking for the best place …';
+  const asked = state.puzzle(scene);
+  const answer = await ask('solve', { ...asked, ball: { ...asked.ball, at: 'anywhere' } }, 'place');
+  if (!answer) return;
+  if (answer.ball) change(() => (scene.ball = inside(table, answer.ball.at)));
+  $('other').textContent = answer.ball
+    ? 'The cue ball stands where the shot is best.'
+    : `No place was found: ${answer.error?.reason ?? answer.message}.`;
+}
+
 /** Keys of the scene whose change requires a new drawing. */
 const shapes = ['table', 'target', 'game', 'group', 'object', 'into', 'physics', 'choose'];
 
@@ -256,6 +268,7 @@ function listen() {
   controls.bind(form, () => scene, ended, changed);
   pressed('add', () => addBall());
   pressed('remove', () => change(() => state.removeBall(scene, scene.others.length - 1)));
+  pressed('inhand', placeInHand);
   pressed('unordered', () => change(() => (scene.order = [])));
   pressed('undo', () => turn('undo'));
   pressed('redo', () => turn('redo'));
