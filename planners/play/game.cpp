@@ -119,8 +119,15 @@ Plan plan_of(const Puzzle& puzzle, const Shot& first, const SolveOptions& option
     if (answer.shots.empty()) break;
     plan.next.push_back({asked, answer.shots.front()});
     shot = &plan.next.back().shot;
-    if (is_last_ball(*now)) break;
-    plan.clears.push_back(plan.clears.back() * std::min(1.0, shot->leave->success / estimate));
+    // What was estimated for this ball gives way to what its planned shot makes.
+    const bool last = is_last_ball(*now);
+    const double made = last ? shot->robustness.success.value_or(estimate) : shot->leave->success;
+    const double cleared = plan.clears.back() * std::min(1.0, made / estimate);
+    if (last) {
+      plan.clears.back() = cleared;
+      break;
+    }
+    plan.clears.push_back(cleared);
   }
   plan.whole = plan.clears.size() >= left;
   return plan;
