@@ -178,7 +178,7 @@ inline constexpr Key plan_keys[] = {
      between(0, 1)},
     {"table", "boolean", "", required, "false", "the last of `clears` clears the table"},
     {"why", "string", "", "nothing to say",
-     R"("the likeliest pot (97 %) would make it and leave the next ball in 41 % of plays, this one in 88 %")",
+     R"("the likeliest pot goes in 97 % of plays and the next ball too in 41 %; with this shot both go in 88 %")",
      "why this shot and not the likeliest pot"},
 };
 inline constexpr Object plan{"plan", "What is planned after the best shot of a game.", plan_keys};

@@ -1,21 +1,21 @@
 // An answer in a coach's words: the list of shots, and the shot in view.
 import { called } from './balls.js';
-import { distance, pace } from './units.js';
+import { distance, pace, side, tips } from './units.js';
 
-const by = (cushions) => (cushions.length ? ' by ' + cushions.join(', ') : '');
+const by = (cushions) => (cushions.length ? ' by ' + cushions.map(side).join(', ') : '');
 
 /** Names the route of the cue ball, or of the object ball that it pots. @param {any} shot */
 export function pattern(shot) {
   const sent = shot.then;
   if (shot.safety) return `safety off ${called(shot.hits[0].ball)}${by(shot.cushions)}`;
-  const way = sent?.pocket ? `${sent.ball} into ${sent.pocket}${by(sent.cushions)}` : route(shot);
+  const way = sent?.pocket ? `${sent.ball} into ${side(sent.pocket)}${by(sent.cushions)}` : route(shot);
   return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', SCRATCH' : '');
 }
 
 /** Names the ball that is hit and the cushions before it. */
 function route({ cushions, hits, then }) {
-  const ball = then?.then ? `${then.ball}, then ${then.then.ball} into ${then.then.pocket}` : hits?.[0]?.ball;
-  return (ball ? `${ball}, ` : '') + (cushions.join(', ') || (ball ? 'direct' : 'straight'));
+  const ball = then?.then ? `${then.ball}, then ${then.then.ball} into ${side(then.then.pocket)}` : hits?.[0]?.ball;
+  return (ball ? `${ball}, ` : '') + (cushions.map(side).join(', ') || (ball ? 'direct' : 'straight'));
 }
 
 /** Finds the shot most like another one. @param {any[]} shots @param {any} shot */
@@ -35,8 +35,9 @@ export function heading(shot, target, status = '') {
 
 /** Names the shot of an object ball that falls. */
 function sending({ ball, cushions, pocket, then }) {
-  if (then) return `Play ${called(ball)} onto ${called(then.ball)}, into ${then.pocket}`;
-  return cushions.length ? `Bank ${called(ball)}${by(cushions)} into ${pocket}` : `Pot ${called(ball)} into ${pocket}`;
+  if (then) return `Play ${called(ball)} onto ${called(then.ball)}, into ${side(then.pocket)}`;
+  const into = `into ${side(pocket)}`;
+  return cushions.length ? `Bank ${called(ball)}${by(cushions)} ${into}` : `Pot ${called(ball)} ${into}`;
 }
 
 function plain(shot, target) {
@@ -45,7 +46,7 @@ function plain(shot, target) {
   if (shot.then && (shot.then.pocket || shot.then.then)) return sending(shot.then);
   if (first)
     return shot.cushions.length ? `Kick at ${called(first)}${by(shot.cushions)}` : `Hit ${called(first)} direct`;
-  const into = shot.pocket ?? (target === 'point' ? 'the point' : target);
+  const into = target === 'point' && !shot.pocket ? 'the point' : side(shot.pocket ?? target);
   return `Into ${into}${shot.cushions.length ? by(shot.cushions) : ', straight'}`.replace('Into the', 'To the');
 }
 
@@ -65,13 +66,13 @@ function fullness(fullness) {
 
 /** Says where the cue ball stops. @param {any} shot @param {any} table */
 function rests({ cue_rests, leave }, table) {
-  if (typeof cue_rests === 'string') return `falls into ${cue_rests}: a scratch`;
+  if (typeof cue_rests === 'string') return `falls into ${side(cue_rests)}: a scratch`;
   if (!cue_rests) return '';
   const [x, y] = cue_rests;
   const across = x < table.length / 2 ? [x, 'left'] : [table.length - x, 'right'];
   const up = y < table.width / 2 ? [y, 'bottom'] : [table.width - y, 'top'];
-  const off = leave?.cushions.length ? `, off ${leave.cushions.join(', ')}` : '';
-  return `stops ${distance(across[0])} from the ${across[1]} rail, ${distance(up[0])} from the ${up[1]}${off}`;
+  const off = leave?.cushions.length ? `, off ${leave.cushions.map(side).join(', ')}` : '';
+  return `stops ${distance(across[0])} from the ${side(across[1])} rail, ${distance(up[0])} from the ${side(up[1])}${off}`;
 }
 
 /**
@@ -84,7 +85,7 @@ function onward(shot, plan) {
   const rows = [];
   const next = plan?.next.length ? plan.next : shot.leave?.next ? [shot.leave.next] : [];
   next.forEach(({ ball, pocket, success }, i) =>
-    rows.push([i ? 'then' : 'next', `${called(ball)} into ${pocket}, ${percent(success)}`]),
+    rows.push([i ? 'then' : 'next', `${called(ball)} into ${side(pocket)}, ${percent(success)}`]),
   );
   if (plan && plan.clears.length > 1) {
     const what = plan.table ? 'the table' : `${plan.clears.length} balls`;
@@ -103,13 +104,13 @@ function position({ leave, safety }) {
 
 /**
  * @param {any} shot
- * @param {{aim: string, table: any, length: (metres: number) => string, plan?: any}} with
+ * @param {{aim: string, table: any, plan?: any}} with
  * @returns {[string, string][]}
  */
-export function words(shot, { aim, table, length, plan }) {
-  const off = (v, more, less) => (v ? `${length(Math.abs(v))} ${v > 0 ? more : less}` : '');
+export function words(shot, { aim, table, plan }) {
+  const off = (v, more, less) => (v ? `${tips(Math.abs(v))} ${v > 0 ? more : less}` : '');
   const tip =
-    shot.tip && [off(shot.tip.up, 'above', 'below'), off(shot.tip.right, 'right', 'left')].filter(Boolean).join(', ');
+    shot.tip && [off(shot.tip.up, 'high', 'low'), off(shot.tip.right, 'right', 'left')].filter(Boolean).join(', ');
   /** @type {[string, string][]} */
   const rows = [
     ['aim', `${aim} (${shot.angle.toFixed(2)}°)`],
@@ -118,6 +119,7 @@ export function words(shot, { aim, table, length, plan }) {
   ];
   if (shot.contact) rows.push(['hit', fullness(shot.contact.fullness)]);
   else rows.push(['arrives', `after ${shot.arrival.time.toFixed(2)} s at ${shot.arrival.speed.toFixed(2)} m/s`]);
+  if (shot.rattles) rows.push(['but', 'off the jaws of a pocket']);
   const leaves = rests(shot, table);
   if (leaves && shot.hits?.length) rows.push(['cue ball', leaves]);
   if (shot.success !== undefined) rows.push(['success', percent(shot.success)]);
@@ -126,7 +128,7 @@ export function words(shot, { aim, table, length, plan }) {
     const [less, more] = shot.margin.angle.map((v) => Math.abs(v).toFixed(2));
     rows.push(['margin', `${less}° to the right, ${more}° to the left`]);
   }
-  const into = typeof shot.cue_rests === 'string' ? ` into ${shot.cue_rests}` : '';
+  const into = typeof shot.cue_rests === 'string' ? ` into ${side(shot.cue_rests)}` : '';
   if (shot.scratch) rows.push(['SCRATCH', `the cue ball falls${into}, too`]);
   return [...rows, ...onward(shot, plan)];
 }
@@ -201,7 +203,7 @@ export function mark(list, chosen) {
 /** Returns a line of the list; one of the other ways says how it is played, too. */
 function entry(shot, i, current, on, other = false) {
   const [button, chance, text] = ['button', 'strong', 'span'].map((tag) => document.createElement(tag));
-  chance.textContent = percent(shot.success);
+  chance.textContent = percent(shot.leave?.success ?? shot.success); // what the list is ordered by
   text.textContent = pattern(shot) + (other ? `: ${shot.angle.toFixed(1)}°, ${shot.speed.toFixed(2)} m/s` : '');
   text.classList.toggle('bad', Boolean(shot.scratch));
   button.setAttribute('type', 'button');

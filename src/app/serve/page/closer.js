@@ -32,7 +32,10 @@ export class Closer {
 
   listen() {
     $('starts').addEventListener('click', () => this.starts());
-    $('mirror').addEventListener('change', () => this.mirror());
+    $('mirror').addEventListener('change', () => {
+      $('other').textContent = '';
+      this.mirror();
+    });
     $('compare').addEventListener('change', () => this.sides());
     $('why').addEventListener('toggle', () => this.heat());
     $('heat').addEventListener('click', (event) => {
@@ -104,7 +107,6 @@ export class Closer {
     const say = (words) => ($('other').textContent = words);
     layer.replaceChildren();
     if (!shot) return;
-    if (!this.aimed) say('');
     if (!$('mirror').checked) return;
     if (shot.then) return say('No mirror: this shot moves an object ball.');
     if (!shot.cushions.length) return say('Straight: a mirror changes nothing.');

@@ -1,10 +1,13 @@
 // Places of balls on a table: kept inside, kept apart, and carried over to another table.
+import { set } from './balls.js';
 
 /** @typedef {[number, number]} Point in metres */
 /** @typedef {import('./table.js').Table} Table */
 
 /** Returns the snap distances: half a diamond each way. @param {Table} table @returns {Point} */
 export const snaps = (table) => [table.length / 16, table.width / 8];
+
+const places = 1e5; // per metre, to which coordinates are rounded
 
 /**
  * Moves a point inside the table, at least a ball's radius from each cushion.
@@ -14,9 +17,21 @@ export const snaps = (table) => [table.length / 16, table.width / 8];
 export function inside(table, [x, y], snap = false) {
   const r = table.radius;
   const to = (v, step) => (snap ? Math.round(v / step) * step : v);
-  const clamp = (v, most) => Math.round(Math.min(Math.max(v, r), most - r) * 1e4) / 1e4;
+  const clamp = (v, most) =>
+    Math.min(Math.max(Math.round(v * places), Math.ceil(r * places)), Math.floor((most - r) * places)) / places;
   const [dx, dy] = snaps(table);
   return [clamp(to(x, dx), table.length), clamp(to(y, dy), table.width)];
+}
+
+/**
+ * Returns a point as it is, or moved inside if it is outside: balls that touch stay where they are.
+ * @param {Table} table
+ * @param {Point} at
+ */
+export function within(table, [x, y]) {
+  const r = table.radius;
+  const fits = x >= r && x <= table.length - r && y >= r && y <= table.width - r;
+  return fits ? /** @type {Point} */ ([x, y]) : inside(table, [x, y]);
 }
 
 /**
@@ -44,7 +59,7 @@ const turns = 300;
  * @returns {boolean} whether they overlapped
  */
 function part(table, all, i, j, held) {
-  const [touch, gap] = [2 * table.radius + 1e-6, 2 * table.radius + 3e-4]; // a place is rounded to 1e-4 m
+  const [touch, gap] = [2 * table.radius + 1e-6, 2 * table.radius + 1e-4]; // a place is rounded to 1e-5 m
   const [dx, dy] = [all[j][0] - all[i][0], all[j][1] - all[i][1]];
   const d = Math.hypot(dx, dy);
   if (d >= touch) return false;
@@ -75,10 +90,14 @@ export function apart(table, balls, held = -1) {
   return null;
 }
 
-/** @typedef {{table: string, ball: Point, others: Point[], point: Point, zone: number[]}} Places */
+/** @typedef {{table: string, ball: Point, others: Point[], names: string[], point: Point, zone: number[]}} Places */
 
 /** Returns the places of a scene. @param {any} scene @returns {Places} */
-const places = ({ table, ball, others, point, zone }) => structuredClone({ table, ball, others, point, zone });
+const placesOf = ({ table, ball, others, names, point, zone }) =>
+  structuredClone({ table, ball, others, names, point, zone });
+
+/** Returns names of a table's own set, and numbers where it has too few. @param {Table} table */
+const named = (table, count) => Array.from({ length: count }, (_, i) => set(table)[i] ?? String(i + 1));
 
 /** The places as they were laid by hand, and as the last change of the table left them. */
 let laid = null;
@@ -91,16 +110,17 @@ let carried = '';
  * @param {Table} to
  */
 export function carry(scene, from, to) {
-  if (JSON.stringify(places({ ...scene, table: from.name })) !== carried)
-    laid = { ...places(scene), table: from.name, from };
+  if (JSON.stringify(placesOf({ ...scene, table: from.name })) !== carried)
+    laid = { ...placesOf(scene), table: from.name, from };
   const [sx, sy] = [to.length / laid.from.length, to.width / laid.from.width];
   const put = (/** @type {Point} */ [x, y]) =>
     /** @type {Point} */ (to.name === laid.table ? [x, y] : inside(to, [x * sx, y * sy]));
   scene.table = to.name;
   scene.point = put(laid.point);
+  scene.names = to.name === laid.table || set(to) === set(laid.from) ? laid.names : named(to, laid.others.length);
   if (laid.zone.length) scene.zone = [...put(laid.zone), laid.zone[2]];
   /** @type {Point[]} */
   const balls = [laid.ball, ...laid.others].map(put);
   [scene.ball, ...scene.others] = to.name === laid.table ? balls : (apart(to, balls) ?? balls);
-  carried = JSON.stringify(places(scene));
+  carried = JSON.stringify(placesOf(scene));
 }

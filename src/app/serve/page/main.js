@@ -9,7 +9,8 @@ import { ask, forget, onLost } from './engine.js';
 import { hang } from './gallery.js';
 import { sharing } from './keep.js';
 import { apart, carry, free, inside } from './layout.js';
-import { menus, showHistory, showSkill, targets } from './menus.js';
+import { mend } from './mend.js';
+import { menus, showHistory, showSkill } from './menus.js';
 import { Practice } from './practice.js';
 import { searcher } from './search.js';
 import * as skill from './skill.js';
@@ -38,6 +39,12 @@ const parts = { scene: () => scene, table: () => table, layers: () => layers, bo
 const closer = new Closer({ ...parts, shots: () => view.shots, shot: () => view.shot() });
 const view = new View({ ...parts, closer: () => closer, shown: showTip });
 const search = searcher(parts.scene, {
+  none() {
+    document.body.dataset.answered = document.body.dataset.asked;
+    view.empty();
+    $('title').textContent = 'Put a ball on the table';
+    write();
+  },
   best: (answer) => view.best(answer),
   all: (answer) => {
     document.body.dataset.answered = document.body.dataset.asked;
@@ -84,7 +91,8 @@ const hands = {
   },
   says: (name, at) => ($('place').textContent = `${name}: ${units.place(at, table)}`),
   removed: (i) => change(() => (i < 0 ? (scene.zone = []) : state.removeBall(scene, i))),
-  clicked: (i) => change(() => Object.assign(scene, { target: state.hit, object: state.nameOf(scene, i), order: [] })),
+  clicked: (i) =>
+    change(() => Object.assign(scene, { target: state.hit, object: state.nameOf(scene, i), order: [], least: 0 })),
   pocket(name) {
     const planned = view.shot()?.then?.ball;
     const object = [state.pot, state.hit].includes(scene.target) ? scene.object : planned;
@@ -104,35 +112,19 @@ const hands = {
 
 const guessing = () => document.body.hasAttribute('data-guess') && closer.guess !== null;
 
-/** Mends what does not fit the table or the balls, such as in an address that was typed. */
-function mend() {
-  table = tables.find(({ name }) => name === scene.table) ?? tables[0];
-  scene.table = table.name;
-  const known = targets(scene, table).map(([target]) => target);
-  if (!known.includes(scene.target)) scene.target = known.find((t) => t === state.first.target) ?? known[0];
-  const names = state.namesOf(scene);
-  if (new Set(names).size < names.length || names.includes('cue')) scene.names = [];
-  const moves = [state.pot, state.hit].includes(scene.target);
-  if (!moves || !names.includes(scene.object)) scene.object = moves ? state.nameOf(scene, 0) : '';
-  if (!table.pockets.some(({ name }) => name === scene.into)) scene.into = 'any';
-  scene.order = scene.order.filter((cushion) => table.cushions.includes(cushion));
-  scene.ball = inside(table, scene.ball);
-  scene.others = scene.others.map((at) => inside(table, at));
-  scene.point = inside(table, scene.point);
-}
-
 /** Draws everything anew, after a change that is not a movement. */
 function rebuild() {
   const { grip, cushion } = svg.querySelector(':focus')?.dataset ?? {};
-  mend();
+  table = tables.find(({ name }) => name === scene.table) ?? tables[0];
+  mend(scene, table);
   stood = null;
   const ordered = !state.sends(scene); // else the planner chooses the cushions
+  units.turn(upended.matches);
   layers = draw(svg, table, (cushion) => ordered && change(() => scene.order.push(cushion)), upended.matches);
   layers.compare = shape('g', {}, layers.paths);
   layers.answer = shape('g', {}, layers.paths);
   layers.own = shape('g', {}, layers.paths);
   view.empty();
-  $('shots').replaceChildren();
   board = new Board(svg, layers.grips, table, hands);
   svg.querySelector(grip ? `[data-grip="${grip}"]` : `[data-cushion="${cushion}"]`)?.focus(); // as before
   show();
@@ -164,6 +156,7 @@ function change(f) {
 function solve() {
   closer.clear();
   view.halt();
+  practice.check();
   search();
 }
 
@@ -203,6 +196,7 @@ zoning(svg, $('zone'), {
     const object = view.shot()?.then?.ball ?? scene.object;
     const target = scene.target === state.play && object ? { target: state.pot, object } : {};
     change(() => Object.assign(scene, { zone, ...target }));
+    $('other').textContent = `Now asked: pot ball ${scene.object} and leave the cue ball in the circle.`;
   },
   removed: () => change(() => (scene.zone = [])),
 });
@@ -267,6 +261,11 @@ function listen() {
   };
   controls.bind(form, () => scene, ended, changed);
   pressed('add', () => addBall());
+  pressed('clear', () => change(() => Object.assign(scene, { others: [], names: [], zone: [] })));
+  pressed('onward', async () => {
+    const next = await view.after();
+    if (next) begin(next);
+  });
   pressed('remove', () => change(() => state.removeBall(scene, scene.others.length - 1)));
   pressed('inhand', placeInHand);
   pressed('unordered', () => change(() => (scene.order = [])));

@@ -3,15 +3,17 @@ import * as controls from './controls.js';
 import { $ } from './controls.js';
 import * as skill from './skill.js';
 import * as state from './state.js';
+import { side } from './units.js';
+
+/** Returns the pockets, each with its name as it is seen. @returns {[string, string][]} */
+const pockets = (table) => table.pockets.map(({ name }) => [name, side(name)]);
 
 /**
  * Returns the targets to choose from, with their names.
- * @param {state.Scene} scene
  * @param {import('./table.js').Table} table
  * @returns {[string, string][]}
  */
-export function targets(scene, table) {
-  const balls = scene.others.length > 0;
+export function targets(table) {
   /** @type {[string, string][]} */
   const moves = [
     [state.play, 'what should I play?'],
@@ -19,10 +21,9 @@ export function targets(scene, table) {
     [state.pot, 'pot this ball'],
     [state.hit, 'hit this ball'],
   ];
-  /** @type {[string, string][]} */
-  const places = table.pockets.map(({ name }) => [name, name]);
-  if (!places.length) return [['point', 'point'], ...(balls ? [moves[3]] : [])];
-  return [...places, ['any', 'any'], ['point', 'point'], ...(balls ? moves : [])];
+  const places = pockets(table);
+  if (!places.length) return [['point', 'point'], moves[3]];
+  return [...places, ['any', 'any'], ['point', 'point'], ...moves];
 }
 
 /**
@@ -38,9 +39,9 @@ export function menus(form, scene, table, tables) {
     tables.map(({ name }) => controls.same(name)),
     scene.table,
   );
-  controls.options($('targets'), targets(scene, table), scene.target);
+  controls.options($('targets'), targets(table), scene.target);
   controls.options($('objects'), state.namesOf(scene).map(controls.same), scene.object);
-  controls.options($('pockets'), ['any', ...table.pockets.map(({ name }) => name)].map(controls.same), scene.into);
+  controls.options($('pockets'), [controls.same('any'), ...pockets(table)], scene.into);
   const elements = /** @type {any} */ (form.elements);
   controls.show(form, scene);
   showSkill(scene);
@@ -55,9 +56,9 @@ export function menus(form, scene, table, tables) {
   $('tip').toggleAttribute('aria-disabled', scene.physics !== 'spin' || state.chooses(scene));
   const sent = state.sends(scene);
   const any = sent ? 'cushions of the object ball' : 'any order; click cushions to set one';
-  $('order').firstElementChild.textContent = (!sent && scene.order.join(', then ')) || any;
+  $('order').firstElementChild.textContent = (!sent && scene.order.map(side).join(', then ')) || any;
   $('unordered').hidden = sent || scene.order.length === 0;
-  elements.least.disabled = sent || is(state.hit) || scene.order.length > 0;
+  elements.least.disabled = sent || scene.order.length > 0;
   elements.most.disabled = is(state.play) || (!sent && scene.order.length > 0);
   $('remove').disabled = scene.others.length === 0;
   $('zone').textContent = scene.zone.length ? 'Leave it anywhere' : 'Leave the cue ball …';

@@ -7,7 +7,7 @@ const isText = (v) => typeof v === 'string';
 
 /** Returns what a puzzle says of an object ball's way into a pocket. */
 const into = (target) => target.then ?? (target.pocket ? { pocket: target.pocket } : null);
-const rails = (then) => ({ most: then.cushions?.max ?? then.cushions ?? 0 });
+const rails = (/** @type {any} */ { cushions = 0 }) => ({ most: cushions.length ?? cushions.max ?? cushions });
 
 /** Each of the page's targets: whether a puzzle's is one, and what it says of the scene. @type {[Function, Function][]} */
 const targets = [
@@ -46,10 +46,17 @@ const keys = [
 /** Keys of a puzzle that the page shows or may leave out without another answer. */
 const shown = ['id', 'about', 'table', 'unit', 'physics', 'ball', 'others', 'target', 'cushions', 'speed', 'settle'];
 
+/** Returns the zone of a leave; undefined if the page has none like it. */
+const zoneOf = ({ leave }, unit) =>
+  isPoint(leave?.point) ? [...leave.point.map((v) => v * unit), leave.within ?? 0.1] : undefined;
+
 /** Returns what of a puzzle the page does not show. */
 function missing(puzzle) {
-  const left = Object.keys(puzzle).filter((key) => ![...shown, 'prefer', 'noise'].includes(key));
+  const left = Object.keys(puzzle).filter((key) => ![...shown, 'prefer', 'noise', 'leave'].includes(key));
+  if (puzzle.leave && !zoneOf(puzzle, 1)) left.push('leave');
   if (puzzle.prefer && !isText(puzzle.prefer)) left.push('prefer');
+  if (Array.isArray(puzzle.target?.then?.cushions)) left.push('the order of the object ball’s cushions');
+  if (puzzle.ball.spin?.masse) left.push('masse');
   if (Object.keys(puzzle.noise ?? {}).some((key) => !['angle', 'speed'].includes(key))) left.push('noise');
   return left;
 }
@@ -60,7 +67,7 @@ function parsed(text) {
     const puzzle = JSON.parse(text);
     return { puzzle: puzzle?.puzzle ?? puzzle ?? {} };
   } catch (error) {
-    return { error: `this is no JSON: ${/** @type {Error} */ (error).message}` };
+    return { error: `it is no JSON (${/** @type {Error} */ (error).message})` };
   }
 }
 
@@ -73,6 +80,7 @@ function places(puzzle, table) {
     ball: metres(puzzle.ball.at),
     others: others.map(({ at }) => metres(at)),
     names: others.map(({ id }) => String(id)),
+    zone: zoneOf(puzzle, unit) ?? [],
     ...(isPoint(puzzle.target?.point) ? { point: metres(puzzle.target.point) } : {}),
   };
 }
@@ -88,8 +96,8 @@ export function read(text, tables) {
   if (error) return { error };
   if (isText(puzzle.about?.page)) return { scene: state.read(puzzle.about.page) };
   const table = tables.find(({ name }) => name === puzzle.table);
-  if (!table) return { error: 'the page shows the tables of its list only, and this names none of them' };
-  if (!isPoint(puzzle.ball?.at)) return { error: 'the cue ball has no place: "ball": {"at": [x, y]}' };
+  if (!table) return { error: 'it is no puzzle on one of the page’s tables' };
+  if (!isPoint(puzzle.ball?.at)) return { error: 'the cue ball has no place in it' };
   const target = targets.find(([is]) => is(puzzle.target));
   if (!target) return { error: 'the page has no target like this one' };
   const { top, side } = puzzle.ball.spin ?? {};

@@ -36,9 +36,10 @@ function ellipses(layer, spread) {
   if (!spread) return;
   const { sigma, angle } = spread;
   const [cx, cy] = spread.at;
+  const inside = shape('g', { 'clip-path': 'url(#cloth)' }, layer); // no ball stops on a rail
   for (const k of shares) {
     const [rx, ry] = sigma.map((v) => k * v);
-    shape('ellipse', { class: 'spread', cx, cy, rx, ry, transform: `rotate(${angle} ${cx} ${cy})` }, layer);
+    shape('ellipse', { class: 'spread', cx, cy, rx, ry, transform: `rotate(${angle} ${cx} ${cy})` }, inside);
   }
 }
 

@@ -114,13 +114,17 @@ export function play(balls, pace, sounds, sound) {
   let before = 0;
   return new Promise((done) => {
     const frame = (now) => {
+      if (mine !== running) {
+        for (const ball of all) ball.end();
+        return done(false); // its balls may be gone
+      }
       const t = Math.min(((now - begin) / 1000) * pace, end);
       for (const ball of all) ball.draw(t, t - before);
       while (left.length && left[0] <= t) sound(left.shift());
       before = t;
-      if (mine === running && t < end) return requestAnimationFrame(frame);
+      if (t < end) return requestAnimationFrame(frame);
       for (const ball of all) ball.end();
-      done(mine === running);
+      done(true);
     };
     requestAnimationFrame(frame);
   });

@@ -4,6 +4,7 @@ import { $ } from './controls.js';
 import { ask } from './engine.js';
 import { read } from './open.js';
 import * as state from './state.js';
+import { side } from './units.js';
 
 /** What each kind of drill asks of the generator. @type {Record<string, string>} */
 const kinds = {
@@ -27,17 +28,20 @@ function record() {
   }
 }
 
+/** @param {state.Scene} scene */
+function cushions({ least, most }) {
+  return least === most ? (most === 1 ? 'one cushion' : `${most} cushions`) : `${least} to ${most} cushions`;
+}
+
 /** Says what a puzzle asks. @param {state.Scene} scene */
 function task(scene) {
   const by = scene.order.length ? ` by ${scene.order.join(', ')}` : '';
   if (scene.target === state.pot) {
     const banks = scene.most ? `Bank ${called(scene.object)}` : `Pot ${called(scene.object)}`;
-    return `${banks} into ${scene.into === 'any' ? 'any pocket' : scene.into}.`;
+    return `${banks} into ${scene.into === 'any' ? 'any pocket' : side(scene.into)}.`;
   }
-  if (scene.target === state.hit)
-    return `Hit ${called(scene.object)} by ${scene.least || 1} to ${scene.most} cushions.`;
-  const count = scene.least === scene.most ? scene.most : `${scene.least} to ${scene.most}`;
-  return `The cue ball into ${scene.target}${by || ` by ${count} cushions`}.`;
+  if (scene.target === state.hit) return `Hit ${called(scene.object)} by ${cushions(scene)}.`;
+  return `The cue ball into ${side(scene.target)}${by || ` by ${cushions(scene)}`}.`;
 }
 
 /** Says whether a launch made what the scene asks. @param {state.Scene} scene @param {any} followed */
@@ -48,7 +52,9 @@ export function made(scene, { events }) {
     return !cue && falls.some(({ ball, pocket }) => ball === scene.object && ['any', pocket].includes(scene.into));
   const first = events.find(({ type }) => type === 'ball');
   const names = first ? [first.ball, first.other?.ball ?? first.other] : [];
-  if (scene.target === state.hit) return !cue && names.includes(scene.object);
+  const before = events.slice(0, events.indexOf(first));
+  const rails = before.filter(({ type, ball }) => type === 'cushion' && ball === 'cue').length;
+  if (scene.target === state.hit) return !cue && names.includes(scene.object) && rails >= scene.least;
   return cue?.pocket === scene.target;
 }
 
@@ -60,13 +66,21 @@ export class Practice {
   constructor(page) {
     this.page = page;
     this.day = 0; // the day whose puzzle this is
+    this.asked = ''; // address of the puzzle
   }
 
   listen() {
     $('daily').addEventListener('click', () => this.daily());
     $('drill').addEventListener('click', () => this.drill());
     $('shoot').addEventListener('click', () => this.shoot());
-    $('reveal').addEventListener('click', () => this.hide(false));
+    $('reveal').addEventListener('click', () => {
+      this.hide(false);
+      this.check();
+    });
+    $('again').addEventListener('click', () => {
+      this.again();
+      this.check();
+    });
     const say = () => ($('guess').querySelector('.value').textContent = Number($('force').value).toFixed(2));
     $('force').addEventListener('input', say);
     say();
@@ -88,9 +102,13 @@ export class Practice {
   /** @param {string} kind @param {string} level @param {number} seed @param {number} day 0 for a drill */
   async make(kind, level, seed, day) {
     $('other').textContent = 'Making a puzzle …';
+    $('busy').hidden = false;
+    const before = state.address(this.page.scene());
     const flags = `seed=${seed}&difficulty=${level}&speed=${speeds}&no-spin&${kinds[kind]}`;
     const puzzle = await ask(`generate?${flags}`, {}, 'generate');
-    if (!puzzle) return;
+    $('busy').hidden = true;
+    // The user may have gone on to something else.
+    if (!puzzle || state.address(this.page.scene()) !== before) return;
     const { scene, error } = puzzle.error
       ? { error: puzzle.error.reason }
       : read(JSON.stringify(puzzle), this.page.tables());
@@ -99,10 +117,26 @@ export class Practice {
       return;
     }
     this.day = day;
-    this.hide($('guessing').checked || day > 0);
+    this.hide(false);
     this.page.begin({ ...scene, skill: this.page.scene().skill });
+    this.asked = state.address(this.page.scene());
     $('task').textContent = task(this.page.scene());
+    if ($('guessing').checked || day > 0) this.again();
+  }
+
+  /** Lets the user guess, for the first time or once more. */
+  again() {
     this.aim();
+    this.hide(true);
+    this.page.closer.forgetAim();
+    this.page.view.guessing();
+  }
+
+  /** Ends the guessing if the scene is no longer that of the puzzle. */
+  check() {
+    const own = state.address(this.page.scene()) === this.asked;
+    if (!own && document.body.hasAttribute('data-guess')) this.hide(false);
+    $('again').hidden = !own || document.body.hasAttribute('data-guess');
   }
 
   /** Aims straight at what is to be hit, as a first guess. */
@@ -120,7 +154,8 @@ export class Practice {
     document.body.toggleAttribute('data-guess', is);
     $('guess').hidden = !is;
     $('told').hidden = is;
-    if (!is) this.page.view.look();
+    if (is) $('status').textContent = '';
+    else this.page.view.look();
   }
 
   /** Plays the guess, counts it, and shows the answer. */
@@ -128,6 +163,7 @@ export class Practice {
     const { closer, view, scene } = this.page;
     const launch = { ...closer.guess, speed: Number($('force').value), spin: { top: 0, side: 0 } };
     this.hide(false);
+    closer.launch(launch);
     const followed = await view.start(1, launch);
     if (!followed) return;
     const good = made(scene(), followed);
@@ -140,7 +176,8 @@ export class Practice {
       // The record lasts for this visit's puzzle only.
     }
     this.tell(all);
-    $('other').textContent = good ? 'Made!' : 'Missed: here is how.';
+    $('other').textContent = good ? 'Made!' : 'Missed. Your path is drawn beside the best one.';
+    $('again').hidden = false;
   }
 
   tell({ tried, made, days } = record()) {

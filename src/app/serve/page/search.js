@@ -5,7 +5,8 @@ import * as state from './state.js';
 
 /**
  * @param {() => state.Scene} scene
- * @param {{best: (answer: any) => void, all: (answer: any, puzzle: object) => void}} on called with the newest answers
+ * @param {{none: () => void, best: (answer: any) => void, all: (answer: any, puzzle: object) => void}} on called with the newest
+ *   answers; `none`: the table has no ball to play
  * @returns {() => void} begins a search; a newer one ends it
  */
 export function searcher(scene, on) {
@@ -30,6 +31,7 @@ export function searcher(scene, on) {
 
   /** A move lets this question end, so that the picture follows the dragging. */
   const best = latest(async () => {
+    if (!scene().others.length && (state.sends(scene()) || scene().target === state.hit)) return on.none();
     const [asked, puzzle] = [document.body.dataset.asked, state.puzzle(scene())];
     wait();
     // A plan takes longer than its first shot; it comes with the list.

@@ -220,7 +220,6 @@ function target(scene) {
 /** @param {Scene} scene */
 function cushions(scene) {
   if (sends(scene)) return { cushions: 0 };
-  if (scene.target === hit && !scene.order.length) return { cushions: { max: scene.most } };
   if (scene.order.length) return { cushions: scene.order };
   return { cushions: { min: Math.min(scene.least, scene.most), max: Math.max(scene.least, scene.most) } };
 }

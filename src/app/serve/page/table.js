@@ -1,4 +1,5 @@
 // Draws a table to scale. One unit is a metre, y upwards.
+import { side as seen } from './units.js';
 
 const space = 'http://www.w3.org/2000/svg';
 const wood = 0.15;
@@ -98,6 +99,7 @@ export function draw(svg, table, clicked, turned = false) {
     shape('circle', { class: 'leather', cx: hole[0], cy: hole[1], r: radius + leather }, all);
   shape('rect', { class: 'nose', ...box(nose) }, all);
   shape('rect', { class: 'cloth', ...box(0) }, all);
+  shape('rect', box(0), shape('clipPath', { id: 'cloth' }, all));
   for (const pocket of table.pockets) if (pocket.mouth) shape('path', { class: 'cloth', d: mouth(pocket) }, all);
   diamonds(all, table, table.pockets.length > 0);
   if (clicked) clickable(all, table, clicked);
@@ -144,5 +146,5 @@ export function sight(table, from, degrees) {
   const long = ty <= tx;
   const count = (long ? (at[0] / table.length) * 8 : (at[1] / table.width) * 4).toFixed(2);
   const side = long ? (uy > 0 ? 'top' : 'bottom') : ux > 0 ? 'right' : 'left';
-  return { at, count, words: `diamond ${count} on the ${side} rail` };
+  return { at, count, words: `diamond ${count} on the ${seen(side)} rail` };
 }

@@ -30,20 +30,56 @@ export function length(metres) {
   return Math.abs(metres) < 1 ? (metres * 1000).toFixed(1) + ' mm' : metres.toFixed(3) + ' m';
 }
 
+/** Rails and pockets of a table that stands on its left end, as they are seen. */
+const seen = { top: 'left', left: 'bottom', bottom: 'right', right: 'top' };
+
+let turned = false;
+/** @param {boolean} is the table stands on its left end */
+export const turn = (is) => (turned = is);
+
+/** Names a rail or a pocket as it is seen: "top-right". @param {string} name */
+export function side(name) {
+  if (!turned) return name;
+  const [first, second] = name.split('-');
+  if (!seen[first]) return name;
+  if (!second) return seen[first];
+  return second === 'middle' ? `${seen[first]}-middle` : `${seen[second]}-${seen[first]}`;
+}
+
 /** Returns a distance as a player paces it. @param {number} metres */
 export function distance(metres) {
   if (inches) return `${Math.round(metres / 0.0254)} in`;
   return metres < 1 ? `${Math.round(100 * metres)} cm` : `${metres.toFixed(2)} m`;
 }
 
+const tip = 0.012; // m: width of a cue's tip
+const quarters = ['', '¼', '½', '¾'];
+
+/** Returns an offset from the ball's centre in widths of the tip. @param {number} metres */
+export function tips(metres) {
+  const count = Math.max(1, Math.round((4 * metres) / tip));
+  const whole = Math.floor(count / 4);
+  return `${whole || ''}${quarters[count % 4]} ${count > 4 ? 'tips' : 'tip'}`;
+}
+
 const [mile, kilometre] = [0.44704, 1 / 3.6]; // an hour, in m/s
+
+/** D. Alciatore's names of speeds, as the program has them, and the speeds below which they hold [mph]. */
+const paces = /** @type {[number, string][]} */ ([
+  [1, 'soft touch'],
+  [2, 'slow'],
+  [4, 'medium'],
+  [7, 'fast'],
+  [10, 'power shot'],
+  [25, 'harder than a power shot'],
+  [Infinity, 'powerful break'],
+]);
 
 /** Says how hard a shot is played. @param {number} v in m/s */
 export function pace(v) {
   const mph = v / mile;
-  const word = mph < 2 ? 'soft' : mph < 4 ? 'medium' : mph < 7 ? 'firm' : mph < 10 ? 'hard' : 'as hard as a break';
   const hour = inches ? `${mph.toFixed(1)} mph` : `${(v / kilometre).toFixed(1)} km/h`;
-  return `${word}: ${v.toFixed(2)} m/s, ${hour}`;
+  return `${paces.find(([up]) => mph < up)[1]}: ${v.toFixed(2)} m/s, ${hour}`;
 }
 
 /** @param {[number, number]} at @param {{length: number, width: number}} table */

@@ -8,7 +8,6 @@ import { play, stop } from './play.js';
 import { click } from './sound.js';
 import * as state from './state.js';
 import { sight } from './table.js';
-import * as units from './units.js';
 
 /**
  * @typedef {{
@@ -29,8 +28,12 @@ export class View {
     this.wanted = null; // launch of the shot that the address names
   }
 
-  /** Forgets all shots. */
+  /** Forgets all shots, and says that others are looked for. */
   empty() {
+    $('title').textContent = 'Searching …';
+    tell($('words'), []);
+    $('shots').replaceChildren();
+    for (const id of ['playing', 'why', 'every']) $(id).hidden = true;
     /** @type {any[]} */
     this.shots = [];
     this.chosen = 0;
@@ -47,6 +50,7 @@ export class View {
   /** Shows the best shot, while the list that was there waits for the wider search. */
   best(answer) {
     this.old(true);
+    $('shot').style.setProperty('min-height', '0');
     this.take(answer, answer.shots ?? [], 0);
     this.status(answer, answer.shots?.length ? 'Looking for other shots …' : '');
     if (!$('shots').childElementCount) this.list();
@@ -72,11 +76,12 @@ export class View {
   /** Takes all shots, and keeps the one that was in view: a better one takes its place, unless the user chose it. */
   widen(answer, found, was, firm) {
     const plan = this.plan;
-    const stays = was && (firm || !beats(found[0], was));
+    // A plan belongs to the first shot of its answer.
+    const stays = was && (firm || (!answer.plan && !beats(found[0], was)));
     const missing = stays && was.path && !found.some((shot) => same(shot, was));
     const shots = missing ? [was, ...found] : found;
     this.take(answer, shots, stays ? likest(shots, was) : 0);
-    this.plan ??= plan;
+    this.plan ??= stays ? plan : undefined;
   }
 
   take(answer, shots, chosen) {
@@ -109,7 +114,7 @@ export class View {
 
   status(answer, more) {
     if (document.body.hasAttribute('data-guess')) return;
-    const text = answer.error ? answer.error.reason : (answer.message ?? '');
+    const text = answer.error ? answer.error.reason : brief(answer.message ?? '');
     $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
   }
 
@@ -143,17 +148,18 @@ export class View {
     if (document.body.hasAttribute('data-guess') && closer().guess) return this.guessing();
     const shot = (this.seen = this.shots[i]);
     // The list below must not move away from under the pointer.
-    $('shot').style.setProperty('min-height', i === this.chosen ? '0' : `${$('shot').offsetHeight}px`);
+    $('shot').style.setProperty('min-height', `${$('shot').offsetHeight}px`);
     this.paint(shot);
     board().place('cushion', closer().aimed ?? this.aimPoint());
     $('title').textContent = [heading(shot, scene().target, this.last.status), this.last.wider]
       .filter(Boolean)
       .join('; ');
     $('playing').hidden = !shot?.path;
+    $('onward').hidden = !shot?.hits?.length;
     $('why').hidden = !shot;
     const over = shot && sight(table(), scene().ball, shot.angle).words;
     const plan = i === 0 ? this.plan : undefined;
-    tell($('words'), shot ? words(shot, { aim: over, table: table(), length: units.length, plan }) : []);
+    tell($('words'), shot ? words(shot, { aim: over, table: table(), plan }) : []);
     shown(shot);
     if (document.body.dataset.asked === document.body.dataset.answered) this.lookOn(shot);
   }
@@ -197,6 +203,7 @@ export class View {
   async start(pace, launch = this.shot()) {
     if (!launch) return undefined;
     const followed = await follow(this.page.scene(), launch, 'play');
+    if (followed?.error) $('other').textContent = `It cannot be played: ${followed.error.reason}.`;
     if (!followed || followed.error) return undefined;
     const names = state.namesOf(this.page.scene());
     const gripOf = (ball) => (ball === 'cue' ? 'ball' : `other${names.indexOf(ball)}`);
@@ -216,6 +223,24 @@ export class View {
     return followed;
   }
 
+  /** Returns the scene after the shot in view: balls that fell are gone. @returns {Promise<state.Scene | null>} */
+  async after() {
+    const { scene } = this.page;
+    const followed = this.shot() && (await follow(scene(), this.shot(), 'onward'));
+    if (!followed?.path) return null;
+    const next = structuredClone(scene());
+    const end = (path) => path[path.length - 1].slice(1);
+    const fell = new Set(followed.events.filter(({ type }) => type === 'pocket').map(({ ball }) => ball));
+    if (!fell.has('cue')) next.ball = end(followed.path);
+    const names = state.namesOf(next);
+    for (let i = names.length - 1; i >= 0; --i) {
+      const path = followed.paths[names[i]];
+      if (fell.has(names[i])) state.removeBall(next, i);
+      else if (path) next.others[i] = end(path);
+    }
+    return next;
+  }
+
   /** Ends the animation and puts the balls back. */
   halt() {
     for (const kind of ['play', 'play-path']) forget(kind);
@@ -225,6 +250,10 @@ export class View {
     this.page.board().placeAll();
   }
 }
+
+/** Shortens what the program says of a list: the page cannot find shots that the search missed either. */
+const brief = (message) =>
+  message.replace(/ distinct shots found; there may be more:.*/, ' shots found; there may be more');
 
 const same = (a, b) => Math.abs(a.angle - b.angle) < 0.05 && Math.abs(a.speed - b.speed) < 0.02;
 

@@ -1,4 +1,5 @@
 // The place where the cue ball should stop: a circle that is drawn on the cloth.
+import { $ } from './controls.js';
 import { pointIn } from './drag.js';
 import { shape } from './table.js';
 
@@ -11,17 +12,22 @@ const [least, usual] = [0.03, 0.15]; // m: radii of the smallest zone, and of on
  *   removed: () => void}} on
  */
 export function zoning(svg, button, on) {
+  const usually = $('hint').textContent;
   let circle = null;
   let [middle, radius] = [[0, 0], 0];
   const drawing = (is) => {
     button.setAttribute('aria-pressed', String(is));
     svg.classList.toggle('zoning', is);
+    $('hint').textContent = is ? 'Draw a circle on the table: there the cue ball should stop.' : usually;
   };
   const wants = () => button.getAttribute('aria-pressed') === 'true';
-  button.addEventListener('click', () => {
+  button.addEventListener('click', ({ detail }) => {
     if (on.has()) on.removed();
+    else if (detail === 0)
+      middleOf(on.table()); // pressed by a key: the arrow keys move it
     else drawing(!wants());
   });
+  const middleOf = ({ length, width }) => on.drawn([length / 2, width / 2, usual]);
   svg.addEventListener(
     'pointerdown',
     (event) => {
