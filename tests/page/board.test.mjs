@@ -193,6 +193,68 @@ describe('the board', () => {
   });
 });
 
+describe('a stranger', () => {
+  test('undoes while the balls roll, clears the table and puts a ball back', async () => {
+    const { page, complaints } = await open(browser, `${server.url}#target=play&${balls}`);
+    await drag(page, 'ball', 0.1, 0.05);
+    await answered(page);
+    await page.click('#slow');
+    await page.waitForFunction(() => document.body.dataset.playing);
+    await page.click('#undo');
+    await answered(page);
+    await page.click('#clear');
+    await answered(page);
+    assert.equal(await text(page, 'title'), 'Put a ball on the table');
+    await page.click('#tray [data-ball="4"]');
+    await answered(page);
+    assert.equal((await scene(page)).target, 'play');
+    assert.match(await text(page, 'title'), /the 4/);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+  test('goes on from where the balls stop', async () => {
+    const { page, complaints } = await open(browser, server.url);
+    const [, x, y] = /stops (\d+) cm.*?, (\d+) cm/.exec(await text(page, 'words')).map(Number);
+    await page.click('#onward');
+    await page.waitForFunction(() => location.hash.includes('names=5,6,8,9'));
+    await answered(page);
+    assert.match(await text(page, 'title'), /the 5 /);
+    const [cx, cy] = numbers((await scene(page)).ball);
+    assert.ok(Math.abs(Math.min(cx, 2.54 - cx) - x / 100) < 0.02 && Math.abs(Math.min(cy, 1.27 - cy) - y / 100) < 0.02);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+  test('changes to a snooker table and to a carom table, and comes back to the question', async () => {
+    const { page, complaints } = await open(browser, `${server.url}#target=play&${balls}`);
+    const before = await scene(page);
+    await page.selectOption('#tables', 'snooker-12ft');
+    await answered(page);
+    assert.equal((await scene(page)).names, 'red1,red2,red3');
+    await page.selectOption('#tables', 'carom-10ft');
+    await answered(page);
+    assert.equal((await scene(page)).target, 'point');
+    await page.selectOption('#tables', 'pool-9ft');
+    await answered(page);
+    assert.deepEqual({ ...(await scene(page)), game: undefined }, { ...before, game: undefined });
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+  test('reads on a phone the names of the rails as they are seen', async () => {
+    const phone = { viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true };
+    const { page } = await open(browser, `${server.url}#target=pot&object=5&into=top-right&most=0&${balls}`, phone);
+    assert.match(await text(page, 'title'), /into top-left$/);
+    const [ball, hole] = [
+      await middle(page, '[data-grip="other0"].grip'),
+      await middle(page, '[data-pocket="top-right"]'),
+    ];
+    assert.ok(hole.x < ball.x && hole.y < ball.y);
+    await page.close();
+  });
+});
+
 test('every control has a name, and every ball a place', async () => {
   const { page } = await open(browser, server.url);
   await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));

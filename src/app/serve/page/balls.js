@@ -37,7 +37,10 @@ export function look(name) {
 }
 
 /** Names a ball in a sentence. @param {string} name */
-export const called = (name) => (/^\d/.test(name) ? `the ${name}` : /^red\d+$/.test(name) ? 'a red' : `ball ${name}`);
+export function called(name) {
+  if (/^red\d+$/.test(name)) return 'a red';
+  return /^\d/.test(name) || named[name] ? `the ${name}` : `ball ${name}`;
+}
 
 /** Returns the first name of the table's set that no ball has. @param {{name: string}} table @param {string[]} names */
 export function freeName(table, names) {

@@ -122,6 +122,7 @@ export class Practice {
     this.asked = state.address(this.page.scene());
     $('task').textContent = task(this.page.scene());
     if ($('guessing').checked || day > 0) this.again();
+    document.body.scrollIntoView({ behavior: 'smooth' });
   }
 
   /** Lets the user guess, for the first time or once more. */
