@@ -24,7 +24,7 @@ for kind; do
       inside "apt-get remove -y -qq bankshot"
       ;;
     wheel)
-      inside "apt-get install -y -qq --no-install-recommends python3-pip python3-numpy libceres3 && pip install --quiet --break-system-packages --no-deps /packages/*.whl &&
+      inside "apt-get install -y -qq --no-install-recommends python3-pip python3-numpy libceres3 libfmt9 libnlopt0 && pip install --quiet --break-system-packages --no-deps /packages/*.whl &&
         python3 -c 'import bankshot; assert bankshot.solve(open(\"/bank.json\").read()).shots'"
       ;;
     npm)

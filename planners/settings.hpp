@@ -39,12 +39,35 @@ inline constexpr std::size_t enough_to_compare = 32;
 /// The slowest launch that is tried, as a share of the fastest allowed: it rolls a millionth as far.
 inline constexpr double slowest_of_fastest = 1e-3;
 
+/// Step at which Newton's method has converged, as a share of the longest one: the step after one so short is exact to
+/// rounding.
+inline constexpr double settled = 1e-7;
+
+/// Change at which rounding ends any other iteration: rad, or a share of what changes.
+inline constexpr double rounding = 1e-15;
+
+/// Most steps of an iteration; one that has not ended by then jumps between two sides of a kink.
+inline constexpr int most_steps = 40;
+
+/// Width at which bisections end: rad, or a share of the speed. Nobody can play a narrower window.
+inline constexpr double narrowest = 1e-10;
+
+/// Largest difference between two that are one: rad, a share of the speed, cells of a map, or value.
+inline constexpr double alike = 1e-6;
+
+/// Success that no further search need improve.
+inline constexpr double sure = 0.995;
+
+/// Value that a further search must be able to add. The contract lets a wider puzzle be answered worse by twice as
+/// much.
+inline constexpr double worth_a_search = 0.005;
+
 /// Ratios of the normal to the tangential loss for unfolding, as shares of the cushion's own restitution. Spin changes
 /// the angle of a rebound, and one of these comes near it; with fewer of them more puzzles need a map.
 inline constexpr std::array restitution_shares{1.0, 0.8, 1.2, 0.6, 1.5};
 
-/// Launch speed of a strong break shot [m/s]: the fastest from which a branch is followed, as it may lead back inside
-/// the bounds.
+/// Launch speed of a strong break shot [m/s]: the fastest that is suggested, and from which a branch is followed, as it
+/// may lead back inside the bounds.
 inline constexpr double fastest_start = 15;
 
 /// Bounds of Newton's method from an image, or from a node that is no neighbour of the root: a longer way leads to
@@ -77,23 +100,12 @@ inline constexpr std::size_t usual_nodes = 64;
 inline constexpr std::size_t most_walls_paired = 64;
 }  // namespace unfolding
 
-namespace exact_line {
-/// Most corrections. Each reduces the error by the pocket's size over the distance, a tenth or less; a ball closer than
-/// that needs a search.
-inline constexpr int most_turns = 30;
-/// Change of the offset at which corrections end, as a share of the pocket's radius: rounding.
-inline constexpr double settled = 1e-15;
-}  // namespace exact_line
-
 namespace image {
 /// Aims tried across the part of a target that a ray may reach; windows narrower than a thirtieth of it are missed.
 inline constexpr int aims_across = 33;
 }  // namespace image
 
 namespace window {
-/// Width at which the bisection between two aims that fail differently gives up [rad]; nobody can play a narrower
-/// window.
-inline constexpr double narrowest = 1e-10;
 /// First step towards a window's end, as a share of the way to the limit; growth of steps inside, and shrinkage
 /// outside.
 inline constexpr double first_step = 1.0 / 64, longer = 1.5, shorter = 0.5;
@@ -102,8 +114,6 @@ inline constexpr double first_step = 1.0 / 64, longer = 1.5, shorter = 0.5;
 namespace sweep {
 /// Aims around the circle; a sequence narrower than 0.18° between two equal neighbours is missed.
 inline constexpr int fan = 2048;
-/// Distance of neighbours that differ only by rounding [rad].
-inline constexpr double finest = 1e-14;
 /// Cosine of the angle between a leg's directions at two neighbours (6°) beyond which a change of side may hide there.
 inline constexpr double widest_turn = 0.995;
 }  // namespace sweep
@@ -114,14 +124,10 @@ inline constexpr int aims_in_fan = 720;
 }  // namespace ceres
 
 namespace newton {
-/// Most steps; a search that has not converged by then jumps between two sides of a kink.
-inline constexpr int most_steps = 40;
 /// Steps after which one that does not come nearer is halved; before, Newton's method may overshoot and still converge.
 inline constexpr int usual_steps = 4;
 /// Steps after which each must come nearer.
 inline constexpr int patience = 12;
-/// Step of convergence, as a share of the longest step: the step after one so short is exact to rounding.
-inline constexpr double settled = 1e-7;
 /// Step from which impacts are integrated finely, as a share of the longest: the result must be a root, the
 /// steps towards it need not.
 inline constexpr double fine_from = 0.01;
@@ -130,7 +136,6 @@ inline constexpr double fine_from = 0.01;
 namespace levenberg_marquardt {
 /// Settings of Ceres' TinySolver. Its cost is half the squared residual, which has no unit. `exact_cost` is a miss of
 /// 1e-14 of the diagonal, `converged_cost` one of 1e-6, from which verification decides.
-inline constexpr int most_iterations = 30;
 inline constexpr double least_gradient = 1e-18, least_step = 1e-16, exact_cost = 1e-28, converged_cost = 1e-12;
 /// Residual if no path arrives: so high that the solver turns back.
 inline constexpr double nowhere = 1e3;
@@ -167,8 +172,6 @@ inline constexpr double near = 0.05;
 inline constexpr double distrust = 20;
 /// Miss of a first step beyond which it may lead to another root, as a share of the way to the root.
 inline constexpr double astray = 0.7;
-/// Cells between two roots that are one: the rounding of a root where the map is steep.
-inline constexpr double least_apart = 1e-6;
 /// Most roots of one route; more are one root, which rounding scatters beside a kink.
 inline constexpr std::ptrdiff_t most_of_a_route = 64;
 /// Cells from a root, and number of directions, where Newton's method starts again to find its twin across a fold.
@@ -206,13 +209,9 @@ inline constexpr double past_the_end = 1.02;
 namespace along {
 /// Launch speeds along a cushion that is touched, evenly spaced in their logarithm.
 inline constexpr int speeds = 300;
-/// Change at which rounding ends the search, as a share of the speed.
-inline constexpr double settled = 1e-15;
 }  // namespace along
 
 namespace parts {
-/// Largest difference between candidates that are one: rad, and a share of the speed.
-inline constexpr double alike = 1e-6;
 /// Aims across the part of a target beside a candidate.
 inline constexpr std::size_t aims_across = 17;
 /// Factor by which a candidate's speed may lie outside its bounds and still lead to a shot inside.
@@ -247,14 +246,10 @@ inline constexpr std::size_t enough = 8;
 }  // namespace jaw_shots
 
 namespace widest {
-/// Interval at which golden sections end [rad].
-inline constexpr double finest = 1e-15;
 /// Least gain that is worth a simulation, as a share of the size of the clearance.
 inline constexpr double little_gain = 0.1;
 /// Largest half width of a window beside a candidate [rad]; wider windows belong to other candidates.
 inline constexpr double widest_half = radians(10);
-/// Width at which bisections end: rad, or a share of the speed.
-inline constexpr double narrowest = 1e-10;
 /// Factor from one aim to the next beyond which the speed that arrives as asked counts as a jump.
 inline constexpr double jump = 1.002;
 /// Number of speeds across a jump at which a series of aims is tried, and the factor by which they begin and end beyond
@@ -266,13 +261,8 @@ inline constexpr double beyond = 1.01;
 namespace automatic {
 /// Share of the rest of the budget that bisecting candidates may use before finer maps begin.
 inline constexpr double first_share_of_parts = 0.2;
-/// Value that more cushions must be able to add to be worth a search. The contract lets a wider puzzle be answered
-/// worse by twice as much.
-inline constexpr double worth_a_stage = 0.005;
 /// Value that is hardly ever exceeded by shots found only by looking closely, off jaws or round balls.
 inline constexpr double best_found_closely = 0.75;
-/// Success above which no improvement pass is worth a map.
-inline constexpr double sure_enough = 0.995;
 /// The map of an improvement pass. Cells of twice the width miss about twice as many better shots and save a fifth of
 /// the simulations.
 inline constexpr Spacing improvement{.aim = radians(12), .speed = 1, .narrowest = radians(4), .every_root = false};
@@ -322,8 +312,6 @@ inline constexpr double least_rise = 1e-9;
 }  // namespace sensitivity
 
 namespace hints {
-/// Speed of a strong break shot [m/s]; no more speed is suggested.
-inline constexpr double strong_break = 15;
 /// Simulations for one hint, which must not cost more than the search.
 inline constexpr long most_simulations = 30000;
 /// Most cushions that are suggested in place of those asked.

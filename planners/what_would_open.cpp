@@ -38,7 +38,7 @@ class Search {
 /// Tries launches as fast as a strong break, or as slow as any.
 std::string of_speed(const Puzzle& puzzle, Search& search) {
   const Range& v = puzzle.speed;
-  const double fastest = std::max(v.high, settings::hints::strong_break), slowest = std::min(v.low, Puzzle{}.speed.low);
+  const double fastest = std::max(v.high, settings::fastest_start), slowest = std::min(v.low, Puzzle{}.speed.low);
   if (is_ideal(puzzle.physics)) return "";
   for (const Range wider : {Range{v.low, fastest}, Range{slowest, v.high}}) {
     if (wider.low == v.low && wider.high == v.high) continue;

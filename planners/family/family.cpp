@@ -31,7 +31,7 @@ double near_window(double angle, const std::optional<Range>& window) {
 double likely_value(const Shot& shot) {
   return shot.robustness.success_estimate > playable
              ? shot.robustness.success_estimate - cost_of(shot)
-             : std::log(std::max(shot.robustness.success_estimate, least_success));
+             : std::log(std::max(shot.robustness.success_estimate, settings::rounding));
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ bool Family::is_hopeless(const Point& p) {
 
 bool Family::inside(const Point& p) const {
   for (int i = 0; i < coordinates; ++i)
-    if (p.x[i] < box_.low[i] - settled || p.x[i] > box_.high[i] + settled) return false;
+    if (p.x[i] < box_.low[i] - settings::settled || p.x[i] > box_.high[i] + settings::settled) return false;
   return true;
 }
 
@@ -190,7 +190,7 @@ Shot Family::tuned(const Shot& shot) {
   if (!best.robustness.success) find_success(request_, budget_, best);
   auto at = settle(vector_of({best.launch.speed, near_window(best.launch.angle, request_.angle)}, best.spin), box_);
   double step = 1, turned = 0;
-  for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.robustness.success < sure;) {
+  for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.robustness.success < settings::sure;) {
     std::optional<Shot> better;
     Point there;
     for (const Vector& way : ways({*at}, turned)) {
@@ -200,7 +200,7 @@ Shot Family::tuned(const Shot& shot) {
       find_success(request_, budget_, t.proof->shot);
       ++tried;
       if (!(*t.proof->shot.robustness.value >
-            (better ? *better : best).robustness.value.value() + (better ? 0 : worth_tuning)))
+            (better ? *better : best).robustness.value.value() + (better ? 0 : settings::worth_a_search)))
         continue;
       better = std::move(t.proof->shot);
       there = *next;

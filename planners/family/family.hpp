@@ -80,7 +80,7 @@ class Family {
   Equations equations(const Point& p, bool& at_bound) const;
   /// `held`: a coordinate that stays as it is. `tolerance`, in scales: of the last step, after which what is left is
   /// about its square.
-  std::optional<Point> settle(Vector x, const Box& box, int held = -1, double tolerance = settings::family::settled);
+  std::optional<Point> settle(Vector x, const Box& box, int held = -1, double tolerance = settings::settled);
   /// An orthonormal basis, in scales, of the changes that stay on the family.
   Eigen::MatrixXd tangents(const Point& p) const;
   double merit(const Point& p) const;

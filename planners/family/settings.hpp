@@ -41,11 +41,10 @@ inline constexpr std::size_t jaw_shot_points = 2;
 /// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
 /// more.
 inline constexpr double hopeless = 0.15;
-/// Newton's steps onto the family; the step after one so short is exact to rounding, if the miss was so small.
-inline constexpr int most_steps = 40;
-/// Steps after which each must be shorter.
+/// Newton's steps onto the family: so many after which each must be shorter, the longest, and the miss from which a
+/// short step is exact to rounding.
 inline constexpr int patience = 8;
-inline constexpr double longest_step = 2, settled = 1e-7, nearly = 1e-6;
+inline constexpr double longest_step = 2, nearly = 1e-6;
 /// Steps along a curve: the first, the longest, the least before it is given up; and how many each way.
 inline constexpr double first_walk = 1, longest_walk = 2, least_walk = 0.02;
 inline constexpr int most_walked = 60;
@@ -57,12 +56,11 @@ inline constexpr double longest_climb = 4, finest_climb = 0.01, least_gain = 1e-
 inline constexpr int most_climbed = 120;
 /// rad: turns of the compass that never repeat.
 inline constexpr double golden_turn = 2.399963;
-/// Steps of the last touch by simulated success: estimates at most, the finest step, a gain of success that is worth
-/// one (less is what success is off by), and a success that needs none.
+/// Steps of the last touch by simulated success: estimates at most, and the finest step.
 inline constexpr int most_tuned = 10;
-inline constexpr double finest_tuning = 0.2, worth_tuning = 0.005, sure = 0.995;
-/// A success that is worth comparing; and one that is as good as none.
-inline constexpr double playable = 0.01, least_success = 1e-15;
+inline constexpr double finest_tuning = 0.2;
+/// A success that is worth comparing.
+inline constexpr double playable = 0.01;
 }  // namespace family
 
 }  // namespace bankshot::planning::settings

@@ -77,7 +77,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held, double t
   Vector before = x;
   bool at_bound = false;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < most_steps && !budget_.spent(); ++i) {
+  for (int i = 0; i < settings::most_steps && !budget_.spent(); ++i) {
     auto p = look(aim_, budget_, x, vary_);
     if (!p && i == 0) return {};
     if (!p) {
@@ -91,7 +91,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held, double t
     before = x;
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;
     if (size < tolerance) {
-      const double small = nearly * (tolerance / settled);
+      const double small = nearly * (tolerance / settings::settled);
       const bool solved =
           std::ranges::all_of(equations(*p, at_bound).all(), [&](const Value& e) { return std::abs(e.a) < small; });
       p->x = x;

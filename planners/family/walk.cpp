@@ -29,12 +29,13 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
   for (int i = 0; i < most_walked && !budget_.spent();) {
     if (leaves_for_good(at, t)) return;
     const Vector guess = at.x + h * scale_.cwiseProduct(t);
-    const auto next = settle(guess, wide_, -1, lists() ? loosely : settled);
+    const auto next = settle(guess, wide_, -1, lists() ? loosely : settings::settled);
     const double gone = next ? (next->x - at.x).cwiseQuotient(scale_).dot(t) : 0,
                  pulled = next ? (next->x - guess).cwiseQuotient(scale_).norm() : infinite;
     const bool ends = next && at_end(*next);
     if (ends && gone > least_walk * h) out.push_back({*next});
-    if (ends || (next && std::abs(gone) < settled)) return;  // the second: to rounding it was at the end before
+    if (ends || (next && std::abs(gone) < settings::settled))
+      return;  // the second: to rounding it was at the end before
     if (!(pulled < h / 2)) {
       h /= 2;
       if (h < least_walk) return;

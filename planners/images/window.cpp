@@ -50,7 +50,7 @@ class Windows {
   std::optional<Tried> between(const Tried& a, const Tried& b) {
     if (a.replay.made) return a;
     if (b.replay.made) return b;
-    if (a.like(b) || b.aim - a.aim < narrowest || budget_.spent()) return {};
+    if (a.like(b) || b.aim - a.aim < settings::narrowest || budget_.spent()) return {};
     const Tried middle = attempt(a.aim + (b.aim - a.aim) / 2);
     if (const auto made = between(a, middle)) return made;
     return between(middle, b);
@@ -59,7 +59,7 @@ class Windows {
   /// Finds the end of the made window that begins at `made`, towards `limit`: steps grow while they stay inside.
   double edge(double made, double limit) {
     double step = (limit - made) * first_step;
-    while (std::abs(made - limit) > narrowest && std::abs(step) > narrowest && !budget_.spent()) {
+    while (std::abs(made - limit) > settings::narrowest && std::abs(step) > settings::narrowest && !budget_.spent()) {
       const bool fits = std::abs(step) < std::abs(limit - made) && attempt(made + step).replay.made;
       if (fits) made += step;
       step *= fits ? longer : shorter;

@@ -63,7 +63,7 @@ std::optional<Launch> minimise(const Branch& aim, EvaluationBudget& budget, cons
   if (budget.spent()) return {};
   // It costs one simulation, and two for each iteration.
   const auto affordable = (budget.left() - 1) / 2 / (1 + static_cast<long>(aim.route.size() / bounces_a_simulation));
-  solver.options.max_num_iterations = static_cast<int>(std::min<long>(most_iterations, affordable));
+  solver.options.max_num_iterations = static_cast<int>(std::min<long>(settings::most_steps, affordable));
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = least_gradient;
   solver.options.parameter_tolerance = least_step;

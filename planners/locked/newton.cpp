@@ -47,7 +47,7 @@ NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const Launch& f
   bool rough = impact_tolerance(aim.request.problem->rough.cushion);  // until the root is near
   double least = std::numeric_limits<double>::infinity();
   const auto end = [&](NewtonStatus status) { return result.status = status, result; };
-  for (int& i = result.iterations; i < most_steps; ++i) {
+  for (int& i = result.iterations; i < settings::most_steps; ++i) {
     auto l = linearise(aim, budget, at, rough);
     const auto worse = [&] { return !l || (i >= usual_steps && !(l->size() < least)); };
     if (i > 0 && worse()) {
@@ -65,7 +65,7 @@ NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const Launch& f
     for (std::size_t k = 0; k < unknowns.size(); ++k) move(at, unknowns[k].what, damped * (*step)[k]);
     if (known && known(at, size, *l)) return end(NewtonStatus::known);
     const bool exact = !std::exchange(rough, rough && size > fine_from);
-    if (exact && size < settled) return at.angle = wrap_angle(at.angle), end(NewtonStatus::converged);
+    if (exact && size < settings::settled) return at.angle = wrap_angle(at.angle), end(NewtonStatus::converged);
     if (left(from, at, unknowns)) return end(NewtonStatus::left);
   }
   return end(NewtonStatus::astray);

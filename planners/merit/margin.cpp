@@ -73,7 +73,7 @@ class Way {
     last_ = look(good_);
     while (good_ < limit) {
       const double step = last_.object_ball_path;
-      if (step <= settled * good_) return void(bad_ = good_ * (1 + tolerance::margin));
+      if (step <= settings::settled * good_) return void(bad_ = good_ * (1 + tolerance::margin));
       const double next = std::min({good_ + step, std::max(2 * good_, scale), limit});
       if (!(next > good_)) return void(bad_ = next);
       last_ = look(next);
@@ -95,10 +95,10 @@ class Way {
 
   /// Newton's method between a step that is made and one that is not.
   void close_in() {
-    for (int i = 0; i < most_looks && bad_ - good_ > tolerance::margin * bad_; ++i) {
+    for (int i = 0; i < settings::most_steps && bad_ - good_ > tolerance::margin * bad_; ++i) {
       double next = last_.holds ? last_.at + last_.object_ball_path : last_.at - last_.back;
       if (!(next > good_ && next < bad_)) next = arithmetic_mean(good_, bad_);
-      const bool near = std::abs(next - last_.at) <= settled * next;
+      const bool near = std::abs(next - last_.at) <= settings::settled * next;
       if (near) {
         const double in = next * (1 - tolerance::margin / 2), out = next * (1 + tolerance::margin / 2);
         if (in > good_ && made(in)) good_ = in;
@@ -120,7 +120,7 @@ class Way {
     double longest = aim_.request.problem->boundary.jaws.empty()
                          ? never
                          : std::max(bad_ * rattling_step, limit * least_rattling_step);
-    double by = tolerance::margin * bad_ + finest;
+    double by = tolerance::margin * bad_ + settings::rounding;
     while (made(bad_)) {
       if (bad_ >= limit) return void(bad_ = never);
       good_ = bad_;
@@ -133,7 +133,8 @@ class Way {
 
   void narrow() {
     bisect(
-        good_, bad_, [](double in, double out) { return out - in > tolerance::margin * out && out > finest; },
+        good_, bad_,
+        [](double in, double out) { return out - in > tolerance::margin * out && out > settings::rounding; },
         [&](double by) { return made(by); });
   }
 
@@ -161,7 +162,7 @@ class Way {
   /// Where a limit breaks between two steps at which it holds: Newton's method from both sides, as long as a tangent
   /// crosses 0 between them, and the two not above it.
   std::optional<double> look_between(Look a, Look b) {
-    for (int i = 0; i < most_looks && a.holds && b.holds; ++i) {
+    for (int i = 0; i < settings::most_steps && a.holds && b.holds; ++i) {
       const double gap = b.at - a.at, up = a.at + a.object_ball_path, down = b.at - b.dip;
       const bool rises = up<b.at - nearly * gap, falls = down> a.at + nearly * gap;
       if (gap < tolerance::margin * b.at || !(rises || falls) || (rises && falls && up >= down)) break;

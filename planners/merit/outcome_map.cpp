@@ -239,7 +239,7 @@ double largest(double low, double high, double enough, const F& f) {
   constexpr double golden = 0.6180339887498949;
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double fa = f(a), fb = f(b);
-  while (high - low > enough && std::abs(fa - fb) >= alike) {
+  while (high - low > enough && std::abs(fa - fb) >= settings::alike) {
     if (fa < fb) {
       low = a, a = b, fa = fb;
       fb = f(b = low + golden * (high - low));
@@ -299,7 +299,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
     if (const Best there = best_at(speed); there.value > -infinite) best.push_back(there);
   }
   // Of launches that are alike the slowest, whatever their last digits.
-  std::ranges::stable_sort(best, std::greater(), [](const Best& b) { return std::round(b.value / alike); });
+  std::ranges::stable_sort(best, std::greater(), [](const Best& b) { return std::round(b.value / settings::alike); });
   return best;
 }
 

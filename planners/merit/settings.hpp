@@ -48,9 +48,6 @@ namespace margin {
 inline constexpr double rattling_step = 0.02, least_rattling_step = 1e-4;
 /// rad, m/s: margins beyond are none.
 inline constexpr double widest_angle = radians(180), widest_speed = 30;
-/// Of a step: Newton's method has found an end where it moves less; its steps at most.
-inline constexpr double settled = 1e-7;
-inline constexpr int most_looks = 20;
 /// Where the first look saw the end so nearly, limits are nearly straight and few steps inside are enough; else many:
 /// with half of them 2 of 90,000 ends hid a band that is not made.
 inline constexpr double nearly = 0.1;
@@ -59,8 +56,6 @@ inline constexpr int few_parts = 8, many_parts = 20;
 inline constexpr int parts_of_chains = 100;
 /// Bands thinner than the aims that are one which may be passed over.
 inline constexpr int most_passed = 4;
-/// rad or m/s: a margin this small is 0.
-inline constexpr double finest = 1e-15;
 /// Of the diagonal, per radian: the least condition that a first-order margin is taken from; and bounds of that margin.
 inline constexpr double flat = 1e-6, least_scale = 1e-12, most_scale = 0.1;
 }  // namespace margin
@@ -138,8 +133,6 @@ inline constexpr double kept = 0.002, sure = 0.02;
 /// Of value: a launch that gains less does not leave the exact one.
 inline constexpr double worth_moving = 1e-4;
 inline constexpr double least_beside = 0.25, most_beside = 2, far = 8, finest = 0.05, roughest = 0.1;
-/// Of value: less is no difference, so that last digits of a machine choose nothing.
-inline constexpr double alike = 1e-6;
 /// Deviations: where the best aim is settled.
 inline constexpr double settled = 0.05;
 }  // namespace outcome_map

@@ -44,7 +44,7 @@ const Shot& best_of(const SearchRequest& request, const SearchResult& found) {
 /// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.
 bool improvement_wanted(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found) {
   if (request.first() || request.all() || request.route || found.shots.empty() || budget.cut()) return false;
-  const auto sure = [](const Shot& s) { return s.robustness.success_estimate > sure_enough; };
+  const auto sure = [](const Shot& s) { return s.robustness.success_estimate > settings::sure; };
   return request.puzzle().prefer != Prefer::robust || std::ranges::none_of(found.shots, sure);
 }
 
@@ -138,7 +138,7 @@ void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchRe
     constexpr double per_contact = 0.005;
     const double at_most = 1 - per_contact * n - cost_of({request.speed.low, 0}, {});
     const double value = best ? value_in_hand(request, budget, found) : 0;
-    if (best && at_most < value + worth_a_stage) return;
+    if (best && at_most < value + settings::worth_a_search) return;
     for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
       SearchRequest stage = request.stage(c, n - c);
       if (best && sent) stage.likelier = value + per_contact * n;

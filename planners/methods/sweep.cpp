@@ -94,7 +94,7 @@ class Sweep {
         if (i < most && (a.sides[i].ahead || b.sides[i].ahead) && (a.sides[i].lateral > 0) != (b.sides[i].lateral > 0))
           root(a, b, i, static_cast<int>(k));
       }
-    if ((a.contacts == b.contacts && !turns_far(a, b)) || b.angle - a.angle < settings::sweep::finest) return;
+    if ((a.contacts == b.contacts && !turns_far(a, b)) || b.angle - a.angle < settings::rounding) return;
     const Sample middle = sample(a.angle + (b.angle - a.angle) / 2);
     if (!(middle.angle > a.angle && middle.angle < b.angle)) return;
     between(a, middle);

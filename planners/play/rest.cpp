@@ -150,7 +150,7 @@ std::optional<Placed> place(const Branch& a, EvaluationBudget& budget, const Cue
     const double off = std::hypot(rest[0].a, rest[1].a), missed = most_of(target.all());
     const double loss = off + missed;
     // A step that leads away is halved; the branch bends there.
-    if (i > 0 && !(loss < least) && size_of(x - before) > settings::family::settled) {
+    if (i > 0 && !(loss < least) && size_of(x - before) > settings::settled) {
       x = (x + before) / 2;
       continue;
     }
@@ -161,7 +161,7 @@ std::optional<Placed> place(const Branch& a, EvaluationBudget& budget, const Cue
     const Vector step = step_inside(target.all(), rest, box, x);
     const double size = size_of(step);
     if (!std::isfinite(size)) return {};
-    if (size < settings::family::settled && missed < solved) return best;
+    if (size < settings::settled && missed < solved) return best;
     before = x;
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;
   }
@@ -185,7 +185,7 @@ std::optional<Vector> on_target(const Branch& a, EvaluationBudget& budget, const
     const double size = size_of(step);
     if (!std::isfinite(size)) return {};
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;
-    if (size < settings::family::settled) {
+    if (size < settings::settled) {
       const double v = x[log_speed];
       return v >= box.low[log_speed] - solved && v <= box.high[log_speed] + solved ? std::optional(x) : std::nullopt;
     }

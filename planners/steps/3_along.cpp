@@ -59,7 +59,8 @@ class OneAim {
   double best_between(const Tried& low, const Tried& best, const Tried& high) {
     const auto narrow = [&](const Tried&, const Tried&, const Tried&) { return budget_.spent(); };
     return climb(
-               low, best, high, settled * high.x, [&](double speed, const Tried&) { return attempt(speed); }, narrow)
+               low, best, high, settings::rounding * high.x, [&](double speed, const Tried&) { return attempt(speed); },
+               narrow)
         .x;
   }
 

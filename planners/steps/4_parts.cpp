@@ -50,8 +50,8 @@ bool hopeful(const SearchRequest& request, const Candidate& candidate) {
 }  // namespace
 
 bool alike(const Launch& a, const Launch& b) {
-  return std::abs(angle_difference(a.angle, b.angle)) < settings::parts::alike &&
-         std::abs(std::log(a.speed / b.speed)) < settings::parts::alike;
+  return std::abs(angle_difference(a.angle, b.angle)) < settings::alike &&
+         std::abs(std::log(a.speed / b.speed)) < settings::alike;
 }
 
 void Parts::climb(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {

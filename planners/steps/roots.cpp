@@ -198,8 +198,8 @@ void Roots::from_beside(const Branch& aim, const Launch& root, const Linear& at_
 /// A root of the same route and aim point lies within so many cells.
 bool Roots::known(const Branch& aim, const Launch& l, double cells) const {
   return std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) {
-    return std::abs(angle_difference(r.launch.angle, l.angle)) < std::max(least_apart, cells) * cell_.step_aim &&
-           std::abs(std::log(r.launch.speed / l.speed)) < std::max(least_apart, cells) * cell_.step_speed &&
+    return std::abs(angle_difference(r.launch.angle, l.angle)) < std::max(settings::alike, cells) * cell_.step_aim &&
+           std::abs(std::log(r.launch.speed / l.speed)) < std::max(settings::alike, cells) * cell_.step_speed &&
            belongs(r, aim);
   });
 }

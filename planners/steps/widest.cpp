@@ -43,7 +43,7 @@ Widest::Tried Widest::highest(const Row& row, std::size_t peak, const Attempt& a
     return best.value - std::min(low.value, high.value) < little_gain * std::abs(best.value);
   };
   return climb(
-      before(row, peak), row[peak], after(row, peak), finest,
+      before(row, peak), row[peak], after(row, peak), settings::rounding,
       [&](double aim, const Tried& best) { return attempt(aim, best.speed); }, settled);
 }
 
@@ -145,7 +145,7 @@ double Widest::excess(double aim, double speed) const {
 double Widest::edge(const Tried& inside, double limit) const {
   double in = inside.x, out = limit;
   bisect(
-      in, out, [&](double a, double b) { return std::abs(b - a) > narrowest && !budget_.spent(); },
+      in, out, [&](double a, double b) { return std::abs(b - a) > settings::narrowest && !budget_.spent(); },
       [&](double aim) { return at_speed(aim, inside.speed).value > 0; });
   return in;
 }
@@ -168,7 +168,7 @@ bool Widest::between(const Range& aims, const Roomy& a, const Roomy& b) const {
   bool made = false, lost = false;
   const auto wide = [&](double, double) {
     const auto [slow, fast] = std::minmax(like_a, like_b);
-    return !made && !lost && fast / slow - 1 > narrowest && !budget_.spent();
+    return !made && !lost && fast / slow - 1 > settings::narrowest && !budget_.spent();
   };
   const auto holds = [&](double speed) {
     const auto now = roomy(aims, speed);

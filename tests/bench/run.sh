@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Repeats the measurements that README and docs/evidence.md quote, into tests/bench/results/*.csv:
 # all of them, which takes hours, or the named ones, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|position|runouts|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|python|pooltool|recorded|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|position|runouts|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|tunables|python|pooltool|recorded|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -205,6 +205,7 @@ part() {
         done
       done
       ;;
+    tunables) python3 tests/bench/tunables.py -j "$(nproc)" ;;  # builds the program with every number read at the start
     python) python_module python_calls.py "$bin/bench/one_call" ;;
     pooltool) python_module pooltool_shots.py ;;  # where it can be imported
     recorded) python3 tests/bench/recorded.py "$bankshot" "$RECORDINGS" ;;  # tracked shots; none are in this repository

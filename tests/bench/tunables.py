@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """What each number that steers a search does: a CSV row for each number, halved and doubled.
 
-    python3 tests/bench/tunables.py PUZZLES [--only TEXT] [-j 2]
+    python3 tests/bench/tunables.py [PUZZLES] [--only TEXT] [-j 2]
 
-PUZZLES are JSON Lines for `bankshot batch`. The program is built in build/tunables from copies of the planners'
+PUZZLES are JSON Lines for `bankshot batch`; without them nearly 400 are made, of seeds for which nobody tuned. The program is built in build/tunables from copies of the planners'
 settings.hpp in which every number is read at the start: it is multiplied by what the variable BANKSHOT_TUNE says. The
 answers are then compared, puzzle by puzzle, with those of the program as it is. A number of which the compiler needs
 the value stays as it is, and is named on standard error.
@@ -16,6 +16,7 @@ import json
 import math
 import os
 import pathlib
+import random
 import re
 import subprocess
 import sys
@@ -48,6 +49,79 @@ Int tuned_int(const char* name, Int value) {
 }
 }  // namespace bankshot::planning
 """
+
+
+# Wishes for `bankshot generate`.
+WISHES = [
+    "--target pocket --cushions 0-3",
+    "--target pocket --cushions 3-5",
+    "--target stop --cushions 1-4",
+    "--target pass --cushions 1-4",
+    "--target kick --cushions 1-3",
+    "--target pot --cushions 0",
+    "--target pot --cushions 0 --then 1-2",
+    "--target pot --cushions 1 --then 0",
+    "--target carom --table carom-10ft --cushions 1-4 --balls 2",
+    "--target pot --cushions 0 --balls 8",
+    "--physics rolling --target pocket --cushions 1-4",
+    "--physics rolling --target pot --cushions 0-1",
+    "--target pocket --cushions 1-3 --difficulty hard",
+    "--target kick --cushions 1-3 --difficulty hard",
+    "--target pot --cushions 0-1 --balls 4 --difficulty hard",
+    "--table snooker-12ft --target pot --cushions 0 --balls 5",
+]
+LENGTH, WIDTH, RADIUS = 2.54, 1.27, 0.028575
+# Searches longer than this are left out, so that a row takes seconds.
+MOST_SIMULATIONS = 12000
+
+
+def question(kind, balls):
+    """Returns what a player asks of a layout."""
+    if kind == 0:
+        return {"target": {"ball": "any", "then": {"pocket": "any", "cushions": {"max": 2}}}, "cushions": 0}
+    if kind == 1:
+        return {"target": {"ball": "1", "pocket": "any"}}
+    if kind == 2:
+        return {"target": {"ball": "1", "then": {"pocket": "any", "cushions": 1}}, "cushions": 0}
+    if kind == 3:
+        return {"target": {"ball": "1"}, "cushions": {"min": 1, "max": 3}}
+    if kind == 4:
+        return {"target": {"pocket": "any"}, "cushions": {"max": 2}}
+    if balls == 1:
+        return {"target": {"point": [1.9, 0.6]}, "cushions": {"max": 3}}
+    return {"target": {"ball": "1", "then": {"ball": "2", "then": {"pocket": "any"}}}}
+
+
+def layouts(seed, count):
+    """Returns random layouts with a question each."""
+    draw = random.Random(seed)
+    out = []
+    for k in range(count):
+        balls, places = draw.choice([1, 2, 3, 5, 7]), []
+        while len(places) <= balls:
+            at = [round(draw.uniform(0.04, side - 0.04), 4) for side in (LENGTH, WIDTH)]
+            in_corner = min(at[0], LENGTH - at[0]) + min(at[1], WIDTH - at[1]) < 0.12
+            if not in_corner and all(math.dist(at, other) > 2.1 * RADIUS for other in places):
+                places.append(at)
+        ball = {"at": places[0]}
+        if k % 6 == 4:
+            ball["spin"] = {"top": [-1, 1], "side": [-0.7, 0.7]}
+        others = [{"id": str(i), "at": at} for i, at in enumerate(places) if i > 0]
+        out.append({"table": "pool-9ft", "ball": ball, "others": others, **question(k % 6, balls)})
+    return [json.dumps(puzzle) for puzzle in out]
+
+
+def make():
+    """Writes the puzzles into a file, and returns its name."""
+    lines = layouts(990017, 120)
+    for i, wish in enumerate(WISHES, 1):
+        command = [str(BUILD / "bankshot"), "generate", "--count", "24", "--seed", str(88100 + i), *wish.split()]
+        lines += subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    path = BUILD / "puzzles.jsonl"
+    path.write_text("\n".join(lines) + "\n")
+    short = [line for line, (_, simulations) in zip(lines, answers(str(path))) if simulations < MOST_SIMULATIONS]
+    path.write_text("\n".join(short) + "\n")
+    return str(path)
 
 
 def split(text):
@@ -160,12 +234,13 @@ def compare(name, value, factor, before, after):
 
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("puzzles")
+    options.add_argument("puzzles", nargs="?")
     options.add_argument("--only", default="")
     options.add_argument("-j", type=int, default=2)
     asked = options.parse_args()
     for name in sorted(build()):
         print(f"stays as it is: {name}", file=sys.stderr)
+    asked.puzzles = asked.puzzles or make()
     env = dict(os.environ, BANKSHOT_TUNABLES="1")
     said = subprocess.run([str(BUILD / "bankshot"), "--version"], capture_output=True, text=True, env=env, check=False).stderr
     numbers = dict(line.split("=") for line in said.splitlines() if asked.only in line)
