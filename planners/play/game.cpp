@@ -120,7 +120,7 @@ Plan plan_of(const Puzzle& puzzle, const Shot& first, const SolveOptions& option
     if (answer.shots.empty()) break;
     plan.next.push_back({asked, answer.shots.front()});
     shot = &plan.next.back().shot;
-    // What was estimated for this ball gives way to what its planned shot makes.
+    // The planned shot takes the place of the estimate for this ball.
     const bool last = is_last_ball(*now);
     const double made = last ? shot->robustness.success.value_or(estimate) : shot->leave->success;
     const double cleared = plan.clears.back() * std::min(1.0, made / estimate);

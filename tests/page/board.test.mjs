@@ -216,7 +216,7 @@ describe('a stranger', () => {
   test('goes on from where the balls stop', async () => {
     const { page, complaints } = await open(browser, server.url);
     const [, x, y] = /stops (\d+) cm.*?, (\d+) cm/.exec(await text(page, 'words')).map(Number);
-    await page.click('#onward');
+    await page.click('#further');
     await page.waitForFunction(() => location.hash.includes('names=5,6,8,9'));
     await answered(page);
     assert.match(await text(page, 'title'), /the 5 /);

@@ -80,7 +80,7 @@ function rests({ cue_rests, leave }, table) {
  * @param {any} shot @param {any} plan
  * @returns {[string, string][]}
  */
-function onward(shot, plan) {
+function planned(shot, plan) {
   /** @type {[string, string][]} */
   const rows = [];
   const next = plan?.next.length ? plan.next : shot.leave?.next ? [shot.leave.next] : [];
@@ -130,7 +130,7 @@ export function words(shot, { aim, table, plan }) {
   }
   const into = typeof shot.cue_rests === 'string' ? ` into ${side(shot.cue_rests)}` : '';
   if (shot.scratch) rows.push(['SCRATCH', `the cue ball falls${into}, too`]);
-  return [...rows, ...onward(shot, plan)];
+  return [...rows, ...planned(shot, plan)];
 }
 
 /** Fills a description list with terms and their values. @param {HTMLElement} list @param {[string, string][]} rows */

@@ -262,7 +262,7 @@ function listen() {
   controls.bind(form, () => scene, ended, changed);
   pressed('add', () => addBall());
   pressed('clear', () => change(() => Object.assign(scene, { others: [], names: [], zone: [] })));
-  pressed('onward', async () => {
+  pressed('further', async () => {
     const next = await view.after();
     if (next) begin(next);
   });

@@ -155,7 +155,7 @@ export class View {
       .filter(Boolean)
       .join('; ');
     $('playing').hidden = !shot?.path;
-    $('onward').hidden = !shot?.hits?.length;
+    $('further').hidden = !shot?.hits?.length;
     $('why').hidden = !shot;
     const over = shot && sight(table(), scene().ball, shot.angle).words;
     const plan = i === 0 ? this.plan : undefined;
@@ -226,7 +226,7 @@ export class View {
   /** Returns the scene after the shot in view: balls that fell are gone. @returns {Promise<state.Scene | null>} */
   async after() {
     const { scene } = this.page;
-    const followed = this.shot() && (await follow(scene(), this.shot(), 'onward'));
+    const followed = this.shot() && (await follow(scene(), this.shot(), 'further'));
     if (!followed?.path) return null;
     const next = structuredClone(scene());
     const end = (path) => path[path.length - 1].slice(1);
