@@ -106,6 +106,21 @@ describe('where the cue ball ends', () => {
   });
 });
 
+test('a shot without a place asked for has its spread, too', async () => {
+  for (const scene of [balls, 'ball=0.6,0.5&target=hit&object=2&least=1&others=1.7,0.4,2.1,0.95,1.2,1']) {
+    const { page, complaints } = await open(browser, `${server.url}#${scene}`);
+    await page.waitForSelector('.spread >> nth=1', { state: 'attached' });
+    const [cx, cy] = await page
+      .locator('.spread')
+      .first()
+      .evaluate((e) => ['cx', 'cy'].map((key) => Number(e.getAttribute(key))));
+    const [[x, y]] = await ring(page);
+    assert.ok(Math.hypot(cx - x, cy - y) < 0.25, `${[cx, cy]} and ${[x, y]}`);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  }
+});
+
 describe('a wider search that finds nothing', () => {
   for (const [name, answer, title] of /** @type {[string, object, RegExp][]} */ ([
     [

@@ -47,7 +47,8 @@ export class Closer {
 
   /** Drops all results, because the scene has changed. */
   clear() {
-    for (const kind of ['map', 'launches', 'mirror', 'mirror-path', 'afterwards', 'afterwards-path']) forget(kind);
+    for (const kind of ['map', 'launches', 'mirror', 'mirror-path', 'afterwards', 'afterwards-path', 'spread'])
+      forget(kind);
     forgetSides();
     this.forgetAim();
     const layers = this.page.layers();

@@ -32,7 +32,8 @@ function end(table, { path, arrival, hits, pocket, cue_rests }) {
 const shares = [0.5, 0.9].map((share) => Math.sqrt(-2 * Math.log(1 - share)));
 
 /** Draws where the cue ball stops for this player. */
-function ellipses(layer, spread) {
+function ellipses(layer, { leave, spread: own }) {
+  const spread = leave?.spread ?? own;
   if (!spread) return;
   const { sigma, angle } = spread;
   const [cx, cy] = spread.at;
@@ -74,7 +75,7 @@ export function paint(layer, table, others, shot, { afterwards = rest, all = fal
   layer.replaceChildren();
   beside(layer, others.filter((other) => other !== shot && other.path).slice(0, all ? undefined : most));
   if (!shot?.path) return;
-  ellipses(layer, shot.leave?.spread);
+  ellipses(layer, shot);
   planned(layer, table, balls, plan);
   sighted(layer, table, shot);
   for (const path of afterwards.others) line(layer, path, 'after', 0.005);

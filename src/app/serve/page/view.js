@@ -6,6 +6,7 @@ import { finish, follow, hits, outcome, turns } from './follow.js';
 import { aim, firstCushion, lead, note, paint } from './paint.js';
 import { play, stop } from './play.js';
 import { click } from './sound.js';
+import { spread } from './spread.js';
 import * as state from './state.js';
 import { sight } from './table.js';
 
@@ -174,10 +175,16 @@ export class View {
     layers().answer.classList.toggle('dims', shot !== this.shot());
   }
 
-  /** Adds the rest of the cue ball's path. */
+  /** Adds the rest of the cue ball's path, and where it stops for this player. */
   async lookOn(shot) {
-    const afterwards = await finish(this.page.scene(), shot, 'afterwards');
-    if (afterwards && shot === this.seen) this.paint(shot, afterwards);
+    const { scene, table } = this.page;
+    const [afterwards, spreads] = await Promise.all([
+      finish(scene(), shot, 'afterwards'),
+      shot?.spread ?? spread(scene(), table(), shot),
+    ]);
+    if (!afterwards || shot !== this.seen) return;
+    if (spreads) shot.spread = spreads;
+    this.paint(shot, afterwards);
   }
 
   /** Returns the cue ball's first point on a cushion, or null if it hits a ball. */
