@@ -155,6 +155,35 @@ describe('the picture follows what is dragged without a pause', () => {
       await page.close();
     });
 
+  test('the headline stays when all shots are listed, unless a better one was found', async (t) => {
+    const { page } = await open(browser, `${server.url}#${three}`);
+    await page.evaluate(() => {
+      const [title, status] = ['title', 'status'].map((id) => document.getElementById(id));
+      const look = () => {
+        if (/Looking/.test(status.textContent)) Object.assign(globalThis, { first: title.textContent });
+      };
+      new MutationObserver(look).observe(status, { childList: true });
+    });
+    const { x, y } = await middle(page, '[data-grip="ball"].grip');
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    let [changes, scratches] = [0, 0];
+    for (let i = 1; i <= 20; ++i) {
+      const before = await page.evaluate(() => document.body.dataset.asked);
+      await page.mouse.move(x + 6 * i, y + 25 * Math.sin(i));
+      await page.waitForFunction((before) => document.body.dataset.asked !== before, before);
+      await answered(page);
+      const [first, last] = await page.evaluate(() => [globalThis.first, document.getElementById('title').textContent]);
+      changes += Number(first !== last);
+      scratches += Number(/SCRATCH/.test(first));
+    }
+    await page.mouse.up();
+    t.diagnostic(`${changes} of 20 headlines changed, ${scratches} began with a scratch`);
+    assert.ok(changes <= 2, `${changes} changes`);
+    assert.equal(scratches, 0);
+    await page.close();
+  });
+
   test('an aim of one’s own, answers 100 ms late', async (t) => {
     const { page } = await open(browser, `${server.url}#table=pool-9ft`);
     await page.route('**/api/**', async (route) => {

@@ -108,6 +108,17 @@ describe('a layout is kept and shared', () => {
   });
 });
 
+test('a drill is printed with its name, its answer and a place for the score, without controls', async () => {
+  const { page } = await open(browser, server.url);
+  await page.selectOption('#gallery', { label: 'Wagon wheel' });
+  await answered(page);
+  await page.emulateMedia({ media: 'print' });
+  assert.match(await text(page, 'sheet'), /^Wagon wheel\. Made: _+ of 10/);
+  for (const id of ['sheet', 'table', 'title', 'words']) assert.ok(await page.isVisible('#' + id), id);
+  for (const id of ['controls', 'tray', 'playing', 'skilled']) assert.ok(await page.isHidden('#' + id), id);
+  await page.close();
+});
+
 describe('practice', () => {
   test('today’s puzzle is guessed, counted and then shown', async () => {
     const { page, complaints } = await open(browser, server.url);

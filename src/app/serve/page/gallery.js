@@ -72,7 +72,7 @@ const gallery = {
   ],
 };
 
-/** Lists the scenes. @param {HTMLSelectElement} select @param {(address: string) => void} choose */
+/** Lists the scenes. @param {HTMLSelectElement} select @param {(address: string, name: string) => void} choose */
 export function hang(select, choose) {
   for (const [title, scenes] of Object.entries(gallery)) {
     const group = document.createElement('optgroup');
@@ -81,7 +81,7 @@ export function hang(select, choose) {
     select.append(group);
   }
   select.addEventListener('change', () => {
-    if (select.value) choose(select.value);
+    if (select.value) choose(select.value, select.selectedOptions[0].text);
     select.value = '';
   });
 }

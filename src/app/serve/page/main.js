@@ -62,6 +62,7 @@ function write() {
 
 /** Begins another scene. @param {state.Scene} next */
 function begin(next) {
+  $('sheet').textContent = '';
   change(() => (scene = next));
 }
 
@@ -278,7 +279,10 @@ function listen() {
   practice.listen();
   on('paths', 'change', () => view.look());
   on('inches', 'change', () => (units.useInches($('inches').checked), view.look()));
-  hang($('gallery'), (address) => begin(state.read(address)));
+  hang($('gallery'), (address, name) => {
+    begin(state.read(address));
+    $('sheet').textContent = `${name}. Made: ___ of 10.`; // for who prints it
+  });
   svg.addEventListener('dblclick', (event) => {
     if (event.target.classList.contains('cloth')) addBall(pointIn(svg, event));
   });
