@@ -79,9 +79,6 @@ void write_preset(JsonWriter& w, const TablePreset& preset) {
 constexpr double most_points = 1e6;
 constexpr std::size_t most_events = 100000;
 
-/// The most other balls of a generated puzzle, as for `bankshot generate`.
-constexpr long most_balls = 21;
-
 void check_length(const Puzzle& p, const Answer& found) {
   double points = 0;
   for (const Shot& shot : found.shots)
@@ -166,16 +163,17 @@ Reply launches(const Query& query, const std::string& body, const Limit& limit) 
 Reply generate(const Query& query) {
   return answer([&] {
     Wishes wishes;
-    long seed = 0, number = 1, balls = 0;
+    long seed = 0, number = 1;
+    std::vector<int> balls{0};
     std::vector<double> speed(2);  // m/s; without a highest one, any
     read(query, std::array{Option{.name = "seed", .target = &seed, .required = true}, Option{"number", &number},
                            Option{"table", &wishes.table}, Option{"physics", &wishes.physics},
                            Option{"cushions", &wishes.cushions}, Option{"target", &wishes.target},
-                           Option{"balls", &balls}, Option{"then", &wishes.then},
+                           Option{"balls", &balls, "", {0, most_balls}}, Option{"then", &wishes.then},
                            Option{"difficulty", &wishes.difficulty}, Option{"unique", &wishes.unique},
                            Option{"speed", &speed, "", {0, 30}}, Option{"no-spin", &wishes.no_spin}});
     wishes.seed = static_cast<std::uint64_t>(seed);
-    wishes.balls = static_cast<int>(std::min(balls, most_balls));
+    wishes.balls = balls.front();
     if (speed[1] > 0) wishes.speed = speed;
     const Made made = make(wishes, read_wish(wishes), number);
     if (made.line.empty()) return refusal(404, "", "no puzzle was found: " + made.tries.text());

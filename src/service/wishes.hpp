@@ -15,6 +15,9 @@ namespace bankshot::service {
 /// Names in the order of Wish::Kind.
 inline constexpr std::string_view kinds[] = {"pocket", "stop", "pass", "kick", "pot", "carom"};
 
+/// The most other balls of a puzzle.
+inline constexpr int most_balls = 21;
+
 /// Values of the options with the same names; an empty one means any.
 struct Wishes {
   std::uint64_t seed = 0;

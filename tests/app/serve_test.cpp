@@ -104,7 +104,8 @@ TEST_CASE("a puzzle is made as generate makes it, and a wish that cannot be is r
   const test::Run run =
       test::run_program("generate --seed 7 --count 2 --target pot --cushions 0 --balls 3 --no-spin --speed 1,4");
   CHECK(run.out.ends_with("\n" + made->body));
-  for (const char* wrong : {"", "?seed=1&target=hole", "?seed=1&difficulty=fun", "?seed=1&speed=4,1&target=pot"})
+  for (const char* wrong :
+       {"", "?seed=1&target=hole", "?seed=1&difficulty=fun", "?seed=1&balls=22", "?seed=1&speed=4,1&target=pot"})
     CHECK(server.post(std::string("/api/generate") + wrong, "")->status == 400);
 }
 

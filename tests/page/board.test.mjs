@@ -2,7 +2,7 @@
 // push each other, and move to another table.
 import assert from 'node:assert/strict';
 import { after, describe, test } from 'node:test';
-import { answered, drag, launch, middle, open, serve } from './browser.mjs';
+import { answered, drag, launch, middle, open, scene, serve, text } from './browser.mjs';
 
 const server = await serve();
 const browser = await launch();
@@ -11,8 +11,6 @@ after(async () => {
   server.end();
 });
 
-const text = (page, id) => page.locator('#' + id).textContent();
-const scene = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
 const numbers = (list) => list.split(',').map(Number);
 
 /** Clicks a grip or a pocket of the table. */

@@ -81,13 +81,23 @@ export async function middle(page, selector) {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-/** Drags a grip by a distance in metres, in steps as a hand does. */
-export async function drag(page, grip, right, up, steps = 12) {
-  const { x, y } = await middle(page, `[data-grip="${grip}"].grip`);
-  const metre = await page.evaluate(() => {
+/** Returns the text of an element. */
+export const text = (page, id) => page.locator('#' + id).textContent();
+
+/** Returns the scene that the address holds, as texts. */
+export const scene = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
+
+/** Returns the pixels of a metre of the table. */
+export const pixels = (page) =>
+  page.evaluate(() => {
     const table = /** @type {SVGSVGElement} */ (document.querySelector('#table'));
     return table.getBoundingClientRect().width / table.viewBox.baseVal.width;
   });
+
+/** Drags a grip by a distance in metres, in steps as a hand does. */
+export async function drag(page, grip, right, up, steps = 12) {
+  const { x, y } = await middle(page, `[data-grip="${grip}"].grip`);
+  const metre = await pixels(page);
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + right * metre, y - up * metre, { steps });

@@ -2,7 +2,7 @@
 // none.
 import assert from 'node:assert/strict';
 import { after, describe, test } from 'node:test';
-import { answered, drag, launch, open, serve } from './browser.mjs';
+import { answered, drag, launch, open, serve, text } from './browser.mjs';
 
 const server = await serve();
 const browser = await launch();
@@ -13,8 +13,6 @@ after(async () => {
 
 const balls = 'ball=0.6,0.5&target=another ball&most=2&others=1.7,0.4,2.1,0.95,1.2,1';
 const every = '**/api/solve?all*';
-
-const text = (page, id) => page.locator('#' + id).textContent();
 
 /** Moves the ball, and returns the answer with all shots after `change` was applied to it. A question that the page gave
  * up on its way is answered without shots: that answer is passed on as it is. */

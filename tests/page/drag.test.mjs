@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, describe, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
-import { answered, launch, middle, open, serve } from './browser.mjs';
+import { answered, launch, middle, open, pixels, serve } from './browser.mjs';
 
 const server = await serve();
 const browser = await launch();
@@ -16,12 +16,6 @@ const nine = `${three},1.9,0.7,2.2,0.3,0.3,1.1,1.5,0.15,2.35,0.6,0.9,0.15`;
 
 const frame = 1000 / 60; // ms between the moves of a pointer
 const moves = 240;
-
-const metre = (page) =>
-  page.evaluate(() => {
-    const table = /** @type {SVGSVGElement} */ (document.querySelector('#table'));
-    return table.getBoundingClientRect().width / table.viewBox.baseVal.width;
-  });
 
 describe('a finger', () => {
   const phone = { viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true };
@@ -102,7 +96,7 @@ describe('the picture follows what is dragged without a pause', () => {
   /** Moves a grip in circles. @returns the redraws while it moves */
   async function round(page, grip, kind, radius) {
     const { x, y } = await middle(page, `[data-grip="${grip}"].grip`);
-    const r = radius * (await metre(page));
+    const r = radius * (await pixels(page));
     await page.mouse.move(x, y);
     await page.mouse.down();
     const drawn = await count(page, kind);

@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { after, describe, test } from 'node:test';
-import { answered, drag, launch, open, program, serve } from './browser.mjs';
+import { answered, drag, launch, open, program, scene, serve, text } from './browser.mjs';
 
 const server = await serve();
 const browser = await launch();
@@ -13,8 +13,6 @@ after(async () => {
   server.end();
 });
 
-const text = (page, id) => page.locator('#' + id).textContent();
-const scene = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
 const numbers = (list) => list.split(',').map(Number);
 
 const balls = 'ball=0.6,0.5&others=1.7,0.4,2.1,0.95,1.2,1&names=5,7,9';

@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
-import { answered, drag, launch, open, program, serve, ways } from './browser.mjs';
+import { answered, drag, launch, open, program, scene, serve, text, ways } from './browser.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const server = await serve();
@@ -15,11 +15,8 @@ after(async () => {
 });
 
 const shots = (page) => page.locator('#shots button').count();
-const text = (page, id) => page.locator('#' + id).textContent();
 /** The address of the first scene; without an address the page opens on a layout. */
 const first = '#table=pool-9ft';
-
-const scene = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
 
 for (const { name, url } of await ways(server))
   describe(`the page of ${name}`, () => {

@@ -2,7 +2,7 @@
 // second, the longest time without one, and the time from the end of the movement to the best shot and to all shots.
 // The scenes ask what to play with one, three and nine object balls; answers are late by `latency_ms`.
 import { setTimeout as wait } from 'node:timers/promises';
-import { answered, launch, middle, open, serve, ways } from './browser.mjs';
+import { answered, launch, middle, open, pixels, serve, ways } from './browser.mjs';
 
 const [moves, frame] = [240, 1000 / 60]; // ms between moves
 const others = '1.7,0.4,2.1,0.95,1.2,1,1.9,0.7,2.2,0.3,0.3,1.1,1.5,0.15,2.35,0.6,0.9,0.15'.split(',');
@@ -29,12 +29,6 @@ function watch() {
   Object.assign(globalThis, { seen });
 }
 
-const metre = (page) =>
-  page.evaluate(() => {
-    const table = /** @type {SVGSVGElement} */ (document.querySelector('#table'));
-    return table.getBoundingClientRect().width / table.viewBox.baseVal.width;
-  });
-
 async function measure(browser, url, scene, latency) {
   const { page } = await open(browser, `${url}#${scene}`);
   if (latency)
@@ -43,7 +37,7 @@ async function measure(browser, url, scene, latency) {
       await route.continue().catch(() => {}); // its page may have cancelled it
     });
   const { x, y } = await middle(page, '[data-grip="ball"].grip');
-  const r = 0.12 * (await metre(page));
+  const r = 0.12 * (await pixels(page));
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.evaluate(watch);

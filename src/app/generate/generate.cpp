@@ -82,7 +82,7 @@ Run add(CLI::App& app) {
   command
       ->add_option("--balls", a->balls,
                    "Other balls on the table; 0 means three for kick, pot and carom, and none otherwise")
-      ->check(CLI::Range(0, 21));
+      ->check(CLI::Range(0, service::most_balls));
   command->add_option("--then", a->then, "Cushions of the object ball of a pot, as for --cushions")
       ->capture_default_str();
   command->add_option("--difficulty", a->difficulty, "easy, medium or hard, see below; without it any")

@@ -149,6 +149,10 @@ export function tell(list, rows) {
 const purpose = (shot) =>
   shot.then?.pocket && !shot.safety ? `${shot.then.ball} into ${shot.then.pocket}` : pattern(shot);
 
+/** Returns the terms and values of a description list. @param {HTMLElement} list @returns {[string, string][]} */
+export const told = (list) =>
+  [...list.querySelectorAll('dt')].map((term) => [term.textContent, term.nextSibling.textContent]);
+
 /** Returns the numbers of the shots for each purpose, best first. @param {any[]} shots @returns {Map<string, number[]>} */
 export function groups(shots) {
   const found = new Map();

@@ -26,14 +26,23 @@ export function set({ name }) {
 /**
  * Returns how a ball looks.
  * @param {string} name
- * @returns {{colour: string, stripe: boolean, ink: string, digit: string}} `digit`: what is written on it, if anything
+ * @returns {{fill: string, band: string, ink: string, digit: string}} `band`: the colour of its stripe, if it has one;
+ *   `digit`: what is written on it, if anything
  */
 export function look(name) {
   const number = /^\d+$/.test(name) ? Number(name) : 0;
   const known = number >= 1 && number <= 15 ? numbered[(number - 1) % 8] : named[name.replace(/\d+$/, '')];
   const colour = known ?? plain;
   const ink = pale.includes(colour) || colour === plain ? '#1b1b1d' : '#ffffff';
-  return { colour, stripe: number > 8 && number < 16, ink, digit: number ? name : '' };
+  const stripe = number > 8 && number < 16;
+  return { fill: stripe ? '#f7f5ee' : colour, band: stripe ? colour : '', ink, digit: number ? name : '' };
+}
+
+/** Returns the outline of a stripe around the middle of a ball. @param {number} radius */
+export function band(radius) {
+  const [x, y] = [0.8 * radius, 0.6 * radius]; // where it ends on the edge
+  const round = `A${radius} ${radius} 0 0 1 `;
+  return `M${-x} ${-y}L${x} ${-y}${round}${x} ${y}L${-x} ${y}${round}${-x} ${-y}Z`;
 }
 
 /** Names a ball in a sentence. @param {string} name */

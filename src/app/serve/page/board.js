@@ -1,9 +1,9 @@
 // The balls, the target, the place to leave the cue ball and the aim, which are moved by hand.
-import { called, look } from './balls.js';
+import { band, called, look } from './balls.js';
 import { draggable } from './drag.js';
 import { inside, snaps } from './layout.js';
 import { nameOf } from './state.js';
-import { metres, shape, upright } from './table.js';
+import { metres, onPress, shape, upright } from './table.js';
 
 /**
  * @typedef {[number, number]} Point
@@ -31,14 +31,9 @@ function pocketNear(table, [x, y]) {
 
 /** Draws what is on a ball: its stripe and its number. @returns {SVGElement} a group around the ball's centre */
 function skin(layer, name, radius) {
-  const { colour, stripe, ink, digit } = look(name);
+  const { band: stripe, ink, digit } = look(name);
   const group = shape('g', { class: 'skin' }, layer);
-  if (stripe) {
-    // The band ends on the ball's edge at this share of its radius.
-    const [x, y] = [0.8 * radius, 0.6 * radius];
-    const edge = `M${-x} ${-y}L${x} ${-y}A${radius} ${radius} 0 0 1 ${x} ${y}L${-x} ${y}A${radius} ${radius} 0 0 1 ${-x} ${-y}Z`;
-    shape('path', { d: edge, fill: colour }, group);
-  }
+  if (stripe) shape('path', { d: band(radius), fill: stripe }, group);
   if (digit) shape('text', { class: 'digit', fill: ink }, group).textContent = digit;
   return group;
 }
@@ -117,12 +112,7 @@ export class Board {
         { ...attributes, 'aria-label': `Pocket ${name}`, 'data-pocket': name, 'stroke-width': 0.01 },
         this.layer,
       );
-      pocket.addEventListener('click', () => this.hands.pocket(name));
-      pocket.addEventListener('keydown', (event) => {
-        if (event.key !== 'Enter' && event.key !== ' ') return;
-        event.preventDefault();
-        this.hands.pocket(name);
-      });
+      onPress(pocket, () => this.hands.pocket(name));
     }
   }
 
@@ -168,8 +158,7 @@ export class Board {
     const { table, hands } = this;
     const name = nameOf(hands.scene(), i);
     const label = called(name)
-      .replace(/^the /, 'Ball ')
-      .replace(/^ball /, 'Ball ')
+      .replace(/^(the|ball) /, 'Ball ')
       .replace(/^a red/, 'Red ball');
     const where = () => hands.scene().others[i];
     const leave = () => hands.removed(i);
@@ -189,8 +178,7 @@ export class Board {
     const { hands, layer } = this;
     const { where, put } = held;
     const dot = shape('circle', { class: kind, r: radius, 'stroke-width': kind === 'target' ? 0.012 : 0.004 }, layer);
-    const ball = held.name ? look(held.name) : null;
-    if (ball) dot.setAttribute('fill', ball.stripe ? '#f7f5ee' : ball.colour);
+    if (held.name) dot.setAttribute('fill', look(held.name).fill);
     const drawn = held.name ? skin(layer, held.name, radius) : undefined;
     const size = Math.max(radius, this.reach());
     const attributes = { tabindex: 0, role: 'button', 'aria-label': label, 'data-grip': name, 'stroke-width': 0.01 };

@@ -9,7 +9,7 @@ import { firstCushion, lead } from './paint.js';
 import { forgetSides, sides } from './sides.js';
 import { starts } from './starts.js';
 import * as state from './state.js';
-import { wrapped } from './units.js';
+import { angleTo, wrapped } from './units.js';
 
 /**
  * @typedef {{
@@ -79,8 +79,7 @@ export class Closer {
     const wall = firstCushion(table, shot.path);
     const upright = wall && Math.min(wall[0], table.length - wall[0]) < table.radius + 1e-6;
     this.aimed = wall ? (upright ? [wall[0], at[1]] : [at[0], wall[1]]) : at;
-    const [x, y] = this.page.scene().ball;
-    const angle = (Math.atan2(this.aimed[1] - y, this.aimed[0] - x) * 180) / Math.PI;
+    const angle = angleTo(this.page.scene().ball, this.aimed);
     this.launch({ ...shot, angle });
   }
 

@@ -1,42 +1,31 @@
 // Keeps and shares: scenes under a name in this browser, links, pictures, and puzzles as the program reads them.
+import { told } from './answer.js';
 import * as controls from './controls.js';
 import { $ } from './controls.js';
 import { read } from './open.js';
 import * as save from './save.js';
 import * as state from './state.js';
+import { keep, kept } from './store.js';
 
 const place = 'scenes'; // key in the browser's store
 
-/** @returns {Record<string, string>} addresses by name; none if the store is blocked */
-function kept() {
-  try {
-    return JSON.parse(localStorage.getItem(place) ?? '{}');
-  } catch {
-    return {};
-  }
-}
+/** @returns {Record<string, string>} addresses by name */
+const scenes = () => kept(place, {});
 
-/** Keeps an address under a name; null forgets it. @param {string} name @param {string | null} address */
-function keep(name, address) {
-  const { [name]: _, ...all } = kept();
-  try {
-    localStorage.setItem(place, JSON.stringify(address === null ? all : { ...all, [name]: address }));
-    return true;
-  } catch {
-    return false;
-  }
+/** Forgets a name. */
+function forget(name) {
+  const { [name]: _, ...others } = scenes();
+  keep(place, others);
 }
 
 function showKept() {
-  const names = Object.keys(kept());
+  const names = Object.keys(scenes());
   controls.options($('kept'), [['', names.length ? '…' : 'none yet'], ...names.map(controls.same)], '');
 }
 
 /** Returns what a picture says below the table. @returns {string[]} */
 function caption() {
-  const rows = [...$('words').querySelectorAll('dt')].map(
-    (term) => `${term.textContent}: ${term.nextSibling.textContent}`,
-  );
+  const rows = told($('words')).map((row) => row.join(': '));
   const third = Math.ceil(rows.length / 3);
   const lines = [0, 1, 2].map((i) => rows.slice(i * third, (i + 1) * third).join(' · '));
   return [$('title').textContent, ...lines.filter(Boolean)];
@@ -89,16 +78,20 @@ export function sharing(svg, { scene, tables, begin, write }) {
   pressed('print', () => print());
   pressed('keep', () => {
     const name = $('name').value.trim() || new Date().toLocaleString();
-    say(keep(name, state.address(scene())) ? `Kept as “${name}”.` : 'This browser keeps nothing for this page.');
+    say(
+      keep(place, { ...scenes(), [name]: state.address(scene()) })
+        ? `Kept as “${name}”.`
+        : 'This browser keeps nothing for this page.',
+    );
     showKept();
   });
   $('kept').addEventListener('change', () => {
-    const address = kept()[$('kept').value];
+    const address = scenes()[$('kept').value];
     if (address) begin(state.read(address));
     $('name').value = $('kept').value;
   });
   pressed('forget', () => {
-    keep($('name').value, null);
+    forget($('name').value);
     showKept();
   });
   showKept();

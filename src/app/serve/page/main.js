@@ -40,14 +40,12 @@ const closer = new Closer({ ...parts, shots: () => view.shots, shot: () => view.
 const view = new View({ ...parts, closer: () => closer, shown: showTip });
 const search = searcher(parts.scene, {
   none() {
-    document.body.dataset.answered = document.body.dataset.asked;
     view.empty();
     $('title').textContent = 'Put a ball on the table';
     write();
   },
   best: (answer) => view.best(answer),
   all: (answer) => {
-    document.body.dataset.answered = document.body.dataset.asked;
     view.all(answer);
     write();
     closer.look();
@@ -102,16 +100,14 @@ const hands = {
   },
   snaps: () => $('snap').checked,
   aim: {
-    where: () => (guessing() ? sight(table, scene.ball, closer.guess.angle).at : (closer.aimed ?? view.aimPoint())),
+    where: () => (closer.guess ? sight(table, scene.ball, closer.guess.angle).at : (closer.aimed ?? view.aimPoint())),
     move(at) {
-      if (!guessing()) return closer.aimAt(inside(table, at));
-      closer.guess.angle = (Math.atan2(at[1] - scene.ball[1], at[0] - scene.ball[0]) * 180) / Math.PI;
+      if (!closer.guess) return closer.aimAt(inside(table, at));
+      closer.guess.angle = units.angleTo(scene.ball, at);
       view.look();
     },
   },
 };
-
-const guessing = () => document.body.hasAttribute('data-guess') && closer.guess !== null;
 
 /** Draws everything anew, after a change that is not a movement. */
 function rebuild() {
@@ -178,15 +174,7 @@ function showTip(shot) {
 }
 
 const drawTray = tray($('tray'), svg, {
-  add(name, at) {
-    const place = at ? inside(table, at) : free(table, [scene.ball, ...scene.others]);
-    if (!place) return;
-    change(() => {
-      state.addBall(scene, name, place);
-      const balls = apart(table, [scene.ball, ...scene.others], scene.others.length);
-      if (balls) [scene.ball, ...scene.others] = balls;
-    });
-  },
+  add: addBall,
   remove: (name) => change(() => state.removeBall(scene, state.namesOf(scene).indexOf(name))),
 });
 
@@ -202,11 +190,21 @@ zoning(svg, $('zone'), {
   removed: () => change(() => (scene.zone = [])),
 });
 
-/** Adds a ball at a place or, without one, where there is room. @param {[number, number]} [at] */
-function addBall(at) {
+/**
+ * Adds a ball at a place, from which it pushes others away, or without one where there is room.
+ * @param {string} name @param {[number, number]} [at]
+ */
+function addBall(name, at) {
   const place = at ? inside(table, at) : free(table, [scene.ball, ...scene.others]);
-  if (place) change(() => state.addBall(scene, freeName(table, state.namesOf(scene)), place));
+  if (!place) return;
+  change(() => {
+    state.addBall(scene, name, place);
+    const balls = apart(table, [scene.ball, ...scene.others], scene.others.length);
+    if (balls) [scene.ball, ...scene.others] = balls;
+  });
 }
+
+const nextName = () => freeName(table, state.namesOf(scene));
 
 /** Puts the cue ball, which is in hand, where the shot is best. */
 async function placeInHand() {
@@ -261,7 +259,7 @@ function listen() {
     show(); // a number beyond its limits was taken as the limit
   };
   controls.bind(form, () => scene, ended, changed);
-  pressed('add', () => addBall());
+  pressed('add', () => addBall(nextName()));
   pressed('clear', () => change(() => Object.assign(scene, { others: [], names: [], zone: [] })));
   pressed('further', async () => {
     const next = await view.after();
@@ -284,7 +282,7 @@ function listen() {
     $('sheet').textContent = `${name}. Made: ___ of 10.`; // for who prints it
   });
   svg.addEventListener('dblclick', (event) => {
-    if (event.target.classList.contains('cloth')) addBall(pointIn(svg, event));
+    if (event.target.classList.contains('cloth')) addBall(nextName(), pointIn(svg, event));
   });
   addEventListener('resize', () => board.placeAll());
   upended.addEventListener('change', rebuild);
@@ -296,15 +294,14 @@ function listen() {
     event.preventDefault();
     turn(event.shiftKey || key === 'y' ? 'redo' : 'undo');
   });
-  onLost((lost) => {
-    document.body.toggleAttribute('data-lost', lost);
-    $('status').textContent = lost ? 'The engine does not answer; asking again …' : '';
-  });
 }
 
 document.body.classList.toggle('embed', new URLSearchParams(location.search).has('embed'));
 $('inches').checked = units.inches;
-onLost((lost) => ($('status').textContent = lost ? 'The engine does not answer; asking again …' : ''));
+onLost((lost) => {
+  document.body.toggleAttribute('data-lost', lost);
+  $('status').textContent = lost ? 'The engine does not answer; asking again …' : '';
+});
 const [known, schema] = await Promise.all([ask('tables'), ask('schema?document=shot')]);
 tables = known;
 if (Array.isArray(tables)) {

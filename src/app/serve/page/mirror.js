@@ -1,4 +1,5 @@
 // The aim at the mirror image, as people take it. It is right only if cushions are mirrors.
+import { angleTo } from './units.js';
 
 /**
  * Returns the direction to the target's mirror image.
@@ -16,7 +17,7 @@ export function mirrorAim({ length, width, radius }, from, to, cushions) {
     if (cushion === 'bottom') y = 2 * radius - y;
     if (cushion === 'top') y = 2 * (width - radius) - y;
   }
-  return (Math.atan2(y - from[1], x - from[0]) * 180) / Math.PI;
+  return angleTo(from, [x, y]);
 }
 
 /** Returns the path that mirror cushions would give. @returns {[number, number][]} */

@@ -4,7 +4,8 @@ import { $ } from './controls.js';
 import { ask } from './engine.js';
 import { read } from './open.js';
 import * as state from './state.js';
-import { side } from './units.js';
+import { keep, kept } from './store.js';
+import { angleTo, side } from './units.js';
 
 /** What each kind of drill asks of the generator. @type {Record<string, string>} */
 const kinds = {
@@ -17,16 +18,10 @@ const speeds = '0.5,5'; // m/s: a player's
 const store = 'record'; // key in the browser's store
 
 /** Returns the number of a day: its year, month and day. @param {Date} day */
-export const dayOf = (day) => day.getFullYear() * 10000 + (day.getMonth() + 1) * 100 + day.getDate();
+const dayOf = (day) => day.getFullYear() * 10000 + (day.getMonth() + 1) * 100 + day.getDate();
 
 /** @returns {{tried: number, made: number, days: number[]}} */
-function record() {
-  try {
-    return { tried: 0, made: 0, days: [], ...JSON.parse(localStorage.getItem(store) ?? '{}') };
-  } catch {
-    return { tried: 0, made: 0, days: [] };
-  }
-}
+const record = () => kept(store, { tried: 0, made: 0, days: [] });
 
 /** @param {state.Scene} scene */
 function cushions({ least, most }) {
@@ -45,7 +40,7 @@ function task(scene) {
 }
 
 /** Says whether a launch made what the scene asks. @param {state.Scene} scene @param {any} followed */
-export function made(scene, { events }) {
+function made(scene, { events }) {
   const falls = events.filter(({ type }) => type === 'pocket');
   const cue = falls.find(({ ball }) => ball === 'cue');
   if (scene.target === state.pot)
@@ -73,14 +68,8 @@ export class Practice {
     $('daily').addEventListener('click', () => this.daily());
     $('drill').addEventListener('click', () => this.drill());
     $('shoot').addEventListener('click', () => this.shoot());
-    $('reveal').addEventListener('click', () => {
-      this.hide(false);
-      this.check();
-    });
-    $('again').addEventListener('click', () => {
-      this.again();
-      this.check();
-    });
+    $('reveal').addEventListener('click', () => this.reveal());
+    $('again').addEventListener('click', () => this.again());
     const say = () => ($('guess').querySelector('.value').textContent = Number($('force').value).toFixed(2));
     $('force').addEventListener('input', say);
     say();
@@ -117,9 +106,10 @@ export class Practice {
       return;
     }
     this.day = day;
-    this.hide(false);
+    this.page.closer.guess = null;
     this.page.begin({ ...scene, skill: this.page.scene().skill });
     this.asked = state.address(this.page.scene());
+    this.check();
     $('task').textContent = task(this.page.scene());
     if ($('guessing').checked || day > 0) this.again();
     document.body.scrollIntoView({ behavior: 'smooth' });
@@ -128,16 +118,18 @@ export class Practice {
   /** Lets the user guess, for the first time or once more. */
   again() {
     this.aim();
-    this.hide(true);
     this.page.closer.forgetAim();
-    this.page.view.guessing();
+    this.show();
+    $('status').textContent = '';
+    this.page.view.look();
   }
 
   /** Ends the guessing if the scene is no longer that of the puzzle. */
   check() {
     const own = state.address(this.page.scene()) === this.asked;
-    if (!own && document.body.hasAttribute('data-guess')) this.hide(false);
-    $('again').hidden = !own || document.body.hasAttribute('data-guess');
+    if (!own) this.page.closer.guess = null;
+    this.show();
+    $('again').hidden = !own;
   }
 
   /** Aims straight at what is to be hit, as a first guess. */
@@ -147,23 +139,28 @@ export class Practice {
     const i = state.namesOf(scene()).indexOf(object);
     const pocket = table().pockets.find(({ name }) => name === target);
     const at = [state.pot, state.hit].includes(target) && i >= 0 ? scene().others[i] : (pocket?.at ?? [0, 0]);
-    closer.guess = { angle: (Math.atan2(at[1] - ball[1], at[0] - ball[0]) * 180) / Math.PI };
+    closer.guess = { angle: angleTo(ball, at) };
   }
 
-  /** Hides the answer, or shows it. @param {boolean} is */
-  hide(is) {
-    document.body.toggleAttribute('data-guess', is);
-    $('guess').hidden = !is;
-    $('told').hidden = is;
-    if (is) $('status').textContent = '';
-    else this.page.view.look();
+  /** Shows what is to be guessed, or else the answer. */
+  show() {
+    const guesses = this.page.closer.guess !== null;
+    $('guess').hidden = !guesses;
+    $('told').hidden = guesses;
+  }
+
+  /** Ends the guessing. */
+  reveal() {
+    this.page.closer.guess = null;
+    this.show();
+    this.page.view.look();
   }
 
   /** Plays the guess, counts it, and shows the answer. */
   async shoot() {
     const { closer, view, scene } = this.page;
     const launch = { ...closer.guess, speed: Number($('force').value), spin: { top: 0, side: 0 } };
-    this.hide(false);
+    this.reveal();
     closer.launch(launch);
     const followed = await view.start(1, launch);
     if (!followed) return;
@@ -171,14 +168,9 @@ export class Practice {
     const all = record();
     Object.assign(all, { tried: all.tried + 1, made: all.made + Number(good) });
     if (good && this.day && !all.days.includes(this.day)) all.days.push(this.day);
-    try {
-      localStorage.setItem(store, JSON.stringify(all));
-    } catch {
-      // The record lasts for this visit's puzzle only.
-    }
+    keep(store, all);
     this.tell(all);
     $('other').textContent = good ? 'Made!' : 'Missed. Your path is drawn beside the best one.';
-    $('again').hidden = false;
   }
 
   tell({ tried, made, days } = record()) {

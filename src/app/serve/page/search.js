@@ -5,7 +5,7 @@ import * as state from './state.js';
 
 /**
  * @param {() => state.Scene} scene
- * @param {{none: () => void, best: (answer: any) => void, all: (answer: any, puzzle: object) => void}} on called with the newest
+ * @param {{none: () => void, best: (answer: any) => void, all: (answer: any) => void}} on called with the newest
  *   answers; `none`: the table has no ball to play
  * @returns {() => void} begins a search; a newer one ends it
  */
@@ -19,6 +19,7 @@ export function searcher(scene, on) {
     clearTimeout(slow);
     $('busy').hidden = true;
   };
+  const answered = () => (document.body.dataset.answered = document.body.dataset.asked); // tests wait for it
   const newest = (asked) => asked === document.body.dataset.asked;
 
   /** Lists all shots, perhaps for seconds; a move ends it. */
@@ -26,12 +27,16 @@ export function searcher(scene, on) {
     const answer = await ask('solve?all&path', puzzle, 'solve');
     if (!answer) return;
     rest();
-    on.all(answer, puzzle);
+    answered();
+    on.all(answer);
   }
 
   /** A move lets this question end, so that the picture follows the dragging. */
   const best = latest(async () => {
-    if (!scene().others.length && (state.sends(scene()) || scene().target === state.hit)) return on.none();
+    if (!scene().others.length && (state.sends(scene()) || scene().target === state.hit)) {
+      answered();
+      return on.none();
+    }
     const [asked, puzzle] = [document.body.dataset.asked, state.puzzle(scene())];
     wait();
     // A plan takes longer than its first shot; it comes with the list.
@@ -42,7 +47,7 @@ export function searcher(scene, on) {
   });
 
   return () => {
-    document.body.dataset.asked = state.address(scene()); // tests wait until `answered` equals it
+    document.body.dataset.asked = state.address(scene());
     best();
   };
 }

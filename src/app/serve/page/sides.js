@@ -35,7 +35,7 @@ function stand(layer, table, scene) {
   if (pocket) put('target', pocket.hole, pocket.radius + 0.012, 0.012);
   else if (scene.target === 'point') put('target', scene.point, table.radius, 0.012);
   scene.others.forEach((at, i) =>
-    put('other', at, table.radius).setAttribute('fill', look(state.nameOf(scene, i)).colour),
+    put('other', at, table.radius).setAttribute('fill', look(state.nameOf(scene, i)).fill),
   );
   put('ball', scene.ball, table.radius);
 }

@@ -7,7 +7,7 @@ import { wrapped } from './units.js';
  * @typedef {typeof first} Scene
  */
 
-/** What an address says that says nothing. The type of each value must never change, since addresses outlive versions. */
+/** The values of keys that an address leaves out. The type of each must never change, since addresses outlive versions. */
 export const first = {
   table: 'pool-9ft',
   physics: 'spin',

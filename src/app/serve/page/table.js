@@ -62,18 +62,23 @@ function mouth({ mouth, tip }) {
   return mouth.map(([x, y], i) => `${ways[i]}${x} ${y}`).join('') + 'z';
 }
 
+/** Calls `f` when something is clicked, or pressed by a key. @param {Element} element @param {() => void} f */
+export function onPress(element, f) {
+  element.addEventListener('click', f);
+  element.addEventListener('keydown', (/** @type {any} */ event) => {
+    if (event.key !== 'Enter' && event.key !== ' ') return;
+    event.preventDefault();
+    f();
+  });
+}
+
 /** Adds the areas on which a click adds a cushion to the order. */
 function clickable(all, table, clicked) {
   for (const [name, [x, y, width, height]] of Object.entries(rails(table))) {
     const label = `${name} cushion: add it to the order`;
     const attributes = { class: 'click', x, y, width, height, tabindex: 0, role: 'button', 'aria-label': label };
     const rail = shape('rect', { ...attributes, 'data-cushion': name, 'stroke-width': 0.01 }, all);
-    rail.addEventListener('click', () => clicked(name));
-    rail.addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => {
-      if (event.key !== 'Enter' && event.key !== ' ') return;
-      event.preventDefault();
-      clicked(name);
-    });
+    onPress(rail, () => clicked(name));
   }
 }
 

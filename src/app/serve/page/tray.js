@@ -1,5 +1,5 @@
 // The balls that may be put on the table: dragged onto it, or pressed.
-import { called, look, set } from './balls.js';
+import { band, called, look, set } from './balls.js';
 import { pointIn } from './drag.js';
 import { shape } from './table.js';
 
@@ -7,10 +7,10 @@ const far = 6; // pixels that make a press a drag
 
 /** Returns the picture of a ball. */
 function picture(name) {
-  const { colour, stripe, ink, digit } = look(name);
+  const { fill, band: stripe, ink, digit } = look(name);
   const svg = shape('svg', { viewBox: '-1.1 -1.1 2.2 2.2', 'aria-hidden': 'true' });
-  shape('circle', { r: 1, fill: stripe ? '#f7f5ee' : colour, stroke: '#222', 'stroke-width': 0.1 }, svg);
-  if (stripe) shape('path', { d: 'M-.8 -.6L.8 -.6A1 1 0 0 1 .8 .6L-.8 .6A1 1 0 0 1 -.8 -.6Z', fill: colour }, svg);
+  shape('circle', { r: 1, fill, stroke: '#222', 'stroke-width': 0.1 }, svg);
+  if (stripe) shape('path', { d: band(1), fill: stripe }, svg);
   if (digit) shape('text', { class: 'digit', fill: ink, 'font-size': 1 }, svg).textContent = digit;
   return svg;
 }
@@ -29,6 +29,7 @@ export function tray(box, table, on) {
     let from = null;
     let held = null; // its picture under the pointer
     button.addEventListener('pointerdown', (event) => {
+      delete button.dataset.dragged; // a finger's drag ends without a click
       if (event.button !== 0 || there.includes(name)) return;
       from = [event.clientX, event.clientY];
       button.setPointerCapture(event.pointerId);

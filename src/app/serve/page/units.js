@@ -1,25 +1,16 @@
 // Places and lengths in words: millimetres or inches, and diamonds.
+import { keep, kept } from './store.js';
 
-/** Returns the stored unit; null (metres) if storage is blocked. */
-function stored() {
-  try {
-    return localStorage.getItem('unit');
-  } catch {
-    return null;
-  }
-}
-
-export let inches = stored() === 'inches';
+export let inches = kept('inches', false);
 
 /** @param {boolean} on */
 export function useInches(on) {
   inches = on;
-  try {
-    localStorage.setItem('unit', on ? 'inches' : 'metres');
-  } catch {
-    // The choice holds for this visit only.
-  }
+  keep('inches', on);
 }
+
+/** Returns the direction from one place to another, in degrees. */
+export const angleTo = ([x0, y0], [x1, y1]) => (Math.atan2(y1 - y0, x1 - x0) * 180) / Math.PI;
 
 /** Returns the same direction, from 0 to 360. @param {number} degrees */
 export const wrapped = (degrees) => ((degrees % 360) + 360) % 360;

@@ -1,5 +1,5 @@
 // The answer in view: its list, its words, its picture and its animation.
-import { fill, groups, heading, likest, mark, tell, words } from './answer.js';
+import { fill, groups, heading, likest, mark, tell, told, words } from './answer.js';
 import { $ } from './controls.js';
 import { forget } from './engine.js';
 import { finish, follow, hits, outcome, turns } from './follow.js';
@@ -92,11 +92,7 @@ export class View {
 
   /** Says the shot in a sentence, for those who do not see the table. */
   spoken() {
-    const shot = this.shot();
-    const rows = [...$('words').querySelectorAll('dt')].map(
-      (term) => `${term.textContent} ${term.nextSibling.textContent}`,
-    );
-    return [$('title').textContent, ...(shot ? rows : [])].join('. ');
+    return [$('title').textContent, ...told($('words')).map((row) => row.join(' '))].join('. ');
   }
 
   /** Dims the list that belongs to another scene. @param {boolean} is */
@@ -114,14 +110,14 @@ export class View {
   }
 
   status(answer, more) {
-    if (document.body.hasAttribute('data-guess')) return;
+    if (this.page.closer().guess) return;
     const text = answer.error ? answer.error.reason : brief(answer.message ?? '');
     $('status').textContent = (text[0] ?? '').toUpperCase() + text.slice(1) + (more ? '. ' + more : '');
   }
 
   /** Says why there is no shot, and shows what came nearest. */
   async lacks({ message = '', nearest, error }) {
-    if (document.body.hasAttribute('data-guess')) return;
+    if (this.page.closer().guess) return;
     const { scene, layers, table } = this.page;
     const asked = document.body.dataset.asked;
     const followed = nearest && (await follow(scene(), nearest, 'nearest'));
@@ -146,7 +142,7 @@ export class View {
   /** Shows a shot. @param {number} [i] its number; the chosen one without it */
   look(i = this.chosen) {
     const { scene, table, board, closer, shown } = this.page;
-    if (document.body.hasAttribute('data-guess') && closer().guess) return this.guessing();
+    if (closer().guess) return this.guessing();
     const shot = (this.seen = this.shots[i]);
     // The list below must not move away from under the pointer.
     $('shot').style.setProperty('min-height', `${$('shot').offsetHeight}px`);
