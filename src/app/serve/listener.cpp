@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace bankshot::app::serve {
 namespace {
@@ -16,6 +18,9 @@ thread_local Welcome welcome = Welcome::served;
 thread_local Connection* connection_here = nullptr;
 
 constexpr Patience at_the_door{.idle = Waiting{0.5}, .request = Waiting{0.5}, .answer = Waiting{0.5}};
+/// Time in which a connection may come free for a client at the door: one that has just been opened, or answered, is
+/// neither free nor waited for.
+constexpr std::chrono::milliseconds for_a_place{250};
 
 class Workers : public httplib::TaskQueue {
  public:
@@ -23,31 +28,51 @@ class Workers : public httplib::TaskQueue {
       : listener_(listener), connections_(connections), pool_(connections), door_(1) {}
 
   void enqueue(std::function<void()> connection) override {
-    const std::size_t open = open_.fetch_add(1);
-    const auto met = [this, connection = std::move(connection)](Welcome how) {
-      return [this, connection, how] {
-        welcome = how;
-        connection();
-        --open_;
-      };
+    const bool many = open_.fetch_add(1) >= 2 * connections_;
+    const auto at_last = [this, connection = std::move(connection)] {
+      connection();
+      --open_;
     };
-    const bool many = open >= 2 * connections_;
-    if (open < connections_ || (!many && listener_.make_room()))
-      pool_.enqueue(met(Welcome::served));
-    else if (!many)
-      door_.enqueue(met(Welcome::told_to_come_back));
+    if (many)
+      meet(Welcome::closed, at_last);
+    else if (served_ < connections_)
+      serve(at_last);
     else
-      met(Welcome::closed)();
+      door_.enqueue([this, at_last, until = std::chrono::steady_clock::now() + for_a_place] {
+        if (finds_place(until))
+          serve(at_last);
+        else
+          meet(Welcome::told_to_come_back, at_last);
+      });
   }
   void shutdown() override {
-    pool_.shutdown();
     door_.shutdown();
+    pool_.shutdown();
   }
 
  private:
+  static void meet(Welcome how, const std::function<void()>& connection) {
+    welcome = how;
+    connection();
+  }
+  void serve(const std::function<void()>& connection) {
+    ++served_;
+    pool_.enqueue([this, connection] {
+      meet(Welcome::served, connection);
+      --served_;
+    });
+  }
+  bool finds_place(std::chrono::steady_clock::time_point until) {
+    while (served_ >= connections_ && !listener_.make_room()) {
+      if (std::chrono::steady_clock::now() >= until) return false;
+      std::this_thread::sleep_for(Waiting{0.002});
+    }
+    return true;
+  }
+
   Listener& listener_;
   const std::size_t connections_;
-  std::atomic<std::size_t> open_{0};
+  std::atomic<std::size_t> open_{0}, served_{0};
   httplib::ThreadPool pool_, door_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Decides who is served: as many connections as there are threads. Where none is free, a new client takes the place of
-// the one that has been waited for the longest, so that clients which say nothing keep nobody out. If all are being
-// served, one more thread tells others to come back, and connections beyond that are closed.
+// the one that has been waited for the longest, so that clients which say nothing keep nobody out. If all stay in
+// service for a moment, one more thread tells others to come back, and connections beyond that are closed.
 #pragma once
 
 #include <httplib.h>
