@@ -75,21 +75,27 @@ Family::Family(const SearchRequest& request, EvaluationBudget& budget, SearchRes
 
 void Family::search() {
   const int free = freedom(request_);
-  const Vector x = vector_of({start_.launch.speed, near_window(start_.launch.angle, request_.angle)}, start_.spin);
-  if (free <= 1) {
-    const auto from = settle(x, wide_);
-    if (!from || (free == 1 && is_hopeless(*from))) return;
-    Curve curve = free == 1 ? walk(*from) : Curve{{*from}};
-    add_crossings(curve);
-    keep_parts(curve);
-    if (lists() && !is_listed(start_.aim_point, aim_.route, found_.shots) && !look_beside(curve))
-      look_for_jaw_shots(curve);
-    return;
-  }
-  auto from = settle(x, box_);
-  if (!from) return;
-  const Tried best = climb(attempt(*from));
+  const auto from = settle(near_start(), wide_);
+  if (!from || (free == 1 && is_hopeless(*from))) return;
+  Curve curve = free == 1 ? walk(*from) : Curve{{*from}};
+  add_crossings(curve);
+  keep_parts(curve);
+  if (lists() && !is_listed(start_.aim_point, aim_.route, found_.shots) && !look_beside(curve))
+    look_for_jaw_shots(curve);
+}
+
+std::optional<Family::Tried> Family::foot() {
+  const auto from = settle(near_start(), box_);
+  return from ? std::optional(clear(attempt(*from))) : std::nullopt;
+}
+
+void Family::climb_from(const Tried& from) {
+  const Tried best = climb(from);
   if (best.made()) keep(best);
+}
+
+Vector Family::near_start() const {
+  return vector_of({start_.launch.speed, near_window(start_.launch.angle, request_.angle)}, start_.spin);
 }
 
 bool Family::is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const {
@@ -133,30 +139,27 @@ Family::Tried Family::attempt(const Point& p) {
   return t;
 }
 
+/// Of launches that are no shots, the one with most room is nearest to one.
+Family::Tried Family::clear(Tried t) {
+  if (!t.made()) t.merit = clearance(aim_, budget_, launch_of(t.at.x)).value_or(-infinite);
+  return t;
+}
+
 Family::Tried Family::climb(Tried at) {
-  const auto better = [](const Tried& a, const Tried& b) {
-    if (a.made() != b.made()) return a.made();
-    return a.merit > b.merit + (b.made() ? least_gain : 0);
-  };
-  const auto clear = [&](Tried& t) {  // of launches that are no shots, the one with most room is nearest to one
-    if (!t.made()) t.merit = clearance(aim_, budget_, launch_of(t.at.x)).value_or(-infinite);
-  };
-  clear(at);
   double step = 1, turned = 0;
-  for (int evaluations = 0; evaluations < most_climbed && step > finest_climb && !budget_.spent();) {
+  const auto first = [&] { return request_.first() && at.made(); };
+  for (int evaluations = 0; !first() && evaluations < most_climbed && step > finest_climb && !budget_.spent();) {
     bool moved = false;
     for (const Vector& way : ways(at, turned)) {
       ++evaluations;
       const auto p = settle(at.at.x + step * scale_.cwiseProduct(way), box_);
       if (!p) continue;
-      Tried t = attempt(*p);
-      clear(t);
-      if (!better(t, at)) continue;
+      Tried t = clear(attempt(*p));
+      if (!t.above(at, at.made() ? least_gain : 0)) continue;
       at = std::move(t);
       moved = true;
       break;
     }
-    if (request_.first() && at.made()) break;
     step = moved ? std::min(2 * step, longest_climb) : step / 3;
     turned += golden_turn;
   }

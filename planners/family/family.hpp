@@ -45,17 +45,6 @@ class Family {
   Family(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Candidate& start,
          std::string_view step);
 
-  /// Keeps the best shot of each connected part (where one shot is wanted, of the best one).
-  void search();
-
-  /// Along the family from a shot to where its success is largest, found by simulation: the last touch, for
-  /// the few shots that are printed.
-  Shot tuned(const Shot& shot);
-
-  /// How many things are free.
-  static int freedom(const SearchRequest& request);
-
- private:
   /// A point, its proof, and what it is worth.
   struct Tried {
     Point at;
@@ -66,7 +55,26 @@ class Family {
     bool looked = false;         ///< beside it
     double spare = -forever;     ///< m, the most room that was seen there; where all lacks, that first order expects
     bool made() const { return proof && proof->holds(); }
+    /// Any shot is above what is none.
+    bool above(const Tried& o, double by = 0) const { return made() != o.made() ? made() : merit > o.merit + by; }
   };
+  /// Where at most one thing is free: keeps the best shot of each connected part (where one shot is wanted, of the best
+  /// one).
+  void search();
+
+  /// Where more is free: the point of the family nearest to the start, and the way up from there to a shot that is
+  /// kept.
+  std::optional<Tried> foot();
+  void climb_from(const Tried& from);
+
+  /// Along the family from a shot to where its success is largest, found by simulation: the last touch, for
+  /// the few shots that are printed.
+  Shot tuned(const Shot& shot);
+
+  /// How many things are free.
+  static int freedom(const SearchRequest& request);
+
+ private:
   using Curve = std::vector<Tried>;
   /// Two that say where it passes at most, and one of its speed.
   struct Equations {
@@ -120,7 +128,10 @@ class Family {
   void add_bands(const Point& p, std::map<std::vector<Contact>, std::vector<Band>>& ways);
   Tried edge(const Tried& inside, const Tried& outside);
   Tried peak(const Tried& before, const Tried& best, const Tried& after);
+  Vector near_start() const;
+  Tried clear(Tried t);
   Tried climb(Tried from);
+
   std::vector<Vector> ways(const Tried& from, double turned) const;
 
   void keep(const Tried& t);

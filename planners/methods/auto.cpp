@@ -152,37 +152,76 @@ void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchRe
   }
 }
 
+/// Counts starts by their routes and aim points.
+class Starts {
+ public:
+  /// The times that this was one, with now.
+  int count(const Candidate& candidate) {
+    const auto same = [&](const auto& known) {
+      return known.first.aim_point == candidate.aim_point && known.first.route == candidate.route;
+    };
+    auto it = std::ranges::find_if(counted_, same);
+    if (it == counted_.end()) it = counted_.insert(it, {candidate, 0});
+    return ++it->second;
+  }
+
+ private:
+  std::vector<std::pair<Candidate, int>> counted_{};
+};
+
+/// Of a stage, a family where more than one thing is free, from all roots of the samples: the highest is climbed first.
+void climb_families(const SearchRequest& request, const SearchRequest& stage, EvaluationBudget& budget,
+                    SearchResult& found, Starts& climbed) {
+  struct Foot {
+    Candidate start;
+    family::Family::Tried at;
+  };
+  std::vector<Foot> feet;
+  std::string_view word;
+  {
+    const EvaluationBudget::Part half(budget, 2);  // the other one is for the climbs
+    for (const SearchRequest& sample : samples_of(stage)) {
+      if (request.problem->carom() && sample.asked != stage.asked) continue;  // its launches have all speeds
+      const Seeds seeds = seeds_of(stage);
+      SearchResult starts;
+      seeds.first(sample, budget, starts);
+      word = seeds.word;
+      for (Candidate& start : starts.candidates)
+        if (auto at = family::Family(request, budget, found, start, word).foot()) {
+          if (request.first() && at->made()) return family::Family(request, budget, found, start, word).climb_from(*at);
+          feet.push_back({std::move(start), std::move(*at)});
+        }
+    }
+  }
+  std::ranges::stable_sort(feet, [](const Foot& a, const Foot& b) { return a.at.above(b.at); });
+  for (const Foot& foot : feet)
+    if (!stop::over(request, budget, found) && climbed.count(foot.start) <= settings::family::most_starts)
+      family::Family(request, budget, found, foot.start, word).climb_from(foot.at);
+}
+
 /// What is free is followed from roots of a few arrival speeds and spins, along each route to each aim point.
 void along_families(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  struct Followed {
-    Route route;
-    AimPoint aim_point;
-    int times;
-  };
-  std::vector<Followed> followed;
+  Starts followed;
+  const bool surfaces = family::Family::freedom(request) > 1;
   // Roots of a carom by one route are of several families.
-  const bool several = family::Family::freedom(request) > 1 || request.problem->carom();
-  const int most = several ? settings::family::most_starts : 1;
-  const auto enough = [&](const Candidate& candidate) {
-    const auto same = [&](const Followed& f) {
-      return f.aim_point == candidate.aim_point && f.route == candidate.route;
-    };
-    auto it = std::ranges::find_if(followed, same);
-    if (it == followed.end()) it = followed.insert(it, {candidate.route, candidate.aim_point, 0});
-    return ++it->times > most;
-  };
+  const int most = surfaces || request.problem->carom() ? settings::family::most_starts : 1;
   const auto follow = [&](std::span<const Candidate> candidates, std::string_view step) {
-    for (const Candidate& candidate : candidates)
-      if (!stop::over(request, budget, found) && !enough(candidate))
-        family::Family(request, budget, found, candidate, step).search();
+    for (const Candidate& candidate : candidates) {
+      if (stop::over(request, budget, found) || followed.count(candidate) > most) continue;
+      family::Family family(request, budget, found, candidate, step);
+      if (!surfaces)
+        family.search();
+      else if (const auto foot = family.foot())
+        family.climb_from(*foot);
+    }
   };
   each_stage(request, budget, found, [&](const SearchRequest& stage) {
+    if (surfaces) return climb_families(request, stage, budget, found, followed);
     Seeds seeds = seeds_of(stage);
-    const std::vector<SearchRequest> samples = samples_of(stage);
     SearchResult starts;
-    for (const SearchRequest& sample : samples) {
-      if (request.problem->carom() && sample.asked != samples.front().asked) continue;  // its launches have all speeds
-      if (several) starts = {}, seeds = seeds_of(stage);
+    for (const SearchRequest& sample : samples_of(stage)) {
+      if (request.problem->carom() && sample.asked != stage.asked) continue;  // its launches have all speeds
+      if (request.problem->carom()) starts = {}, seeds = seeds_of(stage);
       const std::size_t known = starts.candidates.size();  // whose routes have no second family
       seeds.first(sample, budget, starts);
       follow(std::span(starts.candidates).subspan(known), seeds.word);
