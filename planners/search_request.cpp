@@ -29,7 +29,6 @@ SearchRequest::SearchRequest(std::shared_ptr<const Problem> of, Wanted w)
   if (arrival) asked = puzzle().prefer == Prefer::soft ? arrival->low : arrival->high;
   if (cue_cushions.sequence) route = route_by(*cue_cushions.sequence);
   if (const Then* const last = problem->then()) object_cushions = last->cushions_of(last->links.size());
-  every = all();
 }
 
 SearchRequest::SearchRequest(const Puzzle& puzzle, Wanted w)

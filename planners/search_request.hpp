@@ -23,7 +23,6 @@ struct SearchRequest {
   std::shared_ptr<const Problem> problem;  ///< never null
   Wanted wanted;
   bool valued = true;          ///< success is computed and ranks shots; otherwise its first-order estimate does
-  bool every = false;          ///< all shots are wanted, even if this request asks for roots to start from
   Range speed;                 ///< m/s, of the launch
   std::optional<Range> angle;  ///< rad, of the aim; none: any
   LaunchSpin spin;

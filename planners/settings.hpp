@@ -21,8 +21,8 @@ struct Neighbourhood {
 /// The cells of a map: rad of aim, and of ln speed.
 struct Spacing {
   double aim, speed;
-  bool whole = false;       ///< look also at speeds at which neighbouring paths arrive too fast or never
-  bool locked = true;       ///< follow a given route on its locked path, not where it really occurs
+  bool whole = false;       ///< look also at speeds at which neighbouring paths arrive too fast or never, and for a
+                            ///< given route where it really occurs, not on its locked path
   double narrowest = 1e-4;  ///< rad; routes narrower than this between two others are not looked for
   bool every_root = true;   ///< look for more roots of a route that has one, even if none is likely
 };
@@ -174,21 +174,6 @@ inline constexpr double distrust = 20;
 inline constexpr double astray = 0.7;
 /// Most roots of one route; more are one root, which rounding scatters beside a kink.
 inline constexpr std::ptrdiff_t most_of_a_route = 64;
-/// Cells from a root, and number of directions, where Newton's method starts again to find its twin across a fold.
-inline constexpr std::array rings{0.02, 0.1, 0.3};
-inline constexpr int ways = 8;
-/// Distance to a rail, as a share of the diagonal, within which the map bends within a hundredth of a cell.
-inline constexpr double hugging = 1e-3;
-/// Cells beside a root of such an aim point at which the other side is looked for, and their growth.
-inline constexpr double nearest_beside = 0.003, farthest_beside = 1, beside_grows = 1.25;
-/// Distance to the last cushion, as a share of the diagonal, within which an aim point is reached soon after it, by
-/// balls hardly fast enough.
-inline constexpr double beside = 0.2;
-/// Halvings of ln speed towards the slowest launch that reaches the last cushion, and by how much faster seeds are.
-inline constexpr int halvings = 8;
-inline constexpr std::array faster{0.003, 0.01, 0.03};
-/// Longest step of ln speed from there, where the map is steep.
-inline constexpr double step_after_last = 0.03;
 }  // namespace roots
 
 namespace forward_map {
@@ -200,8 +185,6 @@ inline constexpr int plain_bounces = 3;
 inline constexpr double band = 1.5;
 /// Number of speeds tried below those with which the neighbouring aim began.
 inline constexpr std::size_t before_band = 2;
-/// Width at which the division between two ways to leave a given route ends [rad].
-inline constexpr double narrowest_given = 1e-7;
 /// Factor on the predicted turn to the end of a cushion, which puts a new node surely past it.
 inline constexpr double past_the_end = 1.02;
 }  // namespace forward_map
@@ -214,8 +197,6 @@ inline constexpr int speeds = 300;
 namespace parts {
 /// Aims across the part of a target beside a candidate.
 inline constexpr std::size_t aims_across = 17;
-/// Factor by which a candidate's speed may lie outside its bounds and still lead to a shot inside.
-inline constexpr double nearly_allowed = 1.3;
 }  // namespace parts
 
 namespace jaw_shots {
@@ -250,25 +231,14 @@ namespace widest {
 inline constexpr double little_gain = 0.1;
 /// Largest half width of a window beside a candidate [rad]; wider windows belong to other candidates.
 inline constexpr double widest_half = radians(10);
-/// Factor from one aim to the next beyond which the speed that arrives as asked counts as a jump.
-inline constexpr double jump = 1.002;
-/// Number of speeds across a jump at which a series of aims is tried, and the factor by which they begin and end beyond
-/// it.
-inline constexpr int rows = 8;
-inline constexpr double beyond = 1.01;
 }  // namespace widest
 
 namespace automatic {
-/// Share of the rest of the budget that bisecting candidates may use before finer maps begin.
-inline constexpr double first_share_of_parts = 0.2;
-/// Value that is hardly ever exceeded by shots found only by looking closely, off jaws or round balls.
-inline constexpr double best_found_closely = 0.75;
 /// The map of an improvement pass. Cells of twice the width miss about twice as many better shots and save a fifth of
 /// the simulations.
 inline constexpr Spacing improvement{.aim = radians(12), .speed = 1, .narrowest = radians(4), .every_root = false};
-/// The maps that follow the usual one: finer; then where the route really occurs.
+/// The map that follows the usual one where that found nothing.
 inline constexpr Spacing fine{radians(0.7), 0.08, true};
-inline constexpr Spacing as_it_occurs{radians(2), 0.12, true, false};
 }  // namespace automatic
 
 namespace edge {

@@ -7,6 +7,7 @@
 //   enough_images  a step that proposes exact images may stop. If they come shortest first, the first-order margin only
 //                  falls with the length, so later ones are worse unless a bound or a pocket makes the difference
 //   route_settled  one root of a given route is all there is to find, unless every shot is wanted
+//   one_found      a step that looks closely may stop: one shot is enough there
 //   nothing_yet    there is no shot, and the budget is not spent: the next step of `auto` has its turn
 #pragma once
 
@@ -49,6 +50,11 @@ inline bool route_settled(const SearchRequest& request, const SearchResult& foun
 
 inline bool nothing_yet(const EvaluationBudget& budget, const SearchResult& found) {
   return found.shots.empty() && !budget.cut();
+}
+
+/// Returns whether a step that looks closely may stop: one shot is enough there, unless every one is wanted.
+inline bool one_found(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found) {
+  return over(request, budget, found) || !(request.all() || request.starts() || found.shots.empty());
 }
 
 /// Returns whether a step that finds more shots, and not just one, has its turn.

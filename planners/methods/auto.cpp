@@ -55,34 +55,22 @@ void improvement_pass(const SearchRequest& request, EvaluationBudget& budget, Se
 }
 
 /// One arrival speed aimed for, or one launch speed.
-void look(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, steps::Parts& parts) {
+void look(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
   steps::images(request, budget, found);
   if (budget.cut()) return;
   improvement_pass(request, budget, found);
   if (request.all() || nothing_yet()) steps::map(request, budget, found, steps::usual_spacing(request));
   if (stop::more_wanted(request, budget, found)) steps::along(request, budget, found);
-  if (request.problem->has_obstacles()) {  // what blocks a pocket's exact line, or a ball; else parts come last
-    parts.climb(request, budget, found);
-    parts.bisect(request, budget, found, first_share_of_parts);
-  }
-}
-
-/// What costs ten times as much, where nothing was found.
-void look_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, steps::Parts& parts) {
-  const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
-  if (nothing_yet()) steps::map(request, budget, found, fine);
-  if (request.route && nothing_yet()) steps::map(request, budget, found, as_it_occurs);
-  parts.climb(request, budget, found);
+  steps::parts(request, budget, found);
 }
 
 void with_spin(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  steps::Parts parts;
-  look(request, budget, found, parts);
+  look(request, budget, found);
   if (stop::nothing_yet(budget, found)) steps::jaw_shots(request, budget, found);
   if (budget.cut()) return;
-  look_closely(request, budget, found, parts);
-  parts.bisect(request, budget, found, 1);
+  if (stop::nothing_yet(budget, found)) steps::map(request, budget, found, fine);
+  steps::parts(request, budget, found);
   if (stop::nothing_yet(budget, found)) search_box(request, budget, found, steps::word::global);
 }
 
@@ -109,20 +97,19 @@ std::vector<SearchRequest> samples_of(const SearchRequest& request) {
   return out;
 }
 
-/// What leads to roots of most routes, and what is left where that finds nothing.
+/// What leads to roots of most routes.
 struct Seeds {
   std::function<std::remove_pointer_t<steps::Step>> first;
-  void (*closely)(const SearchRequest&, EvaluationBudget&, SearchResult&, steps::Parts&);
   std::string_view word;
 };
 Seeds seeds_of(const SearchRequest& request) {
-  if (!request.problem->objects) return {steps::images, nullptr, steps::word::images};
-  if (request.problem->carom()) return {steps::caroms, steps::caroms_closely, steps::word::caroms};
+  if (!request.problem->objects) return {steps::images, steps::word::images};
+  if (request.problem->carom()) return {steps::caroms, steps::word::caroms};
   const auto chains = [known = steps::KnownLegs{}](const SearchRequest& one, EvaluationBudget& budget,
                                                    SearchResult& found) mutable {
     steps::chains_again(one, budget, found, known);
   };
-  return {chains, steps::chains_closely, steps::word::chains};
+  return {chains, steps::word::chains};
 }
 
 /// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together,
@@ -251,8 +238,7 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
   if (!nothing_yet()) return;
   const auto look_at = [&](const SearchRequest& one) {
-    steps::Parts parts;
-    if (nothing_yet()) look(one, budget, found, parts);
+    if (nothing_yet()) look(one, budget, found);
   };
   const std::vector<SearchRequest> samples = samples_of(request);
   for (const SearchRequest& sample : samples) {
@@ -263,49 +249,25 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
   }
   for (const SearchRequest& sample : samples)
     if (nothing_yet()) steps::jaw_shots(request.spinning(sample.spin), budget, found);
-  steps::Parts parts;
-  if (nothing_yet()) look_closely(request.spinning(samples.front().spin), budget, found, parts);
-  parts.bisect(request.spinning(samples.front().spin), budget, found, 1);
 }
 
-/// Some shot has as many cushions as this stage.
-bool has_shot(const SearchRequest& stage, const SearchResult& found) {
-  const auto inside = [](std::size_t n, const CushionRule& rule) {
-    return static_cast<int>(n) >= rule.min && static_cast<int>(n) <= rule.max;
-  };
-  return std::ranges::any_of(found.shots, [&](const Shot& shot) {
-    return inside(shot.path.cushions.size(), stage.cue_cushions) &&
-           (shot.path.then.empty() || inside(shot.path.then.back().cushions.size(), stage.object_cushions));
-  });
-}
-
-/// The cue ball sends another on, or goes on off it. A stage without any shot is looked at closely, unless what is
-/// found so hardly ever beats the shot in hand.
+/// The cue ball sends another on, or goes on off it. Where nothing is found, first beside what is blocked; then every
+/// way to go on from ball to ball is followed.
 void with_balls(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const bool free = !is_ideal(request.puzzle().physics) && family::Family::freedom(request) > 0;
-  const Seeds seeds = seeds_of(request);
-  free ? along_families(request, budget, found)
-       : each_stage(request, budget, found, [&](const SearchRequest& stage) { seeds.first(stage, budget, found); });
-  if (!request.all() && value_in_hand(request, budget, found) > best_found_closely) return;
-  const auto each_sample = [&](const auto& look_at) {
-    each_stage(request, budget, found, [&](const SearchRequest& stage) {
-      const auto nothing_yet = [&] { return !has_shot(stage, found) && !budget.cut(); };
-      if (!free && (request.all() || nothing_yet())) return look_at(stage);
-      for (const SearchRequest& sample : samples_of(stage))
-        if (free && nothing_yet()) look_at(stage.spinning(sample.spin).asking(sample.asked));
-    });
-  };
-  each_sample([&](const SearchRequest& one) {
-    steps::Parts parts;
-    std::vector<Shot> others;  // steps end at the first shot that they find
-    std::swap(others, found.shots);
-    parts.climb(one, budget, found);
-    if (stop::more_wanted(one, budget, found)) seeds.closely(one, budget, found, parts);
-    parts.bisect(one, budget, found, free ? first_share_of_parts : 1);
-    std::ranges::move(others, std::back_inserter(found.shots));
+  if (free)
+    along_families(request, budget, found);
+  else
+    each_stage(request, budget, found,
+               [&, seeds = seeds_of(request)](const SearchRequest& stage) { seeds.first(stage, budget, found); });
+  steps::parts(request, budget, found);
+  if (!stop::nothing_yet(budget, found)) return;
+  each_stage(request, budget, found, [&](const SearchRequest& stage) {
+    if (!free) return steps::bands(stage, budget, found);
+    for (const SearchRequest& sample : samples_of(stage))
+      if (stop::nothing_yet(budget, found))
+        steps::bands(stage.spinning(sample.spin).asking(sample.asked), budget, found);
   });
-  if (stop::nothing_yet(budget, found))
-    each_sample([&](const SearchRequest& one) { steps::speeds_between(one, budget, found); });
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 // so that no cosine of the cut is left; what throw turns the other ball by, the ghost is turned back. From there
 // Newton's method on the whole chain, with derivatives through the contact. In a combination it is the last ball that
 // is looked at alone, and what leads through its ghost is the chain of those before it, found in the same way.
-// Closely, the last ball's launches come from maps too; then the chain is followed forwards (bands.cpp), and last
-// sweeps are made (7_sweeps.cpp). Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond the proof; a
-// root is found where its seed leads, and a chain of routes hardly ever has two.
+// Closely, the last ball's launches come from maps too; then the chain is followed forwards (bands.cpp). Cost: some ten
+// simulations a leg, twenty a chain. Guarantee: none beyond the proof; a root is found where its seed leads, and a
+// chain of routes hardly ever has two.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -20,13 +20,10 @@
 #include "planners/locked/arrival.hpp"
 #include "planners/locked/newton.hpp"
 #include "planners/locked/speed.hpp"
-#include "planners/steps/bands.hpp"
 #include "planners/steps/leg.hpp"
 #include "planners/steps/part.hpp"
 #include "planners/steps/settings.hpp"
 #include "planners/steps/steps.hpp"
-#include "planners/steps/sweeps.hpp"
-#include "planners/steps/to_ball.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::steps {
@@ -47,28 +44,11 @@ class Chains {
                   request.one_unknown() ? std::optional(request.fixed_speed()) : std::nullopt) {}
 
   void run(std::vector<Candidate>& known) {
-    for (const Leg& leg : legs(request_, budget_, chain_, images, known, !request_.every)) {
+    for (const Leg& leg : legs(request_, budget_, chain_, images, known)) {
       if (stop::enough_seeds(request_, budget_, found_)) return;
-      if (leg.clear && is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at))) join_all(leg, chains);
+      if (is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at))) join_all(leg, chains);
       if (is_settled(leg)) known.push_back(leg.alone);
     }
-  }
-
-  void closely(Parts& parts) {
-    std::vector<Leg> all = legs(request_, budget_, chain_, starts_by_map);
-    std::stable_partition(all.begin(), all.end(), [](const Leg& leg) { return leg.clear; });
-    std::erase_if(all,
-                  [&](const Leg& leg) { return !is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at)); });
-    if (all.empty() && request_.likelier > 0) return;
-    for (const Leg& leg : all) {
-      if (sweeps_over(request_, budget_, found_)) return;
-      join_all(leg, chains);
-      parts.climb(request_, budget_, found_);
-    }
-    if (sweeps_over(request_, budget_, found_)) return;
-    bands(request_, budget_, found_, chain_);
-    parts.climb(request_, budget_, found_);
-    sweeps(request_, budget_, found_, chain_, all, parts);
   }
 
  private:
@@ -207,11 +187,6 @@ void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult
 void chains_again(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known) {
   for (const Objects::Chain& chain : request.problem->objects->chains)
     if (!is_hidden(request, chain)) Chains(request, budget, found, chain).run(known[&chain]);
-}
-
-void chains_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts) {
-  for (const Objects::Chain& chain : request.problem->objects->chains)
-    if (!is_hidden(request, chain)) Chains(request, budget, found, chain).closely(parts);
 }
 
 }  // namespace bankshot::planning::steps

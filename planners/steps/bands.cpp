@@ -10,7 +10,6 @@
 // found at the speeds where they are, which those of other speeds do not tell; where nothing is found the speeds
 // between are followed too. Cost: two simulations an aim, some 100 aims a speed, band and ball. Guarantee: none beyond
 // the proof; a route narrower than the step of aims between two others is passed over.
-#include "planners/steps/bands.hpp"
 #include "bankshot/geometry/aim_point.hpp"
 
 #include <algorithm>
@@ -30,8 +29,7 @@
 #include "planners/steps/leg.hpp"
 #include "planners/steps/settings.hpp"
 #include "planners/steps/steps.hpp"
-#include "planners/steps/sweeps.hpp"
-#include "planners/steps/to_ball.hpp"
+#include "planners/stop.hpp"
 
 namespace bankshot::planning::steps {
 namespace {
@@ -51,24 +49,16 @@ class Bands {
     for (const Shot& shot : found.shots) made_.insert(route_of(shot));
   }
 
-  void run() {
+  /// At launch speeds that divide the bounds into `fine` parts, but for those of `coarse` parts, evenly in their
+  /// logarithm; 0: none is known. Wide steps come first, since one root is mostly enough. Where the speed is given,
+  /// more aims are followed instead.
+  void run(int coarse, int fine) {
     if (request_.one_unknown() || request_.speed.fixed()) {
-      look({request_.fixed_speed()}, false);
-      if (request_.all()) falls_.bring_to_speed(made_);
-      if (found_.shots.empty()) look({request_.fixed_speed()}, true);
-      return;
+      finer_ = static_cast<int>(std::sqrt(fine));
+      return look({request_.fixed_speed()});
     }
-    look({row(0), row(rows)}, false);  // wide steps first, since one root is mostly enough
-    for (int step = rows / 2; step > 1; step /= 2) look(between(step), false);
-    if (request_.all()) falls_.bring_to_speed(made_);  // else at once: other routes may have roots
-    if (found_.shots.empty()) look(between(1), true);
-  }
-
-  /// Speeds between those of `run`, and between these.
-  void run_between() {
-    if (request_.one_unknown() || request_.speed.fixed()) return;
-    until_ = budget_.share_of_rest(share_between);
-    for (int parts = 2; parts <= most_parts && !over(); parts *= 2) look(between(1, parts), true);
+    if (coarse == 0) look({speed_at(0), speed_at(1)});
+    for (int parts = std::max(coarse, 1); parts < fine; parts *= 2) look(between(parts));
   }
 
  private:
@@ -83,23 +73,23 @@ class Bands {
   };
   using Track = std::vector<std::optional<Pass>>;
 
-  bool over() const { return budget_.simulations() >= until_ || sweeps_over(request_, budget_, found_); }
+  bool over() const { return stop::one_found(request_, budget_, found_); }
 
-  double row(double i) const {
-    const double slowest = slowest_tried(request_);
-    return slowest * std::pow(request_.speed.high / slowest, i / rows);
+  /// Of the range of speeds, so far from its low end.
+  double speed_at(double share) const {
+    const double slowest = std::max(request_.speed.low, request_.speed.high * settings::slowest_of_fastest);
+    return slowest * std::pow(request_.speed.high / slowest, share);
   }
 
-  /// The rows between those of twice the step, which is of so many parts of one from row to row.
-  std::vector<double> between(int step, int parts = 1) const {
+  /// In the middle of each of these parts.
+  std::vector<double> between(int parts) const {
     std::vector<double> speeds;
-    for (int i = step; i < rows * parts; i += 2 * step) speeds.push_back(row(static_cast<double>(i) / parts));
+    for (int i = 0; i < parts; ++i) speeds.push_back(speed_at((i + 0.5) / parts));
     return speeds;
   }
 
   /// Those by few cushions first, at all of these speeds.
-  void look(const std::vector<double>& speeds, bool finely) {
-    finely_ = finely;
+  void look(const std::vector<double>& speeds) {
     std::vector<std::pair<double, Band>> bands;
     for (const double speed : speeds) {
       at(speed);
@@ -111,15 +101,13 @@ class Bands {
       at(speed);
       object_ball_path(band);
     }
-    if (!request_.all() || finely) falls_.bring_to_speed(made_);
+    falls_.bring_to_speed(made_);
   }
 
   void at(double speed) {
     speed_ = speed;
     if (any_arrival()) at_speed_.pinned = speed;
   }
-  /// Times as many aims.
-  int finer() const { return request_.one_unknown() ? settings::chains::finer_alone : 1; }
 
   Launch launch(double aim) const { return {speed_, aim}; }
 
@@ -128,13 +116,13 @@ class Bands {
     std::vector<Band> bands{first};
     for (int ball = 1; ball < path_.last(); ++ball) {
       std::vector<Band> next;
-      for (const Band& band : bands) touching(ball, band.route, across(band, cut_steps * finer()), next);
+      for (const Band& band : bands) touching(ball, band.route, across(band, cut_steps * finer_), next);
       bands = std::move(next);
     }
     for (const AimPoint& aim_point : request_.problem->aim_points) {
       if (aim_point.ball != path_.number(path_.last())) continue;
       for (const Band& band : bands)
-        if (!over()) roots(aim_point, band.route, across(band, last_steps * finer()));
+        if (!over()) roots(aim_point, band.route, across(band, last_steps * finer_));
     }
   }
 
@@ -148,7 +136,7 @@ class Bands {
       return out;
     }
     std::vector<double> fan;
-    for (int i = 0; i <= fan_steps * finer(); ++i) fan.push_back(radians(360.0) * i / (fan_steps * finer()));
+    for (int i = 0; i <= fan_steps * finer_; ++i) fan.push_back(radians(360.0) * i / (fan_steps * finer_));
     touching(0, {}, fan, out);
     return out;
   }
@@ -156,8 +144,7 @@ class Bands {
   static std::vector<double> across(const Band& band, int each_way) {
     std::vector<double> aims;
     const double middle = (band.aims.low + band.aims.high) / 2, half = (band.aims.high - band.aims.low) / 2;
-    for (int i = -each_way; i <= each_way; ++i)
-      aims.push_back(middle + half * std::sin(settings::chains::widest_cut * i / each_way));
+    for (int i = -each_way; i <= each_way; ++i) aims.push_back(middle + half * std::sin(widest_cut * i / each_way));
     return aims;
   }
 
@@ -294,23 +281,9 @@ class Bands {
     for (const double aim : aims) {
       if (over()) break;
       Sample now = sample(ball, before, place, aim);
-      if (finely_ && place.aim_point && place.aim_point->captures() && !out.empty())
-        divide(ball, before, place, Sample(out.back()), now, out);
       out.push_back(std::move(now));
     }
     return out;
-  }
-
-  /// Between two aims whose balls end otherwise, near the aim point: others may end there.
-  void divide(int ball, const Route& before, const Place& place, const Sample& a, const Sample& b,
-              std::vector<Sample>& out, int left = most_divisions) {
-    if (left == 0 || (a.ball.route == b.ball.route && a.ball.end == b.ball.end) || over() ||
-        !(std::min(a.ball.nearest, b.ball.nearest) < near * place.reach))
-      return;
-    const Sample middle = sample(ball, before, place, (a.aim + b.aim) / 2);
-    divide(ball, before, place, a, middle, out, left - 1);
-    out.push_back(middle);
-    divide(ball, before, place, middle, b, out, left - 1);
   }
 
   const SearchRequest& request_;
@@ -321,21 +294,23 @@ class Bands {
   Falls falls_;
   SearchRequest at_speed_;  ///< of the row
   double speed_ = 0;        ///< m/s, of the row
+  int finer_ = 1;           ///< times as many aims
   std::map<Route, std::vector<Launch>> roots_{};
   std::set<Route> made_{};  ///< which have a shot on the exact line
-  bool finely_ = false;
-  long until_ = std::numeric_limits<long>::max();  ///< simulations
 };
 
 }  // namespace
 
-void bands(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Objects::Chain& chain) {
-  Bands(request, budget, found, chain).run();
+void caroms(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  Bands(request, budget, found, request.problem->objects->chains.front()).run(0, few_rows);
 }
 
-void speeds_between(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  for (const Objects::Chain& chain : request.problem->objects->chains)
-    if (!is_hidden(request, chain)) Bands(request, budget, found, chain).run_between();
+void bands(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  for (const Objects::Chain& chain : request.problem->objects->chains) {
+    if (is_hidden(request, chain)) continue;
+    Bands(request, budget, found, chain).run(request.problem->carom() ? few_rows : 0, rows);
+    parts(request, budget, found);
+  }
 }
 
 }  // namespace bankshot::planning::steps

@@ -12,7 +12,6 @@
 #include "planners/locked/arrival.hpp"
 #include "planners/locked/real_legs.hpp"
 #include "planners/start.hpp"
-#include "planners/steps/to_ball.hpp"
 
 namespace bankshot::planning::steps {
 namespace {

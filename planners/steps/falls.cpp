@@ -11,7 +11,7 @@
 #include "planners/proof/replay.hpp"
 #include "planners/steps/made_as_asked.hpp"
 #include "planners/steps/settings.hpp"
-#include "planners/steps/sweeps.hpp"
+#include "planners/stop.hpp"
 
 namespace bankshot::planning::steps {
 
@@ -26,12 +26,12 @@ void Falls::bring_to_speed(const std::set<Route>& made) {
     if (!request_.one_unknown()) std::ranges::sort(falls, {}, off);
     std::size_t tried = 0;
     for (const Fall& fall : falls) {
-      if (sweeps_over(request_, budget_, found_)) return;
+      if (stop::one_found(request_, budget_, found_)) return;
       if (tried == most_falls) break;
       const Launch at{fall.launch.speed, wrap_angle(fall.launch.angle)};
       if (!replay(brought, budget_, at, Goal::of(brought, Demand::made)).made) continue;
       ++tried;
-      if (beside(fall) || by_replays(brought, fall)) break;
+      if ((request_.stop && keep(at, fall)) || beside(fall) || by_replays(brought, fall)) break;
     }
   }
 }
@@ -46,13 +46,17 @@ SearchRequest Falls::to_bring() const {
   return passing;
 }
 
+bool Falls::keep(const Launch& launch, const Fall& fall) {
+  return certify(request_, budget_, found_, launch, bounces_of(fall.route), step_, Demand::off_centre);
+}
+
 /// On the line on which it fell.
 bool Falls::beside(const Fall& fall) {
   if (!fall.aim_point->captures()) return false;
   AimPoint aim_point = *fall.aim_point;
   aim_point.cuts = Cuts{fall.right, fall.right, fall.right};
   const auto there = newton({request_, fall.route, aim_point}, budget_, fall.launch, settings::wide);
-  return there && certify(request_, budget_, found_, there.launch, bounces_of(fall.route), step_, Demand::off_centre);
+  return there && keep(there.launch, fall);
 }
 
 /// Where no locked path leads, along a rail for one: as the last ball is touched.

@@ -52,7 +52,7 @@ void ForwardMap::run() {
     }
     before = std::move(after);
   }
-  if (roots_.rest_wanted()) roots_.seek_rest();
+  roots_.seek_rest();
   if (found_.shots.empty() && !request_.starts())
     found_.candidates.insert(found_.candidates.end(), candidates_.begin(), candidates_.end());
 }
@@ -79,7 +79,7 @@ ForwardMap::Column ForwardMap::column(double angle, const std::vector<double>& r
 }
 
 ForwardMap::Node ForwardMap::node(double angle, double speed) {
-  discover(request_, budget_, {speed, wrap_angle(angle)}, cell_.locked, forward_);
+  discover(request_, budget_, {speed, wrap_angle(angle)}, !cell_.whole, forward_);
   for (const Passage& p : forward_.passages) {
     keep_lead(angle, speed, p);
     roots_.visit({request_, std::span<const Meeting>(forward_.route).first(p.meetings),
@@ -140,9 +140,8 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
 }
 
 void ForwardMap::between(const Node& a, const Node& b) {
-  if (a.route == b.route || hopeless(a, b) || budget_.spent()) return;
-  if (request_.route && cell_.locked) return;
-  if (b.angle - a.angle < (request_.route ? narrowest_given : cell_.narrowest)) return;
+  if ((request_.route && !cell_.whole) || a.route == b.route || hopeless(a, b) || budget_.spent()) return;
+  if (b.angle - a.angle < cell_.narrowest) return;
   const Node other = node(change(a, b), a.speed);
   between(a, other);
   between(other, b);

@@ -8,7 +8,6 @@
 #include "planners/images/unfold.hpp"
 #include "planners/locked/residual.hpp"
 #include "planners/proof/in_sight.hpp"
-#include "planners/proof/replay.hpp"
 #include "planners/steps/part.hpp"
 #include "planners/steps/settings.hpp"
 
@@ -17,14 +16,8 @@ namespace {
 
 using namespace settings::chains;
 
-/// By what stands where it does at any speed.
-bool is_blocked(FailureReason reason) {
-  return reason == FailureReason::hit_ball || reason == FailureReason::pocketed ||
-         reason == FailureReason::wrong_cushion;
-}
-
-Leg leg_of(const Part& own, Candidate alone, bool clear) {
-  Leg leg{std::move(alone), {}, {}, clear};
+Leg leg_of(const Part& own, Candidate alone) {
+  Leg leg{std::move(alone), {}, {}};
   leg.route = own.whole(leg.alone.route), leg.aim_point = leg.alone.aim_point;
   leg.aim_point.ball = own.whole(leg.aim_point.ball);
   return leg;
@@ -53,7 +46,7 @@ bool is_hidden(const SearchRequest& request, const Objects::Chain& chain) {
 }
 
 std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
-                      std::vector<Candidate> known, bool judged) {
+                      std::vector<Candidate> known) {
   const Part own = last_alone(request, chain);
   SearchRequest all(own.puzzle, Wanted::starts);
   if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());
@@ -63,13 +56,10 @@ std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, co
     starts(one, budget, found);
     for (Candidate& candidate : std::span(found.candidates).subspan(known.size())) {
       if (budget.spent()) return;
-      const std::vector<Contact> cushions = contacts_of(candidate.route);
-      const bool clear =
-          !judged || !is_blocked(replay(one, budget, candidate.launch, Goal::along(cushions)).failure.reason);
-      const auto linear = judged
+      const auto linear = request.likelier > 0
                               ? linearise({one, candidate.route, candidate.aim_point}, budget, candidate.launch, true)
                               : std::nullopt;
-      out.push_back(leg_of(own, std::move(candidate), clear));
+      out.push_back(leg_of(own, std::move(candidate)));
       if (linear) out.back().spread = std::abs(linear->by_aim(0)) * one.problem->boundary.diagonal;
     }
   };
@@ -77,22 +67,6 @@ std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, co
     look(all.asking(request.asked));
   else
     for (const double share : shares_of_speed) look(all.launched_at(share * request.fixed_speed()));
-  return out;
-}
-
-std::vector<Leg> legs_of_images(const SearchRequest& request, const Objects::Chain& chain) {
-  std::vector<Leg> out;
-  const Part own = last_alone(request, chain);
-  const SearchRequest all(own.puzzle, Wanted::starts);
-  const bool straight = is_straight(request.puzzle().physics);
-  for (const double share : settings::restitution_shares) {
-    const double e = share * restitution(request.puzzle().physics).at_rest;
-    Unfolding images(all, {.parts = true, .restitution = e, .keep_routes = true});
-    while (const auto image = images.next())
-      out.push_back(
-          leg_of(own, {{1, image->angle}, images.route(*image), all.problem->aim_points[image->aim_point]}, true));
-    if (straight) break;
-  }
   return out;
 }
 

@@ -23,33 +23,17 @@ inline constexpr int most_corrections = 4;
 inline constexpr double settled_turn = 1e-3;
 /// Where Newton's method fails from the seed, faster launches are often on its side of a fold.
 inline constexpr std::array faster_seeds{1.0, 1.2, 0.85};
-/// Rad: the largest cut of a sweep, how many steps to either side, halvings between two, how far beyond what first
-/// order says the ball is wide, and rad that are never left.
-inline constexpr double widest_cut = radians(89), sweep_beyond = 1.3, widest_aims = radians(30);
-/// Of the bound on the launch: no slower speed is where a sweep begins.
-inline constexpr double slowest_swept = 0.05;
-inline constexpr int sweep_steps = 24, sweep_halvings = 8;
-/// Of the aim point's reach: where a launch of a sweep lacks more clearance, nothing beside it is looked for.
-inline constexpr double least_hope = 3;
-/// Aims to either side and speeds of a grid, and how many of its cells away a root may be that a node predicts.
-inline constexpr int grid_steps = 12, grid_rows = 12;
-inline constexpr double grid_reach = 2;
-/// Of the middle launch speed: where a ball is too slow to reach the other's place it may touch it all the same.
-inline constexpr std::array approach_speeds{1.0, 2.0};
-/// Times as many aims where the speed is given.
-inline constexpr int finer_alone = 2;
 /// Steps of a launch speed towards the arrival speed that is asked.
 inline constexpr int most_secants = 12;
 }  // namespace chains
 
 namespace bands {
-/// Launch speeds, evenly in their logarithm, every second of them where all else fails; aims around the circle; of a
-/// band, to either side of its middle.
-inline constexpr int rows = 32, fan_steps = 180, cut_steps = 12, last_steps = 24;
-/// Last of all, of a step from one of these speeds to the next; and of what is left of the budget, so that this does
-/// not end the search.
-inline constexpr int most_parts = 16;
-inline constexpr double share_between = 0.5;
+/// Parts into which launch speeds divide their bounds, evenly in their logarithm: of caroms at first, and where nothing
+/// is found.
+inline constexpr int few_rows = 2, rows = 64;
+/// Aims around the circle; of a band, to either side of its middle; and the largest cut there [rad].
+inline constexpr int fan_steps = 180, cut_steps = 12, last_steps = 24;
+inline constexpr double widest_cut = radians(89);
 /// Sine of the largest cut: where a band ends.
 inline constexpr double widest = 0.9998;
 /// Of ln speed: from farther Newton's method would lead to another root, if to any.
@@ -57,21 +41,10 @@ inline constexpr double farthest = 1;
 /// Of both ends: where a crossing is near enough for Newton's method; evaluations at most.
 inline constexpr double settled = 1e-4;
 inline constexpr int most_halvings = 20;
-/// Halvings between two aims whose balls end otherwise, and how near to the aim point one of them must pass, of its
-/// reach.
-inline constexpr int most_divisions = 6;
-inline constexpr double near = 4;
 /// Of one route, launches after which the ball fell that are tried.
 inline constexpr std::size_t most_falls = 8;
 /// Rad, and of ln speed: a difference that tells a slope.
 inline constexpr double small = 1e-5;
 }  // namespace bands
-
-namespace caroms {
-/// Aims to either side across the first ball and launch speeds: of the first look, and of a closer one.
-inline constexpr int aims = 40, speeds = 8, close_aims = 160, close_speeds = 16;
-/// Roots that are kept of one route on one side of a fold: they may be of two families.
-inline constexpr int most_alike = 2;
-}  // namespace caroms
 
 }  // namespace bankshot::planning::settings

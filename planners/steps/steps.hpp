@@ -46,25 +46,11 @@ Spacing usual_spacing(const SearchRequest& request);
 /// Launches so near each other lead to one root (settings::parts::alike).
 bool alike(const Launch& a, const Launch& b);
 
-/// Parts of a target whose middle is blocked. Leads wait here with the room that was found beside each.
-class Parts {
- public:
-  /// Climbs to where a lead has most room: the new leads of the search result, until one of them is a shot.
-  void climb(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
-  /// Bisects around the hopeful leads, those with most room first, until this share of what is left of the budget is
-  /// used.
-  void bisect(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, double share);
+/// Where what one aims at is blocked, some part of the target may be reached beside it: from each lead to where it has
+/// most room, until one of them is a shot.
+void parts(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
- private:
-  bool was_tried(const Candidate& candidate) const;
-
-  std::vector<Candidate> tried_;
-};
-
-/// Where chains and caroms found nothing: what costs ten times as much. Leads are climbed as they are found.
-void chains_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts);
-void caroms_closely(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Parts& parts);
-/// And last of all: launch speeds between those at which they were followed.
-void speeds_between(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
+/// Chains and caroms that are followed forwards, at more launch speeds: ten times the cost of `chains`.
+void bands(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 }  // namespace bankshot::planning::steps

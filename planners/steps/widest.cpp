@@ -58,14 +58,6 @@ bool Widest::find() {
   return false;
 }
 
-bool Widest::across_jumps() {
-  if (request_.one_unknown() || !candidate_.aim_point.captures()) return false;
-  const Row row = along_lead();
-  const auto peaks = peaks_of(row);
-  return std::any_of(peaks.begin(), peaks.end(),
-                     [&](std::size_t i) { return across_jump(before(row, i), row[i], after(row, i)); });
-}
-
 /// From the candidate outwards, so that each speed is near its neighbour's.
 Widest::Row Widest::along_lead() const {
   Row row;
@@ -101,83 +93,7 @@ bool Widest::shot(const Tried& t) const {
   if (!(t.value > least) || budget_.spent()) return false;
   const Launch launch{t.speed, wrap_angle(t.x)};
   const int bounces = bounces_of(aim_.route);
-  if (!aim_.aim_point.captures()) {  // from some part of a point it is not far to the point itself
-    const auto root = solve_locked(aim_, budget_, launch);
-    if (root && certify(request_, budget_, found_, *root, bounces, word::parts)) return true;
-  }
   return certify(request_, budget_, found_, launch, bounces, word::parts, Demand::off_centre);
-}
-
-bool Widest::across_jump(const Tried& low, const Tried& best, const Tried& high) const {
-  const auto [slow, fast] = std::minmax({low.speed, best.speed, high.speed});
-  if (!(fast > jump * slow)) return false;
-  const Range aims{low.x - (high.x - low.x) / 2, high.x + (high.x - low.x) / 2};
-  std::optional<Roomy> last;
-  for (int i = 0; i <= rows && !budget_.spent(); ++i) {
-    const double speed =
-        slow / settings::widest::beyond *
-        std::pow(fast / slow * settings::widest::beyond * settings::widest::beyond, static_cast<double>(i) / rows);
-    const auto now = roomy(aims, speed);
-    if (now && along(*now)) return true;
-    if (now && last && (now->excess > 0) != (last->excess > 0) && between(aims, *last, *now)) return true;
-    last = now;
-  }
-  return false;
-}
-
-std::optional<Widest::Roomy> Widest::roomy(const Range& aims, double speed) const {
-  Row row;
-  for (std::size_t i = 0; i < aims_across; ++i)
-    row[i] = at_speed(aims.low + (aims.high - aims.low) * static_cast<double>(i) / (aims_across - 1), speed);
-  for (const std::size_t i : peaks_of(row)) {
-    const Tried best = highest(row, i, [&](double aim, double) { return at_speed(aim, speed); });
-    if (best.value > 0) return Roomy{best, excess(best.x, speed), edge(best, aims.low), edge(best, aims.high)};
-  }
-  return {};
-}
-
-double Widest::excess(double aim, double speed) const {
-  const auto l = linearise(aim_, budget_, {speed, aim});
-  return l ? l->r[1] : 0;
-}
-
-/// The end of the room towards `limit`.
-double Widest::edge(const Tried& inside, double limit) const {
-  double in = inside.x, out = limit;
-  bisect(
-      in, out, [&](double a, double b) { return std::abs(b - a) > settings::narrowest && !budget_.spent(); },
-      [&](double aim) { return at_speed(aim, inside.speed).value > 0; });
-  return in;
-}
-
-/// A shot at this speed, where on the way to an edge the ball gets as slow or as fast as asked.
-bool Widest::along(const Roomy& r) const {
-  const auto like = [&](double aim) { return (excess(aim, r.at.speed) > 0) == (r.excess > 0); };
-  for (const double end : {r.low, r.high}) {
-    if (like(end)) continue;
-    double a = r.at.x, b = end;
-    bisect(
-        a, b, [&](double, double) { return !budget_.spent(); }, like);
-    if (shot({a, r.at.speed, 0})) return true;
-  }
-  return false;
-}
-
-bool Widest::between(const Range& aims, const Roomy& a, const Roomy& b) const {
-  double like_a = a.at.speed, like_b = b.at.speed;
-  bool made = false, lost = false;
-  const auto wide = [&](double, double) {
-    const auto [slow, fast] = std::minmax(like_a, like_b);
-    return !made && !lost && fast / slow - 1 > settings::narrowest && !budget_.spent();
-  };
-  const auto holds = [&](double speed) {
-    const auto now = roomy(aims, speed);
-    lost = !now;
-    made = now && along(*now);
-    return now && (now->excess > 0) == (a.excess > 0);
-  };
-  bisect(like_a, like_b, wide, holds, geometric_mean);
-  return made;
 }
 
 }  // namespace bankshot::planning::steps

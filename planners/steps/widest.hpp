@@ -25,10 +25,6 @@ class Widest {
   /// The largest clearance, which the candidate's `room` receives; true where that made a shot.
   bool find();
 
-  /// Beside a pocket that is grazed, the speed that arrives as asked jumps with the aim, and passes all speeds
-  /// between within the jump: so follow those, each over the aims that have room.
-  bool across_jumps();
-
  private:
   static constexpr std::size_t aims_across = settings::parts::aims_across, middle = aims_across / 2;
   static constexpr double blocked = -std::numeric_limits<double>::infinity();
@@ -40,11 +36,6 @@ class Widest {
     double value = blocked;
   };
   using Row = std::array<Tried, aims_across>;
-  /// At one speed, an aim with room, and by how much too fast it arrives.
-  struct Roomy {
-    Tried at;
-    double excess, low, high;  ///< rad: the aims that have room
-  };
 
   static const Tried& before(const Row& row, std::size_t i) { return row[i > 0 ? i - 1 : i]; }
   static const Tried& after(const Row& row, std::size_t i) { return row[std::min(i + 1, aims_across - 1)]; }
@@ -60,12 +51,6 @@ class Widest {
   Tried attempt(double aim, double guess) const;
   Tried at_speed(double aim, double speed) const;
   bool shot(const Tried& t) const;
-  bool across_jump(const Tried& low, const Tried& best, const Tried& high) const;
-  std::optional<Roomy> roomy(const Range& aims, double speed) const;
-  double excess(double aim, double speed) const;
-  double edge(const Tried& inside, double limit) const;
-  bool along(const Roomy& r) const;
-  bool between(const Range& aims, const Roomy& a, const Roomy& b) const;
 
   const SearchRequest& request_;
   EvaluationBudget& budget_;

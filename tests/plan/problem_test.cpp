@@ -171,7 +171,6 @@ TEST_CASE("roots to start from may lie outside the bounds") {
   CHECK(starts.starts());
   CHECK(!starts.angle);
   CHECK(starts.asked == 0.4);
-  CHECK(starts.every);
   CHECK(starts.speed.high >= p.speed.high);
 }
 
