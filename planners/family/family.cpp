@@ -80,8 +80,8 @@ void Family::search() {
   Curve curve = free == 1 ? walk(*from) : Curve{{*from}};
   add_crossings(curve);
   keep_parts(curve);
-  if (lists() && !is_listed(start_.aim_point, aim_.route, found_.shots) && !look_beside(curve))
-    look_for_jaw_shots(curve);
+  if (!drops() || is_listed(start_.aim_point, aim_.route, found_.shots)) return;
+  if (!request_.all() || !look_beside(curve)) look_for_jaw_shots(curve);
 }
 
 std::optional<Family::Tried> Family::foot() {

@@ -110,7 +110,8 @@ class Family {
   bool is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const;
   bool keep_beside(const Launch& launch);
   int parts_between(const Point& a, const Point& b) const;
-  bool lists() const { return request_.problem->objects && start_.aim_point.drops(); }
+  /// Another ball does, which jaws may let in where its exact line is blocked.
+  bool drops() const { return request_.problem->objects && start_.aim_point.drops(); }
   static Launch beside(const Launch& line, double turn);
   /// Neighbouring aims beside a point of a curve: so many steps.
   struct Band {

@@ -29,7 +29,7 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
   for (int i = 0; i < most_walked && !budget_.spent();) {
     if (leaves_for_good(at, t)) return;
     const Vector guess = at.x + h * scale_.cwiseProduct(t);
-    const auto next = settle(guess, wide_, -1, lists() ? loosely : settings::settled);
+    const auto next = settle(guess, wide_, -1, drops() ? loosely : settings::settled);
     const double gone = next ? (next->x - at.x).cwiseQuotient(scale_).dot(t) : 0,
                  pulled = next ? (next->x - guess).cwiseQuotient(scale_).norm() : infinite;
     const bool ends = next && at_end(*next);
@@ -125,10 +125,10 @@ void Family::look_between(Curve& curve) {
 
 void Family::keep_parts(Curve& curve) {
   for (Tried& t : curve) {
-    t = lists() ? attempt_where_clear(t.at) : attempt(t.at);
+    t = drops() ? attempt_where_clear(t.at) : attempt(t.at);
     if (request_.first() && t.made()) return keep(t);
   }
-  if (lists() && std::ranges::none_of(curve, &Tried::made)) look_between(curve);
+  if (drops() && request_.all() && std::ranges::none_of(curve, &Tried::made)) look_between(curve);
   for (std::size_t begin = 0, end = 0; begin < curve.size(); begin = end + 1) {
     end = begin;
     while (end < curve.size() && curve[end].made()) ++end;
