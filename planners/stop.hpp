@@ -7,7 +7,7 @@
 //   enough_images  a step that proposes exact images may stop. If they come shortest first, the first-order margin only
 //                  falls with the length, so later ones are worse unless a bound or a pocket makes the difference
 //   route_settled  one root of a given route is all there is to find, unless every shot is wanted
-//   one_found      a step that looks closely may stop: one shot is enough there
+//   one_found      a step that is asked where nothing was found may stop at one shot
 //   nothing_yet    there is no shot, and the budget is not spent: the next step of `auto` has its turn
 #pragma once
 
@@ -52,7 +52,7 @@ inline bool nothing_yet(const EvaluationBudget& budget, const SearchResult& foun
   return found.shots.empty() && !budget.cut();
 }
 
-/// Returns whether a step that looks closely may stop: one shot is enough there, unless every one is wanted.
+/// Returns whether a step that is asked where nothing was found may stop: at one shot, unless every one is wanted.
 inline bool one_found(const SearchRequest& request, EvaluationBudget& budget, const SearchResult& found) {
   return over(request, budget, found) || !(request.all() || request.starts() || found.shots.empty());
 }

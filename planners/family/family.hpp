@@ -5,8 +5,8 @@
 //   walk    where one thing is free the family is a curve: steps along it, both ways, to where the arrival speed or the
 //           spin ends; what the replay makes of each step is asked afterwards, since only parts of a curve may be shots
 //   climb   where more is free, a compass search over the family's tangent space to a best shot by `prefer`
-//   beside  where every shot with other balls is wanted and no point of a curve is made, launches beside it and between
-//           its points: those that fall straight, then those that fall by the jaws
+//   beside  where another ball may drop and no point of a curve is made, launches beside it: those that fall by the
+//           jaws; where every shot is wanted, first those that fall straight, also between its points
 // A best shot lies inside, at a bound, or where a cushion's end or a pocket cuts the family; there the edge is
 // bisected. Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: what is kept is proved;
 // that nothing better exists is measured (tests/stress), not proved. Source: the corrector is Gauss's and Newton's with

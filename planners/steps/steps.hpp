@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The steps of `auto` (docs/architecture.md lists them). methods/auto.cpp decides when each runs; the numbers in the
-// names of files tell their usual order. A step reads the request, charges the budget, and adds to the search result.
+// The steps of `auto` (docs/architecture.md lists them). methods/auto.cpp decides when each runs. A step reads the
+// request, charges the budget, and adds to the search result.
 #pragma once
 
 #include <map>
@@ -38,19 +38,19 @@ void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult
 using KnownLegs = std::map<const Objects::Chain*, std::vector<Candidate>>;
 void chains_again(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known);
 void caroms(const SearchRequest& request, EvaluationBudget& budget,
-            SearchResult& found);  ///< off one ball onto another
+            SearchResult& found);  ///< off one ball onto another, followed forwards
 
 /// Cells fine enough that the map leaves nothing out where every shot is wanted.
 Spacing usual_spacing(const SearchRequest& request);
 
-/// Launches so near each other lead to one root (settings::parts::alike).
+/// Launches so near each other lead to one root (settings::alike).
 bool alike(const Launch& a, const Launch& b);
 
 /// Where what one aims at is blocked, some part of the target may be reached beside it: from each lead to where it has
 /// most room, until one of them is a shot.
 void parts(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
-/// Chains and caroms that are followed forwards, at more launch speeds: ten times the cost of `chains`.
+/// Chains, and caroms at more launch speeds, followed forwards: ten times the cost of `chains`.
 void bands(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 }  // namespace bankshot::planning::steps
