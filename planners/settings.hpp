@@ -197,6 +197,8 @@ inline constexpr int speeds = 300;
 namespace parts {
 /// Aims across the part of a target beside a candidate.
 inline constexpr std::size_t aims_across = 17;
+/// Factor by which a candidate's speed may lie outside its bounds and still lead to a shot inside.
+inline constexpr double nearly_allowed = 1.3;
 }  // namespace parts
 
 namespace jaw_shots {

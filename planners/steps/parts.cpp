@@ -1,17 +1,56 @@
 // SPDX-License-Identifier: MIT
 //
 // Where what one aims at is blocked, some part of the target may be reached beside it: around each lead the clearance
-// is climbed (widest.hpp).
+// is climbed (widest.hpp), and where that leaves hope, rows of aims are bisected.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "planners/certify.hpp"
+#include "planners/images/window.hpp"
+#include "planners/locked/speed.hpp"
 #include "planners/settings.hpp"
 #include "planners/steps/steps.hpp"
 #include "planners/steps/widest.hpp"
 
 namespace bankshot::planning::steps {
+namespace {
+
+using namespace settings::parts;
+
+/// A window around a lead, along its route, at the speed that each aim needs.
+bool bisect_candidate(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found,
+                      const Candidate& candidate) {
+  const Branch locked{request, candidate.route, candidate.aim_point};
+  const std::vector<Contact> contacts = contacts_of(candidate.route);
+  const Goal goal = Goal::along(contacts);
+  const auto launch = [&](double aim) -> std::optional<Launch> {
+    const auto speed = speed_near(locked, budget, aim, candidate.launch.speed);
+    if (!speed) return {};
+    return Launch{*speed, wrap_angle(aim)};
+  };
+  const AimRow row{[&](double aim) {
+                     const auto l = launch(aim);
+                     return l ? replay(request, budget, *l, goal) : Replay{};
+                   },
+                   [&](double aim, int bounces) {
+                     const auto l = launch(aim);
+                     return l && certify(request, budget, found, *l, bounces, word::parts, Demand::off_centre);
+                   }};
+  const Range aims{candidate.launch.angle - candidate.half, candidate.launch.angle + candidate.half};
+  return find_window(row, budget, aims, candidate.launch.angle, aims_across);
+}
+
+/// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed, or nearly.
+bool hopeful(const SearchRequest& request, const Candidate& candidate) {
+  const Range& v = request.speed;
+  return candidate.half > 0 && candidate.room > -candidate.aim_point.reach &&
+         candidate.launch.speed > v.low / nearly_allowed && candidate.launch.speed < v.high * nearly_allowed;
+}
+
+}  // namespace
+
 bool alike(const Launch& a, const Launch& b) {
   return std::abs(angle_difference(a.angle, b.angle)) < settings::alike &&
          std::abs(std::log(a.speed / b.speed)) < settings::alike;
@@ -30,6 +69,11 @@ void parts(const SearchRequest& request, EvaluationBudget& budget, SearchResult&
     leads.push_back(std::move(lead));
     Widest(request, budget, found, leads.back()).find();
   }
+  if (!request.problem->objects) return;  // the map of one ball sees them
+  std::ranges::stable_sort(leads, std::ranges::greater{}, &Candidate::room);
+  for (const Candidate& lead : leads)
+    if (found.shots.empty() && !budget.spent() && hopeful(request, lead))
+      bisect_candidate(request, budget, found, lead);
 }
 
 }  // namespace bankshot::planning::steps

@@ -47,7 +47,7 @@ Spacing usual_spacing(const SearchRequest& request);
 bool alike(const Launch& a, const Launch& b);
 
 /// Where what one aims at is blocked, some part of the target may be reached beside it: from each lead to where it has
-/// most room, until one of them is a shot.
+/// most room; with other balls then rows of aims around those that lack little. Until one is a shot.
 void parts(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 /// Chains, and caroms at more launch speeds, followed forwards: ten times the cost of `chains`.
