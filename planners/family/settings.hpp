@@ -17,9 +17,9 @@ inline constexpr int most_starts = 3;
 inline constexpr std::size_t most_tuned_caroms = 6;
 /// m: a locked path that lacks more room is no shot.
 inline constexpr double uncertain = 1e-6;
-/// Where all shots are listed most curves have none, and points that are so near a curve tell that as well: they are
-/// settled fully before they are replayed. With 0.05 lists are as long, but miss other shots than the full ones; fully
-/// settled points cost 9 % more simulations.
+/// Where another ball may drop most curves have no shot, and points that are so near a curve tell that as well: they
+/// are settled fully before they are replayed. With 0.05 lists are as long, but miss other shots than the full ones;
+/// fully settled points cost 9 % more simulations.
 inline constexpr double loosely = 0.01;
 /// Parts into which a curve is divided further where none of its points is made: so many at least and at most, and one
 /// for each so many of the aim point's reach that it moves across a launch between. And where it lacks so little room,

@@ -6,7 +6,6 @@
 // With spin images are only seeds: the steps of planners/steps follow.
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -97,6 +96,14 @@ std::vector<SearchRequest> samples_of(const SearchRequest& request) {
   return out;
 }
 
+/// Those at which seeds are laid: launches of a carom have all speeds.
+std::vector<SearchRequest> seed_samples_of(const SearchRequest& request) {
+  std::vector<SearchRequest> out = samples_of(request);
+  if (request.problem->carom())
+    std::erase_if(out, [&](const SearchRequest& sample) { return sample.asked != request.asked; });
+  return out;
+}
+
 /// What leads to roots of most routes.
 struct Seeds {
   std::function<std::remove_pointer_t<steps::Step>> first;
@@ -167,17 +174,18 @@ void climb_families(const SearchRequest& request, const SearchRequest& stage, Ev
   std::string_view word;
   {
     const EvaluationBudget::Part half(budget, 2);  // the other one is for the climbs
-    for (const SearchRequest& sample : samples_of(stage)) {
-      if (request.problem->carom() && sample.asked != stage.asked) continue;  // its launches have all speeds
+    for (const SearchRequest& sample : seed_samples_of(stage)) {
       const Seeds seeds = seeds_of(stage);
       SearchResult starts;
       seeds.first(sample, budget, starts);
       word = seeds.word;
-      for (Candidate& start : starts.candidates)
-        if (auto at = family::Family(request, budget, found, start, word).foot()) {
-          if (request.first() && at->made()) return family::Family(request, budget, found, start, word).climb_from(*at);
-          feet.push_back({std::move(start), std::move(*at)});
-        }
+      for (Candidate& start : starts.candidates) {
+        family::Family family(request, budget, found, start, word);
+        auto at = family.foot();
+        if (!at) continue;
+        if (request.first() && at->made()) return family.climb_from(*at);
+        feet.push_back({std::move(start), std::move(*at)});
+      }
     }
   }
   std::ranges::stable_sort(feet, [](const Foot& a, const Foot& b) { return a.at.above(b.at); });
@@ -206,8 +214,7 @@ void along_families(const SearchRequest& request, EvaluationBudget& budget, Sear
     if (surfaces) return climb_families(request, stage, budget, found, followed);
     Seeds seeds = seeds_of(stage);
     SearchResult starts;
-    for (const SearchRequest& sample : samples_of(stage)) {
-      if (request.problem->carom() && sample.asked != stage.asked) continue;  // its launches have all speeds
+    for (const SearchRequest& sample : seed_samples_of(stage)) {
       if (request.problem->carom()) starts = {}, seeds = seeds_of(stage);
       const std::size_t known = starts.candidates.size();  // whose routes have no second family
       seeds.first(sample, budget, starts);
@@ -232,7 +239,7 @@ void along_families(const SearchRequest& request, EvaluationBudget& budget, Sear
 }
 
 /// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
-/// launches at the bounds of their own speed, which arrive as they may; fine maps at the first of them alone.
+/// launches at the bounds of their own speed, which arrive as they may.
 void with_freedom(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   along_families(request, budget, found);
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };

@@ -2,7 +2,6 @@
 #include "planners/steps/chain_path.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 

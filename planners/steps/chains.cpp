@@ -7,9 +7,8 @@
 // so that no cosine of the cut is left; what throw turns the other ball by, the ghost is turned back. From there
 // Newton's method on the whole chain, with derivatives through the contact. In a combination it is the last ball that
 // is looked at alone, and what leads through its ghost is the chain of those before it, found in the same way.
-// Closely, the last ball's launches come from maps too; then the chain is followed forwards (bands.cpp). Cost: some ten
-// simulations a leg, twenty a chain. Guarantee: none beyond the proof; a root is found where its seed leads, and a
-// chain of routes hardly ever has two.
+// Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond the proof; a root is found where its seed
+// leads, and a chain of routes hardly ever has two.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -46,7 +45,7 @@ class Chains {
   void run(std::vector<Candidate>& known) {
     for (const Leg& leg : legs(request_, budget_, chain_, images, known)) {
       if (stop::enough_seeds(request_, budget_, found_)) return;
-      if (is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at))) join_all(leg, chains);
+      if (is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at))) join_all(leg);
       if (is_settled(leg)) known.push_back(leg.alone);
     }
   }
@@ -61,12 +60,12 @@ class Chains {
     return std::erf(leg.aim_point.reach / (beside * std::sqrt(2.0))) > request_.likelier;
   }
 
-  /// With all that leads through the ghost; `before` finds that of a combination.
-  void join_all(const Leg& leg, Step before) {
+  /// With all that leads through the ghost: images, and in a combination the chains of the balls before.
+  void join_all(const Leg& leg) {
     const SearchRequest at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
     if (!by_) return each_image(leg, at_ghost);
     SearchResult starts;
-    before(to_ghost_.at(at_ghost.problem->aim_points.front().at, normal_speed(leg.launch().speed)), budget_, starts);
+    chains(to_ghost_.at(at_ghost.problem->aim_points.front().at, normal_speed(leg.launch().speed)), budget_, starts);
     for (const Candidate& candidate : starts.candidates) {
       if (stop::enough_seeds(request_, budget_, found_)) return;
       if (!has_candidate(leg, candidate.route)) join(leg, candidate.route, candidate.launch);

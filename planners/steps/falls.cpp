@@ -31,7 +31,7 @@ void Falls::bring_to_speed(const std::set<Route>& made) {
       const Launch at{fall.launch.speed, wrap_angle(fall.launch.angle)};
       if (!replay(brought, budget_, at, Goal::of(brought, Demand::made)).made) continue;
       ++tried;
-      if ((request_.stop && keep(at, fall)) || beside(fall) || by_replays(brought, fall)) break;
+      if ((request_.stop && keep(at, bounces_of(fall.route))) || beside(fall) || by_replays(brought, fall)) break;
     }
   }
 }
@@ -46,8 +46,8 @@ SearchRequest Falls::to_bring() const {
   return passing;
 }
 
-bool Falls::keep(const Launch& launch, const Fall& fall) {
-  return certify(request_, budget_, found_, launch, bounces_of(fall.route), step_, Demand::off_centre);
+bool Falls::keep(const Launch& launch, int bounces) {
+  return certify(request_, budget_, found_, launch, bounces, step_, Demand::off_centre);
 }
 
 /// On the line on which it fell.
@@ -56,13 +56,13 @@ bool Falls::beside(const Fall& fall) {
   AimPoint aim_point = *fall.aim_point;
   aim_point.cuts = Cuts{fall.right, fall.right, fall.right};
   const auto there = newton({request_, fall.route, aim_point}, budget_, fall.launch, settings::wide);
-  return there && keep(there.launch, fall);
+  return there && keep(there.launch, bounces_of(fall.route));
 }
 
 /// Where no locked path leads, along a rail for one: as the last ball is touched.
 bool Falls::by_replays(const SearchRequest& brought, const Fall& fall) {
   const auto made = made_as_asked(brought, budget_, fall.launch, turn_of(fall));
-  return made && certify(request_, budget_, found_, made->launch, made->replay.bounces, step_, Demand::off_centre);
+  return made && keep(made->launch, made->replay.bounces);
 }
 
 /// Rad per ln speed that keep the cut of the last ball.

@@ -27,7 +27,7 @@ class Falls {
 
  private:
   SearchRequest to_bring() const;
-  bool keep(const Launch& launch, const Fall& fall);
+  bool keep(const Launch& launch, int bounces);
   bool beside(const Fall& fall);
   bool by_replays(const SearchRequest& brought, const Fall& fall);
   double turn_of(const Fall& fall);

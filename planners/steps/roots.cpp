@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "planners/certify.hpp"
-#include "planners/line_search.hpp"
-#include "planners/locked/speed.hpp"
+#include "planners/locked/newton.hpp"
 #include "planners/merit/first_order.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/settings.hpp"

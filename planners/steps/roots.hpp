@@ -8,13 +8,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "bankshot/geometry/aim_point.hpp"
-#include "planners/locked/newton.hpp"
+#include "planners/locked/residual.hpp"
 #include "planners/search_result.hpp"
 #include "planners/stop.hpp"
 

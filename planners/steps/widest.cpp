@@ -7,7 +7,6 @@
 #include "planners/certify.hpp"
 #include "planners/line_search.hpp"
 #include "planners/locked/clearance.hpp"
-#include "planners/locked/levenberg_marquardt.hpp"
 #include "planners/locked/speed.hpp"
 #include "planners/steps/steps.hpp"
 
@@ -47,15 +46,14 @@ Widest::Tried Widest::highest(const Row& row, std::size_t peak, const Attempt& a
       [&](double aim, const Tried& best) { return attempt(aim, best.speed); }, settled);
 }
 
-bool Widest::find() {
-  if (!(candidate_.half > 0)) return false;
+void Widest::find() {
+  if (!(candidate_.half > 0)) return;
   const Row row = along_lead();
   for (const std::size_t i : peaks_of(row)) {
     const Tried best = highest(row, i, [&](double aim, double guess) { return attempt(aim, guess); });
     candidate_.room = std::max(candidate_.room, best.value);
-    if (shot(best)) return true;
+    if (shot(best)) return;
   }
-  return false;
 }
 
 /// From the candidate outwards, so that each speed is near its neighbour's.

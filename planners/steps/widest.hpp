@@ -22,8 +22,8 @@ class Widest {
   /// Sets the candidate's `half` where it is 0.
   Widest(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Candidate& candidate);
 
-  /// The largest clearance, which the candidate's `room` receives; true where that made a shot.
-  bool find();
+  /// The largest clearance, which the candidate's `room` receives; it may make a shot.
+  void find();
 
  private:
   static constexpr std::size_t aims_across = settings::parts::aims_across, middle = aims_across / 2;
