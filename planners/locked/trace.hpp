@@ -33,13 +33,20 @@ struct Unobserved {
   void met(std::size_t, const State<T>&) const {}
 };
 
+/// What becomes of a leg that does not lead to its meeting. Rounding may make one of a real path seem so.
+enum class LostLeg { ends_trace, is_passed_over };
+
+template <class T>
+struct TracedArrival : LockedArrival<T> {
+  bool complete = true;  ///< no leg was passed over
+};
+
 /// Follows these meetings from `start`, and on to the destination. Returns the arrival, with the time since the launch;
-/// none if a leg does not lead to its meeting, or the last leg has no direction. Rounding may make the leg of a real
-/// path seem to lead nowhere. If `complete` is not null, such a leg is passed over, and `complete` set to false.
+/// none if a lost leg ends the trace, or the last leg has no direction.
 template <class T, class C, class Motion, class Cushion, class Observer = Unobserved>
-std::optional<LockedArrival<T>> trace(const RouteBallsOf<C>& balls, const Motion& motion, const Cushion& cushion,
+std::optional<TracedArrival<T>> trace(const RouteBallsOf<C>& balls, const Motion& motion, const Cushion& cushion,
                                       std::span<const Meeting> meetings, const State<T>& start, const Destination& to,
-                                      Work& work, Observer&& observer = {}, bool* complete = nullptr) {
+                                      Work& work, Observer&& observer = {}, LostLeg lost = LostLeg::ends_trace) {
   struct Legs {
     Observer& observer;
     std::size_t leg = 0;
@@ -48,19 +55,20 @@ std::optional<LockedArrival<T>> trace(const RouteBallsOf<C>& balls, const Motion
   } legs{observer};
   State<T> state = start;
   T time(0);
+  bool complete = true;
   do {
     const auto path = follow_locked(balls, motion, cushion, meetings.subspan(legs.leg), state, legs);
     work += path.work;
     state = path.state;
     time += path.time;
     if (path.end == LockedEnd::complete) break;
-    if (!complete) return {};
-    *complete = false;
+    if (lost == LostLeg::ends_trace) return {};
+    complete = false;
     legs.met(state);
   } while (legs.leg < meetings.size());
-  if (!complete && !(dot(state.velocity, state.velocity) > T(0))) return {};
+  if (lost == LostLeg::ends_trace && !(dot(state.velocity, state.velocity) > T(0))) return {};
   const auto watch = [&](const Arc<T>& arc, const T& t) { observer.arc(meetings.size(), arc, t); };
-  auto arrival = arrive_locked(motion, to.body, state, to.at, to.capture, to.stop, watch);
+  TracedArrival<T> arrival{arrive_locked(motion, to.body, state, to.at, to.capture, to.stop, watch), complete};
   work += arrival.work;
   if (!(dot(arrival.heading, arrival.heading) > T(0))) return {};
   arrival.time = time + arrival.time;

@@ -113,10 +113,11 @@ TEST_CASE("a leg that leads nowhere ends a trace, or is passed over") {
     const auto start = start_of(request, Launch{3, radians(50)});
     const std::span<const Meeting> meetings(away);
     CHECK(!trace(request.problem->balls(), motion, cushion, meetings, start, to, work));
-    bool complete = true;
     Notes notes;
-    CHECK(trace(request.problem->balls(), motion, cushion, meetings, start, to, work, notes, &complete));
-    CHECK(!complete);
+    const auto passed =
+        trace(request.problem->balls(), motion, cushion, meetings, start, to, work, notes, LostLeg::is_passed_over);
+    REQUIRE(passed);
+    CHECK(!passed->complete);
     CHECK(notes.meetings.size() == 2);
   });
 }
