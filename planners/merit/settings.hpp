@@ -45,7 +45,7 @@ namespace margin {
 /// Of the margin to where jaws are first touched, and of the widest there is: the longest step beyond, and by how much
 /// each is longer than the one before. Balls that fall by the jaws lie in bands between balls that come out; narrower
 /// bands than this may be jumped.
-inline constexpr double rattling_step = 0.02, least_rattling_step = 1e-4;
+inline constexpr double rattling_step = 0.04, least_rattling_step = 1e-4;
 /// rad, m/s: margins beyond are none.
 inline constexpr double widest_angle = radians(180), widest_speed = 30;
 /// Where the first look saw the end so nearly, limits are nearly straight and few steps inside are enough; else many:
@@ -67,37 +67,24 @@ inline constexpr int draws = 4096;
 
 // In standard deviations of the player, where nothing else is said.
 namespace success {
-/// Simulations at most; 100 are usual. docs/evidence.md says how far success may be off.
-inline constexpr std::size_t most_samples = 150;
-/// The same where the cue ball was seen to fall; and points spread over each of its lines but the first.
-inline constexpr std::size_t most_samples_of_balls = 400, points_of_balls = 10;
+/// Simulations after which no further line begins; where the cue ball was seen to fall; and points spread over each
+/// line of such a shot but the first. 100 simulations are usual; docs/evidence.md says how far success may be off.
+inline constexpr std::size_t most_samples = 150, most_samples_of_balls = 400, points_of_balls = 10;
 /// Errors beyond are taken to do as those here: 0.001 of all.
 inline constexpr double widest = 3.3;
-/// From where an edge is expected to the next point tried, and how often that doubles.
-inline constexpr double step = 0.08;
-inline constexpr int most_doublings = 6;
-/// A bracket of an edge is bisected to this; on the first line, whose edges all others inherit; where there is one
-/// line.
-inline constexpr double narrow = 0.05, finer = 0.01, finest = 0.002;
-/// Where lines across the band begin.
-inline constexpr std::array first_lines{0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8, 2.6, -2.6};
-/// Where the outermost two of a band that ends within reach are laid.
-inline constexpr double outermost = 2.5, beyond_end = 1.1;
-/// Of success: no further line is worth while below this doubt; and what a line costs at least.
-inline constexpr double least_doubt = 2e-4;
-inline constexpr std::size_t cheapest_line = 5;
-/// How doubt grows with the change of success between two lines, and what is left where there is none.
-inline constexpr double doubt_of_change = 0.15, doubt_always = 0.01;
-/// Points spread over the only line, the first, later ones, and later ones where no edge is expected.
-inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4, points_without_edges = 3;
-/// Of probability, at either end, where no point is spread.
-inline constexpr double tail = 0.0015;
-/// Where the lines and first order agree so nearly (of success), and no part is in more doubt, no further line is laid.
-inline constexpr double agrees = 1e-3, doubt_of_agreed = 0.02;
-/// Of a bracket's width: what lies z deviations out counts by this times exp(-z²/2), and never more than all.
-inline constexpr double thin_out = 3;
-/// Edges this close on neighbouring lines are one; how far beside a new one its neighbours are tried.
-inline constexpr double same_edge = 0.3, beside_edge = 0.5;
+/// The lines laid first: so many on either side of the middle one, evenly, and where the outermost are.
+inline constexpr int lines_to_a_side = 4;
+inline constexpr double outermost = 2.6;
+/// How many times as much a gap between two lines counts where all errors are made on one and none on the other.
+inline constexpr double of_change = 16;
+/// Points spread over the only line, the first, and later ones.
+inline constexpr std::size_t points_on_only = 100, points_on_first = 18, points_on_others = 4;
+/// From where an edge is expected to the next point tried; it doubles until the edge is passed.
+inline constexpr double step = 0.04;
+/// Of probability: a bracket of an edge is bisected to this; where there is one line.
+inline constexpr double narrow = 0.01, finest = 0.0008;
+/// Where the lines and first order agree so nearly (of success), no further line is laid.
+inline constexpr double agrees = 1e-3;
 }  // namespace success
 
 namespace outcome_map {

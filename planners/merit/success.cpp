@@ -5,17 +5,16 @@
 // equally likely in every direction, so their plane may be turned: `across` is the direction that moves the arrival
 // most, to first order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a
 // line across it the edges are bisected, and the success on that line follows from them; noise_scanlines.hpp says what
-// all lines together make of it. Lines begin evenly spaced; more are laid where the success changes other than its
-// neighbours say. Edges are looked for where the neighbouring lines have them, between some points spread over the line
-// and its ends, so that a band which nobody expects is met too; then the neighbours are looked at again. Where that
-// agrees with first order (limits.hpp) and leaves little doubt, it ends.
-// Cost: most_samples simulations at most, most_samples_of_balls once the cue ball is seen to fall. Guarantee: none;
-// docs/evidence.md has what was measured.
+// all lines together make of it. Lines begin evenly spaced; more are laid where much probability lies between two of
+// them, or their success differs. Edges are looked for where the neighbouring lines have them, between some points
+// spread over the line and its ends, so that a band which nobody expects is met too. Where that agrees with first order
+// (limits.hpp), it ends.
+// Cost: no further line begins after most_samples simulations, or most_samples_of_balls once the cue ball is seen to
+// fall. Guarantee: none; docs/evidence.md has what was measured.
 #include "planners/merit/success.hpp"
 #include "bankshot/geometry/aim_point.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -47,24 +46,21 @@ class Chance {
   }
 
   double run() {
-    if (is_ideal(request_.puzzle().physics)) {  // any speed will do that is one: one line is all
+    if (one_line()) {
       add(0);
       const double noise = noise_.speed;
       return lines_.front().success * (noise > 0 ? normal_below(shot_.launch.speed / noise) : 1);
     }
-    // A band that ends within reach is met by as many lines, and one on either side looks beyond it.
-    const double scale = std::min(1.0, beyond_end * length_ / outermost);
-    for (const double along : first_lines) add(scale * along);
-    if (scale < 1)
-      for (const double side : {1.0, -1.0}) add(side * (scale + 1) / 2 * outermost);
-    while (used_ + cheapest_line <= most()) {
-      std::size_t at = 0;
-      double worst = least_doubt;
-      for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
-        if (const double d = doubt(i); d > worst) worst = d, at = i + 1;
-      if (at == 0 || (!scratches_ && worst < doubt_of_agreed &&
-                      std::abs(success_of(lines_) - shot_.robustness.success_estimate) < agrees))
-        break;
+    const double reach = std::min(outermost, length_);
+    for (int k = 0; k <= lines_to_a_side; ++k)
+      for (const double side : {1.0, -1.0})
+        if (k > 0 || side > 0) add(side * reach * k / lines_to_a_side);
+    if (reach < outermost)
+      for (const double side : {1.0, -1.0}) add(side * outermost);
+    while (used_ < most() && left() && (scratches_ || !agrees_with_first_order())) {
+      std::size_t at = 1;
+      for (std::size_t i = 1; i < lines_.size(); ++i)
+        if (tells(i) > tells(at)) at = i;
       add((lines_[at - 1].along + lines_[at].along) / 2);
     }
     return success_of(lines_);
@@ -86,9 +82,12 @@ class Chance {
     expected_ = {room.low / moved, room.high / moved};
   }
 
+  /// Any speed will do that is one.
+  bool one_line() const { return is_ideal(request_.puzzle().physics); }
+
   /// Cue balls that fall cut what is made into parts of which first order knows nothing.
   std::size_t most() const { return scratches_ ? most_samples_of_balls : most_samples; }
-  bool left() const { return used_ < most() && !budget_.spent(); }
+  bool left() const { return !budget_.spent(); }
 
   /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
   bool made(NoiseScanline& line, double across) {
@@ -106,48 +105,37 @@ class Chance {
     return r.made;
   }
 
-  struct Expected {
-    NoiseScanline line;
-    bool sure = true;  ///< the neighbours agree how many edges there are
-  };
-
   /// Edges in line with those of the two nearest lines.
-  Expected expect(double along) const {
-    Expected e{{along}};
-    e.line.edges = expected_;
+  NoiseScanline expect(double along) const {
+    NoiseScanline e{along};
+    e.edges = expected_;
     if (lines_.empty()) return e;
-    const auto after = std::lower_bound(lines_.begin(), lines_.end(), along,
-                                        [](const NoiseScanline& l, double v) { return l.along < v; });
+    const auto after = std::ranges::lower_bound(lines_, along, {}, &NoiseScanline::along);
     const bool between = after != lines_.begin() && after != lines_.end(), two = lines_.size() > 1;
     const NoiseScanline& near = after == lines_.begin() ? *after : *(after - 1);
     const NoiseScanline& far = between ? *after : !two ? near : after == lines_.begin() ? *(after + 1) : *(after - 2);
-    e.sure = near.edges.size() == far.edges.size() && near.open == far.open;
-    const NoiseScanline& like = !e.sure && between && far.edges.size() > near.edges.size() ? far : near;
-    e.line.edges = like.edges;
-    e.line.open = like.open;
-    if (!e.sure || &near == &far) return e;
+    const bool alike = near.edges.size() == far.edges.size() && near.open == far.open;
+    const NoiseScanline& like = !alike && between && far.edges.size() > near.edges.size() ? far : near;
+    e.edges = like.edges;
+    e.open = like.open;
+    if (!alike || &near == &far) return e;
     const double share = (along - near.along) / (far.along - near.along);
-    for (std::size_t i = 0; i < near.edges.size(); ++i) e.line.edges[i] += share * (far.edges[i] - near.edges[i]);
-    std::sort(e.line.edges.begin(), e.line.edges.end());
+    for (std::size_t i = 0; i < near.edges.size(); ++i) e.edges[i] += share * (far.edges[i] - near.edges[i]);
+    std::ranges::sort(e.edges);
     return e;
   }
 
   void add(double along) {
     NoiseScanline line{along};
-    const Expected e = expect(along);
-    for (std::size_t k = 0; k <= e.line.edges.size(); ++k) {
-      const double low = k > 0 ? std::max(e.line.edges[k - 1], -widest) : -widest;
-      const double high = k < e.line.edges.size() ? std::min(e.line.edges[k], widest) : widest;
-      const bool in = e.line.open != (k % 2 == 1);
-      if (in && low < high && (e.sure || made(line, (low + high) / 2))) follow(line, low, high);
+    const NoiseScanline e = expect(along);
+    for (std::size_t k = 0; k <= e.edges.size(); ++k) {
+      const double low = k > 0 ? std::max(e.edges[k - 1], -widest) : -widest;
+      const double high = k < e.edges.size() ? std::min(e.edges[k], widest) : widest;
+      if (e.open != (k % 2 == 1) && low < high) follow(line, low, high);
     }
-    spread(line, e.line.edges.empty());
-    settle(line, e.line.edges);
-    const auto after = std::lower_bound(lines_.begin(), lines_.end(), along,
-                                        [](const NoiseScanline& l, double v) { return l.along < v; });
-    const auto at = lines_.insert(after, std::move(line)) - lines_.begin();
-    tell(at, -1);
-    tell(at, 1);
+    spread(line);
+    settle(line, e.edges);
+    lines_.insert(std::ranges::lower_bound(lines_, along, {}, &NoiseScanline::along), std::move(line));
   }
 
   /// Brackets both ends of what is expected to be made, by steps that double.
@@ -157,7 +145,7 @@ class Chance {
       if (std::abs(edge) >= widest) continue;
       const bool in = made(line, edge);
       double by = in == upper ? step : -step, at = edge;
-      for (int i = 0; i < most_doublings; ++i, by *= 2) {
+      for (;; by *= 2) {
         at += by;
         const bool outside = std::abs(at) > widest || (!in && (at < low || at > high));
         if (outside || made(line, at) != in) break;
@@ -166,13 +154,11 @@ class Chance {
   }
 
   /// Points at even steps of probability, shifted from line to line; both ways of a line are alike.
-  void spread(NoiseScanline& line, bool no_edges) {
-    const bool later = lines_.size() >= first_lines.size();
-    const std::size_t count = is_ideal(request_.puzzle().physics) ? points_on_only
-                              : lines_.empty()                    ? points_on_first
-                              : scratches_                        ? points_of_balls
-                              : later && no_edges                 ? points_without_edges
-                                                                  : points_on_others;
+  void spread(NoiseScanline& line) {
+    const std::size_t count = one_line()       ? points_on_only
+                              : lines_.empty() ? points_on_first
+                              : scratches_     ? points_of_balls
+                                               : points_on_others;
     constexpr double golden = 0.6180339887;  // shifts that never repeat
     const double share = 1 / static_cast<double>(count),
                  shift = std::fmod(0.5 + static_cast<double>(lines_.size()) * golden, 1);
@@ -182,7 +168,7 @@ class Chance {
     };
     for (std::size_t k = 0; k < count / 2; ++k)
       for (const double p : {(static_cast<double>(k) + shift) * share, 1 - (static_cast<double>(k) + shift) * share})
-        look(tail + p * (1 - 2 * tail));
+        look(p);
     if (count % 2 == 1) look(0.5);
     // Beyond the last of them an edge may hide.
     if (line.tries.empty()) return;
@@ -190,61 +176,31 @@ class Chance {
     if (line.tries.back().made) made(line, widest);
   }
 
-  /// How wide a bracket is, in what it may hide: far out there is little.
-  static double width(const NoiseScanline::Try& a, const NoiseScanline::Try& b) {
-    const double z = std::max({a.across, -b.across, 0.0});
-    return (b.across - a.across) * std::min(1.0, thin_out * std::exp(-z * z / 2));
-  }
-
-  /// Bisects every change between two tries, the widest first, and reads off the edges. Where the cue ball may fall, a
-  /// line with more than one band is left as it is: its parts are too many to follow, and more lines say more.
+  /// Bisects every change between two tries, the likeliest first, and reads off the edges. Where the cue ball may fall,
+  /// a line with more than one band is left as it is: its parts are too many to follow, and more lines say more.
   void settle(NoiseScanline& line, const std::vector<double>& expected) {
-    const double enough = (is_ideal(request_.puzzle().physics) ? finest : lines_.empty() ? finer : narrow) * (1 + 1e-9);
+    const auto width = [&](std::size_t i) {
+      const NoiseScanline::Try &a = line.tries[i - 1], &b = line.tries[i];
+      return a.made == b.made ? 0 : normal_below(b.across) - normal_below(a.across);
+    };
     while (left() && !(scratches_ && line.changes() > 2)) {
-      double most = enough, at = 0;
-      for (std::size_t i = 0; i + 1 < line.tries.size(); ++i) {
-        const NoiseScanline::Try &a = line.tries[i], &b = line.tries[i + 1];
-        if (a.made != b.made && width(a, b) > most) most = width(a, b), at = (a.across + b.across) / 2;
-      }
-      if (most == enough) break;
-      made(line, at);
+      std::size_t at = 1;
+      for (std::size_t i = 1; i < line.tries.size(); ++i)
+        if (width(i) > width(at)) at = i;
+      if (at >= line.tries.size() || !(width(at) > (one_line() ? finest : narrow))) break;
+      made(line, (line.tries[at - 1].across + line.tries[at].across) / 2);
     }
     line.read_off(expected);
   }
 
-  /// Neighbours that lack an edge which this line has are tried beside it, and so on outwards.
-  void tell(std::ptrdiff_t from, std::ptrdiff_t way) {
-    for (std::ptrdiff_t i = from + way; i >= 0 && i < std::ssize(lines_); i += way) {
-      const NoiseScanline& source = lines_[static_cast<std::size_t>(i - way)];
-      NoiseScanline& line = lines_[static_cast<std::size_t>(i)];
-      const std::size_t before = line.edges.size();
-      if (before >= source.edges.size() || !left()) return;
-      for (std::size_t k = 0; k < source.edges.size(); ++k) {
-        const double edge = source.edges[k];
-        const auto known = [&](double e) { return std::abs(e - edge) < same_edge; };
-        if (std::abs(edge) > widest || std::any_of(line.edges.begin(), line.edges.end(), known)) continue;
-        const double low = k > 0 ? source.edges[k - 1] : -widest,
-                     high = k + 1 < source.edges.size() ? source.edges[k + 1] : widest;
-        for (const double at :
-             {std::max(edge - beside_edge, (edge + low) / 2), std::min(edge + beside_edge, (edge + high) / 2)})
-          if (line.made(at) != source.made(at)) made(line, at);
-      }
-      settle(line, source.edges);
-      if (line.edges.size() <= before) return;
-    }
+  bool agrees_with_first_order() const {
+    return std::abs(success_of(lines_) - shot_.robustness.success_estimate) < agrees;
   }
 
-  /// What success may be wrong between two lines: how far each is from where its neighbours point.
-  double doubt(std::size_t i) const {
-    const NoiseScanline &a = lines_[i], &b = lines_[i + 1];
-    const auto off = [](const NoiseScanline& far, const NoiseScanline& near, const NoiseScanline& line) {
-      const double slope = (near.success - far.success) / (near.along - far.along);
-      return std::abs(line.success - std::clamp(near.success + slope * (line.along - near.along), 0.0, 1.0));
-    };
-    const double before = i > 0 ? off(lines_[i - 1], a, b) : 0,
-                 after = i + 2 < lines_.size() ? off(lines_[i + 2], b, a) : 0;
-    return (normal_below(b.along) - normal_below(a.along)) *
-           (std::max(before, after) + doubt_of_change * std::abs(b.success - a.success) + doubt_always);
+  /// What a line before line i may tell: the probability between the two, which counts more where their success differs.
+  double tells(std::size_t i) const {
+    const NoiseScanline &a = lines_[i - 1], &b = lines_[i];
+    return (normal_below(b.along) - normal_below(a.along)) * (1 + of_change * std::abs(b.success - a.success));
   }
 
   const SearchRequest& request_;
