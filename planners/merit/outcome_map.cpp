@@ -52,7 +52,7 @@ OutcomeMap::OutcomeMap(const SearchRequest& request, EvaluationBudget& budget, c
     low = std::clamp(room.low / by_aim, -widest, widest), high = std::clamp(room.high / by_aim, -widest, widest);
   }
   first_ = {own_ + low, own_ + high};
-  rows_.push_back(row_at(shot.launch.speed, first_, aims));
+  rows_.push_back(row_at(shot.launch.speed, first_));
 }
 
 Launch OutcomeMap::launch(double aim, double speed) const { return {speed, wrap_angle(origin_ + aim)}; }
@@ -74,12 +74,12 @@ bool OutcomeMap::is_made(double aim, Row& row) {
   return true;
 }
 
-OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected, int tried) {
+OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected) {
   Row row{speed};
   const double width = std::max(expected.width(), tolerance::same_aim);
   const double beside = std::clamp(width / 2, least_beside * angle_, most_beside * angle_);
-  const double step = lattice_step((width + 2 * beside) / tried);
-  const double exact = lattice_step((tried == coarse_aims ? roughest : finest) * std::min(angle_, width));
+  const double step = lattice_step((width + 2 * beside) / aims);
+  const double exact = lattice_step(finest * std::min(angle_, width));
   struct Try {
     double aim;
     bool made;
@@ -142,11 +142,11 @@ OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
 }
 
 /// False where the row is there, or there are rows enough.
-bool OutcomeMap::add(Rung rung, int tried) {
+bool OutcomeMap::add(Rung rung) {
   const double speed = speed_of(rung);
   const auto at = std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
   if ((at != rows_.end() && at->speed == speed) || rows_.size() >= most_rows || budget_.spent()) return false;
-  Row row = row_at(speed, expected_at(speed), tried);
+  Row row = row_at(speed, expected_at(speed));
   rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
   return true;
 }
@@ -159,7 +159,7 @@ void OutcomeMap::look_along() {
     int missed = 0;
     for (Rung at = way < 0 ? below : below + rungs; missed < most_missed; at += way * rungs) {
       const double speed = speed_of(at);
-      if (!add(at, coarse_aims) || !request_.speed.contains(speed)) break;
+      if (!add(at) || !request_.speed.contains(speed)) break;
       const Row& row = *std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
       missed = row.made() ? 0 : missed + 1;
     }
@@ -173,7 +173,7 @@ bool OutcomeMap::refine(double speed) {
   const Rung below = rung_below(speed, stride);
   bool any = false;
   for (int k = 0; k < around; ++k)
-    for (const Rung at : {below - k * stride, below + (k + 1) * stride}) any = add(at, aims) || any;
+    for (const Rung at : {below - k * stride, below + (k + 1) * stride}) any = add(at) || any;
   return any;
 }
 
@@ -206,11 +206,11 @@ bool OutcomeMap::refine_changes(const Launch& best) {
   const double aim = angle_difference(origin_, best.angle), by = deviation(best.speed);
   for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
     const Row &a = rows_[i], &b = rows_[i + 1];
-    if (b.speed < best.speed - reach * by || a.speed > best.speed + reach * by) continue;
+    if (b.speed < best.speed - far * by || a.speed > best.speed + far * by) continue;
     const double change = std::abs(success_at(aim, a) - success_at(aim, b));
     const int low = static_cast<int>(std::lround(rungs_of(a.speed))),
               high = static_cast<int>(std::lround(rungs_of(b.speed)));
-    if (change * (b.speed - a.speed) / by > uneven && add((low + high) / 2, aims)) return true;
+    if (change * (b.speed - a.speed) / by > uneven && add((low + high) / 2)) return true;
   }
   return false;
 }
@@ -261,7 +261,7 @@ double OutcomeMap::safest_aim(double speed) const {
     if (rows_.size() == 1 || std::abs(row.speed - speed) < near)
       for (const Band& band : row.bands) low = std::min(low, band.middle()), high = std::max(high, band.middle());
   if (low > high) low = high = own_;
-  const double best = largest(low, high, settled * angle_, [&](double aim) { return success(aim, speed); });
+  const double best = largest(low, high, finest * angle_, [&](double aim) { return success(aim, speed); });
   double aim = wrap_angle(origin_ + best);
   if (!request_.angle || inside_aims(aim, request_.angle)) return best;
   // The nearer end of the bounds.
@@ -303,8 +303,6 @@ std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
   return best;
 }
 
-double OutcomeMap::own_value() const { return success(own_, shot_.launch.speed) - cost_of(shot_); }
-
 std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   if (is_ideal(request_.puzzle().physics)) return best_so_far();
   if (!one_speed_) look_along();
@@ -328,7 +326,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   const double slower = from == rows_.begin() ? best_speed : std::prev(from)->speed;
   const double faster = beyond == rows_.end() ? best_speed : beyond->speed;
   const double low = std::max(slower, request_.speed.low), high = std::min(faster, request_.speed.high);
-  const double speed = largest(low, high, settled * deviation(low), [&](double v) { return best_at(v).value; });
+  const double speed = largest(low, high, finest * deviation(low), [&](double v) { return best_at(v).value; });
   if (const Best peak = best_at(speed); peak.value > best.front().value) best.insert(best.begin(), peak);
   return best;
 }

@@ -32,9 +32,6 @@ class OutcomeMap {
   };
   std::vector<Best> best(double worth);
 
-  /// Of the shot as it is.
-  double own_value() const;
-
  private:
   /// Aims that are made, from one to another [rad beside `origin_`].
   struct Band {
@@ -61,9 +58,9 @@ class OutcomeMap {
   using Rung = int;
 
   bool is_made(double aim, Row& row);
-  Row row_at(double speed, const Band& expected, int aims);
+  Row row_at(double speed, const Band& expected);
   Band expected_at(double speed) const;
-  bool add(Rung rung, int aims);
+  bool add(Rung rung);
   void look_along();
   bool refine(double speed);
   bool refine_changes(const Launch& best);

@@ -47,13 +47,10 @@ bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& s
   for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), tried))) {
     auto there = moved(request, budget, shot, launch);
     if (there && (!best || *there->robustness.value > *best->robustness.value)) best = std::move(there);
-    if (best && *best->robustness.value > value - kept) break;  // it keeps what the map promised
+    if (best && *best->robustness.value > value) break;  // it keeps what the map promised
   }
-  if (!best || *best->robustness.value < map.own_value() + sure) {
-    if (!shot.robustness.success) find_success(request, budget, shot);
-    if (best && *best->robustness.value < *shot.robustness.value + worth_moving) best.reset();
-  }
-  if (best) shot = std::move(*best);
+  if (!shot.robustness.success) find_success(request, budget, shot);
+  if (best && *best->robustness.value > *shot.robustness.value) shot = std::move(*best);
   return true;
 }
 

@@ -99,29 +99,23 @@ inline constexpr double origin_step = radians(180) / 64;
 /// Deviations of the speed from one row to the next around the best one, and so many rows on either side.
 inline constexpr double apart = 1.2;
 inline constexpr int around = 3;
-/// Two rows at most `reach` deviations from the best launch are too far apart where the change of success between them
-/// times their distance, in deviations, is more than `uneven`.
-inline constexpr double reach = 3, uneven = 0.1;
+/// Two rows are too far apart where the change of success between them times their distance, in deviations, is more.
+inline constexpr double uneven = 0.1;
 /// Rows at most, which bounds the time of one shot.
 inline constexpr std::size_t most_rows = 64;
 /// Of the launch speed: where a player makes no errors of speed, rows are so far apart.
 inline constexpr double least_deviation = 0.02;
-/// Aims tried across what is expected to be made, finely and at the first look, and to either side of it, in deviations
-/// of the aim; farther than `far` nothing counts. A change between two of them is bisected to this share of a
-/// deviation, or of what is expected, more roughly at the first look.
-inline constexpr int aims = 8, coarse_aims = 5;
+/// Aims tried across what is expected to be made, and to either side of it, in deviations of the aim.
+inline constexpr int aims = 6;
+inline constexpr double least_beside = 0.25, most_beside = 2;
+/// Deviations: farther than this nothing counts; and how exactly edges and best launches are settled, for edges as a
+/// share of what is expected, if that is less.
+inline constexpr double far = 8, finest = 0.05;
 /// Of value: so much a finer look may find beyond the first one.
 inline constexpr double hope = 0.05;
 /// Launches of the map whose value is computed: the best of other speeds, where that of the best falls short of what
-/// the map promised by so much; and by how much it must exceed what the map says of the shot as it is, which is not
-/// computed then.
+/// the map promised.
 inline constexpr std::size_t most_tried = 4;
-inline constexpr double kept = 0.002, sure = 0.02;
-/// Of value: a launch that gains less does not leave the exact one.
-inline constexpr double worth_moving = 1e-4;
-inline constexpr double least_beside = 0.25, most_beside = 2, far = 8, finest = 0.05, roughest = 0.1;
-/// Deviations: where the best aim is settled.
-inline constexpr double settled = 0.05;
 }  // namespace outcome_map
 
 }  // namespace bankshot::planning::settings
