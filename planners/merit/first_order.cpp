@@ -92,10 +92,7 @@ class Path {
   void keeps_clear(std::size_t leg, const Arc<Number>& arc, const Number& t) {
     if (!(t > 0)) return;
     const Boundary& boundary = request_.problem->boundary_of(aim_.ball(leg));
-    std::optional<detail::Reach<double>> reach;
-    if (!boundary.balls.empty()) reach.emplace(value(arc), t.a, settings::first_order::far_ball * boundary.diagonal);
     const auto keeps_from = [&](const Circle& c) {
-      if (c.contact.kind == ContactKind::ball && reach->misses(c.centre, c.radius)) return;
       const Vec2d start = value(arc.at) - c.centre;
       if (norm(start) < c.radius) return;  // such a ball must first come out
       const double nearest = detail::closest_time(value(arc), t.a, c.centre);

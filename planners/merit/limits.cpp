@@ -13,7 +13,7 @@ namespace bankshot::planning {
 using namespace settings::first_order;
 
 void Limits::add(double room, const Vec2d& slope) {
-  if (room < farthest * norm(slope)) sides_.push_back({room, slope});
+  sides_.push_back({room, slope});
 }
 
 void Limits::rest(const Vec2<Dual<2>>& from_aim_point, double reach) {
@@ -57,7 +57,7 @@ double Limits::until(const Vec2d& towards) const {
 }
 
 double Limits::success(const Vec2d& across, double half) const {
-  const double stretch = std::clamp(half, narrowest, 1.0);
+  const double stretch = std::min(half, 1.0);
   const double step = 2 * std::numbers::pi / directions, c1 = std::cos(step), s1 = std::sin(step);
   double c = std::cos(step / 2), s = std::sin(step / 2), sum = 0;
   for (int k = 0; k < directions; ++k) {

@@ -201,12 +201,10 @@ void find_margin(const SearchRequest& request, EvaluationBudget& budget, Shot& s
   const auto how_far = [&](const Vec2d& towards, double scale, double limit) {
     return Way(aim, budget, shot, towards).how_far(scale, limit);
   };
-  const double scale =
-      std::clamp(aim_point.reach / std::max(shot.verification.condition, flat * request.problem->boundary.diagonal),
-                 least_scale, most_scale);
+  const double scale = std::min(aim_point.reach / shot.verification.condition, longest_first);
   Margin m;
-  m.angle[0] = downwards(how_far({-1, 0}, scale, widest_angle));
-  m.angle[1] = how_far({1, 0}, scale, widest_angle);
+  m.angle[0] = downwards(how_far({-1, 0}, scale, whole_turn.high / 2));
+  m.angle[1] = how_far({1, 0}, scale, whole_turn.high / 2);
   if (!is_ideal(request.puzzle().physics)) {
     const double push = scale * shot.launch.speed;
     m.speed[0] = downwards(how_far({0, -1}, push, shot.launch.speed));

@@ -107,14 +107,13 @@ double estimate_on_the_way(const SearchRequest& request, EvaluationBudget& budge
 /// `request` has the spin of the shot.
 double shot_at_most(const SearchRequest& request, EvaluationBudget& budget, std::span<const Shot> shots,
                     const Shot& shot) {
-  using settings::rank::beside;
   // One that misses by the cushions of this shot may touch the second ball after more of them.
   if (request.problem->carom() && !request.route &&
       static_cast<int>(shot.path.cushions.size()) < request.cushions().max)
     return 1;
   double estimate = shot.robustness.success_estimate + estimate_on_the_way(request, budget, shot);
   for (const Shot& other : shots)
-    if (&other != &shot && deviations_apart(request, shot.launch, other.launch) < beside)
+    if (&other != &shot && deviations_apart(request, shot.launch, other.launch) < settings::outcome_map::far)
       estimate += other.robustness.success_estimate;
   const AimPoint& aim_point = request.problem->aim_point_of(shot);
   // A ball that a jaw or, where another bounce is allowed, a cushion beside the pocket turns away may fall all the
@@ -130,9 +129,10 @@ double shot_at_most(const SearchRequest& request, EvaluationBudget& budget, std:
 
 double success_at_most(const SearchRequest& request, const AimPoint& aim_point, double estimate) {
   using namespace settings::rank;
-  const bool at_cushion =
-      !aim_point.captures() && request.problem->boundary_of(aim_point.ball).clearance(aim_point.at) < aim_point.reach;
-  return std::min(1.0, at_cushion ? at_cushion_times * estimate + at_cushion_more : times * estimate + more);
+  // A ball passes a point twice whose disc reaches over a cushion's line.
+  if (!aim_point.captures() && request.problem->boundary_of(aim_point.ball).clearance(aim_point.at) < aim_point.reach)
+    return 1;
+  return std::min(1.0, times * estimate + more);
 }
 
 double first_merit(const Puzzle& p, const Shot& shot) {
@@ -218,8 +218,7 @@ double likely_value(const SearchRequest& request, const Shot& shot, Work& work) 
 double movable_to(const SearchRequest& request, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot,
                   double likely) {
   const double contacts = cost_of(shot) - cost_of(shot.launch, shot.spin);
-  const double most =
-      success_at_most(request, request.problem->aim_point_of(shot), likely + cost_of(shot)) + settings::rank::off_jaws;
+  const double most = success_at_most(request, request.problem->aim_point_of(shot), likely + cost_of(shot));
   return std::min(1.0, std::max(most, shot_at_most(request, budget, shots, shot))) - contacts;
 }
 
@@ -236,7 +235,7 @@ double moved_value(SearchResult& found, const Shot& shot) {
 }
 
 /// Moves shots that may be worth more than all others are, `most` of them, those first that seem best.
-void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, int most) {
+void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::size_t most) {
   struct Candidate {
     double likely, at_most;
     const Shot* shot;
@@ -269,30 +268,24 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
 
 double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   if (request.puzzle().prefer != Prefer::robust || found.shots.empty()) return 0;
-  using settings::rank::most_in_hand;
   EvaluationBudget aside(std::numeric_limits<long>::max(), budget);  // what shots are worth is no part of the search
   double value = 0;
   if (request.valued && request.problem->safest() && !request.all()) {
-    move_some(request, aside, found, most_in_hand);
+    move_some(request, aside, found, 1);
     for (const Shot& shot : found.shots) value = std::max(value, moved_value(found, shot));
     return value;
   }
-  std::vector<std::pair<double, Shot*>> likely;
-  for (Shot& shot : found.shots)
-    likely.emplace_back(
-        as_struck(request, shot, [&](const SearchRequest& own) { return likely_value(own, shot, aside.work()); }),
-        &shot);
-  std::ranges::stable_sort(likely, std::greater(), [](const auto& one) { return one.first; });
-  if (!request.valued) return std::max(0.0, likely.front().first);
-  int most = most_in_hand;
-  for (const auto& [at_most, at] : likely) {
-    Shot* const shot = at;
-    if (at_most <= value) break;
-    if (!shot->robustness.value && most-- == 0) break;
-    if (!shot->robustness.value)
-      as_struck(request, *shot, [&](const SearchRequest& own) { find_success(own, aside, *shot); });
-    value = std::max(value, *shot->robustness.value);
+  Shot* best = nullptr;
+  double most = -infinite;
+  for (Shot& shot : found.shots) {
+    const double likely =
+        as_struck(request, shot, [&](const SearchRequest& own) { return likely_value(own, shot, aside.work()); });
+    if (likely > most) most = likely, best = &shot;
   }
+  if (!request.valued) return std::max(0.0, most);
+  if (!best->robustness.value)
+    as_struck(request, *best, [&](const SearchRequest& own) { find_success(own, aside, *best); });
+  for (const Shot& shot : found.shots) value = std::max(value, shot.robustness.value.value_or(0));
   return value;
 }
 
@@ -302,7 +295,7 @@ void move_best(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   };
   if (request.all()) return std::ranges::for_each(found.shots, move), void();
   if (request.puzzle().prefer != Prefer::robust) return move(found.shots.front());
-  move_some(request, budget, found, settings::rank::most_moved);
+  move_some(request, budget, found, found.shots.size());
   Shot* best = &*std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return moved_value(found, s); });
   // The map is an estimate, so an exact launch may be worth more.
   if (const auto exact = best_above(request, budget, found.shots, moved_value(found, *best)))

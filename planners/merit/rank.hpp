@@ -27,7 +27,7 @@ void rank(const SearchRequest& request, std::vector<Shot>& shots);
 /// Brings the shot with the largest value to the front; of shots that cannot be first it is not computed.
 void best_first(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots);
 
-/// The value of the best shot so far: of a few that seem best by first order, which knows of no scratch, it is
+/// The value of the best shot so far: of the one that seems best by first order, which knows of no scratch, it is
 /// computed, once. 0 where values do not rank shots.
 double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 

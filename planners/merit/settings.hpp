@@ -9,31 +9,16 @@
 namespace bankshot::planning::settings {
 
 namespace first_order {
-/// Of the diagonal. Balls farther than this from a leg limit nothing.
-inline constexpr double far_ball = 0.25;
 /// Directions in which the edge of what is made is sought: with twice as many the success differs by 0.002.
 inline constexpr int directions = 32;
-/// Deviations: what is farther breaks no shot that counts; and the narrowest band that is stretched.
-inline constexpr double farthest = 6, narrowest = 1e-9;
 }  // namespace first_order
 
 namespace rank {
 /// What success is at most: so many times the success estimate, and so much more. Of 9,600 random puzzles
 /// with all families of tables 5 had another winner than success itself would choose.
 inline constexpr double times = 1.1, more = 0.01;
-/// The same of a point whose disc reaches over a cushion line: there a ball passes it twice.
-inline constexpr double at_cushion_times = 2.5, at_cushion_more = 0.1;
-/// Deviations: shots so near that the player's errors may lead from one to the other.
-inline constexpr double beside = 4;
 /// Of value: so little less is as good, where shots differ in what they leave.
 inline constexpr double as_likely = 0.02;
-/// Shots that are moved to their safest launches where one is wanted. What none of them may reach is not moved.
-inline constexpr int most_moved = 12;
-/// The same after each stage of a search, to know the value in hand.
-inline constexpr int most_in_hand = 2;
-/// What a moved shot's success is at most: its success estimate in the middle of what its pocket offers, and so much
-/// more for what falls off jaws and rails.
-inline constexpr double off_jaws = 0.1;
 }  // namespace rank
 
 namespace connected {
@@ -45,9 +30,11 @@ namespace margin {
 /// Of the margin to where jaws are first touched, and of the widest there is: the longest step beyond, and by how much
 /// each is longer than the one before. Balls that fall by the jaws lie in bands between balls that come out; narrower
 /// bands than this may be jumped.
-inline constexpr double rattling_step = 0.04, least_rattling_step = 1e-4;
-/// rad, m/s: margins beyond are none.
-inline constexpr double widest_angle = radians(180), widest_speed = 30;
+inline constexpr double rattling_step = 0.02, least_rattling_step = 1e-4;
+/// m/s: a margin of speed beyond is none.
+inline constexpr double widest_speed = 30;
+/// rad, or of the speed: the first step, where derivatives say that a longer one would do.
+inline constexpr double longest_first = 0.1;
 /// Where the first look saw the end so nearly, limits are nearly straight and few steps inside are enough; else many:
 /// with half of them 2 of 90,000 ends hid a band that is not made.
 inline constexpr double nearly = 0.1;
@@ -56,8 +43,6 @@ inline constexpr int few_parts = 8, many_parts = 20;
 inline constexpr int parts_of_chains = 100;
 /// Bands thinner than the aims that are one which may be passed over.
 inline constexpr int most_passed = 4;
-/// Of the diagonal, per radian: the least condition that a first-order margin is taken from; and bounds of that margin.
-inline constexpr double flat = 1e-6, least_scale = 1e-12, most_scale = 0.1;
 }  // namespace margin
 
 namespace all_errors {
