@@ -64,7 +64,7 @@ class Scan {
       Miss at = start;
       double turn = (aims_.high - aims_.low) / launches * speeds_across / 2;
       double push = std::log(speeds_.high / speeds_.low) / speeds_across;
-      for (int halved = 0, steps = 0; halved < halvings && steps < most_steps; ++steps) {
+      for (int steps = 0; steps < settings::most_steps; ++steps) {
         const Miss before = at;
         for (const double side : {1.0, -1.0}) {
           at = nearer_of(at, {before.launch.speed, before.launch.angle + side * turn});
@@ -72,7 +72,6 @@ class Scan {
         }
         if (at.nearer(before)) continue;
         turn /= 2, push /= 2;
-        ++halved;
       }
       if (at.nearer(best_.front())) best_.front() = at;
     }

@@ -84,9 +84,7 @@ inline constexpr long most_spent_on_words = 200;
 inline constexpr std::size_t most_reasons_named = 3;
 
 namespace unfolding {
-/// Sequences that the tree may visit: about 150 MB and a second. The answer says if there are more.
-inline constexpr long most_visited = 500'000;
-/// Images that a lattice may list at once: the same memory.
+/// Images that are listed at most, in a tree or a lattice: about 150 MB and a second. The answer says if there are more.
 inline constexpr long most_images = 500'000;
 /// Tolerance of rays that miss a window's end [rad]: by this, or twice that, they still pass. It is the rounding of
 /// images after thousands of reflections; without it paths through corners are lost.
@@ -94,10 +92,6 @@ inline constexpr double ray_slack = 1e-10;
 /// Distance from a vertex at which to test whether a ray leads over the table, as a share of the diagonal. Rays within
 /// 1e-6 rad of a cushion count as leading over it; the replay decides.
 inline constexpr double little_way = 1e-6;
-/// Nodes for which memory is taken at once; most puzzles visit fewer.
-inline constexpr std::size_t usual_nodes = 64;
-/// Walls for which the distances of all pairs are kept; for more, the table would cost more than it saves.
-inline constexpr std::size_t most_walls_paired = 64;
 }  // namespace unfolding
 
 namespace image {
@@ -106,9 +100,8 @@ inline constexpr int aims_across = 33;
 }  // namespace image
 
 namespace window {
-/// First step towards a window's end, as a share of the way to the limit; growth of steps inside, and shrinkage
-/// outside.
-inline constexpr double first_step = 1.0 / 64, longer = 1.5, shorter = 0.5;
+/// First step towards a window's end, as a share of the way to the limit.
+inline constexpr double first_step = 1.0 / 64;
 }  // namespace window
 
 namespace sweep {
@@ -136,7 +129,7 @@ inline constexpr double fine_from = 0.01;
 namespace levenberg_marquardt {
 /// Settings of Ceres' TinySolver. Its cost is half the squared residual, which has no unit. `exact_cost` is a miss of
 /// 1e-14 of the diagonal, `converged_cost` one of 1e-6, from which verification decides.
-inline constexpr double least_gradient = 1e-18, least_step = 1e-16, exact_cost = 1e-28, converged_cost = 1e-12;
+inline constexpr double exact_cost = 1e-28, converged_cost = 1e-12;
 /// Residual if no path arrives: so high that the solver turns back.
 inline constexpr double nowhere = 1e3;
 }  // namespace levenberg_marquardt
@@ -144,16 +137,7 @@ inline constexpr double nowhere = 1e3;
 namespace speed_at {
 /// Error of the squared speed, as a share, that is near enough for a seed; the step after it finds the rest.
 inline constexpr double near = 0.05;
-inline constexpr int most_steps = 12;
 }  // namespace speed_at
-
-namespace speed_near {
-inline constexpr int most_steps = 30;
-/// In ln speed: the change at which rounding ends the search, and the longest step.
-inline constexpr double settled = 1e-14, longest_step = 0.5;
-/// Factor by which to look further for the other side of the root.
-inline constexpr double beyond = 1.1;
-}  // namespace speed_near
 
 namespace discover {
 /// Distance, as a share of the diagonal: a leg that begins this far past the target no longer leads to it.
@@ -170,10 +154,6 @@ inline constexpr double near = 0.05;
 /// Factor by which a root, one cell away, may be likelier or quicker than the derivatives say. A small one loses more
 /// of the likeliest shots and saves few simulations.
 inline constexpr double distrust = 20;
-/// Miss of a first step beyond which it may lead to another root, as a share of the way to the root.
-inline constexpr double astray = 0.7;
-/// Most roots of one route; more are one root, which rounding scatters beside a kink.
-inline constexpr std::ptrdiff_t most_of_a_route = 64;
 }  // namespace roots
 
 namespace forward_map {
@@ -219,11 +199,9 @@ inline constexpr double apart_at_last = 0.75;
 /// Radii by which launches are sent beyond the ends of the rails, and into the opening, since derivatives tell less the
 /// farther a path goes. In the last mouth less than this loses shots after four cushions.
 inline constexpr double beyond = 0.2, beyond_at_last = 1.5;
-/// Longest step along the launches that drop, most steps, and how often and by how much a step is shortened if the ball
-/// does not drop.
+/// Longest step along the launches that drop, and how often a step is halved if the ball does not drop.
 inline constexpr Neighbourhood farthest{radians(10), 0.5};
-inline constexpr int most_steps = 12, most_shortened = 3;
-inline constexpr double shorter = 4;
+inline constexpr int most_shortened = 6;
 /// Shots enough to choose from.
 inline constexpr std::size_t enough = 8;
 }  // namespace jaw_shots
@@ -273,9 +251,8 @@ namespace nearest {
 /// Launches of the grid, and number of speeds if the speed is free. With half as many, random launches sometimes
 /// come nearer.
 inline constexpr int launches = 2400, speeds_across = 12;
-/// Number of the best from which a compass search begins, and the limits at which it ends.
+/// Number of the best from which a compass search begins.
 inline constexpr std::size_t starts = 12;
-inline constexpr int halvings = 20, most_steps = 60;
 }  // namespace nearest
 
 namespace sensitivity {

@@ -57,17 +57,15 @@ Unfolding::Unfolding(const SearchRequest& request, const Options& options)
     follow_route();
   else if (request.puzzle().table.is_rectangle() && mirrors_ && !options.keep_routes && images <= most_images)
     lattice();
-  else {
-    nodes_.reserve(usual_nodes);
+  else
     add({});
-  }
 }
 
 std::optional<Image> Unfolding::next() {
   while (!turns_.empty() && (candidates_.empty() || turns_.top().distance < candidates_.top().distance)) {
     const std::size_t nearest = turns_.top().node;
     turns_.pop();
-    if (++visited_ > most_visited) {
+    if (++visited_ > most_images) {
       whole_ = false;
       turns_ = {};
       break;
@@ -199,7 +197,6 @@ double Unfolding::restitution_of(int wall) const {
 double Unfolding::apart(int i, int j) {
   if (i < 0 || i == j) return 0;
   const std::size_t walls = request_.problem->boundary.walls.size();
-  if (walls > most_walls_paired) return walls_apart(request_.problem->boundary, i, j);
   if (apart_.empty()) apart_.assign(walls * walls, -1);
   double& known = apart_[static_cast<std::size_t>(i) * walls + static_cast<std::size_t>(j)];
   if (known < 0) known = walls_apart(request_.problem->boundary, i, j);

@@ -62,7 +62,7 @@ class Windows {
     while (std::abs(made - limit) > settings::narrowest && std::abs(step) > settings::narrowest && !budget_.spent()) {
       const bool fits = std::abs(step) < std::abs(limit - made) && attempt(made + step).replay.made;
       if (fits) made += step;
-      step *= fits ? longer : shorter;
+      step *= fits ? 2 : 0.5;
     }
     return made;
   }

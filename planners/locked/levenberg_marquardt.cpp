@@ -65,8 +65,8 @@ std::optional<Launch> minimise(const Branch& aim, EvaluationBudget& budget, cons
   const auto affordable = (budget.left() - 1) / 2 / (1 + static_cast<long>(aim.route.size() / bounces_a_simulation));
   solver.options.max_num_iterations = static_cast<int>(std::min<long>(settings::most_steps, affordable));
   solver.options.function_tolerance = 0;
-  solver.options.gradient_tolerance = least_gradient;
-  solver.options.parameter_tolerance = least_step;
+  solver.options.gradient_tolerance = 0;
+  solver.options.parameter_tolerance = settings::rounding;
   solver.options.cost_threshold = exact_cost;
   typename ::ceres::TinySolver<Residual<N>>::Parameters x;
   x(0) = seed.angle;

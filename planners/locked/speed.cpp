@@ -23,22 +23,24 @@ double step_of_speed(const Linear& l, bool stop) {
 
 std::optional<double> speed_near(const Branch& aim, EvaluationBudget& budget, double angle, double guess) {
   if (aim.request.one_unknown()) return guess;
-  using namespace settings::speed_near;
+  constexpr double longest_step = settings::wide.step_speed;
   double speed = guess, low = 0, high = infinite;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < settings::most_steps; ++i) {
     const auto l = linearise(aim, budget, {speed, angle});
     double next = 0;
     if (l) {
       const double step = step_of_speed(*l, aim.request.stop);
-      if (std::abs(step) < settled) return speed;
+      if (std::abs(step) < settings::settled * longest_step) return speed * std::exp(step);
       if (!aim.request.stop) (l->r[1] > 0 ? high : low) = speed;
       next = speed * std::exp(std::clamp(step, -longest_step, longest_step));
     } else {
       low = speed;  // it does not get there
     }
     if (!(next > low && next < high))
-      next = !(low > 0) ? high / beyond : high < infinite ? std::sqrt(low * high) : low * beyond;
-    if (high - low < settled * high) return speed;
+      next = !(low > 0)        ? high * std::exp(-longest_step)
+             : high < infinite ? std::sqrt(low * high)
+                               : low * std::exp(longest_step);
+    if (high - low < settings::rounding * high) return speed;
     speed = next;
   }
   return {};
@@ -58,7 +60,7 @@ std::optional<double> speed_at(const Branch& aim, EvaluationBudget& budget, doub
   if (!most || *most < 0) return {};
   // It is nearly linear in the square of the launch speed: bounces take a share of that, rolling the same from all.
   double at = high, over = *most, slope = (over + asked + slowing * length) / high;
-  for (int i = 0; i < most_steps; ++i) {
+  while (high - low > near * high) {
     const double next = at - over / slope;
     const bool inside = next > low && next < high;
     if (inside && std::abs(next - at) < near * next) return std::sqrt(next);

@@ -215,7 +215,7 @@ class JawShots {
 
   /// Along its band; steps are shortened where they lead out of it.
   bool keep_along(Dropped at) {
-    for (int i = 0; i < most_steps && excess(at) != 0; ++i) {
+    for (int i = 0; i < settings::most_steps && excess(at) != 0; ++i) {
       auto l = linearise({request_, at.route, at.aim_point}, budget_, at.launch);
       if (!l) return false;
       l->r[0] = 0;  // it falls where it falls
@@ -227,7 +227,7 @@ class JawShots {
         return drop({at.launch.speed * std::exp(by * (*step)[1]), at.launch.angle + by * (*step)[0]});
       };
       auto next = moved();
-      for (int k = 0; !next && k < most_shortened; ++k) by /= shorter, next = moved();
+      for (int k = 0; !next && k < most_shortened; ++k) by /= 2, next = moved();
       if (!next) return false;
       at = std::move(*next);
     }

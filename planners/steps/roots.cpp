@@ -77,7 +77,8 @@ void Roots::seek_rest() {
 }
 
 void Roots::add(const Branch& aim, const Launch& root) {
-  if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >= most_of_a_route)
+  if (std::count_if(roots_.begin(), roots_.end(), [&](const Root& r) { return belongs(r, aim); }) >=
+      static_cast<std::ptrdiff_t>(settings::enough_to_compare))
     return;
   remember(aim, root);
   certify_root(aim, budget_, found_, root, word::map);
