@@ -49,11 +49,17 @@ inline constexpr double rounding = 1e-15;
 /// Most steps of an iteration; one that has not ended by then jumps between two sides of a kink.
 inline constexpr int most_steps = 40;
 
+/// Steps of Newton's method after which each must come nearer: before, it may overshoot and still converge.
+inline constexpr int patience = 8;
+
 /// Width at which bisections end: rad, or a share of the speed. Nobody can play a narrower window.
 inline constexpr double narrowest = 1e-10;
 
 /// Largest difference between two that are one: rad, a share of the speed, cells of a map, or value.
 inline constexpr double alike = 1e-6;
+
+/// Aims tried across the part of a target that a ray may reach; windows narrower than a sixteenth of it are missed.
+inline constexpr int aims_across = 17;
 
 /// Success that no further search need improve.
 inline constexpr double sure = 0.995;
@@ -94,11 +100,6 @@ inline constexpr double ray_slack = 1e-10;
 inline constexpr double little_way = 1e-6;
 }  // namespace unfolding
 
-namespace image {
-/// Aims tried across the part of a target that a ray may reach; windows narrower than a thirtieth of it are missed.
-inline constexpr int aims_across = 33;
-}  // namespace image
-
 namespace window {
 /// First step towards a window's end, as a share of the way to the limit.
 inline constexpr double first_step = 1.0 / 64;
@@ -117,10 +118,6 @@ inline constexpr int aims_in_fan = 720;
 }  // namespace ceres
 
 namespace newton {
-/// Steps after which one that does not come nearer is halved; before, Newton's method may overshoot and still converge.
-inline constexpr int usual_steps = 4;
-/// Steps after which each must come nearer.
-inline constexpr int patience = 12;
 /// Step from which impacts are integrated finely, as a share of the longest: the result must be a root, the
 /// steps towards it need not.
 inline constexpr double fine_from = 0.01;
@@ -161,10 +158,6 @@ namespace forward_map {
 inline constexpr Spacing usual{radians(2), 0.12};
 /// Bounces for which `usual` is fine enough; paths with more bend the map more.
 inline constexpr int plain_bounces = 3;
-/// Most cells of speed from a node to launches that arrive as asked; a node farther from them is left alone.
-inline constexpr double band = 1.5;
-/// Number of speeds tried below those with which the neighbouring aim began.
-inline constexpr std::size_t before_band = 2;
 /// Factor on the predicted turn to the end of a cushion, which puts a new node surely past it.
 inline constexpr double past_the_end = 1.02;
 }  // namespace forward_map
@@ -173,13 +166,6 @@ namespace along {
 /// Launch speeds along a cushion that is touched, evenly spaced in their logarithm.
 inline constexpr int speeds = 300;
 }  // namespace along
-
-namespace parts {
-/// Aims across the part of a target beside a candidate.
-inline constexpr std::size_t aims_across = 17;
-/// Factor by which a candidate's speed may lie outside its bounds and still lead to a shot inside.
-inline constexpr double nearly_allowed = 1.3;
-}  // namespace parts
 
 namespace jaw_shots {
 /// One look into the mouths of pockets. It has the cells from which launches are sent, the distance of launches across

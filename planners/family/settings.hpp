@@ -41,9 +41,7 @@ inline constexpr std::size_t jaw_shot_points = 2;
 /// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
 /// more.
 inline constexpr double hopeless = 0.15;
-/// Newton's steps onto the family: so many after which each must be shorter, the longest, and the miss from which a
-/// short step is exact to rounding.
-inline constexpr int patience = 8;
+/// Newton's steps onto the family: the longest, and the miss from which a short step is exact to rounding.
 inline constexpr double longest_step = 2, nearly = 1e-6;
 /// Steps along a curve: the first, the longest, the least before it is given up; and how many each way.
 inline constexpr double first_walk = 1, longest_walk = 2, least_walk = 0.02;

@@ -86,7 +86,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held, double t
     }
     const Vector step = least_step(*p, equations(*p, at_bound).all(), fixed, box, scale_);
     const double size = step.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
-    if (!std::isfinite(size) || (i >= patience && !(size < least))) return {};  // to and fro across a kink
+    if (!std::isfinite(size) || (i >= settings::patience && !(size < least))) return {};  // to and fro across a kink
     least = std::min(least, size);
     before = x;
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;

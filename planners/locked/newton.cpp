@@ -49,12 +49,12 @@ NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const Launch& f
   const auto end = [&](NewtonStatus status) { return result.status = status, result; };
   for (int& i = result.iterations; i < settings::most_steps; ++i) {
     auto l = linearise(aim, budget, at, rough);
-    const auto worse = [&] { return !l || (i >= usual_steps && !(l->size() < least)); };
+    const auto worse = [&] { return !l || (i >= settings::patience && !(l->size() < least)); };
     if (i > 0 && worse()) {
       at = half_way(at, before);
       l = linearise(aim, budget, at, rough);
     }
-    if (i >= patience && worse()) return end(NewtonStatus::astray);
+    if (i >= settings::patience && worse()) return end(NewtonStatus::astray);
     before = at;
     if (l) least = std::min(least, l->size());
     const auto step = l ? newton_step(*l, unknowns.size() == 1) : std::nullopt;

@@ -64,7 +64,7 @@ bool beside_centre(const SearchRequest& request, EvaluationBudget& budget, Searc
     if (!(c->low < c->high)) continue;
     for (const Range& aims : allowed(request, *c)) {
       some_part = true;
-      reach_part(request, budget, found, aims, c->angle, settings::image::aims_across,
+      reach_part(request, budget, found, aims, c->angle, settings::aims_across,
                  Goal::exactly(request, c->bounces), images);
     }
   }

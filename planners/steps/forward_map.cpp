@@ -63,7 +63,7 @@ ForwardMap::Column ForwardMap::column(double angle, const std::vector<double>& r
   Column out(rows.size());
   const auto first =
       static_cast<std::size_t>(std::find_if(neighbour.begin(), neighbour.end(), within) - neighbour.begin());
-  const std::size_t start = first < neighbour.size() ? std::max(first, before_band) - before_band : 0;
+  const std::size_t start = first < neighbour.size() ? first : 0;
   const auto place = [&](std::size_t k) {
     out[k] = node(angle, rows[k]);
     return out[k]->place;
@@ -97,8 +97,8 @@ ForwardMap::Place ForwardMap::place() const {
   bool below = true, beyond = true;
   for (const Passage& p : forward_.passages) {
     const double cells = cells_of_speed(p);
-    below = below && cells > band;
-    beyond = beyond && cells < -band;
+    below = below && cells > 1;
+    beyond = beyond && cells < -1;
   }
   return below ? Place::below : beyond ? Place::beyond : Place::within;
 }

@@ -17,8 +17,6 @@
 namespace bankshot::planning::steps {
 namespace {
 
-using namespace settings::parts;
-
 /// A window around a lead, along its route, at the speed that each aim needs.
 bool bisect_candidate(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found,
                       const Candidate& candidate) {
@@ -39,14 +37,13 @@ bool bisect_candidate(const SearchRequest& request, EvaluationBudget& budget, Se
                      return l && certify(request, budget, found, *l, bounces, word::parts, Demand::off_centre);
                    }};
   const Range aims{candidate.launch.angle - candidate.half, candidate.launch.angle + candidate.half};
-  return find_window(row, budget, aims, candidate.launch.angle, aims_across);
+  return find_window(row, budget, aims, candidate.launch.angle, settings::aims_across);
 }
 
-/// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed, or nearly.
+/// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed.
 bool hopeful(const SearchRequest& request, const Candidate& candidate) {
-  const Range& v = request.speed;
   return candidate.half > 0 && candidate.room > -candidate.aim_point.reach &&
-         candidate.launch.speed > v.low / nearly_allowed && candidate.launch.speed < v.high * nearly_allowed;
+         request.speed.contains(candidate.launch.speed);
 }
 
 }  // namespace

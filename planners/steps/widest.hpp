@@ -26,7 +26,7 @@ class Widest {
   void find();
 
  private:
-  static constexpr std::size_t aims_across = settings::parts::aims_across, middle = aims_across / 2;
+  static constexpr std::size_t aims_across = settings::aims_across, middle = aims_across / 2;
   static constexpr double blocked = -std::numeric_limits<double>::infinity();
 
   /// An aim at a speed, and its clearance.
