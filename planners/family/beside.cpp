@@ -43,7 +43,7 @@ bool Family::look_beside(Tried& t) {
     keep(t);
     return is_listed(start_.aim_point, aim_.route, found_.shots);
   }
-  if (!t.room || t.room->hidden > little_turn || !(t.room->least() > -start_.aim_point.reach)) return false;
+  if (!t.room || t.room->hidden > 0 || !(t.room->least() > -start_.aim_point.reach)) return false;
   request_.spin = spin_of(t.at.x);
   const double way = across(aim_, t.at);
   return look_to_one_side(t, way) || look_to_one_side(t, -way);
@@ -85,9 +85,8 @@ bool Family::keep_beside(const Launch& launch) {
 /// one is made.
 void Family::look_for_jaw_shots(const Curve& curve) {
   std::map<std::vector<Contact>, std::vector<Band>> ways;
-  std::size_t i = 0;
   for (const Tried& t : curve)
-    if (!t.between && i++ % jaw_shot_points == jaw_shot_points - 1 && t.room && !budget_.spent()) add_bands(t.at, ways);
+    if (!t.between && t.room && !budget_.spent()) add_bands(t.at, ways);
   for (auto& [by, bands] : ways) {
     Route whole(aim_.route.begin(), aim_.route.end());
     for (const Contact c : by) whole.push_back({start_.aim_point.ball, c});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 #include "planners/certify.hpp"
@@ -27,11 +28,13 @@ double near_window(double angle, const std::optional<Range>& window) {
   return middle + angle_difference(wrap_angle(middle), angle);
 }
 
-/// The value to first order; where success is all but 0 its logarithm, which is less and still grows.
+/// rad: turns of the compass that never repeat.
+constexpr double golden_turn = std::numbers::pi * (3 - 2.23606797749979);
+
+/// The value to first order; where that is not positive less, and it still grows with success.
 double likely_value(const Shot& shot) {
-  return shot.robustness.success_estimate > playable
-             ? shot.robustness.success_estimate - cost_of(shot)
-             : std::log(std::max(shot.robustness.success_estimate, settings::rounding));
+  const double estimate = shot.robustness.success_estimate, value = estimate - cost_of(shot);
+  return value > 0 ? value : std::log(std::max(estimate, settings::rounding));
 }
 
 }  // namespace
@@ -148,19 +151,19 @@ Family::Tried Family::clear(Tried t) {
 Family::Tried Family::climb(Tried at) {
   double step = 1, turned = 0;
   const auto first = [&] { return request_.first() && at.made(); };
-  for (int evaluations = 0; !first() && evaluations < most_climbed && step > finest_climb && !budget_.spent();) {
+  for (int evaluations = 0; !first() && evaluations < settings::most_steps && step > finest && !budget_.spent();) {
     bool moved = false;
     for (const Vector& way : ways(at, turned)) {
       ++evaluations;
       const auto p = settle(at.at.x + step * scale_.cwiseProduct(way), box_);
       if (!p) continue;
       Tried t = clear(attempt(*p));
-      if (!t.above(at, at.made() ? least_gain : 0)) continue;
+      if (!t.above(at)) continue;
       at = std::move(t);
       moved = true;
       break;
     }
-    step = moved ? std::min(2 * step, longest_climb) : step / 3;
+    step = moved ? std::min(2 * step, longest_step) : step / 3;
     turned += golden_turn;
   }
   return at;
@@ -193,7 +196,7 @@ Shot Family::tuned(const Shot& shot) {
   if (!best.robustness.success) find_success(request_, budget_, best);
   auto at = settle(vector_of({best.launch.speed, near_window(best.launch.angle, request_.angle)}, best.spin), box_);
   double step = 1, turned = 0;
-  for (int tried = 0; at && tried < most_tuned && step > finest_tuning && *best.robustness.success < settings::sure;) {
+  for (int tried = 0; at && tried < most_tuned && step > finest && *best.robustness.success < settings::sure;) {
     std::optional<Shot> better;
     Point there;
     for (const Vector& way : ways({*at}, turned)) {

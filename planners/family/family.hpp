@@ -56,7 +56,7 @@ class Family {
     double spare = -forever;     ///< m, the most room that was seen there; where all lacks, that first order expects
     bool made() const { return proof && proof->holds(); }
     /// Any shot is above what is none.
-    bool above(const Tried& o, double by = 0) const { return made() != o.made() ? made() : merit > o.merit + by; }
+    bool above(const Tried& o) const { return made() != o.made() ? made() : merit > o.merit; }
   };
   /// Where at most one thing is free: keeps the best shot of each connected part (where one shot is wanted, of the best
   /// one).
@@ -109,7 +109,6 @@ class Family {
   void keep_parts(Curve& curve);
   bool is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const;
   bool keep_beside(const Launch& launch);
-  int parts_between(const Point& a, const Point& b) const;
   /// Another ball does, which jaws may let in where its exact line is blocked.
   bool drops() const { return request_.problem->objects && start_.aim_point.drops(); }
   static Launch beside(const Launch& line, double turn);

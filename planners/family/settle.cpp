@@ -91,7 +91,7 @@ std::optional<Point> Family::settle(Vector x, const Box& box, int held, double t
     before = x;
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;
     if (size < tolerance) {
-      const double small = nearly * (tolerance / settings::settled);
+      const double small = settings::alike * (tolerance / settings::settled);
       const bool solved =
           std::ranges::all_of(equations(*p, at_bound).all(), [&](const Value& e) { return std::abs(e.a) < small; });
       p->x = x;

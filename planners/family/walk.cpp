@@ -25,7 +25,7 @@ Family::Curve Family::walk(const Point& from) {
 void Family::walk_way(const Point& from, double way, Curve& out) {
   Point at = from;
   Vector t = tangents(at).col(0) * way;
-  double h = first_walk;
+  double h = 1;
   for (int i = 0; i < most_walked && !budget_.spent();) {
     if (leaves_for_good(at, t)) return;
     const Vector guess = at.x + h * scale_.cwiseProduct(t);
@@ -33,12 +33,12 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
     const double gone = next ? (next->x - at.x).cwiseQuotient(scale_).dot(t) : 0,
                  pulled = next ? (next->x - guess).cwiseQuotient(scale_).norm() : infinite;
     const bool ends = next && at_end(*next);
-    if (ends && gone > least_walk * h) out.push_back({*next});
+    if (ends && gone > finest * h) out.push_back({*next});
     if (ends || (next && std::abs(gone) < settings::settled))
       return;  // the second: to rounding it was at the end before
     if (!(pulled < h / 2)) {
       h /= 2;
-      if (h < least_walk) return;
+      if (h < finest) return;
       continue;
     }
     out.push_back({*next});
@@ -46,7 +46,7 @@ void Family::walk_way(const Point& from, double way, Curve& out) {
     const Vector on = tangents(*next).col(0);
     t = on.dot(t) < 0 ? Vector(-on) : on;
     at = *next;
-    if (pulled < h / 8) h = std::min(2 * h, longest_walk);
+    if (pulled < h / 8) h = std::min(2 * h, longest_step);
   }
 }
 
@@ -82,26 +82,18 @@ void Family::add_crossings(Curve& curve) {
 /// Replays cost three times as much as room.
 Family::Tried Family::attempt_where_clear(const Point& p) {
   const std::optional<Room> spare = inside(p) ? room(aim_, budget_, launch_of(p.x)) : std::nullopt;
-  const bool clear = spare && spare->hidden == 0 && spare->least() > -uncertain;
+  const bool clear = spare && spare->hidden == 0 && spare->least() > 0;
   const auto exact = clear ? settle(p.x, wide_) : std::nullopt;
   Tried t = exact ? attempt(*exact) : Tried{p, merit(p), {}};
   t.room = spare;
   return t;
 }
 
-/// So many that launches beside the points between leave little out.
-int Family::parts_between(const Point& a, const Point& b) const {
-  const double slope =
-      std::max(std::abs(a.off[0].by[aim]), std::abs(b.off[0].by[aim])) * request_.problem->boundary.diagonal;
-  const double across = std::abs(a.x[aim] - b.x[aim]) * slope / start_.aim_point.reach;
-  return static_cast<int>(std::clamp(across / across_a_part, 1.0 * least_parts, 1.0 * most_parts));
-}
-
 /// Between two points of the walk of which one is hopeful.
 void Family::divide(Curve& curve, const std::function<bool(const Tried&)>& is_hopeful) {
   const auto parts = [&](const Tried& a, const Tried& b) {
     const bool looked = a.between || b.between || !(inside(a.at) || inside(b.at)) || budget_.spent();
-    return looked || !(is_hopeful(a) || is_hopeful(b)) ? 1 : parts_between(a.at, b.at);
+    return looked || !(is_hopeful(a) || is_hopeful(b)) ? 1 : parts_between;
   };
   Curve finer;
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -119,7 +111,7 @@ void Family::divide(Curve& curve, const std::function<bool(const Tried&)>& is_ho
 /// Where the locked path has room, balls that move are in the way: not at all speeds, perhaps.
 void Family::look_between(Curve& curve) {
   divide(curve, [&](const Tried& t) {
-    return t.room && t.room->hidden < little_turn && t.room->least() > -little_lack * start_.aim_point.reach;
+    return t.room && t.room->hidden == 0 && t.room->least() > -little_lack * start_.aim_point.reach;
   });
 }
 
