@@ -143,7 +143,7 @@ class Bands {
   static std::vector<double> across(const Band& band, int each_way) {
     std::vector<double> aims;
     const double middle = (band.aims.low + band.aims.high) / 2, half = (band.aims.high - band.aims.low) / 2;
-    for (int i = -each_way; i <= each_way; ++i) aims.push_back(middle + half * std::sin(widest_cut * i / each_way));
+    for (int i = -each_way; i <= each_way; ++i) aims.push_back(middle + half * std::sin(std::asin(widest) * i / each_way));
     return aims;
   }
 
@@ -204,7 +204,7 @@ class Bands {
   template <class Value>
   double crossing(double a, double at_a, double b, double at_b, const Value& value) {
     const double enough = settled * (std::abs(at_a) + std::abs(at_b));
-    return false_position(a, at_a, b, at_b, enough, most_halvings, value);
+    return false_position(a, at_a, b, at_b, enough, settings::patience, value);
   }
 
   /// Where the last ball is on its exact line, and from there as fast as asked.
@@ -230,7 +230,7 @@ class Bands {
     const Branch aim{own, route, aim_point};
     const auto l = linearise(aim, budget_, launch(at));
     const auto step = l ? newton_step(*l, own.one_unknown()) : std::nullopt;
-    if (!step || !(std::abs((*step)[1]) < farthest)) return;
+    if (!step || !(std::abs((*step)[1]) < settings::wide.far * settings::wide.step_speed)) return;
     std::vector<Launch>& known = roots_[route];
     const auto found = newton(aim, budget_, launch(at), settings::wide);
     if (!found) return;

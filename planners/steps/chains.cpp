@@ -133,7 +133,7 @@ class Chains {
   /// By a route through the ghost, from a launch near it: corrected, and from there the root of the whole.
   bool join(const Leg& leg, const Route& route, Launch seed) {
     double turn = 0, asked = normal_speed(leg.launch().speed);
-    for (int i = 0; i < most_corrections; ++i) {
+    for (int i = 0; i < settings::most_steps; ++i) {
       const Vec2d n = direction(leg.launch().angle + turn);
       const SearchRequest& own = to_ghost_.at(ghost(n), asked);
       const Branch aim{own, route, own.problem->aim_points.front()};

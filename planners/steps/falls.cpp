@@ -24,13 +24,10 @@ void Falls::bring_to_speed(const std::set<Route>& made) {
   for (auto& [route, falls] : all) {
     if (made.contains(route)) continue;
     if (!request_.one_unknown()) std::ranges::sort(falls, {}, off);
-    std::size_t tried = 0;
     for (const Fall& fall : falls) {
       if (stop::one_found(request_, budget_, found_)) return;
-      if (tried == most_falls) break;
       const Launch at{fall.launch.speed, wrap_angle(fall.launch.angle)};
       if (!replay(brought, budget_, at, Goal::of(brought, Demand::made)).made) continue;
-      ++tried;
       if ((request_.stop && keep(at, bounces_of(fall.route))) || beside(fall) || by_replays(brought, fall)) break;
     }
   }

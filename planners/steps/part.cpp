@@ -9,8 +9,6 @@
 namespace bankshot::planning::steps {
 namespace {
 
-using namespace settings::chains;
-
 /// All but these stand on the table.
 Part without(const Puzzle& p, int struck, const std::vector<int>& gone) {
   Part out{p, {struck}};
@@ -25,8 +23,8 @@ Part without(const Puzzle& p, int struck, const std::vector<int>& gone) {
 
 /// To a place, at any speed that may be of use.
 void aim_at_place(Puzzle& p, const SearchRequest& whole) {
-  p.arrive = Range{0, fastest_sent * whole.speed.high};
-  p.speed = {whole.speed.low * slowest_sent, whole.speed.high * fastest_sent};
+  p.arrive = Range{0, whole.speed.high};
+  p.speed = {whole.speed.low * settings::slowest_of_fastest, whole.speed.high};
 }
 
 Vec2d& place_of(Target& target) {
@@ -83,7 +81,7 @@ Part last_alone(const SearchRequest& whole, const Objects::Chain& chain) {
   out.puzzle.target = std::visit([](const auto& t) { return Target(t); }, then.target);
   out.puzzle.cushions = whole.object_cushions;
   aim_at_place(out.puzzle, whole);
-  out.puzzle.speed.low = whole.speed.high * slowest_sent;
+  out.puzzle.speed.low = whole.speed.high * settings::slowest_of_fastest;
   if (is_ideal(p.physics))
     out.puzzle.arrive.reset();
   else if (whole.arrival)
