@@ -90,7 +90,8 @@ inline constexpr long most_spent_on_words = 200;
 inline constexpr std::size_t most_reasons_named = 3;
 
 namespace unfolding {
-/// Images that are listed at most, in a tree or a lattice: about 150 MB and a second. The answer says if there are more.
+/// Images that are listed at most, in a tree or a lattice: about 150 MB and a second. The answer says if there are
+/// more.
 inline constexpr long most_images = 500'000;
 /// Tolerance of rays that miss a window's end [rad]: by this, or twice that, they still pass. It is the rounding of
 /// images after thousands of reflections; without it paths through corners are lost.

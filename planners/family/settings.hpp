@@ -32,8 +32,8 @@ inline constexpr int most_jaw_shots = 4;
 /// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
 /// more.
 inline constexpr double hopeless = 0.15;
-/// Steps: the longest of Newton's method onto a family, along a curve, and of a compass search; and the least before one
-/// is given up.
+/// Steps: the longest of Newton's method onto a family, along a curve, and of a compass search; and the least before
+/// one is given up.
 inline constexpr double longest_step = 2, finest = 0.05;
 /// Steps along a curve, each way.
 inline constexpr int most_walked = 60;

@@ -12,9 +12,7 @@ namespace bankshot::planning {
 
 using namespace settings::first_order;
 
-void Limits::add(double room, const Vec2d& slope) {
-  sides_.push_back({room, slope});
-}
+void Limits::add(double room, const Vec2d& slope) { sides_.push_back({room, slope}); }
 
 void Limits::rest(const Vec2<Dual<2>>& from_aim_point, double reach) {
   const Vec2d x = in_deviations(from_aim_point.x), y = in_deviations(from_aim_point.y);

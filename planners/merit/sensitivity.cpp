@@ -24,8 +24,9 @@ double moved(const SearchRequest& request, const Shot& shot, const Route& route,
                             to<Varied>(launch.velocity),
                             {Varied(launch.spin.x), Varied(launch.spin.y), Varied(launch.spin.z)}};
   const Body& body = request.problem->boundary_of(request.problem->aim_point_of(shot).ball).body;
-  const auto arrival = trace(balls, motion, physics.cushion, std::span<const Meeting>(route), start,
-                             {body, shot.path.arrival.at, 0, request.stop}, work, Unobserved{}, LostLeg::is_passed_over);
+  const auto arrival =
+      trace(balls, motion, physics.cushion, std::span<const Meeting>(route), start,
+            {body, shot.path.arrival.at, 0, request.stop}, work, Unobserved{}, LostLeg::is_passed_over);
   if (!arrival) return 0;
   const Vec2<Varied>& end = arrival->state.at;
   if (request.stop) return std::hypot(end.x.v[0], end.y.v[0]);

@@ -197,7 +197,8 @@ class Chance {
     return std::abs(success_of(lines_) - shot_.robustness.success_estimate) < agrees;
   }
 
-  /// What a line before line i may tell: the probability between the two, which counts more where their success differs.
+  /// What a line before line i may tell: the probability between the two, which counts more where their success
+  /// differs.
   double tells(std::size_t i) const {
     const NoiseScanline &a = lines_[i - 1], &b = lines_[i];
     return (normal_below(b.along) - normal_below(a.along)) * (1 + of_change * std::abs(b.success - a.success));

@@ -64,8 +64,8 @@ bool beside_centre(const SearchRequest& request, EvaluationBudget& budget, Searc
     if (!(c->low < c->high)) continue;
     for (const Range& aims : allowed(request, *c)) {
       some_part = true;
-      reach_part(request, budget, found, aims, c->angle, settings::aims_across,
-                 Goal::exactly(request, c->bounces), images);
+      reach_part(request, budget, found, aims, c->angle, settings::aims_across, Goal::exactly(request, c->bounces),
+                 images);
     }
   }
   return some_part;

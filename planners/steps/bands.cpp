@@ -143,7 +143,8 @@ class Bands {
   static std::vector<double> across(const Band& band, int each_way) {
     std::vector<double> aims;
     const double middle = (band.aims.low + band.aims.high) / 2, half = (band.aims.high - band.aims.low) / 2;
-    for (int i = -each_way; i <= each_way; ++i) aims.push_back(middle + half * std::sin(std::asin(widest) * i / each_way));
+    for (int i = -each_way; i <= each_way; ++i)
+      aims.push_back(middle + half * std::sin(std::asin(widest) * i / each_way));
     return aims;
   }
 

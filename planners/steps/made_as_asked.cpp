@@ -31,8 +31,7 @@ std::optional<AsAsked> made_as_asked(const SearchRequest& request, EvaluationBud
   const auto follow = [&] { return replay(request, budget, {at.speed, wrap_angle(at.angle)}, goal); };
   Replay r = follow();
   double slope = square(r.arrival.speed / at.speed);
-  for (int n = 0; n < settings::most_steps && r.made && !as_fast(request, r.arrival.speed) && slope > 0;
-       ++n) {
+  for (int n = 0; n < settings::most_steps && r.made && !as_fast(request, r.arrival.speed) && slope > 0; ++n) {
     if (budget.spent()) return {};
     const double before = square(at.speed), arrived = square(r.arrival.speed);
     const double off = square(wanted(request, r.arrival.speed)) - arrived;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Repeats the measurements that README and docs/evidence.md quote, into tests/bench/results/*.csv:
 # all of them, which takes hours, or the named ones, each a file of that name (`report` writes the files with numbers).
-#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|position|runouts|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|tunables|python|pooltool|recorded|report ...]
+#   bash tests/bench/run.sh [simulate|solve|mathavan|stress|families|balls|play|knock|page|javascript|best|questions|properties|leaves|success|position|runouts|shots|all-shots|planners-rolling|planners-spin|pockets|acceptance|breaks|learn|learn-times|advise|batch|cluster|tunables|python|pooltool|recorded|report ...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . cmake/packages.sh
@@ -97,6 +97,10 @@ part() {
       cat "$scratch/table"
       "$bin/leaves" --count 1000 --seed 606 --others 3 --plays 10000 --csv "$scratch/table" >/dev/null
       tail -n +2 "$scratch/table"
+      ;;
+    success)  # Nobody tuned for this seed.
+      "$bin/success" --count 200 --seed 90411 --plays 20000 --csv "$scratch/table" >/dev/null
+      cat "$scratch/table"
       ;;
     runouts)  # Who thinks of the next ball clears more tables.
       head=1
@@ -236,7 +240,7 @@ report() {
   sed -e 's# \[[^]]*-\(shots\|puzzles\)\.csv\]([^)]*)##g' -e 's|(\([^)(]*\.csv\))|(../tests/bench/results/\1)|g' build/report/report.md >examples/report.md
 }
 
-[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best questions properties leaves position runouts shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
+[ $# -gt 0 ] || set -- simulate solve mathavan stress families balls play knock page javascript best questions properties leaves success position runouts shots all-shots planners-rolling planners-spin pockets acceptance learn learn-times advise batch cluster python report
 for name; do
   if [ "$name" = report ]; then
     report

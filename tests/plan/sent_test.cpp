@@ -69,10 +69,10 @@ TEST_CASE("every shot on the table: any ball, any pocket") {
   for (std::size_t i = 1; i < a.shots.size(); ++i)
     CHECK((a.shots[i - 1].path.scratch < a.shots[i].path.scratch ||
            (a.shots[i - 1].path.scratch == a.shots[i].path.scratch &&
-            a.shots[i - 1].robustness.success >= a.shots[i].robustness.success)));
+            a.shots[i - 1].robustness.value >= a.shots[i].robustness.value)));
   const Answer best = solve(p);
   REQUIRE(best.status == Status::solved);
-  CHECK(*best.shots.front().robustness.success >= *a.shots.front().robustness.success - 0.01);
+  CHECK(*best.shots.front().robustness.value >= *a.shots.front().robustness.value - 0.01);
 }
 
 TEST_CASE("two shots between which all launches are made are listed once") {
