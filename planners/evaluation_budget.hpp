@@ -65,10 +65,6 @@ class EvaluationBudget {
   bool exhausted() const { return simulations_ >= budget_ || cancelled(); }
   /// Returns the number of simulations that may still be spent.
   long left() const { return std::max(0L, limit_ - simulations_); }
-  /// Returns the count of simulations at which this share of the part's rest is used.
-  long share_of_rest(double share) const {
-    return simulations_ + static_cast<long>(share * static_cast<double>(limit_ - simulations_));
-  }
 
   bool measures = false;  ///< time the verification; this costs two readings of the clock each
   double proof_us = 0;

@@ -11,15 +11,13 @@
 namespace bankshot::planning {
 
 inline double arithmetic_mean(double a, double b) { return a + (b - a) / 2; }
-inline double geometric_mean(double a, double b) { return std::sqrt(a * b); }
 
 /// Moves `inside`, where `holds` is true, and `outside`, where it is not, together; either may be the larger. It
 /// continues while `wide(inside, outside)` and numbers are left between them.
 template <class Wide, class Holds>
-void bisect(double& inside, double& outside, Wide&& wide, Holds&& holds,
-            double (*mean)(double, double) = arithmetic_mean) {
+void bisect(double& inside, double& outside, Wide&& wide, Holds&& holds) {
   while (wide(inside, outside)) {
-    const double middle = mean(inside, outside);
+    const double middle = arithmetic_mean(inside, outside);
     if (middle == inside || middle == outside) return;
     (holds(middle) ? inside : outside) = middle;
   }

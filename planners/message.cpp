@@ -85,17 +85,20 @@ std::string why(const SearchRequest& request, const Proof& proof) {
   return explain(request, proof.failure);
 }
 
+/// A person reads no more.
+constexpr std::size_t most_reasons_named = 3;
+
 /// Returns the failure reasons of candidates, the most frequent first.
 std::string reasons(const SearchRequest& request, const SearchResult& found) {
   std::vector<SearchResult::Counted> by_count = found.failures;
   std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.times > b.times; });
   std::string out;
-  for (std::size_t i = 0; i < std::min(settings::most_reasons_named, by_count.size()); ++i)
+  for (std::size_t i = 0; i < std::min(most_reasons_named, by_count.size()); ++i)
     out += fmt::format("{}it {} ({} of the launches tried)", i ? "; " : "", explain(request, by_count[i].failure),
                        by_count[i].times);
-  if (by_count.size() > settings::most_reasons_named)
-    out += fmt::format("; and {} other reason{}", by_count.size() - settings::most_reasons_named,
-                       by_count.size() > settings::most_reasons_named + 1 ? "s" : "");
+  if (by_count.size() > most_reasons_named)
+    out += fmt::format("; and {} other reason{}", by_count.size() - most_reasons_named,
+                       by_count.size() > most_reasons_named + 1 ? "s" : "");
   if (!out.empty()) return out;
   return found.proved ? "no path has the cushions asked for" : "no launch was found that reaches the target as asked";
 }

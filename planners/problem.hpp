@@ -86,8 +86,6 @@ struct Problem {
   }
   /// Returns the ball that stands where the cue ball is to pass or to rest, if any does.
   Contact covering() const;
-  /// Returns whether anything but cushions may block a path to part of the target.
-  bool has_obstacles() const { return captures() || !boundary.balls.empty(); }
   /// Returns whether a miss is so small that the shot counts as on the exact line or point.
   bool centred(double miss) const;
   /// Returns whether a ball there touches a cushion, as nearly as an answer is exact: rounding may decide whether it

@@ -86,9 +86,6 @@ inline constexpr int steps_of_spin = 4;
 /// Simulations that may go into the words of an answer.
 inline constexpr long most_spent_on_words = 200;
 
-/// Failure reasons that an answer names; a person reads no more.
-inline constexpr std::size_t most_reasons_named = 3;
-
 namespace unfolding {
 /// Images that are listed at most, in a tree or a lattice: about 150 MB and a second. The answer says if there are
 /// more.
@@ -100,11 +97,6 @@ inline constexpr double ray_slack = 1e-10;
 /// 1e-6 rad of a cushion count as leading over it; the replay decides.
 inline constexpr double little_way = 1e-6;
 }  // namespace unfolding
-
-namespace window {
-/// First step towards a window's end, as a share of the way to the limit.
-inline constexpr double first_step = 1.0 / 64;
-}  // namespace window
 
 namespace sweep {
 /// Aims around the circle; a sequence narrower than 0.18° between two equal neighbours is missed.
@@ -177,7 +169,6 @@ struct Look {
   double apart;
   int on_the_way;
 };
-inline constexpr int most_on_the_way = 2;
 inline constexpr std::array looks{Look{{radians(2), 0.1}, 0.25, 0},   Look{{radians(2), 0.1}, 0.25, 1},
                                   Look{{radians(1), 0.15}, 0.25, 1},  Look{{radians(2), 0.3}, 0.25, 2},
                                   Look{{radians(0.5), 0.1}, 0.12, 1}, Look{{radians(0.5), 0.2}, 0.12, 2}};
@@ -224,12 +215,9 @@ inline constexpr double unmoved = 1e-12;
 
 namespace nlopt {
 /// Most evaluations: of one start of a local method, of a global search, and of a local search inside MLSL.
-inline constexpr int bobyqa_evaluations = 300, sbplx_evaluations = 1000, slsqp_evaluations = 100;
-inline constexpr int global_evaluations = 20000, mlsl_local_evaluations = 60;
+inline constexpr int local_evaluations = 1000, global_evaluations = 20000, mlsl_local_evaluations = 60;
 /// Seed of the draws of CRS and MLSL.
 inline constexpr unsigned long seed = 1;
-/// Cost of a launch that never has the bounces asked; it is worse than any miss.
-inline constexpr double wrong_bounces = 1;
 /// End of a search: the squared miss over the diagonal's square, and the relative step.
 inline constexpr double small_enough = 1e-20, least_step = 1e-13;
 }  // namespace nlopt

@@ -54,7 +54,8 @@ bool Family::look_beside(Tried& t) {
 bool Family::look_to_one_side(Tried& t, double way) {
   const Launch line = launch_of(t.at.x);
   double before = t.room->least();
-  for (int i = 1, steps = 1; i <= most_beside; i += steps) {
+  constexpr int most = static_cast<int>(1 / apart_beside);
+  for (int i = 1, steps = 1; i <= most; i += steps) {
     const Launch to = beside(line, i * apart_beside * way);
     const auto spare = room(aim_, budget_, to);
     if (!spare || !(spare->at_aim_point > 0) || !(spare->least() > std::min(before, 0.0))) return false;
@@ -62,7 +63,7 @@ bool Family::look_to_one_side(Tried& t, double way) {
     before = spare->least();
     const double left = spare->at_aim_point / (apart_beside * start_.aim_point.reach);
     t.spare = std::max(t.spare, before < 0 ? before + gained * left : before);
-    steps = before < 0 ? 1 + static_cast<int>(std::min(-before / gained, 1.0 * most_beside)) : 1;
+    steps = before < 0 ? 1 + static_cast<int>(std::min(-before / gained, 1.0 * most)) : 1;
     if (before > 0 && keep_beside(to)) return true;
   }
   return false;
@@ -107,7 +108,8 @@ void Family::add_bands(const Point& p, std::map<std::vector<Contact>, std::vecto
   request_.spin = spin_of(p.x);
   Band band{launch_of(p.x), request_.spin, apart_jaw_shots * across(aim_, p)};
   std::optional<std::vector<Contact>> before;
-  for (int i = -most_jaw_shots; i <= most_jaw_shots; ++i) {
+  constexpr int most = static_cast<int>(1 / apart_jaw_shots);
+  for (int i = -most; i <= most; ++i) {
     auto by = falls_by(aim_, budget_, beside(band.line, i * band.step));
     if (by) {
       band.last = i;

@@ -23,12 +23,9 @@ inline constexpr double loosely = 0.01;
 /// room, of the aim point's reach: on the curve, or beside it.
 inline constexpr int parts_between = 8;
 inline constexpr double little_lack = 0.02, little_beside = 0.2;
-/// Of the aim point's reach: how far apart launches beside a curve are that are tried, and how many to either side.
-inline constexpr double apart_beside = 0.05;
-inline constexpr int most_beside = 24;
-/// The same of launches that fall by the jaws: they lie in wide bands.
-inline constexpr double apart_jaw_shots = 0.2;
-inline constexpr int most_jaw_shots = 4;
+/// Of the aim point's reach: how far apart launches beside a curve are that are tried, to either side as far as that
+/// reaches; and those that fall by the jaws, which lie in wide bands.
+inline constexpr double apart_beside = 0.05, apart_jaw_shots = 0.2;
 /// Of the diagonal: of 2,500 curves with a shot the seed lacked at most 0.09 of room; a third of those without lack
 /// more.
 inline constexpr double hopeless = 0.15;

@@ -13,8 +13,6 @@
 namespace bankshot::planning {
 namespace {
 
-using namespace settings::window;
-
 class Windows {
  public:
   Windows(const AimRow& how, EvaluationBudget& budget, const Range& aims) : how_(how), budget_(budget), aims_(aims) {}
@@ -58,7 +56,7 @@ class Windows {
 
   /// Finds the end of the made window that begins at `made`, towards `limit`: steps grow while they stay inside.
   double edge(double made, double limit) {
-    double step = (limit - made) * first_step;
+    double step = (limit - made) / 2;
     while (std::abs(made - limit) > settings::narrowest && std::abs(step) > settings::narrowest && !budget_.spent()) {
       const bool fits = std::abs(step) < std::abs(limit - made) && attempt(made + step).replay.made;
       if (fits) made += step;

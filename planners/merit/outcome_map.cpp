@@ -20,6 +20,11 @@ using namespace settings::outcome_map;
 
 namespace {
 
+/// Places of the lattice of speeds in a coarse step, so that it can be halved so often.
+constexpr int rungs = 1 << most_halvings;
+/// rad: the origin of aims is a multiple of this, a part of a half turn by a power of two.
+constexpr double origin_step = std::numbers::pi / 64;
+
 /// The largest step that divides a half turn by a power of two and is at most `most` [rad].
 double lattice_step(double most) {
   return std::ldexp(std::numbers::pi, -static_cast<int>(std::ceil(std::log2(std::numbers::pi / most))));

@@ -77,10 +77,8 @@ namespace outcome_map {
 /// made end that: a ball that moves may be in the way at some.
 inline constexpr double coarse = 1.15;
 inline constexpr int most_missed = 2;
-/// Steps of the lattice of speeds in a coarse one, a power of two, and how often a coarse one is halved.
-inline constexpr int most_halvings = 6, rungs = 1 << most_halvings;
-/// rad: the origin of aims is a multiple of this, a part of a half turn by a power of two.
-inline constexpr double origin_step = radians(180) / 64;
+/// How often a coarse step is halved at most.
+inline constexpr int most_halvings = 6;
 /// Deviations of the speed from one row to the next around the best one, and so many rows on either side.
 inline constexpr double apart = 1.2;
 inline constexpr int around = 3;

@@ -28,6 +28,9 @@ namespace {
 
 using namespace settings::nlopt;
 
+/// Of a launch that never has the bounces asked: no squared miss is larger, counted by the diagonal's square.
+constexpr double most_miss = 1;
+
 enum class Scope { local, gradient, global };
 struct Optimisation {
   const char* name;
@@ -35,9 +38,9 @@ struct Optimisation {
   Scope scope;
   int evaluations;  ///< most, a start
 };
-constexpr Optimisation bobyqa{"nlopt-bobyqa", NLOPT_LN_BOBYQA, Scope::local, bobyqa_evaluations};
-constexpr Optimisation sbplx{"nlopt-sbplx", NLOPT_LN_SBPLX, Scope::local, sbplx_evaluations};
-constexpr Optimisation slsqp{"nlopt-slsqp", NLOPT_LD_SLSQP, Scope::gradient, slsqp_evaluations};
+constexpr Optimisation bobyqa{"nlopt-bobyqa", NLOPT_LN_BOBYQA, Scope::local, local_evaluations};
+constexpr Optimisation sbplx{"nlopt-sbplx", NLOPT_LN_SBPLX, Scope::local, local_evaluations};
+constexpr Optimisation slsqp{"nlopt-slsqp", NLOPT_LD_SLSQP, Scope::gradient, local_evaluations};
 constexpr Optimisation direct{"nlopt-direct", NLOPT_GN_DIRECT_L, Scope::global, global_evaluations};
 constexpr Optimisation crs{"nlopt-crs", NLOPT_GN_CRS2_LM, Scope::global, global_evaluations};
 constexpr Optimisation mlsl{"nlopt-mlsl", NLOPT_G_MLSL_LDS, Scope::global, global_evaluations};
@@ -55,12 +58,12 @@ struct Objective {
   double operator()(const double* x) {
     if (budget.spent()) {
       nlopt_force_stop(optimiser);
-      return std::isfinite(least) ? least : wrong_bounces;
+      return std::isfinite(least) ? least : most_miss;
     }
     const Launch l = launch(x);
     const Replay r = replay(request, budget, l, Goal::of(request));
     double value = std::pow(std::min(r.miss / request.problem->boundary.diagonal, 1.0), 2);
-    if (!r.made && r.failure.reason != FailureReason::missed) value += wrong_bounces;
+    if (!r.made && r.failure.reason != FailureReason::missed) value += most_miss;
     if (request.arrival && !request.stop) {
       const double v = r.arrival.speed, asked = std::clamp(v, request.arrival->low, request.arrival->high);
       value += std::pow((v - asked) / std::max(1.0, asked), 2);
@@ -83,7 +86,7 @@ struct LockedObjective {
     const double speed = two ? x[1] : fixed_speed;
     const auto l = linearise(aim, budget, {speed, x[0]});
     if (gradient) std::fill(gradient, gradient + (two ? 2 : 1), 0.0);
-    if (!l) return wrong_bounces;
+    if (!l) return most_miss;
     if (gradient) gradient[0] = 2 * (l->r[0] * l->by_aim(0) + l->r[1] * l->by_aim(1));
     if (gradient && two) gradient[1] = 2 * (l->r[0] * l->by_speed(0) + l->r[1] * l->by_speed(1)) / speed;
     return l->r[0] * l->r[0] + l->r[1] * l->r[1];

@@ -121,7 +121,7 @@ class Bands {
     for (const AimPoint& aim_point : request_.problem->aim_points) {
       if (aim_point.ball != path_.number(path_.last())) continue;
       for (const Band& band : bands)
-        if (!over()) roots(aim_point, band.route, across(band, last_steps * finer_));
+        if (!over()) roots(aim_point, band.route, across(band, 2 * cut_steps * finer_));
     }
   }
 

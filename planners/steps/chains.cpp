@@ -153,7 +153,7 @@ class Chains {
       asked = normal / cosine;
       if (!request_.one_unknown()) seed.speed *= asked / before;
       turn += off;
-      if (i > 0 && std::abs(off) < settled_turn) break;
+      if (i > 0 && std::abs(off) < settings::alike) break;
     }
     const Route whole = whole_route(leg, route);
     const Branch aim{request_, whole, leg.aim_point};

@@ -71,7 +71,7 @@ double Falls::turn_of(const Fall& fall) {
     return path_.left_of(before, last - 1, path_.next_of(last - 1),
                          {fall.launch.speed * (1 + log_speed), fall.launch.angle + angle});
   };
-  const auto here = left(0, 0), faster = left(small, 0), turned = left(0, small);
+  const auto here = left(0, 0), faster = left(settings::alike, 0), turned = left(0, settings::alike);
   if (!here || !faster || !turned || *turned == *here) return 0;
   return -(*faster - *here) / (*turned - *here);
 }

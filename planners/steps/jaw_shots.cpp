@@ -239,7 +239,7 @@ class JawShots {
   SearchResult& found_;
   std::vector<AimPoint> mouths_;
   Look look_{};
-  std::array<Discovery, most_on_the_way + 1> discoveries_{};
+  std::array<Discovery, looks.back().on_the_way + 1> discoveries_{};
 };
 
 }  // namespace

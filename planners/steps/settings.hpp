@@ -16,8 +16,6 @@ inline constexpr std::array shares_of_speed{0.8, 0.5, 0.25, 0.1};
 inline constexpr double least_cosine = 0.01;
 /// Cosine below which no arrival speed turns a ball's launch so far that it can be hit.
 inline constexpr double least_settled = -0.2;
-/// rad: where the ghost is turned no further by what throw turned the other ball. Newton's method does the rest.
-inline constexpr double settled_turn = 1e-3;
 /// Where Newton's method fails from the seed, faster launches are often on its side of a fold.
 inline constexpr std::array faster_seeds{1.0, 1.2, 0.85};
 }  // namespace chains
@@ -27,13 +25,11 @@ namespace bands {
 /// is found.
 inline constexpr int few_rows = 2, rows = 64;
 /// Aims around the circle, and of a band, to either side of its middle.
-inline constexpr int fan_steps = 180, cut_steps = 12, last_steps = 24;
+inline constexpr int fan_steps = 180, cut_steps = 12;
 /// Sine of the largest cut: where a band ends.
 inline constexpr double widest = 0.9998;
 /// Of both ends: where a crossing is near enough for Newton's method.
 inline constexpr double settled = 1e-4;
-/// Rad, and of ln speed: a difference that tells a slope.
-inline constexpr double small = 1e-5;
 }  // namespace bands
 
 }  // namespace bankshot::planning::settings

@@ -89,7 +89,6 @@ TEST_CASE("a ball that stands on the point is told") {
   CHECK(!Problem(p).covering());
   p.others = {{{1.5 + p.ball.body.radius, 0.5}, p.ball.body, "1"}};
   CHECK(Problem(p).covering() == Contact::ball(1));
-  CHECK(Problem(p).has_obstacles());
 }
 
 TEST_CASE("the route of a shot goes from ball to ball") {
