@@ -99,16 +99,12 @@ inline constexpr double little_way = 1e-6;
 }  // namespace unfolding
 
 namespace sweep {
-/// Aims around the circle; a sequence narrower than 0.18° between two equal neighbours is missed.
+/// Aims around the circle, of a sweep and as seeds of `ceres` if there is no image; a sequence narrower than 0.18°
+/// between two equal neighbours is missed.
 inline constexpr int fan = 2048;
 /// Cosine of the angle between a leg's directions at two neighbours (6°) beyond which a change of side may hide there.
 inline constexpr double widest_turn = 0.995;
 }  // namespace sweep
-
-namespace ceres {
-/// Aims tried as seeds if there is no image: every half degree.
-inline constexpr int aims_in_fan = 720;
-}  // namespace ceres
 
 namespace newton {
 /// Step from which impacts are integrated finely, as a share of the longest: the result must be a root, the

@@ -127,7 +127,7 @@ class Family {
   void look_for_jaw_shots(const Curve& curve);
   void add_bands(const Point& p, std::map<std::vector<Contact>, std::vector<Band>>& ways);
   Tried edge(const Tried& inside, const Tried& outside);
-  Tried peak(const Tried& before, const Tried& best, const Tried& after);
+  Tried peak(const Tried& low, const Tried& best, const Tried& high);
   Vector near_start() const;
   Tried clear(Tried t);
   Tried climb(Tried from);

@@ -155,26 +155,20 @@ Family::Tried Family::edge(const Tried& inside_, const Tried& outside_) {
   return in;
 }
 
-/// The top of the parabola through three points of a curve, twice.
-Family::Tried Family::peak(const Tried& before, const Tried& best, const Tried& after) {
-  Tried low = before, top_ = best, high = after;
-  for (int i = 0; i < parabolas && !budget_.spent(); ++i) {
-    const double a = -(top_.at.x - low.at.x).cwiseQuotient(scale_).norm(),
-                 b = (high.at.x - top_.at.x).cwiseQuotient(scale_).norm();
-    const double fa = low.merit - top_.merit, fb = high.merit - top_.merit;
-    const double denominator = fa * b - fb * a;
-    if (!(denominator != 0) || !(a < 0 && b > 0)) break;
-    const double to = (fa * b * b - fb * a * a) / (2 * denominator);
-    if (!(to > a && to < b)) break;
-    const Tried& end = to < 0 ? low : high;
-    const auto p = settle(top_.at.x + (end.at.x - top_.at.x) * (to / (to < 0 ? a : b)), wide_);
-    if (!p) break;
-    Tried t = attempt(*p);
-    if (!t.made() || !(t.merit > top_.merit)) break;
-    (to < 0 ? high : low) = top_;
-    top_ = std::move(t);
-  }
-  return top_;
+/// The top of the parabola through three points of a curve, where that is higher.
+Family::Tried Family::peak(const Tried& low, const Tried& best, const Tried& high) {
+  const double a = -(best.at.x - low.at.x).cwiseQuotient(scale_).norm(),
+               b = (high.at.x - best.at.x).cwiseQuotient(scale_).norm();
+  const double fa = low.merit - best.merit, fb = high.merit - best.merit;
+  const double denominator = fa * b - fb * a;
+  if (!(denominator != 0) || !(a < 0 && b > 0) || budget_.spent()) return best;
+  const double to = (fa * b * b - fb * a * a) / (2 * denominator);
+  if (!(to > a && to < b)) return best;
+  const Tried& end = to < 0 ? low : high;
+  const auto p = settle(best.at.x + (end.at.x - best.at.x) * (to / (to < 0 ? a : b)), wide_);
+  if (!p) return best;
+  Tried t = attempt(*p);
+  return t.made() && t.merit > best.merit ? t : best;
 }
 
 }  // namespace bankshot::planning::family

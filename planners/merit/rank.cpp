@@ -275,7 +275,7 @@ double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, Sea
     for (const Shot& shot : found.shots) value = std::max(value, moved_value(found, shot));
     return value;
   }
-  Shot* best = nullptr;
+  Shot* best = &found.shots.front();
   double most = -infinite;
   for (Shot& shot : found.shots) {
     const double likely =

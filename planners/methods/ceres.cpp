@@ -18,7 +18,7 @@ constexpr std::string_view word = "ceres";
 
 /// Every half degree, where no image exists.
 void from_fan(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const RootFinder& find) {
-  constexpr int aims = settings::ceres::aims_in_fan;
+  constexpr int aims = settings::sweep::fan;
   for (int i = 0; i < aims; ++i)
     for (int n = request.cushions().min; n <= request.cushions().max; ++n) {
       if (stop::enough_seeds(request, budget, found)) return;
