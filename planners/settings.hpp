@@ -50,7 +50,7 @@ inline constexpr double rounding = 1e-15;
 inline constexpr int most_steps = 40;
 
 /// Steps of Newton's method after which each must come nearer: before, it may overshoot and still converge.
-inline constexpr int patience = 8;
+inline constexpr int patience = 12;
 
 /// Width at which bisections end: rad, or a share of the speed. Nobody can play a narrower window.
 inline constexpr double narrowest = 1e-10;
