@@ -39,7 +39,7 @@ std::vector<Kind> all_kinds() {
       {"ideal", Model::ideal}, {"rolling", Model::rolling}, {"spin", Model::spin}};
   for (const auto& [name, model] : models)
     out.push_back({fmt::format("one ball, {}", name),
-                   [model](Random& r) { return random_puzzle(r, Family::uniform, model).puzzle; }});
+                   [model = model](Random& r) { return random_puzzle(r, Family::uniform, model).puzzle; }});
   for (const int balls : {1, 3, 6})
     out.push_back({fmt::format("layouts of {}", balls), [balls](Random& r) {
                      Puzzle p = random_layout(r, balls);
