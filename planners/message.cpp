@@ -85,7 +85,7 @@ std::string why(const SearchRequest& request, const Proof& proof) {
   return explain(request, proof.failure);
 }
 
-/// A person reads no more.
+/// An answer names no more reasons: a person reads no more.
 constexpr std::size_t most_reasons_named = 3;
 
 /// Returns the failure reasons of candidates, the most frequent first.

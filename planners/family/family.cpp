@@ -31,7 +31,7 @@ double near_window(double angle, const std::optional<Range>& window) {
 /// rad: turns of the compass that never repeat.
 constexpr double golden_turn = std::numbers::pi * (3 - 2.23606797749979);
 
-/// The value to first order; where that is not positive less, and it still grows with success.
+/// Returns the value to first order. Where that is not positive it returns less, which still grows with success.
 double likely_value(const Shot& shot) {
   const double estimate = shot.robustness.success_estimate, value = estimate - cost_of(shot);
   return value > 0 ? value : std::log(std::max(estimate, settings::rounding));

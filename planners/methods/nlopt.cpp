@@ -28,7 +28,7 @@ namespace {
 
 using namespace settings::nlopt;
 
-/// Of a launch that never has the bounces asked: no squared miss is larger, counted by the diagonal's square.
+/// A launch that never has the bounces asked costs this. No squared miss is larger, counted by the diagonal's square.
 constexpr double most_miss = 1;
 
 enum class Scope { local, gradient, global };

@@ -23,7 +23,7 @@ Leg leg_of(const Part& own, Candidate alone) {
   return leg;
 }
 
-/// Directions that a straight hit may give the ball, and launches beside them whose images lead there.
+/// Returns the directions that a straight hit may give the ball.
 Range aims_of_a_hit(const SearchRequest& request, const Objects::Object& object) {
   const Vec2d way = object.at_rest.at - request.puzzle().ball.at;
   const double middle = std::atan2(way.y, way.x), half = radians(90.0);
