@@ -30,6 +30,6 @@ TEST_CASE("a point meets the line after gap over normal speed, to rounding") {
     const Boundary boundary(rectangle_table(2, 1), {0});
     // The point moves straight on between left and right; it meets the bottom after 0.25/slope seconds.
     const Arc<double> arc{{1, 0.25}, {1, -slope}, {0, 0}, forever};
-    CHECK(time_to_line(arc, boundary.walls[0]) == 0.25 / slope);
+    CHECK(time_to_line(arc, boundary.walls[0], boundary.touch) == 0.25 / slope);
   }
 }

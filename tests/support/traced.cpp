@@ -21,7 +21,7 @@
 namespace bankshot::test {
 namespace {
 
-using Number = Dual<2>;
+using Number = Dual<4>;  ///< derivatives by the direction, the logarithm of the speed, and the place in diagonals
 
 /// The meetings of a branch, and where each left the ball that goes on.
 struct Path {
@@ -100,12 +100,15 @@ std::string differs_from_trace(const ShotRequest& shot, bool sends, std::size_t 
   }
   const RouteBalls balls(cue, standing, collisions(shot.physics), !sends);
   if (cue.clearance(shot.ball.at) < near) return "";  // a cushion may hold it from the start
-  const Path path = branch_of(simulate(shot), balls, sends, most);
+  ShotRequest simulated = shot;
+  if (shot.others.empty()) simulated.until.cushions = static_cast<int>(most);  // no more is compared
+  const Path path = branch_of(simulate(simulated), balls, sends, most);
   const Vec2d v = direction(shot.launch.angle) * shot.launch.speed, turned = perpendicular(v);
   Vec2<Number> velocity{Number(v.x), Number(v.y)};
   velocity.x.v[0] = turned.x, velocity.x.v[1] = v.x;
   velocity.y.v[0] = turned.y, velocity.y.v[1] = v.y;
-  const State<Number> start = launched(shot.ball.at, shot.ball.body.radius, velocity, shot.spin);
+  State<Number> start = launched(shot.ball.at, shot.ball.body.radius, velocity, shot.spin);
+  start.at.x.v[2] = start.at.y.v[3] = cue.diagonal;
   std::vector<State<Number>> after;
   const LockedEnd end = with_physics(shot.physics, [&](const auto& motion, const auto& cushion) {
     return follow_locked(balls, motion, cushion, std::span<const Meeting>(path.route), start, Places{after}).end;
@@ -117,7 +120,7 @@ std::string differs_from_trace(const ShotRequest& shot, bool sends, std::size_t 
   for (std::size_t i = 0; i < after.size(); ++i) {
     const auto& [at, going, spin] = after[i];
     const double turned_by = norm(value(going)) > 0 ? cue.diagonal / norm(value(going)) : 0;
-    for (const int by : {0, 1})
+    for (const int by : {0, 1, 2, 3})
       steepest = std::max(
           {steepest, std::hypot(at.x.v[by], at.y.v[by]), turned_by * std::hypot(going.x.v[by], going.y.v[by])});
     const double off = norm(value(at) - path.after[i]) / steepest;

@@ -61,13 +61,21 @@ struct LockedPath {
   Work work{};
 };
 
-/// Returns the time to the line of wall w. It is negative if the centre is already beyond the line and moves on.
+/// Returns whether an arc that leaves a line counts as starting on it: from at most `touch` [m] beyond, or where it does
+/// not get back to the line.
 template <class N>
-N time_to_line(const Arc<N>& arc, const Wall& w) {
+bool starts_on(const N& gap, const N& speed, const N& acceleration, double touch) {
+  return !(gap > N(0)) && (gap > N(-touch) || !(speed * speed > 2 * acceleration * gap));
+}
+
+/// Returns the time to the line of wall w. It is negative if the centre is already beyond the line and moves on. A
+/// centre that comes back from beyond the line first crosses it, and meets it then.
+template <class N>
+N time_to_line(const Arc<N>& arc, const Wall& w, double touch) {
   using std::sqrt;
   const N speed = dot(w.normal, arc.velocity), a = dot(w.normal, arc.acceleration);
   const N gap = dot(w.normal, arc.at) - N(w.offset);
-  if (!(speed < N(0))) return detail::first_descent(gap > N(0) ? gap : N(0), speed, a);
+  if (!(speed < N(0))) return detail::first_descent(starts_on(gap, speed, a, touch) ? N(0) : gap, speed, a);
   // Without acceleration no square is taken, since it would underflow for the slowest approach.
   if (a == N(0)) return gap / -speed;
   const N discriminant = speed * speed - 2 * a * gap;
@@ -76,7 +84,7 @@ N time_to_line(const Arc<N>& arc, const Wall& w) {
 
 template <class N>
 N time_to_contact(const Boundary& boundary, const Arc<N>& arc, Contact contact) {
-  if (const Wall* const w = boundary.line(contact)) return time_to_line(arc, *w);
+  if (const Wall* const w = boundary.line(contact)) return time_to_line(arc, *w, boundary.touch);
   const Circle* const rim = boundary.rim(contact);
   if (!rim) return N(forever);
   if (contact.kind == ContactKind::ball)
@@ -92,9 +100,10 @@ T lift_contact(const Motion& motion, const Boundary& boundary, const State<T>& s
     if (arc.chord) return detail::lift_on_path(motion, boundary, start, arc, contact, false, true, t);
   const Wall* const w = boundary.line(contact);
   if (!w) return detail::lift_circle(arc, boundary.rim(contact)->centre, t);
-  const bool beyond = !(dot(w->normal, value(arc.at)) - Real<T>(w->offset) > 0);
-  const bool away = !(dot(w->normal, value(arc.velocity)) < 0);
-  return detail::lift_line(arc, w->normal, w->offset, beyond && away, t);
+  const auto across = [w](const auto& v) { return dot(w->normal, value(v)); };
+  const Real<T> gap = across(arc.at) - Real<T>(w->offset), speed = across(arc.velocity);
+  const bool on = !(speed < 0) && starts_on(gap, speed, across(arc.acceleration), boundary.touch);
+  return detail::lift_line(arc, w->normal, w->offset, on, t);
 }
 
 /// Lets two balls collide. The path goes on with the ball that was hit, from where it stood; in a carom, with the
