@@ -103,6 +103,11 @@ const AimPoint* Problem::aim_point_taken_by(Contact contact, const Vec2d& arrive
   return best;
 }
 
+bool Problem::keeps_cushions(const Shot& shot) const {
+  const auto& sent = shot.path.then;
+  return sent.empty() || static_cast<int>(sent.back().cushions.size()) <= then()->cushions_of(then()->links.size()).max;
+}
+
 Contact Problem::covering() const {
   const auto covers = [&](const Circle& ball) {
     return !captures() && !objects && norm(aim_points.front().at - ball.centre) < ball.radius - boundary.touch;

@@ -66,6 +66,9 @@ struct Problem {
   bool safest() const { return aim_of(puzzle) == Aim::safest; }
   /// Returns what the object balls are to do; null if the cue ball itself goes to the target.
   const Then* then() const { return then_of(puzzle.target); }
+  /// Returns whether the last object ball of a shot uses no more cushions than the puzzle allows. A pot that counts by
+  /// any cushions may be found by one too many; it leads to launches that use none.
+  bool keeps_cushions(const Shot& shot) const;
   /// Returns whether the cue ball goes off a first ball to another.
   bool carom() const { return first_of_carom(puzzle.target) != 0; }
   RouteBalls balls() const {

@@ -91,8 +91,6 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
   a.simulations = budget.simulations();
   a.time_us = time_us;
   a.cost.certify_us = budget.proof_us;
-  a.status = !found.shots.empty() ? Status::solved : budget.ever_cut() ? Status::budget : Status::no_shot;
-  planning::add_nearest(request, budget, found, options.suggest, a);
   EvaluationBudget aside(std::numeric_limits<long>::max(),
                          budget);  // rating the shots does not count against the budget
   const bool once = request.all() && !request.puzzle().leave && (request.problem->objects || request.problem->safest());
@@ -106,6 +104,9 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
     if (best) found.shots.push_back(*best);
     if (options.robustness) planning::add_robustness(request, aside, found);
   }
+  std::erase_if(found.shots, [&](const Shot& shot) { return !request.problem->keeps_cushions(shot); });
+  a.status = !found.shots.empty() ? Status::solved : budget.ever_cut() ? Status::budget : Status::no_shot;
+  planning::add_nearest(request, budget, found, options.suggest, a);
   if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   if (once) planning::keep_connected_once(request, aside, found.shots);
   if (!options.robustness)

@@ -51,6 +51,8 @@ void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
 void order(const SearchRequest& request, std::span<Shot> shots) {
   std::stable_sort(shots.begin(), shots.end(), [&](const Shot& a, const Shot& b) {
     if (a.path.scratch != b.path.scratch) return b.path.scratch;
+    const bool keeps = request.problem->keeps_cushions(a);
+    if (keeps != request.problem->keeps_cushions(b)) return keeps;
     const bool first = last_choice(request, b), second = last_choice(request, a);
     if (first != second) return first;
     const double x = merit(request.puzzle(), a), y = merit(request.puzzle(), b);
@@ -174,7 +176,7 @@ std::optional<std::size_t> best_above(const SearchRequest& request, EvaluationBu
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const Shot& shot = shots[i];
-    if (shot.path.scratch && others) continue;
+    if ((shot.path.scratch && others) || !request.problem->keeps_cushions(shot)) continue;
     const double success =
         as_struck(request, shot, [&](const SearchRequest& own) { return shot_at_most(own, budget, shots, shot); });
     candidates.push_back({success - cost_of(shot), i});
@@ -258,7 +260,7 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
     const bool hope =
         as_struck(request, shot, [&](const SearchRequest& own) { return make_safest(own, budget, shot, value); });
     found.moved.push_back({c.shot->launch, c.shot->spin, {}});
-    if (!hope) continue;
+    if (!hope || !request.problem->keeps_cushions(shot)) continue;
     value = std::max(value, *shot.robustness.value);
     found.moved.back().shot = std::move(shot);
   }
@@ -300,7 +302,7 @@ void move_best(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   // The map is an estimate, so an exact launch may be worth more.
   if (const auto exact = best_above(request, budget, found.shots, moved_value(found, *best)))
     best = &found.shots[*exact];
-  else
+  else if (moved_value(found, *best) > -infinite)
     *best = *moved_from(found, *best)->shot;
   std::swap(*best, found.shots.front());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planners/steps/leg.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -30,6 +31,16 @@ Range aims_of_a_hit(const SearchRequest& request, const Objects::Object& object)
   return {middle - half, middle + half};
 }
 
+/// Returns whether the only cushion of a route does not count: the ball touches it as it is hit, or it is beside the
+/// pocket, where a ball meets a jaw instead.
+bool meets_uncounted(const Problem& alone, const Candidate& candidate) {
+  const Contact met = candidate.route.front().with;
+  if (alone.touches(met)) return true;
+  if (!candidate.aim_point.drops() || alone.boundary.jaws.empty()) return false;
+  const JawWalls& jaws = alone.boundary.jaws[static_cast<std::size_t>(candidate.aim_point.taken_by.index)];
+  return std::ranges::any_of(jaws.tips, [&](const Circle& tip) { return tip.before == met || tip.after == met; });
+}
+
 }  // namespace
 
 bool hit_straight(const SearchRequest& request, const Objects::Chain& chain) {
@@ -47,15 +58,13 @@ bool is_hidden(const SearchRequest& request, const Objects::Chain& chain) {
 
 std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
                       std::vector<Candidate> known) {
-  const Part own = last_alone(request, chain);
-  SearchRequest all(own.puzzle, Wanted::starts);
-  if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());
   std::vector<Leg> out;
-  const auto look = [&](const SearchRequest& one) {
+  const auto look = [&](const Part& own, const SearchRequest& one, bool uncounted) {
     SearchResult found{.candidates = known};
     starts(one, budget, found);
     for (Candidate& candidate : std::span(found.candidates).subspan(known.size())) {
       if (budget.spent()) return;
+      if (uncounted && !meets_uncounted(*one.problem, candidate)) continue;
       const auto linear = request.likelier > 0
                               ? linearise({one, candidate.route, candidate.aim_point}, budget, candidate.launch, true)
                               : std::nullopt;
@@ -63,10 +72,14 @@ std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, co
       if (linear) out.back().spread = std::abs(linear->by_aim(0)) * one.problem->boundary.diagonal;
     }
   };
-  if (!request.one_unknown())
-    look(all.asking(request.asked));
-  else
-    for (const double share : shares_of_speed) look(all.launched_at(share * request.fixed_speed()));
+  const auto look_alone = [&](const Part& own, bool uncounted) {
+    SearchRequest all(own.puzzle, Wanted::starts);
+    if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());
+    if (!request.one_unknown()) return look(own, all.asking(request.asked), uncounted);
+    for (const double share : shares_of_speed) look(own, all.launched_at(share * request.fixed_speed()), uncounted);
+  };
+  const Then& then = *request.problem->then();
+  look_alone(last_alone(request, chain), then.counts_any_fall() && request.object_cushions.min > 0);
   return out;
 }
 
